@@ -1,0 +1,92 @@
+#pragma once
+// A message about a program: a code, one sentence, marks in the text, why, and a fix.
+//
+// Diagnostics are data. `render` (diagnostic/render.hpp) turns them into the text form of the language
+// reference, section 20.1, and into one line of JSON (ruling 26). The headlines and the help pages live in
+// diagnostic/catalog.def.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/interpreter/source.hpp"
+
+namespace armlet {
+
+enum class Severity : std::uint8_t { kError, kAdvice };
+
+// A marked piece of text with a short label (may be empty).
+struct Mark {
+  Span span;
+  std::string label;
+};
+
+// Replace the text of `span` by `text` (an empty span inserts).
+struct Edit {
+  Span span;
+  std::string text;
+};
+
+enum class Confidence : std::uint8_t { kMaybe, kSure };
+
+struct Fix {
+  std::string text;
+  std::vector<Edit> edits;
+  Confidence confidence = Confidence::kMaybe;
+};
+
+// Circumstances of a message that arose while running.
+struct When {
+  std::int64_t time_ns = 0;
+  std::string robot;                // empty if no robot was concerned
+  std::string task;                 // "branch 2 of parallel on line 9", or empty
+  std::optional<bool> moved;        // whether this motion had started to move
+  std::string note;                 // "in the 5th pass of the loop on line 7", or empty
+  std::vector<std::string> calls;   // innermost first: "slot, called on line 12"
+};
+
+struct Diagnostic {
+  std::string code;                 // "E0401"; the first letter gives the severity: E and R, or W
+  Severity severity = Severity::kError;
+  std::string message;              // the headline
+  Mark mark;                        // marked with ^
+  std::vector<Mark> related;        // marked with -
+  std::string why;
+  std::optional<Fix> fix;
+  std::optional<When> when;
+};
+
+// Starts a message from the catalogue: fills the headline's {} in order.
+// An unknown code or a wrong number of arguments is a defect of Armlet and throws std::logic_error.
+[[nodiscard]] Diagnostic make_diagnostic(std::string_view code, Span span,
+                                         const std::vector<std::string>& arguments = {});
+
+// Collects messages by the rules of section 20.2: at most one error per statement, at most `limit` in all.
+class DiagnosticSink {
+ public:
+  explicit DiagnosticSink(int limit = 10) : limit_(limit) {}
+
+  // From here on a new statement starts; errors in it are reported again.
+  void begin_statement() { statement_failed_ = false; }
+  void set_statement_failed(bool failed) { statement_failed_ = failed; }
+  [[nodiscard]] bool statement_failed() const { return statement_failed_; }
+
+  // Returns false if the message was dropped.
+  bool report(Diagnostic diagnostic);
+
+  [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+  [[nodiscard]] bool full() const { return errors_ >= limit_; }
+  [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
+  // In the order of the text, errors and advice together.
+  [[nodiscard]] std::vector<Diagnostic> take_sorted();
+
+ private:
+  int limit_;
+  int errors_ = 0;
+  bool statement_failed_ = false;
+  std::vector<Diagnostic> all_;
+};
+
+}  // namespace armlet

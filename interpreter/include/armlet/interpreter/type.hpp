@@ -1,0 +1,112 @@
+#pragma once
+// Types of the language (reference, section 5). Types are interned: equal types are one object, compared by address.
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/interpreter/unit.hpp"
+
+namespace armlet {
+
+struct HostType;
+
+enum class Kind : std::uint8_t {
+  kAny,       // what could not be checked; fits everything, so that one mistake gives one message
+  kVoid,
+  kBool,
+  kInt,
+  kReal,      // double (dim none) and every quantity
+  kText,
+  kList,
+  kMatrix,
+  kRecord,    // struct types, and records of the library such as Move
+  kEnum,
+  kFunction,
+  kHost,      // values and handles that the host defines: posJ, posC, robot, object ...
+};
+
+struct Type;
+
+struct RecordField {
+  std::string name;
+  const Type* type = nullptr;
+  bool has_default = false;
+};
+
+struct RecordInfo {
+  std::string name;
+  std::vector<RecordField> fields;
+  [[nodiscard]] int index_of(std::string_view field) const;  // -1 if absent
+};
+
+struct EnumInfo {
+  std::string name;
+  std::vector<std::string> values;
+  [[nodiscard]] int index_of(std::string_view value) const;  // -1 if absent
+};
+
+struct Type {
+  Kind kind = Kind::kAny;
+  Dim dim;                                // kReal
+  const Type* element = nullptr;          // kList
+  RecordInfo* record = nullptr;           // kRecord; fields may be filled in after interning
+  const EnumInfo* enumeration = nullptr;  // kEnum
+  const HostType* host = nullptr;         // kHost
+  std::vector<const Type*> parameters;    // kFunction
+  const Type* result = nullptr;           // kFunction
+
+  [[nodiscard]] bool is(Kind k) const { return kind == k; }
+  [[nodiscard]] bool is_double() const { return kind == Kind::kReal && dim.is_none(); }
+  [[nodiscard]] bool is_quantity() const { return kind == Kind::kReal && !dim.is_none(); }
+  [[nodiscard]] bool is_number() const { return kind == Kind::kReal || kind == Kind::kInt; }
+  // Held in a slot as a counted reference (text, lists, records ...), not as bits.
+  [[nodiscard]] bool is_reference() const;
+};
+
+// "double[]", "length", "fn(double) -> double", "posJ".
+[[nodiscard]] std::string type_name(const Type* type);
+// "a double[]", "an int", "a length".
+[[nodiscard]] std::string type_phrase(const Type* type);
+// "a" or "an" for a word of the language.
+[[nodiscard]] std::string_view article(std::string_view word);
+
+// Owns and interns the types of one program.
+class TypePool {
+ public:
+  TypePool();
+  TypePool(const TypePool&) = delete;
+  TypePool& operator=(const TypePool&) = delete;
+
+  const Type* any() const { return any_; }
+  const Type* void_type() const { return void_; }
+  const Type* boolean() const { return bool_; }
+  const Type* integer() const { return int_; }
+  const Type* real() const { return real_; }
+  const Type* text() const { return text_; }
+  const Type* matrix() const { return matrix_; }
+  const Type* quantity(Dim dim);
+  const Type* list(const Type* element);
+  const Type* function(std::vector<const Type*> parameters, const Type* result);
+  const Type* host(const HostType* host);
+  // A new record or enum type each time: these are compared by identity.
+  const Type* new_record(std::string name);
+  const Type* new_enum(std::string name, std::vector<std::string> values);
+  // The library's records are one type per name.
+  const Type* library_record(std::string_view name) const;
+  void register_library_record(const Type* record);
+
+ private:
+  const Type* intern(Type type);
+
+  std::deque<Type> types_;
+  std::deque<RecordInfo> records_;
+  std::deque<EnumInfo> enums_;
+  std::vector<const Type*> library_records_;
+  const Type *any_, *void_, *bool_, *int_, *real_, *text_, *matrix_;
+};
+
+}  // namespace armlet
