@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Checks that every #include respects the layers of the architecture and the fences around heavy headers."""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+RUNTIME = ["core", "math", "model", "kinematics", "trajectory", "dynamics", "world", "vision", "backend"]
+
+# layer: the layers whose public headers it may include, besides its own.
+MAY_INCLUDE = {
+    "core": [],
+    "math": ["core"],
+    "model": ["core", "math"],
+    "kinematics": ["core", "math", "model"],
+    "trajectory": ["core", "math", "model", "kinematics"],
+    "dynamics": ["core", "math", "model"],
+    "world": ["core", "math"],
+    "vision": ["core", "math", "world"],
+    "backend": ["core", "math"],
+    "cell": RUNTIME,
+    "interpreter": ["core"],
+    "stdlib": ["interpreter", "cell"] + RUNTIME,
+}
+EVERYTHING = list(MAY_INCLUDE)
+
+# what: (pattern of the header, folders that may include it). Public headers never may.
+FENCES = {
+    "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/"]),
+    "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def layer_of(path):
+    """The layer a file belongs to, or None for those that may include anything public."""
+    parts = path.parts
+    if parts[0] == "runtime":
+        return parts[3] if parts[1] == "include" else parts[2]
+    return parts[0] if parts[0] in ("interpreter", "stdlib") else None
+
+
+def layer_of_header(header, layer):
+    """The layer an included header belongs to, or None for a private or foreign one."""
+    parts = header.split("/")
+    if len(parts) == 3 and parts[0] == "armlet":
+        return parts[1]
+    if layer in RUNTIME + ["cell"] and parts[0] in MAY_INCLUDE:
+        return parts[0]  # private runtime headers are included as <layer>/file.hpp
+    return None
+
+
+def faults_in_line(path, header):
+    layer = layer_of(path)
+    target = layer_of_header(header, layer)
+    allowed = EVERYTHING if layer is None else MAY_INCLUDE.get(layer, []) + [layer]
+    if layer is not None and layer not in MAY_INCLUDE:
+        yield f"'{layer}' is not a layer of the architecture"
+    elif target is not None and target not in allowed:
+        yield f"{layer} may not include {header}; it may include: {', '.join(allowed)}"
+    if path.parts[:2] == ("examples", "embed") and header.startswith("../"):
+        yield f"a host program includes installed headers only, not {header}"
+    for name, (pattern, folders) in FENCES.items():
+        if re.search(pattern, header) and not any(str(path).startswith(f) for f in folders):
+            yield f"{name} may only be included in {' and '.join(folders)}"
+
+
+def faults_in_file(path, text):
+    for number, line in enumerate(text.splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            for fault in faults_in_line(path, match.group(1)):
+                yield f"{path}:{number}: {fault}"
+
+
+def sources(root):
+    for folder in ("runtime", "interpreter", "stdlib", "apps", "tests", "bench", "examples"):
+        for suffix in ("*.hpp", "*.h", "*.cpp"):
+            yield from sorted((root / folder).rglob(suffix))
+
+
+def main():
+    root = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT
+    faults = [fault for path in sources(root)
+              for fault in faults_in_file(path.relative_to(root), path.read_text(encoding="utf-8"))]
+    print("\n".join(faults) if faults else "layers: in order")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
