@@ -1,0 +1,66 @@
+#pragma once
+// Base classes of the generated parser that count nesting: its functions call each other once per level of the text,
+// so without a limit a text of a few hundred kilobytes would overflow the stack.
+
+#include <cstddef>
+
+#include "antlr4-runtime.h"
+
+// A context that knows how deep it is nested.
+class GuardedCtx : public antlr4::ParserRuleContext {
+ public:
+  GuardedCtx() = default;
+  GuardedCtx(antlr4::ParserRuleContext* parent_context, size_t state)
+      : antlr4::ParserRuleContext(parent_context, state), level(level_of(parent_context)) {}
+
+  // Labelled alternatives are made through copyFrom; without this they would start again at level 0.
+  using antlr4::ParserRuleContext::copyFrom;
+  void copyFrom(antlr4::ParserRuleContext* other) override {
+    antlr4::ParserRuleContext::copyFrom(other);
+    level = level_of(other);
+  }
+
+  static size_t level_of(antlr4::ParserRuleContext* context) {
+    return context == nullptr ? 0 : static_cast<GuardedCtx*>(context)->level;
+  }
+
+  size_t level = 0;
+};
+
+// Throws ParseCancellationException where the nesting exceeds `max_level`.
+class GuardedParser : public antlr4::Parser {
+ public:
+  using antlr4::Parser::Parser;
+
+  size_t max_level = 200;
+
+  // Whether entering `rule` is one level more.
+  virtual bool opensLevel(size_t rule) const = 0;
+
+  void enterRule(antlr4::ParserRuleContext* context, size_t state, size_t rule) override {
+    antlr4::Parser::enterRule(context, state, rule);
+    enter_level(context, rule);
+  }
+
+  using antlr4::Parser::enterRecursionRule;
+  void enterRecursionRule(antlr4::ParserRuleContext* context, size_t state, size_t rule,
+                          int precedence) override {
+    antlr4::Parser::enterRecursionRule(context, state, rule, precedence);
+    enter_level(context, rule);
+  }
+
+  // `1 + 2` found after `1`: the new context stands where the old one stood.
+  void pushNewRecursionContext(antlr4::ParserRuleContext* context, size_t state,
+                               size_t rule) override {
+    static_cast<GuardedCtx*>(context)->level = GuardedCtx::level_of(_ctx);
+    antlr4::Parser::pushNewRecursionContext(context, state, rule);
+  }
+
+ private:
+  void enter_level(antlr4::ParserRuleContext* context, size_t rule) {
+    if (!opensLevel(rule)) return;
+    if (++static_cast<GuardedCtx*>(context)->level > max_level) {
+      throw antlr4::ParseCancellationException("nested too deeply");
+    }
+  }
+};
