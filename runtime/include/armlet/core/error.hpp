@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace armlet {
+
+// A precondition was broken: what() is a full sentence with what was given and what was expected.
+class ArgumentError : public std::invalid_argument {
+ public:
+  explicit ArgumentError(const std::string& message) : std::invalid_argument(message) {}
+};
+
+// Why a question has no answer.
+//
+// code     short name that programs can compare, for example "unreachable".
+// message  full sentence for people, with numbers and units.
+struct Error {
+  std::string code;
+  std::string message;
+};
+
+// A value, or the reason why there is none.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}
+  Result(Error error) : content_(std::move(error)) {}
+
+  bool ok() const { return content_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  // The value. Throws ArgumentError with the error's message if there is none.
+  const T& value() const& {
+    require_value();
+    return std::get<0>(content_);
+  }
+  T&& value() && {
+    require_value();
+    return std::get<0>(std::move(content_));
+  }
+  const T& operator*() const& { return value(); }
+  const T* operator->() const { return &value(); }
+
+  // The reason. Throws ArgumentError if there is a value.
+  const Error& error() const {
+    if (ok()) throw ArgumentError("This result holds a value; it has no error to read.");
+    return std::get<1>(content_);
+  }
+
+ private:
+  void require_value() const {
+    if (!ok()) throw ArgumentError(std::get<1>(content_).message);
+  }
+  std::variant<T, Error> content_;
+};
+
+// Throws ArgumentError "`q` has 5 elements; expected 6." unless given == expected.
+void check_size(std::string_view name, Eigen::Index given, Eigen::Index expected);
+
+// Throws ArgumentError naming the value (and the element) that is not a number or infinite.
+void check_finite(std::string_view name, double value);
+void check_finite(std::string_view name, const Eigen::Ref<const Eigen::MatrixXd>& values);
+
+// Throws ArgumentError unless value is a finite number above zero.
+void check_positive(std::string_view name, double value);
+
+}  // namespace armlet

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "armlet/model/robot.hpp"
+
+namespace armlet {
+
+// Joint values as an argument: any vector, or a column of a matrix, without a copy.
+using JointsIn = const Eigen::Ref<const Eigen::VectorXd>&;
+
+// Pose of the tool point in the world: T_world_base A_1(q_1) ... A_n(q_n) T_flange_tool.
+//
+// q       n joint values, rad or m; limits are not checked.
+// throws  ArgumentError unless q has n elements.
+Eigen::Isometry3d forward(const Robot& robot, JointsIn q);
+
+// Pose of the frame after joint k in the world, without the tool; k counts from 1 and 0 is the
+// base.
+//
+// throws  ArgumentError unless 0 <= k <= n and q has n elements.
+Eigen::Isometry3d link_frame(const Robot& robot, JointsIn q, int k);
+
+// The n frames after joints 1 to n in the world, without the tool.
+std::vector<Eigen::Isometry3d> link_frames(const Robot& robot, JointsIn q);
+
+// The same frames written where the caller wants them; nothing is allocated.
+//
+// frames  n poses.
+// returns the pose of the tool point in the world.
+Eigen::Isometry3d link_frames(const Robot& robot, JointsIn q, std::span<Eigen::Isometry3d> frames);
+
+}  // namespace armlet

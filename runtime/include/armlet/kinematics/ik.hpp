@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/kinematics/limits.hpp"
+#include "armlet/math/twist.hpp"
+
+namespace armlet {
+
+// What the tool point must match of the goal.
+//
+// kPose      place and orientation. An arm with fewer than six joints reaches only the poses that
+//            it can; others are kOrientationUnreachable.
+// kPosition  the place; the orientation is free.
+// kPlace     the place, keeping the orientation at the seed as far as the arm can: if that
+//            orientation cannot be kept, the change of orientation is made as small as possible.
+// kTurn      the place and the turn about the world's z axis (the heading of the goal's x axis, or
+//            of its y axis if x is vertical), with the tilt of the tool at the seed. For arms whose
+//            tool axis stays parallel to z, such as a SCARA.
+// kMasked    the rows of [p; log R] chosen by IkOptions::mask.
+enum class IkTask { kPose, kPosition, kPlace, kTurn, kMasked };
+
+enum class IkMaskFrame { kWorld, kTool };
+
+// kFirst    the first solution found, starting at the seed.
+// kNearest  of all solutions found, the one with the smallest largest joint change from the seed;
+//           equal within 1e-9, the one with the positive elbow.
+enum class IkChoice { kFirst, kNearest };
+
+struct IkOptions {
+  Eigen::VectorXd seed;  // n joint values to start from and to stay near; empty: the arm's home
+  IkTask task = IkTask::kPose;
+  std::array<bool, 6> mask{true, true, true, true, true, true};  // for kMasked
+  IkMaskFrame mask_frame = IkMaskFrame::kWorld;
+  IkChoice choice = IkChoice::kNearest;
+  double position_tolerance = 1e-6;  // m
+  double rotation_tolerance = 1e-6;  // rad
+  int iterations = 30;               // per start
+  int starts = 100;
+  bool respect_limits = true;
+  bool diagnose = true;  // find out why when there is no solution
+};
+
+enum class IkStatus {
+  kOk,
+  kUnreachable,             // the place is out of reach
+  kOrientationUnreachable,  // the place can be reached, but not with this orientation
+  kJointLimit,              // only with joints outside their limits
+  kSingularGoal,            // the iteration stalls at a singular configuration next to the goal
+  kBadRotation,             // the goal's rotation part is not a rotation
+  kBadSize,                 // the seed has not one value per joint
+  kNotFinite,               // the goal or the seed contains nan or infinity
+};
+
+// "unreachable", "joint limit", ...
+std::string_view to_text(IkStatus status);
+
+// Why there is no solution, in numbers. Filled as far as the status needs it.
+//
+// distance    from the goal to the nearest reachable tool point, m.
+// angle       from the goal's orientation to the nearest one reachable at that place, rad.
+// nearest     that pose of the tool in the world, and q_nearest the joints that reach it.
+// violations  joints that would be outside their limits at the best solution without limits.
+// sigma_min   closeness to a singularity at q_nearest (see Singularity), and the direction lost.
+struct IkDiagnosis {
+  double distance = 0.0;
+  double angle = 0.0;
+  Eigen::Isometry3d nearest = Eigen::Isometry3d::Identity();
+  Eigen::VectorXd q_nearest;
+  std::vector<LimitViolation> violations;
+  double sigma_min = 0.0;
+  Vector6d lost_direction = Vector6d::Zero();
+};
+
+// q is the solution if status is kOk, otherwise the best configuration found. The errors belong
+// to q and count only what the task asks for.
+struct IkResult {
+  IkStatus status = IkStatus::kUnreachable;
+  Eigen::VectorXd q;
+  double position_error = 0.0;  // m
+  double rotation_error = 0.0;  // rad
+  int iterations = 0;
+  int starts = 0;
+  std::string_view solver = "numeric";
+  IkDiagnosis diagnosis;
+
+  bool ok() const { return status == IkStatus::kOk; }
+};
+
+// Joint values that bring the tool point to a pose, within the limits and near the seed.
+//
+// T_world_tool  the goal, in the world.
+// returns       a result whose status says what happened; never throws for what the goal is.
+IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                  const IkOptions& options = {});
+
+// Distinct solutions of kPose that the solver finds, nearest to the seed first, at most `count`.
+// An arm with more than six joints has infinitely many; these are examples.
+std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                                          const IkOptions& options = {}, int count = 16);
+
+// One full sentence that says why a result is not ok, with distances, angles and joints.
+std::string explain(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                    const IkResult& result);
+
+}  // namespace armlet

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "armlet/kinematics/forward.hpp"
+
+namespace armlet {
+
+// A joint outside its range.
+//
+// joint  index from 0.
+// value  what it would have to be; limit, the bound that it passes. Both rad or m.
+struct LimitViolation {
+  int joint = 0;
+  double value = 0.0;
+  double limit = 0.0;
+
+  double excess() const { return value > limit ? value - limit : limit - value; }
+};
+
+// Joints of q that lie outside their limits by more than tolerance, in joint order.
+std::vector<LimitViolation> limit_violations(const Robot& robot, JointsIn q,
+                                             double tolerance = 1e-9);
+
+bool within_limits(const Robot& robot, JointsIn q, double tolerance = 1e-9);
+
+// q with every joint moved to the nearest value within its limits.
+Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q);
+
+// q with every revolute joint turned by whole turns to the copy nearest to q_near among those
+// within the limits; a joint of which no copy lies within them keeps the copy nearest to its range.
+Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near);
+
+// "joint 2 would turn to 152 deg; its range is -145 deg to 145 deg"
+std::string describe(const Robot& robot, const LimitViolation& violation);
+
+}  // namespace armlet

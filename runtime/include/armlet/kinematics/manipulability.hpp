@@ -1,0 +1,30 @@
+#pragma once
+
+#include "armlet/kinematics/jacobian.hpp"
+
+namespace armlet {
+
+// Yoshikawa's measure sqrt(det(J J^T)): of the whole Jacobian for six and more joints, of its
+// translational rows for fewer, leaving out directions in which the arm can never move.
+//
+// source  T. Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4(2), 1985.
+double manipulability(const Robot& robot, JointsIn q);
+
+// How close the arm is to a singularity.
+//
+// sigma_min   smallest singular value of diag(1,1,1,L,L,L) J with L = robot.length(), in metres;
+// for
+//             arms of three and fewer joints only the translational rows count.
+// direction   the motion [v; w] that is being lost, a unit vector in world axes (w scaled by L).
+// joints      unit vector of the joint motion that moves the tool least.
+struct Singularity {
+  double sigma_min = 0.0;
+  Vector6d direction = Vector6d::Zero();
+  Eigen::VectorXd joints;
+};
+Singularity singularity(const Robot& robot, JointsIn q);
+
+// "cannot move along (0.00, 1.00, 0.00)" or "cannot rotate about (0.00, 0.00, 1.00)"
+std::string describe(const Singularity& singularity);
+
+}  // namespace armlet

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace armlet {
+
+inline constexpr double kPi = std::numbers::pi;
+
+constexpr double deg_to_rad(double angle_deg) { return angle_deg * (kPi / 180.0); }
+constexpr double rad_to_deg(double angle) { return angle * (180.0 / kPi); }
+
+// The same direction in (-pi, pi]. std::remainder is exact, so its bits are the same everywhere.
+inline double wrap_angle(double angle) {
+  const double wrapped = std::remainder(angle, 2.0 * kPi);
+  return wrapped <= -kPi ? kPi : wrapped;
+}
+
+// The shortest turn that leads from one angle to another, in (-pi, pi].
+inline double angle_difference(double to, double from) { return wrap_angle(to - from); }
+
+// The copy of an angle (by whole turns) that is nearest to another.
+inline double nearest_turn(double angle, double near) {
+  return near + std::remainder(angle - near, 2.0 * kPi);
+}
+
+}  // namespace armlet

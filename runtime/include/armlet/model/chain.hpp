@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+namespace armlet {
+
+inline constexpr int kMaxJoints = 12;
+
+// A serial arm reduced to what the kinematic recursions need, whatever its convention:
+//
+//   T_world_tool(q) = T_world_base  prod_i X_i Z_i(q_i)  X_n  T_flange_tool
+//   X_i = Rx(alpha_i) Tx(a_i),  Z_i = Rz(theta_i) Tz(d_i)
+//
+// The modified convention is this form with the last X the identity; a standard row i gives Z_i and
+// X_{i+1}. X_0 .. X_n are stored with the sine and cosine of alpha.
+struct Chain {
+  int n = 0;
+  bool standard = true;
+  std::array<bool, kMaxJoints> revolute{};
+  std::array<double, kMaxJoints>
+      theta{};                         // offset of a revolute joint, constant of a prismatic one
+  std::array<double, kMaxJoints> d{};  // constant of a revolute joint, offset of a prismatic one
+  std::array<double, kMaxJoints> sin_theta{};  // of the constant angle of a prismatic joint
+  std::array<double, kMaxJoints> cos_theta{};
+  std::array<double, kMaxJoints + 1> a{};
+  std::array<double, kMaxJoints + 1> sin_alpha{};
+  std::array<double, kMaxJoints + 1> cos_alpha{};
+  Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace armlet

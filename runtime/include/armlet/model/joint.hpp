@@ -1,0 +1,42 @@
+#pragma once
+
+#include <limits>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+#include "armlet/model/dh.hpp"
+
+namespace armlet {
+
+enum class JointKind { kRevolute, kPrismatic };
+
+// One joint, in rad and rad/s (revolute) or m and m/s (prismatic).
+//
+// A rate of 0 stands for the default: 180 deg/s or 0.5 m/s; full speed in 0.25 s; full acceleration
+// in 0.1 s. Robot replaces it by that number.
+struct Joint {
+  JointKind kind = JointKind::kRevolute;
+  DhRow dh;
+  double lower = -2.0 * std::numbers::pi;
+  double upper = 2.0 * std::numbers::pi;
+  double max_speed = 0.0;
+  double max_accel = 0.0;
+  double max_jerk = 0.0;
+  double max_effort = std::numeric_limits<double>::infinity();  // N m or N
+
+  bool is_revolute() const { return kind == JointKind::kRevolute; }
+};
+
+inline constexpr double kDefaultTurnSpeed = std::numbers::pi;  // rad/s
+inline constexpr double kDefaultSlideSpeed = 0.5;              // m/s
+inline constexpr double kDefaultTimeToSpeed = 0.25;            // s
+inline constexpr double kDefaultTimeToAccel = 0.1;             // s
+
+// A joint's value for people: "152.4 deg" for a revolute joint, "37.2 mm" for a prismatic one.
+std::string format_joint_value(JointKind kind, double value);
+
+// "turn" or "slide".
+std::string_view joint_word(JointKind kind);
+
+}  // namespace armlet

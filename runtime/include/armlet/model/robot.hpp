@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/model/chain.hpp"
+#include "armlet/model/joint.hpp"
+#include "armlet/model/link.hpp"
+#include "armlet/model/tool.hpp"
+
+namespace armlet {
+
+// How strictly link inertias are judged. Identified arms of the literature are published with
+// effective inertias that no rigid body has; they are kept as they are.
+enum class InertiaCheck { kRigidBody, kPublished };
+
+// Everything that defines a serial arm; Robot checks it.
+struct RobotSpec {
+  std::string name = "robot";
+  std::string source;  // where the numbers come from
+  DhConvention convention = DhConvention::kStandard;
+  std::vector<Joint> joints;  // 1 to kMaxJoints
+  std::vector<Link> links;    // as many as joints, or none for an arm without mass
+  InertiaCheck inertia_check = InertiaCheck::kRigidBody;
+  Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();  // the tool point
+  Tool tool;                                                        // the hand
+  Eigen::Vector3d gravity{0.0, 0.0, -9.81};  // acceleration in world axes, m/s^2
+  Eigen::VectorXd home;                      // empty: zero, or the nearest value within the limits
+};
+
+// A serial arm that never changes after construction; it may be shared between threads.
+class Robot {
+ public:
+  // Throws ArgumentError naming the joint or link and the number that is wrong.
+  explicit Robot(RobotSpec spec);
+
+  int n() const { return chain_.n; }
+  const std::string& name() const { return spec_.name; }
+  const std::string& source() const { return spec_.source; }
+  const RobotSpec& spec() const { return spec_; }
+
+  const Joint& joint(int i) const { return spec_.joints[static_cast<std::size_t>(i)]; }
+  const Link& link(int i) const { return spec_.links[static_cast<std::size_t>(i)]; }
+  bool is_revolute(int i) const { return chain_.revolute[static_cast<std::size_t>(i)]; }
+
+  const Eigen::Isometry3d& T_world_base() const { return spec_.T_world_base; }
+  const Eigen::Isometry3d& T_flange_tool() const { return spec_.T_flange_tool; }
+  const Tool& tool() const { return spec_.tool; }
+  const Eigen::Vector3d& gravity() const { return spec_.gravity; }
+  const Eigen::VectorXd& home() const { return spec_.home; }
+
+  // One number per joint, rad or m and their time derivatives.
+  const Eigen::VectorXd& lower() const { return lower_; }
+  const Eigen::VectorXd& upper() const { return upper_; }
+  const Eigen::VectorXd& max_speed() const { return max_speed_; }
+  const Eigen::VectorXd& max_accel() const { return max_accel_; }
+  const Eigen::VectorXd& max_jerk() const { return max_jerk_; }
+
+  // Characteristic length: sum of |a| + |d| over the rows, at least 0.1 m. It makes metres and
+  // radians comparable.
+  double length() const { return length_; }
+
+  // Upper bound of the distance from the base to the tool point within the limits, m.
+  double reach() const { return reach_; }
+
+  // Constants for the kinematic recursions.
+  const Chain& chain() const { return chain_; }
+
+  // Copies with one thing changed. with_tool puts the tool point at the hand's length along the
+  // flange's z axis; with_tool_point moves the point and keeps the hand.
+  Robot with_name(std::string name) const;
+  Robot with_base(const Eigen::Isometry3d& T_world_base) const;
+  Robot with_tool(const Tool& tool) const;
+  Robot with_tool_point(const Eigen::Isometry3d& T_flange_tool) const;
+  Robot with_home(const Eigen::VectorXd& home) const;
+
+ private:
+  RobotSpec spec_;
+  Chain chain_;
+  Eigen::VectorXd lower_, upper_, max_speed_, max_accel_, max_jerk_;
+  double length_ = 0.0;
+  double reach_ = 0.0;
+};
+
+// Joints from a table with one row theta, d, a, alpha per joint (rad, m) and a word such as "RRPR".
+// Prismatic joints get limits 0 to 1 m, revolute ones -360 to 360 deg.
+//
+// throws  ArgumentError if a row has not 4 numbers, the word has another length or another letter.
+std::vector<Joint> joints_from_table(const std::vector<std::vector<double>>& rows,
+                                     std::string_view kinds);
+
+}  // namespace armlet

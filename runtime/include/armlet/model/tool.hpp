@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string_view>
+
+namespace armlet {
+
+enum class ToolKind { kNone, kParallelGripper, kSuctionCup, kPoint };
+
+// The hand. Its tool point lies `length` along the z axis of the flange.
+//
+// stroke          widest opening of a gripper, m; wider things cannot be grasped.
+// length          from the flange to the tool point, m.
+// force           closing force, N.
+// radius          of a suction cup, m.
+// grasp_distance  how near the tool point must be to what is grasped, m.
+struct Tool {
+  ToolKind kind = ToolKind::kNone;
+  double stroke = 0.0;
+  double length = 0.0;
+  double force = 0.0;
+  double radius = 0.0;
+  double grasp_distance = 0.005;
+
+  bool can_grasp() const {
+    return kind == ToolKind::kParallelGripper || kind == ToolKind::kSuctionCup;
+  }
+};
+
+// Ready-made hands. All throw ArgumentError for a stroke or radius that is not above zero, a
+// negative length or a negative force.
+Tool parallel_gripper(double stroke, double length = 0.120, double force = 20.0);
+Tool suction_cup(double radius, double length = 0.060);
+Tool point_tool(double length = 0.0);
+
+}  // namespace armlet
