@@ -1,0 +1,74 @@
+// One-axis laws: cubic, quintic and trapezoidal travel, and the least time each of them needs.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "armlet/trajectory/trajectory.hpp"
+
+namespace armlet {
+
+// Largest magnitudes an axis may reach; infinity where there is no limit.
+struct AxisLimits {
+  double speed = std::numeric_limits<double>::infinity();         // rad/s or m/s
+  double acceleration = std::numeric_limits<double>::infinity();  // rad/s^2 or m/s^2
+  double jerk = std::numeric_limits<double>::infinity();          // rad/s^3 or m/s^3
+};
+
+// Position, speed and acceleration of one axis.
+struct AxisState {
+  double q = 0.0;
+  double v = 0.0;
+  double a = 0.0;
+};
+
+enum class LimitKind { kSpeed, kAcceleration, kJerk };
+
+// The shortest admissible duration, and the limit that decides it.
+struct LeastTime {
+  double time = 0.0;  // s
+  LimitKind limit = LimitKind::kSpeed;
+};
+
+// Cubic with given positions and speeds at both ends; `from.a` and `to.a` are not used.
+// T       duration, s, > 0.
+// source  Craig, Introduction to Robotics (2005), eq. 7.11.
+Segment cubic_segment(const AxisState& from, const AxisState& to, double T);
+
+// Quintic with given position, speed and acceleration at both ends. From rest to rest it is the law
+// of least jerk, D (10 x^3 - 15 x^4 + 6 x^5) with x = t / T (Flash and Hogan, 1985).
+// T       duration, s, > 0.
+// source  Craig, Introduction to Robotics (2005), eq. 7.18.
+Segment quintic_segment(const AxisState& from, const AxisState& to, double T);
+
+// Least time from rest to rest over `travel`. Cubic: max(1.5 D/V, sqrt(6 D/A)); its jerk is
+// unbounded at the ends, so a jerk limit is not considered.
+LeastTime cubic_least_time(double travel, const AxisLimits& limits);
+
+// Quintic: max(1.875 D/V, sqrt(10/sqrt(3) D/A), cbrt(60 D/J)).
+LeastTime quintic_least_time(double travel, const AxisLimits& limits);
+
+// Speed rises evenly for `ramp` seconds to `speed`, stays, and falls evenly for `ramp` seconds.
+struct Trapezoid {
+  double ramp = 0.0;      // s
+  double speed = 0.0;     // magnitude of the constant speed
+  double duration = 0.0;  // s, >= 2 ramp
+};
+
+// The fastest trapezoid (or triangle) over `travel` under speed and acceleration limits.
+// Zero travel gives a zero duration.
+Trapezoid fastest_trapezoid(double travel, const AxisLimits& limits);
+LeastTime trapezoid_least_time(double travel, const AxisLimits& limits);
+
+// The trapezoid of duration T with acceleration A, which has the lowest constant speed; nothing if
+// A T^2 < 4 D.
+std::optional<Trapezoid> trapezoid_in_time(double travel, double T, double A);
+
+// The trapezoid of duration T that speeds up for `ramp` seconds, 0 < ramp <= T / 2.
+Trapezoid trapezoid_with_ramp(double travel, double T, double ramp);
+
+// The pieces of a trapezoid that starts at q and travels (with sign) `travel`.
+std::vector<Segment> trapezoid_segments(double q, double travel, const Trapezoid& shape);
+
+}  // namespace armlet

@@ -1,0 +1,82 @@
+// Motion as a function of time: one piecewise polynomial per joint, whatever planner made it.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace armlet {
+
+// One polynomial piece: q(t) = sum_k c[k] (t - start)^k for start <= t <= start + duration.
+struct Segment {
+  static constexpr int kMaxDegree = 7;
+  double start = 0.0;     // s
+  double duration = 0.0;  // s, > 0
+  int degree = 0;         // the highest k in use, <= kMaxDegree
+  std::array<double, kMaxDegree + 1> c{};
+
+  // The derivative of the given order (0: position) at `u` seconds after the start of the piece.
+  [[nodiscard]] double value(double u, int order = 0) const;
+  [[nodiscard]] double end() const { return start + duration; }
+};
+
+// The motion of one joint. Pieces follow one another without a gap from t = 0; no pieces: the joint
+// stands still at q_end. After the last piece the joint stays at q_end, which is exact.
+struct JointPath {
+  std::vector<Segment> segments{};
+  double q_end = 0.0;
+};
+
+// A motion of n joints, checked when it is made, immutable afterwards.
+//
+// Time is clamped: before 0 and after duration() the joints stand still at the first and last
+// position. At duration() the position is exactly the one that was asked for.
+class Trajectory {
+ public:
+  Trajectory() = default;
+
+  // joints    one path each.
+  // duration  s; joints that end earlier wait. At least the end of every path (within 1e-9 s).
+  // throws    ArgumentError when pieces overlap, leave gaps, do not start at 0 or are not finite.
+  Trajectory(std::vector<JointPath> joints, double duration);
+
+  // n joints standing still at q for `duration` seconds (0 is allowed).
+  static Trajectory at_rest(const Eigen::VectorXd& q, double duration);
+
+  [[nodiscard]] int n() const { return static_cast<int>(joints_.size()); }
+  [[nodiscard]] double duration() const { return duration_; }
+  [[nodiscard]] const JointPath& joint(int i) const { return joints_[static_cast<size_t>(i)]; }
+  [[nodiscard]] Eigen::VectorXd start() const;
+  [[nodiscard]] Eigen::VectorXd end() const;
+
+  // State at time t without allocating; each argument has n elements.
+  void sample(double t, Eigen::Ref<Eigen::VectorXd> q, Eigen::Ref<Eigen::VectorXd> qd,
+              Eigen::Ref<Eigen::VectorXd> qdd) const;
+
+  // The derivative of the given order (0: position, 3: jerk) of joint i at time t.
+  [[nodiscard]] double value(int i, double t, int order = 0) const;
+
+  // All times at which some polynomial begins or ends, ascending, each once, from 0 to duration().
+  [[nodiscard]] std::vector<double> knots() const;
+
+  // The largest |derivative| of joint i over the whole motion (order 1: speed, 2: acceleration),
+  // from the roots of the next derivative, not from samples.
+  [[nodiscard]] double peak(int i, int order) const;
+
+  // Smallest and largest position of joint i over the whole motion.
+  struct Range {
+    double lower;
+    double upper;
+  };
+  [[nodiscard]] Range range(int i) const;
+
+  // The same path run `factor` times slower (factor > 0): duration and knots are multiplied by it.
+  [[nodiscard]] Trajectory stretched(double factor) const;
+
+ private:
+  std::vector<JointPath> joints_;
+  double duration_ = 0.0;
+};
+
+}  // namespace armlet

@@ -1,0 +1,120 @@
+#include "armlet/trajectory/trajectory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "armlet/trajectory/profile.hpp"
+
+using namespace armlet;
+
+namespace {
+
+// Joint 1: quintic of 1 s then cubic of 0.5 s; joint 2: cubic of 1 s, then waits; joint 3: at rest.
+Trajectory three_joints() {
+  const Segment rise = quintic_segment({.q = 0.1}, {.q = 0.7, .v = 0.3}, 1.0);
+  Segment tail = cubic_segment({.q = 0.7, .v = 0.3}, {.q = 0.9}, 0.5);
+  tail.start = 1.0;
+  const Segment second = cubic_segment({.q = -0.2}, {.q = 0.4}, 1.0);
+  return {{{{rise, tail}, 0.9}, {{second}, 0.4}, {{}, 2.5}}, 1.5};
+}
+
+}  // namespace
+
+TEST_CASE("time is clamped and the end is exactly the target") {
+  const Trajectory motion = three_joints();
+  Eigen::VectorXd q(3), qd(3), qdd(3);
+  motion.sample(-1.0, q, qd, qdd);
+  CHECK(q == Eigen::Vector3d(0.1, -0.2, 2.5));
+  CHECK(qd.isZero(0.0));
+  CHECK(qdd.isZero(0.0));
+  motion.sample(1.5, q, qd, qdd);
+  CHECK(q == Eigen::Vector3d(0.9, 0.4, 2.5));
+  motion.sample(99.0, q, qd, qdd);
+  CHECK(q == motion.end());
+  CHECK(qd.isZero(0.0));
+  CHECK(motion.start() == Eigen::Vector3d(0.1, -0.2, 2.5));
+}
+
+TEST_CASE("a joint that arrives early waits at its own target") {
+  const Trajectory motion = three_joints();
+  CHECK(motion.value(1, 1.2) == 0.4);
+  CHECK(motion.value(1, 1.2, 1) == 0.0);
+  CHECK(motion.value(2, 0.5, 2) == 0.0);
+}
+
+TEST_CASE("every derivative is the slope of the one below it") {
+  const Trajectory motion = three_joints();
+  const double h = 1e-5;
+  for (int order = 0; order < 3; ++order) {
+    for (double t = 0.05; t < 1.45; t += 0.1) {
+      if (std::abs(t - 1.0) < 0.02) continue;
+      const double slope =
+          (motion.value(0, t + h, order) - motion.value(0, t - h, order)) / (2.0 * h);
+      // Central differences err by h^2/6 times the third derivative, which is below 1e3 here.
+      CHECK(slope == doctest::Approx(motion.value(0, t, order + 1)).epsilon(1e-6).scale(1.0));
+    }
+  }
+}
+
+TEST_CASE("knots list every piece of every joint once") {
+  CHECK(three_joints().knots() == std::vector<double>{0.0, 1.0, 1.5});
+  CHECK(Trajectory::at_rest(Eigen::Vector2d(1.0, 2.0), 0.0).knots() == std::vector<double>{0.0});
+}
+
+TEST_CASE("peaks and ranges are those of dense sampling, and never smaller") {
+  // 3 t - 2 t^2 on [0, 1.2]: turns at t = 0.75, where it is 1.125.
+  const Segment hill{.start = 0.0, .duration = 1.2, .degree = 2, .c = {0.0, 3.0, -2.0}};
+  const Trajectory parabola({{{hill}, hill.value(1.2)}}, 1.2);
+  CHECK(parabola.range(0).upper == doctest::Approx(1.125).epsilon(1e-15));
+  CHECK(parabola.range(0).lower == 0.0);
+  CHECK(parabola.peak(0, 1) == doctest::Approx(3.0).epsilon(1e-15));
+  CHECK(parabola.peak(0, 2) == doctest::Approx(4.0).epsilon(1e-15));
+
+  const Trajectory motion = three_joints();
+  for (int order = 1; order <= 2; ++order) {
+    double sampled = 0.0;
+    for (int k = 0; k <= 30000; ++k) {
+      sampled = std::max(sampled, std::abs(motion.value(0, k * 1.5 / 30000.0, order)));
+    }
+    CHECK(motion.peak(0, order) >= sampled - 1e-12);
+    CHECK(motion.peak(0, order) == doctest::Approx(sampled).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("stretching divides speed by the factor and acceleration by its square") {
+  const Trajectory motion = three_joints();
+  const Trajectory slow = motion.stretched(3.0);
+  CHECK(slow.duration() == doctest::Approx(4.5).epsilon(1e-15));
+  for (double t = 0.0; t < 1.5; t += 0.07) {
+    CHECK(slow.value(0, 3.0 * t) == doctest::Approx(motion.value(0, t)).epsilon(1e-13));
+    CHECK(slow.value(0, 3.0 * t, 1) ==
+          doctest::Approx(motion.value(0, t, 1) / 3.0).epsilon(1e-12).scale(1.0));
+    CHECK(slow.value(0, 3.0 * t, 2) ==
+          doctest::Approx(motion.value(0, t, 2) / 9.0).epsilon(1e-12).scale(1.0));
+  }
+  CHECK_THROWS_AS((void)motion.stretched(0.0), ArgumentError);
+}
+
+TEST_CASE("a motion without joints lasts as long as it is told") {
+  const Trajectory nothing({}, 2.0);
+  CHECK(nothing.n() == 0);
+  CHECK(nothing.duration() == 2.0);
+  CHECK(Trajectory().duration() == 0.0);
+}
+
+TEST_CASE("gaps, late starts, wrong durations and infinite coefficients are refused") {
+  const Segment piece = cubic_segment({.q = 0.0}, {.q = 1.0}, 1.0);
+  Segment late = piece;
+  late.start = 0.5;
+  Segment broken = piece;
+  broken.c[2] = std::nan("");
+  CHECK_THROWS_AS(Trajectory({{{late}, 1.0}}, 2.0), ArgumentError);
+  CHECK_THROWS_AS(Trajectory({{{piece, piece}, 1.0}}, 2.0), ArgumentError);
+  CHECK_THROWS_AS(Trajectory({{{broken}, 1.0}}, 2.0), ArgumentError);
+  CHECK_THROWS_AS(Trajectory({{{piece}, 1.0}}, 0.5), ArgumentError);
+  CHECK_THROWS_AS(Trajectory({{{piece}, std::nan("")}}, 1.0), ArgumentError);
+  CHECK_THROWS_AS(Trajectory({}, -1.0), ArgumentError);
+  CHECK_THROWS_AS(Trajectory({}, std::nan("")), ArgumentError);
+}
