@@ -1,0 +1,152 @@
+#pragma once
+// The door to the language: an Engine knows the vocabulary, compiles texts to Programs, and a Vm runs one.
+//
+// An Engine is set up once and then only read, so threads may share it. A Program never changes. A Vm belongs to one
+// thread at a time; `cancel` is the only call that another thread may make. Nothing here throws for what a script does.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/native.hpp"
+#include "armlet/interpreter/source.hpp"
+
+namespace armlet {
+
+namespace lang {
+struct CompiledProgram;
+class Registry;
+struct VmState;
+}  // namespace lang
+
+struct ParseLimits {
+  std::uint32_t bytes = 16U << 20U;
+  std::uint32_t tokens = 4'000'000;
+  std::uint32_t nesting = 200;
+  int errors = 10;
+};
+
+// Gives the text of an imported module, or nothing if there is no such file.
+using ModuleLoader = std::function<std::optional<std::string>(const std::string& path, const std::string& from)>;
+
+struct CompileOptions {
+  ParseLimits limits;
+  void* host = nullptr;            // handed to check rules
+  ModuleLoader load;               // no imports without it
+};
+
+// A checked program. Shared by all who run it.
+class Program {
+ public:
+  explicit Program(std::unique_ptr<lang::CompiledProgram> compiled);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  [[nodiscard]] const SourceSet& sources() const;
+  [[nodiscard]] std::vector<std::string> test_names() const;
+  // Whether the text mentions a library function of this name.
+  [[nodiscard]] bool mentions(std::string_view function) const;
+  [[nodiscard]] std::string disassemble() const;
+  [[nodiscard]] const lang::CompiledProgram& compiled() const { return *compiled_; }
+
+ private:
+  std::unique_ptr<lang::CompiledProgram> compiled_;
+};
+
+struct Compilation {
+  std::shared_ptr<const Program> program;      // null if there were errors
+  std::shared_ptr<const SourceSet> sources;    // also when it failed
+  std::vector<Diagnostic> diagnostics;         // errors and advice in the order of the text
+};
+
+class Engine {
+ public:
+  Engine();
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) noexcept;
+
+  // The tables must outlive the engine. Signatures are read when first used; `check_signatures` reads all.
+  Engine& add_functions(std::span<const NativeFunction> functions);
+  Engine& add_type(const HostType& type);
+  // A record of the library: add_record("Move", "reached: bool, stopped: bool, time: time, length: length").
+  Engine& add_record(std::string_view name, std::string_view fields);
+
+  [[nodiscard]] Compilation compile(std::string text, std::string name,
+                                    const CompileOptions& options = {}) const;
+  // Every declared signature that cannot be read, with the reason; empty if all is well (for tests).
+  [[nodiscard]] std::vector<std::string> check_signatures() const;
+  [[nodiscard]] const lang::Registry& registry() const { return *registry_; }
+
+ private:
+  std::unique_ptr<lang::Registry> registry_;
+};
+
+struct RunLimits {
+  std::uint64_t steps = 100'000'000;           // calls and backward jumps (ruling 9)
+  std::uint64_t heap_bytes = 1ULL << 30U;
+  std::uint32_t call_depth = 10'000;
+  std::uint64_t output_bytes = 1ULL << 30U;
+};
+
+struct VmOptions {
+  RunLimits limits;
+  Timeline* timeline = nullptr;                // null: a clock without a world
+  void* host = nullptr;                        // what native functions find with Vm::host
+  std::function<void(std::string_view)> output;            // what `print` writes
+  std::function<void(const Diagnostic&)> advice;           // advice given while running
+};
+
+enum class RunStatus : std::uint8_t { kDone, kFailed, kCancelled };
+
+struct RunResult {
+  RunStatus status = RunStatus::kDone;
+  std::optional<Diagnostic> error;             // kFailed
+  std::uint64_t steps = 0;
+};
+
+class Vm {
+ public:
+  Vm(std::shared_ptr<const Program> program, VmOptions options);
+  ~Vm();
+  Vm(const Vm&) = delete;
+  Vm& operator=(const Vm&) = delete;
+
+  // Runs the program's text from the start. A Vm runs once; make a new one to run again.
+  [[nodiscard]] RunResult run();
+  // Runs top-level declarations' initialisers that test `index` needs, then its body.
+  [[nodiscard]] RunResult run_test(std::size_t index);
+  // May be called from any thread or a signal handler: the program stops at its next pause point or step check.
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+
+  // For native functions.
+  [[nodiscard]] void* host() const { return options_.host; }
+  [[nodiscard]] Timeline& timeline() { return *timeline_; }
+  [[nodiscard]] const Program& program() const { return *program_; }
+  [[nodiscard]] const VmOptions& options() const { return options_; }
+  // Calls a function value; it may not pause. False: it failed, and the failure is set.
+  [[nodiscard]] bool call(Obj* function, std::span<const Slot> arguments, Slot& result);
+  // Advice at the call that is running now.
+  void advise(const Failure& advice);
+  void print(std::string_view text);
+  [[nodiscard]] lang::VmState& state() { return *state_; }
+
+ private:
+  std::shared_ptr<const Program> program_;
+  VmOptions options_;
+  std::unique_ptr<Timeline> own_timeline_;
+  Timeline* timeline_;
+  std::unique_ptr<lang::VmState> state_;
+  std::atomic<bool> cancelled_{false};
+  friend struct lang::VmState;
+};
+
+}  // namespace armlet

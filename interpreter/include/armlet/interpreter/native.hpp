@@ -1,0 +1,209 @@
+#pragma once
+// How a host adds functions, values and rules to the language.
+//
+// A function is declared by its signature in the notation of the language reference, section 19:
+//
+//     {"moveL", "(r: robot, target: posC, time: time?, speed: speed?) -> Move", help, example, &move_l}
+//
+//   name: type            required;   name: type = literal   default;   name: type?   may be left out (absent)
+//   values: number...     any number of trailing numbers, handed over as one double[]
+//   D, E                  any quantity or double; D^2, D*E, D/E; D[] lists of it
+//   T, U                  any type; fn(T) -> U;  joints: a posJ or a double[] may be declared as two overloads
+//
+// Names with a meaning of their own: "posC.x" is the field x of a posC; "posJ[]" indexing; "operator*" and its like
+// operators between host types or lists; "robot{}" what a block declaration of type robot calls, whose parameter `name`
+// receives the declared name, and a parameter `joint: jointRow[]` the rows `joint revolute(...)`, each made by
+// "robot.joint.revolute"; "robot()" gives the ambient robot of the host; "Math.sqrt" style names live in a namespace.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/object.hpp"
+#include "armlet/interpreter/type.hpp"
+
+namespace armlet {
+
+class Vm;
+class CheckCall;
+
+// What a native function did: left its result in args[0]; failed (the failure is in the Vm); or takes virtual time.
+enum class Signal : std::uint8_t { kDone, kFail, kPause };
+
+// args: one slot per parameter, then room for the result in args[0]. References in args are borrowed; a reference
+// left as the result belongs to the caller.
+using Thunk = Signal (*)(Vm& vm, Slot* args);
+
+struct NativeFunction {
+  std::string_view name;
+  std::string_view signature;
+  std::string_view help;                        // one or two sentences
+  std::string_view example;                     // one line that runs
+  Thunk thunk = nullptr;
+  double (*real1)(double) = nullptr;            // the same function for a direct call, when it cannot fail
+  double (*real2)(double, double) = nullptr;
+  void (*check)(CheckCall& call) = nullptr;     // rules checked before running
+  Thunk explain = nullptr;                      // same arguments -> text: why the result was false (for assert)
+  bool pauses = false;                          // takes virtual time: not allowed in conditions
+};
+
+// Why a native function failed. The position is added by the interpreter.
+struct Failure {
+  std::string code;                       // "R0601"; gives the kind and the headline
+  std::vector<std::string> arguments;     // for the headline's {}
+  std::string message;                    // replaces the headline if not empty
+  std::string kind;                       // replaces the code's kind if not empty
+  int mark_parameter = -1;                // which argument to mark; -1: the call; kMarkCallee: the function's name
+  int mark_element = -1;                  // element of a list argument (or of the position made from it) at fault
+  std::string element_label;              // label for the place where that element was written
+  std::string label;
+  std::string why;
+  std::string fix;                        // may contain {line}: the line where the marked element was written
+  std::string robot;
+  std::optional<bool> moved;
+};
+inline constexpr int kMarkCallee = -2;
+
+// Something that takes virtual time, from a pausing call until it is over.
+class Waiting {
+ public:
+  virtual ~Waiting() = default;
+  // The virtual time (ns) at which it ends if nothing interferes; may change when it is stopped.
+  [[nodiscard]] virtual std::int64_t due_ns() const = 0;
+  [[nodiscard]] virtual bool is_over() const = 0;
+  // Stops under control (a guard came true, or the task is cancelled); is_over becomes true at due_ns.
+  virtual void stop() = 0;
+  // Called once when over: leaves the result in `result` and returns kDone, or fails.
+  virtual Signal finish(Vm& vm, Slot& result) = 0;
+  // What the task waits for, for reports about stuck programs: "moveL of scara".
+  [[nodiscard]] virtual std::string what() const = 0;
+};
+
+// The virtual clock that the host owns.
+class Timeline {
+ public:
+  virtual ~Timeline() = default;
+  [[nodiscard]] virtual std::int64_t now_ns() const = 0;
+  [[nodiscard]] virtual std::int64_t tick_ns() const = 0;  // how often conditions are looked at
+  // Brings robots, objects and sensors to time t >= now. Returns false if the host wants the program to stop.
+  virtual bool advance_to(std::int64_t t_ns) = 0;
+};
+
+// ---- reading arguments and leaving results ---------------------------------------------------------------------
+
+template <class T>
+[[nodiscard]] const T& host_value(Slot s) {
+  return *static_cast<const T*>(static_cast<const HostObj*>(s.o)->payload());
+}
+[[nodiscard]] inline std::string_view text_value(Slot s) {
+  return static_cast<const TextObj*>(s.o)->view();
+}
+[[nodiscard]] inline std::span<const double> reals_value(Slot s) {
+  return static_cast<const ListObj*>(s.o)->reals();
+}
+[[nodiscard]] inline std::span<const Slot> items_value(Slot s) {
+  const auto* list = static_cast<const ListObj*>(s.o);
+  return {list->data, list->size};
+}
+// Objects are counted and limited; nullptr means that the heap limit was reached and the failure is set in the Vm.
+[[nodiscard]] Obj* new_text(Vm& vm, std::string_view text);
+[[nodiscard]] ListObj* new_list(Vm& vm, std::uint32_t size, bool references);  // elements zero
+[[nodiscard]] Obj* new_reals(Vm& vm, std::span<const double> values);
+[[nodiscard]] RecordObj* new_record(Vm& vm, const Type* record);               // fields zero
+[[nodiscard]] HostObj* new_host_object(Vm& vm, const HostType& type);          // payload not constructed
+void retain(Obj* object);
+void release(Vm& vm, Obj* object);
+
+template <class T>
+[[nodiscard]] Obj* new_host_value(Vm& vm, const HostType& type, T value) {
+  HostObj* object = new_host_object(vm, type);
+  if (object != nullptr) new (object->payload()) T(std::move(value));
+  return object;
+}
+// Leaves a reference as the result; kFail if it is null.
+[[nodiscard]] inline Signal give(Slot* args, Obj* object) {
+  args[0].o = object;
+  return object != nullptr ? Signal::kDone : Signal::kFail;
+}
+[[nodiscard]] inline Signal give(Slot* args, double value) {
+  args[0].d = value;
+  return Signal::kDone;
+}
+[[nodiscard]] inline Signal give(Slot* args, std::int64_t value) {
+  args[0].i = value;
+  return Signal::kDone;
+}
+[[nodiscard]] inline Signal give(Slot* args, bool value) {
+  args[0].i = value ? 1 : 0;
+  return Signal::kDone;
+}
+[[nodiscard]] inline Signal give_nothing() { return Signal::kDone; }
+Signal fail(Vm& vm, Failure failure);
+Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting);
+
+// ---- rules checked before running -----------------------------------------------------------------------------
+
+// A value known from the text: literals, fixed variables and lists made of them.
+struct Constant {
+  enum class Kind : std::uint8_t { kBool, kInt, kReal, kText, kList } kind = Kind::kInt;
+  bool truth = false;
+  std::int64_t integer = 0;
+  double real = 0.0;          // also set for kInt
+  std::string text;
+  std::vector<Constant> items;
+};
+
+// What the host knows about a value before running, for example the joints of a robot. Made by check rules, carried
+// along by fixed variables.
+class Fact {
+ public:
+  virtual ~Fact() = default;
+};
+
+// One call seen by a rule. Parameters are numbered as in the signature (the ambient first one included).
+class CheckCall {
+ public:
+  virtual ~CheckCall() = default;
+
+  [[nodiscard]] virtual std::string_view function_name() const = 0;  // as written: "moveJ"
+  [[nodiscard]] virtual bool given(int parameter) const = 0;         // absent, defaulted and ambient ones are not
+  [[nodiscard]] virtual const Type* type(int parameter) const = 0;   // before conversion
+  [[nodiscard]] virtual Span span(int parameter) const = 0;
+  [[nodiscard]] virtual Span callee_span() const = 0;
+  [[nodiscard]] virtual Span call_span() const = 0;
+  [[nodiscard]] virtual std::string text_of(Span span) const = 0;    // as written
+  [[nodiscard]] virtual int line_of(Span span) const = 0;
+  [[nodiscard]] virtual std::optional<Constant> constant(int parameter) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const Fact> fact(int parameter) const = 0;
+  // Variadic parameters and rows: their items one by one.
+  [[nodiscard]] virtual int item_count(int parameter) const = 0;
+  [[nodiscard]] virtual const Type* item_type(int parameter, int item) const = 0;
+  [[nodiscard]] virtual Span item_span(int parameter, int item) const = 0;
+  [[nodiscard]] virtual std::optional<Constant> item_constant(int parameter, int item) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const Fact> item_fact(int parameter, int item) const = 0;
+  // The fact of the ambient value of a host type ("robot") at this place: the robot that a call without a robot
+  // would use; null if there is none or several. The name as declared in the program, empty for the host's own.
+  [[nodiscard]] virtual std::shared_ptr<const Fact> ambient_fact(std::string_view host_type) const = 0;
+  // Names of all block declarations of a type in the program: declared_names("object").
+  [[nodiscard]] virtual std::vector<std::string> declared_names(std::string_view type) const = 0;
+  // Where the literal element `item` of a list argument was written, following fixed and classic variables and
+  // `new posJ(list)`; empty span if it cannot be known.
+  [[nodiscard]] virtual Span origin(int parameter, int item) const = 0;
+  // Whether the program's text mentions this library function anywhere.
+  [[nodiscard]] virtual bool mentions(std::string_view function) const = 0;
+  // The host's state given when compiling (CompileOptions::host); may be null.
+  [[nodiscard]] virtual void* host() const = 0;
+
+  virtual void set_result_fact(std::shared_ptr<const Fact> fact) = 0;
+  virtual void report(Diagnostic diagnostic) = 0;
+};
+
+}  // namespace armlet

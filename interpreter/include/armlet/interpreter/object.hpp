@@ -1,0 +1,127 @@
+#pragma once
+// What a program's values are made of while it runs: eight-byte slots and counted objects.
+//
+// Types exist only while checking, so a slot has no tag: whoever reads it knows from the checked program what is in
+// it. A reference in a variable or a container owns one count. Objects with more than one count are never changed in
+// place, which is what makes values values. No cycle can be built, so counting is enough.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace armlet {
+
+struct Type;
+struct Obj;
+
+union Slot {
+  double d;
+  std::int64_t i;
+  Obj* o;
+};
+static_assert(sizeof(Slot) == 8);
+
+[[nodiscard]] inline Slot slot_of(double d) { return Slot{.d = d}; }
+[[nodiscard]] inline Slot slot_of(std::int64_t i) { return Slot{.i = i}; }
+[[nodiscard]] inline Slot slot_of(bool b) { return Slot{.i = b ? 1 : 0}; }
+[[nodiscard]] inline Slot slot_of(Obj* o) { return Slot{.o = o}; }
+
+// An optional argument that was not given: a null reference, or these bits (a not-a-number no arithmetic makes).
+inline constexpr std::int64_t kAbsentBits = static_cast<std::int64_t>(0xFFF8'A851'7000'0001ULL);
+[[nodiscard]] inline bool is_absent_scalar(Slot s) { return s.i == kAbsentBits; }
+
+enum class ObjKind : std::uint8_t { kText, kList, kRecord, kMatrix, kClosure, kBox, kHost };
+
+struct Obj {
+  std::uint32_t refs;
+  ObjKind kind;
+  std::uint8_t flags;
+  std::uint16_t extra;
+};
+
+// UTF-8, not terminated. Characters are counted once, when first asked for.
+struct TextObj : Obj {
+  static constexpr std::uint32_t kUncounted = 0xFFFFFFFFU;
+  std::uint32_t size;        // bytes
+  std::uint32_t capacity;    // bytes
+  std::uint32_t characters;  // or kUncounted
+  std::uint32_t reserved;
+  [[nodiscard]] char* data() { return reinterpret_cast<char*>(this + 1); }
+  [[nodiscard]] const char* data() const { return reinterpret_cast<const char*>(this + 1); }
+  [[nodiscard]] std::string_view view() const { return {data(), size}; }
+};
+
+// flags == 1: elements are references.
+struct ListObj : Obj {
+  std::uint32_t size;
+  std::uint32_t capacity;
+  Slot* data;
+  [[nodiscard]] bool holds_references() const { return flags != 0; }
+  // For lists of numbers.
+  [[nodiscard]] std::span<const double> reals() const {
+    return {reinterpret_cast<const double*>(data), size};
+  }
+};
+
+// How the fields of a record or the captures of a closure are laid out.
+struct RecordLayout {
+  const Type* type = nullptr;      // the record's type
+  std::uint16_t size = 0;          // slots
+  std::span<const std::uint16_t> references;  // which of them are references
+};
+
+struct RecordObj : Obj {
+  const RecordLayout* layout;
+  [[nodiscard]] Slot* fields() { return reinterpret_cast<Slot*>(this + 1); }
+  [[nodiscard]] const Slot* fields() const { return reinterpret_cast<const Slot*>(this + 1); }
+};
+
+// Row-major (the language's A[i, j]); inline after the header.
+struct MatrixObj : Obj {
+  std::uint32_t rows;
+  std::uint32_t cols;
+  [[nodiscard]] double* data() { return reinterpret_cast<double*>(this + 1); }
+  [[nodiscard]] const double* data() const { return reinterpret_cast<const double*>(this + 1); }
+};
+
+// A function value: which function, and copies (or boxes) of the outer variables it uses. extra = number of captures.
+struct ClosureObj : Obj {
+  std::uint32_t function;
+  std::uint32_t reserved;
+  [[nodiscard]] Slot* captures() { return reinterpret_cast<Slot*>(this + 1); }
+  [[nodiscard]] const Slot* captures() const { return reinterpret_cast<const Slot*>(this + 1); }
+};
+
+// A variable shared between a block and the conditions or tasks inside it. flags == 1: holds a reference.
+struct BoxObj : Obj {
+  Slot value;
+};
+
+// A kind of value that the host defines: posJ, posC, robot ... Values are immutable; handles name one thing.
+struct HostType {
+  std::string_view name;
+  std::uint32_t size = 0;                                  // bytes of the payload, at most 16-aligned
+  bool is_handle = false;
+  bool is_ambient = false;                                 // may be left out as first argument (section 5)
+  void (*destroy)(void* value) = nullptr;                  // null: trivially destructible
+  bool (*equal)(const void* a, const void* b) = nullptr;   // null: == is not offered
+  void (*text)(const void* value, std::string& out) = nullptr;  // as print shows it
+  std::string_view help;
+};
+
+struct HostObj : Obj {
+  std::uint32_t reserved;
+  const HostType* type;
+  [[nodiscard]] void* payload() {
+    return reinterpret_cast<std::byte*>(this) + kPayloadOffset;
+  }
+  [[nodiscard]] const void* payload() const {
+    return reinterpret_cast<const std::byte*>(this) + kPayloadOffset;
+  }
+  static constexpr std::size_t kPayloadOffset = 32;
+};
+
+}  // namespace armlet
