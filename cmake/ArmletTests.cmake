@@ -21,3 +21,17 @@ function(armlet_add_script_tests folder)
     add_test(NAME ${name} COMMAND script_runner $<TARGET_FILE:armlet> ${script})
   endforeach()
 endfunction()
+
+# Installs this build into a folder of its own, then builds and runs the program in tests/embed against it.
+function(armlet_add_embed_test)
+  set(prefix ${CMAKE_CURRENT_BINARY_DIR}/installed)
+  add_test(NAME embed.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
+  add_test(NAME embed.host COMMAND ${CMAKE_CTEST_COMMAND}
+    --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/embed ${CMAKE_CURRENT_BINARY_DIR}/embed
+    --build-generator ${CMAKE_GENERATOR}
+    --build-options -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                    "-DCMAKE_CXX_FLAGS=$<$<BOOL:${ARMLET_SANITIZE}>:-fsanitize=${ARMLET_SANITIZE}>"
+    --test-command embed_host)
+  set_tests_properties(embed.install PROPERTIES FIXTURES_SETUP installed_package)
+  set_tests_properties(embed.host PROPERTIES FIXTURES_REQUIRED installed_package)
+endfunction()
