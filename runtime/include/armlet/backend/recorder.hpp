@@ -1,0 +1,65 @@
+#pragma once
+
+#include "armlet/backend/backend.hpp"
+
+namespace armlet {
+
+// What a Recorder keeps: copies of what backends are told.
+struct RecordedJoints {
+  std::int64_t t_ns = 0;
+  int robot = 0;
+  std::vector<double> q, qd, qdd;
+  Eigen::Matrix4d T_world_tool = Eigen::Matrix4d::Identity();
+  bool operator==(const RecordedJoints&) const = default;
+};
+struct RecordedObject {
+  std::int64_t t_ns = 0;
+  std::string name;
+  Eigen::Matrix4d T_world_obj = Eigen::Matrix4d::Identity();
+  bool operator==(const RecordedObject&) const = default;
+};
+struct RecordedEvent {
+  std::int64_t t_ns = 0;
+  ObjectChange change = ObjectChange::kAttached;
+  std::string name;
+  int robot = -1;
+  bool operator==(const RecordedEvent&) const = default;
+};
+struct RecordedNote {
+  std::int64_t t_ns = 0;
+  NoteKind kind = NoteKind::kOutput;
+  std::string text;
+  bool operator==(const RecordedNote&) const = default;
+};
+
+// Keeps a run in memory. An object that appears is recorded as a sample of its pose.
+class Recorder : public Backend {
+ public:
+  void begin(const RunInfo& run) override;
+  void joint_sample(const JointSample& sample) override;
+  void object_added(std::int64_t t_ns, const ObjectInfo& object) override;
+  void object_sample(const ObjectSample& sample) override;
+  void object_event(const ObjectEvent& event) override;
+  void note(const Note& note) override;
+  void end(std::int64_t t_ns) override;
+
+  [[nodiscard]] const RunInfo& run() const { return run_; }
+  [[nodiscard]] const std::vector<RecordedJoints>& joints() const { return joints_; }
+  [[nodiscard]] const std::vector<RecordedObject>& objects() const { return objects_; }
+  [[nodiscard]] const std::vector<RecordedEvent>& events() const { return events_; }
+  [[nodiscard]] const std::vector<RecordedNote>& notes() const { return notes_; }
+  [[nodiscard]] std::int64_t end_ns() const { return end_ns_; }
+
+  // The same samples, events and notes, bit by bit.
+  [[nodiscard]] bool same_as(const Recorder& other) const;
+
+ private:
+  RunInfo run_;
+  std::vector<RecordedJoints> joints_;
+  std::vector<RecordedObject> objects_;
+  std::vector<RecordedEvent> events_;
+  std::vector<RecordedNote> notes_;
+  std::int64_t end_ns_ = 0;
+};
+
+}  // namespace armlet

@@ -1,0 +1,137 @@
+#include "armlet/backend/jsonl_backend.hpp"
+
+#include <array>
+
+#include "backend/text_sink.hpp"
+
+namespace armlet {
+
+class JsonlBackend::Writer {
+ public:
+  explicit Writer(std::ostream& out) : sink(out) {}
+
+  void begin_line(std::int64_t t_ns, std::string_view what) {
+    sink.text("{\"t\":");
+    sink.seconds(t_ns);
+    field("what", what);
+  }
+
+  void field(std::string_view key, std::string_view text) {
+    write_key(key);
+    sink.quoted(text);
+  }
+
+  void field(std::string_view key, double value) {
+    write_key(key);
+    sink.number(value, kDigits);
+  }
+
+  void field(std::string_view key, std::span<const double> values) {
+    write_key(key);
+    sink.text("[");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) sink.text(",");
+      sink.number(values[i], kDigits);
+    }
+    sink.text("]");
+  }
+
+  void pose(const Eigen::Isometry3d& T) {
+    const Eigen::Vector3d p = T.translation();
+    const Eigen::Quaterniond r = positive_quaternion(T);
+    field("p", std::array{p.x(), p.y(), p.z()});
+    field("r", std::array{r.w(), r.x(), r.y(), r.z()});
+  }
+
+  void end_line() {
+    sink.text("}");
+    sink.end_line();
+  }
+
+  TextSink sink;
+  std::vector<std::string> robots{};
+
+ private:
+  static constexpr int kDigits = 17;
+
+  void write_key(std::string_view key) {
+    sink.text(",");
+    sink.quoted(key);
+    sink.text(":");
+  }
+};
+
+JsonlBackend::JsonlBackend(std::ostream& out) : writer_(std::make_unique<Writer>(out)) {}
+JsonlBackend::~JsonlBackend() = default;
+
+void JsonlBackend::begin(const RunInfo& run) {
+  TextSink& sink = writer_->sink;
+  sink.text("{\"what\":\"begin\",\"robots\":[");
+  for (const RobotInfo& robot : run.robots) {
+    sink.text(writer_->robots.empty() ? "{\"name\":" : ",{\"name\":");
+    writer_->robots.push_back(robot.name);
+    sink.quoted(robot.name);
+    sink.text(",\"joints\":[");
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+      sink.text(i > 0 ? "," : "");
+      sink.quoted(robot.joints[i] == JointUnit::kRadian ? "rad" : "m");
+    }
+    sink.text("]}");
+  }
+  sink.text("]");
+  writer_->end_line();
+  for (const ObjectInfo& object : run.objects) object_added(0, object);
+}
+
+void JsonlBackend::joint_sample(const JointSample& sample) {
+  writer_->begin_line(sample.t_ns, "robot");
+  writer_->field("name", writer_->robots[static_cast<std::size_t>(sample.robot)]);
+  writer_->field("q", sample.q);
+  writer_->field("qd", sample.qd);
+  writer_->field("qdd", sample.qdd);
+  writer_->pose(sample.T_world_tool);
+  writer_->end_line();
+}
+
+void JsonlBackend::object_added(std::int64_t t_ns, const ObjectInfo& object) {
+  writer_->begin_line(t_ns, "added");
+  writer_->field("name", object.name);
+  writer_->field("shape", object.shape);
+  writer_->field("size", std::span<const double>(object.size));
+  writer_->field("mass", object.mass);
+  writer_->field("color", object.color);
+  writer_->pose(object.T_world_obj);
+  writer_->end_line();
+}
+
+void JsonlBackend::object_sample(const ObjectSample& sample) {
+  writer_->begin_line(sample.t_ns, "object");
+  writer_->field("name", sample.name);
+  writer_->pose(sample.T_world_obj);
+  writer_->end_line();
+}
+
+void JsonlBackend::object_event(const ObjectEvent& event) {
+  writer_->begin_line(event.t_ns, to_text(event.change));
+  writer_->field("name", event.name);
+  if (event.robot >= 0) {
+    writer_->field("robot", writer_->robots[static_cast<std::size_t>(event.robot)]);
+  }
+  writer_->end_line();
+}
+
+void JsonlBackend::note(const Note& note) {
+  writer_->begin_line(note.t_ns, to_text(note.kind));
+  writer_->field("text", note.text);
+  writer_->end_line();
+}
+
+void JsonlBackend::end(std::int64_t t_ns) {
+  writer_->begin_line(t_ns, "end");
+  writer_->end_line();
+  writer_->sink.flush();
+}
+
+std::string JsonlBackend::error() const { return writer_->sink.error(); }
+
+}  // namespace armlet

@@ -1,0 +1,63 @@
+#include "armlet/backend/csv_backend.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "run.hpp"
+
+using namespace armlet;
+
+TEST_CASE("a run is one table with as many columns in every row") {
+  std::ostringstream out;
+  CsvBackend backend(out);
+  tell_short_run(backend);
+  CHECK(backend.error().empty());
+  CHECK(out.str() ==
+        "t,what,name,x,y,z,qw,qx,qy,qz,q1,q2,qd1,qd2,qdd1,qdd2,text\n"
+        "0.000000000,object,cube,0,0,0,1,0,0,0,,,,,,,\n"
+        "0.010000000,robot,arm,1,2,3,1,0,0,0,0.1,0,0.333333333,2.5,-1e-20,4,\n"
+        "0.010000000,attached,cube,,,,,,,,,,,,,,left\n"
+        "0.020000001,object,cube,0,0,0,1,0,0,0,,,,,,,\n"
+        "0.020000001,object,ball,0,0,0,1,0,0,0,,,,,,,\n"
+        "0.030000000,removed,ball,,,,,,,,,,,,,,\n"
+        "0.030000000,output,,,,,,,,,,,,,,,\"say \"\"hi\"\",\n now\"\n"
+        "0.030000000,advice,,,,,,,,,,,,,,,slower\n"
+        "3.000000000,end,,,,,,,,,,,,,,,\n");
+}
+
+TEST_CASE("a robot with fewer joints leaves its last cells empty") {
+  std::ostringstream out;
+  CsvBackend backend(out);
+  backend.begin(
+      {.robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}}, {"left", {JointUnit::kRadian}}},
+       .objects = {}});
+  const double one = 1.0;
+  const std::span<const double> q(&one, 1);
+  backend.joint_sample({.robot = 1, .q = q, .qd = q, .qdd = q});
+  backend.end(0);
+  CHECK(out.str().find("0.000000000,robot,left,0,0,0,1,0,0,0,1,,1,,1,,\n") != std::string::npos);
+}
+
+TEST_CASE("half a turn is written with one sign whatever the rounding") {
+  for (const double rounding : {1e-17, -1e-17}) {
+    std::ostringstream out;
+    CsvBackend backend(out);
+    backend.begin({});
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.linear() = Eigen::AngleAxisd(M_PI + rounding, Eigen::Vector3d::UnitX()).matrix();
+    T.linear()(2, 1) = rounding;
+    T.linear()(1, 2) = -rounding;
+    backend.object_sample({.name = "a", .T_world_obj = T});
+    backend.end(0);
+    CHECK(out.str().find(",1,0,0,") != std::string::npos);
+  }
+}
+
+TEST_CASE("a stream that cannot be written is reported, once, and stops the writing") {
+  std::ofstream full("/dev/full");
+  CsvBackend backend(full);
+  tell_short_run(backend);
+  CHECK(backend.error() == "The trace could not be written; is the disk full?");
+}

@@ -1,0 +1,40 @@
+#include "armlet/backend/fan_out.hpp"
+
+#include <doctest/doctest.h>
+
+#include "armlet/backend/recorder.hpp"
+#include "armlet/core/error.hpp"
+#include "run.hpp"
+
+using namespace armlet;
+
+namespace {
+
+class Failing : public Backend {
+ public:
+  [[nodiscard]] std::string error() const override { return "full"; }
+};
+
+}  // namespace
+
+TEST_CASE("every backend hears the same") {
+  Recorder alone, one, two;
+  tell_short_run(alone);
+  FanOut both({&one, &two});
+  tell_short_run(both);
+  CHECK(one.same_as(alone));
+  CHECK(two.same_as(alone));
+  CHECK(both.error().empty());
+}
+
+TEST_CASE("the first error is the error of all") {
+  Recorder fine;
+  Failing failing;
+  CHECK(FanOut({&fine, &failing}).error() == "full");
+}
+
+TEST_CASE("no backends are allowed, null ones are not") {
+  FanOut nobody({});
+  tell_short_run(nobody);
+  CHECK_THROWS_AS(FanOut({nullptr}), ArgumentError);
+}

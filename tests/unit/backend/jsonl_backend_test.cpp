@@ -1,0 +1,47 @@
+#include "armlet/backend/jsonl_backend.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "run.hpp"
+
+using namespace armlet;
+
+TEST_CASE("every line is JSON and numbers read back to the same bits") {
+  std::ostringstream out;
+  JsonlBackend backend(out);
+  tell_short_run(backend);
+  CHECK(backend.error().empty());
+  std::istringstream lines(out.str());
+  std::vector<nlohmann::json> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(nlohmann::json::parse(line));
+  REQUIRE(rows.size() == 10);
+  CHECK(rows[0]["what"] == "begin");
+  CHECK(rows[0]["robots"][0]["joints"] == nlohmann::json({"rad", "m"}));
+  CHECK(rows[1]["what"] == "added");
+  CHECK(rows[1]["size"] == nlohmann::json({0.04, 0.04, 0.04}));
+  CHECK(rows[1]["mass"] == 0.2);
+  CHECK(rows[2]["name"] == "arm");
+  CHECK(rows[2]["t"] == 0.01);
+  CHECK(rows[2]["qd"][0].get<double>() == 1.0 / 3.0);
+  CHECK(rows[2]["p"] == nlohmann::json({1.0, 2.0, 3.0}));
+  CHECK(rows[2]["r"] == nlohmann::json({1.0, 0.0, 0.0, 0.0}));
+  CHECK(rows[3]["what"] == "attached");
+  CHECK(rows[3]["robot"] == "left");
+  CHECK(rows[4]["what"] == "object");
+  CHECK(rows[6]["what"] == "removed");
+  CHECK_FALSE(rows[6].contains("robot"));
+  CHECK(rows[7]["text"] == "say \"hi\",\n now");
+  CHECK(rows[8]["what"] == "advice");
+  CHECK(rows[9]["t"] == 3.0);
+}
+
+TEST_CASE("a stream that cannot be written is reported") {
+  std::ofstream full("/dev/full");
+  JsonlBackend backend(full);
+  tell_short_run(backend);
+  CHECK_FALSE(backend.error().empty());
+}
