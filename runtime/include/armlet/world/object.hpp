@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <variant>
+
+namespace armlet {
+
+// Shapes in their own frame, which lies in the centre; a cylinder stands along z. Metres.
+struct Box {
+  Eigen::Vector3d size{0.04, 0.04, 0.04};
+  bool operator==(const Box&) const = default;
+};
+struct Cylinder {
+  double radius = 0.02;
+  double height = 0.04;
+  bool operator==(const Cylinder&) const = default;
+};
+struct Sphere {
+  double radius = 0.02;
+  bool operator==(const Sphere&) const = default;
+};
+using Shape = std::variant<Box, Cylinder, Sphere>;
+
+// A rigid body in the cell. Its frame is the centre of its shape.
+//
+// T_world_obj  where it is.
+// p_obj_grasp  where a hand takes it, in its own frame; the centre unless told otherwise.
+// mass         kg, 0 if unknown.
+// friction     coefficient of Coulomb friction on its surface.
+// color        a name or "#rrggbb".
+// fixed        true for what belongs to the cell, such as a table: it cannot be grasped.
+struct Object {
+  std::string name;
+  Shape shape;
+  Eigen::Isometry3d T_world_obj = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d p_obj_grasp = Eigen::Vector3d::Zero();
+  double mass = 0.0;
+  double friction = 0.5;
+  std::string color = "gray";
+  bool fixed = false;
+};
+
+// Throws ArgumentError that names the object and the number that is wrong: an empty name, a size
+// that is not above zero, a negative mass or friction, a pose that is not one.
+void check_object(const Object& object);
+
+// Inertia about the centre in the object's axes, kg m^2, for a body of even density.
+Eigen::Matrix3d inertia(const Object& object);
+
+// How far a parallel gripper must open to close on the object, m: the smallest width at right
+// angles to the approach.
+//
+// approach  direction in which the hand comes, in world axes (the z axis of the tool).
+double grasp_width(const Object& object, const Eigen::Vector3d& approach);
+
+// "box", "cylinder" or "sphere".
+std::string shape_name(const Shape& shape);
+
+}  // namespace armlet

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/world/object.hpp"
+
+namespace armlet {
+
+// A body closer than this to a surface below it rests on it.
+inline constexpr double kRestTolerance = 0.002;  // m
+
+// A body carried by a frame of a robot. The pose in that frame is stored once, so that carrying
+// never drifts.
+struct Attachment {
+  int carrier = 0;
+  Eigen::Isometry3d T_carrier_obj = Eigen::Isometry3d::Identity();
+};
+
+// What a falling body found.
+//
+// distance  how far it fell, m; up to kRestTolerance below zero if it had sunk into the surface.
+// support   name of what it rests on, "floor", or empty if there is nothing below: it stays.
+struct Drop {
+  double distance = 0.0;
+  std::string support;
+};
+
+// Bodies by name, in the order in which they were inserted.
+class World {
+ public:
+  // floor_z  height of a floor that is everywhere, m; nothing: there is none.
+  explicit World(std::optional<double> floor_z = std::nullopt);
+
+  [[nodiscard]] std::optional<double> floor_z() const { return floor_z_; }
+
+  // Throws ArgumentError for a name that exists already and for what check_object refuses. The
+  // rotation is made orthonormal to rounding.
+  const Object& insert(Object object);
+
+  // Throws ArgumentError for an unknown name; so do all functions below that take a name.
+  void remove(std::string_view name);
+
+  [[nodiscard]] std::size_t size() const { return bodies_.size(); }
+  [[nodiscard]] const Object& object(std::size_t index) const { return bodies_[index].object; }
+  [[nodiscard]] std::vector<std::string> names() const;
+
+  // Null if there is none. Pointers hold until the next insert or remove.
+  [[nodiscard]] const Object* find(std::string_view name) const;
+  [[nodiscard]] const Object& at(std::string_view name) const;
+
+  // The existing name most like a mistyped one, for "did you mean"; nothing if none is similar.
+  [[nodiscard]] std::optional<std::string> similar_name(std::string_view name) const;
+
+  // Puts a body somewhere; one that is carried is let go first.
+  void set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
+
+  // The body keeps its present pose relative to the carrier from now on.
+  void attach(std::string_view name, int carrier, const Eigen::Isometry3d& T_world_carrier);
+  void detach(std::string_view name);
+  [[nodiscard]] const std::optional<Attachment>& attachment(std::string_view name) const;
+
+  // Name of the body that a carrier holds; empty if none.
+  [[nodiscard]] std::string_view carried_by(int carrier) const;
+
+  // Moves what the carrier holds: T_world_obj = T_world_carrier T_carrier_obj.
+  void move_carried(int carrier, const Eigen::Isometry3d& T_world_carrier);
+
+  // Lets a body fall straight down to the first surface below it, keeping its orientation. Bodies
+  // that are carried are not surfaces.
+  Drop drop(std::string_view name);
+
+  // What the body rests on within kRestTolerance ("floor" or a name); empty if it hangs in the air.
+  [[nodiscard]] std::string resting_on(std::string_view name) const;
+
+ private:
+  struct Body {
+    Object object;
+    std::optional<Attachment> attachment;
+  };
+  [[nodiscard]] std::size_t index_of(std::string_view name) const;
+  [[nodiscard]] Drop fall(const Body& falling) const;
+
+  std::optional<double> floor_z_;
+  std::vector<Body> bodies_;
+};
+
+}  // namespace armlet

@@ -1,0 +1,120 @@
+#include "world/support.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace armlet {
+namespace {
+
+// Overlap that a flat face needs to carry another one: less is touching sides and rounding.
+constexpr double kOverlap = 1e-6;  // m
+// cos of the angle up to which an axis counts as vertical or level.
+constexpr double kUpright = 1.0 - 1e-9;
+
+// A body seen from above: a rectangle or a point, grown by a flat radius (cylinder) or a round one
+// (sphere), and its half height.
+struct Footprint {
+  Eigen::Vector2d centre{0.0, 0.0};
+  Eigen::Vector2d axis{1.0, 0.0};       // of the rectangle's first side
+  Eigen::Vector2d half_size{0.0, 0.0};  // zero: a point
+  double flat_radius = 0.0;
+  double round_radius = 0.0;
+  double half_height = 0.0;
+
+  [[nodiscard]] bool is_point() const { return half_size.isZero(0.0); }
+  [[nodiscard]] Eigen::Vector2d across() const { return {-axis.y(), axis.x()}; }
+};
+
+// A box whose frame has one axis vertical keeps its true rectangle; any other is boxed.
+Footprint box_footprint(const Eigen::Matrix3d& R, const Eigen::Vector3d& half) {
+  Footprint print;
+  for (int up = 0; up < 3; ++up) {
+    if (std::abs(R(2, up)) < kUpright) continue;
+    const int first = (up + 1) % 3;
+    print.axis = R.col(first).head<2>().normalized();
+    print.half_size = {half[first], half[(up + 2) % 3]};
+    print.half_height = half[up];
+    return print;
+  }
+  const Eigen::Vector3d extent = R.cwiseAbs() * half;
+  print.half_size = extent.head<2>();
+  print.half_height = extent.z();
+  return print;
+}
+
+struct MakeFootprint {
+  const Eigen::Matrix3d& R;
+  Footprint operator()(const Box& box) const { return box_footprint(R, 0.5 * box.size); }
+  Footprint operator()(const Cylinder& cylinder) const {
+    const double r = cylinder.radius;
+    const double h = 0.5 * cylinder.height;
+    if (std::abs(R(2, 2)) >= kUpright) {
+      return {.flat_radius = r, .half_height = h};
+    }
+    if (std::abs(R(2, 2)) > 1e-6) return box_footprint(R, {r, r, h});
+    // Lying: the axis is level, and turning about it changes nothing.
+    return {.axis = R.col(2).head<2>().normalized(), .half_size = {h, r}, .half_height = r};
+  }
+  Footprint operator()(const Sphere& sphere) const {
+    return {.round_radius = sphere.radius, .half_height = sphere.radius};
+  }
+};
+
+Footprint footprint(const Object& object) {
+  Footprint print = std::visit(MakeFootprint{object.T_world_obj.linear()}, object.shape);
+  print.centre = object.T_world_obj.translation().head<2>();
+  return print;
+}
+
+// Distance of a point from a rectangle, negative inside.
+double point_gap(const Eigen::Vector2d& p, const Footprint& rectangle) {
+  const Eigen::Vector2d d = p - rectangle.centre;
+  const Eigen::Vector2d q =
+      Eigen::Vector2d(std::abs(d.dot(rectangle.axis)), std::abs(d.dot(rectangle.across()))) -
+      rectangle.half_size;
+  return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
+}
+
+// Largest gap between two rectangles along their four side directions (separating axes): negative
+// exactly if they overlap.
+double rectangle_gap(const Footprint& a, const Footprint& b) {
+  const auto reach = [](const Footprint& print, const Eigen::Vector2d& along) {
+    return std::abs(print.axis.dot(along)) * print.half_size.x() +
+           std::abs(print.across().dot(along)) * print.half_size.y();
+  };
+  double gap = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector2d& along : std::array{a.axis, a.across(), b.axis, b.across()}) {
+    const double apart = std::abs((b.centre - a.centre).dot(along));
+    gap = std::max(gap, apart - reach(a, along) - reach(b, along));
+  }
+  return gap;
+}
+
+double gap_between(const Footprint& a, const Footprint& b) {
+  const double flat = a.flat_radius + b.flat_radius;
+  if (a.is_point() && b.is_point()) return (a.centre - b.centre).norm() - flat;
+  if (a.is_point()) return point_gap(a.centre, b) - flat;
+  if (b.is_point()) return point_gap(b.centre, a) - flat;
+  return rectangle_gap(a, b);
+}
+
+}  // namespace
+
+double half_height(const Object& object) { return footprint(object).half_height; }
+
+std::optional<double> resting_height(const Object& falling, const Object& below) {
+  const Footprint upper = footprint(falling);
+  const Footprint lower = footprint(below);
+  const double gap = gap_between(upper, lower);
+  const double round = upper.round_radius + lower.round_radius;
+  if (gap > round - kOverlap) return std::nullopt;
+  // A sphere's centre stands above an edge at distance g by sqrt(r^2 - g^2), above a face by r.
+  const double aside = std::max(gap, 0.0);
+  const double rise = std::sqrt(std::max(round * round - aside * aside, 0.0));
+  const double flat_upper = upper.round_radius > 0.0 ? 0.0 : upper.half_height;
+  const double flat_lower = lower.round_radius > 0.0 ? 0.0 : lower.half_height;
+  return below.T_world_obj.translation().z() + flat_lower + rise + flat_upper;
+}
+
+}  // namespace armlet

@@ -1,0 +1,213 @@
+#include "armlet/world/world.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "armlet/math/pose.hpp"
+
+using namespace armlet;
+
+namespace {
+
+Object at(std::string name, Shape shape, double x, double y, double z) {
+  Object object{.name = std::move(name), .shape = shape};
+  object.T_world_obj = make_translation({x, y, z});
+  return object;
+}
+
+const Shape kCube = Box{{0.04, 0.04, 0.04}};
+
+World table_world() {
+  World world(0.0);
+  Object table = at("table", Box{{1.0, 1.0, 0.22}}, 0.0, 0.0, 0.11);
+  table.fixed = true;
+  world.insert(table);
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("objects keep the order of insertion and their names are unique") {
+  World world;
+  world.insert(at("b", kCube, 0.0, 0.0, 0.0));
+  world.insert(at("a", kCube, 0.0, 0.0, 0.0));
+  CHECK(world.names() == std::vector<std::string>{"b", "a"});
+  CHECK_THROWS_AS((void)world.insert(at("a", kCube, 1.0, 0.0, 0.0)), ArgumentError);
+  world.remove("b");
+  CHECK(world.names() == std::vector<std::string>{"a"});
+  CHECK(world.find("b") == nullptr);
+  CHECK_THROWS_AS(world.remove("b"), ArgumentError);
+}
+
+TEST_CASE("a mistyped name is answered with the most similar one") {
+  World world;
+  world.insert(at("cube", kCube, 0.0, 0.0, 0.0));
+  world.insert(at("cylinder", kCube, 0.0, 0.0, 0.0));
+  CHECK(world.similar_name("cubo") == "cube");
+  CHECK(world.similar_name("cilynder") == "cylinder");
+  CHECK_FALSE(world.similar_name("table").has_value());
+  CHECK_THROWS_WITH_AS((void)world.at("cub"), "There is no object \"cub\"; did you mean \"cube\"?",
+                       ArgumentError);
+}
+
+TEST_CASE("a pose that is not one is refused and rounding is cleaned") {
+  World world;
+  world.insert(at("cube", kCube, 0.0, 0.0, 0.0));
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() *= 1.0 + 1e-8;
+  world.set_pose("cube", T);
+  const Eigen::Matrix3d R = world.at("cube").T_world_obj.linear();
+  CHECK((R.transpose() * R).isIdentity(1e-15));
+  T.linear() = Eigen::Vector3d(1.0, 1.0, -1.0).asDiagonal();
+  CHECK_THROWS_AS(world.set_pose("cube", T), ArgumentError);
+}
+
+TEST_CASE("a carried body has the same pose in the hand after a million steps, bit by bit") {
+  World world;
+  world.insert(at("cube", kCube, 0.3, 0.1, 0.2));
+  const Eigen::Isometry3d T_start = pose_from_rpy({0.3, 0.1, 0.25}, {3.0, 0.2, 0.4});
+  world.attach("cube", 0, T_start);
+  const Eigen::Isometry3d T_carrier_obj = world.attachment("cube")->T_carrier_obj;
+  Eigen::Isometry3d T_world_hand;
+  for (int k = 0; k < 1000000; ++k) {
+    T_world_hand = T_start;
+    T_world_hand.translation().x() += 1e-7 * k;
+    world.move_carried(0, T_world_hand);
+  }
+  CHECK(world.attachment("cube")->T_carrier_obj.matrix() == T_carrier_obj.matrix());
+  CHECK(world.at("cube").T_world_obj.matrix() == (T_world_hand * T_carrier_obj).matrix());
+  CHECK(world.at("cube").T_world_obj.translation().x() ==
+        doctest::Approx(0.3999999).epsilon(1e-12));
+}
+
+TEST_CASE("only the carrier that holds a body moves it, and letting go leaves it in place") {
+  World world;
+  world.insert(at("cube", kCube, 0.0, 0.0, 0.5));
+  world.attach("cube", 1, Eigen::Isometry3d::Identity());
+  CHECK(world.carried_by(1) == "cube");
+  CHECK(world.carried_by(0).empty());
+  world.move_carried(0, make_translation({1.0, 0.0, 0.0}));
+  CHECK(world.at("cube").T_world_obj.translation().x() == 0.0);
+  world.move_carried(1, make_translation({0.2, 0.0, 0.0}));
+  world.detach("cube");
+  world.move_carried(1, make_translation({0.4, 0.0, 0.0}));
+  CHECK(world.at("cube").T_world_obj.translation().x() == 0.2);
+  CHECK(world.carried_by(1).empty());
+}
+
+TEST_CASE("upright bodies fall onto faces by the exact height") {
+  for (const Shape& shape :
+       {Shape(Box{{0.04, 0.04, 0.06}}), Shape(Cylinder{0.02, 0.06}), Shape(Sphere{0.03})}) {
+    World world = table_world();
+    world.insert(at("thing", shape, 0.3, 0.2, 0.8));
+    const Drop drop = world.drop("thing");
+    CHECK(drop.support == "table");
+    CHECK(drop.distance == doctest::Approx(0.55).epsilon(1e-14));
+    CHECK(world.at("thing").T_world_obj.translation().z() == doctest::Approx(0.25).epsilon(1e-14));
+    CHECK(world.resting_on("thing") == "table");
+  }
+}
+
+TEST_CASE("beside the table things fall to the floor, and stay in the air without one") {
+  World world = table_world();
+  world.insert(at("cube", kCube, 0.6, 0.0, 0.5));
+  CHECK(world.drop("cube").support == "floor");
+  CHECK(world.at("cube").T_world_obj.translation().z() == doctest::Approx(0.02).epsilon(1e-14));
+  World empty;
+  empty.insert(at("cube", kCube, 0.0, 0.0, 0.5));
+  CHECK(empty.drop("cube").support.empty());
+  CHECK(empty.at("cube").T_world_obj.translation().z() == 0.5);
+}
+
+TEST_CASE("bodies stack, and the highest surface below holds") {
+  World world = table_world();
+  world.insert(at("one", kCube, 0.1, 0.1, 0.24));
+  world.insert(at("two", kCube, 0.13, 0.1, 0.6));
+  CHECK(world.drop("two").support == "one");
+  CHECK(world.at("two").T_world_obj.translation().z() == doctest::Approx(0.28).epsilon(1e-14));
+  // Released below a body, a third one falls on the table and not up.
+  world.insert(at("three", kCube, 0.25, 0.1, 0.5));
+  world.insert(at("roof", kCube, 0.25, 0.1, 0.9));
+  CHECK(world.drop("three").support == "table");
+}
+
+TEST_CASE("sides that touch do not hold") {
+  World world = table_world();
+  world.insert(at("one", kCube, 0.0, 0.0, 0.24));
+  world.insert(at("two", kCube, 0.04, 0.0, 0.5));
+  CHECK(world.drop("two").support == "table");
+  world.insert(at("three", Cylinder{0.02, 0.04}, 0.0, 0.04, 0.5));
+  CHECK(world.drop("three").support == "table");
+  world.insert(at("ball", Sphere{0.02}, 0.0, -0.04, 0.5));
+  CHECK(world.drop("ball").support == "table");
+}
+
+TEST_CASE("turned rectangles and discs overlap only where they really do") {
+  World world = table_world();
+  Object turned = at("turned", kCube, 0.0, 0.0, 0.24);
+  turned.T_world_obj.linear() = Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d::UnitZ()).matrix();
+  world.insert(turned);
+  // The corner of the turned square reaches 28.28 mm along x, so squares overlap up to 48.28 mm.
+  world.insert(at("touches", kCube, 0.0482, 0.0, 0.5));
+  CHECK(world.drop("touches").support == "turned");
+  world.remove("touches");
+  world.insert(at("misses", kCube, 0.0484, 0.0, 0.5));
+  CHECK(world.drop("misses").support == "table");
+  // Along the diagonal its side is 20 mm away: a disc of 20 mm passes beyond 40 mm.
+  const double d = 0.0401 / std::sqrt(2.0);
+  world.insert(at("disc", Cylinder{0.02, 0.04}, -d, -d, 0.5));
+  CHECK(world.drop("disc").support == "table");
+}
+
+TEST_CASE("spheres meet edges and spheres by Pythagoras") {
+  World world = table_world();
+  world.insert(at("box", kCube, 0.0, 0.0, 0.24));
+  world.insert(at("ball", Sphere{0.05}, 0.05, 0.0, 0.9));
+  CHECK(world.drop("ball").support == "box");
+  // 30 mm beside the edge with radius 50 mm: the centre is 40 mm above the top.
+  CHECK(world.at("ball").T_world_obj.translation().z() == doctest::Approx(0.30).epsilon(1e-13));
+  world.insert(at("small", Sphere{0.01}, 0.05 + 0.036, 0.0, 0.9));
+  CHECK(world.drop("small").support == "ball");
+  CHECK(world.at("small").T_world_obj.translation().z() == doctest::Approx(0.348).epsilon(1e-13));
+}
+
+TEST_CASE("lying bodies fall onto their sides") {
+  World world = table_world();
+  Object rod = at("rod", Cylinder{0.01, 0.1}, 0.0, 0.0, 0.5);
+  rod.T_world_obj.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY()).matrix();
+  world.insert(rod);
+  world.drop("rod");
+  CHECK(world.at("rod").T_world_obj.translation().z() == doctest::Approx(0.23).epsilon(1e-13));
+  Object brick = at("brick", Box{{0.02, 0.04, 0.08}}, 0.2, 0.2, 0.5);
+  brick.T_world_obj.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).matrix();
+  world.insert(brick);
+  world.drop("brick");
+  CHECK(world.at("brick").T_world_obj.translation().z() == doctest::Approx(0.24).epsilon(1e-13));
+  // Leaning by 45 degrees, its bounding box counts.
+  brick.T_world_obj = pose_from_rpy({-0.2, 0.2, 0.5}, {M_PI / 4, 0.0, 0.0});
+  brick.name = "leaning";
+  world.insert(brick);
+  world.drop("leaning");
+  CHECK(world.at("leaning").T_world_obj.translation().z() ==
+        doctest::Approx(0.22 + 0.06 / std::sqrt(2.0)).epsilon(1e-13));
+}
+
+TEST_CASE("resting means within two millimetres of a surface") {
+  World world = table_world();
+  world.insert(at("cube", kCube, 0.0, 0.0, 0.2419));
+  CHECK(world.resting_on("cube") == "table");
+  world.set_pose("cube", make_translation({0.0, 0.0, 0.2381}));
+  CHECK(world.resting_on("cube") == "table");
+  world.set_pose("cube", make_translation({0.0, 0.0, 0.2421}));
+  CHECK(world.resting_on("cube").empty());
+}
+
+TEST_CASE("a carried body holds nothing up") {
+  World world = table_world();
+  world.insert(at("held", kCube, 0.0, 0.0, 0.4));
+  world.insert(at("cube", kCube, 0.0, 0.0, 0.5));
+  world.attach("held", 0, Eigen::Isometry3d::Identity());
+  CHECK(world.drop("cube").support == "table");
+}
