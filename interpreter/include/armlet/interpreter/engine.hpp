@@ -76,6 +76,7 @@ class Engine {
 
   // The tables must outlive the engine. Signatures are read when first used; `check_signatures` reads all.
   Engine& add_functions(std::span<const NativeFunction> functions);
+  Engine& add_constants(std::span<const NativeConstant> constants);
   Engine& add_type(const HostType& type);
   // A record of the library: add_record("Move", "reached: bool, stopped: bool, time: time, length: length").
   Engine& add_record(std::string_view name, std::string_view fields);

@@ -55,6 +55,14 @@ struct NativeFunction {
   bool pauses = false;                          // takes virtual time: not allowed in conditions
 };
 
+// A named number of the library: PI, E.
+struct NativeConstant {
+  std::string_view name;
+  double value = 0.0;                           // SI
+  Dim dim;
+  std::string_view help;
+};
+
 // Why a native function failed. The position is added by the interpreter.
 struct Failure {
   std::string code;                       // "R0601"; gives the kind and the headline
@@ -157,8 +165,8 @@ struct Constant {
   bool truth = false;
   std::int64_t integer = 0;
   double real = 0.0;          // also set for kInt
-  std::string text;
-  std::vector<Constant> items;
+  std::string text{};
+  std::vector<Constant> items{};
 };
 
 // What the host knows about a value before running, for example the joints of a robot. Made by check rules, carried

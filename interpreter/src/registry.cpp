@@ -1,0 +1,110 @@
+#include "registry.hpp"
+
+#include <algorithm>
+
+namespace armlet::lang {
+namespace {
+
+template <class Map>
+auto find_or(const Map& map, std::string_view name, typename Map::mapped_type otherwise) {
+  const auto found = map.find(name);
+  return found == map.end() ? otherwise : found->second;
+}
+
+// "operator+", "posC.x", "robot{}" and "robot()" are found by the checker, not written by programs.
+bool is_written(std::string_view name) {
+  return !name.starts_with("operator") && name.find_first_of("[]{}()") == std::string_view::npos;
+}
+
+}  // namespace
+
+Registry::Registry() {
+  add_record("error", "message: string, kind: string, line: int, robot: string, time: time");
+}
+
+void Registry::add_public_name(std::string_view name) {
+  if (!is_written(name)) return;
+  const auto at = std::ranges::lower_bound(names_, name);
+  if (at == names_.end() || *at != name) names_.insert(at, name);
+}
+
+void Registry::add_function(const NativeFunction& function) {
+  functions_[std::string(function.name)].push_back(&function);
+  add_public_name(function.name);
+}
+
+void Registry::add_constant(const NativeConstant& constant) {
+  constants_[std::string(constant.name)] = &constant;
+  add_public_name(constant.name);
+}
+
+void Registry::add_type(const HostType& type) { types_[std::string(type.name)] = &type; }
+
+void Registry::add_record(std::string_view name, std::string_view fields) {
+  records_[std::string(name)] = fields;
+}
+
+std::span<const NativeFunction* const> Registry::functions(std::string_view name) const {
+  const auto found = functions_.find(name);
+  if (found == functions_.end()) return {};
+  return found->second;
+}
+
+const NativeConstant* Registry::constant(std::string_view name) const {
+  return find_or(constants_, name, nullptr);
+}
+
+const HostType* Registry::type(std::string_view name) const { return find_or(types_, name, nullptr); }
+
+bool Registry::is_namespace(std::string_view name) const {
+  const std::string prefix = std::string(name) + '.';
+  const auto starts = [&prefix](const auto& map) {
+    const auto at = map.lower_bound(prefix);
+    return at != map.end() && at->first.starts_with(prefix);
+  };
+  return type(name) == nullptr && (starts(functions_) || starts(constants_));
+}
+
+TypeNames Registry::type_names(TypePool& types) const {
+  return [this, &types](std::string_view name) -> const Type* {
+    if (const HostType* host = type(name)) return types.host(host);
+    return types.library_record(name);
+  };
+}
+
+void Registry::declare_records(TypePool& types) const {
+  std::vector<const Type*> made;
+  for (const auto& [name, fields] : records_) {
+    made.push_back(types.new_record(name));
+    types.register_library_record(made.back());
+  }
+  // Fields come second, because a record may hold another one.
+  std::size_t i = 0;
+  std::string error;
+  for (const auto& [name, fields] : records_) {
+    if (auto read = parse_fields(fields, types, type_names(types), error)) {
+      made[i]->record->fields = std::move(*read);
+    }
+    ++i;
+  }
+}
+
+std::vector<std::string> Registry::check_signatures() const {
+  TypePool types;
+  declare_records(types);
+  const TypeNames names = type_names(types);
+  std::vector<std::string> problems;
+  std::string error;
+  for (const auto& [name, fields] : records_) {
+    if (!parse_fields(fields, types, names, error)) problems.push_back(name + ": " + error);
+  }
+  for (const auto& [name, overloads] : functions_) {
+    for (const NativeFunction* function : overloads) {
+      if (parse_signature(function->signature, types, names, error)) continue;
+      problems.push_back(name + std::string(function->signature) + ": " + error);
+    }
+  }
+  return problems;
+}
+
+}  // namespace armlet::lang

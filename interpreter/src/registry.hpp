@@ -1,0 +1,61 @@
+#pragma once
+// The vocabulary of an engine: native functions, constants, host types and records of the library, by name.
+//
+// Only names and texts are kept here. A program reads the signatures it needs against its own types, so an engine may be
+// shared by threads.
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/interpreter/native.hpp"
+#include "armlet/interpreter/object.hpp"
+#include "armlet/interpreter/type.hpp"
+#include "types/signature.hpp"
+
+namespace armlet::lang {
+
+class Registry {
+ public:
+  Registry();
+
+  void add_function(const NativeFunction& function);
+  void add_constant(const NativeConstant& constant);
+  void add_type(const HostType& type);
+  void add_record(std::string_view name, std::string_view fields);
+
+  // All functions of one name, in the order in which they were added.
+  [[nodiscard]] std::span<const NativeFunction* const> functions(std::string_view name) const;
+  [[nodiscard]] const NativeConstant* constant(std::string_view name) const;
+  [[nodiscard]] const HostType* type(std::string_view name) const;
+  // Whether names such as "robots.scara" exist for "robots".
+  [[nodiscard]] bool is_namespace(std::string_view name) const;
+  [[nodiscard]] const std::map<std::string, const HostType*, std::less<>>& types() const {
+    return types_;
+  }
+  [[nodiscard]] const std::map<std::string, std::string, std::less<>>& records() const {
+    return records_;
+  }
+  // Names a program can write, sorted: for suggestions.
+  [[nodiscard]] const std::vector<std::string_view>& public_names() const { return names_; }
+
+  // Makes the types of the library's records known to a program.
+  void declare_records(TypePool& types) const;
+  // Host types and library records by name, as types of one program.
+  [[nodiscard]] TypeNames type_names(TypePool& types) const;
+  // Every signature and record that cannot be read, with the reason.
+  [[nodiscard]] std::vector<std::string> check_signatures() const;
+
+ private:
+  void add_public_name(std::string_view name);
+
+  std::map<std::string, std::vector<const NativeFunction*>, std::less<>> functions_;
+  std::map<std::string, const NativeConstant*, std::less<>> constants_;
+  std::map<std::string, const HostType*, std::less<>> types_;
+  std::map<std::string, std::string, std::less<>> records_;
+  std::vector<std::string_view> names_;
+};
+
+}  // namespace armlet::lang

@@ -1,0 +1,436 @@
+#include "types/signature.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace armlet::lang {
+namespace {
+
+using Form = TypePattern::Form;
+
+// Reads one signature from left to right; the first thing that does not fit is kept as the error.
+class SignatureReader {
+ public:
+  SignatureReader(std::string_view text, TypePool& types, const TypeNames& names)
+      : text_(text), types_(types), names_(names) {}
+
+  std::optional<Signature> signature() {
+    Signature out;
+    out.result.type = types_.void_type();
+    expect("(");
+    while (ok() && !accept(")")) {
+      out.parameters.push_back(parameter());
+      if (!accept(",")) {
+        expect(")");
+        break;
+      }
+    }
+    if (accept("->")) out.result = type();
+    skip();
+    if (ok() && at_ < text_.size()) fail("more text than a signature has");
+    if (!ok()) return std::nullopt;
+    return out;
+  }
+
+  std::optional<std::vector<RecordField>> fields() {
+    std::vector<RecordField> out;
+    skip();
+    while (ok() && at_ < text_.size()) {
+      const std::string name(word());
+      expect(":");
+      const TypePattern pattern = type();
+      if (ok() && !is_bound(pattern, {})) fail("a field has a variable type");
+      if (!ok()) break;
+      out.push_back({.name = name, .type = instantiate(pattern, {}, types_)});
+      if (!accept(",")) break;
+    }
+    skip();
+    if (ok() && at_ < text_.size()) fail("more text than fields");
+    if (!ok()) return std::nullopt;
+    return out;
+  }
+
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+ private:
+  [[nodiscard]] bool ok() const { return error_.empty(); }
+
+  void fail(std::string_view what) {
+    if (ok()) error_ = std::string(what) + " at column " + std::to_string(at_ + 1);
+  }
+
+  void skip() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+  }
+
+  bool accept(std::string_view mark) {
+    skip();
+    if (!text_.substr(at_).starts_with(mark)) return false;
+    at_ += mark.size();
+    return true;
+  }
+
+  void expect(std::string_view mark) {
+    if (!accept(mark)) fail("`" + std::string(mark) + "` is missing");
+  }
+
+  template <class Predicate>
+  std::string_view take(Predicate predicate) {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && predicate(static_cast<unsigned char>(text_[at_]))) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  std::string_view word() {
+    skip();
+    const std::string_view out =
+        take([](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; });
+    if (out.empty()) fail("a name is missing");
+    return out;
+  }
+
+  Parameter parameter() {
+    Parameter out;
+    out.name = word();
+    expect(":");
+    skip();
+    if (text_.substr(at_).starts_with("number...")) {
+      at_ += 9;
+      out.variadic = out.any_number = true;
+      out.type = list_of({.type = types_.real()});
+      return out;
+    }
+    out.type = type();
+    if (accept("...")) {
+      out.variadic = true;
+      out.type = list_of(std::move(out.type));
+    } else if (accept("?")) {
+      out.optional = true;
+    } else if (accept("=")) {
+      out.default_value = literal();
+    }
+    return out;
+  }
+
+  static TypePattern list_of(TypePattern element) {
+    TypePattern out{.form = Form::kList};
+    out.parts.push_back(std::move(element));
+    return out;
+  }
+
+  TypePattern type() {
+    TypePattern left = factor();
+    for (;;) {
+      const bool times = accept("*");
+      if (!times && !accept("/")) return left;
+      left = product(left, factor(), times ? 1 : -1);
+    }
+  }
+
+  // Anything with a dimension in the one form dim * D^d * E^e.
+  TypePattern as_dimension(const TypePattern& pattern) {
+    if (pattern.form == Form::kDimension) return pattern;
+    if (pattern.form != Form::kType || pattern.type == nullptr || !pattern.type->is(Kind::kReal)) {
+      fail("only quantities can be multiplied");
+      return {.form = Form::kDimension};
+    }
+    return {.form = Form::kDimension, .dim = pattern.type->dim};
+  }
+
+  TypePattern simplified(TypePattern pattern) {
+    if (pattern.form != Form::kDimension || pattern.d != 0 || pattern.e != 0) return pattern;
+    return {.type = types_.quantity(pattern.dim)};
+  }
+
+  TypePattern product(const TypePattern& a, const TypePattern& b, int sign) {
+    TypePattern out = as_dimension(a);
+    const TypePattern right = as_dimension(b);
+    const auto dim = sign > 0 ? multiply(out.dim, right.dim) : divide(out.dim, right.dim);
+    if (!dim) fail("an exponent is too large");
+    out.dim = dim.value_or(Dim{});
+    out.d += sign * right.d;
+    out.e += sign * right.e;
+    return simplified(out);
+  }
+
+  TypePattern factor() {
+    TypePattern out = base();
+    while (accept("[]")) out = list_of(std::move(out));
+    if (!accept("^")) return out;
+    const int sign = accept("-") ? -1 : 1;
+    const std::string_view digits = take([](unsigned char c) { return std::isdigit(c) != 0; });
+    if (digits.size() != 1) {
+      fail("an exponent of one digit is missing");
+      return out;
+    }
+    const int n = sign * (digits[0] - '0');
+    out = as_dimension(out);
+    const auto dim = power(out.dim, 2 * n);
+    out.dim = dim.value_or(Dim{});
+    out.d *= n;
+    out.e *= n;
+    return simplified(out);
+  }
+
+  TypePattern base() {
+    const std::string_view name = word();
+    if (name == "T" || name == "U") return {.form = Form::kVariable, .variable = name == "U"};
+    if (name == "D") return {.form = Form::kDimension, .d = 1};
+    if (name == "E") return {.form = Form::kDimension, .e = 1};
+    if (name == "fn") return function();
+    return {.type = named(name)};
+  }
+
+  TypePattern function() {
+    TypePattern out{.form = Form::kFunction};
+    expect("(");
+    while (ok() && !accept(")")) {
+      out.parts.push_back(type());
+      if (!accept(",")) {
+        expect(")");
+        break;
+      }
+    }
+    if (accept("->")) {
+      out.parts.push_back(type());
+    } else {
+      out.parts.push_back({.type = types_.void_type()});
+    }
+    return out;
+  }
+
+  const Type* named(std::string_view name) {
+    if (name == "int" || name == "long") return types_.integer();
+    if (name == "double" || name == "float") return types_.real();
+    if (name == "bool" || name == "boolean") return types_.boolean();
+    if (name == "string" || name == "String") return types_.text();
+    if (name == "matrix" || name == "Matrix") return types_.matrix();
+    if (name == "void") return types_.void_type();
+    // A library that has its own `force` record would shadow the dimension, so dimensions come first.
+    if (const auto dim = dimension_named(name)) return types_.quantity(*dim);
+    if (const Type* type = names_(name)) return type;
+    fail("`" + std::string(name) + "` is not a type");
+    return types_.any();
+  }
+
+  Constant literal() {
+    skip();
+    if (accept("true")) return {.kind = Constant::Kind::kBool, .truth = true};
+    if (accept("false")) return {.kind = Constant::Kind::kBool};
+    if (accept("\"")) {
+      const std::string_view text = take([](unsigned char c) { return c != '"'; });
+      expect("\"");
+      return {.kind = Constant::Kind::kText, .text = std::string(text)};
+    }
+    return number();
+  }
+
+  Constant number() {
+    const double sign = accept("-") ? -1.0 : 1.0;
+    const std::string_view digits = take([](unsigned char c) { return c != ',' && c != ')' && c != ' '; });
+    if (const auto quantity = parse_quantity(digits)) {
+      return {.kind = Constant::Kind::kReal, .real = sign * quantity->si};
+    }
+    const auto value = parse_number(digits);
+    if (!value) {
+      fail("the default is not a literal");
+      return {};
+    }
+    const bool whole = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+    if (!whole) return {.kind = Constant::Kind::kReal, .real = sign * *value};
+    return {.integer = static_cast<std::int64_t>(sign * *value), .real = sign * *value};
+  }
+
+  std::string_view text_;
+  TypePool& types_;
+  const TypeNames& names_;
+  std::size_t at_ = 0;
+  std::string error_;
+};
+
+int number_cost(const Type* from, const Type* to, bool zero) {
+  if (from->is(Kind::kInt)) return to->dim.is_none() || zero ? 1 : -1;
+  if (from->dim == to->dim) return 0;
+  if (zero && from->is_double()) return 1;
+  return from->dim.without_angle() == to->dim ? 1 : -1;
+}
+
+// D = (actual / dim)^(1/d) for the only variable that is not bound.
+bool solve(const TypePattern& pattern, Dim actual, Bindings& bindings) {
+  Dim known = pattern.dim;
+  int unknown = -1;
+  int exponent = 0;
+  for (int i = 0; i < 2; ++i) {
+    const int n = i == 0 ? pattern.d : pattern.e;
+    if (n == 0) continue;
+    if (!bindings.dims[i]) {
+      if (unknown >= 0) return false;
+      unknown = i;
+      exponent = n;
+      continue;
+    }
+    const auto factor = power(*bindings.dims[i], 2 * n);
+    const auto product = factor ? multiply(known, *factor) : std::nullopt;
+    if (!product) return false;
+    known = *product;
+  }
+  if (unknown < 0 || 2 % exponent != 0) return false;
+  const auto rest = divide(actual, known);
+  const auto root = rest ? power(*rest, 2 / exponent) : std::nullopt;
+  if (!root) return false;
+  bindings.dims[unknown] = *root;
+  return true;
+}
+
+std::optional<Dim> dimension_of(const TypePattern& pattern, const Bindings& bindings) {
+  std::optional<Dim> out = pattern.dim;
+  for (int i = 0; i < 2; ++i) {
+    const int n = i == 0 ? pattern.d : pattern.e;
+    if (n == 0) continue;
+    if (!bindings.dims[i]) return std::nullopt;
+    const auto factor = power(*bindings.dims[i], 2 * n);
+    out = factor ? multiply(*out, *factor) : std::nullopt;
+    if (!out) return std::nullopt;
+  }
+  return out;
+}
+
+int match_dimension(const TypePattern& pattern, const Type* actual, bool zero, Bindings& bindings) {
+  if (!actual->is_number()) return -1;
+  const int cost = actual->is(Kind::kInt) ? 1 : 0;
+  if (!is_bound(pattern, bindings)) return solve(pattern, actual->dim, bindings) ? cost : -1;
+  const std::optional<Dim> wanted = dimension_of(pattern, bindings);
+  if (!wanted) return -1;
+  if (zero || actual->dim == *wanted) return cost;
+  const std::optional<Dim> common = common_dimension(actual->dim, *wanted);
+  if (!common) return -1;
+  // A plain D takes the dimension that both have in common.
+  if (pattern.d == 1 && pattern.e == 0 && pattern.dim.is_none()) bindings.dims[0] = *common;
+  if (pattern.e == 1 && pattern.d == 0 && pattern.dim.is_none()) bindings.dims[1] = *common;
+  return 1;
+}
+
+int match_function(const TypePattern& pattern, const Type* actual, Bindings& bindings) {
+  if (!actual->is(Kind::kFunction) || actual->parameters.size() + 1 != pattern.parts.size()) {
+    return -1;
+  }
+  for (std::size_t i = 0; i < actual->parameters.size(); ++i) {
+    if (match(pattern.parts[i], actual->parameters[i], false, bindings) != 0) return -1;
+  }
+  return match(pattern.parts.back(), actual->result, false, bindings) == 0 ? 0 : -1;
+}
+
+}  // namespace
+
+int Signature::index_of(std::string_view name) const {
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  return found == parameters.end() ? -1 : static_cast<int>(found - parameters.begin());
+}
+
+std::optional<Signature> parse_signature(std::string_view text, TypePool& types,
+                                         const TypeNames& names, std::string& error) {
+  SignatureReader reader(text, types, names);
+  auto out = reader.signature();
+  error = reader.error();
+  return out;
+}
+
+std::optional<std::vector<RecordField>> parse_fields(std::string_view text, TypePool& types,
+                                                     const TypeNames& names, std::string& error) {
+  SignatureReader reader(text, types, names);
+  auto out = reader.fields();
+  error = reader.error();
+  return out;
+}
+
+int conversion_cost(const Type* from, const Type* to, bool zero) {
+  if (from == to || from->is(Kind::kAny) || to->is(Kind::kAny)) return 0;
+  if (from->is_number() && to->is(Kind::kReal)) return number_cost(from, to, zero);
+  if (from->is(Kind::kList) && to->is(Kind::kList)) {
+    return conversion_cost(from->element, to->element);
+  }
+  return -1;
+}
+
+std::optional<Dim> common_dimension(Dim a, Dim b) {
+  if (a == b) return a;
+  if (a.without_angle() != b.without_angle() || a.is_only_angle()) return std::nullopt;
+  return a.without_angle();
+}
+
+int match(const TypePattern& pattern, const Type* actual, bool zero, Bindings& bindings) {
+  if (actual->is(Kind::kAny)) return 0;
+  switch (pattern.form) {
+    case Form::kType:
+      return conversion_cost(actual, pattern.type, zero);
+    case Form::kVariable: {
+      const Type*& bound = bindings.types[pattern.variable];
+      if (actual->is(Kind::kVoid)) return -1;
+      if (bound != nullptr) return conversion_cost(actual, bound, zero);
+      bound = actual;
+      return 0;
+    }
+    case Form::kDimension:
+      return match_dimension(pattern, actual, zero, bindings);
+    case Form::kList:
+      return actual->is(Kind::kList) ? match(pattern.parts[0], actual->element, false, bindings)
+                                     : -1;
+    case Form::kFunction:
+      return match_function(pattern, actual, bindings);
+  }
+  return -1;
+}
+
+bool is_bound(const TypePattern& pattern, const Bindings& bindings) {
+  if (pattern.form == Form::kVariable) return bindings.types[pattern.variable] != nullptr;
+  if (pattern.form == Form::kDimension) {
+    return (pattern.d == 0 || bindings.dims[0]) && (pattern.e == 0 || bindings.dims[1]);
+  }
+  return std::ranges::all_of(pattern.parts,
+                             [&](const TypePattern& part) { return is_bound(part, bindings); });
+}
+
+const Type* instantiate(const TypePattern& pattern, const Bindings& bindings, TypePool& types) {
+  switch (pattern.form) {
+    case Form::kType:
+      return pattern.type;
+    case Form::kVariable:
+      return bindings.types[pattern.variable];
+    case Form::kDimension: {
+      const std::optional<Dim> dim = dimension_of(pattern, bindings);
+      return dim ? types.quantity(*dim) : nullptr;
+    }
+    case Form::kList: {
+      const Type* element = instantiate(pattern.parts[0], bindings, types);
+      return element != nullptr ? types.list(element) : nullptr;
+    }
+    case Form::kFunction: {
+      std::vector<const Type*> parts;
+      for (const TypePattern& part : pattern.parts) {
+        parts.push_back(instantiate(part, bindings, types));
+        if (parts.back() == nullptr) return nullptr;
+      }
+      const Type* result = parts.back();
+      parts.pop_back();
+      return types.function(std::move(parts), result);
+    }
+  }
+  return nullptr;
+}
+
+std::string pattern_name(const TypePattern& pattern, const Bindings& bindings, TypePool& types) {
+  if (const Type* type = instantiate(pattern, bindings, types)) return type_name(type);
+  switch (pattern.form) {
+    case Form::kDimension:
+      return "number";
+    case Form::kList:
+      return pattern_name(pattern.parts[0], bindings, types) + "[]";
+    case Form::kFunction:
+      return "function";
+    default:
+      return "value";
+  }
+}
+
+}  // namespace armlet::lang
