@@ -1,5 +1,15 @@
-# armlet_add_library(NAME SOURCES ... PUBLIC ... PRIVATE ...) adds the library armlet_NAME, alias armlet::NAME.
+# armlet_add_library(NAME SOURCES ... PUBLIC ... PRIVATE ... PRECOMPILE ...) adds the library armlet_NAME, alias
+# armlet::NAME, made of SOURCES, linked to PUBLIC and PRIVATE; PRECOMPILE are headers that most of its sources include.
 # armlet_compile_options(TARGET) gives a target the flags that all of our own code is compiled with.
+
+# A compiler cache when there is one; it and precompiled headers get in each other's way.
+find_program(ARMLET_CCACHE ccache)
+if(ARMLET_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${ARMLET_CCACHE})
+endif()
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
 
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
@@ -8,9 +18,11 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 function(armlet_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  # -Wno-...: g++ 12 sees overflows inside its own std::string (gcc.gnu.org/PR105329, PR105651).
   # Same bits on every machine: no fused multiply-add. Kernels start on a cache line.
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>
     -ffp-contract=off -falign-functions=64 $<$<BOOL:${ARMLET_WERROR}>:-Werror>)
   armlet_sanitize(${target})
 endfunction()
@@ -25,7 +37,7 @@ function(armlet_sanitize target)
 endfunction()
 
 function(armlet_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILE" ${ARGN})
   add_library(armlet_${name} STATIC)
   # BOOTSTRAP: tolerate files listed before they are written
   file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp "")
@@ -43,4 +55,5 @@ function(armlet_add_library name)
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(armlet_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  target_precompile_headers(armlet_${name} PRIVATE ${ARG_PRECOMPILE})
 endfunction()

@@ -10,6 +10,7 @@ function(armlet_add_unit_tests layer library)
   armlet_compile_options(test_${layer})
   target_link_libraries(test_${layer} PRIVATE armlet_test_main ${library})
   target_include_directories(test_${layer} PRIVATE ${ARGN})
+  target_precompile_headers(test_${layer} REUSE_FROM armlet_test_main)
   add_test(NAME unit.${layer} COMMAND test_${layer})
 endfunction()
 
