@@ -51,12 +51,12 @@ struct EnumInfo {
 
 struct Type {
   Kind kind = Kind::kAny;
-  Dim dim;                                // kReal
+  Dim dim{};                              // kReal
   const Type* element = nullptr;          // kList
   RecordInfo* record = nullptr;           // kRecord; fields may be filled in after interning
   const EnumInfo* enumeration = nullptr;  // kEnum
   const HostType* host = nullptr;         // kHost
-  std::vector<const Type*> parameters;    // kFunction
+  std::vector<const Type*> parameters{};  // kFunction
   const Type* result = nullptr;           // kFunction
 
   [[nodiscard]] bool is(Kind k) const { return kind == k; }

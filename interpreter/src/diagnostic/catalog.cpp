@@ -1,0 +1,94 @@
+#include "armlet/interpreter/catalog.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "armlet/interpreter/diagnostic.hpp"
+
+namespace armlet {
+namespace {
+
+#define ARMLET_MESSAGE(code, kind, headline, page) CatalogEntry{#code, kind, headline, page},
+
+constexpr auto kCatalog = std::to_array<CatalogEntry>({
+#include "catalog_advice.def"
+#include "catalog_names.def"
+#include "catalog_robots.def"
+#include "catalog_running.def"
+#include "catalog_text.def"
+#include "catalog_types.def"
+#include "catalog_units.def"
+});
+
+#undef ARMLET_MESSAGE
+
+static_assert(std::ranges::is_sorted(kCatalog, {}, &CatalogEntry::code),
+              "rows stand in the order of their codes");
+
+constexpr std::string_view kPlace = "{}";
+
+}  // namespace
+
+int CatalogEntry::argument_count() const {
+  int count = 0;
+  for (std::size_t at = headline.find(kPlace); at != std::string_view::npos;
+       at = headline.find(kPlace, at + kPlace.size())) {
+    ++count;
+  }
+  return count;
+}
+
+std::span<const CatalogEntry> catalog() { return kCatalog; }
+
+const CatalogEntry* catalog_entry(std::string_view code) {
+  const auto found = std::ranges::lower_bound(kCatalog, code, {}, &CatalogEntry::code);
+  return found != kCatalog.end() && found->code == code ? &*found : nullptr;
+}
+
+std::string explain_page(std::string_view code) {
+  const CatalogEntry* entry = catalog_entry(code);
+  if (entry == nullptr) return {};
+  std::string title(entry->headline);
+  for (std::size_t at = title.find(kPlace); at != std::string::npos; at = title.find(kPlace)) {
+    title.replace(at, kPlace.size(), "...");
+  }
+  // The page starts with the line break behind its opening quote.
+  return std::string(code) + ": " + title + '\n' + std::string(entry->page);
+}
+
+std::string_view kind_of(std::string_view code) {
+  const CatalogEntry* entry = catalog_entry(code);
+  return entry == nullptr ? std::string_view() : entry->kind;
+}
+
+std::string_view code_of_kind(std::string_view kind) {
+  if (kind.empty()) return {};
+  const auto found = std::ranges::find(kCatalog, kind, &CatalogEntry::kind);
+  return found == kCatalog.end() ? std::string_view() : found->code;
+}
+
+Diagnostic make_diagnostic(std::string_view code, Span span,
+                           const std::vector<std::string>& arguments) {
+  const CatalogEntry* entry = catalog_entry(code);
+  if (entry == nullptr) throw std::logic_error("no message has the code " + std::string(code));
+  if (entry->argument_count() != static_cast<int>(arguments.size())) {
+    throw std::logic_error("the message " + std::string(code) + " takes " +
+                           std::to_string(entry->argument_count()) + " arguments, not " +
+                           std::to_string(arguments.size()));
+  }
+  Diagnostic out;
+  out.code = code;
+  out.severity = code.starts_with('W') ? Severity::kAdvice : Severity::kError;
+  out.mark.span = span;
+  std::string_view rest = entry->headline;
+  for (const std::string& argument : arguments) {
+    const std::size_t at = rest.find(kPlace);
+    out.message.append(rest.substr(0, at)).append(argument);
+    rest.remove_prefix(at + kPlace.size());
+  }
+  out.message.append(rest);
+  return out;
+}
+
+}  // namespace armlet

@@ -1,0 +1,155 @@
+#include "armlet/interpreter/type.hpp"
+
+#include <algorithm>
+
+#include "armlet/interpreter/object.hpp"
+
+namespace armlet {
+namespace {
+
+template <class Range, class Proj>
+int index_by(const Range& range, std::string_view name, Proj projection) {
+  const auto found = std::ranges::find(range, name, projection);
+  return found == range.end() ? -1 : static_cast<int>(found - range.begin());
+}
+
+std::string function_name(const Type* type) {
+  std::string out = "fn(";
+  for (std::size_t i = 0; i < type->parameters.size(); ++i) {
+    if (i > 0) out += ", ";
+    out += type_name(type->parameters[i]);
+  }
+  out += ')';
+  if (type->result != nullptr && !type->result->is(Kind::kVoid)) {
+    out += " -> " + type_name(type->result);
+  }
+  return out;
+}
+
+bool same(const Type& a, const Type& b) {
+  return a.kind == b.kind && a.dim == b.dim && a.element == b.element && a.record == b.record &&
+         a.enumeration == b.enumeration && a.host == b.host && a.parameters == b.parameters &&
+         a.result == b.result;
+}
+
+}  // namespace
+
+int RecordInfo::index_of(std::string_view field) const {
+  return index_by(fields, field, [](const RecordField& f) -> std::string_view { return f.name; });
+}
+
+int EnumInfo::index_of(std::string_view value) const {
+  return index_by(values, value, [](const std::string& v) -> std::string_view { return v; });
+}
+
+bool Type::is_reference() const {
+  switch (kind) {
+    case Kind::kText:
+    case Kind::kList:
+    case Kind::kMatrix:
+    case Kind::kRecord:
+    case Kind::kFunction:
+    case Kind::kHost:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string type_name(const Type* type) {
+  if (type == nullptr) return "any";
+  switch (type->kind) {
+    case Kind::kAny:
+      return "any";
+    case Kind::kVoid:
+      return "void";
+    case Kind::kBool:
+      return "bool";
+    case Kind::kInt:
+      return "int";
+    case Kind::kReal:
+      return type->dim.is_none() ? "double" : dimension_name(type->dim);
+    case Kind::kText:
+      return "string";
+    case Kind::kMatrix:
+      return "matrix";
+    case Kind::kList: {
+      const std::string element = type_name(type->element);
+      // fn() -> double[] is a function that gives a list.
+      return type->element->is(Kind::kFunction) ? '(' + element + ")[]" : element + "[]";
+    }
+    case Kind::kRecord:
+      return type->record->name;
+    case Kind::kEnum:
+      return type->enumeration->name;
+    case Kind::kFunction:
+      return function_name(type);
+    case Kind::kHost:
+      return std::string(type->host->name);
+  }
+  return "any";
+}
+
+std::string_view article(std::string_view word) {
+  constexpr std::string_view kVowels = "aeiouAEIOU";
+  return !word.empty() && kVowels.find(word[0]) != std::string_view::npos ? "an" : "a";
+}
+
+std::string type_phrase(const Type* type) {
+  if (type == nullptr || type->is(Kind::kAny)) return "any value";
+  if (type->is(Kind::kVoid)) return "no value";
+  if (type->is_quantity()) return dimension_phrase(type->dim);
+  const std::string name = type_name(type);
+  return std::string(article(name)) + ' ' + name;
+}
+
+TypePool::TypePool()
+    : any_(intern({.kind = Kind::kAny})),
+      void_(intern({.kind = Kind::kVoid})),
+      bool_(intern({.kind = Kind::kBool})),
+      int_(intern({.kind = Kind::kInt})),
+      real_(intern({.kind = Kind::kReal})),
+      text_(intern({.kind = Kind::kText})),
+      matrix_(intern({.kind = Kind::kMatrix})) {}
+
+const Type* TypePool::quantity(Dim dim) { return intern({.kind = Kind::kReal, .dim = dim}); }
+
+const Type* TypePool::list(const Type* element) {
+  return intern({.kind = Kind::kList, .element = element});
+}
+
+const Type* TypePool::function(std::vector<const Type*> parameters, const Type* result) {
+  return intern({.kind = Kind::kFunction, .parameters = std::move(parameters), .result = result});
+}
+
+const Type* TypePool::host(const HostType* host) {
+  return intern({.kind = Kind::kHost, .host = host});
+}
+
+const Type* TypePool::new_record(std::string name) {
+  RecordInfo& info = records_.emplace_back();
+  info.name = std::move(name);
+  return &types_.emplace_back(Type{.kind = Kind::kRecord, .record = &info});
+}
+
+const Type* TypePool::new_enum(std::string name, std::vector<std::string> values) {
+  const EnumInfo& info = enums_.emplace_back(EnumInfo{std::move(name), std::move(values)});
+  return &types_.emplace_back(Type{.kind = Kind::kEnum, .enumeration = &info});
+}
+
+const Type* TypePool::library_record(std::string_view name) const {
+  const auto found = std::ranges::find_if(
+      library_records_, [name](const Type* type) { return type->record->name == name; });
+  return found == library_records_.end() ? nullptr : *found;
+}
+
+void TypePool::register_library_record(const Type* record) { library_records_.push_back(record); }
+
+const Type* TypePool::intern(Type type) {
+  for (const Type& known : types_) {
+    if (same(known, type)) return &known;
+  }
+  return &types_.emplace_back(std::move(type));
+}
+
+}  // namespace armlet
