@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace armlet {
+
+// Letters to insert, delete, replace or swap with a neighbour to get from a to b (optimal string
+// alignment, Damerau 1964). Counts bytes; texts of more than 64 bytes count as entirely different.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+// How many changes a mistyped name may be away from what was meant: 2, or a third of its length.
+std::size_t similar_enough(std::string_view name);
+
+// The candidate most like a mistyped name, the first of several equally near; nothing if none is
+// near enough. A difference of capital letters alone is always near.
+std::optional<std::string_view> most_similar(std::string_view name,
+                                             std::span<const std::string_view> candidates);
+
+}  // namespace armlet

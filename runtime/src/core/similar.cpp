@@ -1,0 +1,60 @@
+#include "armlet/core/similar.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace armlet {
+namespace {
+
+constexpr std::size_t kLongest = 64;
+
+bool same_but_for_capitals(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+}  // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  if (a.size() > kLongest || b.size() > kLongest) return std::max(a.size(), b.size());
+  using Row = std::array<std::size_t, kLongest + 1>;
+  Row before{};
+  Row last{};
+  Row row{};
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, replace});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], before[j - 2] + 1);
+      }
+    }
+    before = last;
+    last = row;
+  }
+  return last[b.size()];
+}
+
+std::size_t similar_enough(std::string_view name) {
+  return name.size() <= 2 ? 1 : std::max<std::size_t>(2, name.size() / 3);
+}
+
+std::optional<std::string_view> most_similar(std::string_view name,
+                                             std::span<const std::string_view> candidates) {
+  std::optional<std::string_view> best;
+  std::size_t best_distance = similar_enough(name) + 1;
+  for (const std::string_view candidate : candidates) {
+    std::size_t distance = edit_distance(name, candidate);
+    if (same_but_for_capitals(name, candidate)) distance = std::min<std::size_t>(distance, 1);
+    if (distance < best_distance && distance < candidate.size()) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace armlet

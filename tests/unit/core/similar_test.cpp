@@ -1,0 +1,25 @@
+#include "armlet/core/similar.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace armlet;
+
+TEST_CASE("edit distance counts insertions, deletions, replacements and swaps") {
+  CHECK(edit_distance("", "") == 0);
+  CHECK(edit_distance("arm", "arm") == 0);
+  CHECK(edit_distance("pAbov", "pAbove") == 1);
+  CHECK(edit_distance("kitten", "sitting") == 3);  // Levenshtein's example
+  CHECK(edit_distance("ca", "ac") == 1);
+  CHECK(edit_distance("", "abc") == 3);
+}
+
+TEST_CASE("the most similar name is found, and nothing when none is near") {
+  const std::vector<std::string_view> names = {"Syn", "Asyn", "Lin", "Cubic"};
+  CHECK(most_similar("Sync", names) == "Syn");
+  CHECK(most_similar("syn", names) == "Syn");
+  CHECK(most_similar("CUBIC", names) == "Cubic");
+  CHECK_FALSE(most_similar("whatever", names));
+  CHECK_FALSE(most_similar("x", names));
+}
