@@ -1,5 +1,6 @@
 # armlet_add_library(NAME SOURCES ... PUBLIC ... PRIVATE ... PRECOMPILE ...) adds the library armlet_NAME, alias
-# armlet::NAME, made of SOURCES, linked to PUBLIC and PRIVATE; PRECOMPILE are headers that most of its sources include.
+# armlet::NAME, linked to PUBLIC and PRIVATE; PRECOMPILE are headers that most of its sources include. SOURCES are
+# folders, each followed by the names of its sources: src/check/ calls scope stands for src/check/calls.cpp and scope.cpp.
 # armlet_compile_options(TARGET) gives a target the flags that all of our own code is compiled with.
 
 # A compiler cache when there is one; it and precompiled headers get in each other's way.
@@ -42,9 +43,15 @@ function(armlet_add_library name)
   # BOOTSTRAP: tolerate files listed before they are written
   file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp "")
   target_sources(armlet_${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
-  foreach(source IN LISTS ARG_SOURCES)
-    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
-      target_sources(armlet_${name} PRIVATE ${source})
+  foreach(item IN LISTS ARG_SOURCES)
+    if(item MATCHES "/$")
+      set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${item})
+    elseif(item MATCHES "cpp$")
+      if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${item})
+        target_sources(armlet_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${item})
+      endif()
+    elseif(EXISTS ${folder}${item}.cpp)
+      target_sources(armlet_${name} PRIVATE ${folder}${item}.cpp)
     endif()
   endforeach()
   set_target_properties(armlet_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
