@@ -1,0 +1,32 @@
+#pragma once
+// Messages as text for people (language reference, section 20.1) and as JSON for editors (ruling
+// 26).
+
+#include <string>
+
+#include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/source.hpp"
+
+namespace armlet {
+
+struct RenderOptions {
+  bool color = false;  // ANSI colours, for terminals
+};
+
+// A mark that belongs to no text, for messages about a file as a whole.
+inline constexpr Span kNoText{0, 0, 0xFFFFFFFF};
+
+// The headline, the marked lines and the notes; ends with a line break.
+//
+// A related mark with an empty span and no label shows its line without marking anything. A mark
+// over several lines is drawn on its first line. Control characters never reach the output.
+[[nodiscard]] std::string render_text(const Diagnostic& diagnostic, const SourceSet& sources,
+                                      RenderOptions options = {});
+
+// One JSON object on one line, without a line break. `text` is the first line of the marked text.
+[[nodiscard]] std::string render_json(const Diagnostic& diagnostic, const SourceSet& sources);
+
+// "at t = 4.00 s, robot scara, nothing has moved"
+[[nodiscard]] std::string when_text(const When& when);
+
+}  // namespace armlet

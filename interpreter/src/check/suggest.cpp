@@ -1,0 +1,108 @@
+#include "check/suggest.hpp"
+
+#include <algorithm>
+
+#include "armlet/core/similar.hpp"
+
+namespace armlet::lang {
+namespace {
+
+constexpr ForeignName kForeign[] = {
+    // robot languages
+    {"MoveAbsJ", "moveJ", "moveJ with a posJ moves the joints"},
+    {"MoveJ", "moveJ", ""},
+    {"MoveL", "moveL", ""},
+    {"MoveC", "moveCirc", "here C stands for Cartesian; arcs are moveCirc(via, goal)"},
+    {"PTP", "moveJ", ""},
+    {"LIN", "moveL", ""},
+    {"CIRC", "moveCirc", ""},
+    {"SPTP", "moveJ", ""},
+    {"SLIN", "moveL", ""},
+    {"movej", "moveJ", ""},
+    {"movel", "moveL", ""},
+    {"movec", "moveCirc", ""},
+    {"movep", "moveL", ""},
+    {"WaitTime", "wait", ""},
+    {"WaitUntil", "wait until", ""},
+    {"sleep", "wait", "only the virtual clock passes"},
+    {"delay", "wait", "only the virtual clock passes"},
+    {"open_gripper", "release", ""},
+    {"close_gripper", "grasp", ""},
+    // other languages
+    {"println", "print", ""},
+    {"printf", "print", "print takes f\"...\" for formatted text"},
+    {"console", "print", ""},
+    {"echo", "print", ""},
+    {"null", "", "every variable has a value of its type from the start"},
+    {"nullptr", "", "every variable has a value of its type from the start"},
+    {"None", "", "every variable has a value of its type from the start"},
+    {"nil", "", "every variable has a value of its type from the start"},
+    {"and", "&&", ""},
+    {"or", "||", ""},
+    {"not", "!", ""},
+    {"def", "fn", ""},
+    {"func", "fn", ""},
+    {"function", "fn", ""},
+    {"lambda", "fn", ""},
+    {"elif", "else if", ""},
+    {"elseif", "else if", ""},
+    {"foreach", "for", ""},
+    {"const", "let", ""},
+    {"val", "let", ""},
+    {"auto", "let", ""},
+    {"raise", "throw", ""},
+    {"except", "catch", ""},
+    {"True", "true", ""},
+    {"False", "false", ""},
+    {"pi", "PI", ""},
+    {"len", "length", "the length of a list is xs.length"},
+    {"append", "push", ""},
+    {"str", "string", ""},
+    {"char", "string", "a single character is a text of length 1"},
+};
+
+struct ForeignSetting {
+  std::string_view foreign;
+  std::string_view here;
+};
+
+constexpr ForeignSetting kForeignSettings[] = {
+    {"velocity", "speed"},  {"vel", "speed"},     {"v", "speed"},       {"acceleration", "accel"},
+    {"acc", "accel"},       {"a", "accel"},       {"duration", "time"}, {"t", "time"},
+    {"zone", "blend"},      {"radius", "blend"},  {"r", "blend"},       {"planner", "traj"},
+    {"trajectory", "traj"}, {"tolerance", "tol"}, {"tcp", "tool"},      {"wobj", "frame"},
+    {"base", "frame"},
+};
+
+}  // namespace
+
+std::optional<Candidate> suggest(std::string_view name, std::span<const Candidate> candidates,
+                                 const Type* wanted) {
+  std::optional<Candidate> best;
+  std::size_t best_score = 0;
+  for (const Candidate& candidate : candidates) {
+    const std::string_view one[] = {candidate.name};
+    if (candidate.name == name || !most_similar(name, one)) continue;
+    const bool other_type = wanted != nullptr && candidate.type != wanted;
+    // One edit and a half for another type, so that a fitting type also wins a tie.
+    const std::size_t score = 2 * edit_distance(name, candidate.name) + (other_type ? 3 : 0);
+    if (best && score >= best_score) continue;
+    best = candidate;
+    best_score = score;
+  }
+  return best;
+}
+
+const ForeignName* foreign_name(std::string_view word) {
+  const auto found = std::ranges::find(kForeign, word, &ForeignName::foreign);
+  return found == std::ranges::end(kForeign) ? nullptr : &*found;
+}
+
+std::span<const ForeignName> foreign_names() { return kForeign; }
+
+std::string_view foreign_setting(std::string_view word) {
+  const auto found = std::ranges::find(kForeignSettings, word, &ForeignSetting::foreign);
+  return found == std::ranges::end(kForeignSettings) ? std::string_view() : found->here;
+}
+
+}  // namespace armlet::lang
