@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <string>
 
 namespace armlet {
@@ -17,8 +17,5 @@ std::string format_vector(const Eigen::VectorXd& values, int digits = 3);
 
 // "(180, -264.2, 20) mm" from metres.
 std::string format_point_mm(const Eigen::Vector3d& p);
-
-// "(180, -264.2, 20) mm, rpy (180, 0, 90) deg"
-std::string format_pose(const Eigen::Isometry3d& T);
 
 }  // namespace armlet

@@ -23,9 +23,6 @@ class Random {
   // A whole number in [0, n), all equally likely. Throws ArgumentError if n is 0.
   std::uint64_t below(std::uint64_t n);
 
-  // Normally distributed with mean 0 and standard deviation 1, by Marsaglia's polar method.
-  double normal();
-
   // A generator of its own for a part of the work. It depends on this one's seed and on the stream
   // number, not on how many numbers were drawn before.
   Random split(std::uint64_t stream) const;
@@ -33,8 +30,6 @@ class Random {
  private:
   std::uint64_t seed_;
   std::array<std::uint64_t, 4> state_;
-  double spare_normal_ = 0.0;
-  bool has_spare_normal_ = false;
 };
 
 }  // namespace armlet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 #include <string_view>
 
 #include "armlet/math/twist.hpp"
@@ -43,5 +44,8 @@ bool is_rotation(const Eigen::Matrix3d& R, double tolerance = 1e-6);
 
 // Throws ArgumentError if T has elements that are not finite or a part that is not a rotation.
 void check_pose(std::string_view name, const Eigen::Isometry3d& T);
+
+// "(180, -264.2, 20) mm, rpy (180, 0, 90) deg"
+std::string format_pose(const Eigen::Isometry3d& T);
 
 }  // namespace armlet

@@ -1,0 +1,37 @@
+#include "armlet/core/format.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace armlet {
+
+std::string format_number(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string format_mm(double length) { return format_number(length * 1000.0, 1) + " mm"; }
+
+std::string format_deg(double angle) {
+  return format_number(angle * (180.0 / std::numbers::pi), 1) + " deg";
+}
+
+std::string format_vector(const Eigen::VectorXd& values, int digits) {
+  std::string text = "(";
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += format_number(values[i], digits);
+  }
+  return text + ")";
+}
+
+std::string format_point_mm(const Eigen::Vector3d& p) {
+  return format_vector(p * 1000.0, 1) + " mm";
+}
+
+}  // namespace armlet

@@ -1,0 +1,52 @@
+#include "armlet/kinematics/forward.hpp"
+
+#include <fmt/format.h>
+
+#include "armlet/core/error.hpp"
+#include "walk.hpp"
+
+namespace armlet {
+
+Eigen::Isometry3d forward(const Robot& robot, JointsIn q) {
+  check_size("q", q.size(), robot.n());
+  Frame frame = walk(robot.chain(), q.data());
+  frame.step(robot.chain().T_flange_tool);
+  return frame.pose();
+}
+
+Eigen::Isometry3d link_frame(const Robot& robot, JointsIn q, int k) {
+  check_size("q", q.size(), robot.n());
+  if (k < 0 || k > robot.n()) {
+    throw ArgumentError(fmt::format(
+        "There is no frame {} in robot `{}`; expected 0 for the base or 1 to {} for a joint.", k,
+        robot.name(), robot.n()));
+  }
+  if (k == 0) return robot.T_world_base();
+  std::vector<Eigen::Isometry3d> frames = link_frames(robot, q);
+  return frames[static_cast<std::size_t>(k - 1)];
+}
+
+std::vector<Eigen::Isometry3d> link_frames(const Robot& robot, JointsIn q) {
+  std::vector<Eigen::Isometry3d> frames(static_cast<std::size_t>(robot.n()));
+  link_frames(robot, q, frames);
+  return frames;
+}
+
+Eigen::Isometry3d link_frames(const Robot& robot, JointsIn q, std::span<Eigen::Isometry3d> frames) {
+  check_size("q", q.size(), robot.n());
+  check_size("frames", static_cast<Eigen::Index>(frames.size()), robot.n());
+  const Chain& chain = robot.chain();
+  const bool standard = chain.standard;
+  Frame frame = walk(
+      chain, q.data(),
+      [&](std::size_t i, const Frame& f) {
+        if (!standard) frames[i] = f.pose();
+      },
+      [&](std::size_t i, const Frame& f) {
+        if (standard) frames[i] = f.pose();
+      });
+  frame.step(chain.T_flange_tool);
+  return frame.pose();
+}
+
+}  // namespace armlet

@@ -1,0 +1,68 @@
+#include "armlet/kinematics/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "armlet/math/angles.hpp"
+
+namespace armlet {
+
+std::vector<LimitViolation> limit_violations(const Robot& robot, JointsIn q, double tolerance) {
+  check_size("q", q.size(), robot.n());
+  std::vector<LimitViolation> violations;
+  for (int i = 0; i < robot.n(); ++i) {
+    const Joint& joint = robot.joint(i);
+    // Written so that a value that is not a number counts as outside.
+    if (!(q[i] <= joint.upper + tolerance)) {
+      violations.push_back({i, q[i], joint.upper});
+    } else if (q[i] < joint.lower - tolerance) {
+      violations.push_back({i, q[i], joint.lower});
+    }
+  }
+  return violations;
+}
+
+bool within_limits(const Robot& robot, JointsIn q, double tolerance) {
+  check_size("q", q.size(), robot.n());
+  return ((q.array() <= robot.upper().array() + tolerance) &&
+          (q.array() >= robot.lower().array() - tolerance))
+      .all();
+}
+
+Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q) {
+  check_size("q", q.size(), robot.n());
+  return q.cwiseMax(robot.lower()).cwiseMin(robot.upper());
+}
+
+Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near) {
+  check_size("q", q.size(), robot.n());
+  check_size("q_near", q_near.size(), robot.n());
+  Eigen::VectorXd wrapped = q;
+  for (int i = 0; i < robot.n(); ++i) {
+    if (!robot.is_revolute(i)) continue;
+    const double lower = robot.lower()[i] - 1e-9;
+    const double upper = robot.upper()[i] + 1e-9;
+    double angle = nearest_turn(q[i], q_near[i]);
+    // Whole turns back into the range, from whichever side it lies.
+    if (angle > upper) angle -= 2.0 * kPi * std::ceil((angle - upper) / (2.0 * kPi));
+    if (angle < lower) angle += 2.0 * kPi * std::ceil((lower - angle) / (2.0 * kPi));
+    if (angle > upper) {  // no copy lies within: the one just above or the one just below
+      const double below = angle - 2.0 * kPi;
+      if (lower - below < angle - upper) angle = below;
+    }
+    wrapped[i] = angle;
+  }
+  return wrapped;
+}
+
+std::string describe(const Robot& robot, const LimitViolation& violation) {
+  const Joint& joint = robot.joint(violation.joint);
+  return fmt::format("joint {} would {} to {}; its range is {} to {}", violation.joint + 1,
+                     joint_word(joint.kind), format_joint_value(joint.kind, violation.value),
+                     format_joint_value(joint.kind, joint.lower),
+                     format_joint_value(joint.kind, joint.upper));
+}
+
+}  // namespace armlet

@@ -1,0 +1,161 @@
+#include "armlet/model/robot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "armlet/core/error.hpp"
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/pose.hpp"
+#include "validate.hpp"
+
+namespace armlet {
+namespace {
+
+void fill_default_rates(Joint& joint) {
+  const double speed = joint.is_revolute() ? kDefaultTurnSpeed : kDefaultSlideSpeed;
+  if (joint.max_speed == 0.0) joint.max_speed = speed;
+  if (joint.max_accel == 0.0) joint.max_accel = joint.max_speed / kDefaultTimeToSpeed;
+  if (joint.max_jerk == 0.0) joint.max_jerk = joint.max_accel / kDefaultTimeToAccel;
+}
+
+Chain make_chain(const RobotSpec& spec) {
+  Chain chain;
+  chain.n = static_cast<int>(spec.joints.size());
+  chain.standard = spec.convention == DhConvention::kStandard;
+  chain.T_world_base = spec.T_world_base;
+  chain.T_flange_tool = spec.T_flange_tool;
+  for (std::size_t i = 0; i < spec.joints.size(); ++i) {
+    const Joint& joint = spec.joints[i];
+    const std::size_t x = chain.standard ? i + 1 : i;
+    const SinCos alpha = snapped_sin_cos(joint.dh.alpha);
+    chain.a[x] = joint.dh.a;
+    chain.sin_alpha[x] = alpha.sin;
+    chain.cos_alpha[x] = alpha.cos;
+    const det::SinCos theta = det::sincos(joint.dh.theta);
+    chain.revolute[i] = joint.is_revolute();
+    chain.theta[i] = joint.dh.theta;
+    chain.d[i] = joint.dh.d;
+    chain.sin_theta[i] = theta.sin;
+    chain.cos_theta[i] = theta.cos;
+  }
+  // The X at the other end of the chain is the identity.
+  chain.cos_alpha[chain.standard ? 0 : spec.joints.size()] = 1.0;
+  return chain;
+}
+
+// Farthest that one row can carry the next frame, within the limits.
+double row_reach(const Joint& joint) {
+  double d = std::abs(joint.dh.d);
+  if (!joint.is_revolute()) {
+    d = std::max(std::abs(joint.dh.d + joint.lower), std::abs(joint.dh.d + joint.upper));
+  }
+  return det::hypot(joint.dh.a, d);
+}
+
+template <class Member>
+Eigen::VectorXd gather(const std::vector<Joint>& joints, Member member) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(joints.size()));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    values[static_cast<Eigen::Index>(i)] = joints[i].*member;
+  }
+  return values;
+}
+
+}  // namespace
+
+Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
+  check_joints(spec_);
+  for (Joint& joint : spec_.joints) fill_default_rates(joint);
+  if (spec_.links.empty()) spec_.links.resize(spec_.joints.size());
+  check_links(spec_);
+  check_pose(spec_.name + ".base", spec_.T_world_base);
+  check_pose(spec_.name + ".tool", spec_.T_flange_tool);
+  check_finite(spec_.name + ".gravity", spec_.gravity);
+
+  lower_ = gather(spec_.joints, &Joint::lower);
+  upper_ = gather(spec_.joints, &Joint::upper);
+  max_speed_ = gather(spec_.joints, &Joint::max_speed);
+  max_accel_ = gather(spec_.joints, &Joint::max_accel);
+  max_jerk_ = gather(spec_.joints, &Joint::max_jerk);
+  chain_ = make_chain(spec_);
+
+  if (spec_.home.size() == 0) {
+    spec_.home = Eigen::VectorXd::Zero(n()).cwiseMax(lower_).cwiseMin(upper_);
+  }
+  check_home(spec_);
+
+  reach_ = spec_.T_flange_tool.translation().norm();
+  for (const Joint& joint : spec_.joints) {
+    length_ += std::abs(joint.dh.a) + std::abs(joint.dh.d);
+    reach_ += row_reach(joint);
+  }
+  length_ = std::max(length_, 0.1);
+}
+
+Robot Robot::with_name(std::string name) const {
+  RobotSpec spec = spec_;
+  spec.name = std::move(name);
+  return Robot(std::move(spec));
+}
+
+Robot Robot::with_base(const Eigen::Isometry3d& T_world_base) const {
+  RobotSpec spec = spec_;
+  spec.T_world_base = T_world_base;
+  return Robot(std::move(spec));
+}
+
+Robot Robot::with_tool(const Tool& tool) const {
+  RobotSpec spec = spec_;
+  spec.tool = tool;
+  spec.T_flange_tool = make_translation({0.0, 0.0, tool.length});
+  return Robot(std::move(spec));
+}
+
+Robot Robot::with_tool_point(const Eigen::Isometry3d& T_flange_tool) const {
+  RobotSpec spec = spec_;
+  spec.T_flange_tool = T_flange_tool;
+  return Robot(std::move(spec));
+}
+
+Robot Robot::with_home(const Eigen::VectorXd& home) const {
+  RobotSpec spec = spec_;
+  spec.home = home;
+  return Robot(std::move(spec));
+}
+
+std::vector<Joint> joints_from_table(const std::vector<std::vector<double>>& rows,
+                                     std::string_view kinds) {
+  if (kinds.size() != rows.size()) {
+    throw ArgumentError(
+        fmt::format("The table has {} rows, but the joint kinds \"{}\" name {} joints; expected "
+                    "one letter R or "
+                    "P per row.",
+                    rows.size(), kinds, kinds.size()));
+  }
+  std::vector<Joint> joints;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() != 4) {
+      throw ArgumentError(
+          fmt::format("Row {} of the table has {} numbers; expected 4: theta, d, a, alpha.", i + 1,
+                      rows[i].size()));
+    }
+    Joint joint;
+    joint.dh = {rows[i][0], rows[i][1], rows[i][2], rows[i][3]};
+    if (kinds[i] == 'P' || kinds[i] == 'p') {
+      joint.kind = JointKind::kPrismatic;
+      joint.lower = 0.0;
+      joint.upper = 1.0;
+    } else if (kinds[i] != 'R' && kinds[i] != 'r') {
+      throw ArgumentError(fmt::format(
+          "Joint {} has the kind '{}'; expected R for a turning joint or P for a sliding one.",
+          i + 1, kinds[i]));
+    }
+    joints.push_back(joint);
+  }
+  return joints;
+}
+
+}  // namespace armlet

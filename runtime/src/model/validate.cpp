@@ -1,0 +1,151 @@
+#include "validate.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "armlet/core/error.hpp"
+
+namespace armlet {
+namespace {
+
+[[noreturn]] void fail(const RobotSpec& spec, std::string_view part, std::size_t i,
+                       const std::string& what) {
+  throw ArgumentError(fmt::format("{} {} of robot `{}` {}.", part, i + 1, spec.name, what));
+}
+
+void check_joint(const RobotSpec& spec, std::size_t i) {
+  const Joint& joint = spec.joints[i];
+  const std::pair<const char*, double> numbers[] = {{"theta", joint.dh.theta},
+                                                    {"d", joint.dh.d},
+                                                    {"a", joint.dh.a},
+                                                    {"alpha", joint.dh.alpha},
+                                                    {"lower limit", joint.lower},
+                                                    {"upper limit", joint.upper},
+                                                    {"maxSpeed", joint.max_speed},
+                                                    {"maxAccel", joint.max_accel},
+                                                    {"maxJerk", joint.max_jerk}};
+  for (const auto& [name, value] : numbers) {
+    if (!std::isfinite(value)) {
+      fail(spec, "Joint", i, fmt::format("has {} = {}; expected a finite number", name, value));
+    }
+  }
+  if (joint.lower > joint.upper) {
+    fail(spec, "Joint", i,
+         fmt::format("has its limits swapped: {} is above {}",
+                     format_joint_value(joint.kind, joint.lower),
+                     format_joint_value(joint.kind, joint.upper)));
+  }
+  const std::pair<const char*, double> rates[] = {
+      {"maxSpeed", joint.max_speed}, {"maxAccel", joint.max_accel}, {"maxJerk", joint.max_jerk}};
+  for (const auto& [name, value] : rates) {
+    if (value < 0.0) {
+      fail(spec, "Joint", i, fmt::format("has {} = {}; it must be above zero", name, value));
+    }
+  }
+  if (!(joint.max_effort > 0.0)) {
+    fail(spec, "Joint", i,
+         fmt::format("has maxTorque = {}; it must be above zero", joint.max_effort));
+  }
+}
+
+// Principal moments of a rigid body are not negative and none exceeds the sum of the other two.
+void check_inertia(const RobotSpec& spec, std::size_t i) {
+  const Eigen::Matrix3d& inertia = spec.links[i].inertia;
+  const double scale = inertia.cwiseAbs().maxCoeff();
+  const double tolerance = 1e-9 * scale;
+  if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > tolerance) {
+    fail(spec, "Link", i, "has an inertia that is not symmetric");
+  }
+  const Eigen::Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+  if (moments[0] < -tolerance) {
+    fail(
+        spec, "Link", i,
+        fmt::format("has an inertia with the negative principal moment {:.4g} kg m^2", moments[0]));
+  }
+  if (spec.inertia_check == InertiaCheck::kRigidBody &&
+      moments[2] > (moments[0] + moments[1]) * (1.0 + 1e-9) + tolerance) {
+    fail(spec, "Link", i,
+         fmt::format("has principal moments {:.4g}, {:.4g}, {:.4g} kg m^2; in a rigid body none "
+                     "exceeds the sum of the other two",
+                     moments[0], moments[1], moments[2]));
+  }
+}
+
+void check_link(const RobotSpec& spec, std::size_t i) {
+  const Link& link = spec.links[i];
+  const std::pair<const char*, double> numbers[] = {
+      {"mass", link.mass},
+      {"motorInertia", link.motor_inertia},
+      {"gear", link.gear},
+      {"viscous friction", link.friction.viscous},
+      {"positive Coulomb friction", link.friction.coulomb_plus},
+      {"negative Coulomb friction", link.friction.coulomb_minus}};
+  for (const auto& [name, value] : numbers) {
+    if (!std::isfinite(value)) {
+      fail(spec, "Link", i, fmt::format("has {} = {}; expected a finite number", name, value));
+    }
+  }
+  if (!link.com.allFinite() || !link.inertia.allFinite()) {
+    fail(spec, "Link", i, "has a centre of mass or an inertia that is not finite");
+  }
+  const std::pair<const char*, double> not_negative[] = {
+      {"mass", link.mass},
+      {"motorInertia", link.motor_inertia},
+      {"viscous friction", link.friction.viscous},
+      {"positive Coulomb friction", link.friction.coulomb_plus}};
+  for (const auto& [name, value] : not_negative) {
+    if (value < 0.0) {
+      fail(spec, "Link", i, fmt::format("has {} = {}; it must be zero or more", name, value));
+    }
+  }
+  if (link.friction.coulomb_minus > 0.0) {
+    fail(spec, "Link", i,
+         fmt::format("has the Coulomb friction {} for negative speed; it must be zero or less",
+                     link.friction.coulomb_minus));
+  }
+  check_inertia(spec, i);
+}
+
+}  // namespace
+
+void check_joints(const RobotSpec& spec) {
+  const std::size_t n = spec.joints.size();
+  if (n == 0) {
+    throw ArgumentError(
+        fmt::format("Robot `{}` has no joints; expected 1 to {}.", spec.name, kMaxJoints));
+  }
+  if (n > static_cast<std::size_t>(kMaxJoints)) {
+    throw ArgumentError(
+        fmt::format("Robot `{}` has {} joints; expected 1 to {}.", spec.name, n, kMaxJoints));
+  }
+  for (std::size_t i = 0; i < n; ++i) check_joint(spec, i);
+}
+
+void check_links(const RobotSpec& spec) {
+  if (spec.links.size() != spec.joints.size()) {
+    throw ArgumentError(fmt::format("Robot `{}` has {} links for {} joints; expected one each.",
+                                    spec.name, spec.links.size(), spec.joints.size()));
+  }
+  for (std::size_t i = 0; i < spec.links.size(); ++i) check_link(spec, i);
+}
+
+void check_home(const RobotSpec& spec) {
+  check_size(spec.name + ".home", spec.home.size(), static_cast<Eigen::Index>(spec.joints.size()));
+  check_finite(spec.name + ".home", spec.home);
+  for (std::size_t i = 0; i < spec.joints.size(); ++i) {
+    const Joint& joint = spec.joints[i];
+    const double q = spec.home[static_cast<Eigen::Index>(i)];
+    if (q >= joint.lower && q <= joint.upper) continue;
+    fail(spec, "Joint", i,
+         fmt::format("is at {} in the home position; its range is {} to {}",
+                     format_joint_value(joint.kind, q), format_joint_value(joint.kind, joint.lower),
+                     format_joint_value(joint.kind, joint.upper)));
+  }
+}
+
+}  // namespace armlet
