@@ -93,6 +93,11 @@ std::optional<Candidate> suggest(std::string_view name, std::span<const Candidat
   return best;
 }
 
+std::optional<std::string_view> suggest(std::string_view name,
+                                        std::span<const std::string_view> candidates) {
+  return most_similar(name, candidates);
+}
+
 const ForeignName* foreign_name(std::string_view word) {
   const auto found = std::ranges::find(kForeign, word, &ForeignName::foreign);
   return found == std::ranges::end(kForeign) ? nullptr : &*found;

@@ -20,6 +20,8 @@ struct Candidate {
 [[nodiscard]] std::optional<Candidate> suggest(std::string_view name,
                                                std::span<const Candidate> candidates,
                                                const Type* wanted = nullptr);
+[[nodiscard]] std::optional<std::string_view> suggest(std::string_view name,
+                                                      std::span<const std::string_view> candidates);
 
 // What a word of another language is called here.
 struct ForeignName {

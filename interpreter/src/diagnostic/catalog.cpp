@@ -11,15 +11,18 @@ namespace {
 
 #define ARMLET_MESSAGE(code, kind, headline, page) CatalogEntry{#code, kind, headline, page},
 
+// The order is that of the codes.
+// clang-format off
 constexpr auto kCatalog = std::to_array<CatalogEntry>({
-#include "catalog_advice.def"
-#include "catalog_names.def"
-#include "catalog_robots.def"
-#include "catalog_running.def"
 #include "catalog_text.def"
+#include "catalog_names.def"
 #include "catalog_types.def"
 #include "catalog_units.def"
+#include "catalog_robots.def"
+#include "catalog_running.def"
+#include "catalog_advice.def"
 });
+// clang-format on
 
 #undef ARMLET_MESSAGE
 
