@@ -22,7 +22,7 @@ function(armlet_compile_options target)
   # -Wno-...: g++ 12 sees overflows inside its own std::string (gcc.gnu.org/PR105329, PR105651).
   # Same bits on every machine: no fused multiply-add. Kernels start on a cache line.
   target_compile_options(${target} PRIVATE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wno-missing-field-initializers
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>"
     -ffp-contract=off -falign-functions=64 $<$<BOOL:${ARMLET_WERROR}>:-Werror>)
   armlet_sanitize(${target})
