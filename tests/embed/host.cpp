@@ -1,13 +1,40 @@
-#include <armlet/core/error.hpp>
-
+// A host program: one function of its own, one script, and the robot library without the language.
+#include <armlet/interpreter/engine.hpp>
+#include <armlet/kinematics/forward.hpp>
+#include <armlet/model/catalog.hpp>
+#include <cmath>
 #include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace {
+
+armlet::Signal twice(armlet::Vm&, armlet::Slot* args) {
+  return armlet::give(args, 2.0 * args[0].d);
+}
+
+const armlet::NativeFunction kFunctions[] = {{.name = "twice",
+                                              .signature = "(x: double) -> double",
+                                              .help = "Two times x.",
+                                              .example = "twice(1.5)",
+                                              .thunk = &twice}};
+
+std::string printed_by(const armlet::Engine& engine, const char* text) {
+  const armlet::Compilation compilation = engine.compile(text, "host.rbt");
+  if (!compilation.program) return "rejected";
+  std::string printed;
+  armlet::Vm vm(compilation.program, {.output = [&](std::string_view part) { printed += part; }});
+  return vm.run().status == armlet::RunStatus::kDone ? printed : "failed";
+}
+
+}  // namespace
 
 int main() {
-  try {
-    armlet::check_size("q", 5, 6);
-  } catch (const armlet::ArgumentError& error) {
-    std::puts(error.what());
-    return 0;
-  }
-  return 1;
+  armlet::Engine engine;
+  engine.add_functions(kFunctions);
+  const std::string printed = printed_by(engine, "print(twice(1.5))");
+  const auto robot = armlet::make_robot("scara");
+  const double reach = armlet::forward(*robot, Eigen::VectorXd::Zero(robot->n())).translation().x();
+  std::printf("%s%.3f\n", printed.c_str(), reach);
+  return printed == "3.0\n" && std::abs(reach - 0.7) < 1e-12 ? 0 : 1;
 }
