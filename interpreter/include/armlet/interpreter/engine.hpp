@@ -55,6 +55,8 @@ class Program {
   // Whether the text mentions a library function of this name.
   [[nodiscard]] bool mentions(std::string_view function) const;
   [[nodiscard]] std::string disassemble() const;
+  // The type of a record of the library, such as Move, in this program.
+  [[nodiscard]] const Type* library_record(std::string_view name) const;
   [[nodiscard]] const lang::CompiledProgram& compiled() const { return *compiled_; }
 
  private:

@@ -1,0 +1,98 @@
+#pragma once
+// The host of a robot program: one cell on a virtual clock, and what the vocabulary needs to know
+// about it.
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/cell/cell.hpp"
+#include "armlet/core/error.hpp"
+#include "armlet/core/random.hpp"
+#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/native.hpp"
+#include "armlet/model/robot.hpp"
+#include "armlet/trajectory/planner.hpp"
+
+namespace armlet {
+
+// One finished motion, for whoever shows progress.
+struct MoveReport {
+  std::string robot;
+  std::string function;   // as called: "moveJ"
+  double start = 0.0;     // s
+  double duration = 0.0;  // s
+  bool stopped = false;   // by a guard
+  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+};
+
+struct HostOptions {
+  std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
+  std::function<void(const MoveReport&)> on_move;
+  // Fills an empty world when a program names an object and nobody gave a world; null: there is
+  // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
+  std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
+};
+
+class Host : public Timeline {
+ public:
+  explicit Host(HostOptions options);
+
+  // The host of a running program.
+  static Host& of(Vm& vm) { return *static_cast<Host*>(vm.host()); }
+
+  [[nodiscard]] Cell& cell() { return cell_; }
+  [[nodiscard]] const Cell& cell() const { return cell_; }
+  [[nodiscard]] Random& random() { return random_; }
+  [[nodiscard]] const PlannerSet& planners() const { return planners_; }
+  [[nodiscard]] PlannerSet& planners() { return planners_; }
+
+  // ---- robots
+  [[nodiscard]] Result<int> add_robot(std::shared_ptr<const Robot> robot);
+  // The host's own robot, put into the cell when it is first needed.
+  [[nodiscard]] Result<int> default_robot();
+  [[nodiscard]] const Robot* default_robot_model() const { return options_.robot.get(); }
+  // The robot of the cell if there is exactly one (or none yet but the host's own); otherwise null.
+  [[nodiscard]] const Robot* only_robot() const;
+
+  // ---- the world
+  void set_world_name(std::string name) { world_name_ = std::move(name); }
+  [[nodiscard]] const std::string& world_name() const { return world_name_; }
+  [[nodiscard]] bool has_world() const { return !world_name_.empty(); }
+  // The program names an object: fetch the default world if nobody gave one.
+  void want_world(const std::vector<std::string>& declared);
+  // While a default world is filled: whether this object gives way to one that the program declares
+  // itself.
+  [[nodiscard]] bool is_skipped(std::string_view name) const;
+  [[nodiscard]] const std::vector<std::string>& skipped_names() const { return skipped_; }
+
+  // What happened in the cell since the last call; whether this is the first contact pick that is
+  // told of.
+  [[nodiscard]] std::vector<CellEvent> take_events();
+  [[nodiscard]] bool first_contact_pick();
+
+  void report_move(const MoveReport& report);
+  [[nodiscard]] int move_count() const { return moves_; }
+
+  // ---- Timeline
+  [[nodiscard]] std::int64_t now_ns() const override;
+  [[nodiscard]] std::int64_t tick_ns() const override;
+  bool advance_to(std::int64_t t_ns) override;
+
+ private:
+  HostOptions options_;
+  Cell cell_;
+  Random random_{0};
+  PlannerSet planners_;
+  int default_robot_ = -1;
+  std::string world_name_;
+  std::vector<std::string> skipped_;
+  bool filling_ = false;
+  bool contact_pick_told_ = false;
+  int moves_ = 0;
+};
+
+}  // namespace armlet

@@ -1,0 +1,87 @@
+#pragma once
+// One program with its cell: what the command, the tests and embedding tools use.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/backend/backend.hpp"
+#include "armlet/interpreter/engine.hpp"
+#include "armlet/stdlib/host.hpp"
+
+namespace armlet {
+
+// A program that declares objects, such as worlds/table.rbt.
+struct WorldText {
+  std::string name;
+  std::string text;
+};
+
+struct SessionOptions {
+  std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
+  std::optional<WorldText> world;      // given by the user
+  std::optional<WorldText>
+      default_world;  // used when a program names an object and no world is given
+  ParseLimits parse_limits;
+  RunLimits limits;
+  std::vector<Backend*> backends;               // must outlive the session
+  std::function<void(std::int64_t t_ns)> pace;  // called as the clock advances; may sleep
+  std::function<void(std::string_view)> output;
+  std::function<void(const Diagnostic&)> advice;
+  std::function<void(const MoveReport&)> on_move;
+};
+
+// A message together with the texts that it points into.
+struct Problem {
+  Diagnostic diagnostic;
+  std::shared_ptr<const SourceSet> sources;
+};
+
+class Session {
+ public:
+  Session(const Engine& engine, SessionOptions options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // Checks a program against the robot and the world. Returns whether it can run; the messages,
+  // errors and advice of the world's text included, are in problems().
+  bool compile(std::string text, std::string name);
+  [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
+  [[nodiscard]] const Program* program() const { return compilation_.program.get(); }
+  [[nodiscard]] const SourceSet& sources() const { return *compilation_.sources; }
+
+  // Runs the program, or one of its tests, in a fresh cell at time 0.
+  [[nodiscard]] RunResult run();
+  [[nodiscard]] RunResult run_test(std::size_t index);
+
+  // The cell of the last run, as it was left.
+  [[nodiscard]] const Host* host() const { return host_.get(); }
+
+  // Asks the running program to stop. Safe in a signal handler and from any thread.
+  void cancel() noexcept;
+
+ private:
+  [[nodiscard]] std::unique_ptr<Host> make_host(bool with_world);
+  bool fill_world(Host& host, const WorldText& world);
+  [[nodiscard]] RunResult run_with(const std::function<RunResult(Vm&)>& start);
+
+  const Engine& engine_;
+  SessionOptions options_;
+  Compilation compilation_;
+  std::vector<Problem> problems_;
+  std::unique_ptr<Host> host_;
+  bool wants_default_world_ = false;  // the check found that the program names an object of it
+  std::vector<std::string> declared_objects_;  // which then give way
+  std::atomic<Vm*> running_{nullptr};
+  std::atomic<bool> cancelled_{false};
+};
+
+// The world that the command supplies: a table with a cube and a cylinder.
+[[nodiscard]] WorldText table_world();
+
+}  // namespace armlet

@@ -1,0 +1,45 @@
+#pragma once
+// What the chapters of the library share: their tables, and small helpers to read arguments and to
+// fail.
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/native.hpp"
+
+namespace armlet::bind {
+
+// One table per chapter of the library reference.
+std::span<const NativeFunction> math_functions();
+std::span<const NativeFunction> list_functions();
+std::span<const NativeFunction> text_functions();
+std::span<const NativeFunction> pose_functions();
+std::span<const NativeFunction> robot_functions();
+std::span<const NativeFunction> model_functions();
+std::span<const NativeFunction> motion_functions();
+std::span<const NativeFunction> hand_functions();
+std::span<const NativeFunction> world_functions();
+std::span<const NativeFunction> classic_functions();
+std::span<const NativeFunction> time_functions();
+
+// R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
+Signal domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
+                      std::string fix = {}, int parameter = 0);
+// R0612: an argument that is infinite or not a number.
+Signal not_finite(Vm& vm, std::string_view what, double value, int parameter);
+// R0613: two sizes that do not fit.
+Signal size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right);
+
+// A failure of a native function with a code of the catalogue and its own headline.
+Signal failure(Vm& vm, std::string_view code, std::string message, int parameter = -1,
+               std::string why = {}, std::string fix = {});
+
+// The same with the sentence of a broken precondition as its argument.
+Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter = -1);
+
+[[nodiscard]] inline bool is_absent(Slot s) { return is_absent_scalar(s); }
+
+}  // namespace armlet::bind

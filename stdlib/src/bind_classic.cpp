@@ -1,0 +1,167 @@
+// The classic subset (language reference, section 18): the eight names of the 2011 platform.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/format.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "bind.hpp"
+#include "moves.hpp"
+#include "objects.hpp"
+#include "rules.hpp"
+#include "values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// posC(numbers): 3 = place only; 4 = place and turn about z, for an arm whose tool keeps its tilt;
+// 6 = place, roll, pitch, yaw (section 8).
+Signal posc_from(Vm& vm, Slot* args) {
+  const auto v = reals_value(args[0]);
+  for (const double x : v) {
+    if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
+  }
+  if (v.size() == 3) return give(args, new_posc(vm, {make_translation({v[0], v[1], v[2]}), false}));
+  if (v.size() == 6)
+    return give(args, new_posc(vm, {pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true}));
+  const Robot* robot = Host::of(vm).only_robot();
+  if (v.size() == 4 && robot != nullptr && robot->n() == 4) {
+    return give(args, new_posc(vm, {pose_from_rpy({v[0], v[1], v[2]}, {0.0, 0.0, v[3]}), true}));
+  }
+  return failure(
+      vm, "R0613",
+      fmt::format("a posC is made from 3 or 6 numbers, or as many as the robot controls, not {}",
+                  v.size()),
+      0,
+      "3 are a place, 6 a place with roll, pitch and yaw, 4 a place and a turn about z for an arm "
+      "with 4 joints");
+}
+
+// (r, traj, position, time)
+Signal move_j(Vm& vm, Slot* args) {
+  const MoveCall call{.function = "moveJ",
+                      .robot = host_value<RobotRef>(args[0]).id,
+                      .target = 2,
+                      .time = 3,
+                      .classic = true};
+  return move_to_joints(vm, args, call, posj(args[2]).vector(), std::string(text_value(args[1])),
+                        args[3].d, std::nullopt);
+}
+Signal move_c(Vm& vm, Slot* args) {
+  const MoveCall call{.function = "moveC",
+                      .robot = host_value<RobotRef>(args[0]).id,
+                      .target = 2,
+                      .time = 3,
+                      .classic = true};
+  const std::string_view planner = text_value(args[1]);
+  if (planner == "Lin") return move_on_line(vm, args, call, posc(args[2]), args[3].d, std::nullopt);
+  if (!check_duration(vm, args[3].d, call.time)) return Signal::kFail;
+  const auto q = solve_target(vm, call, posc(args[2]), Host::of(vm).cell().robot(call.robot).q);
+  if (!q) return Signal::kFail;
+  return move_to_joints(vm, args, call, *q, std::string(planner), args[3].d, std::nullopt);
+}
+// Calls that are only there to be explained before running.
+Signal never_run(Vm& vm, Slot*) {
+  return failure(vm, "R0626", "this call was refused before running");
+}
+
+constexpr double kStandInSize = 0.040;  // m
+
+using Eigen::Isometry3d;
+
+// In reach in front of the robot: straight below its tool at home if there is one, half its reach
+// along x otherwise.
+Isometry3d stand_in_place(const Host& host) {
+  const Robot* robot = host.only_robot();
+  Isometry3d T = Isometry3d::Identity();
+  T.translation() = Eigen::Vector3d(0.3, 0.0, kStandInSize / 2);
+  if (robot == nullptr) return T;
+  const Eigen::VectorXd middle = 0.5 * (robot->lower() + robot->upper());
+  T.translation() = forward(*robot, middle).translation();
+  return T;
+}
+
+Signal insert_obj(Vm& vm, Slot* args) try {
+  Host& host = Host::of(vm);
+  const std::string name(text_value(args[0]));
+  if (find_object(vm, name) == nullptr) {
+    if (host.has_world()) return fail_unknown_object(vm, name, 0);
+    Object cube;
+    cube.name = name;
+    cube.shape = Box{Eigen::Vector3d::Constant(kStandInSize)};
+    cube.T_world_obj = stand_in_place(host);
+    host.cell().insert(std::move(cube));
+    Failure advice;
+    advice.code = "W0712";
+    advice.arguments = {name};
+    advice.mark_parameter = 0;
+    vm.advise(advice);
+  }
+  host.cell().add_to_task(name);
+  return give_nothing();
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0631", error);
+}
+
+Signal get_pos_obj(Vm& vm, Slot* args) {
+  const std::string name(text_value(args[0]));
+  const Object* object = find_object(vm, name);
+  if (object == nullptr) return fail_unknown_object(vm, name, 0);
+  const Eigen::Vector3d p = object->T_world_obj.translation();
+  return give(args, new_reals(vm, {p.data(), 3}));
+}
+Signal get_pos_robot(Vm& vm, Slot* args) {
+  const Eigen::VectorXd& q = Host::of(vm).cell().robot(host_value<RobotRef>(args[0]).id).q;
+  return give(args, new_reals(vm, {q.data(), static_cast<std::size_t>(q.size())}));
+}
+Signal get_number_obj(Vm& vm, Slot* args) {
+  return give(args, static_cast<std::int64_t>(Host::of(vm).cell().task_objects().size()));
+}
+
+constexpr std::string_view kMoveJHelp =
+    "Moves the joints to a position with a planner such as 'Syn', in a time (seconds, or with a "
+    "unit).";
+constexpr std::string_view kMoveCHelp =
+    "Moves the hand to a place: 'Lin' in a straight line, other planners with the joints.";
+
+constexpr NativeFunction kFunctions[] = {
+    {"posC", "(values: double[]) -> posC",
+     "A place (3 numbers), a place and a turn about z (4), or a place with roll, pitch, yaw (6); "
+     "metres and radians.",
+     "posC([0.3, 0.1, 0.2])", posc_from},
+    {"moveJ", "(r: robot, traj: string, p: posJ, time: double) -> Move", kMoveJHelp,
+     "moveJ('Syn', home(), 2.0)", move_j, nullptr, nullptr, check_classic_joints, nullptr, true},
+    {"moveJ", "(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,
+     "moveJ('Syn', home(), 2s)", move_j, nullptr, nullptr, check_classic_joints, nullptr, true},
+    {"moveC", "(r: robot, traj: string, p: posC, time: double) -> Move", kMoveCHelp,
+     "moveC('Lin', here(), 2.0)", move_c, nullptr, nullptr, check_classic_place, nullptr, true},
+    {"moveC", "(r: robot, traj: string, p: posC, time: time) -> Move", kMoveCHelp,
+     "moveC('Lin', here(), 2s)", move_c, nullptr, nullptr, check_classic_place, nullptr, true},
+    {"moveJ", "(r: robot, traj: string, q: double[], time: double) -> Move", "", "", never_run,
+     nullptr, nullptr, explain_list_for_posj, nullptr, true},
+    {"moveJ", "(r: robot, traj: string, q: double[], time: time) -> Move", "", "", never_run,
+     nullptr, nullptr, explain_list_for_posj, nullptr, true},
+    {"moveC", "(r: robot, traj: string, q: double[], time: double) -> Move", "", "", never_run,
+     nullptr, nullptr, explain_list_for_posj, nullptr, true},
+    {"moveC", "(r: robot, traj: string, q: double[], time: time) -> Move", "", "", never_run,
+     nullptr, nullptr, explain_list_for_posj, nullptr, true},
+    {"moveC", "(r: robot, via: posC, goal: posC, time: time?, speed: speed?) -> Move", "", "",
+     never_run, nullptr, nullptr, explain_arc, nullptr, true},
+    {"insertObj", "(name: string)", "Makes an object of the world part of the task.",
+     "insertObj(\"cube\")", insert_obj, nullptr, nullptr, check_object_name},
+    {"getPosObj", "(name: string) -> double[]", "The centre of an object: x, y, z in metres.",
+     "getPosObj(\"cube\")", get_pos_obj, nullptr, nullptr, check_object_name},
+    {"getPosRobot", "(r: robot) -> double[]", "The joint values, radians and metres.",
+     "getPosRobot()", get_pos_robot},
+    {"getNumberObj", "() -> int", "How many objects were made part of the task.", "getNumberObj()",
+     get_number_obj},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> classic_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

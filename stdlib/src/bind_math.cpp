@@ -1,0 +1,335 @@
+// Mathematics (language reference, 19.1). The same functions are found under Math.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "armlet/math/det_math.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "bind.hpp"
+
+namespace armlet::bind {
+namespace {
+
+using Real1 = double (*)(double);
+
+// A function that is defined everywhere, except that an infinite angle has no sine.
+template <Real1 kFunction>
+Signal real1(Vm& vm, Slot* args) {
+  const double x = args[0].d;
+  const double y = kFunction(x);
+  if (std::isnan(y)) return not_finite(vm, "the value", x, 0);
+  return give(args, y);
+}
+
+// One function on every element of a list.
+template <Real1 kFunction>
+Signal each(Vm& vm, Slot* args) {
+  const std::span<const double> xs = reals_value(args[0]);
+  ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
+  if (result == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    result->data[i].d = kFunction(xs[i]);
+    if (std::isnan(result->data[i].d)) {
+      release(vm, result);
+      return failure(
+          vm, "R0609",
+          fmt::format("element {} of the list is {:.15g}, where the function has no value", i,
+                      xs[i]),
+          0);
+    }
+  }
+  return give(args, result);
+}
+
+double square_root(double x) { return x >= 0.0 ? std::sqrt(x) : std::nan(""); }
+double to_radians(double x) { return x * (std::numbers::pi / 180.0); }
+double to_degrees(double x) { return x * (180.0 / std::numbers::pi); }
+double log_10(double x) { return det::log(x) / std::numbers::ln10; }
+double absolute(double x) { return std::abs(x); }
+double sign_of(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
+double round_down(double x) { return std::floor(x); }
+double round_up(double x) { return std::ceil(x); }
+
+Signal sqrt_checked(Vm& vm, Slot* args) {
+  if (!(args[0].d >= 0.0)) return domain_failure(vm, "sqrt", args[0].d, "not be negative");
+  return give(args, std::sqrt(args[0].d));
+}
+
+constexpr double kJustOutside = 1e-6;
+
+template <Real1 kFunction, bool kCosine>
+Signal inverse_of_sine(Vm& vm, Slot* args) {
+  const double x = args[0].d;
+  if (std::abs(x) <= 1.0) return give(args, kFunction(x));
+  const std::string_view name = kCosine ? "acos" : "asin";
+  std::string fix;
+  if (std::abs(x) < 1.0 + kJustOutside) {
+    fix = fmt::format("rounding can push a {} just past 1: {}(clamp({{arg}}, -1, 1))",
+                      kCosine ? "cosine" : "sine", name);
+  }
+  return domain_failure(vm, name, x, "lie between -1 and 1", std::move(fix));
+}
+
+Signal atan_2(Vm& vm, Slot* args) {
+  const double y = args[0].d;
+  const double x = args[1].d;
+  if (!std::isfinite(y)) return not_finite(vm, "the first value given to atan2", y, 0);
+  if (!std::isfinite(x)) return not_finite(vm, "the second value given to atan2", x, 1);
+  return give(args, det::atan2(y, x));
+}
+
+Signal hypotenuse(Vm&, Slot* args) { return give(args, det::hypot(args[0].d, args[1].d)); }
+
+Signal exponential(Vm& vm, Slot* args) {
+  if (std::isnan(args[0].d)) return not_finite(vm, "the value given to exp", args[0].d, 0);
+  return give(args, det::exp(args[0].d));
+}
+
+template <Real1 kFunction, bool kTen>
+Signal logarithm(Vm& vm, Slot* args) {
+  if (!(args[0].d > 0.0))
+    return domain_failure(vm, kTen ? "log10" : "log", args[0].d, "be greater than 0");
+  return give(args, kFunction(args[0].d));
+}
+
+Signal power(Vm& vm, Slot* args) {
+  const double x = args[0].d;
+  const double y = args[1].d;
+  const double result = det::pow(x, y);
+  if (std::isnan(result)) {
+    if (!std::isfinite(x)) return not_finite(vm, "the first value given to pow", x, 0);
+    if (!std::isfinite(y)) return not_finite(vm, "the second value given to pow", y, 1);
+    return domain_failure(vm, "pow", x,
+                          fmt::format("not be negative when the exponent is {:.15g}", y));
+  }
+  return give(args, result);
+}
+
+template <double (*kRound)(double)>
+Signal to_int(Vm& vm, Slot* args) {
+  const double x = kRound(args[0].d);
+  if (!std::isfinite(x)) return not_finite(vm, "the value", x, 0);
+  constexpr double kLimit = 9223372036854775808.0;
+  if (x >= kLimit || x < -kLimit)
+    return failure(vm, "R0610", fmt::format("{:.15g} is too large for an int", x), 0);
+  return give(args, static_cast<std::int64_t>(x));
+}
+// Java's rule: halves go up.
+double half_up(double x) {
+  const double down = std::floor(x);
+  return x - down >= 0.5 ? down + 1.0 : down;
+}
+double toward_zero(double x) { return std::trunc(x); }
+
+Signal abs_int(Vm& vm, Slot* args) {
+  if (args[0].i == INT64_MIN)
+    return failure(vm, "R0610", "the absolute value of the smallest int does not fit an int", 0);
+  return give(args, args[0].i < 0 ? -args[0].i : args[0].i);
+}
+Signal sign_int(Vm&, Slot* args) {
+  return give(args, static_cast<std::int64_t>((args[0].i > 0) - (args[0].i < 0)));
+}
+
+Signal min_int(Vm&, Slot* args) { return give(args, std::min(args[0].i, args[1].i)); }
+Signal max_int(Vm&, Slot* args) { return give(args, std::max(args[0].i, args[1].i)); }
+double smaller(double a, double b) { return std::isnan(a) || a < b ? a : b; }
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+Signal min_real(Vm&, Slot* args) { return give(args, smaller(args[0].d, args[1].d)); }
+Signal max_real(Vm&, Slot* args) { return give(args, larger(args[0].d, args[1].d)); }
+
+template <bool kMax, bool kInt>
+Signal extreme(Vm& vm, Slot* args) {
+  const std::span<const Slot> xs = items_value(args[0]);
+  if (xs.empty())
+    return failure(vm, "R0613",
+                   fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
+  Slot best = xs[0];
+  for (const Slot x : xs.subspan(1)) {
+    const bool less = kInt ? x.i < best.i : x.d < best.d;
+    const bool more = kInt ? x.i > best.i : x.d > best.d;
+    if (kMax ? more : less) best = x;
+  }
+  args[0] = best;
+  return Signal::kDone;
+}
+
+Signal clamp_int(Vm& vm, Slot* args) {
+  if (args[1].i > args[2].i)
+    return failure(vm, "R0609",
+                   fmt::format("clamp between {} and {}: the lower limit is above the upper one",
+                               args[1].i, args[2].i),
+                   1);
+  return give(args, std::clamp(args[0].i, args[1].i, args[2].i));
+}
+Signal clamp_real(Vm& vm, Slot* args) {
+  const double lo = args[1].d;
+  const double hi = args[2].d;
+  if (!(lo <= hi))
+    return failure(
+        vm, "R0609",
+        fmt::format("clamp between {:.15g} and {:.15g}: the lower limit is above the upper one", lo,
+                    hi),
+        1);
+  return give(args, args[0].d < lo ? lo : args[0].d > hi ? hi : args[0].d);
+}
+
+Signal lerp_real(Vm&, Slot* args) {
+  return give(args, args[0].d + (args[1].d - args[0].d) * args[2].d);
+}
+
+Signal near_real(Vm&, Slot* args) {
+  return give(args, std::abs(args[0].d - args[1].d) <= args[2].d);
+}
+Signal near_list(Vm&, Slot* args) {
+  const auto a = reals_value(args[0]);
+  const auto b = reals_value(args[1]);
+  if (a.size() != b.size()) return give(args, false);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!(std::abs(a[i] - b[i]) <= args[2].d)) return give(args, false);
+  }
+  return give(args, true);
+}
+
+// ---- chance: one seeded generator per program
+// ------------------------------------------------------------------
+
+Random& generator(Vm& vm) { return Host::of(vm).random(); }
+
+Signal random_unit(Vm& vm, Slot* args) { return give(args, generator(vm).uniform()); }
+Signal random_between(Vm& vm, Slot* args) {
+  const double lo = args[0].d;
+  const double hi = args[1].d;
+  if (!std::isfinite(lo)) return not_finite(vm, "the lower end given to random", lo, 0);
+  if (!std::isfinite(hi)) return not_finite(vm, "the upper end given to random", hi, 1);
+  if (lo > hi)
+    return failure(
+        vm, "R0609",
+        fmt::format("random between {:.15g} and {:.15g}: the lower end is above the upper one", lo,
+                    hi),
+        0);
+  return give(args, generator(vm).uniform(lo, hi));
+}
+Signal random_int(Vm& vm, Slot* args) {
+  if (args[0].i <= 0)
+    return failure(
+        vm, "R0609",
+        fmt::format("randomInt of {}: the number of choices must be greater than 0", args[0].i), 0);
+  return give(
+      args, static_cast<std::int64_t>(generator(vm).below(static_cast<std::uint64_t>(args[0].i))));
+}
+// Marsaglia's polar method; one value of the pair is used, so that the state is only the
+// generator's.
+Signal random_normal(Vm& vm, Slot* args) {
+  Random& random = generator(vm);
+  if (!(args[1].d >= 0.0))
+    return domain_failure(vm, "randomNormal", args[1].d, "not be a negative deviation", {}, 1);
+  double u = 0.0;
+  double s = 0.0;
+  do {
+    u = 2.0 * random.uniform() - 1.0;
+    const double v = 2.0 * random.uniform() - 1.0;
+    s = u * u + v * v;
+  } while (s >= 1.0 || s == 0.0);
+  return give(args, args[0].d + args[1].d * u * std::sqrt(-2.0 * det::log(s) / s));
+}
+Signal set_seed(Vm& vm, Slot* args) {
+  generator(vm) = Random(static_cast<std::uint64_t>(args[0].i));
+  return give_nothing();
+}
+
+constexpr NativeFunction kFunctions[] = {
+    {"sin", "(x: angle) -> double", "Sine of an angle.", "sin(30deg)", real1<det::sin>, det::sin},
+    {"cos", "(x: angle) -> double", "Cosine of an angle.", "cos(60deg)", real1<det::cos>, det::cos},
+    {"tan", "(x: angle) -> double", "Tangent of an angle.", "tan(45deg)", real1<det::tan>,
+     det::tan},
+    {"sin", "(xs: angle[]) -> double[]", "Sine of each angle.", "sin([0deg, 90deg])",
+     each<det::sin>},
+    {"cos", "(xs: angle[]) -> double[]", "Cosine of each angle.", "cos([0deg, 90deg])",
+     each<det::cos>},
+    {"tan", "(xs: angle[]) -> double[]", "Tangent of each angle.", "tan([0deg, 45deg])",
+     each<det::tan>},
+    {"asin", "(x: double) -> angle", "Angle whose sine is x.", "asin(0.5)",
+     inverse_of_sine<det::asin, false>},
+    {"acos", "(x: double) -> angle", "Angle whose cosine is x.", "acos(0.5)",
+     inverse_of_sine<det::acos, true>},
+    {"atan", "(x: double) -> angle", "Angle whose tangent is x.", "atan(1.0)", real1<det::atan>,
+     det::atan},
+    {"atan2", "(y: D, x: D) -> angle",
+     "Angle of the point (x, y) seen from the origin, in all four quadrants.", "atan2(1.0, -1.0)",
+     atan_2},
+    {"hypot", "(a: D, b: D) -> D", "Length of the diagonal with sides a and b.", "hypot(3.0, 4.0)",
+     hypotenuse},
+    {"sqrt", "(x: D^2) -> D", "Square root; the root of an area is a length.", "sqrt(2.0)",
+     sqrt_checked},
+    {"sqrt", "(xs: double[]) -> double[]", "Square root of each element.", "sqrt([1.0, 4.0])",
+     each<square_root>},
+    {"pow", "(x: double, y: double) -> double", "x to the power y.", "pow(2.0, 0.5)", power},
+    {"exp", "(x: double) -> double", "e to the power x.", "exp(1.0)", exponential, det::exp},
+    {"exp", "(xs: double[]) -> double[]", "e to the power of each element.", "exp([0.0, 1.0])",
+     each<det::exp>},
+    {"log", "(x: double) -> double", "Natural logarithm.", "log(10.0)", logarithm<det::log, false>},
+    {"log", "(xs: double[]) -> double[]", "Natural logarithm of each element.", "log([1.0, 2.0])",
+     each<det::log>},
+    {"log10", "(x: double) -> double", "Logarithm to base 10.", "log10(1000.0)",
+     logarithm<log_10, true>},
+    {"abs", "(x: int) -> int", "Absolute value.", "abs(-3)", abs_int},
+    {"abs", "(x: D) -> D", "Absolute value.", "abs(-20mm)", real1<absolute>, absolute},
+    {"abs", "(xs: D[]) -> D[]", "Absolute value of each element.", "abs([-1.0, 2.0])",
+     each<absolute>},
+    {"sign", "(x: int) -> int", "-1, 0 or 1.", "sign(-3)", sign_int},
+    {"sign", "(x: D) -> double", "-1, 0 or 1.", "sign(-20mm)", real1<sign_of>, sign_of},
+    {"floor", "(x: double) -> double", "The whole number at or below x.", "floor(2.7)",
+     real1<round_down>, round_down},
+    {"ceil", "(x: double) -> double", "The whole number at or above x.", "ceil(2.1)",
+     real1<round_up>, round_up},
+    {"floor", "(xs: double[]) -> double[]", "The whole number at or below each element.",
+     "floor([2.7])", each<round_down>},
+    {"ceil", "(xs: double[]) -> double[]", "The whole number at or above each element.",
+     "ceil([2.1])", each<round_up>},
+    {"round", "(x: double) -> int", "The nearest whole number; halves go up.", "round(2.5)",
+     to_int<half_up>},
+    {"trunc", "(x: double) -> int", "x without its fraction.", "trunc(-2.7)", to_int<toward_zero>},
+    {"min", "(a: int, b: int) -> int", "The smaller of two.", "min(2, 3)", min_int},
+    {"max", "(a: int, b: int) -> int", "The larger of two.", "max(2, 3)", max_int},
+    {"min", "(a: D, b: D) -> D", "The smaller of two.", "min(2mm, 3mm)", min_real, nullptr,
+     smaller},
+    {"max", "(a: D, b: D) -> D", "The larger of two.", "max(2mm, 3mm)", max_real, nullptr, larger},
+    {"min", "(xs: int[]) -> int", "The smallest of a list.", "min([3, 1, 2])",
+     extreme<false, true>},
+    {"max", "(xs: int[]) -> int", "The largest of a list.", "max([3, 1, 2])", extreme<true, true>},
+    {"min", "(xs: D[]) -> D", "The smallest of a list.", "min([3mm, 1mm])", extreme<false, false>},
+    {"max", "(xs: D[]) -> D", "The largest of a list.", "max([3mm, 1mm])", extreme<true, false>},
+    {"clamp", "(x: int, lo: int, hi: int) -> int", "x, but not below lo and not above hi.",
+     "clamp(7, 0, 5)", clamp_int},
+    {"clamp", "(x: D, lo: D, hi: D) -> D", "x, but not below lo and not above hi.",
+     "clamp(1.2, -1.0, 1.0)", clamp_real},
+    {"lerp", "(a: D, b: D, s: double) -> D", "The value the fraction s of the way from a to b.",
+     "lerp(0mm, 10mm, 0.5)", lerp_real},
+    {"toRadians", "(x: double) -> angle", "The angle of x degrees.", "toRadians(180.0)",
+     real1<to_radians>, to_radians},
+    {"toDegrees", "(x: double) -> double", "An angle in radians as a number of degrees.",
+     "toDegrees(3.14)", real1<to_degrees>, to_degrees},
+    {"near", "(a: D, b: D, tol: D) -> bool", "Whether a and b differ by at most tol.",
+     "near(1mm, 1.01mm, tol: 0.1mm)", near_real},
+    {"near", "(a: D[], b: D[], tol: D) -> bool",
+     "Whether two lists differ by at most tol in every element.",
+     "near([1.0, 2.0], [1.0, 2.01], tol: 0.1)", near_list},
+    {"random", "() -> double", "A number from 0 up to but excluding 1; the same ones in every run.",
+     "random()", random_unit},
+    {"random", "(lo: D, hi: D) -> D", "A number between lo and hi.", "random(1mm, 5mm)",
+     random_between},
+    {"randomInt", "(n: int) -> int", "A whole number from 0 up to but excluding n.", "randomInt(6)",
+     random_int},
+    {"randomNormal", "(mean: D, sd: D) -> D", "A normally distributed number.",
+     "randomNormal(0mm, 1mm)", random_normal},
+    {"seed", "(n: int)", "Starts the numbers of random anew from n.", "seed(7)", set_seed},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> math_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,248 @@
+// The state of robots and their kinematics (language reference, 19.4).
+
+#include <fmt/format.h>
+
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/kinematics/ik.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/kinematics/manipulability.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "bind.hpp"
+#include "moves.hpp"
+#include "values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+int robot_id(Slot s) { return host_value<RobotRef>(s).id; }
+const CellRobot& state_of(Vm& vm, Slot s) { return Host::of(vm).cell().robot(robot_id(s)); }
+
+Signal joints(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  return give(args, new_posj(vm, make_posj(*robot.model, robot.q)));
+}
+Signal joint_speeds(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  return give(args, new_reals(vm, {robot.qd.data(), static_cast<std::size_t>(robot.qd.size())}));
+}
+Signal joint_accels(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  return give(args, new_reals(vm, {robot.qdd.data(), static_cast<std::size_t>(robot.qdd.size())}));
+}
+Signal here(Vm& vm, Slot* args) {
+  return give(args, new_posc(vm, {Host::of(vm).cell().T_world_tool(robot_id(args[0])), true}));
+}
+Signal tcp_speed(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  const Eigen::Matrix<double, 6, 1> twist = jacobian(*robot.model, robot.q) * robot.qd;
+  return give(args, new_reals(vm, {twist.data(), 6}));
+}
+Signal moving(Vm& vm, Slot* args) {
+  return give(args, Host::of(vm).cell().is_moving(robot_id(args[0])));
+}
+Signal home(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  return give(args, new_posj(vm, make_posj(*robot.model, robot.model->home())));
+}
+Signal force(Vm& vm, Slot* args) {
+  const auto wrench = Host::of(vm).cell().contact_wrench(robot_id(args[0]));
+  RecordObj* record = new_record(vm, vm.program().library_record("Wrench"));
+  if (record == nullptr) return Signal::kFail;
+  for (int i = 0; i < 6; ++i) record->fields()[i].d = wrench[i];
+  return give(args, record);
+}
+
+Signal dof(Vm& vm, Slot* args) {
+  return give(args, static_cast<std::int64_t>(state_of(vm, args[0]).model->n()));
+}
+Signal name(Vm& vm, Slot* args) { return give(args, new_text(vm, state_of(vm, args[0]).name)); }
+Signal types(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  std::string word;
+  for (int i = 0; i < robot.n(); ++i) word += robot.is_revolute(i) ? 'R' : 'P';
+  return give(args, new_text(vm, word));
+}
+
+template <class T>
+Signal give_objects(Vm& vm, Slot* args, const std::vector<T>& items, Obj* (*make)(Vm&, const T&)) {
+  ListObj* list = new_list(vm, static_cast<std::uint32_t>(items.size()), true);
+  if (list == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    list->data[i].o = make(vm, items[i]);
+    if (list->data[i].o == nullptr) {
+      release(vm, list);
+      return Signal::kFail;
+    }
+  }
+  return give(args, list);
+}
+
+Signal limits(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  return give_objects<PosJ>(
+      vm, args, {make_posj(robot, robot.lower()), make_posj(robot, robot.upper())}, new_posj);
+}
+
+// ---- changing a robot
+// ------------------------------------------------------------------------------------------
+
+Signal set_model(Vm& vm, Slot robot, Robot model) try {
+  Host::of(vm).cell().set_model(robot_id(robot), std::make_shared<const Robot>(std::move(model)));
+  return give_nothing();
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0630", error);
+}
+Signal set_tool(Vm& vm, Slot* args) {
+  return set_model(vm, args[0], state_of(vm, args[0]).model->with_tool_point(posc(args[1]).T));
+}
+Signal set_home(Vm& vm, Slot* args) try {
+  return set_model(vm, args[0], state_of(vm, args[0]).model->with_home(posj(args[1]).vector()));
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0630", error, 1);
+}
+
+// ---- kinematics
+// ------------------------------------------------------------------------------------------------
+
+// The joint values of a posJ or double[] argument, if there are as many as the robot has joints.
+std::optional<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, Slot s, bool is_list,
+                                              int parameter) {
+  Eigen::VectorXd q;
+  if (is_list) {
+    const auto values = reals_value(s);
+    q = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  } else {
+    q = posj(s).vector();
+  }
+  if (q.size() != robot.n()) {
+    static_cast<void>(failure(
+        vm, "R0613", fmt::format("{} joint values for a robot with {} joints", q.size(), robot.n()),
+        parameter));
+    return std::nullopt;
+  }
+  if (!q.allFinite()) {
+    static_cast<void>(not_finite(vm, "a joint value", q.sum(), parameter));
+    return std::nullopt;
+  }
+  return q;
+}
+
+template <bool kList>
+Signal fkine(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  const auto q = joint_argument(vm, robot, args[1], kList, 1);
+  if (!q) return Signal::kFail;
+  if (is_absent(args[2])) return give(args, new_posc(vm, {forward(robot, *q), true}));
+  const std::int64_t k = args[2].i;
+  if (k < 1 || k > robot.n())
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", k, robot.n()), 2);
+  return give(args, new_posc(vm, {link_frame(robot, *q, static_cast<int>(k)), true}));
+}
+
+Signal ikine(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  const MoveCall call{.function = "ikine", .robot = robot_id(args[0])};
+  const Eigen::VectorXd seed = args[2].o != nullptr ? posj(args[2]).vector() : robot.q;
+  if (seed.size() != robot.model->n())
+    return size_failure(vm, "near", static_cast<std::size_t>(seed.size()),
+                        static_cast<std::size_t>(robot.model->n()));
+  const auto q = solve_target(vm, call, posc(args[1]), seed);
+  if (!q) return Signal::kFail;
+  return give(args, new_posj(vm, make_posj(*robot.model, *q)));
+}
+
+Signal reachable(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  const PosC& target = posc(args[1]);
+  const auto task = task_of(*robot.model, target);
+  if (!task) return give(args, false);
+  IkOptions options;
+  options.seed = robot.q;
+  options.task = *task;
+  options.diagnose = false;
+  return give(args, solve_ik(*robot.model, target.T, options).ok());
+}
+
+Obj* make_frame(Vm& vm, const Eigen::Isometry3d& T) { return new_posc(vm, {T, true}); }
+template <bool kList>
+Signal link_frames(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  const auto q = joint_argument(vm, robot, args[1], kList, 1);
+  if (!q) return Signal::kFail;
+  return give_objects<Eigen::Isometry3d>(vm, args, armlet::link_frames(robot, *q), make_frame);
+}
+
+template <bool kList>
+Signal manipulability_of(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  const auto q = joint_argument(vm, robot, args[1], kList, 1);
+  if (!q) return Signal::kFail;
+  return give(args, manipulability(robot, *q));
+}
+
+Signal random_joints(Vm& vm, Slot* args) {
+  Host& host = Host::of(vm);
+  const Robot& robot = *state_of(vm, args[0]).model;
+  Eigen::VectorXd q(robot.n());
+  for (int i = 0; i < robot.n(); ++i)
+    q[i] = host.random().uniform(robot.lower()[i], robot.upper()[i]);
+  return give(args, new_posj(vm, make_posj(robot, q)));
+}
+
+constexpr NativeFunction kFunctions[] = {
+    {"joints", "(r: robot) -> posJ", "The joint values now.", "joints()", joints},
+    {"jointSpeeds", "(r: robot) -> double[]", "The joint speeds now, rad/s and m/s.",
+     "jointSpeeds()", joint_speeds},
+    {"jointAccels", "(r: robot) -> double[]", "The joint accelerations now, rad/s^2 and m/s^2.",
+     "jointAccels()", joint_accels},
+    {"here", "(r: robot) -> posC", "The tool point now, in the world.", "here()", here},
+    {"tcpSpeed", "(r: robot) -> double[]",
+     "The velocity of the tool point: vx, vy, vz in m/s and wx, wy, wz in rad/s.", "tcpSpeed()",
+     tcp_speed},
+    {"force", "(r: robot) -> Wrench",
+     "What the surroundings exert on the tool point; what the hand holds does not count.",
+     "force().z", force},
+    {"moving", "(r: robot) -> bool", "Whether the robot is on its way.", "moving()", moving},
+    {"home", "(r: robot) -> posJ", "The home position.", "moveJ(home(), time: 2s)", home},
+    {"robot.dof", "(r: robot) -> int", "The number of joints.", "robots.scara().dof", dof},
+    {"robot.name", "(r: robot) -> string", "The name.", "robots.scara().name", name},
+    {"robot.types", "(r: robot) -> string", "One letter per joint: R turns, P slides.",
+     "robots.scara().types", types},
+    {"limits", "(r: robot) -> posJ[]", "The lower and the upper joint limits.", "limits()", limits},
+    {"setTool", "(r: robot, tcp: posC)",
+     "Moves the tool point, seen from the flange; the hand stays.", "setTool(xyz(z: 50mm))",
+     set_tool},
+    {"setHome", "(r: robot, q: posJ)", "Changes the home position.", "setHome(joints())", set_home},
+    {"fkine", "(r: robot, q: posJ, joint: int?) -> posC",
+     "Where the tool point is for these joint values; with joint: the frame after that joint, "
+     "counted from 1.",
+     "fkine(joints())", fkine<false>},
+    {"fkine", "(r: robot, q: double[], joint: int?) -> posC",
+     "Where the tool point is for these joint values (SI).", "fkine([0.0, 0.0, 0.1, 0.0])",
+     fkine<true>},
+    {"ikine", "(r: robot, p: posC, near: posJ?) -> posJ",
+     "Joint values that bring the tool point to p, the ones nearest to `near` (the present ones).",
+     "ikine(here())", ikine},
+    {"reachable", "(r: robot, p: posC) -> bool",
+     "Whether the tool point can get to p within the joint limits.", "reachable(xyz(1m, 0m, 0m))",
+     reachable},
+    {"linkFrames", "(r: robot, q: posJ) -> posC[]", "The frames after each joint.",
+     "linkFrames(joints())", link_frames<false>},
+    {"linkFrames", "(r: robot, q: double[]) -> posC[]", "The frames after each joint.",
+     "linkFrames([0.0, 0.0, 0.1, 0.0])", link_frames<true>},
+    {"manipulability", "(r: robot, q: posJ) -> double",
+     "Yoshikawa's measure: zero where the arm is singular.", "manipulability(joints())",
+     manipulability_of<false>},
+    {"manipulability", "(r: robot, q: double[]) -> double",
+     "Yoshikawa's measure: zero where the arm is singular.", "manipulability([0.0, 0.5, 0.1, 0.0])",
+     manipulability_of<true>},
+    {"randomJoints", "(r: robot) -> posJ",
+     "Joint values drawn evenly within the limits; the same ones in every run.", "randomJoints()",
+     random_joints},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> robot_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,60 @@
+#include "armlet/stdlib/host.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace armlet {
+
+Host::Host(HostOptions options) : options_(std::move(options)), cell_(World(0.0)) {}
+
+Result<int> Host::add_robot(std::shared_ptr<const Robot> robot) {
+  try {
+    return cell_.add_robot(std::move(robot));
+  } catch (const ArgumentError& error) {
+    return Error{"robot", error.what()};
+  }
+}
+
+Result<int> Host::default_robot() {
+  if (default_robot_ >= 0) return default_robot_;
+  if (options_.robot == nullptr) return Error{"robot", "This host supplies no robot."};
+  Result<int> id = add_robot(options_.robot);
+  if (id.ok()) default_robot_ = *id;
+  return id;
+}
+
+const Robot* Host::only_robot() const {
+  if (cell_.robot_count() == 0) return options_.robot.get();
+  return cell_.robot_count() == 1 ? cell_.robot(0).model.get() : nullptr;
+}
+
+void Host::want_world(const std::vector<std::string>& declared) {
+  if (has_world() || !options_.default_world) return;
+  skipped_ = declared;
+  filling_ = true;
+  options_.default_world(*this, declared);
+  filling_ = false;
+}
+
+bool Host::is_skipped(std::string_view name) const {
+  return filling_ && std::ranges::find(skipped_, name) != skipped_.end();
+}
+
+void Host::report_move(const MoveReport& report) {
+  ++moves_;
+  if (options_.on_move) options_.on_move(report);
+}
+
+std::vector<CellEvent> Host::take_events() { return cell_.take_events(); }
+
+bool Host::first_contact_pick() { return !std::exchange(contact_pick_told_, true); }
+
+std::int64_t Host::now_ns() const { return cell_.now_ns(); }
+std::int64_t Host::tick_ns() const { return cell_.options().tick_ns; }
+
+bool Host::advance_to(std::int64_t t_ns) {
+  cell_.advance_to(t_ns);
+  return true;
+}
+
+}  // namespace armlet

@@ -1,0 +1,242 @@
+#include "move_failures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/format.hpp"
+#include "armlet/core/similar.hpp"
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/pose.hpp"
+#include "bind.hpp"
+
+namespace armlet::bind {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+const Robot& model(Vm& vm, const MoveCall& call) {
+  return *Host::of(vm).cell().robot(call.robot).model;
+}
+
+Failure start(Vm& vm, const MoveCall& call, std::string_view code, int mark) {
+  Failure f;
+  f.code = code;
+  f.mark_parameter = mark;
+  f.robot = Host::of(vm).cell().robot(call.robot).name;
+  f.moved = false;
+  return f;
+}
+
+std::string millimetres(double length) {
+  return fmt::format("{} mm", std::llround(length * 1000.0));
+}
+std::string up_to_tenth(double length) {
+  return fmt::format("{} mm", format_number(std::ceil(length * 1e4 - 1e-6) / 10.0, 1));
+}
+
+// How far a point is from the axis about which the base turns.
+double from_axis(const Robot& robot, const Vector3d& p) {
+  const Vector3d local = robot.T_world_base().inverse() * p;
+  return std::hypot(local.x(), local.y());
+}
+
+constexpr double kSameHeight = 0.001;
+
+void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, Failure& f) {
+  const Vector3d nearest = d.nearest.translation();
+  const double goal_out = from_axis(robot, goal);
+  const double reach_out = from_axis(robot, nearest);
+  const Vector3d up = robot.T_world_base().linear().col(2);
+  const bool level = std::abs(up.dot(goal - nearest)) < kSameHeight;
+  if (level && goal_out > reach_out) {
+    f.why = fmt::format("the point is {} from the base; `{}` reaches {}", millimetres(goal_out),
+                        f.robot, millimetres(reach_out));
+    f.fix = fmt::format("bring the target at least {} closer", up_to_tenth(d.distance));
+  } else if (level) {
+    f.why = fmt::format("the point is {} from the base; `{}` cannot fold closer than {}",
+                        millimetres(goal_out), f.robot, millimetres(reach_out));
+    f.fix = fmt::format("bring the target at least {} further out", up_to_tenth(d.distance));
+  } else {
+    f.why = fmt::format("the nearest point that `{}` reaches is {}, {} away", f.robot,
+                        format_point_mm(nearest), format_mm(d.distance));
+    f.fix = fmt::format("bring the target at least {} closer to it", up_to_tenth(d.distance));
+  }
+}
+
+void say_joint(const Robot& robot, const IkDiagnosis& d, Failure& f) {
+  if (d.violations.empty()) return;
+  const LimitViolation& v = d.violations.front();
+  const JointKind kind = robot.joint(v.joint).kind;
+  f.why = fmt::format("joint {} would have to {} to {}, beyond its limit of {}", v.joint + 1,
+                      joint_word(kind), format_joint_value(kind, v.value),
+                      format_joint_value(kind, v.limit));
+}
+
+std::string seconds(double s) { return fmt::format("{} s", format_number(s, 2)); }
+
+std::string rate(const Robot& robot, int joint, LimitKind kind, double value) {
+  const char* per = kind == LimitKind::kSpeed          ? "/s"
+                    : kind == LimitKind::kAcceleration ? "/s^2"
+                                                       : "/s^3";
+  return format_joint_value(robot.joint(joint).kind, value) + per;
+}
+
+}  // namespace
+
+Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
+                        const IkResult& result) {
+  const Robot& robot = model(vm, call);
+  Failure f = start(vm, call, "R0601", call.target);
+  const IkDiagnosis& d = result.diagnosis;
+  switch (result.status) {
+    case IkStatus::kJointLimit:
+      f.arguments = {"only with a joint beyond its limits"};
+      say_joint(robot, d, f);
+      break;
+    case IkStatus::kOrientationUnreachable:
+      f.arguments = {"the hand gets there, but not with this orientation"};
+      f.why =
+          fmt::format("the closest orientation at this place differs by {}", format_deg(d.angle));
+      f.fix =
+          fmt::format("turn the target by {} or more, or give only a place", format_deg(d.angle));
+      break;
+    case IkStatus::kSingularGoal:
+      f.arguments = {"the arm is singular at this place"};
+      f.why = "there it cannot move in every direction, so the joint values are not determined";
+      break;
+    case IkStatus::kBadRotation:
+    case IkStatus::kNotFinite:
+    case IkStatus::kBadSize:
+      f.arguments = {std::string(to_text(result.status))};
+      f.why = explain(robot, goal, result);
+      break;
+    default:
+      f.arguments = {"no joint values bring the hand there"};
+      say_place(robot, goal.translation(), d, f);
+  }
+  return fail(vm, std::move(f));
+}
+
+Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
+  Failure f = start(vm, call, "R0601", call.target);
+  const double tilt = det::acos(std::clamp(std::abs(target.T.linear()(2, 2)), 0.0, 1.0));
+  f.arguments = {"the hand gets there, but not with this orientation"};
+  f.why = fmt::format(
+      "the tool of `{}` always points straight up or down, and this target is tilted by {}",
+      f.robot, format_deg(tilt));
+  f.fix = "give only a place and a turn about z";
+  return fail(vm, std::move(f));
+}
+
+Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
+                    const LimitViolation& outside) {
+  const Robot& robot = model(vm, call);
+  const Joint& joint = robot.joint(outside.joint);
+  const JointKind kind = joint.kind;
+  Failure f = start(vm, call, "R0602", call.target);
+  f.moved.reset();
+  f.arguments = {std::to_string(outside.joint + 1), std::string(joint_word(kind)),
+                 format_joint_value(kind, outside.value), format_joint_value(kind, joint.lower),
+                 format_joint_value(kind, joint.upper)};
+  for (int i = 0; i < q.size(); ++i)
+    f.label += fmt::format("{}{}", i > 0 ? ", " : "", format_number(q[i], 3));
+  f.label = "{" + f.label + "}";
+  f.mark_element = outside.joint;
+  f.fix = fmt::format("the value {} was given on line {{line}}", format_number(outside.value, 3));
+  return fail(vm, std::move(f));
+}
+
+Signal fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
+  const Robot& robot = model(vm, call);
+  const JointKind kind = robot.joint(fast.joint).kind;
+  Failure f = start(vm, call, "R0604", call.time);
+  f.moved.reset();
+  f.arguments = {seconds(fast.given), seconds(std::ceil(fast.least_time * 100.0 - 1e-9) / 100.0)};
+  const std::string travel = format_joint_value(kind, std::abs(fast.travel));
+  const char* verb = kind == JointKind::kRevolute ? "turns" : "slides";
+  const std::string limit = rate(robot, fast.joint, fast.kind, fast.limit);
+  f.why =
+      fast.kind == LimitKind::kSpeed
+          ? fmt::format("joint {} {} {} and is limited to {}", fast.joint + 1, verb, travel, limit)
+          : fmt::format("joint {} {} {} and gains speed by at most {}", fast.joint + 1, verb,
+                        travel, limit);
+  f.fix = fmt::format("use time: {}s, or leave time out to move as fast as the joints allow",
+                      format_number(std::ceil(fast.least_time * 10.0 - 1e-9) / 10.0, 1));
+  return fail(vm, std::move(f));
+}
+
+void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
+  const Robot& robot = model(vm, call);
+  const double excess = fast.given > 0.0 ? fast.least_time / fast.given : 0.0;
+  const double needed = fast.limit * (fast.kind == LimitKind::kSpeed ? excess : excess * excess);
+  Failure f = start(vm, call, "W0707", call.time);
+  f.moved.reset();
+  f.arguments = {std::to_string(fast.joint + 1), rate(robot, fast.joint, fast.kind, needed),
+                 rate(robot, fast.joint, fast.kind, fast.limit)};
+  f.fix = fmt::format("give it at least {}",
+                      seconds(std::ceil(fast.least_time * 100.0 - 1e-9) / 100.0));
+  vm.advise(f);
+}
+
+Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFault& fault) {
+  if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
+  const Robot& robot = model(vm, call);
+  Failure f = start(vm, call, "R0603", kMarkCallee);
+  f.arguments = {fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)))};
+  const Vector3d p = fault.T_world_tool.translation();
+  if (fault.kind == LineFaultKind::kJump) {
+    f.why = fmt::format(
+        "there joint {} would have to jump, because the line passes too close to where the arm is "
+        "singular",
+        fault.joint + 1);
+  } else if (fault.ik.ok()) {
+    f.why =
+        "both ends can be reached, but only with different postures of the arm, and it cannot "
+        "change between them on the way";
+  } else if (fault.ik.status == IkStatus::kUnreachable &&
+             from_axis(robot, p) < from_axis(robot, fault.ik.diagnosis.nearest.translation())) {
+    f.why = fmt::format(
+        "both ends can be reached, but in between the line passes {} from the axis of joint 1, "
+        "closer than the arm can fold",
+        millimetres(from_axis(robot, p)));
+  } else {
+    Failure part = start(vm, call, "R0601", call.target);
+    if (fault.ik.status == IkStatus::kJointLimit) say_joint(robot, fault.ik.diagnosis, part);
+    if (part.why.empty()) say_place(robot, p, fault.ik.diagnosis, part);
+    f.why = fmt::format("both ends can be reached, but in between {}", part.why);
+  }
+  f.fix = "use moveJ, or go round through a point in between";
+  return fail(vm, std::move(f));
+}
+
+Signal fail_joint_count(Vm& vm, const MoveCall& call, int count) {
+  const Robot& robot = model(vm, call);
+  Failure f = start(vm, call, "R0613", call.target);
+  f.message = fmt::format("{} joint value{} for a robot with {} joint{}", count,
+                          count == 1 ? "" : "s", robot.n(), robot.n() == 1 ? "" : "s");
+  f.why = fmt::format("`{}` has joints: ", f.robot);
+  for (int i = 0; i < robot.n(); ++i)
+    f.why += fmt::format("{}{}", i > 0 ? ", " : "", joint_word(robot.joint(i).kind));
+  return fail(vm, std::move(f));
+}
+
+Signal fail_planner(Vm& vm, const MoveCall& call, std::string_view planner) {
+  const std::vector<std::string> names = Host::of(vm).planners().names();
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  Failure f = start(vm, call, "R0626", kMarkCallee);
+  f.message = fmt::format("there is no trajectory called \"{}\"", planner);
+  if (const auto meant = most_similar(planner, candidates))
+    f.fix = fmt::format("did you mean \"{}\"?", *meant);
+  return fail(vm, std::move(f));
+}
+
+Signal fail_no_time(Vm& vm, const MoveCall& call, double distance) {
+  Failure f = start(vm, call, "R0604", call.time);
+  f.message = fmt::format("0 s is too short for this move of {}", format_mm(distance));
+  f.fix = "give a time, or leave it out to move as fast as the joints allow";
+  return fail(vm, std::move(f));
+}
+
+}  // namespace armlet::bind

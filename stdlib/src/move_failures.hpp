@@ -1,0 +1,20 @@
+#pragma once
+// Why a move cannot be made, as messages with numbers, marks and a way out.
+
+#include <string>
+
+#include "armlet/trajectory/cartesian_line.hpp"
+#include "moves.hpp"
+
+namespace armlet::bind {
+
+// A robot that cannot tilt its tool is asked to.
+Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target);
+Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFault& fault);
+Signal fail_joint_count(Vm& vm, const MoveCall& call, int count);
+Signal fail_planner(Vm& vm, const MoveCall& call, std::string_view planner);
+Signal fail_no_time(Vm& vm, const MoveCall& call, double distance);
+// W0707: classic moves are planned all the same.
+void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
+
+}  // namespace armlet::bind

@@ -1,0 +1,394 @@
+#include "rules.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "armlet/core/format.hpp"
+#include "armlet/core/similar.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "armlet/trajectory/planner.hpp"
+
+namespace armlet::bind {
+namespace {
+
+constexpr std::array<std::string_view, 12> kOrdinals = {"first", "second", "third",    "fourth",
+                                                        "fifth", "sixth",  "seventh",  "eighth",
+                                                        "ninth", "tenth",  "eleventh", "twelfth"};
+std::string_view ordinal(int index) {
+  return kOrdinals[static_cast<std::size_t>(std::min(index, 11))];
+}
+
+std::string joint_list(const RobotFact& robot) {
+  std::string text = fmt::format("`{}` has joints: ", robot.name);
+  for (std::size_t i = 0; i < robot.turns.size(); ++i)
+    text += fmt::format("{}{}", i > 0 ? ", " : "", robot.turns[i] ? "turn" : "slide");
+  return text;
+}
+
+std::string count_of(int count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::shared_ptr<const RobotFact> ambient_robot(const CheckCall& call) {
+  return std::dynamic_pointer_cast<const RobotFact>(call.ambient_fact("robot"));
+}
+
+void set_position_fact(CheckCall& call, int count) {
+  auto fact = std::make_shared<PositionFact>();
+  fact->count = count;
+  call.set_result_fact(std::move(fact));
+}
+
+// E0302 for a posJ with `count` values; the spans of its items are asked for one by one.
+template <class ItemSpan>
+void report_count(CheckCall& call, const RobotFact& robot, int count, Span whole,
+                  ItemSpan item_span) {
+  const int joints = static_cast<int>(robot.turns.size());
+  const bool too_many = count > joints;
+  const Span span = too_many ? item_span(joints) : whole;
+  Diagnostic d = make_diagnostic("E0302", span.empty() ? whole : span,
+                                 {count_of(count, "joint value"), count_of(joints, "joint")});
+  const int missing = joints - count;
+  if (too_many) {
+    d.mark.label =
+        count == joints + 1 ? "one too many" : fmt::format("{} too many", count - joints);
+    d.fix = Fix{.text = count == joints + 1
+                            ? fmt::format("remove the {} value", ordinal(joints))
+                            : fmt::format("remove the values after the {}", ordinal(joints - 1))};
+  } else {
+    d.mark.label = missing == 1 ? "one too few" : fmt::format("{} too few", missing);
+    d.fix = Fix{.text = fmt::format(
+                    "add the {} value, {}", ordinal(count),
+                    robot.turns[count] ? "an angle such as 30deg" : "a length such as 30mm")};
+  }
+  d.why = joint_list(robot);
+  call.report(std::move(d));
+}
+
+// 90 -> "90deg (or 90rad, which is more than 14 turns)"
+std::string unit_fix(double value, std::string_view text, bool turns) {
+  if (!turns)
+    return std::abs(value) >= 1.0 ? fmt::format("write {}mm", text)
+                                  : fmt::format("write {}m", text);
+  const int whole = static_cast<int>(std::abs(value) / (2.0 * std::numbers::pi));
+  if (whole >= 1)
+    return fmt::format("write {}deg (or {}rad, which is more than {} turn{})", text, text, whole,
+                       whole == 1 ? "" : "s");
+  return fmt::format("write {}rad or {}", text,
+                     format_number(value * 180.0 / std::numbers::pi, 4) + "deg");
+}
+
+void report_missing_unit(CheckCall& call, const RobotFact* robot, int item, double value) {
+  const Span span = call.item_span(0, item);
+  Diagnostic d = make_diagnostic("E0401", span);
+  d.mark.label = "plain number";
+  const bool turns = robot == nullptr || robot->turns[item];
+  if (robot != nullptr) {
+    d.why = fmt::format("joint {} of `{}` {}, so its value is {}", item + 1, robot->name,
+                        turns ? "turns" : "slides", turns ? "an angle" : "a length");
+  } else {
+    d.why = "a joint value is an angle or a length, depending on the joint";
+  }
+  const std::string text = call.text_of(span);
+  Fix fix{.text = unit_fix(value, text, turns)};
+  fix.edits.push_back({Span{span.end, span.end, span.source},
+                       turns ? (std::abs(value) > 2.0 * std::numbers::pi ? "deg" : "rad")
+                             : (std::abs(value) >= 1.0 ? "mm" : "m")});
+  d.fix = std::move(fix);
+  call.report(std::move(d));
+}
+
+void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const Type* type) {
+  Diagnostic d = make_diagnostic(
+      "E0404", call.item_span(0, item),
+      {std::to_string(item + 1), robot.turns[item] ? "turns" : "slides",
+       robot.turns[item] ? "an angle" : "a length", std::string(type_phrase(type))});
+  d.mark.label = fmt::format("{} value", ordinal(item));
+  d.why = joint_list(robot);
+  d.fix = Fix{.text = robot.turns[item] ? "write an angle such as 30deg"
+                                        : "write a length such as 30mm"};
+  call.report(std::move(d));
+}
+
+}  // namespace
+
+void check_posj_values(CheckCall& call) {
+  const int count = call.item_count(0);
+  set_position_fact(call, count);
+  const auto robot = ambient_robot(call);
+  const bool fits = robot != nullptr && static_cast<int>(robot->turns.size()) == count;
+  for (int i = 0; i < count; ++i) {
+    const Type* type = call.item_type(0, i);
+    if (type == nullptr || type->is(Kind::kAny)) continue;
+    const auto constant = call.item_constant(0, i);
+    const bool plain = !type->is_quantity();
+    if (plain) {
+      const bool zero = constant && constant->real == 0.0;
+      if (!zero)
+        return report_missing_unit(call, fits ? robot.get() : nullptr, i,
+                                   constant ? constant->real : 1.0);
+      continue;
+    }
+    if (fits && type->dim != (robot->turns[i] ? dims::kAngle : dims::kLength))
+      return report_wrong_kind(call, *robot, i, type);
+    if (type->dim != dims::kAngle && type->dim != dims::kLength) {
+      Diagnostic d = make_diagnostic("E0404", call.item_span(0, i),
+                                     {std::to_string(i + 1), "turns or slides",
+                                      "an angle or a length", std::string(type_phrase(type))});
+      d.mark.label = fmt::format("{} value", ordinal(i));
+      return call.report(std::move(d));
+    }
+  }
+  if (robot != nullptr && !fits) {
+    report_count(call, *robot, count, call.call_span(),
+                 [&](int i) { return call.item_span(0, i); });
+  }
+}
+
+namespace {
+
+// W0702: radians that look like degrees.
+constexpr double kManyTurns = 4.0 * std::numbers::pi;
+
+void advise_degrees(CheckCall& call, const std::vector<Constant>& items, const RobotFact* robot) {
+  int first = -1;
+  std::string rewritten;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool turns = robot == nullptr || i >= robot->turns.size() || robot->turns[i];
+    const bool many = turns && std::abs(items[i].real) > kManyTurns;
+    if (many && first < 0) first = static_cast<int>(i);
+    const Span origin = call.origin(0, static_cast<int>(i));
+    if (origin.empty()) return;
+    rewritten += fmt::format("{}{}{}", i > 0 ? ", " : "", call.text_of(origin), many ? "deg" : "");
+  }
+  if (first < 0) return;
+  const Span origin = call.origin(0, first);
+  const double value = items[first].real;
+  Diagnostic d = make_diagnostic(
+      "W0702", call.span(0),
+      {fmt::format("{} rad", call.text_of(origin)),
+       std::to_string(static_cast<int>(std::abs(value) / (2.0 * std::numbers::pi)))});
+  d.mark.label = "plain numbers count as radians and metres";
+  d.related.push_back({origin, ""});
+  d.fix = Fix{.text = fmt::format("write {{{}}}", rewritten)};
+  call.report(std::move(d));
+}
+
+}  // namespace
+
+void check_posj_list(CheckCall& call) {
+  const auto constant = call.constant(0);
+  const auto robot = ambient_robot(call);
+  if (!constant || constant->kind != Constant::Kind::kList) return;
+  const int count = static_cast<int>(constant->items.size());
+  set_position_fact(call, count);
+  if (robot != nullptr && static_cast<int>(robot->turns.size()) != count) {
+    return report_count(call, *robot, count, call.span(0),
+                        [&](int i) { return call.origin(0, i); });
+  }
+  const Type* type = call.type(0);
+  const bool plain = type != nullptr && type->is(Kind::kList) && !type->element->is_quantity();
+  if (plain) advise_degrees(call, constant->items, robot.get());
+}
+
+// ---- robots
+// ----------------------------------------------------------------------------------------------------
+
+void set_robot_fact(CheckCall& call, const Robot& robot, std::string name) {
+  auto fact = std::make_shared<RobotFact>();
+  fact->name = std::move(name);
+  for (int i = 0; i < robot.n(); ++i) fact->turns.push_back(robot.is_revolute(i));
+  call.set_result_fact(std::move(fact));
+}
+
+void check_revolute_row(CheckCall& call) {
+  auto fact = std::make_shared<JointFact>();
+  fact->turns = true;
+  call.set_result_fact(std::move(fact));
+}
+void check_prismatic_row(CheckCall& call) {
+  auto fact = std::make_shared<JointFact>();
+  fact->turns = false;
+  call.set_result_fact(std::move(fact));
+}
+
+// (name: string, joint: jointRow[], ...)
+void check_robot_block(CheckCall& call) {
+  auto fact = std::make_shared<RobotFact>();
+  if (const auto name = call.constant(0)) fact->name = name->text;
+  for (int i = 0; i < call.item_count(1); ++i) {
+    const auto joint = std::dynamic_pointer_cast<const JointFact>(call.item_fact(1, i));
+    if (joint == nullptr) return;
+    fact->turns.push_back(joint->turns);
+  }
+  call.set_result_fact(std::move(fact));
+}
+
+// (table: double[][], types: string, ...)
+void check_dh_table(CheckCall& call) {
+  const auto types = call.constant(1);
+  if (!types) return;
+  auto fact = std::make_shared<RobotFact>();
+  fact->name = "this robot";
+  for (const char c : types->text) {
+    if (c != 'R' && c != 'P') return;
+    fact->turns.push_back(c == 'R');
+  }
+  call.set_result_fact(std::move(fact));
+}
+
+void check_default_robot(CheckCall& call) {
+  const auto* host = static_cast<const Host*>(call.host());
+  if (host != nullptr && host->default_robot_model() != nullptr) {
+    set_robot_fact(call, *host->default_robot_model(), host->default_robot_model()->name());
+  }
+}
+
+// ---- moves
+// -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+void check_planner(CheckCall& call, int parameter) {
+  const auto constant = call.constant(parameter);
+  if (!constant || constant->kind != Constant::Kind::kText) return;
+  const PlannerSet planners;
+  const std::string& name = constant->text;
+  if (planners.availability(name) == Availability::kAvailable) return;
+  const Span span = call.span(parameter);
+  if (planners.availability(name) == Availability::kNotYet) {
+    return call.report(make_diagnostic("E0199", span, {fmt::format("the planner \"{}\"", name)}));
+  }
+  constexpr std::array<std::string_view, 9> kAll = {"Syn",     "Asyn",    "Lin", "Cubic", "Spline3",
+                                                    "Spline4", "Spline5", "434", "Trap"};
+  Diagnostic d = make_diagnostic("E0202", span, {name});
+  d.why = "the planners are Syn, Asyn, Lin, Cubic, Spline3, Spline4, Spline5, 434 and Trap";
+  if (const auto meant = most_similar(name, kAll)) {
+    d.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
+                .edits = {{span, fmt::format("\"{}\"", *meant)}},
+                .confidence = Confidence::kSure};
+  }
+  call.report(std::move(d));
+}
+
+std::shared_ptr<const RobotFact> robot_of(const CheckCall& call) {
+  if (call.given(0)) return std::dynamic_pointer_cast<const RobotFact>(call.fact(0));
+  return ambient_robot(call);
+}
+
+void check_joint_target(CheckCall& call, int parameter) {
+  const auto robot = robot_of(call);
+  const auto position = std::dynamic_pointer_cast<const PositionFact>(call.fact(parameter));
+  if (robot == nullptr || position == nullptr) return;
+  if (position->count != static_cast<int>(robot->turns.size())) {
+    report_count(call, *robot, position->count, call.span(parameter), [&](int) { return Span{}; });
+  }
+}
+
+// A duration or speed that the text shows to be below zero.
+void check_not_negative(CheckCall& call, int parameter, std::string_view what) {
+  const auto constant = call.given(parameter) ? call.constant(parameter) : std::nullopt;
+  if (!constant || !(constant->real < 0.0)) return;
+  call.report(make_diagnostic(
+      "E0513", call.span(parameter),
+      {fmt::format("the {}", what), "0 or more", call.text_of(call.span(parameter))}));
+}
+
+void check_time_and_speed(CheckCall& call, int time, int speed) {
+  if (call.given(time) && call.given(speed)) {
+    Diagnostic d = make_diagnostic("E0506", call.span(speed));
+    d.related.push_back({call.span(time), ""});
+    d.fix = Fix{.text = "leave one of them out"};
+    return call.report(std::move(d));
+  }
+  check_not_negative(call, time, "time");
+  check_not_negative(call, speed, "speed");
+}
+
+}  // namespace
+
+void check_move_joints(CheckCall& call) {
+  check_joint_target(call, 1);
+  check_time_and_speed(call, 2, 3);
+  check_planner(call, 5);
+}
+void check_move_place(CheckCall& call) {
+  check_time_and_speed(call, 2, 3);
+  check_planner(call, 5);
+}
+void check_move_line(CheckCall& call) { check_time_and_speed(call, 2, 3); }
+
+void check_classic_joints(CheckCall& call) {
+  check_planner(call, 1);
+  check_joint_target(call, 2);
+  check_not_negative(call, 3, "time");
+}
+void check_classic_place(CheckCall& call) {
+  check_planner(call, 1);
+  check_not_negative(call, 3, "time");
+}
+
+void explain_list_for_posj(CheckCall& call) {
+  const Span span = call.span(2);
+  Diagnostic d = make_diagnostic("E0301", span, {"second", "a position"});
+  d.mark.label = fmt::format("this is {}", type_phrase(call.type(2)));
+  d.why =
+      fmt::format("`{}` moves to a posJ, an object made from the numbers", call.function_name());
+  const std::string whole = call.text_of(call.call_span());
+  const std::string value = call.text_of(span);
+  const std::size_t at = span.begin - call.call_span().begin;
+  d.fix = Fix{.text = fmt::format("write {}new posJ({}){};", whole.substr(0, at), value,
+                                  whole.substr(at + value.size())),
+              .edits = {{span, fmt::format("new posJ({})", value)}},
+              .confidence = Confidence::kSure};
+  call.report(std::move(d));
+}
+
+void explain_arc(CheckCall& call) {
+  Diagnostic d = make_diagnostic("E0503", call.callee_span());
+  d.why = "other robot languages use MoveC for circles; here C stands for Cartesian";
+  const std::string whole = call.text_of(call.call_span());
+  const std::size_t name_end = call.callee_span().end - call.call_span().begin;
+  d.fix = Fix{.text = fmt::format("write moveCirc{}", whole.substr(name_end)),
+              .edits = {{call.callee_span(), "moveCirc"}},
+              .confidence = Confidence::kSure};
+  call.report(std::move(d));
+}
+
+// ---- objects
+// ---------------------------------------------------------------------------------------------------
+
+void check_object_name(CheckCall& call) {
+  const auto constant = call.constant(0);
+  auto* host = static_cast<Host*>(call.host());
+  if (!constant || host == nullptr) return;
+  const std::string& name = constant->text;
+  const std::vector<std::string> declared = call.declared_names("object");
+  for (const std::string& own : declared) {
+    if (own == name) return;
+  }
+  host->want_world(declared);
+  if (!host->has_world() || call.mentions("spawn") || host->cell().world().find(name) != nullptr)
+    return;
+  std::vector<std::string> known = host->cell().world().names();
+  known.insert(known.end(), declared.begin(), declared.end());
+  Diagnostic d = make_diagnostic("E0203", call.span(0), {name});
+  std::string list;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    list += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == known.size() ? " and " : ", ", known[i]);
+  }
+  d.why = known.empty() ? fmt::format("the world `{}` is empty", host->world_name())
+                        : fmt::format("the world `{}` contains {}", host->world_name(), list);
+  const std::vector<std::string_view> candidates(known.begin(), known.end());
+  if (const auto meant = most_similar(name, candidates)) {
+    d.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
+                .edits = {{call.span(0), fmt::format("\"{}\"", *meant)}},
+                .confidence = Confidence::kSure};
+  }
+  call.report(std::move(d));
+}
+
+}  // namespace armlet::bind

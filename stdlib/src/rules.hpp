@@ -1,0 +1,62 @@
+#pragma once
+// Robot rules checked before running (language reference, 20.3): joint counts and kinds, planners,
+// objects.
+//
+// Rules work on facts: what the text alone tells about a robot or a position.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "armlet/interpreter/native.hpp"
+#include "armlet/model/robot.hpp"
+
+namespace armlet::bind {
+
+// What is known of a robot before running: at least its joints.
+struct RobotFact : Fact {
+  std::string name;
+  std::vector<bool> turns;  // one per joint: true turns, false slides
+};
+struct JointFact : Fact {
+  bool turns = true;
+};
+// How many values a posJ holds.
+struct PositionFact : Fact {
+  int count = 0;
+};
+
+// posJ(90deg, ...), posJ(list) and new posJ(list): E0302, E0401, E0404, W0702.
+void check_posj_values(CheckCall& call);
+void check_posj_list(CheckCall& call);
+
+// Robots and their parts.
+void check_revolute_row(CheckCall& call);
+void check_prismatic_row(CheckCall& call);
+void check_robot_block(CheckCall& call);
+void check_dh_table(CheckCall& call);
+template <Robot (*kMake)()>
+void check_ready_robot(CheckCall& call);
+void check_default_robot(CheckCall& call);
+void set_robot_fact(CheckCall& call, const Robot& robot, std::string name);
+
+// Moves. The parameters stand in the order of the signatures they are used in.
+void check_move_joints(CheckCall& call);     // (r, target: posJ, ..., traj: string)
+void check_move_place(CheckCall& call);      // (r, target: posC, ..., traj: string)
+void check_classic_joints(CheckCall& call);  // (r, traj, posJ, time)
+void check_classic_place(CheckCall& call);   // (r, traj, posC, time)
+void check_move_line(CheckCall& call);       // time with speed
+// Calls that exist only to be explained.
+void explain_list_for_posj(CheckCall& call);  // E0301: moveJ("Syn", q, 2.0) with a double[]
+void explain_arc(CheckCall& call);            // E0503: moveC(via, goal, ...)
+
+// The first parameter is an object's name: E0203.
+void check_object_name(CheckCall& call);
+
+template <Robot (*kMake)()>
+void check_ready_robot(CheckCall& call) {
+  const Robot robot = kMake();
+  set_robot_fact(call, robot, robot.name());
+}
+
+}  // namespace armlet::bind

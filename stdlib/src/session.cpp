@@ -1,0 +1,104 @@
+#include "armlet/stdlib/session.hpp"
+
+#include <utility>
+
+#include "armlet/backend/fan_out.hpp"
+
+namespace armlet {
+
+Session::Session(const Engine& engine, SessionOptions options)
+    : engine_(engine), options_(std::move(options)) {}
+Session::~Session() = default;
+
+std::unique_ptr<Host> Session::make_host(bool with_world) {
+  HostOptions host_options;
+  host_options.robot = options_.robot;
+  host_options.on_move = options_.on_move;
+  if (options_.default_world) {
+    host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
+      fill_world(host, *options_.default_world);
+    };
+  }
+  auto host = std::make_unique<Host>(std::move(host_options));
+  if (with_world && options_.world) fill_world(*host, *options_.world);
+  return host;
+}
+
+// A world is a program that declares objects; it runs in the cell before time begins.
+bool Session::fill_world(Host& host, const WorldText& world) {
+  host.set_world_name(world.name);
+  CompileOptions compile_options;
+  compile_options.limits = options_.parse_limits;
+  compile_options.host = &host;
+  Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
+  for (Diagnostic& d : compiled.diagnostics) problems_.push_back({std::move(d), compiled.sources});
+  if (compiled.program == nullptr) return false;
+  VmOptions vm_options;
+  vm_options.limits = options_.limits;
+  vm_options.timeline = &host;
+  vm_options.host = &host;
+  Vm vm(compiled.program, std::move(vm_options));
+  RunResult result = vm.run();
+  if (result.status == RunStatus::kDone) return true;
+  if (result.error) problems_.push_back({*std::move(result.error), compiled.sources});
+  return false;
+}
+
+bool Session::compile(std::string text, std::string name) {
+  problems_.clear();
+  const std::unique_ptr<Host> host = make_host(true);
+  const bool world_is_well = problems_.empty();
+  CompileOptions compile_options;
+  compile_options.limits = options_.parse_limits;
+  compile_options.host = host.get();
+  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options);
+  for (const Diagnostic& d : compilation_.diagnostics)
+    problems_.push_back({d, compilation_.sources});
+  wants_default_world_ = !options_.world && host->has_world();
+  declared_objects_ = host->skipped_names();
+  return world_is_well && compilation_.program != nullptr;
+}
+
+RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
+  host_ = make_host(true);
+  if (wants_default_world_) host_->want_world(declared_objects_);
+  FanOut fan_out(options_.backends);
+  Cell& cell = host_->cell();
+  if (!options_.backends.empty()) cell.set_backend(&fan_out);
+  if (options_.pace) cell.set_pacer(options_.pace);
+  const Program& program = *compilation_.program;
+  cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
+                           !program.mentions("release"));
+
+  VmOptions vm_options;
+  vm_options.limits = options_.limits;
+  vm_options.timeline = host_.get();
+  vm_options.host = host_.get();
+  vm_options.output = [this, &cell](std::string_view text) {
+    cell.note(NoteKind::kOutput, text);
+    if (options_.output) options_.output(text);
+  };
+  vm_options.advice = options_.advice;
+  Vm vm(compilation_.program, std::move(vm_options));
+  running_.store(&vm);
+  if (cancelled_.load()) vm.cancel();
+  RunResult result = start(vm);
+  running_.store(nullptr);
+  cell.end();
+  cell.set_backend(nullptr);
+  return result;
+}
+
+RunResult Session::run() {
+  return run_with([](Vm& vm) { return vm.run(); });
+}
+RunResult Session::run_test(std::size_t index) {
+  return run_with([index](Vm& vm) { return vm.run_test(index); });
+}
+
+void Session::cancel() noexcept {
+  cancelled_.store(true);
+  if (Vm* vm = running_.load()) vm->cancel();
+}
+
+}  // namespace armlet

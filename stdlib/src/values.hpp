@@ -1,0 +1,76 @@
+#pragma once
+// The values and handles that the library adds to the language: posJ, posC, robot, object, shape,
+// tool ...
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "armlet/interpreter/native.hpp"
+#include "armlet/model/joint.hpp"
+#include "armlet/model/link.hpp"
+#include "armlet/model/robot.hpp"
+#include "armlet/model/tool.hpp"
+#include "armlet/world/object.hpp"
+
+namespace armlet::bind {
+
+// Joint values, SI. The kinds are known when the robot is; they decide how the values print.
+struct PosJ {
+  std::uint8_t n = 0;
+  bool kinds_known = false;
+  std::array<bool, kMaxJoints> turns{};
+  std::array<double, kMaxJoints> q{};
+
+  [[nodiscard]] Eigen::VectorXd vector() const {
+    return Eigen::Map<const Eigen::VectorXd>(q.data(), n);
+  }
+};
+[[nodiscard]] PosJ make_posj(const Robot& robot, const Eigen::VectorXd& q);
+
+// A place and orientation in the world. One made only from places has no orientation of its own
+// (ruling 14).
+struct PosC {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  bool has_orientation = false;
+};
+
+struct RobotRef {
+  int id = 0;  // in the cell
+};
+struct ObjectRef {
+  std::string name;
+};
+struct ShapeValue {
+  Shape shape;
+};
+struct ToolValue {
+  Tool tool;
+  std::optional<Eigen::Isometry3d> T_flange_tool;  // tcp(p): a point anywhere
+};
+struct JointRow {
+  Joint joint;
+  Link link;
+};
+
+extern const HostType kPosJ;
+extern const HostType kPosC;
+extern const HostType kRobot;
+extern const HostType kObject;
+extern const HostType kShape;
+extern const HostType kTool;
+extern const HostType kJointRow;
+
+[[nodiscard]] Obj* new_posj(Vm& vm, const PosJ& q);
+[[nodiscard]] Obj* new_posc(Vm& vm, const PosC& p);
+[[nodiscard]] inline const PosJ& posj(Slot s) { return host_value<PosJ>(s); }
+[[nodiscard]] inline const PosC& posc(Slot s) { return host_value<PosC>(s); }
+
+// "(300, 120, 20) mm" with the orientation if there is one, and "posJ(0 deg, 20 mm)".
+[[nodiscard]] std::string posc_text(const PosC& p);
+[[nodiscard]] std::string posj_text(const PosJ& q);
+
+}  // namespace armlet::bind
