@@ -1,0 +1,244 @@
+#include "armlet/kinematics/ik.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/format.hpp"
+#include "armlet/kinematics/manipulability.hpp"
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+#include "ik_search.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr int kNearestStarts = 32;   // after the first solution
+constexpr int kNearestWanted = 16;   // distinct solutions
+constexpr int kKeepStarts = 20;      // to find out whether an orientation can be kept
+constexpr double kPlaceFirst = 100;  // weight of position while orientation changes least
+
+// Heading of the x axis seen from above, or of the y axis less a right angle if x is vertical.
+double turn_about_z(const Eigen::Matrix3d& R) {
+  if (det::hypot(R(0, 0), R(1, 0)) > 1e-9) return det::atan2(R(1, 0), R(0, 0));
+  return det::atan2(-R(0, 1), R(1, 1));
+}
+
+IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                 const IkOptions& options) {
+  IkGoal goal;
+  goal.p = T_world_tool.translation();
+  goal.R = T_world_tool.linear();
+  goal.position_tolerance = options.position_tolerance;
+  goal.rotation_tolerance = options.rotation_tolerance;
+  switch (options.task) {
+    case IkTask::kPose:
+      break;
+    case IkTask::kPosition:
+      goal.weights.tail<3>().setZero();
+      break;
+    case IkTask::kPlace:
+      goal.R = forward(robot, options.seed).linear();
+      break;
+    case IkTask::kTurn: {
+      const Eigen::Matrix3d R_seed = forward(robot, options.seed).linear();
+      goal.R = rot_z(turn_about_z(goal.R) - turn_about_z(R_seed)) * R_seed;
+      break;
+    }
+    case IkTask::kMasked:
+      for (std::size_t i = 0; i < 6; ++i) {
+        goal.weights[static_cast<Eigen::Index>(i)] = options.mask[i] ? 1.0 : 0.0;
+      }
+      goal.in_tool_axes = options.mask_frame == IkMaskFrame::kTool;
+      break;
+  }
+  return goal;
+}
+
+// The status of a question that cannot be asked, or kOk.
+IkStatus check_question(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                        const IkOptions& options) {
+  if (options.seed.size() != robot.n()) return IkStatus::kBadSize;
+  if (!options.seed.allFinite() || !T_world_tool.matrix().allFinite()) return IkStatus::kNotFinite;
+  const bool uses_rotation = options.task != IkTask::kPosition && options.task != IkTask::kPlace;
+  if (uses_rotation && !is_rotation(T_world_tool.linear())) return IkStatus::kBadRotation;
+  return IkStatus::kOk;
+}
+
+void take_solution(const Robot& robot, const IkGoal& goal, const Eigen::VectorXd& q,
+                   IkResult& result) {
+  const IkError error = IkSolver(robot, goal).error_of(to_array(q));
+  result.status = IkStatus::kOk;
+  result.q = q;
+  result.position_error = error.position;
+  result.rotation_error = error.rotation;
+}
+
+// Searches, and takes the first or the nearest solution. False if there is none.
+bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                 IkResult& result) {
+  const bool nearest = options.choice == IkChoice::kNearest;
+  IkSearch search =
+      search_ik(robot, goal, options, nearest ? kNearestWanted : 1, nearest ? kNearestStarts : 0);
+  result.iterations += search.iterations;
+  result.starts += search.starts;
+  if (search.solutions.empty()) {
+    result.q = search.closest;
+    result.position_error = search.closest_error.position;
+    result.rotation_error = search.closest_error.rotation;
+    return false;
+  }
+  if (nearest) sort_by_nearness(robot, options.seed, search.solutions);
+  take_solution(robot, goal, search.solutions.front(), result);
+  return true;
+}
+
+// From q with the place right, the nearby configuration that turns the tool least.
+Eigen::VectorXd turn_least(const Robot& robot, const IkGoal& keep, const Eigen::VectorXd& q,
+                           const IkOptions& options, IkResult& result) {
+  IkGoal weighted = keep;
+  weighted.weights.head<3>() *= kPlaceFirst;
+  IkGoal place = keep;
+  place.weights.tail<3>().setZero();
+
+  JointArray joints = to_array(q);
+  IkSolver turning(robot, weighted);
+  turning.minimise_in_box(joints, 100);
+  IkSolver placing(robot, place);
+  const bool placed = placing.solve_in_box(joints, options.iterations);
+  result.iterations += turning.iterations_used() + placing.iterations_used();
+  return placed ? to_vector(joints, robot.n()) : q;
+}
+
+// kPlace when the orientation cannot be kept: of the configurations at that place, the one that
+// changes it least. Starting at the seed comes first because it changes the joints least.
+bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options,
+                IkResult& result) {
+  IkGoal place = keep;
+  place.weights.tail<3>().setZero();
+  const IkSearch search = search_ik(robot, place, options, kNearestWanted, kNearestStarts);
+  result.iterations += search.iterations;
+  result.starts += search.starts;
+  if (search.solutions.empty()) {
+    result.q = search.closest;
+    result.position_error = search.closest_error.position;
+    result.rotation_error = 0.0;
+    return false;
+  }
+  std::vector<Eigen::VectorXd> candidates = {options.seed};
+  candidates.insert(candidates.end(), search.solutions.begin(), search.solutions.end());
+  double smallest = INFINITY;
+  for (const Eigen::VectorXd& candidate : candidates) {
+    const Eigen::VectorXd q = turn_least(robot, keep, candidate, options, result);
+    const IkError error = IkSolver(robot, keep).error_of(to_array(q));
+    if (error.position > options.position_tolerance || error.rotation >= smallest - 1e-6) continue;
+    smallest = error.rotation;
+    take_solution(robot, place, q, result);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string_view to_text(IkStatus status) {
+  switch (status) {
+    case IkStatus::kOk:
+      return "ok";
+    case IkStatus::kUnreachable:
+      return "unreachable";
+    case IkStatus::kOrientationUnreachable:
+      return "orientation unreachable";
+    case IkStatus::kJointLimit:
+      return "joint limit";
+    case IkStatus::kSingularGoal:
+      return "singular goal";
+    case IkStatus::kBadRotation:
+      return "bad rotation";
+    case IkStatus::kBadSize:
+      return "bad size";
+    case IkStatus::kNotFinite:
+      return "not finite";
+  }
+  return "unknown";
+}
+
+IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                  const IkOptions& given) {
+  IkOptions options = given;
+  if (options.seed.size() == 0) options.seed = robot.home();
+  IkResult result;
+  result.q = robot.home();
+  result.status = check_question(robot, T_world_tool, options);
+  if (result.status != IkStatus::kOk) return result;
+
+  IkGoal goal = make_goal(robot, T_world_tool, options);
+  if (options.task == IkTask::kPlace) {
+    IkOptions keep = options;
+    keep.starts = std::min(options.starts, kKeepStarts);
+    if (search_into(robot, goal, keep, result)) return result;
+    if (place_into(robot, goal, options, result)) return result;
+    goal.weights.tail<3>().setZero();
+  } else if (search_into(robot, goal, options, result)) {
+    return result;
+  }
+  result.status = IkStatus::kUnreachable;
+  if (options.diagnose) diagnose(robot, goal, options, result);
+  return result;
+}
+
+std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                                          const IkOptions& given, int count) {
+  IkOptions options = given;
+  if (options.seed.size() == 0) options.seed = robot.home();
+  if (check_question(robot, T_world_tool, options) != IkStatus::kOk) return {};
+  const IkGoal goal = make_goal(robot, T_world_tool, options);
+  IkSearch search = search_ik(robot, goal, options, count, options.starts);
+  sort_by_nearness(robot, options.seed, search.solutions);
+  return search.solutions;
+}
+
+std::string explain(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                    const IkResult& result) {
+  const IkDiagnosis& d = result.diagnosis;
+  std::string text;
+  switch (result.status) {
+    case IkStatus::kOk:
+      return "The pose is reached.";
+    case IkStatus::kBadRotation:
+      return "The goal's 3x3 part is not a rotation.";
+    case IkStatus::kBadSize:
+      return fmt::format("The seed must have {} joint values.", robot.n());
+    case IkStatus::kNotFinite:
+      return "The goal or the seed contains a value that is not a finite number.";
+    case IkStatus::kJointLimit:
+      text = "The pose can be reached only outside the limits: ";
+      for (std::size_t i = 0; i < d.violations.size(); ++i) {
+        text += (i > 0 ? "; " : "") + describe(robot, d.violations[i]);
+      }
+      break;
+    case IkStatus::kUnreachable:
+      text = fmt::format("The point {} is out of reach by {}; the nearest reachable point is {}",
+                         format_point_mm(T_world_tool.translation()), format_mm(d.distance),
+                         format_point_mm(d.nearest.translation()));
+      break;
+    case IkStatus::kOrientationUnreachable:
+      text = fmt::format(
+          "The place can be reached, but not with this orientation; the closest orientation "
+          "differs "
+          "by {}",
+          format_deg(d.angle));
+      break;
+    case IkStatus::kSingularGoal:
+      text = "The arm is singular at the goal and cannot settle there";
+      break;
+  }
+  if (d.sigma_min < 1e-3 && result.status != IkStatus::kJointLimit) {
+    Singularity lost;
+    lost.direction = d.lost_direction;
+    text += "; the arm is singular there: it " + describe(lost);
+  }
+  return text + ".";
+}
+
+}  // namespace armlet

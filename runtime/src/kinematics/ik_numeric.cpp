@@ -1,0 +1,284 @@
+#include "ik_numeric.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/math/angles.hpp"
+#include "armlet/math/rotation.hpp"
+#include "walk.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr double kDampingRatio = 0.1;   // of the squared error
+constexpr double kLargestStep = 1.0;    // rad or m, per iteration
+constexpr double kSmallestStep = 1e-9;  // rad or m; nothing more happens below it
+constexpr int kStall = 7;               // iterations without progress
+
+}  // namespace
+
+IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
+    : robot_(robot),
+      chain_(robot.chain()),
+      goal_(goal),
+      n_(static_cast<std::size_t>(robot.n())),
+      lower_(to_array(robot.lower())),
+      upper_(to_array(robot.upper())) {}
+
+double IkSolver::evaluate(const JointArray& q) {
+  std::array<Eigen::Vector3d, kMaxJoints> axis, point;
+  Frame tool = walk(chain_, q.data(), [&](std::size_t i, const Frame& f) {
+    axis[i] = f.z;
+    point[i] = f.p;
+  });
+  tool.step(chain_.T_flange_tool);
+
+  Eigen::Matrix3d R_tool;
+  R_tool << tool.x, tool.y, tool.z;
+  Eigen::Vector3d v = goal_.p - tool.p;
+  Eigen::Vector3d w = rotation_log(goal_.R * R_tool.transpose());
+  for (std::size_t i = 0; i < n_; ++i) {
+    Eigen::Vector3d linear = axis[i];
+    Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+    if (chain_.revolute[i]) {
+      linear = axis[i].cross(tool.p - point[i]);
+      angular = axis[i];
+    }
+    if (goal_.in_tool_axes) {
+      linear = R_tool.transpose() * linear;
+      angular = R_tool.transpose() * angular;
+    }
+    for (std::size_t r = 0; r < 3; ++r) {
+      J_[i][r] = goal_.weights[static_cast<Eigen::Index>(r)] * linear[static_cast<Eigen::Index>(r)];
+      J_[i][r + 3] =
+          goal_.weights[static_cast<Eigen::Index>(r) + 3] * angular[static_cast<Eigen::Index>(r)];
+    }
+  }
+  if (goal_.in_tool_axes) {
+    v = R_tool.transpose() * v;
+    w = R_tool.transpose() * w;
+  }
+  double energy = 0.0, position = 0.0, rotation = 0.0;
+  for (Eigen::Index r = 0; r < 3; ++r) {
+    const std::size_t i = static_cast<std::size_t>(r);
+    error_[i] = goal_.weights[r] * v[r];
+    error_[i + 3] = goal_.weights[r + 3] * w[r];
+    energy += 0.5 * (error_[i] * error_[i] + error_[i + 3] * error_[i + 3]);
+    position += goal_.weights[r] != 0.0 ? v[r] * v[r] : 0.0;
+    rotation += goal_.weights[r + 3] != 0.0 ? w[r] * w[r] : 0.0;
+  }
+  size_ = {std::sqrt(position), std::sqrt(rotation)};
+  return energy;
+}
+
+bool IkSolver::converged() const {
+  return size_.position <= goal_.position_tolerance && size_.rotation <= goal_.rotation_tolerance;
+}
+
+IkError IkSolver::error_of(const JointArray& q) {
+  evaluate(q);
+  return size_;
+}
+
+void IkSolver::normal_equations() {
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      double sum = 0.0;
+      for (std::size_t r = 0; r < 6; ++r) sum += J_[i][r] * J_[k][r];
+      A_[i][k] = sum;
+    }
+    b_[i] = 0.0;
+    for (std::size_t r = 0; r < 6; ++r) b_[i] += J_[i][r] * error_[r];
+  }
+}
+
+IkSolver::Step IkSolver::solve_step(double damping,
+                                    const std::array<bool, kMaxJoints>& frozen) const {
+  // L D L^T of the damped matrix. The floor on the pivots replaces an exact zero of a redundant or
+  // singular arm by something too small to be felt elsewhere.
+  std::array<std::array<double, kMaxJoints>, kMaxJoints> L;
+  JointArray D{};
+  Step x{};
+  double trace = 0.0;
+  for (std::size_t i = 0; i < n_; ++i) trace += A_[i][i];
+  const double floor = 1e-14 * trace + 1e-300;
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      double sum = frozen[i] || frozen[k] ? 0.0 : A_[i][k];
+      for (std::size_t j = 0; j < k; ++j) sum -= L[i][j] * L[k][j] * D[j];
+      L[i][k] = sum / D[k];
+    }
+    double pivot = frozen[i] ? 1.0 : A_[i][i] + damping;
+    for (std::size_t j = 0; j < i; ++j) pivot -= L[i][j] * L[i][j] * D[j];
+    D[i] = std::max(pivot, floor);
+    x[i] = frozen[i] ? 0.0 : b_[i];
+    for (std::size_t j = 0; j < i; ++j) x[i] -= L[i][j] * x[j];
+  }
+  for (std::size_t i = n_; i-- > 0;) {
+    x[i] /= D[i];
+    for (std::size_t j = i + 1; j < n_; ++j) x[i] -= L[j][i] * x[j];
+  }
+  return x;
+}
+
+IkSolver::Step IkSolver::step_in_box(const JointArray& q, double damping) const {
+  std::array<bool, kMaxJoints> frozen{};
+  for (std::size_t i = 0; i < n_; ++i) {
+    frozen[i] = (q[i] <= lower_[i] && b_[i] < 0.0) || (q[i] >= upper_[i] && b_[i] > 0.0);
+  }
+  Step step = solve_step(damping, frozen);
+  for (int pass = 0; pass < 3; ++pass) {
+    bool more = false;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const bool leaves =
+          (q[i] <= lower_[i] && step[i] < 0.0) || (q[i] >= upper_[i] && step[i] > 0.0);
+      if (!frozen[i] && leaves) more = frozen[i] = true;
+    }
+    if (!more) break;
+    step = solve_step(damping, frozen);
+  }
+  return step;
+}
+
+void IkSolver::clamp(JointArray& q) const {
+  for (std::size_t i = 0; i < n_; ++i) q[i] = std::clamp(q[i], lower_[i], upper_[i]);
+}
+
+bool IkSolver::solve_free(JointArray& q, int iterations) {
+  double best = INFINITY;
+  int stalled = 0;
+  for (int it = 0; it < iterations; ++it) {
+    ++iterations_used_;
+    const double energy = evaluate(q);
+    if (converged()) {
+      polish(q, energy, false);
+      return true;
+    }
+    stalled = energy < best ? 0 : stalled + 1;
+    best = std::min(best, energy);
+    if (stalled >= kStall) return false;
+    normal_equations();
+    const Step step = solve_step(kDampingRatio * energy, {});
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(step[i]));
+    if (!(largest >= kSmallestStep)) return false;
+    const double scale = largest > kLargestStep ? kLargestStep / largest : 1.0;
+    for (std::size_t i = 0; i < n_; ++i) q[i] += scale * step[i];
+  }
+  return false;
+}
+
+bool IkSolver::solve_in_box(JointArray& q, int iterations) {
+  double best = INFINITY;
+  int stalled = 0;
+  clamp(q);
+  for (int it = 0; it < iterations; ++it) {
+    ++iterations_used_;
+    const double energy = evaluate(q);
+    if (converged()) {
+      polish(q, energy, true);
+      return true;
+    }
+    stalled = energy < best ? 0 : stalled + 1;
+    best = std::min(best, energy);
+    if (stalled >= kStall) return false;
+    normal_equations();
+    const Step step = step_in_box(q, kDampingRatio * energy);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(step[i]));
+    if (!(largest >= kSmallestStep)) return false;
+    const double scale = largest > kLargestStep ? kLargestStep / largest : 1.0;
+    for (std::size_t i = 0; i < n_; ++i) q[i] += scale * step[i];
+    clamp(q);
+  }
+  return false;
+}
+
+// A few more steps while each halves the error at least; at a regular goal one is enough.
+void IkSolver::polish(JointArray& q, double energy, bool in_box) {
+  for (int it = 0; it < 6 && energy > 1e-26; ++it) {
+    normal_equations();
+    const Step step =
+        in_box ? step_in_box(q, kDampingRatio * energy) : solve_step(kDampingRatio * energy, {});
+    JointArray next = q;
+    for (std::size_t i = 0; i < n_; ++i) next[i] += step[i];
+    if (in_box) clamp(next);
+    const double next_energy = evaluate(next);
+    if (!(next_energy < 0.25 * energy)) return;
+    q = next;
+    energy = next_energy;
+  }
+}
+
+void IkSolver::minimise_in_box(JointArray& q, int iterations) {
+  clamp(q);
+  double energy = evaluate(q);
+  normal_equations();
+  double mu = 1e-3;
+  double nu = 2.0;
+  for (int it = 0; it < iterations; ++it) {
+    ++iterations_used_;
+    const Step step = step_in_box(q, mu);
+    JointArray next = q;
+    for (std::size_t i = 0; i < n_; ++i) next[i] += step[i];
+    clamp(next);
+    // What the linear model promises for the step that is really taken.
+    double promised = 0.0, largest = 0.0;
+    std::array<double, 6> change{};
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double s = next[i] - q[i];
+      largest = std::max(largest, std::abs(s));
+      promised += b_[i] * s;
+      for (std::size_t r = 0; r < 6; ++r) change[r] += J_[i][r] * s;
+    }
+    for (const double c : change) promised -= 0.5 * c * c;
+    if (largest < 1e-12) return;
+    const double next_energy = evaluate(next);
+    const double ratio = promised > 0.0 ? (energy - next_energy) / promised : -1.0;
+    if (ratio > 0.0) {
+      q = next;
+      energy = next_energy;
+      normal_equations();
+      const double t = 2.0 * ratio - 1.0;
+      mu = std::max(mu * std::max(1.0 / 3.0, 1.0 - t * t * t), 1e-15);
+      nu = 2.0;
+    } else {
+      evaluate(q);
+      mu *= nu;
+      nu *= 2.0;
+      if (mu > 1e12) return;
+    }
+  }
+}
+
+JointArray halton_start(const Robot& robot, int index) {
+  constexpr std::array<int, kMaxJoints> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+  JointArray q{};
+  for (int i = 0; i < robot.n(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const int base = kPrimes[k];
+    double share = index == 0 ? 0.5 : 0.0;
+    double digit = 1.0 / base;
+    for (int rest = index; rest > 0; rest /= base) {
+      share += digit * (rest % base);
+      digit /= base;
+    }
+    const double middle = 0.5 * (robot.lower()[i] + robot.upper()[i]);
+    double range = robot.upper()[i] - robot.lower()[i];
+    if (robot.is_revolute(i)) range = std::min(range, 2.0 * kPi);
+    q[k] = middle + (share - 0.5) * range;
+  }
+  return q;
+}
+
+JointArray to_array(const Eigen::VectorXd& q) {
+  JointArray array{};
+  for (Eigen::Index i = 0; i < q.size(); ++i) array[static_cast<std::size_t>(i)] = q[i];
+  return array;
+}
+
+Eigen::VectorXd to_vector(const JointArray& q, int n) {
+  return Eigen::Map<const Eigen::VectorXd>(q.data(), n);
+}
+
+}  // namespace armlet

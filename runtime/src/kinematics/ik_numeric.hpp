@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+
+#include "armlet/kinematics/ik.hpp"
+
+namespace armlet {
+
+// Joint values in storage of their own, so that the iterations allocate nothing.
+using JointArray = std::array<double, kMaxJoints>;
+
+// What the iterations aim at: a pose of which some rows of the error [p; log R] count, each with a
+// weight. A row with weight 0 is left out.
+struct IkGoal {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Vector6d weights = Vector6d::Ones();
+  bool in_tool_axes = false;
+  double position_tolerance = 1e-6;
+  double rotation_tolerance = 1e-6;
+};
+
+// Size of the error of a configuration, counting only rows with a weight.
+struct IkError {
+  double position = 0.0;  // m
+  double rotation = 0.0;  // rad
+};
+
+// The iterations for one arm and one goal.
+class IkSolver {
+ public:
+  IkSolver(const Robot& robot, const IkGoal& goal);
+
+  // Levenberg-Marquardt without limits, damping proportional to the error (Chan and Lawrence,
+  // 1988). A constant damping would make convergence near a singular goal linear; vanishing damping
+  // keeps it fast. Returns whether q meets the tolerances, and then polishes it.
+  bool solve_free(JointArray& q, int iterations);
+
+  // The same inside the limits: joints on a bound that the step would push out are frozen.
+  bool solve_in_box(JointArray& q, int iterations);
+
+  // Least squares inside the limits for goals that cannot be reached: gain-ratio damping (Nielsen,
+  // 1999), because damping that follows the error stalls when the error cannot vanish.
+  void minimise_in_box(JointArray& q, int iterations);
+
+  // The error of q with the true rotation angle.
+  IkError error_of(const JointArray& q);
+
+  int iterations_used() const { return iterations_used_; }
+
+ private:
+  using Step = JointArray;
+
+  double evaluate(const JointArray& q);  // fills error_ and J_, returns half the squared error
+  bool converged() const;
+  void polish(JointArray& q, double energy, bool in_box);
+  void normal_equations();
+  // Solves (J^T J + damping I) step = J^T e for the joints that are not frozen.
+  Step solve_step(double damping, const std::array<bool, kMaxJoints>& frozen) const;
+  Step step_in_box(const JointArray& q, double damping) const;
+  void clamp(JointArray& q) const;
+
+  const Robot& robot_;
+  const Chain& chain_;
+  IkGoal goal_;
+  std::size_t n_;
+  JointArray lower_{}, upper_{};
+  std::array<double, 6> error_{};
+  std::array<std::array<double, 6>, kMaxJoints> J_{};
+  std::array<std::array<double, kMaxJoints>, kMaxJoints> A_{};  // J^T J, lower triangle
+  JointArray b_{};                                              // J^T e
+  IkError size_{};
+  int iterations_used_ = 0;
+};
+
+// Element `index` of a low-discrepancy sequence spread over the joints' ranges (Halton, 1960);
+// ranges of turning joints count as one turn at most. Index 0 is the middle.
+JointArray halton_start(const Robot& robot, int index);
+
+JointArray to_array(const Eigen::VectorXd& q);
+Eigen::VectorXd to_vector(const JointArray& q, int n);
+
+}  // namespace armlet

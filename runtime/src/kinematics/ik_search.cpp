@@ -1,0 +1,107 @@
+#include "ik_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/math/angles.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr double kSameSolution = 1e-4;  // rad or m
+
+bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
+            const Eigen::VectorXd& q) {
+  return std::none_of(solutions.begin(), solutions.end(), [&](const Eigen::VectorXd& other) {
+    for (int i = 0; i < robot.n(); ++i) {
+      const double change =
+          robot.is_revolute(i) ? angle_difference(q[i], other[i]) : q[i] - other[i];
+      if (std::abs(change) > kSameSolution) return false;
+    }
+    return true;
+  });
+}
+
+// Every revolute joint at the copy nearest to the seed, wherever the limits are.
+Eigen::VectorXd unwrap_near(const Robot& robot, Eigen::VectorXd q, const Eigen::VectorXd& seed) {
+  for (int i = 0; i < robot.n(); ++i) {
+    if (robot.is_revolute(i)) q[i] = nearest_turn(q[i], seed[i]);
+  }
+  return q;
+}
+
+// One start: free first, because joints held at their limits block the way; then, if that ends
+// outside, from the nearest configuration inside.
+bool solve_from(const Robot& robot, IkSolver& solver, JointArray& q, const IkOptions& options) {
+  if (!options.respect_limits) return solver.solve_free(q, options.iterations);
+  const JointArray start = q;
+  if (solver.solve_free(q, options.iterations)) {
+    q = to_array(wrap_near(robot, to_vector(q, robot.n()), options.seed));
+    if (within_limits(robot, to_vector(q, robot.n()), 0.0)) return true;
+    return solver.solve_in_box(q, options.iterations);
+  }
+  q = start;
+  return solver.solve_in_box(q, options.iterations);
+}
+
+// Position and rotation errors on one scale.
+double badness(const Robot& robot, const IkError& error) {
+  return error.position / robot.length() + error.rotation;
+}
+
+// The joint that folds the arm: the second where axes 1 and 2 are parallel, else the third.
+int elbow_of(const Robot& robot) {
+  const double twist = robot.chain().sin_alpha[1];
+  return std::min(robot.n() - 1, std::abs(twist) < 1e-9 ? 1 : 2);
+}
+
+}  // namespace
+
+double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2) {
+  return (q_1 - q_2).cwiseAbs().maxCoeff();
+}
+
+IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,
+                   int extra_starts) {
+  IkSolver solver(robot, goal);
+  IkSearch search;
+  double best = INFINITY;
+  int last_start = options.starts;
+  for (int start = 0; start < last_start; ++start) {
+    JointArray q = start == 0 ? to_array(options.seed) : halton_start(robot, start);
+    const bool found = solve_from(robot, solver, q, options);
+    ++search.starts;
+    Eigen::VectorXd candidate = to_vector(q, robot.n());
+    if (found) {
+      candidate = options.respect_limits ? wrap_near(robot, candidate, options.seed)
+                                         : unwrap_near(robot, candidate, options.seed);
+      if (search.solutions.empty()) last_start = std::min(last_start, start + 1 + extra_starts);
+      if (is_new(robot, search.solutions, candidate)) search.solutions.push_back(candidate);
+      if (static_cast<int>(search.solutions.size()) >= wanted) break;
+      continue;
+    }
+    const IkError error = solver.error_of(q);
+    if (badness(robot, error) < best) {
+      best = badness(robot, error);
+      search.closest = candidate;
+      search.closest_error = error;
+    }
+  }
+  search.iterations = solver.iterations_used();
+  return search;
+}
+
+void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
+                      std::vector<Eigen::VectorXd>& solutions) {
+  const int elbow = elbow_of(robot);
+  const auto nearer = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    // Rounding to a grid instead of a tolerance keeps the order transitive.
+    const double distance_a = std::round(largest_change(a, seed) * 1e9);
+    const double distance_b = std::round(largest_change(b, seed) * 1e9);
+    if (distance_a != distance_b) return distance_a < distance_b;
+    return a[elbow] > 0.0 && b[elbow] <= 0.0;
+  };
+  std::stable_sort(solutions.begin(), solutions.end(), nearer);
+}
+
+}  // namespace armlet

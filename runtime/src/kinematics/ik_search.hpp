@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ik_numeric.hpp"
+
+namespace armlet {
+
+// What the restarts found.
+struct IkSearch {
+  std::vector<Eigen::VectorXd> solutions;  // distinct, in the order in which they were found
+  Eigen::VectorXd closest;                 // the best configuration if there is no solution
+  IkError closest_error;
+  int iterations = 0;
+  int starts = 0;
+};
+
+// Restarts from the seed and then from evenly spread configurations.
+//
+// wanted        stop after so many distinct solutions.
+// extra_starts  stop so many starts after the first solution.
+IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,
+                   int extra_starts);
+
+// The largest change of one joint between two configurations.
+double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
+
+// Sorts solutions by the largest change from the seed; within 1e-9 the positive elbow comes first,
+// then the one found first.
+void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
+                      std::vector<Eigen::VectorXd>& solutions);
+
+// Fills status and diagnosis of a result for which no solution was found.
+void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result);
+
+}  // namespace armlet
