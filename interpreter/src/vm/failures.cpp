@@ -1,0 +1,273 @@
+#include "vm/failures.hpp"
+
+#include <algorithm>
+
+#include "armlet/interpreter/catalog.hpp"
+#include "format_value.hpp"
+#include "vm/interpret.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+// After cancelling or running out of steps, finally blocks get this many steps more.
+constexpr std::uint64_t kLeavingSteps = 1'000'000;
+
+const Frame* innermost(const VmState& state) {
+  if (state.running == nullptr) return nullptr;
+  const Frame* frame = state.running->top;
+  while (frame > state.running->frames && frame->is_host()) --frame;
+  return frame->is_host() ? nullptr : frame;
+}
+
+std::string ordinal(std::int64_t n) {
+  const bool teen = n % 100 >= 11 && n % 100 <= 13;
+  const char* ending = "th";
+  if (n % 10 == 1 && !teen) ending = "st";
+  if (n % 10 == 2 && !teen) ending = "nd";
+  if (n % 10 == 3 && !teen) ending = "rd";
+  return std::to_string(n) + ending;
+}
+
+// "in the 5th pass of the loop on line 7" for the innermost loop around the running instruction.
+std::string loop_note(const Frame& frame) {
+  const LoopInfo* innermost_loop = nullptr;
+  for (const LoopInfo& loop : frame.callee->function->loops) {
+    const bool inside = loop.begin <= frame.at() && frame.at() < loop.end;
+    const bool smaller = innermost_loop == nullptr ||
+                         loop.end - loop.begin < innermost_loop->end - innermost_loop->begin;
+    if (inside && smaller) innermost_loop = &loop;
+  }
+  if (innermost_loop == nullptr || innermost_loop->step == 0) return {};
+  const std::int64_t counter = frame.base[innermost_loop->counter].i;
+  const std::int64_t pass = (counter - innermost_loop->first) / innermost_loop->step + 1;
+  return "in the " + ordinal(pass) + " pass of the loop on line " + std::to_string(innermost_loop->line);
+}
+
+// Deep recursion is told by its ends.
+std::vector<std::string> call_path(const VmState& state) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> calls;
+  const Frame* frame = innermost(state);
+  for (; frame != nullptr && frame > state.running->frames; --frame) {
+    if (frame->is_host() || frame->callee->function->name.empty()) continue;
+    const CodeSpan* site = frame[-1].is_host() ? nullptr : code_span(frame[-1]);
+    std::string call = frame->callee->function->name;
+    if (site != nullptr) call += ", called on line " + std::to_string(line_of(state, site->span));
+    calls.push_back(std::move(call));
+  }
+  if (calls.size() > kMost) {
+    const std::size_t left_out = calls.size() - kMost;
+    const auto middle = calls.begin() + kMost / 2;
+    calls.erase(middle, middle + static_cast<std::ptrdiff_t>(left_out));
+    calls.insert(calls.begin() + kMost / 2, "... " + std::to_string(left_out) + " calls more ...");
+  }
+  return calls;
+}
+
+std::string source_text(const VmState& state, Span span) {
+  return span.empty() ? std::string() : std::string(state.program.sources->slice(span));
+}
+
+// The running instruction's text in backquotes, or a stand-in if it is long.
+std::string running_text(const VmState& state, const char* otherwise) {
+  constexpr std::size_t kLong = 40;
+  const CodeSpan* at = code_span(state);
+  const std::string text = at == nullptr ? "" : source_text(state, at->span);
+  if (text.empty() || text.size() > kLong || text.find('\n') != std::string::npos) return otherwise;
+  return "`" + text + "`";
+}
+
+void set_fault(VmState& state, Diagnostic diagnostic, std::string kind, Reach reach) {
+  state.fault = std::make_shared<Fault>();
+  state.fault->diagnostic = std::move(diagnostic);
+  state.fault->kind = std::move(kind);
+  state.fault->reach = reach;
+}
+
+// From here on only finally blocks run, and not for long.
+void begin_leaving(VmState& state) {
+  state.fault->reach = state.is_leaving ? Reach::kNothing : Reach::kFinally;
+  state.is_leaving = true;
+  state.steps.settle();
+  state.steps.since_pause = 0;
+  state.steps.limit = std::min(state.steps.limit, kLeavingSteps);
+}
+
+}  // namespace
+
+// ---- where --------------------------------------------------------------------------------------------------------
+
+const CodeSpan* code_span(const Frame& frame) {
+  const std::vector<CodeSpan>& spans = frame.callee->function->spans;
+  const auto after = std::ranges::upper_bound(spans, frame.at(), {}, &CodeSpan::pc);
+  return after == spans.begin() ? nullptr : &*(after - 1);
+}
+
+const CodeSpan* code_span(const VmState& state) {
+  const Frame* frame = innermost(state);
+  return frame == nullptr ? nullptr : code_span(*frame);
+}
+
+int line_of(const VmState& state, Span span) { return state.program.sources->position(span).line; }
+
+When circumstances(const VmState& state) {
+  When when;
+  when.time_ns = state.vm.timeline().now_ns();
+  if (const Frame* frame = innermost(state)) when.note = loop_note(*frame);
+  when.calls = call_path(state);
+  return when;
+}
+
+// ---- raising ------------------------------------------------------------------------------------------------------
+
+Diagnostic start_failure(const VmState& state, std::string_view code, const std::vector<std::string>& arguments) {
+  const CodeSpan* at = code_span(state);
+  return make_diagnostic(code, at == nullptr ? Span{} : at->span, arguments);
+}
+
+bool raise(VmState& state, Diagnostic diagnostic) {
+  if (!diagnostic.when) diagnostic.when = circumstances(state);
+  std::string kind(kind_of(diagnostic.code));
+  set_fault(state, std::move(diagnostic), std::move(kind), Reach::kHandlers);
+  return false;
+}
+
+bool raise(VmState& state, std::string_view code, const std::vector<std::string>& arguments) {
+  return raise(state, start_failure(state, code, arguments));
+}
+
+bool raise(VmState& state, const Failure& failure) {
+  raise(state, diagnostic_of(state, failure));
+  if (!failure.kind.empty()) state.fault->kind = failure.kind;
+  return false;
+}
+
+bool raise_out_of_memory(VmState& state) {
+  constexpr std::uint64_t kMega = 1024 * 1024;
+  const std::uint64_t limit = state.options.limits.heap_bytes;
+  const std::string size = limit >= kMega ? std::to_string(limit / kMega) + " MB" : std::to_string(limit) + " bytes";
+  return raise(state, "R0628", {size});
+}
+
+bool raise_out_of_steps(VmState& state) {
+  raise(state, "R0622", {std::to_string(state.steps.limit)});
+  begin_leaving(state);
+  return false;
+}
+
+bool raise_cancelled(VmState& state) {
+  raise(state, "R0629");
+  begin_leaving(state);
+  state.fault->cancelled = true;
+  return false;
+}
+
+bool raise_overflow(VmState& state) {
+  return raise(state, "R0610", {running_text(state, "this calculation")});
+}
+
+bool raise_division_by_zero(VmState& state) {
+  return raise(state, "R0611", {running_text(state, "this")});
+}
+
+// "0 to 3", or what is left to say when there is no valid index at all.
+bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::string_view what) {
+  const std::string last = std::to_string(size - 1);
+  const std::string name(what);
+  Diagnostic failure = start_failure(state, "R0606", {std::to_string(index), "0 to " + last});
+  if (size == 0) failure.message = "there is no value " + std::to_string(index) + " in an empty " + name;
+  if (size != 0 && what != "list") failure.message.replace(0, 4, name);
+  const CodeSpan* at = code_span(state);
+  const hir::Expr* written = nullptr;
+  if (at != nullptr && at->expr != nullptr) {
+    if (at->expr->kind == hir::ExprKind::kElement) written = at->expr->as<hir::ElementExpr>().index;
+    if (at->expr->kind == hir::ExprKind::kCharacter) written = at->expr->as<hir::CharacterExpr>().index;
+  }
+  const std::string has = "the " + name + (size == 0 ? " is empty"
+                                                     : " has " + std::to_string(size) + (what == "text" ? " character" : " value") +
+                                                           (size == 1 ? "" : "s"));
+  if (written != nullptr && written->constant == nullptr) {
+    failure.mark.label = source_text(state, written->span) + " is " + std::to_string(index) + ", " + has;
+    const bool counts = written->kind == hir::ExprKind::kVariable && index == static_cast<std::int64_t>(size);
+    if (counts && size > 0) {
+      const std::string loop = "for (" + source_text(state, written->span) + " in range(" + std::to_string(size) + "))";
+      failure.fix = Fix{"the last index of a " + name + " of " + std::to_string(size) + " is " + last + ": " + loop, {}, Confidence::kMaybe};
+    }
+  } else if (size != 0) {
+    failure.mark.label = has;
+  }
+  return raise(state, std::move(failure));
+}
+
+bool raise_too_deep(VmState& state, const Callee& called) {
+  const std::string& name = called.function->name;
+  Diagnostic failure =
+      start_failure(state, "R0624", {std::to_string(state.options.limits.call_depth), name.empty() ? "the program" : name});
+  return raise(state, std::move(failure));
+}
+
+bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement, const RecordObj* thrown,
+                       const TextObj* kind) {
+  const std::string call = source_text(state, statement.call_span);
+  if (thrown == nullptr) {
+    Diagnostic failure = make_diagnostic("R0608", statement.call_span, {call + " throws"});
+    failure.mark.label = "nothing was thrown";
+    return raise(state, std::move(failure));
+  }
+  const auto field = [&](const char* name) {
+    const int index = state.error_layout->type->record->index_of(name);
+    return static_cast<const TextObj*>(thrown->fields()[index].o)->view();
+  };
+  if (kind == nullptr || kind->view() == field("kind")) return true;
+  Diagnostic failure =
+      make_diagnostic("R0608", statement.call_span, {call + " throws kind \"" + std::string(kind->view()) + "\""});
+  failure.mark.label = "the kind is \"" + std::string(field("kind")) + "\"";
+  failure.why = field("message");
+  return raise(state, std::move(failure));
+}
+
+bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note, const TextObj* explanation,
+                     const Slot* base) {
+  const hir::AssertStmt& statement = *info.statement;
+  Diagnostic failure = make_diagnostic("R0608", statement.condition_span, {std::string(statement.text)});
+  if (explanation != nullptr) failure.mark.label = explanation->view();
+  if (note != nullptr) failure.why = note->view();
+  std::size_t widest = 0;
+  for (const hir::AssertPart& part : statement.shown) widest = std::max(widest, part.text.size());
+  for (std::size_t i = 0; i < statement.shown.size(); ++i) {
+    const hir::AssertPart& part = statement.shown[i];
+    if (!failure.why.empty()) failure.why += '\n';
+    failure.why += part.text;
+    failure.why.append(widest - part.text.size(), ' ');
+    failure.why += " = " + value_text(base[info.registers[i]], *part.variable->type, 1000);
+  }
+  return raise(state, std::move(failure));
+}
+
+// ---- handling -----------------------------------------------------------------------------------------------------
+
+void leave_frame(VmState& state, Task& task) {
+  const Frame& frame = *task.top;
+  for (unsigned i = frame.callee->references_begin; i < frame.callee->references_end; ++i) {
+    state.heap.release(frame.base[i].o);
+  }
+  --task.top;
+}
+
+bool unwind(VmState& state, Task& task) {
+  for (; !task.top->is_host(); leave_frame(state, task)) {
+    Frame& frame = *task.top;
+    if (state.fault->reach == Reach::kNothing) continue;
+    for (const Handler& handler : frame.callee->function->handlers) {
+      const bool covers = handler.begin <= frame.at() && frame.at() < handler.end;
+      if (!covers || (state.fault->reach == Reach::kFinally && !handler.is_finally)) continue;
+      frame.pc = frame.callee->code + handler.handler;
+      return true;
+    }
+  }
+  if (task.top > task.frames) --task.top;
+  return false;
+}
+
+}  // namespace armlet::lang

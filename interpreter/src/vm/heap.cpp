@@ -1,0 +1,368 @@
+#include "vm/heap.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::uint64_t kMaxCount = std::numeric_limits<std::uint32_t>::max() - 1;
+
+template <class T>
+T* begin_object(Heap& heap, ObjKind kind, std::size_t extra_bytes) {
+  void* block = heap.take(sizeof(T) + extra_bytes);
+  if (block == nullptr) return nullptr;
+  T* object = static_cast<T*>(block);
+  object->refs = 1;
+  object->kind = kind;
+  object->flags = 0;
+  object->extra = 0;
+  return object;
+}
+
+std::size_t text_bytes(std::uint64_t capacity) { return sizeof(TextObj) + capacity; }
+std::size_t host_bytes(const HostType& type) { return HostObj::kPayloadOffset + type.size; }
+std::size_t matrix_bytes(const MatrixObj& m) {
+  return sizeof(MatrixObj) + sizeof(double) * m.rows * m.cols;
+}
+
+// A dead object needs its count and `extra` no more: they hold the address of the next dead one. Blocks are
+// 16-aligned, so 48 bits reach 52-bit addresses.
+void link_dead(Obj* object, Obj* next) {
+  const auto bits = reinterpret_cast<std::uintptr_t>(next) >> 4U;
+  object->refs = static_cast<std::uint32_t>(bits);
+  object->extra = static_cast<std::uint16_t>(bits >> 32U);
+}
+Obj* linked_dead(const Obj* object) {
+  const auto bits = (static_cast<std::uintptr_t>(object->extra) << 32U) | object->refs;
+  return reinterpret_cast<Obj*>(bits << 4U);
+}
+
+}  // namespace
+
+// A closure knows which of its captures are references through a pointer in front of them.
+struct ClosureReferences {
+  const std::vector<std::uint16_t>* captured;
+};
+static const ClosureReferences& references_of(const ClosureObj& closure, std::uint16_t captures) {
+  return *reinterpret_cast<const ClosureReferences*>(closure.captures() + captures);
+}
+
+Heap::~Heap() {
+  for (std::byte* chunk : chunks_) std::free(chunk);
+}
+
+void* Heap::take_slowly(std::size_t units) {
+  const std::uint64_t bytes = static_cast<std::uint64_t>(units) * kUnit;
+  if (refuse_from_ == 1) return nullptr;
+  if (refuse_from_ > 1) --refuse_from_;
+  if (bytes > limit_ || used_ > limit_ - bytes) return nullptr;
+  void* block = nullptr;
+  if (units < kClasses && free_[units] != nullptr) {
+    block = free_[units];
+    free_[units] = free_[units]->next;
+  } else {
+    block = units < kClasses ? carve(units) : std::malloc(bytes);
+  }
+  if (block != nullptr) used_ += bytes;
+  return block;
+}
+
+void* Heap::carve(std::size_t units) {
+  const std::size_t bytes = units * kUnit;
+  if (static_cast<std::size_t>(chunk_end_ - chunk_at_) < bytes) {
+    auto* chunk = static_cast<std::byte*>(std::malloc(kChunk));
+    if (chunk == nullptr) return nullptr;
+    chunks_.push_back(chunk);
+    chunk_at_ = chunk;
+    chunk_end_ = chunk + kChunk;
+  }
+  void* block = chunk_at_;
+  chunk_at_ += bytes;
+  return block;
+}
+
+void Heap::free_large(void* block) { std::free(block); }
+
+void* Heap::resize(void* block, std::size_t old_bytes, std::size_t new_bytes) {
+  const std::size_t old_units = units_of(old_bytes);
+  const std::size_t new_units = units_of(new_bytes);
+  if (block != nullptr && old_units == new_units) return block;
+  if (block != nullptr && old_units >= kClasses && new_units >= kClasses && refuse_from_ == 0) {
+    const std::uint64_t others = used_ - old_units * kUnit;
+    if (new_units * kUnit > limit_ || others > limit_ - new_units * kUnit) return nullptr;
+    void* moved = std::realloc(block, new_units * kUnit);
+    if (moved != nullptr) used_ = others + new_units * kUnit;
+    return moved;
+  }
+  void* fresh = take(new_bytes);
+  if (fresh == nullptr || block == nullptr) return fresh;
+  std::memcpy(fresh, block, old_bytes < new_bytes ? old_bytes : new_bytes);
+  give_back(block, old_bytes);
+  return fresh;
+}
+
+TextObj* Heap::new_text_buffer(std::size_t size) {
+  if (size > kMaxCount) return nullptr;
+  auto* text = begin_object<TextObj>(*this, ObjKind::kText, size);
+  if (text == nullptr) return nullptr;
+  text->size = static_cast<std::uint32_t>(size);
+  text->capacity = text->size;
+  text->characters = TextObj::kUncounted;
+  text->reserved = 0;
+  return text;
+}
+
+TextObj* Heap::new_text(std::string_view characters) {
+  TextObj* text = new_text_buffer(characters.size());
+  if (text != nullptr && !characters.empty()) std::memcpy(text->data(), characters.data(), characters.size());
+  return text;
+}
+
+ListObj* Heap::new_list(std::uint64_t size, bool references) {
+  if (size > kMaxCount) return nullptr;
+  auto* list = begin_object<ListObj>(*this, ObjKind::kList, 0);
+  if (list == nullptr) return nullptr;
+  list->flags = references ? 1 : 0;
+  list->size = 0;
+  list->capacity = 0;
+  list->data = nullptr;
+  if (size == 0) return list;
+  list->data = static_cast<Slot*>(take(size * sizeof(Slot)));
+  if (list->data == nullptr) {
+    release(list);
+    return nullptr;
+  }
+  list->size = static_cast<std::uint32_t>(size);
+  list->capacity = list->size;
+  std::memset(static_cast<void*>(list->data), 0, size * sizeof(Slot));
+  return list;
+}
+
+RecordObj* Heap::new_record(const RecordLayout& layout) {
+  auto* record = begin_object<RecordObj>(*this, ObjKind::kRecord, sizeof(Slot) * layout.size);
+  if (record != nullptr) record->layout = &layout;
+  return record;
+}
+
+MatrixObj* Heap::new_matrix(std::uint32_t rows, std::uint32_t cols) {
+  const std::uint64_t count = static_cast<std::uint64_t>(rows) * cols;
+  if (count > kMaxCount) return nullptr;
+  auto* matrix = begin_object<MatrixObj>(*this, ObjKind::kMatrix, sizeof(double) * count);
+  if (matrix == nullptr) return nullptr;
+  matrix->rows = rows;
+  matrix->cols = cols;
+  return matrix;
+}
+
+ClosureObj* Heap::new_closure(std::uint32_t function, std::uint16_t captures,
+                              const std::vector<std::uint16_t>* references) {
+  const std::size_t bytes = sizeof(Slot) * captures + sizeof(ClosureReferences);
+  auto* closure = begin_object<ClosureObj>(*this, ObjKind::kClosure, bytes);
+  if (closure == nullptr) return nullptr;
+  closure->extra = captures;
+  closure->function = function;
+  closure->reserved = captures;  // `extra` is lost when the object dies
+  reinterpret_cast<ClosureReferences*>(closure->captures() + captures)->captured = references;
+  return closure;
+}
+
+BoxObj* Heap::new_box(bool reference) {
+  auto* box = begin_object<BoxObj>(*this, ObjKind::kBox, 0);
+  if (box == nullptr) return nullptr;
+  box->flags = reference ? 1 : 0;
+  box->value.i = 0;
+  return box;
+}
+
+HostObj* Heap::new_host(const HostType& type) {
+  auto* host = begin_object<HostObj>(*this, ObjKind::kHost, host_bytes(type) - sizeof(HostObj));
+  if (host == nullptr) return nullptr;
+  host->reserved = 0;
+  host->type = &type;
+  return host;
+}
+
+// ---- destruction ------------------------------------------------------------------------------------------------
+
+Obj* Heap::bury(Obj* object, Obj* waiting) {
+  if (object == nullptr || --object->refs != 0) return waiting;
+  link_dead(object, waiting);
+  return object;
+}
+
+Obj* Heap::bury_children(const Slot* slots, std::uint32_t count, Obj* waiting) {
+  for (std::uint32_t i = 0; i < count; ++i) waiting = bury(slots[i].o, waiting);
+  return waiting;
+}
+
+void Heap::destroy(Obj* object) {
+  link_dead(object, nullptr);
+  for (Obj* waiting = object; waiting != nullptr;) {
+    Obj* dead = waiting;
+    waiting = linked_dead(dead);
+    switch (dead->kind) {
+      case ObjKind::kList:
+        if (dead->flags != 0) {
+          const auto* list = static_cast<ListObj*>(dead);
+          waiting = bury_children(list->data, list->size, waiting);
+        }
+        break;
+      case ObjKind::kRecord: {
+        const auto* record = static_cast<RecordObj*>(dead);
+        for (const std::uint16_t field : record->layout->references) {
+          waiting = bury(record->fields()[field].o, waiting);
+        }
+        break;
+      }
+      case ObjKind::kClosure: {
+        const auto* closure = static_cast<ClosureObj*>(dead);
+        const auto captures = static_cast<std::uint16_t>(closure->reserved);
+        const auto* references = references_of(*closure, captures).captured;
+        if (references == nullptr) break;
+        for (const std::uint16_t capture : *references) {
+          waiting = bury(closure->captures()[capture].o, waiting);
+        }
+        break;
+      }
+      case ObjKind::kBox:
+        if (dead->flags != 0) waiting = bury(static_cast<BoxObj*>(dead)->value.o, waiting);
+        break;
+      default:
+        break;
+    }
+    free_object(dead);
+  }
+}
+
+void Heap::free_object(Obj* object) {
+  switch (object->kind) {
+    case ObjKind::kText:
+      return give_back(object, text_bytes(static_cast<TextObj*>(object)->capacity));
+    case ObjKind::kList: {
+      auto* list = static_cast<ListObj*>(object);
+      if (list->data != nullptr) give_back(list->data, list->capacity * sizeof(Slot));
+      return give_back(object, sizeof(ListObj));
+    }
+    case ObjKind::kRecord:
+      return give_back(object, sizeof(RecordObj) + sizeof(Slot) * static_cast<RecordObj*>(object)->layout->size);
+    case ObjKind::kMatrix:
+      return give_back(object, matrix_bytes(*static_cast<MatrixObj*>(object)));
+    case ObjKind::kClosure:
+      return give_back(object, sizeof(ClosureObj) + sizeof(ClosureReferences) +
+                                   sizeof(Slot) * static_cast<ClosureObj*>(object)->reserved);
+    case ObjKind::kBox:
+      return give_back(object, sizeof(BoxObj));
+    case ObjKind::kHost: {
+      auto* host = static_cast<HostObj*>(object);
+      const HostType& type = *host->type;
+      if (type.destroy != nullptr) type.destroy(host->payload());
+      return give_back(object, host_bytes(type));
+    }
+  }
+}
+
+// ---- copy on write ----------------------------------------------------------------------------------------------
+
+static ListObj* copy_list(Heap& heap, const ListObj& old) {
+  ListObj* list = heap.new_list(old.size, old.holds_references());
+  if (list == nullptr) return nullptr;
+  if (old.size > 0) std::memcpy(static_cast<void*>(list->data), old.data, old.size * sizeof(Slot));
+  if (old.holds_references()) {
+    for (std::uint32_t i = 0; i < old.size; ++i) retain_object(list->data[i].o);
+  }
+  return list;
+}
+
+static RecordObj* copy_record(Heap& heap, const RecordObj& old) {
+  RecordObj* record = heap.new_record(*old.layout);
+  if (record == nullptr) return nullptr;
+  std::memcpy(static_cast<void*>(record->fields()), old.fields(), old.layout->size * sizeof(Slot));
+  for (const std::uint16_t field : old.layout->references) retain_object(record->fields()[field].o);
+  return record;
+}
+
+static MatrixObj* copy_matrix(Heap& heap, const MatrixObj& old) {
+  MatrixObj* matrix = heap.new_matrix(old.rows, old.cols);
+  if (matrix != nullptr) std::memcpy(matrix->data(), old.data(), sizeof(double) * old.rows * old.cols);
+  return matrix;
+}
+
+bool copy_shared(Heap& heap, Slot& place) {
+  Obj* old = place.o;
+  Obj* copy = nullptr;
+  if (old->kind == ObjKind::kList) copy = copy_list(heap, *static_cast<ListObj*>(old));
+  if (old->kind == ObjKind::kRecord) copy = copy_record(heap, *static_cast<RecordObj*>(old));
+  if (old->kind == ObjKind::kMatrix) copy = copy_matrix(heap, *static_cast<MatrixObj*>(old));
+  if (copy == nullptr) return false;
+  --old->refs;  // it is shared, so it stays alive
+  place.o = copy;
+  return true;
+}
+
+bool reserve_list(Heap& heap, ListObj& list, std::uint64_t capacity) {
+  if (capacity <= list.capacity) return true;
+  std::uint64_t wanted = std::uint64_t{list.capacity} + list.capacity / 2;
+  if (wanted < capacity) wanted = capacity;
+  if (wanted < 4) wanted = 4;
+  if (wanted > kMaxCount) return false;
+  void* data = heap.resize(list.data, list.capacity * sizeof(Slot), wanted * sizeof(Slot));
+  if (data == nullptr) return false;
+  list.data = static_cast<Slot*>(data);
+  list.capacity = static_cast<std::uint32_t>(wanted);
+  return true;
+}
+
+// ---- text -------------------------------------------------------------------------------------------------------
+
+bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
+  auto* text = static_cast<TextObj*>(place.o);
+  const std::uint64_t size = std::uint64_t{text->size} + tail.size;
+  if (size > kMaxCount) return false;
+  const bool shared = text->refs != 1;
+  const bool doubles = &tail == text;
+  if (shared || size > text->capacity) {
+    std::uint64_t capacity = size + size / 2;
+    if (capacity > kMaxCount) capacity = size;
+    TextObj* grown = shared ? heap.new_text_buffer(capacity)
+                            : static_cast<TextObj*>(heap.resize(text, text_bytes(text->capacity), text_bytes(capacity)));
+    if (grown == nullptr) return false;
+    if (shared) {
+      std::memcpy(grown->data(), text->data(), text->size);
+      grown->size = text->size;
+      --text->refs;
+    }
+    grown->capacity = static_cast<std::uint32_t>(capacity);
+    text = grown;
+    place.o = grown;
+  }
+  const char* from = doubles ? text->data() : tail.data();
+  std::memmove(text->data() + text->size, from, size - text->size);
+  text->size = static_cast<std::uint32_t>(size);
+  text->characters = TextObj::kUncounted;
+  return true;
+}
+
+static bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+std::uint32_t character_count(TextObj& text) {
+  if (text.characters == TextObj::kUncounted) {
+    std::uint32_t count = 0;
+    for (const char byte : text.view()) count += starts_character(byte) ? 1 : 0;
+    text.characters = count;
+  }
+  return text.characters;
+}
+
+std::uint32_t character_offset(TextObj& text, std::uint32_t index) {
+  if (character_count(text) == text.size) return index;
+  std::uint32_t seen = 0;
+  for (std::uint32_t at = 0; at < text.size; ++at) {
+    if (starts_character(text.data()[at]) && seen++ == index) return at;
+  }
+  return text.size;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,144 @@
+#pragma once
+// The counted heap of one Vm: every block is charged against one exact limit, in units of 16 bytes.
+//
+// Small blocks come from free lists, one per size; large ones from malloc. Destroying an object never recurses: dead
+// objects wait in a list threaded through their own headers.
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "armlet/interpreter/object.hpp"
+
+namespace armlet::lang {
+
+class Heap {
+ public:
+  explicit Heap(std::uint64_t limit) : limit_(limit), gate_(limit) {}
+  ~Heap();
+  Heap(const Heap&) = delete;
+  Heap& operator=(const Heap&) = delete;
+
+  // A 16-aligned block, or null if it would pass the limit.
+  [[nodiscard]] void* take(std::size_t bytes) {
+    const std::size_t units = units_of(bytes);
+    if (units < kClasses) [[likely]] {
+      FreeBlock* block = free_[units];
+      if (block != nullptr && used_ + units * kUnit <= gate_) [[likely]] {
+        free_[units] = block->next;
+        used_ += units * kUnit;
+        return block;
+      }
+    }
+    return take_slowly(units);
+  }
+  // `bytes` as it was taken.
+  void give_back(void* block, std::size_t bytes) {
+    const std::size_t units = units_of(bytes);
+    used_ -= units * kUnit;
+    if (units < kClasses) [[likely]] {
+      auto* free = static_cast<FreeBlock*>(block);
+      free->next = free_[units];
+      free_[units] = free;
+    } else {
+      free_large(block);
+    }
+  }
+  // The block with its first bytes kept, perhaps elsewhere; null leaves the old block as it was.
+  [[nodiscard]] void* resize(void* block, std::size_t old_bytes, std::size_t new_bytes);
+
+  void release(Obj* object) {
+    if (object != nullptr && --object->refs == 0) destroy(object);
+  }
+
+  // New objects with one count; null if the limit would be passed.
+  [[nodiscard]] TextObj* new_text(std::string_view text);
+  [[nodiscard]] TextObj* new_text_buffer(std::size_t size);                      // bytes not set
+  [[nodiscard]] ListObj* new_list(std::uint64_t size, bool references);          // elements zero
+  [[nodiscard]] RecordObj* new_record(const RecordLayout& layout);               // fields not set
+  [[nodiscard]] MatrixObj* new_matrix(std::uint32_t rows, std::uint32_t cols);   // elements not set
+  [[nodiscard]] ClosureObj* new_closure(std::uint32_t function, std::uint16_t captures,
+                                        const std::vector<std::uint16_t>* references);  // captures not set
+  [[nodiscard]] BoxObj* new_box(bool reference);                                 // holds zero
+  [[nodiscard]] HostObj* new_host(const HostType& type);                         // payload not constructed
+
+  [[nodiscard]] std::uint64_t used() const { return used_; }
+  [[nodiscard]] std::uint64_t limit() const { return limit_; }
+
+  // Lets messages about a full heap be made: while a Reserve lives, the limit is a little higher.
+  class Reserve {
+   public:
+    explicit Reserve(Heap& heap) : heap_(heap) {
+      heap_.limit_ += kReserve;
+      heap_.close_gate();
+    }
+    ~Reserve() {
+      heap_.limit_ -= kReserve;
+      heap_.close_gate();
+    }
+    Reserve(const Reserve&) = delete;
+    Reserve& operator=(const Reserve&) = delete;
+
+   private:
+    Heap& heap_;
+  };
+
+  // For tests: the n-th allocation from now (1: the next) and all after it are refused. 0: none.
+  void refuse_from(std::uint64_t allocation) {
+    refuse_from_ = allocation;
+    close_gate();
+  }
+
+ private:
+  struct FreeBlock {
+    FreeBlock* next;
+  };
+  static constexpr std::size_t kUnit = 16;
+  static constexpr std::size_t kClasses = 33;  // blocks up to 512 bytes
+  static constexpr std::size_t kChunk = 64 * 1024;
+  static constexpr std::uint64_t kReserve = 64 * 1024;
+
+  static std::size_t units_of(std::size_t bytes) { return (bytes + kUnit - 1) / kUnit; }
+  // While allocations are counted for a test, the fast way is shut.
+  void close_gate() { gate_ = refuse_from_ != 0 ? 0 : limit_; }
+  void* take_slowly(std::size_t units);
+  void* carve(std::size_t units);
+  static void free_large(void* block);
+  void destroy(Obj* object);
+  Obj* bury(Obj* object, Obj* waiting);
+  Obj* bury_children(const Slot* slots, std::uint32_t count, Obj* waiting);
+  void free_object(Obj* object);
+
+  FreeBlock* free_[kClasses] = {};
+  std::uint64_t used_ = 0;
+  std::uint64_t limit_;
+  std::uint64_t gate_;
+  std::byte* chunk_at_ = nullptr;
+  std::byte* chunk_end_ = nullptr;
+  std::vector<std::byte*> chunks_;
+  std::uint64_t refuse_from_ = 0;
+};
+
+inline void retain_object(Obj* object) {
+  if (object != nullptr) ++object->refs;
+}
+
+// Makes the object in `place` the only owner of its contents, copying it if it is shared. False: the heap is full.
+[[nodiscard]] bool copy_shared(Heap& heap, Slot& place);
+[[nodiscard]] inline bool own(Heap& heap, Slot& place) {
+  return place.o->refs == 1 || copy_shared(heap, place);
+}
+
+// Makes room for at least `capacity` elements. False: the heap is full.
+[[nodiscard]] bool reserve_list(Heap& heap, ListObj& list, std::uint64_t capacity);
+
+// Adds `tail` to the text in `place`, in place when nobody else sees it. False: the heap is full.
+[[nodiscard]] bool append_text(Heap& heap, Slot& place, const TextObj& tail);
+
+// Code points in a text; counted once.
+[[nodiscard]] std::uint32_t character_count(TextObj& text);
+// Byte offset of character `index` <= character_count.
+[[nodiscard]] std::uint32_t character_offset(TextObj& text, std::uint32_t index);
+
+}  // namespace armlet::lang

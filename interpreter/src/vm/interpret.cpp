@@ -1,0 +1,107 @@
+#include "vm/interpret.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include "vm/failures.hpp"
+#include "vm/slow_ops.hpp"
+
+// Every instruction ends with its own jump to the next one: branch predictors learn the program that way. Labels as
+// values are an extension that both of our compilers have.
+#pragma GCC diagnostic ignored "-Wpedantic"
+
+namespace armlet::lang {
+
+const Instr kReturnToHost[2] = {{OpCode::HALT, 0, 0, 0}, {OpCode::HALT, 0, 0, 0}};
+
+namespace {
+
+// The offset of a jump lies across b and c.
+inline std::int32_t offset_of(const Instr& jump) {
+  return static_cast<std::int32_t>((static_cast<std::uint32_t>(jump.b) << 16U) | jump.c);
+}
+inline std::int64_t small(std::uint16_t bits) { return static_cast<std::int16_t>(bits); }
+inline ListObj& list_in(Slot s) { return *static_cast<ListObj*>(s.o); }
+inline RecordObj& record_in(Slot s) { return *static_cast<RecordObj*>(s.o); }
+inline Slot& place_in(Slot s) { return *reinterpret_cast<Slot*>(s.o); }
+inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(place)); }
+
+[[gnu::always_inline]] inline void set_reference(Heap& heap, Slot& place, Obj* object) {
+  Obj* old = place.o;
+  place.o = object;
+  heap.release(old);
+}
+
+}  // namespace
+
+// Registers of the machine that live in registers of the processor: pc, base and frame. pc is the running instruction.
+#define RA base[pc->a]
+#define RB base[pc->b]
+#define RC base[pc->c]
+#define CASE(name) L_##name:
+#define GO goto* labels[static_cast<unsigned>(pc->op)]
+#define NEXT \
+  do {       \
+    ++pc;    \
+    GO;      \
+  } while (false)
+#define NEXT2 \
+  do {        \
+    pc += 2;  \
+    GO;       \
+  } while (false)
+// Others may look at the task from here on.
+#define SAVE()          \
+  do {                  \
+    frame->pc = pc + 1; \
+    task.top = frame;   \
+  } while (false)
+#define STEP()                                         \
+  do {                                                 \
+    if (state.steps.left-- == 0) [[unlikely]] {        \
+      SAVE();                                          \
+      if (!count_slowly(state)) goto failed;           \
+    }                                                  \
+  } while (false)
+#define FAIL(call)     \
+  do {                 \
+    SAVE();            \
+    (void)(call);      \
+    goto failed;       \
+  } while (false)
+#define OUT_OF_LINE(name, function, words)           \
+  CASE(name) {                                       \
+    SAVE();                                          \
+    if (!function(state, base, pc)) goto failed;     \
+    pc += words;                                     \
+    GO;                                              \
+  }
+
+Exit interpret(VmState& state, Task& task) {
+  static const void* const labels[] = {
+#define OP(name, operands, text) &&L_##name,
+#include "compile/bytecode.def"
+#undef OP
+  };
+  Heap& heap = state.heap;
+  const Callee* const callees = state.callees.data();
+  Slot* const globals = state.globals.data();
+  Frame* frame = task.top;
+  Slot* base = frame->base;
+  const Instr* pc = frame->pc;
+  GO;
+
+#include "vm/ops_data.inc"
+#include "vm/ops_numbers.inc"
+#include "vm/ops_flow.inc"
+#include "vm/ops_objects.inc"
+
+failed:
+  if (!unwind(state, task)) return Exit::kFailed;
+  frame = task.top;
+  base = frame->base;
+  pc = frame->pc;
+  GO;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,30 @@
+#pragma once
+// Instructions that are not worth a place in the loop, and the rare ways of those that are.
+//
+// Each takes the registers of the running frame and its instruction, and returns false after setting state.fault.
+
+#include "vm/state.hpp"
+
+namespace armlet::lang {
+
+using SlowOp = bool(VmState& state, Slot* base, const Instr* pc);
+
+SlowOp op_powi, op_powr, op_rtoi, op_cmptext, op_eqdeep;
+SlowOp op_box, op_closure, op_newlist, op_makelist, op_newarray, op_makerec, op_listtoreal;
+SlowOp op_slice, op_pushref, op_pop, op_insert, op_insertref;
+SlowOp op_lentext, op_slicetext, op_charat, op_totext, op_concat;
+SlowOp op_wait, op_waituntil;  // leave what is waited for in state.pending
+SlowOp op_makeerr, op_throw, op_rethrow, op_catch, op_hold, op_retry, op_assertfail, op_expecterr;
+
+// The direct call gave no number: the whole function is called, which may say why.
+bool op_calld_again(VmState& state, Slot* base, const Instr* pc, int arguments);
+// The running chunk of steps is used up: looks at the limit and at the wish to cancel.
+bool count_slowly(VmState& state);
+// The running task waits for state.pending from now on; `pc` is the instruction that made it wait.
+bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc);
+
+bool raise_unset(VmState& state, std::uint32_t global);
+// Time cannot pass inside a condition or a function that the library calls.
+bool raise_may_not_pause(VmState& state);
+
+}  // namespace armlet::lang

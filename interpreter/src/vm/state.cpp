@@ -1,0 +1,180 @@
+#include "vm/state.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "vm/failures.hpp"
+#include "vm/interpret.hpp"
+#include "vm/slow_ops.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::uint32_t kConditionDepth = 1000;
+constexpr std::size_t kConditionSlots = 256 * 1024;
+
+// Room for frames of usual size at full depth, and for a few very large ones.
+std::size_t slots_for(std::uint32_t call_depth) { return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64; }
+
+}  // namespace
+
+// ---- steps --------------------------------------------------------------------------------------------------------
+
+void StepMeter::settle() {
+  const std::uint64_t done = chunk - left;
+  total += done;
+  since_pause += done;
+  chunk = left = 0;
+}
+
+bool StepMeter::refill() {
+  settle();
+  chunk = left = std::min(kChunk, limit - std::min(limit, since_pause));
+  return chunk > 0;
+}
+
+// ---- making and clearing --------------------------------------------------------------------------------------------
+
+VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm_options)
+    : vm(owner),
+      program(compiled),
+      options(vm_options),
+      heap(vm_options.limits.heap_bytes),
+      main(vm_options.limits.call_depth, slots_for(vm_options.limits.call_depth)),
+      output_left(vm_options.limits.output_bytes) {
+  steps.limit = options.limits.steps;
+  callees.reserve(program.functions.size());
+  for (const FunctionCode& f : program.functions) {
+    callees.push_back({f.code.data(), &f, f.registers, f.references_begin, f.references_end, 0});
+  }
+  globals.assign(program.global_is_reference.size(), Slot{.i = 0});
+  global_is_set.assign(globals.size(), 0);
+  running = &main;
+  make_error_layout();
+}
+
+VmState::~VmState() { clear(); }
+
+void VmState::make_error_layout() {
+  const Type* type = program.types->library_record("error");
+  if (type == nullptr) return;
+  auto layout = std::make_unique<RecordLayout>();
+  auto references = std::make_unique<std::vector<std::uint16_t>>();
+  const auto& fields = type->record->fields;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].type->is_reference()) references->push_back(static_cast<std::uint16_t>(i));
+  }
+  references->push_back(static_cast<std::uint16_t>(fields.size()));  // the link to the failure
+  *layout = {type, static_cast<std::uint16_t>(fields.size() + 1), *references};
+  error_layout = layout.get();
+  own_layouts.push_back(std::move(layout));
+  own_references.push_back(std::move(references));
+}
+
+bool VmState::make_texts() {
+  texts.reserve(program.texts.size());
+  for (const std::string& text : program.texts) {
+    Obj* object = heap.new_text(text);
+    if (object == nullptr) return raise_out_of_memory(*this);
+    texts.push_back(slot_of(object));
+  }
+  return true;
+}
+
+void VmState::clear() {
+  for (Task* task : {&main, condition_task.get()}) {
+    if (task == nullptr) continue;
+    while (task->top > task->frames) leave_frame(*this, *task);
+    task->waiting.reset();
+    heap.release(task->condition);
+    task->condition = nullptr;
+    task->interrupted.reset();
+  }
+  pending.reset();
+  fault.reset();
+  for (std::size_t i = 0; i < globals.size(); ++i) {
+    if (program.global_is_reference[i]) heap.release(globals[i].o);
+    globals[i].o = nullptr;
+  }
+  for (const Slot text : texts) heap.release(text.o);
+  texts.clear();
+  for (Obj*& text : ascii) {
+    heap.release(text);
+    text = nullptr;
+  }
+}
+
+const RecordLayout& VmState::layout_of(const Type* record) {
+  if (error_layout != nullptr && record == error_layout->type) return *error_layout;
+  for (const RecordLayout& layout : program.layouts) {
+    if (layout.type == record) return layout;
+  }
+  for (const auto& layout : own_layouts) {
+    if (layout->type == record) return *layout;
+  }
+  auto references = std::make_unique<std::vector<std::uint16_t>>();
+  const auto& fields = record->record->fields;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].type->is_reference()) references->push_back(static_cast<std::uint16_t>(i));
+  }
+  own_layouts.push_back(std::make_unique<RecordLayout>(
+      RecordLayout{record, static_cast<std::uint16_t>(fields.size()), *references}));
+  own_references.push_back(std::move(references));
+  return *own_layouts.back();
+}
+
+Obj* VmState::character(unsigned char code) {
+  if (ascii[code] == nullptr) {
+    const char byte = static_cast<char>(code);
+    ascii[code] = heap.new_text(std::string_view(&byte, 1));
+  }
+  return ascii[code];
+}
+
+bool VmState::take_cancellation() { return vm.cancelled_.exchange(false, std::memory_order_relaxed); }
+
+// ---- calls by the host ----------------------------------------------------------------------------------------------
+
+bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const Slot> arguments) {
+  Task& task = *running;
+  const Callee& callee = callees[function];
+  const Frame& below = *task.top;
+  Slot* base = below.base + below.callee->registers + kScratch;
+  const bool fits = task.top + 2 < task.frames_end && base + callee.registers + kScratch <= task.slots_end;
+  if (!fits) return raise_too_deep(*this, callee);
+  task.top[1] = {kReturnToHost, base, task.frames->callee, nullptr};
+  task.top[2] = {callee.code, base, &callee, closure};
+  task.top += 2;
+  std::copy(arguments.begin(), arguments.end(), base);
+  for (unsigned i = callee.references_begin; i < callee.references_end; ++i) base[i].o = nullptr;
+  return true;
+}
+
+bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& result) {
+  if (host_calls >= kHostCalls) return raise_too_deep(*this, callees[function->function]);
+  if (steps.left-- == 0 && !count_slowly(*this)) return false;
+  if (!enter(function->function, function, arguments)) return false;
+  ++host_calls;
+  const Slot* base = running->top->base;
+  const Exit exit = interpret(*this, *running);
+  --host_calls;
+  if (exit != Exit::kDone) return false;
+  result = base[0];
+  --running->top;
+  return true;
+}
+
+bool VmState::evaluate(ClosureObj* condition, bool& result) {
+  if (condition_task == nullptr) condition_task = std::make_unique<Task>(kConditionDepth, kConditionSlots);
+  Task* before = running;
+  running = condition_task.get();
+  Slot value{.i = 0};
+  const bool done = call(condition, {}, value);
+  running = before;
+  steps.paused();
+  result = value.i != 0;
+  return done;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,104 @@
+#pragma once
+// Everything a running Vm consists of, and the operations on it that several parts share.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "armlet/interpreter/engine.hpp"
+#include "vm/heap.hpp"
+#include "vm/task.hpp"
+
+namespace armlet::lang {
+
+// How far a failure goes.
+enum class Reach : std::uint8_t {
+  kHandlers,  // the nearest catch or finally
+  kFinally,   // only through finally blocks: the program is being stopped
+  kNothing,   // straight out
+};
+
+struct Fault {
+  Diagnostic diagnostic;
+  std::string kind;      // as e.kind shows it
+  Reach reach = Reach::kHandlers;
+  bool cancelled = false;
+};
+
+// Counts calls and backward jumps. The loop only counts `left` down; every chunk the limit and the wish to cancel are
+// looked at.
+struct StepMeter {
+  static constexpr std::uint64_t kChunk = 4096;
+
+  std::uint64_t left = 0;         // of the running chunk
+  std::uint64_t chunk = 0;        // size of the running chunk
+  std::uint64_t total = 0;        // before the running chunk
+  std::uint64_t since_pause = 0;  // likewise
+  std::uint64_t limit = 0;        // between two pauses
+
+  // Books the running chunk.
+  void settle();
+  // Starts a new chunk; false if the limit is reached.
+  [[nodiscard]] bool refill();
+  void paused() {
+    settle();
+    since_pause = 0;
+  }
+};
+
+struct VmState {
+  VmState(Vm& vm, const CompiledProgram& program, const VmOptions& options);
+  ~VmState();
+  VmState(const VmState&) = delete;
+  VmState& operator=(const VmState&) = delete;
+
+  static constexpr std::uint32_t kHostCalls = 200;  // calls of the program inside calls of the host
+  static constexpr std::uint32_t kScratch = 4;      // slots behind a frame that native calls may use
+
+  Vm& vm;
+  const CompiledProgram& program;
+  const VmOptions& options;
+  Heap heap;
+  StepMeter steps;
+
+  std::vector<Callee> callees;
+  std::vector<Slot> globals;
+  std::vector<std::uint8_t> global_is_set;
+  std::vector<Slot> texts;                       // literals
+  Obj* ascii[128] = {};                          // texts of one character, made when first needed
+  std::vector<std::unique_ptr<RecordLayout>> own_layouts;  // of records that only the library makes
+  std::vector<std::unique_ptr<std::vector<std::uint16_t>>> own_references;
+  const RecordLayout* error_layout = nullptr;    // one slot more than the type says: the hidden fault
+
+  Task main;
+  std::unique_ptr<Task> condition_task;          // runs conditions; they never pause
+  Task* running = nullptr;
+  std::uint32_t host_calls = 0;                  // nested calls of the program by native functions
+  std::unique_ptr<Waiting> pending;              // left by a native function that pauses
+  std::shared_ptr<Fault> fault;                  // the failure under way
+  bool is_leaving = false;                       // cancelled or out of steps: only finally blocks run
+  bool has_run = false;
+  std::uint64_t output_left;
+
+  // Makes the objects of the program's literals. False: the heap is full.
+  [[nodiscard]] bool make_texts();
+  // Releases the program's variables and whatever else the run left.
+  void clear();
+  [[nodiscard]] const RecordLayout& layout_of(const Type* record);
+  // Puts a host frame and the function's frame on the running task. False: calls are nested too deep.
+  [[nodiscard]] bool enter(std::uint32_t function, ClosureObj* closure, std::span<const Slot> arguments);
+  // Calls a function to its end. False: it failed, and `fault` is set.
+  [[nodiscard]] bool call(ClosureObj* function, std::span<const Slot> arguments, Slot& result);
+  // Evaluates a condition on a stack of its own.
+  [[nodiscard]] bool evaluate(ClosureObj* condition, bool& result);
+  // Whether somebody asked to cancel since the last look.
+  [[nodiscard]] bool take_cancellation();
+  // The literal, or the one shared text of an ASCII character; null: the heap is full.
+  [[nodiscard]] Obj* character(unsigned char code);
+
+ private:
+  void make_error_layout();
+};
+
+}  // namespace armlet::lang

@@ -1,0 +1,95 @@
+#include <cassert>
+#include <utility>
+
+#include "armlet/interpreter/engine.hpp"
+#include "vm/failures.hpp"
+#include "vm/tasks.hpp"
+
+namespace armlet {
+
+namespace {
+
+// A clock without a world.
+class Clock final : public Timeline {
+ public:
+  [[nodiscard]] std::int64_t now_ns() const override { return now_ns_; }
+  [[nodiscard]] std::int64_t tick_ns() const override { return 1'000'000; }
+  bool advance_to(std::int64_t t_ns) override {
+    now_ns_ = t_ns;
+    return true;
+  }
+
+ private:
+  std::int64_t now_ns_ = 0;
+};
+
+// A Vm runs once: its variables are those of that run.
+RunResult refuse_second_run() {
+  RunResult result;
+  result.status = RunStatus::kFailed;
+  result.error = make_diagnostic("R0626", {}, {"this Vm has run already; make a new one to run again"});
+  return result;
+}
+
+RunResult finish_run(lang::VmState& state, lang::Exit exit) {
+  RunResult result;
+  state.steps.settle();
+  result.steps = state.steps.total;
+  if (exit != lang::Exit::kDone) {
+    result.status = state.fault->cancelled ? RunStatus::kCancelled : RunStatus::kFailed;
+    result.error = std::move(state.fault->diagnostic);
+  }
+  state.clear();
+  assert(state.heap.used() == 0 && "every object was released");
+  return result;
+}
+
+}  // namespace
+
+Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
+    : program_(std::move(program)),
+      options_(std::move(options)),
+      own_timeline_(options_.timeline == nullptr ? std::make_unique<Clock>() : nullptr),
+      timeline_(options_.timeline == nullptr ? own_timeline_.get() : options_.timeline),
+      state_(std::make_unique<lang::VmState>(*this, program_->compiled(), options_)) {}
+
+Vm::~Vm() = default;
+
+RunResult Vm::run() {
+  if (std::exchange(state_->has_run, true)) return refuse_second_run();
+  lang::Scheduler scheduler(*state_);
+  const bool ready = state_->make_texts();
+  return finish_run(*state_, ready ? scheduler.run(0) : lang::Exit::kFailed);
+}
+
+RunResult Vm::run_test(std::size_t index) {
+  if (std::exchange(state_->has_run, true)) return refuse_second_run();
+  const lang::CompiledProgram& program = program_->compiled();
+  lang::Scheduler scheduler(*state_);
+  lang::Exit exit = state_->make_texts() ? scheduler.run(program.declarations) : lang::Exit::kFailed;
+  if (exit == lang::Exit::kDone) exit = scheduler.run(program.module.tests[index].function->index);
+  return finish_run(*state_, exit);
+}
+
+bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
+  return state_->call(static_cast<ClosureObj*>(function), arguments, result);
+}
+
+void Vm::advise(const Failure& advice) {
+  if (options_.advice) options_.advice(lang::diagnostic_of(*state_, advice));
+}
+
+void Vm::print(std::string_view text) {
+  std::uint64_t& left = state_->output_left;
+  if (!options_.output || left == 0) return;
+  if (text.size() <= left) {
+    left -= text.size();
+    options_.output(text);
+    return;
+  }
+  options_.output(text.substr(0, left));
+  options_.output("\n... the limit for output is reached; the rest is left out\n");
+  left = 0;
+}
+
+}  // namespace armlet

@@ -1,0 +1,123 @@
+// Waiting: for a time, and for a condition.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "format_value.hpp"
+#include "vm/failures.hpp"
+#include "vm/slow_ops.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+constexpr double kLongest = 4e9;  // seconds; more than a century
+
+class Sleep final : public Waiting {
+ public:
+  Sleep(Timeline& timeline, std::int64_t due_ns) : timeline_(timeline), due_ns_(due_ns) {}
+
+  [[nodiscard]] std::int64_t due_ns() const override { return due_ns_; }
+  [[nodiscard]] bool is_over() const override { return timeline_.now_ns() >= due_ns_; }
+  void stop() override { due_ns_ = std::min(due_ns_, timeline_.now_ns()); }
+  Signal finish(Vm&, Slot&) override { return Signal::kDone; }
+  [[nodiscard]] std::string what() const override { return "a time"; }
+
+ private:
+  Timeline& timeline_;
+  std::int64_t due_ns_;
+};
+
+// The task's armed condition stops it when it comes true; a timeout is the other way out.
+class WaitUntil final : public Waiting {
+ public:
+  WaitUntil(VmState& state, const hir::WaitUntilStmt& statement, double timeout)
+      : state_(state), statement_(statement), timeout_(timeout), armed_ns_(state.vm.timeline().now_ns()) {
+    if (timeout < kLongest) due_ns_ = armed_ns_ + std::llround(timeout * 1e9);
+  }
+
+  [[nodiscard]] std::int64_t due_ns() const override { return due_ns_; }
+  [[nodiscard]] bool is_over() const override {
+    return stopped_ || state_.vm.timeline().now_ns() >= due_ns_;
+  }
+  void stop() override { stopped_ = true; }
+  [[nodiscard]] std::string what() const override {
+    return "`" + std::string(statement_.condition_text) + "`";
+  }
+
+  Signal finish(Vm&, Slot&) override {
+    if (stopped_) return Signal::kDone;
+    Diagnostic failure = make_diagnostic("R0607", statement_.condition_span,
+                                         {quantity_text(timeout_, dims::kTime), std::string(statement_.condition_text)});
+    char since[64];
+    std::snprintf(since, sizeof since, "false since t = %.2f s", static_cast<double>(armed_ns_) * 1e-9);
+    failure.mark.label = since;
+    failure.fix = Fix{"use a longer timeout, or catch the error", {}, Confidence::kMaybe};
+    raise(state_, std::move(failure));
+    return Signal::kFail;
+  }
+
+ private:
+  VmState& state_;
+  const hir::WaitUntilStmt& statement_;
+  double timeout_;
+  std::int64_t armed_ns_;
+  std::int64_t due_ns_ = kNever;
+  bool stopped_ = false;
+};
+
+// Seconds that can be waited; negative ones are none.
+bool check_seconds(VmState& state, double& seconds) {
+  if (!std::isfinite(seconds)) return raise(state, "R0612", {"the time to wait", number_text(seconds)});
+  seconds = std::clamp(seconds, 0.0, kLongest);
+  return true;
+}
+
+}  // namespace
+
+bool raise_may_not_pause(VmState& state) {
+  const CodeSpan* at = code_span(state);
+  const std::string text = at == nullptr ? "" : std::string(state.program.sources->slice(at->span));
+  const bool is_short = !text.empty() && text.size() <= 40;
+  return raise(state, "R0630", {is_short ? "`" + text + "`" : "this"});
+}
+
+bool op_wait(VmState& state, Slot* base, const Instr* pc) {
+  double seconds = base[pc->a].d;
+  if (state.host_calls > 0) return raise_may_not_pause(state);
+  if (!check_seconds(state, seconds)) return false;
+  Timeline& timeline = state.vm.timeline();
+  state.pending = std::make_unique<Sleep>(timeline, timeline.now_ns() + std::llround(seconds * 1e9));
+  return true;
+}
+
+bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
+  if (state.host_calls > 0) return raise_may_not_pause(state);
+  const Slot timeout = base[pc->b];
+  double seconds = is_absent_scalar(timeout) ? kLongest : timeout.d;
+  if (!check_seconds(state, seconds)) return false;
+  state.pending = std::make_unique<WaitUntil>(state, *state.program.waits[pc->c], seconds);
+  return true;
+}
+
+bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
+  if (state.host_calls > 0) {  // a native function that did not say that it pauses
+    state.pending->stop();
+    state.pending.reset();
+    return raise_may_not_pause(state);
+  }
+  const Frame& frame = *task.top;
+  Obj* condition = nullptr;
+  if (pc->op == OpCode::WAITUNTIL) condition = frame.base[pc->a].o;
+  if (pc > frame.callee->code && pc[-1].op == OpCode::GUARD) condition = frame.base[pc[-1].a].o;
+  task.waiting = std::move(state.pending);
+  task.result = result;
+  task.condition = condition;
+  retain_object(condition);
+  state.steps.paused();
+  return true;
+}
+
+}  // namespace armlet::lang
