@@ -148,5 +148,5 @@ CARET : '^' ;
 BLOCK_COMMENT : '/*' .*? '*/' -> channel(HIDDEN) ;
 LINE_COMMENT : '//' ~[\r\n]* -> channel(HIDDEN) ;
 NL : ('\r'? '\n' | '\r') -> channel(LINE_BREAKS) ;
-WS : [ \t\u00A0\uFEFF]+ -> skip ;
+WS : [ \t\f\u00A0\uFEFF]+ -> skip ;
 ERR : . ;

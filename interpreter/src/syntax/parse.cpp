@@ -1,0 +1,160 @@
+#include "syntax/parse.hpp"
+
+#include <mutex>
+
+#include "syntax/brackets.hpp"
+#include "syntax/build_ast.hpp"
+#include "syntax/lex.hpp"
+#include "syntax/line_ends.hpp"
+#include "syntax/recovery.hpp"
+#include "syntax/syntax_errors.hpp"
+#include "syntax/token_feed.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// Levels of the tree. Every later stage may recurse this deep; a chain of operators is as deep as it is long.
+constexpr std::size_t kMaxDepth = 1000;
+
+std::mutex& parser_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+// One text, or the value inside a formatted text.
+class Front {
+ public:
+  Front(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits)
+      : source_(source), arena_(arena), sink_(sink), limits_(limits) {}
+
+  Parsed program() {
+    Parsed out;
+    if (!check_text(source_, sink_, limits_) || !read(program_range(source_))) return out;
+    tokens_ = insert_line_ends(tokens_);
+    out.statements = statements();
+    out.comments = std::move(comments_);
+    out.ok = ok_;
+    return out;
+  }
+
+  ast::Expr* piece(Span range, std::size_t depth) {
+    if (!read(range)) return nullptr;
+    Machine machine(*this);
+    const BuildInput input = build_input(depth);
+    AstBuilder builder(input);
+    ast::Expr* value = nullptr;
+    try {
+      RbtParser::ExpressionContext* ctx = machine.parser.expression();
+      if (machine.feed.LA(1) != antlr4::Token::EOF) {
+        report_failure(0, machine.feed.index());
+      } else {
+        value = builder.expression(ctx);
+      }
+    } catch (const antlr4::RecognitionException&) {  // reported by the recovery
+    } catch (const antlr4::ParseCancellationException&) {
+      report_nesting(machine.feed.index());
+    }
+    return ok_ && !builder.failed() ? value : nullptr;
+  }
+
+ private:
+  // ANTLR's objects for one run over the tokens.
+  struct Machine {
+    explicit Machine(Front& front) : feed(front.tokens_), parser(&feed) {
+      parser.removeErrorListeners();
+      parser.setErrorHandler(std::make_shared<StatementRecovery>(
+          front.tokens_, [&front](std::size_t statement, std::size_t at) { front.report_failure(statement, at); }));
+      // The grammar never needs more: a test looks for full-context decisions in random programs.
+      parser.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(antlr4::atn::PredictionMode::SLL);
+      parser.max_level = front.limits_.nesting;
+    }
+    TokenFeed feed;
+    RbtParser parser;
+  };
+
+  bool read(Span range) {
+    Lexed lexed = lex(source_, range, sink_, limits_);
+    tokens_ = std::move(lexed.tokens);
+    comments_ = std::move(lexed.comments);
+    if (!lexed.ok) return false;
+    std::optional<Diagnostic> bracket = check_brackets(source_, tokens_);
+    if (!bracket) return true;
+    sink_.begin_statement();
+    sink_.report(std::move(*bracket));
+    return false;
+  }
+
+  BuildInput build_input(std::size_t depth) {
+    return {source_, tokens_, comments_, arena_, sink_, kMaxDepth, depth,
+            [this](Span range, std::size_t at) { return Front(source_, arena_, sink_, limits_).piece(range, at); }};
+  }
+
+  // Statement by statement, so that memory goes with the longest one and not with the text.
+  std::vector<ast::Stmt*> statements() {
+    std::vector<ast::Stmt*> out;
+    Machine machine(*this);
+    const BuildInput input = build_input(0);
+    AstBuilder builder(input);
+    try {
+      while (machine.feed.LA(1) != antlr4::Token::EOF && !sink_.full()) {
+        machine.feed.drop_past();
+        const std::size_t first = machine.feed.index();
+        statement_ok_ = true;
+        RbtParser::StmtContext* ctx = machine.parser.stmt();
+        if (machine.feed.index() == first) machine.feed.consume();
+        ast::Stmt* made = statement_ok_ ? builder.statement(ctx) : nullptr;
+        if (made != nullptr) out.push_back(made);
+        machine.parser.getTreeTracker().reset();
+      }
+    } catch (const antlr4::ParseCancellationException&) {
+      report_nesting(machine.feed.index());
+    } catch (const TreeTooDeep& deep) {
+      ok_ = false;
+      sink_.begin_statement();
+      sink_.report(make_diagnostic("E0125", {deep.span.begin, deep.span.begin + 1, deep.span.source},
+                                   {std::to_string(kMaxDepth) + " operations"}));
+    }
+    ok_ = ok_ && !builder.failed();
+    return out;
+  }
+
+  void report_failure(std::size_t statement, std::size_t at) {
+    ok_ = false;
+    statement_ok_ = false;
+    sink_.begin_statement();
+    sink_.report(explain_failure(source_, tokens_, statement, at));
+  }
+
+  void report_nesting(std::size_t at) {
+    ok_ = false;
+    sink_.begin_statement();
+    sink_.report(make_diagnostic("E0125", {tokens_[at].begin, tokens_[at].end, source_.id()},
+                                 {std::to_string(limits_.nesting) + " levels"}));
+  }
+
+  const Source& source_;
+  Arena& arena_;
+  DiagnosticSink& sink_;
+  const ParseLimits& limits_;
+  Tokens tokens_;
+  std::vector<Span> comments_;
+  bool ok_ = true;
+  bool statement_ok_ = true;
+};
+
+}  // namespace
+
+Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits) {
+  const std::lock_guard lock(parser_mutex());
+  return Front(source, arena, sink, limits).program();
+}
+
+bool is_complete(const Source& source, const ParseLimits& limits) {
+  const std::lock_guard lock(parser_mutex());
+  DiagnosticSink sink;
+  if (!check_text(source, sink, limits)) return true;
+  const Lexed lexed = lex(source, program_range(source), sink, limits);
+  return !lexed.ok || could_end_here(lexed.tokens);
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,28 @@
+#pragma once
+// The only entrance to the parser.
+
+#include <vector>
+
+#include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/engine.hpp"
+#include "syntax/arena.hpp"
+#include "syntax/ast.hpp"
+
+namespace armlet::lang {
+
+struct Parsed {
+  std::vector<ast::Stmt*> statements;  // only those without a mistake
+  std::vector<Span> comments;          // with their marks, in the order of the text
+  bool ok = false;                     // nothing but advice was reported
+};
+
+// Reads a program. The tree lives in `arena` and refers to the text of `source`; both must outlive it. Text of any kind
+// ends with a tree or with messages in `sink`, after a time in proportion to its length. Safe to call from any thread;
+// ANTLR's caches are shared, so calls wait for each other.
+[[nodiscard]] Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink,
+                           const ParseLimits& limits = {});
+
+// Whether the prompt should read the text now, or wait for more lines: a bracket is open, or the last line goes on.
+[[nodiscard]] bool is_complete(const Source& source, const ParseLimits& limits = {});
+
+}  // namespace armlet::lang

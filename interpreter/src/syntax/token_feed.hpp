@@ -1,0 +1,44 @@
+#pragma once
+// Our tokens as ANTLR's parser wants them. Its own token objects, 128 bytes each, are made when they are looked at and
+// dropped with the statement they belong to.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "antlr4-runtime.h"
+#include "syntax/token.hpp"
+
+namespace armlet::lang {
+
+class TokenFeed : public antlr4::TokenStream {
+ public:
+  explicit TokenFeed(const Tokens& tokens) : tokens_(tokens) {}
+
+  // Forgets the objects of all tokens before the present one.
+  void drop_past();
+
+  void consume() override;
+  size_t LA(ssize_t i) override;
+  antlr4::Token* LT(ssize_t k) override;
+  antlr4::Token* get(size_t index) const override;
+  ssize_t mark() override { return 0; }
+  void release(ssize_t) override {}
+  size_t index() override { return at_; }
+  void seek(size_t index) override { at_ = std::min(index, tokens_.size() - 1); }
+  size_t size() override { return tokens_.size(); }
+  std::string getSourceName() const override { return {}; }
+  antlr4::TokenSource* getTokenSource() const override { return nullptr; }
+  std::string getText(const antlr4::misc::Interval&) override { return {}; }
+  std::string getText() override { return {}; }
+  std::string getText(antlr4::RuleContext*) override { return {}; }
+  std::string getText(antlr4::Token*, antlr4::Token*) override { return {}; }
+
+ private:
+  const Tokens& tokens_;
+  std::size_t at_ = 0;
+  std::size_t first_ = 0;  // index of made_.front()
+  mutable std::vector<std::unique_ptr<antlr4::CommonToken>> made_;
+};
+
+}  // namespace armlet::lang
