@@ -1,9 +1,9 @@
 #pragma once
 // A message about a program: a code, one sentence, marks in the text, why, and a fix.
 //
-// Diagnostics are data. `render` (diagnostic/render.hpp) turns them into the text form of the language
-// reference, section 20.1, and into one line of JSON (ruling 26). The headlines and the help pages live in
-// diagnostic/catalog.def.
+// Diagnostics are data. `render` (diagnostic/render.hpp) turns them into the text form of the
+// language reference, section 20.1, and into one line of JSON (ruling 26). The headlines and the
+// help pages live in diagnostic/catalog.def.
 
 #include <cstdint>
 #include <optional>
@@ -19,40 +19,40 @@ enum class Severity : std::uint8_t { kError, kAdvice };
 
 // A marked piece of text with a short label (may be empty).
 struct Mark {
-  Span span;
-  std::string label;
+  Span span{};
+  std::string label{};
 };
 
 // Replace the text of `span` by `text` (an empty span inserts).
 struct Edit {
-  Span span;
-  std::string text;
+  Span span{};
+  std::string text{};
 };
 
 enum class Confidence : std::uint8_t { kMaybe, kSure };
 
 struct Fix {
-  std::string text;
-  std::vector<Edit> edits;
+  std::string text{};
+  std::vector<Edit> edits{};
   Confidence confidence = Confidence::kMaybe;
 };
 
 // Circumstances of a message that arose while running.
 struct When {
   std::int64_t time_ns = 0;
-  std::string robot;                // empty if no robot was concerned
-  std::string task;                 // "branch 2 of parallel on line 9", or empty
-  std::optional<bool> moved;        // whether this motion had started to move
-  std::string note;                 // "in the 5th pass of the loop on line 7", or empty
-  std::vector<std::string> calls;   // innermost first: "slot, called on line 12"
+  std::string robot{};               // empty if no robot was concerned
+  std::string task{};                // "branch 2 of parallel on line 9", or empty
+  std::optional<bool> moved{};       // whether this motion had started to move
+  std::string note{};                // "in the 5th pass of the loop on line 7", or empty
+  std::vector<std::string> calls{};  // innermost first: "slot, called on line 12"
 };
 
 struct Diagnostic {
-  std::string code;                 // "E0401"; the first letter gives the severity: E and R, or W
+  std::string code;  // "E0401"; the first letter gives the severity: E and R, or W
   Severity severity = Severity::kError;
-  std::string message;              // the headline
-  Mark mark;                        // marked with ^
-  std::vector<Mark> related;        // marked with -
+  std::string message;        // the headline
+  Mark mark;                  // marked with ^
+  std::vector<Mark> related;  // marked with -
   std::string why;
   std::optional<Fix> fix;
   std::optional<When> when;
@@ -63,7 +63,8 @@ struct Diagnostic {
 [[nodiscard]] Diagnostic make_diagnostic(std::string_view code, Span span,
                                          const std::vector<std::string>& arguments = {});
 
-// Collects messages by the rules of section 20.2: at most one error per statement, at most `limit` in all.
+// Collects messages by the rules of section 20.2: at most one error per statement, at most `limit`
+// in all.
 class DiagnosticSink {
  public:
   explicit DiagnosticSink(int limit = 10) : limit_(limit) {}

@@ -1,0 +1,155 @@
+#include "armlet/interpreter/catalog.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+
+namespace armlet {
+namespace {
+
+// The words of section 20.2, rule 1.
+const std::regex kForbidden(
+    R"(\b(tokens?|pars(e|er|ing)|syntax|unexpected|expected one of|illegal|invalid|operands?|lvalues?|expressions?|identifiers?|mismatch)\b)",
+    std::regex::icase);
+
+int count_lines(const std::string& text) {
+  return static_cast<int>(std::ranges::count(text, '\n'));
+}
+
+// The table of docs/diagnostics.md.
+std::string table() {
+  std::string out = "| code | kind | message |\n|---|---|---|\n";
+  for (const CatalogEntry& entry : catalog()) {
+    std::string headline(entry.headline);
+    for (std::size_t at = headline.find("{}"); at != std::string::npos; at = headline.find("{}")) {
+      headline.replace(at, 2, "...");
+    }
+    for (std::size_t at = headline.find("||"); at != std::string::npos; at = headline.find("||")) {
+      headline.replace(at, 2, "&#124;&#124;");
+    }
+    out += fmt::format("| {} | {} | {} |\n", entry.code, entry.kind, headline);
+  }
+  return out;
+}
+
+std::string read(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("a code is a letter and four digits, and each stands once") {
+  const std::regex shape("[ERW]0[1-7]\\d\\d");
+  std::string last;
+  for (const CatalogEntry& entry : catalog()) {
+    CAPTURE(entry.code);
+    CHECK(std::regex_match(std::string(entry.code), shape));
+    CHECK(last < entry.code);
+    last = entry.code;
+    CHECK(catalog_entry(entry.code) == &entry);
+  }
+  CHECK(catalog_entry("E9999") == nullptr);
+  CHECK(catalog_entry("") == nullptr);
+}
+
+TEST_CASE("headlines are plain sentences without words of the trade") {
+  for (const CatalogEntry& entry : catalog()) {
+    const std::string headline(entry.headline);
+    CAPTURE(headline);
+    CHECK_FALSE(headline.empty());
+    CHECK_FALSE(headline.ends_with("."));
+    CHECK_FALSE(std::regex_search(headline, kForbidden));
+    CHECK(headline.find('!') == std::string::npos);
+  }
+}
+
+TEST_CASE("every page fits on a screen and says something") {
+  for (const CatalogEntry& entry : catalog()) {
+    CAPTURE(entry.code);
+    const std::string page = explain_page(entry.code);
+    CHECK(page.starts_with(std::string(entry.code) + ": "));
+    CHECK(page.ends_with("\n"));
+    CHECK(count_lines(page) <= 20);
+    CHECK(count_lines(page) >= 4);
+    CHECK_FALSE(std::regex_search(page, kForbidden));
+    std::istringstream lines(page);
+    for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+  }
+  CHECK(explain_page("E9999").empty());
+}
+
+TEST_CASE("a wrong program comes with a right one") {
+  for (const CatalogEntry& entry : catalog()) {
+    CAPTURE(entry.code);
+    const bool wrong = entry.page.find("\nWrong") != std::string_view::npos;
+    const bool right = entry.page.find("\nRight") != std::string_view::npos;
+    CHECK((!wrong || right));
+  }
+}
+
+TEST_CASE("a kind names one code, except that a line out of reach is Unreachable too") {
+  std::map<std::string_view, int> uses;
+  for (const CatalogEntry& entry : catalog()) {
+    if (entry.kind.empty()) continue;
+    CHECK(entry.code.starts_with('R'));
+    ++uses[entry.kind];
+    CHECK(kind_of(entry.code) == entry.kind);
+  }
+  for (const auto& [kind, count] : uses) {
+    CAPTURE(kind);
+    CHECK(count == (kind == "Unreachable" ? 2 : 1));
+  }
+}
+
+TEST_CASE("kinds and codes are those of ruling 21") {
+  const std::pair<const char*, const char*> kinds[] = {
+      {"Unreachable", "R0601"}, {"JointLimit", "R0602"},
+      {"TooFast", "R0604"},     {"NothingToGrasp", "R0605"},
+      {"IndexError", "R0606"},  {"Timeout", "R0607"},
+      {"Assert", "R0608"},      {"MathDomain", "R0609"},
+      {"Overflow", "R0610"},    {"DivideByZero", "R0611"},
+      {"NotFinite", "R0612"},   {"SizeMismatch", "R0613"},
+      {"Collision", "R0614"},   {"Singular", "R0616"},
+      {"Busy", "R0617"},        {"Halted", "R0618"},
+      {"NotHolding", "R0619"},  {"UnknownObject", "R0625"},
+      {"Host", "R0626"}};
+  for (const auto& [kind, code] : kinds) {
+    CAPTURE(kind);
+    CHECK(code_of_kind(kind) == code);
+    CHECK(kind_of(code) == kind);
+  }
+  CHECK(kind_of("R0603") == "Unreachable");
+  CHECK(kind_of("R0627").empty());
+  CHECK(code_of_kind("Empty").empty());
+  CHECK(code_of_kind("").empty());
+}
+
+TEST_CASE("the table in docs/diagnostics.md is the catalogue") {
+  // Set ARMLET_UPDATE_DOCS to write the table instead of comparing it.
+  const std::string path = std::string(ARMLET_ROOT) + "/docs/diagnostics.md";
+  const std::string begin = "<!-- catalogue: begin -->\n";
+  const std::string end = "<!-- catalogue: end -->\n";
+  const std::string text = read(path);
+  const std::size_t first = text.find(begin);
+  const std::size_t last = text.find(end);
+  REQUIRE(first != std::string::npos);
+  REQUIRE(last != std::string::npos);
+  const std::size_t start = first + begin.size();
+  if (std::getenv("ARMLET_UPDATE_DOCS") != nullptr) {
+    std::ofstream(path) << text.substr(0, start) << table() << text.substr(last);
+    return;
+  }
+  CHECK(text.substr(start, last - start) == table());
+}
+
+}  // namespace armlet
