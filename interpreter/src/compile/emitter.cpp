@@ -1,0 +1,273 @@
+#include "compile/emitter.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::uint32_t kMostIndices = 0xFFFF;
+constexpr std::uint32_t kMostInstructions = 1U << 20U;
+constexpr std::size_t kMostPinnedConstants = 200;
+
+constexpr std::string_view kOperands[] = {
+#define OP(name, operands, text) operands,
+#include "compile/bytecode.def"
+#undef OP
+};
+
+bool is_register(char operand) {
+  return operand == 'd' || operand == 'D' || operand == 'r' || operand == 'R';
+}
+
+// After these nothing follows.
+bool ends_flow(OpCode op) {
+  switch (op) {
+    case OpCode::JUMP:
+    case OpCode::LOOP:
+    case OpCode::RET:
+    case OpCode::RETREF:
+    case OpCode::RETTAKE:
+    case OpCode::RETVOID:
+    case OpCode::THROW:
+    case OpCode::RETHROW:
+    case OpCode::ASSERTFAIL:
+    case OpCode::HALT: return true;
+    default: return false;
+  }
+}
+
+// The next word is a jump that is taken or skipped.
+bool is_compare_and_branch(OpCode op) { return op >= OpCode::IFLTI && op <= OpCode::FORI; }
+
+}  // namespace
+
+Emitter::Emitter(Span span) : whole_(span), span_(span) {}
+
+// ---- registers ----------------------------------------------------------------------------------------------------
+
+Reg Emitter::number() {
+  const Reg reg = Reg::make(RegClass::kNumber, numbers_++);
+  most_numbers_ = std::max(most_numbers_, numbers_);
+  check_limits();
+  return reg;
+}
+
+Reg Emitter::reference() {
+  const Reg reg = Reg::make(RegClass::kReference, references_++);
+  most_references_ = std::max(most_references_, references_);
+  if (owned_.size() < references_) owned_.push_back(false);
+  owned_[reg.number()] = true;
+  check_limits();
+  return reg;
+}
+
+Reg Emitter::pinned() {
+  check_limits();
+  return Reg::make(RegClass::kPinned, pinned_++);
+}
+
+bool Emitter::pinned_constant(Slot value, Reg& out) {
+  const auto known = pinned_constants_.find(value.i);
+  if (known != pinned_constants_.end()) {
+    out = Reg::make(RegClass::kPinned, known->second);
+    return true;
+  }
+  if (pinned_constants_.size() >= kMostPinnedConstants) return false;
+  out = pinned();
+  pinned_constants_.emplace(value.i, out.number());
+  return true;
+}
+
+bool Emitter::is_top(Reg reg) const {
+  return reg.reg_class() == RegClass::kNumber && reg.number() + 1 == numbers_;
+}
+
+void Emitter::release(Mark mark) {
+  for (std::uint32_t i = references_; i-- > mark.references;) {
+    if (owned_[i]) emit(OpCode::DROP, Reg::make(RegClass::kReference, i));
+  }
+  references_ = mark.references;
+  numbers_ = mark.numbers;
+}
+
+void Emitter::set_owned(Reg reference, bool owned) { owned_[reference.number()] = owned; }
+
+void Emitter::check_limits() const {
+  if (parameters_ + references_ + pinned_ + numbers_ >= kMostIndices) {
+    throw TooLarge{span_, "variables and temporaries in one function", kMostIndices};
+  }
+}
+
+// ---- code ---------------------------------------------------------------------------------------------------------
+
+void Emitter::push(OpCode op, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  if (!reachable_) return;
+  if (code_.size() >= kMostInstructions) {
+    throw TooLarge{whole_, "instructions in one function", kMostInstructions};
+  }
+  const bool guarded = !code_.empty() && is_compare_and_branch(code_.back().op);
+  code_.push_back({op, a, b, c, kUnbound, expr_, span_});
+  if (ends_flow(op) && !guarded) reachable_ = false;
+}
+
+void Emitter::constant(Reg to, Slot value) {
+  if (value.i >= INT16_MIN && value.i <= INT16_MAX) {
+    push(OpCode::INT, to.bits, static_cast<std::uint16_t>(value.i), 0);
+    return;
+  }
+  const auto [known, is_new] =
+      constant_index_.emplace(value.i, static_cast<std::uint32_t>(constants_.size()));
+  if (is_new) {
+    if (constants_.size() >= kMostIndices) {
+      throw TooLarge{span_, "different numbers in one function", kMostIndices};
+    }
+    constants_.push_back(value);
+  }
+  push(OpCode::CONST, to.bits, known->second, 0);
+}
+
+// ---- labels -------------------------------------------------------------------------------------------------------
+
+Label Emitter::label() {
+  labels_.emplace_back();
+  return {static_cast<std::uint32_t>(labels_.size() - 1)};
+}
+
+void Emitter::bind(Label label) {
+  LabelInfo& info = labels_[label.id];
+  info.position = position();
+  if (info.used) reachable_ = true;
+}
+
+void Emitter::bind_loop(Label label, bool reachable) {
+  labels_[label.id].position = position();
+  reachable_ = reachable;
+}
+
+void Emitter::jump(Label to) { branch(is_bound(to) ? OpCode::LOOP : OpCode::JUMP, 0, to); }
+
+void Emitter::jump_if(OpCode op, Reg a, Label to) { branch(op, a.bits, to); }
+
+void Emitter::branch(OpCode op, std::uint32_t a, Label to) {
+  if (!reachable_) return;
+  labels_[to.id].used = true;
+  push(op, a, 0, 0);
+  code_.back().label = to.id;
+}
+
+// ---- tables -------------------------------------------------------------------------------------------------------
+
+void Emitter::begin_handler(const std::vector<Range>& ranges, bool is_finally) {
+  for (const Range& range : ranges) {
+    if (range.begin == range.end) continue;
+    handlers_.push_back({range.begin, range.end, position(), is_finally});
+    reachable_ = true;
+  }
+}
+
+void Emitter::loop(Range range, Reg counter, std::int64_t first, std::int64_t step,
+                   std::uint32_t line) {
+  loops_.push_back({range, counter, first, step, line});
+}
+
+std::uint32_t Emitter::type(const Type* type) {
+  const auto known = std::find(types_.begin(), types_.end(), type);
+  if (known != types_.end()) return static_cast<std::uint32_t>(known - types_.begin());
+  if (types_.size() >= kMostIndices) throw TooLarge{span_, "types in one function", kMostIndices};
+  types_.push_back(type);
+  return static_cast<std::uint32_t>(types_.size() - 1);
+}
+
+void Emitter::shown(std::uint32_t assert_index, std::vector<Reg> registers) {
+  shown_.push_back({assert_index, std::move(registers)});
+}
+
+// ---- the end ------------------------------------------------------------------------------------------------------
+
+std::uint16_t Emitter::place(Reg reg) const {
+  std::uint32_t at = reg.number();
+  switch (reg.reg_class()) {
+    case RegClass::kNumber: at += pinned_; [[fallthrough]];
+    case RegClass::kPinned: at += most_references_; [[fallthrough]];
+    case RegClass::kReference: at += parameters_; [[fallthrough]];
+    case RegClass::kParameter: break;
+  }
+  return static_cast<std::uint16_t>(at);
+}
+
+Instr Emitter::narrow(const Wide& wide, std::uint32_t pc) const {
+  const std::string_view operands = kOperands[static_cast<std::size_t>(wide.op)];
+  const auto operand = [&](std::size_t i, std::uint32_t value) {
+    const bool is_reg = i < operands.size() && is_register(operands[i]);
+    return is_reg ? place(Reg{value}) : static_cast<std::uint16_t>(value);
+  };
+  Instr instr{wide.op, operand(0, wide.a), operand(1, wide.b), operand(2, wide.c)};
+  if (wide.label != kUnbound) {
+    const std::uint32_t target =
+        labels_[wide.label].position + static_cast<std::uint32_t>(prologue_.size());
+    const std::uint32_t offset = target - (pc + 1);
+    instr.b = static_cast<std::uint16_t>(offset >> 16U);
+    instr.c = static_cast<std::uint16_t>(offset);
+  }
+  return instr;
+}
+
+// Pinned constants are loaded before anything else.
+void Emitter::add_prologue() {
+  std::vector<Wide> body;
+  std::swap(body, code_);
+  reachable_ = true;
+  at(whole_);
+  for (const auto& [value, number] : pinned_constants_) {
+    constant(Reg::make(RegClass::kPinned, number), Slot{.i = value});
+  }
+  std::swap(prologue_, code_);
+  std::swap(body, code_);
+}
+
+void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
+  into.parameters = static_cast<std::uint16_t>(parameters_);
+  into.references_begin = into.parameters;
+  into.references_end = static_cast<std::uint16_t>(parameters_ + most_references_);
+  into.registers =
+      static_cast<std::uint16_t>(parameters_ + most_references_ + pinned_ + most_numbers_);
+  into.constants = constants_;
+  into.types = types_;
+  for (const Handler& h : handlers_) {
+    into.handlers.push_back({h.begin + shift, h.end + shift, h.handler + shift, h.is_finally});
+  }
+  for (const WideLoop& l : loops_) {
+    into.loops.push_back({l.range.begin + shift, l.range.end + shift, place(l.counter), l.first,
+                          l.step, l.line});
+  }
+}
+
+void Emitter::finish(FunctionCode& into, CompiledProgram& program) {
+  if (parameters_ + most_references_ + pinned_ + most_numbers_ >= kMostIndices) {
+    throw TooLarge{whole_, "variables and temporaries in one function", kMostIndices};
+  }
+  add_prologue();
+  const auto shift = static_cast<std::uint32_t>(prologue_.size());
+  into.code.reserve(prologue_.size() + code_.size());
+  for (const std::vector<Wide>* part : {&std::as_const(prologue_), &std::as_const(code_)}) {
+    for (const Wide& wide : *part) {
+      const auto pc = static_cast<std::uint32_t>(into.code.size());
+      into.code.push_back(narrow(wide, pc));
+      if (into.spans.empty() || into.spans.back().span != wide.span ||
+          into.spans.back().expr != wide.expr) {
+        into.spans.push_back({pc, wide.span, wide.expr});
+      }
+    }
+  }
+  fill_tables(into, shift);
+  for (const Shown& shown : shown_) {
+    for (const Reg reg : shown.registers) {
+      program.asserts[shown.assert_index].registers.push_back(place(reg));
+    }
+  }
+}
+
+}  // namespace armlet::lang

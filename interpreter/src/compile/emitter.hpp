@@ -1,0 +1,162 @@
+#pragma once
+// Makes the bytecode of one function: registers, labels, constants, and the way back to the text.
+//
+// While code is made, registers are virtual: they carry a class, and each class is numbered by itself. `finish` lays
+// the classes out one after the other: parameters, references, pinned numbers, numbers. Numbers come last, so that the
+// window of a call, made of the topmost numbers, lies above everything that is alive.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "compile/program.hpp"
+
+namespace armlet::lang {
+
+enum class RegClass : std::uint8_t { kParameter, kReference, kPinned, kNumber };
+
+struct Reg {
+  std::uint32_t bits = 0;
+
+  static Reg make(RegClass c, std::uint32_t number) {
+    return {static_cast<std::uint32_t>(c) << 28U | number};
+  }
+  [[nodiscard]] RegClass reg_class() const { return static_cast<RegClass>(bits >> 28U); }
+  [[nodiscard]] std::uint32_t number() const { return bits & 0x0FFF'FFFFU; }
+  [[nodiscard]] bool is_reference() const { return reg_class() == RegClass::kReference; }
+  [[nodiscard]] Reg plus(std::uint32_t n) const { return {bits + n}; }
+  bool operator==(const Reg&) const = default;
+};
+
+struct Label {
+  std::uint32_t id;
+};
+
+// A program that is too large for the bytecode. Caught at the door of `lower`.
+struct TooLarge {
+  Span span;
+  const char* what;    // "variables and temporaries in one function"
+  std::uint32_t limit;
+};
+
+class Emitter {
+ public:
+  explicit Emitter(Span span);
+
+  // ---- registers ----
+  struct Mark {
+    std::uint32_t references;
+    std::uint32_t numbers;
+  };
+  Reg parameter(std::uint32_t number) const { return Reg::make(RegClass::kParameter, number); }
+  Reg number();      // the topmost number from now on
+  Reg reference();   // null or owned by this frame
+  Reg pinned();      // a number for the rest of the function, never part of a window
+  // A constant that is loaded once, when the function starts; nothing when there are too many of them.
+  bool pinned_constant(Slot value, Reg& out);
+  [[nodiscard]] Mark mark() const { return {references_, numbers_}; }
+  [[nodiscard]] bool is_top(Reg reg) const;
+  // Gives registers back; references that may be owned are dropped first.
+  void release(Mark mark);
+  // Only the numbers above the mark.
+  void release_numbers(Mark mark) { numbers_ = mark.numbers; }
+  // After its reference was taken away, a register need not be dropped.
+  void set_owned(Reg reference, bool owned);
+  void set_parameters(std::uint32_t count) { parameters_ = count; }
+
+  // ---- code ----
+  // What the next instructions belong to.
+  void at(Span span, const hir::Expr* expr = nullptr) {
+    span_ = span;
+    expr_ = expr;
+  }
+  void emit(OpCode op, Reg a, Reg b, Reg c) { push(op, a.bits, b.bits, c.bits); }
+  void emit(OpCode op, Reg a, Reg b) { push(op, a.bits, b.bits, 0); }
+  void emit(OpCode op, Reg a) { push(op, a.bits, 0, 0); }
+  void emit(OpCode op) { push(op, 0, 0, 0); }
+  // Operands as numbers: indices, small immediates, or the bits of registers.
+  void push(OpCode op, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void word(std::uint32_t b) { push(OpCode::TYPE, 0, b, 0); }
+  void constant(Reg to, Slot value);
+
+  // ---- labels ----
+  Label label();
+  void bind(Label label);
+  // Binds a label that is jumped to from below; `reachable`: the loop around it can be entered.
+  void bind_loop(Label label, bool reachable);
+  void jump(Label to);                        // LOOP if the label is already bound
+  void jump_if(OpCode op, Reg a, Label to);   // JT, JF; forward only
+  [[nodiscard]] bool is_bound(Label label) const { return labels_[label.id].position != kUnbound; }
+  [[nodiscard]] bool reachable() const { return reachable_; }
+  [[nodiscard]] std::uint32_t position() const { return static_cast<std::uint32_t>(code_.size()); }
+
+  // ---- tables ----
+  // Where a failure in [begin, end) goes on; the code of the handler starts here.
+  struct Range {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  void begin_handler(const std::vector<Range>& ranges, bool is_finally);
+  void loop(Range range, Reg counter, std::int64_t first, std::int64_t step, std::uint32_t line);
+  std::uint32_t type(const Type* type);
+  void shown(std::uint32_t assert_index, std::vector<Reg> registers);
+
+  // Registers become numbers, labels offsets. Patches the registers of asserts.
+  void finish(FunctionCode& into, CompiledProgram& program);
+
+ private:
+  static constexpr std::uint32_t kUnbound = 0xFFFF'FFFFU;
+  struct Wide {
+    OpCode op;
+    std::uint32_t a, b, c;
+    std::uint32_t label;
+    const hir::Expr* expr;
+    Span span;
+  };
+  struct LabelInfo {
+    std::uint32_t position = kUnbound;
+    bool used = false;
+  };
+  struct Shown {
+    std::uint32_t assert_index;
+    std::vector<Reg> registers;
+  };
+  struct WideLoop {
+    Range range;
+    Reg counter;
+    std::int64_t first;
+    std::int64_t step;
+    std::uint32_t line;
+  };
+
+  void branch(OpCode op, std::uint32_t a, Label to);
+  [[nodiscard]] std::uint16_t place(Reg reg) const;
+  [[nodiscard]] Instr narrow(const Wide& wide, std::uint32_t pc) const;
+  void add_prologue();
+  void fill_tables(FunctionCode& into, std::uint32_t shift) const;
+  void check_limits() const;
+
+  std::vector<Wide> code_;
+  std::vector<Wide> prologue_;
+  std::vector<LabelInfo> labels_;
+  std::vector<bool> owned_;              // by reference register: may hold a count now
+  std::map<std::int64_t, std::uint32_t> pinned_constants_;
+  std::vector<Handler> handlers_;
+  std::vector<WideLoop> loops_;
+  std::vector<const Type*> types_;
+  std::vector<Slot> constants_;
+  std::map<std::int64_t, std::uint32_t> constant_index_;
+  std::vector<Shown> shown_;
+  Span whole_;
+  Span span_;
+  const hir::Expr* expr_ = nullptr;
+  std::uint32_t parameters_ = 0;
+  std::uint32_t references_ = 0;
+  std::uint32_t most_references_ = 0;
+  std::uint32_t pinned_ = 0;
+  std::uint32_t numbers_ = 0;
+  std::uint32_t most_numbers_ = 0;
+  bool reachable_ = true;
+};
+
+}  // namespace armlet::lang

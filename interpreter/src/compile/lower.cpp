@@ -1,0 +1,121 @@
+// Functions as a whole, and the program.
+
+#include "compile/lower.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "compile/lowering.hpp"
+
+namespace armlet::lang {
+
+using namespace hir;
+
+Lowering::Lowering(Tables& tables, const Function& function, LowerOptions options)
+    : tables_(tables),
+      function_(function),
+      options_(options),
+      code_(function.span),
+      is_program_(&function == tables.program().module.main) {}
+
+void Lowering::function(FunctionCode& into) {
+  start(into);
+  block(*function_.body);
+  finish(into);
+}
+
+void Lowering::declarations(FunctionCode& into) {
+  start(into);
+  for (const Stmt* s : function_.body->body) {
+    if (s->kind == StmtKind::kInit) statement(*s);
+  }
+  finish(into);
+}
+
+void Lowering::start(FunctionCode& into) {
+  into.name = function_.name;
+  into.span = function_.span;
+  into.function = &function_;
+  code_.set_parameters(static_cast<std::uint32_t>(function_.parameters.size()));
+  for (std::uint32_t i = 0; i < function_.parameters.size(); ++i) {
+    Variable& parameter = *function_.parameters[i];
+    const Reg reg = code_.parameter(i);
+    if (parameter.storage == Storage::kLocal) {
+      parameter.index = reg.bits;
+    } else {
+      init_from(parameter, reg);
+    }
+  }
+  load_captures(into);
+}
+
+// The closure keeps what it captured alive while its function runs, so borrowing is enough. A variable that is shared
+// is captured as its box.
+void Lowering::load_captures(FunctionCode& into) {
+  into.captures = static_cast<std::uint16_t>(function_.captures.size());
+  for (std::uint16_t i = 0; i < function_.captures.size(); ++i) {
+    Variable& inner = *function_.captures[i].inner;
+    const bool boxed = inner.storage == Storage::kBoxed;
+    if (boxed || inner.type->is_reference()) into.capture_references.push_back(i);
+    inner.index = code_.number().bits;
+    code_.push(OpCode::CAPTURE, inner.index, i, 0);
+  }
+}
+
+void Lowering::finish(FunctionCode& into) {
+  code_.at(function_.span);
+  if (code_.reachable()) {
+    const bool has_result = function_.result != nullptr && !function_.result->is(Kind::kVoid);
+    if (has_result && !is_program_) throw std::logic_error("a function can end without a result");
+    code_.emit(is_program_ ? OpCode::HALT : OpCode::RETVOID);
+  }
+  code_.finish(into, tables_.program());
+}
+
+namespace {
+
+constexpr std::uint32_t kMostInstructions = 1U << 22U;
+
+void lower_all(CompiledProgram& program, LowerOptions options) {
+  const Module& module = program.module;
+  if (module.functions.size() >= UINT16_MAX) {
+    throw TooLarge{module.main->span, "functions", UINT16_MAX - 1};
+  }
+  if (module.global_count > UINT16_MAX) {
+    throw TooLarge{module.main->span, "variables of the program", UINT16_MAX};
+  }
+  Tables tables(program);
+  std::size_t instructions = 0;
+  program.functions.resize(module.functions.size());
+  for (const Function* function : module.functions) {
+    FunctionCode& code = program.functions[function->index];
+    Lowering(tables, *function, options).function(code);
+    instructions += code.code.size();
+    if (instructions > kMostInstructions) {
+      throw TooLarge{module.main->span, "instructions", kMostInstructions};
+    }
+  }
+  if (!module.tests.empty()) {
+    program.declarations = static_cast<std::uint32_t>(program.functions.size());
+    program.functions.emplace_back();
+    Lowering(tables, *module.main, options).declarations(program.functions.back());
+  }
+  for (const Variable* global : module.globals) {
+    program.global_is_reference.push_back(global->type->is_reference());
+  }
+  tables.finish();
+}
+
+}  // namespace
+
+std::optional<Diagnostic> lower(CompiledProgram& program, LowerOptions options) {
+  try {
+    lower_all(program, options);
+    return std::nullopt;
+  } catch (const TooLarge& limit) {
+    const std::string most = std::to_string(limit.limit);
+    return make_diagnostic("E0124", limit.span, {"more than " + most + " " + limit.what});
+  }
+}
+
+}  // namespace armlet::lang

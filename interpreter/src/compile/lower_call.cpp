@@ -1,0 +1,142 @@
+// Calls of functions of the program, of function values and of the library.
+
+#include "compile/lowering.hpp"
+
+namespace armlet::lang {
+
+using namespace hir;
+
+// Arguments in consecutive registers from `base`, which is the topmost number. References there are borrowed copies;
+// what owns them stays in reference registers until the caller gives those back.
+void Lowering::window(Seq<Expr*> arguments, Reg base, Hold hold) {
+  std::vector<Hold> holds(arguments.size(), hold);
+  for (std::size_t i = arguments.size(); i-- > 1;) {
+    holds[i - 1] = stronger(holds[i], hold_over(*arguments[i]));
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const Reg slot = i == 0 ? base : code_.number();
+    const Emitter::Mark mark = code_.mark();
+    if (arguments[i]->type->is_reference()) {
+      borrow_into(*arguments[i], slot, holds[i]);
+    } else {
+      value_into(*arguments[i], {slot, true});
+    }
+    code_.release_numbers(mark);
+  }
+}
+
+// The window of a call may begin at the target itself when that is the topmost number.
+Reg Lowering::base_for(Target to) {
+  return to.early && code_.is_top(to.reg) ? to.reg : code_.number();
+}
+
+void Lowering::call_into(const Expr& e, Target to) {
+  if (options_.optimise && e.kind == ExprKind::kCallNative && call_direct(e.as<CallNativeExpr>(), to)) {
+    return;
+  }
+  const Reg result = call(e, to);
+  if (result != to.reg) code_.emit(OpCode::MOVE, to.reg, result);
+}
+
+void Lowering::call_own(const Expr& e, Reg to) {
+  code_.emit(OpCode::TAKE, to, call(e, {to, false}));
+}
+
+void Lowering::effect(const Expr& e) {
+  const Emitter::Mark mark = code_.mark();
+  switch (e.kind) {
+    case ExprKind::kMutate:
+    case ExprKind::kCall:
+    case ExprKind::kCallValue:
+    case ExprKind::kCallNative:
+    case ExprKind::kGuarded: {
+      const bool is_mutation = e.kind == ExprKind::kMutate;
+      const Reg result = is_mutation ? mutate(e.as<MutateExpr>()) : call(e, {Reg{}, false});
+      if (e.type->is_reference()) code_.emit(OpCode::DROP, result);
+      break;
+    }
+    default:
+      if (e.type->is_reference()) {
+        (void)borrow(e, Hold::kNow);
+      } else if (!e.type->is(Kind::kVoid)) {
+        (void)value(e);
+      }
+      break;
+  }
+  code_.release(mark);
+}
+
+// Returns the register of the result; a reference there is owned and has to be taken at once.
+Reg Lowering::call(const Expr& e, Target to) {
+  switch (e.kind) {
+    case ExprKind::kCall: {
+      const auto& c = e.as<CallExpr>();
+      const Reg base = base_for(to);
+      window(c.arguments, base, Hold::kCall);
+      code_.at(e.span, &e);
+      code_.push(OpCode::CALL, base.bits, c.function->index, 0);
+      return base;
+    }
+    case ExprKind::kCallValue: {
+      const auto& c = e.as<CallValueExpr>();
+      Hold hold = Hold::kCall;
+      for (const Expr* argument : c.arguments) hold = stronger(hold, hold_over(*argument));
+      const Reg function = borrow(*c.function, hold);
+      const Reg base = base_for(to);
+      window(c.arguments, base, Hold::kCall);
+      code_.at(e.span, &e);
+      code_.emit(OpCode::CALLV, base, function);
+      return base;
+    }
+    case ExprKind::kGuarded: return call_guarded(e.as<GuardedExpr>(), to);
+    default: return call_native(e.as<CallNativeExpr>(), base_for(to));
+  }
+}
+
+Reg Lowering::call_native(const CallNativeExpr& e, Reg base) {
+  window(e.arguments, base, is_quiet(e) ? Hold::kNow : Hold::kCall);
+  code_.at(e.span, &e);
+  code_.push(OpCode::CALLN, base.bits, tables_.native(e.function), 0);
+  return base;
+}
+
+Reg Lowering::call_guarded(const GuardedExpr& e, Target to) {
+  const auto& motion = e.motion->as<CallNativeExpr>();
+  const Reg condition = borrow(*e.condition, Hold::kOwn);
+  const Reg base = base_for(to);
+  window(motion.arguments, base, Hold::kCall);
+  code_.at(e.span, &e);
+  code_.emit(OpCode::GUARD, condition);
+  code_.at(motion.span, &motion);
+  code_.push(OpCode::CALLN, base.bits, tables_.native(motion.function), 0);
+  return base;
+}
+
+// Functions of one or two doubles need no window.
+bool Lowering::call_direct(const CallNativeExpr& e, Target to) {
+  const NativeFunction& f = *e.function;
+  for (const Expr* argument : e.arguments) {
+    if (!argument->type->is(Kind::kReal) || argument->kind == ExprKind::kAbsent) return false;
+  }
+  if (!e.type->is(Kind::kReal)) return false;
+  if (e.arguments.size() == 1 && f.real1 != nullptr) {
+    const Reg argument = value_near(*e.arguments[0], to);
+    code_.at(e.span, &e);
+    if (f.name == "sqrt") {
+      code_.push(OpCode::SQRT, to.reg.bits, argument.bits, tables_.native(&f));
+    } else {
+      code_.push(OpCode::CALLD1, to.reg.bits, argument.bits, tables_.native(&f));
+    }
+    return true;
+  }
+  if (e.arguments.size() == 2 && f.real2 != nullptr) {
+    const Reg base = base_for(to);
+    window(e.arguments, base, Hold::kNow);
+    code_.at(e.span, &e);
+    code_.push(OpCode::CALLD2, to.reg.bits, base.bits, tables_.native(&f));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace armlet::lang

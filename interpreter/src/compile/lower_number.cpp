@@ -1,0 +1,291 @@
+// Expressions whose value is a number, truth value or choice: bits without a count.
+
+#include "compile/lowering.hpp"
+
+namespace armlet::lang {
+
+using namespace hir;
+
+namespace {
+
+// The instruction of an operator on numbers; comparisons the wrong way round are turned by the caller.
+OpCode instruction(Op op) {
+  switch (op) {
+    case Op::kAddI: return OpCode::ADDI;
+    case Op::kSubI: return OpCode::SUBI;
+    case Op::kMulI: return OpCode::MULI;
+    case Op::kDivI: return OpCode::DIVI;
+    case Op::kModI: return OpCode::MODI;
+    case Op::kPowI: return OpCode::POWI;
+    case Op::kNegI: return OpCode::NEGI;
+    case Op::kAddR: return OpCode::ADDR;
+    case Op::kSubR: return OpCode::SUBR;
+    case Op::kMulR: return OpCode::MULR;
+    case Op::kDivR: return OpCode::DIVR;
+    case Op::kModR: return OpCode::MODR;
+    case Op::kPowR: return OpCode::POWR;
+    case Op::kNegR: return OpCode::NEGR;
+    case Op::kLtI: case Op::kGtI: return OpCode::LTI;
+    case Op::kLeI: case Op::kGeI: return OpCode::LEI;
+    case Op::kEqI: return OpCode::EQI;
+    case Op::kNeI: return OpCode::NEI;
+    case Op::kLtR: case Op::kGtR: return OpCode::LTR;
+    case Op::kLeR: case Op::kGeR: return OpCode::LER;
+    case Op::kEqR: return OpCode::EQR;
+    case Op::kNeR: return OpCode::NER;
+    default: return OpCode::NOT;
+  }
+}
+
+bool is_arithmetic(Op op) { return op <= Op::kNegR; }
+bool is_number_comparison(Op op) { return op >= Op::kLtI && op <= Op::kNeR; }
+bool is_turned(Op op) {
+  return op == Op::kGtI || op == Op::kGeI || op == Op::kGtR || op == Op::kGeR;
+}
+
+bool is_chain_link(const Expr& e) {
+  Slot unused;
+  return e.kind == ExprKind::kBinary && is_arithmetic(e.as<BinaryExpr>().op) &&
+         !constant_slot(e, unused);
+}
+
+}  // namespace
+
+// The value in a register that may belong to a variable: only to be read, and soon.
+Reg Lowering::value(const Expr& e) {
+  Reg reg;
+  if (in_register(e, reg)) return reg;
+  reg = code_.number();
+  value_into(e, {reg, true});
+  return reg;
+}
+
+// Like `value`, but computes in the target rather than in a new register, if it may.
+Reg Lowering::value_near(const Expr& e, Target hint) {
+  Reg reg;
+  if (in_register(e, reg)) return reg;
+  if (!hint.early) return value(e);
+  value_into(e, hint);
+  return hint.reg;
+}
+
+bool Lowering::in_register(const Expr& e, Reg& out) {
+  Slot slot;
+  if (constant_slot(e, slot)) {
+    return options_.optimise && loop_depth_ > 0 && code_.pinned_constant(slot, out);
+  }
+  if (e.kind == ExprKind::kConvert && e.as<ConvertExpr>().conversion == Conversion::kSame) {
+    return in_register(*e.as<ConvertExpr>().operand, out);
+  }
+  if (e.kind != ExprKind::kVariable) return false;
+  const Variable& variable = *e.as<VariableExpr>().variable;
+  if (variable.storage == Storage::kLocal) {
+    out = reg_of(variable);
+    return true;
+  }
+  if (!pinned_global(&variable, out)) return false;
+  code_.at(e.span, &e);
+  check_set(variable);
+  return true;
+}
+
+void Lowering::value_into(const Expr& e, Target to) {
+  Slot slot;
+  Reg reg;
+  if (constant_slot(e, slot)) {
+    code_.at(e.span, &e);
+    code_.constant(to.reg, slot);
+    return;
+  }
+  if (in_register(e, reg)) {
+    if (reg != to.reg) code_.emit(OpCode::MOVE, to.reg, reg);
+    return;
+  }
+  const Emitter::Mark mark = code_.mark();
+  compute(e, to);
+  code_.release(mark);
+}
+
+void Lowering::compute(const Expr& e, Target to) {
+  code_.at(e.span, &e);
+  switch (e.kind) {
+    case ExprKind::kAbsent: code_.constant(to.reg, Slot{.i = kAbsentBits}); break;
+    case ExprKind::kVariable:
+      check_set(*e.as<VariableExpr>().variable);
+      load_variable(*e.as<VariableExpr>().variable, to.reg);
+      break;
+    case ExprKind::kUnary: unary_into(e.as<UnaryExpr>(), to); break;
+    case ExprKind::kBinary:
+      if (is_arithmetic(e.as<BinaryExpr>().op)) {
+        binary_into(e.as<BinaryExpr>(), to);
+        break;
+      }
+      [[fallthrough]];
+    case ExprKind::kAnd:
+    case ExprKind::kOr: truth_into(e, to); break;
+    case ExprKind::kCond: cond_into(e.as<CondExpr>(), to); break;
+    case ExprKind::kConvert: convert_into(e.as<ConvertExpr>(), to); break;
+    case ExprKind::kField: load_field(e.as<FieldExpr>(), to.reg, Hold::kNow); break;
+    case ExprKind::kElement: load_element(e.as<ElementExpr>(), to.reg, Hold::kNow); break;
+    case ExprKind::kLength: length_into(e.as<LengthExpr>(), to.reg); break;
+    case ExprKind::kMutate: code_.emit(OpCode::MOVE, to.reg, mutate(e.as<MutateExpr>())); break;
+    default: call_into(e, to); break;
+  }
+}
+
+void Lowering::load_variable(const Variable& variable, Reg to) {
+  if (variable.storage == Storage::kBoxed) {
+    code_.emit(OpCode::BLOAD, to, reg_of(variable));
+  } else {
+    code_.push(OpCode::GLOAD, to.bits, variable.index, 0);
+  }
+}
+
+void Lowering::unary_into(const UnaryExpr& e, Target to) {
+  const Reg operand = value_near(*e.operand, to);
+  code_.at(e.span, &e);
+  code_.emit(instruction(e.op), to.reg, operand);
+}
+
+// A chain such as a + b * c - d is a loop from its innermost left operand on.
+void Lowering::binary_into(const BinaryExpr& e, Target to) {
+  std::vector<const BinaryExpr*> chain{&e};
+  const Expr* first = e.left;
+  for (; is_chain_link(*first); first = first->as<BinaryExpr>().left) {
+    chain.push_back(&first->as<BinaryExpr>());
+  }
+  const bool needs_own = !to.early && chain.size() > 1;
+  const Reg between = needs_own ? code_.number() : to.reg;
+  Reg result = value_near(*first, {between, to.early || needs_own});
+  for (std::size_t i = chain.size(); i-- > 0;) {
+    const Emitter::Mark mark = code_.mark();
+    const BinaryExpr& link = *chain[i];
+    const Reg next = i == 0 ? to.reg : between;
+    arithmetic({link.span, &link}, link.op, result, *link.right, next);
+    code_.release(mark);
+    result = next;
+  }
+}
+
+// to = left op right. Nothing is written to `to` before the right side has been evaluated.
+void Lowering::arithmetic(Site site, Op op, Reg left, const Expr& right, Reg to) {
+  if (options_.optimise) {
+    if (left == to && multiply_add(site, op, right, to)) return;
+    if (add_small(site, op, left, right, to)) return;
+    if (left == to && op == Op::kMulR && multiply_element(right, to)) return;
+  }
+  const Reg other = value(right);
+  code_.at(site.span, site.expr);
+  code_.emit(instruction(op), to, left, other);
+}
+
+bool Lowering::add_small(Site site, Op op, Reg left, const Expr& right, Reg to) {
+  std::int64_t small = 0;
+  if ((op != Op::kAddI && op != Op::kSubI) || !small_int(right, small)) return false;
+  if (op == Op::kSubI) small = -small;
+  if (small > INT16_MAX) return false;
+  code_.at(site.span, site.expr);
+  code_.push(OpCode::ADDIK, to.bits, left.bits, static_cast<std::uint16_t>(small));
+  return true;
+}
+
+// x + a * b where x may be overwritten. The product is rounded, then the sum: the same bits as two instructions.
+bool Lowering::multiply_add(Site site, Op op, const Expr& right, Reg accumulator) {
+  if (op != Op::kAddR && op != Op::kSubR) return false;
+  if (!is_chain_link(right) || right.as<BinaryExpr>().op != Op::kMulR) return false;
+  const auto& product = right.as<BinaryExpr>();
+  const Reg a = value(*product.left);
+  const Reg b = value(*product.right);
+  code_.at(site.span, site.expr);
+  code_.emit(op == Op::kAddR ? OpCode::MADD : OpCode::MSUB, accumulator, a, b);
+  return true;
+}
+
+bool Lowering::multiply_element(const Expr& right, Reg accumulator) {
+  if (right.kind != ExprKind::kElement || right.constant != nullptr) return false;
+  const auto& element = right.as<ElementExpr>();
+  const Reg list = borrow(*element.object, hold_over(*element.index));
+  const Reg index = value(*element.index);
+  code_.at(right.span, &right);
+  code_.emit(OpCode::LDMUL, accumulator, list, index);
+  return true;
+}
+
+void Lowering::truth_into(const Expr& e, Target to) {
+  if (e.kind == ExprKind::kBinary && is_number_comparison(e.as<BinaryExpr>().op)) {
+    const auto& binary = e.as<BinaryExpr>();
+    const Reg left = value(*binary.left);
+    const Reg right = value(*binary.right);
+    const bool turned = is_turned(binary.op);
+    code_.at(e.span, &e);
+    code_.emit(instruction(binary.op), to.reg, turned ? right : left, turned ? left : right);
+    return;
+  }
+  const Label no = code_.label();
+  const Label end = code_.label();
+  branch(e, false, no);
+  code_.constant(to.reg, slot_of(true));
+  code_.jump(end);
+  code_.bind(no);
+  code_.constant(to.reg, slot_of(false));
+  code_.bind(end);
+}
+
+void Lowering::cond_into(const CondExpr& e, Target to) {
+  const Label no = code_.label();
+  const Label end = code_.label();
+  branch(*e.condition, false, no);
+  value_into(*e.yes, to);
+  code_.jump(end);
+  code_.bind(no);
+  value_into(*e.no, to);
+  code_.bind(end);
+}
+
+void Lowering::convert_into(const ConvertExpr& e, Target to) {
+  if (e.conversion == Conversion::kSame) {
+    value_into(*e.operand, to);
+    return;
+  }
+  const Reg operand = value_near(*e.operand, to);
+  code_.at(e.span, &e);
+  code_.emit(e.conversion == Conversion::kIntToReal ? OpCode::ITOR : OpCode::RTOI, to.reg, operand);
+}
+
+void Lowering::length_into(const LengthExpr& e, Reg to) {
+  const Reg object = borrow(*e.object, Hold::kNow);
+  code_.at(e.span, &e);
+  code_.emit(e.object->type->is(Kind::kText) ? OpCode::LENTEXT : OpCode::LEN, to, object);
+}
+
+// ---- fields and elements, also as borrowed references --------------------------------------------------------------
+
+void Lowering::load_field(const FieldExpr& e, Reg to, Hold hold) {
+  if (options_.optimise && e.object->kind == ExprKind::kElement) {
+    const auto& element = e.object->as<ElementExpr>();
+    const Reg list = borrow(*element.object, stronger(hold, hold_over(*element.index)));
+    const Reg index = value(*element.index);
+    code_.at(element.span, &element);
+    code_.emit(OpCode::LDF, to, list, index);
+    code_.word(e.field);
+    return;
+  }
+  const Reg record = borrow(*e.object, hold);
+  code_.at(e.span, &e);
+  code_.push(OpCode::FLD, to.bits, record.bits, e.field);
+}
+
+void Lowering::load_element(const ElementExpr& e, Reg to, Hold hold) {
+  const Reg list = borrow(*e.object, stronger(hold, hold_over(*e.index)));
+  std::int64_t small = 0;
+  if (options_.optimise && small_int(*e.index, small)) {
+    code_.at(e.span, &e);
+    code_.push(OpCode::LDI, to.bits, list.bits, static_cast<std::uint16_t>(small));
+    return;
+  }
+  const Reg index = value(*e.index);
+  code_.at(e.span, &e);
+  code_.emit(OpCode::LD, to, list, index);
+}
+
+}  // namespace armlet::lang

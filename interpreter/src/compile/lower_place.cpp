@@ -1,0 +1,265 @@
+// Assignments: variables, and places inside lists and records.
+
+#include "compile/lowering.hpp"
+
+namespace armlet::lang {
+
+using namespace hir;
+
+// ---- whole variables ----------------------------------------------------------------------------------------------
+
+// Reading or changing a variable of the program before its declaration has run is an error.
+void Lowering::check_set(const Variable& variable) {
+  if (variable.storage == Storage::kGlobal && variable.maybe_unset) {
+    code_.push(OpCode::GCHECK, variable.index, 0, 0);
+  }
+}
+
+void Lowering::assign(const AssignStmt& s) {
+  if (!s.place.steps.empty()) {
+    assign_inside(s);
+  } else if (s.compound) {
+    assign_compound(s);
+  } else {
+    assign_whole(s);
+  }
+}
+
+// A variable declared without a value is set by its first assignment.
+void Lowering::assign_whole(const AssignStmt& s) {
+  const Variable& variable = *s.place.variable;
+  code_.at(s.span);
+  if (variable.init != nullptr) check_set(variable);
+  store(variable, *s.value);
+  if (variable.init == nullptr) note_set(variable);
+}
+
+void Lowering::store(const Variable& variable, const Expr& value) {
+  const bool reference = variable.type->is_reference();
+  const Emitter::Mark mark = code_.mark();
+  if (variable.storage == Storage::kLocal) {
+    if (!reference) {
+      value_into(value, {reg_of(variable), can_write_early(variable, value)});
+    } else if (!append_text(variable, value)) {
+      own_into(value, reg_of(variable));
+    }
+  } else {
+    const Reg from = reference ? borrow(value, Hold::kNow) : this->value(value);
+    store_register(variable, from);
+  }
+  code_.release(mark);
+}
+
+void Lowering::store_register(const Variable& variable, Reg from) {
+  const bool reference = variable.type->is_reference();
+  switch (variable.storage) {
+    case Storage::kLocal:
+      code_.emit(reference ? OpCode::MOVEREF : OpCode::MOVE, reg_of(variable), from);
+      break;
+    case Storage::kBoxed:
+      code_.emit(reference ? OpCode::BSTOREREF : OpCode::BSTORE, reg_of(variable), from);
+      break;
+    case Storage::kGlobal:
+      code_.push(reference ? OpCode::GSTOREREF : OpCode::GSTORE, variable.index, from.bits, 0);
+      break;
+  }
+}
+
+// x = ... may use x as its work register if x is read first, or not at all, and nothing can fail half-way.
+bool Lowering::can_write_early(const Variable& variable, const Expr& value) const {
+  if (!options_.optimise || !is_plain(value)) return false;
+  const Expr* e = &value;
+  for (; e->kind == ExprKind::kBinary; e = e->as<BinaryExpr>().left) {
+    if (mentions(*e->as<BinaryExpr>().right, variable)) return false;
+  }
+  return e->kind == ExprKind::kVariable || !mentions(*e, variable);
+}
+
+// s = s + t grows s in place.
+bool Lowering::append_text(const Variable& variable, const Expr& value) {
+  if (!options_.optimise || value.kind != ExprKind::kConcat || value.constant != nullptr) return false;
+  const std::vector<Expr*> parts = joined_parts(value.as<ConcatExpr>());
+  if (parts.size() < 2 || parts.size() > 8) return false;
+  const auto is_variable = [&](const Expr& e) {
+    return e.kind == ExprKind::kVariable && e.as<VariableExpr>().variable == &variable;
+  };
+  if (!is_variable(*parts[0])) return false;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (mentions(*parts[i], variable)) return false;
+  }
+  std::vector<Reg> added;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    Hold hold = Hold::kNow;
+    for (std::size_t later = i + 1; later < parts.size(); ++later) {
+      hold = stronger(hold, hold_over(*parts[later]));
+    }
+    added.push_back(borrow(*parts[i], hold));
+  }
+  code_.at(value.span, &value);
+  for (const Reg part : added) code_.emit(OpCode::APPEND, reg_of(variable), part);
+  return true;
+}
+
+// x += value for numbers.
+void Lowering::assign_compound(const AssignStmt& s) {
+  const Variable& variable = *s.place.variable;
+  const Emitter::Mark mark = code_.mark();
+  code_.at(s.span);
+  if (variable.storage == Storage::kLocal) {
+    operate(s, reg_of(variable), reg_of(variable));
+  } else {
+    check_set(variable);
+    const Reg old = code_.number();
+    load_variable(variable, old);
+    operate(s, old, old);
+    store_register(variable, old);
+  }
+  code_.release(mark);
+}
+
+// to = left op s.value
+void Lowering::operate(const AssignStmt& s, Reg left, Reg to) {
+  arithmetic({s.span, nullptr}, s.op, left, *s.value, to);
+}
+
+// ---- inside lists and records -------------------------------------------------------------------------------------
+
+// What stands in the brackets is evaluated first, then the value; then the way to the place is walked at once.
+void Lowering::assign_inside(const AssignStmt& s) {
+  const Emitter::Mark mark = code_.mark();
+  code_.at(s.span);
+  check_set(*s.place.variable);
+  const Indices indices = index_values(s.place);
+  if (s.place.type->is_reference()) {
+    const Reg from = borrow(*s.value, hold_for(s.place, *s.value));
+    const Reg to = address(s.place, indices);
+    code_.emit(OpCode::PUTREF, to, from);
+  } else if (!s.compound) {
+    store_inside(s.place, indices, value(*s.value));
+  } else {
+    // The old value is read first; a call in s.value may change it.
+    const Reg now = code_.number();
+    load_place(s.place, indices, now);
+    operate(s, now, now);
+    store_inside(s.place, indices, now);
+  }
+  code_.release(mark);
+}
+
+Lowering::Indices Lowering::index_values(const Place& place) {
+  Indices indices;
+  for (const Step& step : place.steps) {
+    indices.push_back(step.is_field ? Reg{} : value(*step.index));
+  }
+  return indices;
+}
+
+// A value that is part of the variable it is stored into is counted first, so that no object can come to hold itself.
+Hold Lowering::hold_for(const Place& place, const Expr& value) {
+  return root_variable(value) == place.variable ? Hold::kOwn : Hold::kNow;
+}
+
+// The list or record of a variable in a register that stores may change in place.
+bool Lowering::own_register(const Variable& variable, Reg& out) const {
+  if (!options_.optimise) return false;
+  if (variable.storage == Storage::kLocal && reg_of(variable).is_reference()) {
+    out = reg_of(variable);
+    return true;
+  }
+  return pinned_global(&variable, out);
+}
+
+void Lowering::store_inside(const Place& place, const Indices& indices, Reg from) {
+  Reg object;
+  const std::size_t steps = place.steps.size();
+  const Step& last = place.steps.back();
+  if (own_register(*place.variable, object)) {
+    code_.at(last.span);
+    if (steps == 1 && !last.is_field) {
+      code_.emit(OpCode::ST, object, indices[0], from);
+      return;
+    }
+    if (steps == 1) {
+      code_.push(OpCode::STF, object.bits, last.field, from.bits);
+      return;
+    }
+    if (steps == 2 && last.is_field && !place.steps[0].is_field) {
+      code_.emit(OpCode::STLF, object, indices[0], from);
+      code_.word(last.field);
+      return;
+    }
+  }
+  const Reg to = address(place, indices);
+  code_.emit(OpCode::PUT, to, from);
+}
+
+// The address of the place, good until anything else runs.
+Reg Lowering::address(const Place& place, const Indices& indices) {
+  const Variable& variable = *place.variable;
+  const Reg to = code_.number();
+  switch (variable.storage) {
+    case Storage::kLocal: code_.emit(OpCode::ADDRL, to, reg_of(variable)); break;
+    case Storage::kBoxed: code_.emit(OpCode::ADDRB, to, reg_of(variable)); break;
+    case Storage::kGlobal: code_.push(OpCode::ADDRG, to.bits, variable.index, 0); break;
+  }
+  for (std::size_t i = 0; i < place.steps.size(); ++i) {
+    const Step& step = place.steps[i];
+    code_.at(step.span);
+    if (step.is_field) {
+      code_.push(OpCode::ADDRF, to.bits, to.bits, step.field);
+    } else {
+      code_.emit(OpCode::ADDRE, to, to, indices[i]);
+    }
+  }
+  return to;
+}
+
+// The number at the place as it is now.
+void Lowering::load_place(const Place& place, const Indices& indices, Reg to) {
+  Reg object = borrow_variable(*place.variable, Hold::kNow);
+  const std::size_t steps = place.steps.size();
+  for (std::size_t i = 0; i < steps; ++i) {
+    const Step& step = place.steps[i];
+    code_.at(step.span);
+    if (step.is_field) {
+      code_.push(OpCode::FLD, to.bits, object.bits, step.field);
+    } else if (options_.optimise && i + 2 == steps && place.steps[i + 1].is_field) {
+      code_.emit(OpCode::LDF, to, object, indices[i]);
+      code_.word(place.steps[i + 1].field);
+      return;
+    } else {
+      code_.emit(OpCode::LD, to, object, indices[i]);
+    }
+    object = to;
+  }
+}
+
+// ---- lists that grow and shrink -----------------------------------------------------------------------------------
+
+// Returns the register of the removed element; a reference there is owned and has to be taken at once.
+Reg Lowering::mutate(const MutateExpr& e) {
+  const bool reference = e.value != nullptr && e.value->type->is_reference();
+  const Reg result = code_.number();
+  code_.at(e.span, &e);
+  check_set(*e.place.variable);
+  const Indices indices = index_values(e.place);
+  const Reg index = e.index == nullptr ? code_.number() : value(*e.index);
+  Reg added;
+  if (e.value != nullptr) {
+    added = reference ? borrow(*e.value, hold_for(e.place, *e.value)) : value(*e.value);
+  }
+  if (e.mutation == Mutation::kPop) code_.constant(index, Slot{.i = kAbsentBits});
+  const Reg list = address(e.place, indices);
+  code_.at(e.span, &e);
+  switch (e.mutation) {
+    case Mutation::kPush: code_.emit(reference ? OpCode::PUSHREF : OpCode::PUSH, list, added); break;
+    case Mutation::kInsert:
+      code_.emit(reference ? OpCode::INSERTREF : OpCode::INSERT, list, index, added);
+      break;
+    case Mutation::kPop:
+    case Mutation::kRemoveAt: code_.emit(OpCode::POP, result, list, index); break;
+  }
+  return result;
+}
+
+}  // namespace armlet::lang

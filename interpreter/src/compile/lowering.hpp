@@ -1,0 +1,218 @@
+#pragma once
+// One function of the checked program on its way to bytecode. The parts are in lower_*.cpp.
+//
+// Numbers are evaluated into number registers, destination first, so that few moves are needed. References are either
+// borrowed, when someone else keeps them alive while they are needed, or counted into a reference register.
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "compile/analysis.hpp"
+#include "compile/emitter.hpp"
+#include "compile/lower.hpp"
+#include "compile/tables.hpp"
+
+namespace armlet::lang {
+
+// Where a number shall go.
+struct Target {
+  Reg reg;
+  bool early;   // may be written before the whole expression has been evaluated
+};
+
+// What an instruction belongs to in the text.
+struct Site {
+  Span span;
+  const hir::Expr* expr;
+};
+
+// How long a borrowed reference must stay good.
+enum class Hold : std::uint8_t {
+  kNow,    // nothing else runs until it is used
+  kCall,   // other code of the program may run, but this function changes none of its variables
+  kOwn,    // this function itself may change the variable: count it
+};
+[[nodiscard]] Hold stronger(Hold a, Hold b);
+// What a reference needs to outlast the evaluation of `later`.
+[[nodiscard]] Hold hold_over(const hir::Expr& later);
+
+class Lowering {
+ public:
+  Lowering(Tables& tables, const hir::Function& function, LowerOptions options);
+
+  // The whole function; for the program itself with the statements of the top level.
+  void function(FunctionCode& into);
+  // Only the initialisers of the top level.
+  void declarations(FunctionCode& into);
+
+ private:
+  // What `break`, `continue` and `retry` go to.
+  struct Exit {
+    const hir::Stmt* target;
+    Label leave;           // break
+    Label again;           // continue, retry
+    std::size_t tries;     // how many tries are around it
+    Reg retries, instant;  // for RETRY
+  };
+  struct TryScope {
+    const hir::Block* finally;            // null: none
+    bool catching;                        // failures here go to a handler
+    std::uint32_t begin;                  // of the range that is open
+    std::vector<Emitter::Range> caught;
+    std::vector<Emitter::Range> finals;
+  };
+  struct RangeStep {
+    std::int64_t by = 1;                  // 0: known only while running, in `reg`
+    Reg reg;
+  };
+  using Indices = std::vector<Reg>;       // by step of a place; unused for fields
+  using Pass = std::function<void()>;
+
+  // ---- lower.cpp
+  void start(FunctionCode& into);
+  void load_captures(FunctionCode& into);
+  void finish(FunctionCode& into);
+
+  // ---- lower_number.cpp: values without a count
+  Reg value(const hir::Expr& e);
+  Reg value_near(const hir::Expr& e, Target hint);
+  void value_into(const hir::Expr& e, Target to);
+  bool in_register(const hir::Expr& e, Reg& out);
+  void compute(const hir::Expr& e, Target to);
+  void load_variable(const hir::Variable& variable, Reg to);
+  void unary_into(const hir::UnaryExpr& e, Target to);
+  void binary_into(const hir::BinaryExpr& e, Target to);
+  void arithmetic(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool add_small(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool multiply_add(Site site, hir::Op op, const hir::Expr& right, Reg accumulator);
+  bool multiply_element(const hir::Expr& right, Reg accumulator);
+  void truth_into(const hir::Expr& e, Target to);
+  void cond_into(const hir::CondExpr& e, Target to);
+  void convert_into(const hir::ConvertExpr& e, Target to);
+  void length_into(const hir::LengthExpr& e, Reg to);
+  void load_field(const hir::FieldExpr& e, Reg to, Hold hold);
+  void load_element(const hir::ElementExpr& e, Reg to, Hold hold);
+
+  // ---- lower_reference.cpp: texts, lists, records ...
+  Reg borrow(const hir::Expr& e, Hold hold);
+  void borrow_into(const hir::Expr& e, Reg to, Hold hold);
+  Reg borrow_variable(const hir::Variable& variable, Hold hold);
+  Reg null_reference();
+  void own_into(const hir::Expr& e, Reg to);
+  void own_variable(const hir::Variable& variable, Reg to);
+  void own_either(const hir::CondExpr& e, Reg to);
+  void own_converted(const hir::ConvertExpr& e, Reg to);
+  void make(const hir::Expr& e, Reg to);
+  void make_list(const hir::ListExpr& e, Reg to);
+  void make_array(const hir::NewArrayExpr& e, Reg to);
+  void make_record(const hir::RecordExpr& e, Reg to);
+  void make_closure(const hir::ClosureExpr& e, Reg to);
+  void make_error(const hir::ErrorExpr& e, Reg to);
+  void make_slice(const hir::SliceExpr& e, Reg to);
+  void make_character(const hir::CharacterExpr& e, Reg to);
+  void join(const hir::ConcatExpr& e, Reg to);
+  static std::vector<hir::Expr*> joined_parts(const hir::ConcatExpr& e);
+  void to_text(const hir::ToTextExpr& e, Reg to);
+
+  // ---- lower_call.cpp
+  void window(hir::Seq<hir::Expr*> arguments, Reg base, Hold hold);
+  Reg base_for(Target to);
+  void call_into(const hir::Expr& e, Target to);
+  void call_own(const hir::Expr& e, Reg to);
+  void effect(const hir::Expr& e);
+  Reg call(const hir::Expr& e, Target to);
+  Reg call_native(const hir::CallNativeExpr& e, Reg base);
+  Reg call_guarded(const hir::GuardedExpr& e, Target to);
+  bool call_direct(const hir::CallNativeExpr& e, Target to);
+
+  // ---- lower_branch.cpp
+  void branch(const hir::Expr& e, bool when, Label to);
+  void branch_on(Reg truth, bool when, Label to);
+  void branch_all(const hir::BinaryExpr& e, bool when, Label to);
+  bool branch_compare(const hir::BinaryExpr& e, bool when, Label to);
+  void branch_int(const hir::BinaryExpr& e, hir::Op op, Label to);
+  void branch_real(const hir::BinaryExpr& e, bool when, Label to);
+  void branch_text(const hir::BinaryExpr& e, hir::Op op, Label to);
+  void branch_deep(const hir::BinaryExpr& e, bool equal, Label to);
+
+  // ---- lower_place.cpp
+  void check_set(const hir::Variable& variable);
+  void assign(const hir::AssignStmt& s);
+  void assign_whole(const hir::AssignStmt& s);
+  void assign_compound(const hir::AssignStmt& s);
+  void assign_inside(const hir::AssignStmt& s);
+  void store(const hir::Variable& variable, const hir::Expr& value);
+  void store_register(const hir::Variable& variable, Reg from);
+  bool can_write_early(const hir::Variable& variable, const hir::Expr& value) const;
+  bool append_text(const hir::Variable& variable, const hir::Expr& value);
+  void operate(const hir::AssignStmt& s, Reg left, Reg to);
+  Indices index_values(const hir::Place& place);
+  static Hold hold_for(const hir::Place& place, const hir::Expr& value);
+  bool own_register(const hir::Variable& variable, Reg& out) const;
+  void store_inside(const hir::Place& place, const Indices& indices, Reg from);
+  Reg address(const hir::Place& place, const Indices& indices);
+  void load_place(const hir::Place& place, const Indices& indices, Reg to);
+  Reg mutate(const hir::MutateExpr& e);
+
+  // ---- lower_stmt.cpp
+  void statement(const hir::Stmt& s);
+  void block(const hir::Block& b);
+  void scoped(const hir::Stmt& s);
+  void declare(hir::Variable& variable);
+  void init(const hir::InitStmt& s);
+  void init_from(hir::Variable& variable, Reg value);
+  void note_set(const hir::Variable& variable);
+  void if_else(const hir::IfStmt& s);
+  void switch_case(const hir::SwitchStmt& s);
+  void jump(const hir::JumpStmt& s);
+  void give_back(const hir::ReturnStmt& s);
+  void give_back_reference(const hir::Expr& e);
+  void raise(const hir::ThrowStmt& s);
+  void wait(const hir::WaitStmt& s);
+  void wait_until(const hir::WaitUntilStmt& s);
+  void check(const hir::AssertStmt& s);
+
+  // ---- lower_loop.cpp
+  void begin_loop(const hir::Stmt& s);
+  void end_loop(Emitter::Mark mark, std::size_t pinned);
+  void pin_globals(const Summary& summary);
+  bool pinned_global(const hir::Variable* variable, Reg& out) const;
+  void loop(const hir::LoopStmt& s);
+  void plain_loop(const hir::LoopStmt& s);
+  bool counted_loop(const hir::LoopStmt& s, const Summary& body);
+  bool loop_bound(const hir::Expr& e, const Summary& body, Reg& out);
+  void count_up(const hir::Stmt& s, Reg counter, Reg last, const Pass& pass);
+  void range(const hir::RangeStmt& s);
+  void range_pass(const hir::RangeStmt& s, Reg counter);
+  Reg range_end(const hir::Expr& e, const Summary& body);
+  void count_by(const hir::RangeStmt& s, Reg counter, Reg last, RangeStep step, const Pass& pass);
+  void for_list(const hir::ForListStmt& s);
+  Reg visited_list(const hir::Expr& items, const Summary& body);
+  [[nodiscard]] std::uint32_t line_of(Span span) const;
+
+  // ---- lower_try.cpp
+  void try_catch(const hir::TryStmt& s);
+  void handle(const hir::TryStmt& s);
+  void check_throws(const hir::AssertThrowsStmt& s);
+  // Leaves the tries above `depth`, running what they do finally, then does `go`.
+  void leave(std::size_t depth, const std::function<void()>& go);
+  void close(TryScope& scope);
+  TryScope pop_try();
+  [[nodiscard]] bool finally_runs() const;
+
+  [[nodiscard]] static Reg reg_of(const hir::Variable& variable) { return Reg{variable.index}; }
+
+  Tables& tables_;
+  const hir::Function& function_;
+  LowerOptions options_;
+  Emitter code_;
+  bool is_program_;
+  std::vector<Exit> exits_;
+  std::vector<TryScope> tries_;
+  std::vector<std::pair<const hir::Variable*, Reg>> pinned_globals_;  // held in registers during a quiet loop
+  int loop_depth_ = 0;
+};
+
+}  // namespace armlet::lang

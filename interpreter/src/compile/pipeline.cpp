@@ -1,0 +1,65 @@
+#include "compile/pipeline.hpp"
+
+#include <exception>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "check/check.hpp"
+#include "syntax/parse.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+// A program that passed all checks; null if there were errors.
+std::shared_ptr<const Program> build(const Registry& registry, const Source& source,
+                                     std::unique_ptr<CompiledProgram> compiled,
+                                     const CompileOptions& options, LowerOptions lowering,
+                                     DiagnosticSink& sink) {
+  Arena tree;
+  Parsed parsed = parse(source, tree, sink, options.limits);
+  ast::Block program{};
+  program.span = {0, static_cast<std::uint32_t>(source.text().size()), source.id()};
+  program.body = tree.copy(parsed.statements);
+  // Checked even after mistakes of syntax: other mistakes are worth telling too.
+  const bool checked = check_program(program, *compiled, registry, options, sink);
+  if (!parsed.ok || !checked || sink.has_errors()) return nullptr;
+  if (std::optional<Diagnostic> too_large = lower(*compiled, lowering)) {
+    sink.report(std::move(*too_large));
+    return nullptr;
+  }
+  return std::make_shared<const Program>(std::move(compiled));
+}
+
+// Reached only through a mistake of ours, or when the machine has no memory left.
+Diagnostic defect(const char* what) {
+  Diagnostic d;
+  d.code = "E0198";
+  d.message = "this program cannot be compiled";
+  d.why = std::string("Armlet itself failed: ") + what;
+  return d;
+}
+
+}  // namespace
+
+Compilation compile_text(const Registry& registry, std::string text, std::string name,
+                         const CompileOptions& options, LowerOptions lowering) {
+  Compilation result;
+  DiagnosticSink sink(options.limits.errors);
+  auto compiled = std::make_unique<CompiledProgram>();
+  compiled->sources = std::make_shared<SourceSet>();
+  result.sources = compiled->sources;
+  const Source& source = compiled->sources->add(std::move(name), std::move(text));
+  try {
+    result.program = build(registry, source, std::move(compiled), options, lowering, sink);
+    result.diagnostics = sink.take_sorted();
+  } catch (const std::bad_alloc&) {
+    result.diagnostics.push_back(defect("the computer has no memory left"));
+  } catch (const std::exception& e) {
+    result.diagnostics.push_back(defect(e.what()));
+  }
+  return result;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,16 @@
+#pragma once
+// From text to program: parse, check, lower.
+
+#include <string>
+
+#include "armlet/interpreter/engine.hpp"
+#include "compile/lower.hpp"
+#include "registry.hpp"
+
+namespace armlet::lang {
+
+// Everything that is wrong with the text comes back as diagnostics.
+[[nodiscard]] Compilation compile_text(const Registry& registry, std::string text, std::string name,
+                                       const CompileOptions& options, LowerOptions lowering = {});
+
+}  // namespace armlet::lang

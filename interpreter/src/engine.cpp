@@ -1,0 +1,66 @@
+#include "armlet/interpreter/engine.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "compile/pipeline.hpp"
+#include "compile/program.hpp"
+#include "registry.hpp"
+
+namespace armlet {
+
+// ---- Engine -------------------------------------------------------------------------------------------------------
+
+Engine::Engine() : registry_(std::make_unique<lang::Registry>()) {}
+Engine::~Engine() = default;
+Engine::Engine(Engine&&) noexcept = default;
+Engine& Engine::operator=(Engine&&) noexcept = default;
+
+Engine& Engine::add_functions(std::span<const NativeFunction> functions) {
+  for (const NativeFunction& function : functions) registry_->add_function(function);
+  return *this;
+}
+
+Engine& Engine::add_constants(std::span<const NativeConstant> constants) {
+  for (const NativeConstant& constant : constants) registry_->add_constant(constant);
+  return *this;
+}
+
+Engine& Engine::add_type(const HostType& type) {
+  registry_->add_type(type);
+  return *this;
+}
+
+Engine& Engine::add_record(std::string_view name, std::string_view fields) {
+  registry_->add_record(name, fields);
+  return *this;
+}
+
+Compilation Engine::compile(std::string text, std::string name, const CompileOptions& options) const {
+  return lang::compile_text(*registry_, std::move(text), std::move(name), options);
+}
+
+std::vector<std::string> Engine::check_signatures() const { return registry_->check_signatures(); }
+
+// ---- Program ------------------------------------------------------------------------------------------------------
+
+Program::Program(std::unique_ptr<lang::CompiledProgram> compiled) : compiled_(std::move(compiled)) {}
+Program::~Program() = default;
+
+const SourceSet& Program::sources() const { return *compiled_->sources; }
+
+std::vector<std::string> Program::test_names() const {
+  std::vector<std::string> names;
+  for (const lang::hir::Test& test : compiled_->module.tests) names.emplace_back(test.name);
+  return names;
+}
+
+bool Program::mentions(std::string_view function) const {
+  return std::binary_search(compiled_->mentioned.begin(), compiled_->mentioned.end(), function);
+}
+
+std::string Program::disassemble() const { return lang::disassemble(*compiled_); }
+
+lang::CompiledProgram::~CompiledProgram() = default;
+
+}  // namespace armlet
