@@ -110,6 +110,9 @@ struct HostType {
   bool (*equal)(const void* a, const void* b) = nullptr;   // null: == is not offered
   void (*text)(const void* value, std::string& out) = nullptr;  // as print shows it
   std::string_view help;
+  // For messages about values of another type: "a position", "moves to a posJ, an object made from the numbers".
+  std::string_view noun = {};
+  std::string_view use = {};
 };
 
 struct HostObj : Obj {

@@ -1,0 +1,117 @@
+// T name { field: value; row constructor(...) }: for structs, and for host types with a function "T{}".
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Stmt* Checker::check_object(const ast::ObjectStmt& stmt) {
+  const Type* type = resolve(*stmt.type);
+  const bool top_level = here_ == &main_ && main_.blocks.size() == 1;
+  Use used;
+  Use* const use_before = use_;
+  if (top_level) use_ = &used;
+  hir::Expr* value = type->is(Kind::kAny) ? failed(stmt.span) : block_value(stmt, type);
+  use_ = use_before;
+  const bool fresh = is_free(stmt.name);
+  hir::Variable* variable = new_variable(stmt.name.text, type, stmt.name.span);
+  variable->fixed = true;
+  variable->init = value;
+  if (fresh) add_local(variable, Declared::kBlock, stmt.type->span)->used = true;
+  auto* init = make<hir::InitStmt>(hir::StmtKind::kInit, stmt.span, variable, value);
+  if (top_level) {
+    top_level_.emplace_back(variable, init);
+    init_uses_[variable] = std::move(used);
+  }
+  return init;
+}
+
+hir::Expr* Checker::block_value(const ast::ObjectStmt& stmt, const Type* type) {
+  const std::string_view type_text = arena_.copy(type_name(type));
+  const auto makers = registry_.functions(std::string(type_text) + "{}");
+  const bool is_struct = type->is(Kind::kRecord) && structs_.contains(type->record);
+  if (!is_struct && makers.empty()) {
+    report(make_diagnostic("E0217", stmt.type->span, {std::string(type_text), "a type without a block form"}));
+    return failed(stmt.span);
+  }
+  std::vector<Argument> arguments;
+  std::vector<std::pair<std::string_view, std::vector<hir::Expr*>>> rows;
+  if (!is_struct) {
+    const std::string_view name = arena_.copy(stmt.name.text);
+    arguments.push_back({.name = "name",
+                         .name_span = stmt.name.span,
+                         .value = make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), stmt.name.span, name)});
+  }
+  for (const ast::BlockItem& item : stmt.items) {
+    if (item.is_row) {
+      hir::Expr* row = block_row(stmt, item);
+      if (row->type->is(Kind::kAny)) return failed(stmt.span);
+      const auto known = std::ranges::find(rows, item.name.text, [](const auto& pair) { return pair.first; });
+      if (known == rows.end()) {
+        rows.push_back({item.name.text, {row}});
+      } else {
+        known->second.push_back(row);
+      }
+      continue;
+    }
+    Argument argument{.name = item.name.text, .name_span = item.name.span, .written = item.value};
+    const std::string maker = std::string(type_text) + "{}";
+    if (!waits(*item.value)) {
+      argument.value = check_value(*item.value, list_hint(maker, {item.name, item.value, item.span}, 0));
+    }
+    arguments.push_back(argument);
+  }
+  for (const auto& [name, values] : rows) {
+    arguments.push_back({.name = name,
+                         .name_span = stmt.name.span,
+                         .value = make<hir::ListExpr>(hir::ExprKind::kList, types_.list(values[0]->type), stmt.span,
+                                                      seq(values))});
+  }
+  const bool wants_rows = !is_struct && rows.empty() &&
+                          std::ranges::any_of(signature_of(*makers[0]).parameters, [](const Parameter& p) {
+                            return p.type.form == TypePattern::Form::kList && !p.may_be_left_out();
+                          });
+  if (wants_rows) {
+    // A part that repeats may be missing altogether: the rule of the host says whether that is right.
+    for (const Parameter& p : signature_of(*makers[0]).parameters) {
+      if (p.type.form != TypePattern::Form::kList || p.may_be_left_out()) continue;
+      const Type* list = instantiate(p.type, {}, types_);
+      const std::string_view name = arena_.copy(p.name);
+      const auto given = [&](const Argument& argument) { return argument.name == name; };
+      if (list == nullptr || std::ranges::any_of(arguments, given)) continue;
+      arguments.push_back({.name = name,
+                           .name_span = stmt.name.span,
+                           .value = make<hir::ListExpr>(hir::ExprKind::kList, list, stmt.name.span,
+                                                        hir::Seq<hir::Expr*>{})});
+    }
+  }
+  if (is_struct) return construct(structs_[type->record], stmt.name.span, stmt.span, std::move(arguments));
+  return call_native(type_text, makers, stmt.name.span, stmt.span, std::move(arguments));
+}
+
+// joint revolute(...): a call of "robot.joint.revolute".
+hir::Expr* Checker::block_row(const ast::ObjectStmt& stmt, const ast::BlockItem& item) {
+  const std::string part = text_of(stmt.type->span) + '.' + std::string(item.name.text);
+  const std::string full = part + '.' + std::string(item.constructor.text);
+  const auto makers = registry_.functions(full);
+  if (makers.empty()) {
+    std::vector<std::string_view> known;
+    const bool wrong_part = !registry_.is_namespace(part);
+    const std::string prefix = wrong_part ? text_of(stmt.type->span) + '.' : part + '.';
+    for (std::string_view name : registry_.public_names()) {
+      if (!name.starts_with(prefix)) continue;
+      name.remove_prefix(prefix.size());
+      if (wrong_part == (name.find('.') != std::string_view::npos)) known.push_back(name.substr(0, name.find('.')));
+    }
+    const ast::Name& word = wrong_part ? item.name : item.constructor;
+    Diagnostic diagnostic = make_diagnostic("E0201", word.span, {std::string(word.text)});
+    diagnostic.fix = did_you_mean(word.text, word.span, known);
+    report(std::move(diagnostic));
+    return failed(item.span);
+  }
+  const std::string_view name = arena_.copy(full);
+  return call_native(item.constructor.text, makers, item.constructor.span, item.span, arguments_of(item.args, name));
+}
+
+}  // namespace armlet::lang

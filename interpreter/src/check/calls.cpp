@@ -1,0 +1,176 @@
+// Calls: f(a), x.f(a), new T(a). Which function is meant; the other parts check the values.
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+bool Checker::waits(const ast::Expr& expr) {
+  if (expr.kind == ast::ExprKind::kLambda) return true;
+  if (expr.kind != ast::ExprKind::kName) return false;
+  FunctionContext* where = nullptr;
+  const std::string_view name = expr.as<ast::NameExpr>().name;
+  return find_local(name, where) == nullptr && find_function(name) != nullptr;
+}
+
+// What a list written in a call is going to be, when all functions of the name agree on it.
+const Type* Checker::list_hint(std::string_view callee, const ast::Arg& arg, std::size_t position) {
+  if (arg.value->kind != ast::ExprKind::kList && arg.value->kind != ast::ExprKind::kBrace) return nullptr;
+  const Type* hint = nullptr;
+  for (const NativeFunction* candidate : registry_.functions(callee)) {
+    const Signature& signature = signature_of(*candidate);
+    const int named = signature.index_of(arg.name.text);
+    const std::size_t at = arg.name.text.empty() ? position : static_cast<std::size_t>(named);
+    if (at >= signature.parameters.size()) continue;
+    const TypePattern& pattern = signature.parameters[at].type;
+    if (!is_bound(pattern, {})) return nullptr;
+    const Type* type = instantiate(pattern, {}, types_);
+    if (type == nullptr || !type->is(Kind::kList)) continue;
+    if (hint != nullptr && hint != type) return nullptr;
+    hint = type;
+  }
+  return hint;
+}
+
+std::vector<Argument> Checker::arguments_of(ast::Seq<ast::Arg> args, std::string_view callee) {
+  std::vector<Argument> out;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    const ast::Arg& arg = args[i];
+    Argument argument{.name = arg.name.text, .name_span = arg.name.span, .written = arg.value};
+    if (!waits(*arg.value)) argument.value = check_value(*arg.value, list_hint(callee, arg, i));
+    out.push_back(argument);
+  }
+  return out;
+}
+
+hir::Expr* Checker::check_call(const ast::CallExpr& call, const Type* expected) {
+  if (call.callee->kind == ast::ExprKind::kName) {
+    return call_by_name(call, call.callee->as<ast::NameExpr>().name, call.callee->span, expected);
+  }
+  if (call.callee->kind == ast::ExprKind::kMember) {
+    return call_member(call, call.callee->as<ast::MemberExpr>());
+  }
+  return call_value(check_value(*call.callee), call);
+}
+
+hir::Expr* Checker::call_by_name(const ast::CallExpr& call, std::string_view name, Span callee,
+                                 const Type* /*expected*/) {
+  FunctionContext* where = nullptr;
+  Local* local = find_local(name, where);
+  const bool is_value = local != nullptr && local->variable->type->is(Kind::kFunction);
+  if (is_value || (local != nullptr && local->variable->type->is(Kind::kAny))) {
+    return call_value(read(*local, *where, callee), call);
+  }
+  if (find_function(name) == nullptr && !named_types_.contains(name)) {
+    bool known = false;
+    if (hir::Expr* result = intrinsic(call, name, callee, known); known) return result;
+  }
+  const bool exists = find_function(name) != nullptr || named_types_.contains(name) ||
+                      !registry_.functions(name).empty();
+  if (!exists) {
+    if (local == nullptr) return unknown_name(name, callee);
+    report(make_diagnostic("E0217", callee, {std::string(name), type_phrase(local->variable->type)}));
+    return failed(call.span);
+  }
+  return call_function(name, callee, call.span, arguments_of(call.args, name));
+}
+
+// A function of the text, a struct, or a function of the library.
+hir::Expr* Checker::call_function(std::string_view name, Span callee, Span span, std::vector<Argument> arguments) {
+  if (FunctionDecl* function = find_function(name)) {
+    return call_script(*function, callee, span, std::move(arguments));
+  }
+  if (const auto found = named_types_.find(name); found != named_types_.end()) {
+    if (found->second->is(Kind::kRecord)) {
+      return construct(structs_[found->second->record], callee, span, std::move(arguments));
+    }
+    report(make_diagnostic("E0219", callee, {std::string(name), "type"}));
+    return failed(span);
+  }
+  return call_native(name, registry_.functions(name), callee, span, std::move(arguments));
+}
+
+hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr& member) {
+  const std::string_view name = member.member.text;
+  const Span callee = member.member.span;
+  if (const std::string group = dotted_name(*member.object); !group.empty()) {
+    if (group == "System.out" && (name == "println" || name == "print")) return print_call(call, name == "println");
+    if (group == "System.out" && name == "printf") return not_available(member.span, "`System.out.printf`");
+    const std::string full = group + '.' + std::string(name);
+    const auto functions = registry_.functions(group == "Math" ? name : std::string_view(full));
+    if (!functions.empty()) {
+      const std::string shown = group == "Math" ? std::string(name) : full;
+      return call_native(arena_.copy(shown), functions, member.span, call.span, arguments_of(call.args, shown));
+    }
+    if (registry_.is_namespace(group) || group == "Math" || group == "System.out" || group == "System") {
+      Diagnostic diagnostic = make_diagnostic("E0201", member.span, {full});
+      diagnostic.fix = did_you_mean(full, member.span, registry_.public_names());
+      report(std::move(diagnostic));
+      return failed(call.span);
+    }
+  }
+  hir::Expr* object = check_value(*member.object);
+  const Type* type = object->type;
+  if (type->is(Kind::kAny)) return failed(call.span);
+  if (type->is(Kind::kRecord)) {
+    const int field = type->record->index_of(name);
+    if (field >= 0 && type->record->fields[field].type->is(Kind::kFunction)) {
+      return call_value(field_of(object, member), call);
+    }
+  }
+  bool known = false;
+  if (hir::Expr* result = builtin_method(object, call, member, known); known) return result;
+
+  const std::string method = type_name(type) + '.' + std::string(name);
+  const auto methods = registry_.functions(method);
+  std::vector<Argument> arguments = {Argument{.value = object}};
+  const bool exists = find_function(name) != nullptr || !registry_.functions(name).empty();
+  if (methods.empty() && !exists) {
+    if (type->is(Kind::kRecord) && type->record->index_of(name) >= 0) {
+      report(make_diagnostic("E0217", callee, {std::string(name), type_phrase(field_of(object, member)->type)}));
+      return failed(call.span);
+    }
+    return unknown_name(name, callee);
+  }
+  std::ranges::copy(arguments_of(call.args, methods.empty() ? name : std::string_view(method)),
+                    std::back_inserter(arguments));
+  if (!methods.empty()) return call_native(name, methods, callee, call.span, std::move(arguments));
+  return call_function(name, callee, call.span, std::move(arguments));
+}
+
+hir::Expr* Checker::call_value(hir::Expr* function, const ast::CallExpr& call) {
+  const Type* type = function->type;
+  if (type->is(Kind::kAny)) return failed(call.span);
+  const std::string name = text_of(call.callee->span);
+  if (!type->is(Kind::kFunction)) {
+    report(make_diagnostic("E0217", call.callee->span, {name, type_phrase(type)}));
+    return failed(call.span);
+  }
+  if (!takes(call, name, type->parameters.size(), type->parameters.size())) return failed(call.span);
+  std::vector<hir::Expr*> values;
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < call.args.size(); ++i) {
+    values.push_back(check_as(*call.args[i].value, {.role = Target::Role::kArgument,
+                                                    .type = type->parameters[i],
+                                                    .function = name,
+                                                    .position = static_cast<int>(i) + 1,
+                                                    .call = call.span}));
+    spans.push_back(values.back()->span);
+  }
+  return make<hir::CallValueExpr>(hir::ExprKind::kCallValue, type->result, call.span, function, seq(values),
+                                  hir::CallSite{call.span, call.callee->span, seq(spans)});
+}
+
+hir::Expr* Checker::check_new_object(const ast::NewObjectExpr& expr) {
+  const Type* type = resolve(*expr.type);
+  if (type->is(Kind::kAny)) return failed(expr.span);
+  const std::string_view name = arena_.copy(type_name(type));
+  if (!type->is(Kind::kRecord) && registry_.functions(name).empty()) {
+    report(make_diagnostic("E0217", expr.type->span, {std::string(name), "a type without a constructor"}));
+    return failed(expr.span);
+  }
+  return call_function(name, expr.type->span, expr.span, arguments_of(expr.args, name));
+}
+
+}  // namespace armlet::lang

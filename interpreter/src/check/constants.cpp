@@ -1,0 +1,168 @@
+// What is known about a value from the text alone: constants, and facts that rules of the host have left.
+
+#include <cmath>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+namespace {
+
+using hir::ExprKind;
+using hir::Op;
+
+constexpr int kDeepest = 100;
+
+Constant integer(std::int64_t value) {
+  return {.kind = Constant::Kind::kInt, .integer = value, .real = static_cast<double>(value)};
+}
+Constant real(double value) { return {.kind = Constant::Kind::kReal, .real = value}; }
+
+std::optional<std::int64_t> whole_power(std::int64_t base, std::int64_t exponent) {
+  std::int64_t out = 1;
+  if (exponent < 0 || exponent > 64) return std::nullopt;
+  for (; exponent > 0; --exponent) {
+    if (__builtin_mul_overflow(out, base, &out)) return std::nullopt;
+  }
+  return out;
+}
+
+std::optional<Constant> compute(Op op, const Constant& a, const Constant& b) {
+  std::int64_t whole = 0;
+  switch (op) {
+    case Op::kAddI:
+      return __builtin_add_overflow(a.integer, b.integer, &whole) ? std::nullopt : std::optional(integer(whole));
+    case Op::kSubI:
+      return __builtin_sub_overflow(a.integer, b.integer, &whole) ? std::nullopt : std::optional(integer(whole));
+    case Op::kMulI:
+      return __builtin_mul_overflow(a.integer, b.integer, &whole) ? std::nullopt : std::optional(integer(whole));
+    case Op::kDivI:
+      if (b.integer == 0 || b.integer == -1) return std::nullopt;
+      return integer(a.integer / b.integer);
+    case Op::kModI:
+      if (b.integer == 0 || b.integer == -1) return std::nullopt;
+      return integer(a.integer % b.integer);
+    case Op::kPowI: {
+      const auto value = whole_power(a.integer, b.integer);
+      return value ? std::optional(integer(*value)) : std::nullopt;
+    }
+    case Op::kAddR:
+      return real(a.real + b.real);
+    case Op::kSubR:
+      return real(a.real - b.real);
+    case Op::kMulR:
+      return real(a.real * b.real);
+    case Op::kDivR:
+      return real(a.real / b.real);
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_number(const Constant& constant) {
+  return constant.kind == Constant::Kind::kInt || constant.kind == Constant::Kind::kReal;
+}
+
+Constant to_real(Constant constant) {
+  if (constant.kind == Constant::Kind::kInt) constant.kind = Constant::Kind::kReal;
+  for (Constant& item : constant.items) item = to_real(std::move(item));
+  return constant;
+}
+
+}  // namespace
+
+std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) const {
+  if (depth > kDeepest) return std::nullopt;
+  switch (expr.kind) {
+    case ExprKind::kBool:
+      return Constant{.kind = Constant::Kind::kBool, .truth = expr.as<hir::BoolExpr>().value};
+    case ExprKind::kInt:
+      if (expr.type->is(Kind::kAny)) return std::nullopt;
+      return integer(expr.as<hir::IntExpr>().value);
+    case ExprKind::kReal:
+      return real(expr.as<hir::RealExpr>().value);
+    case ExprKind::kText:
+      return Constant{.kind = Constant::Kind::kText, .text = std::string(expr.as<hir::TextExpr>().value)};
+    case ExprKind::kVariable: {
+      const hir::Expr* init = expr.as<hir::VariableExpr>().variable->init;
+      return init != nullptr ? constant_of(*init, depth + 1) : std::nullopt;
+    }
+    case ExprKind::kConvert: {
+      const auto& node = expr.as<hir::ConvertExpr>();
+      if (node.conversion == hir::Conversion::kRealToInt || expr.type->is(Kind::kEnum)) return std::nullopt;
+      auto value = constant_of(*node.operand, depth + 1);
+      if (value && node.conversion != hir::Conversion::kSame) value = to_real(std::move(*value));
+      return value;
+    }
+    case ExprKind::kList: {
+      Constant list{.kind = Constant::Kind::kList};
+      for (const hir::Expr* item : expr.as<hir::ListExpr>().items) {
+        auto value = constant_of(*item, depth + 1);
+        if (!value) return std::nullopt;
+        list.items.push_back(std::move(*value));
+      }
+      return list;
+    }
+    case ExprKind::kUnary: {
+      const auto& node = expr.as<hir::UnaryExpr>();
+      const auto value = constant_of(*node.operand, depth + 1);
+      if (!value) return std::nullopt;
+      if (node.op == Op::kNegR) return real(-value->real);
+      return node.op == Op::kNegI ? compute(Op::kSubI, integer(0), *value) : std::nullopt;
+    }
+    case ExprKind::kBinary: {
+      const auto& node = expr.as<hir::BinaryExpr>();
+      const auto left = constant_of(*node.left, depth + 1);
+      const auto right = left && is_number(*left) ? constant_of(*node.right, depth + 1) : std::nullopt;
+      return right && is_number(*right) ? compute(node.op, *left, *right) : std::nullopt;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+const Fact* Checker::fact_of(const hir::Expr& expr) const {
+  const hir::Expr& origin = origin_of(expr);
+  return origin.kind == ExprKind::kGuarded ? nullptr : origin.fact;
+}
+
+const hir::Expr& Checker::origin_of(const hir::Expr& expr) const {
+  const hir::Expr* at = &expr;
+  for (int i = 0; i < kDeepest; ++i) {
+    const hir::Expr* next = nullptr;
+    if (at->kind == ExprKind::kVariable) next = at->as<hir::VariableExpr>().variable->init;
+    if (at->kind == ExprKind::kConvert) next = at->as<hir::ConvertExpr>().operand;
+    if (next == nullptr) break;
+    at = next;
+  }
+  return *at;
+}
+
+hir::Expr* Checker::literal_of(const Constant& constant, const Type* type, Span span) {
+  switch (constant.kind) {
+    case Constant::Kind::kBool:
+      return make<hir::BoolExpr>(ExprKind::kBool, types_.boolean(), span, constant.truth);
+    case Constant::Kind::kText:
+      return make<hir::TextExpr>(ExprKind::kText, types_.text(), span, arena_.copy(constant.text));
+    case Constant::Kind::kInt:
+      if (type->is(Kind::kInt)) return make<hir::IntExpr>(ExprKind::kInt, type, span, constant.integer);
+      return make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);
+    case Constant::Kind::kReal:
+      return make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);
+    case Constant::Kind::kList:
+      break;
+  }
+  return failed(span);
+}
+
+// Arithmetic on two literals is done here, so that -PI / 4 and 20 * 1mm are literals too.
+hir::Expr* Checker::folded(hir::BinaryExpr* expr) {
+  const auto is_literal = [](const hir::Expr& side) {
+    return side.kind == ExprKind::kInt || side.kind == ExprKind::kReal;
+  };
+  if (!is_literal(*expr->left) || !is_literal(*expr->right)) return expr;
+  const auto value = constant_of(*expr);
+  if (!value || !std::isfinite(value->real)) return expr;
+  return literal_of(*value, expr->type, expr->span);
+}
+
+}  // namespace armlet::lang

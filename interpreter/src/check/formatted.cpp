@@ -1,0 +1,69 @@
+// Formatted text: f"joint {j + 1} at {q[j]:.1f deg}".
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Expr* Checker::to_text(hir::Expr* value) {
+  if (value->type->is(Kind::kText) || value->type->is(Kind::kAny)) return value;
+  return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value, std::int8_t{-1}, '\0',
+                               std::string_view{}, 1.0);
+}
+
+hir::Expr* Checker::check_formatted(const ast::FormattedExpr& text) {
+  std::vector<hir::Expr*> parts;
+  const auto add_text = [&](std::string_view piece) {
+    if (piece.empty()) return;
+    parts.push_back(make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), text.span, arena_.copy(piece)));
+  };
+  for (std::size_t i = 0; i < text.pieces.size(); ++i) {
+    add_text(text.texts[i]);
+    parts.push_back(formatted_piece(text.pieces[i]));
+  }
+  add_text(text.texts.back());
+  return make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), text.span, seq(parts));
+}
+
+hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
+  hir::Expr* value = check_value(*piece.value);
+  const ast::FormatSpec& format = piece.format;
+  if (value->type->is(Kind::kAny)) return value;
+  if (format.digits < 0 && format.style == 0 && format.unit.empty()) return to_text(value);
+
+  const Type* number = value->type;
+  while (number->is(Kind::kList)) number = number->element;
+  if (!number->is_number()) {
+    report(make_diagnostic("E0314", value->span, {type_phrase(value->type)}));
+    return failed(value->span);
+  }
+  if (value->type->is(Kind::kInt)) value = convert(value, types_.real());
+  double factor = 1.0;
+  if (!format.unit.empty()) {
+    const auto unit = parse_unit(format.unit);
+    if (!unit) {
+      std::vector<std::string_view> names;
+      for (const Unit& known : all_units()) names.push_back(known.name);
+      Diagnostic diagnostic = make_diagnostic("E0209", format.span, {std::string(format.unit)});
+      if (const auto near = suggest(format.unit, std::span<const std::string_view>(names))) {
+        diagnostic.fix = Fix{.text = "did you mean " + std::string(*near) + "?"};
+      }
+      report(std::move(diagnostic));
+      return failed(value->span);
+    }
+    // An angle may already have become a plain number in radians.
+    if (unit->dim != number->dim && unit->dim.without_angle() != number->dim) {
+      Diagnostic diagnostic = make_diagnostic(
+          "E0402", format.span, {dimension_phrase(number->dim), "shown in", std::string(format.unit)});
+      diagnostic.mark.label = dimension_name(unit->dim);
+      diagnostic.related.push_back({value->span, dimension_name(number->dim)});
+      report(std::move(diagnostic));
+      return failed(value->span);
+    }
+    factor = unit->factor;
+  }
+  return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value,
+                               static_cast<std::int8_t>(format.digits), format.style, arena_.copy(format.unit),
+                               factor);
+}
+
+}  // namespace armlet::lang

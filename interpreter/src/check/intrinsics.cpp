@@ -1,0 +1,163 @@
+// Calls that the language itself understands: print, error, int(x), and the methods of lists and texts.
+
+#include "armlet/interpreter/engine.hpp"
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+namespace {
+
+Signal print_text(Vm& vm, Slot* args) {
+  vm.print(text_value(args[0]));
+  return give_nothing();
+}
+
+constexpr NativeFunction kPrint = {.name = "print",
+                                   .signature = "(text: string)",
+                                   .help = "Writes its values, separated by spaces, and ends the line.",
+                                   .example = "print(1, \"two\")",
+                                   .thunk = &print_text};
+
+std::string values(std::size_t least, std::size_t most) {
+  if (most == 0) return "no values";
+  const std::string count = least == most ? std::to_string(most)
+                                          : std::to_string(least) + " to " + std::to_string(most);
+  return count + (most == 1 ? " value" : " values");
+}
+
+}  // namespace
+
+// Whether the call has that many values, none of them named.
+bool Checker::takes(const ast::CallExpr& call, std::string_view name, std::size_t least, std::size_t most) {
+  for (const ast::Arg& arg : call.args) {
+    if (arg.name.text.empty()) continue;
+    report(make_diagnostic("E0207", arg.name.span, {std::string(name), std::string(arg.name.text)}));
+    return false;
+  }
+  if (call.args.size() >= least && call.args.size() <= most) return true;
+  const Span mark = call.args.size() > most ? call.args[most].span : call.callee->span;
+  report(make_diagnostic("E0312", mark, {std::string(name), values(least, most), std::to_string(call.args.size())}));
+  return false;
+}
+
+hir::Expr* Checker::intrinsic(const ast::CallExpr& call, std::string_view name, Span /*callee*/, bool& known) {
+  known = true;
+  if (name == "print") return print_call(call, true);
+  if (name == "error") return error_call(call);
+  if (name == "int" || name == "long") return conversion_call(call, types_.integer(), name);
+  if (name == "double" || name == "float") return conversion_call(call, types_.real(), name);
+  if (name == "assert" || name == "assertThrows") {
+    report(make_diagnostic("E0320", call.span, {std::string(name)}));
+    return failed(call.span);
+  }
+  known = false;
+  return nullptr;
+}
+
+hir::Expr* Checker::print_call(const ast::CallExpr& call, bool line) {
+  mentioned_.insert("print");
+  if (!takes(call, "print", 0, call.args.size())) return failed(call.span);
+  std::vector<hir::Expr*> parts;
+  const auto add = [&](std::string_view text) {
+    parts.push_back(make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), call.span, text));
+  };
+  for (const ast::Arg& arg : call.args) {
+    if (!parts.empty()) add(" ");
+    parts.push_back(to_text(check_value(*arg.value)));
+  }
+  if (line) add("\n");
+  hir::Expr* text = make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), call.span, seq(parts));
+  const std::vector<Span> spans = {call.args_span};
+  return make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, types_.void_type(), call.span, &kPrint,
+                                   seq(std::vector<hir::Expr*>{text}),
+                                   hir::CallSite{call.span, call.callee->span, seq(spans)});
+}
+
+hir::Expr* Checker::error_call(const ast::CallExpr& call) {
+  hir::Expr* message = nullptr;
+  hir::Expr* kind = nullptr;
+  for (const ast::Arg& arg : call.args) {
+    const bool is_kind = arg.name.text == "kind";
+    if (!arg.name.text.empty() && !is_kind && arg.name.text != "text") {
+      Diagnostic diagnostic = make_diagnostic("E0207", arg.name.span, {"error", std::string(arg.name.text)});
+      diagnostic.why = "error accepts kind";
+      report(std::move(diagnostic));
+      return failed(call.span);
+    }
+    hir::Expr*& place = is_kind ? kind : message;
+    if (place != nullptr) {
+      report(make_diagnostic("E0312", arg.span, {"error", "1 text and a kind", std::to_string(call.args.size())}));
+      return failed(call.span);
+    }
+    place = check_as(*arg.value, {.role = Target::Role::kArgument, .type = types_.text(), .function = "error"});
+  }
+  if (message == nullptr) {
+    report(make_diagnostic("E0312", call.callee->span, {"error", "1 text and a kind", "none"}));
+    return failed(call.span);
+  }
+  return make<hir::ErrorExpr>(hir::ExprKind::kError, error_type_, call.span, message, kind);
+}
+
+hir::Expr* Checker::conversion_call(const ast::CallExpr& call, const Type* type, std::string_view name) {
+  if (!takes(call, name, 1, 1)) return failed(call.span);
+  return cast(check_value(*call.args[0].value), type, call.span);
+}
+
+hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call, const ast::MemberExpr& member,
+                                   bool& known) {
+  const std::string_view name = member.member.text;
+  const Type* type = object->type;
+  known = true;
+  const auto no_values = [&] { return takes(call, name, 0, 0); };
+  if (name == "length" && (type->is(Kind::kList) || type->is(Kind::kText))) {
+    if (!no_values()) return failed(call.span);
+    return make<hir::LengthExpr>(hir::ExprKind::kLength, types_.integer(), call.span, object);
+  }
+  if (type->is(Kind::kList)) {
+    if (name == "clone") return no_values() ? object : failed(call.span);
+    if (name == "push") return mutation(call, member, hir::Mutation::kPush);
+    if (name == "pop") return mutation(call, member, hir::Mutation::kPop);
+    if (name == "insert") return mutation(call, member, hir::Mutation::kInsert);
+    if (name == "removeAt") return mutation(call, member, hir::Mutation::kRemoveAt);
+  }
+  if (type->is(Kind::kText) && name == "equals") {
+    if (!takes(call, name, 1, 1)) return failed(call.span);
+    hir::Expr* other = check_as(*call.args[0].value, {.role = Target::Role::kArgument,
+                                                      .type = types_.text(),
+                                                      .function = "equals"});
+    return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), call.span, hir::Op::kEqText, object,
+                                 other, member.member.span);
+  }
+  if (type == error_type_ && name == "getMessage") {
+    if (!no_values()) return failed(call.span);
+    return make<hir::FieldExpr>(hir::ExprKind::kField, types_.text(), call.span, object,
+                                static_cast<std::uint32_t>(type->record->index_of("message")));
+  }
+  known = false;
+  return nullptr;
+}
+
+hir::Expr* Checker::mutation(const ast::CallExpr& call, const ast::MemberExpr& member, hir::Mutation mutation) {
+  using hir::Mutation;
+  const std::string_view name = member.member.text;
+  const bool has_index = mutation == Mutation::kInsert || mutation == Mutation::kRemoveAt;
+  const bool has_value = mutation == Mutation::kPush || mutation == Mutation::kInsert;
+  const std::size_t count = (has_index ? 1 : 0) + (has_value ? 1 : 0);
+  if (!takes(call, name, count, count)) return failed(call.span);
+  const auto place = check_place(*member.object, call.span, false);
+  if (!place) return failed(call.span);
+  const Type* element = place->type->element;
+  hir::Expr* index = has_index ? index_value(*call.args[0].value) : nullptr;
+  hir::Expr* value = nullptr;
+  if (has_value) {
+    value = check_as(*call.args[count - 1].value, {.role = Target::Role::kArgument,
+                                                   .type = element,
+                                                   .name = "element",
+                                                   .function = name,
+                                                   .position = static_cast<int>(count),
+                                                   .call = call.span});
+  }
+  const Type* type = has_value ? types_.void_type() : element;
+  return make<hir::MutateExpr>(hir::ExprKind::kMutate, type, call.span, mutation, *place, index, value);
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,127 @@
+// Functions inside functions: lambdas, which copy what they use, and conditions, which share it.
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+void Checker::make_global(hir::Variable& variable) {
+  if (std::exchange(variable.storage, hir::Storage::kGlobal) == hir::Storage::kGlobal) return;
+  const auto is_it = [&](const auto& declared) { return declared.first == &variable; };
+  if (std::ranges::none_of(top_level_, is_it)) inner_globals_.push_back(&variable);
+}
+
+// The variable that `here` uses for a variable of `owner` outside of it.
+hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionContext& here) {
+  if (&here == &owner) return local.variable;
+  if (&owner == &main_ && use_ != nullptr) use_->add(local.variable);
+  const bool is_function = here.kind == FunctionContext::Kind::kNamed || here.kind == FunctionContext::Kind::kTest;
+  if (is_function || here.outer == nullptr) {
+    make_global(*local.variable);
+    return local.variable;
+  }
+  hir::Variable* outer = captured(local, owner, *here.outer);
+  const bool shares = here.kind == FunctionContext::Kind::kCondition;
+  if (shares && (outer->storage == hir::Storage::kGlobal || here.outer == &main_)) {
+    make_global(*outer);
+    return outer;
+  }
+  const auto known = std::ranges::find(here.captures, outer, &hir::Capture::outer);
+  if (known != here.captures.end()) return known->inner;
+  hir::Variable* inner = new_variable(outer->name, outer->type, outer->declared);
+  inner->owner = here.function;
+  inner->fixed = true;
+  inner->init = outer->init;
+  if (shares && !outer->fixed) {
+    // What never changes may as well be copied.
+    inner->fixed = false;
+    inner->storage = outer->storage = hir::Storage::kBoxed;
+  }
+  here.captures.push_back({outer, inner});
+  return inner;
+}
+
+hir::Expr* Checker::closure(hir::Function* function, FunctionContext& context, const Type* type, Span span) {
+  function->captures = seq(context.captures);
+  use_->add(function);
+  if (&here_->root() == &main_) main_calls_.emplace_back(function, top_level_.size());
+  const auto kind = context.captures.empty() ? hir::ExprKind::kFunctionValue : hir::ExprKind::kClosure;
+  if (context.captures.empty()) return make<hir::FunctionValueExpr>(kind, type, span, function);
+  return make<hir::ClosureExpr>(kind, type, span, function);
+}
+
+hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expected) {
+  const bool fits = expected != nullptr && expected->is(Kind::kFunction) &&
+                    expected->parameters.size() == lambda.params.size();
+  FunctionContext context;
+  context.kind = FunctionContext::Kind::kLambda;
+  context.outer = here_;
+  context.function = new_function("lambda on line " + std::to_string(line_of(lambda.span)), lambda.span);
+  if (lambda.result != nullptr) context.result = resolve(*lambda.result);
+  if (context.result == nullptr && fits && !expected->result->is(Kind::kAny)) context.result = expected->result;
+  context.result_is_declared = context.result != nullptr;
+  if (context.result_is_declared) context.function->result = context.result;
+
+  std::vector<const Type*> types;
+  std::vector<hir::Variable*> parameters;
+  for (std::size_t i = 0; i < lambda.params.size(); ++i) {
+    const ast::Param& param = lambda.params[i];
+    const Type* type = param.type != nullptr ? resolve(*param.type) : fits ? expected->parameters[i] : nullptr;
+    if (type == nullptr) {
+      Diagnostic diagnostic = make_diagnostic("E0323", param.name.span, {"`" + std::string(param.name.text) + "`"});
+      const std::string typed = std::string(param.name.text) + ": double";
+      diagnostic.fix = Fix{.text = "write its type, such as " + typed, .edits = {{param.name.span, typed}}};
+      report(std::move(diagnostic));
+      return failed(lambda.span);
+    }
+    if (!is_free(param.name)) return failed(lambda.span);
+    types.push_back(type);
+    parameters.push_back(new_variable(param.name.text, type, param.name.span));
+    parameters.back()->owner = context.function;
+    parameters.back()->is_parameter = parameters.back()->fixed = true;
+  }
+  context.function->parameters = seq(parameters);
+
+  FunctionContext* const before = std::exchange(here_, &context);
+  Use* const use_before = std::exchange(use_, &use_of(context.function));
+  open_block();
+  for (hir::Variable* parameter : parameters) add_local(parameter, Declared::kParameter, parameter->declared);
+  if (lambda.body != nullptr) {
+    const bool failed_before = sink_.statement_failed();
+    context.function->body = check_block(lambda.body->body, lambda.body->span);
+    if (failed_before) sink_.set_statement_failed(true);
+  } else {
+    context.function->body = value_body(*lambda.value, context);
+  }
+  finish_result(context, context.function->name, {lambda.span.end - 1, lambda.span.end, lambda.span.source});
+  close_block();
+  here_ = before;
+  use_ = use_before;
+  if (context.result->is(Kind::kAny)) return failed(lambda.span);
+  return closure(context.function, context, types_.function(std::move(types), context.result), lambda.span);
+}
+
+// The condition of until and wait until: a function without parameters that is called again and again.
+hir::Expr* Checker::check_guard(const ast::Expr& written) {
+  FunctionContext context;
+  context.kind = FunctionContext::Kind::kCondition;
+  context.outer = here_;
+  context.function = new_function("condition on line " + std::to_string(line_of(written.span)), written.span);
+  context.function->is_condition = true;
+  context.function->result = types_.boolean();
+  FunctionContext* const before = std::exchange(here_, &context);
+  Use* const use_before = std::exchange(use_, &use_of(context.function));
+  open_block();
+  hir::Expr* value = condition(written);
+  hir::Stmt* stmt = make<hir::ReturnStmt>(hir::StmtKind::kReturn, written.span, value);
+  context.function->body =
+      make<hir::Block>(hir::StmtKind::kBlock, written.span, seq(std::vector<hir::Stmt*>{stmt}));
+  close_block();
+  here_ = before;
+  use_ = use_before;
+  conditions_.emplace_back(context.function, written.span);
+  return closure(context.function, context, types_.function({}, types_.boolean()), written.span);
+}
+
+}  // namespace armlet::lang

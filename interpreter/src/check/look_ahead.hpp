@@ -1,0 +1,18 @@
+#pragma once
+// What can be seen in a program without checking it: names it mentions, and names it changes.
+
+#include <set>
+#include <string_view>
+
+#include "syntax/ast.hpp"
+
+namespace armlet::lang {
+
+struct Sights {
+  std::set<std::string_view> mentioned;  // names in front of a call, behind a point, or alone
+  std::set<std::string_view> changed;    // variables that some statement may change after their declaration
+};
+
+[[nodiscard]] Sights look_over(const ast::Block& program);
+
+}  // namespace armlet::lang

@@ -1,0 +1,145 @@
+// while, do, for.
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+namespace {
+
+bool is_always_true(const hir::Expr* condition) {
+  return condition == nullptr || (condition->kind == hir::ExprKind::kBool && condition->as<hir::BoolExpr>().value);
+}
+
+}  // namespace
+
+// The body of a loop that may run not even once, and the state behind it. endless: only break leaves.
+hir::Stmt* Checker::loop_body(const hir::Stmt* loop, const ast::Stmt& body, bool endless) {
+  const Flow before = here_->flow;
+  here_->targets.push_back({JumpTarget::Kind::kLoop, loop});
+  sink_.begin_statement();
+  open_block();
+  hir::Stmt* out = check_statement(body);
+  close_block();
+  Flow after = before;
+  if (endless) after.reachable = false;
+  for (const Flow& exit : here_->targets.back().exits) after.merge(exit);
+  here_->targets.pop_back();
+  here_->flow = std::move(after);
+  if (out == nullptr) out = make<hir::Block>(hir::StmtKind::kBlock, body.span, hir::Seq<hir::Stmt*>{});
+  return out;
+}
+
+hir::Stmt* Checker::check_while(const ast::Expr* condition_expr, const ast::Stmt& body, ast::Seq<ast::Stmt*> step,
+                                Span span) {
+  auto* loop = make<hir::LoopStmt>(hir::StmtKind::kLoop, span);
+  loop->test_first = true;
+  loop->condition = condition_expr != nullptr ? condition(*condition_expr) : nullptr;
+  loop->body = loop_body(loop, body, is_always_true(loop->condition));
+  if (step.empty()) return loop;
+  const Flow after = here_->flow;
+  here_->flow.reachable = true;
+  std::vector<hir::Stmt*> steps;
+  for (const ast::Stmt* stmt : step) {
+    sink_.begin_statement();
+    if (hir::Stmt* checked = check_statement(*stmt)) steps.push_back(checked);
+  }
+  here_->flow = after;
+  loop->step = make<hir::Block>(hir::StmtKind::kBlock, span, seq(steps));
+  return loop;
+}
+
+hir::Stmt* Checker::check_do(const ast::DoStmt& stmt) {
+  auto* loop = make<hir::LoopStmt>(hir::StmtKind::kLoop, stmt.span);
+  // The body runs at least once, so what it stores on every way to the condition is stored.
+  here_->targets.push_back({JumpTarget::Kind::kLoop, loop});
+  loop->body = check_block(stmt.body->body, stmt.body->span);
+  for (const Flow& repeat : here_->targets.back().repeats) here_->flow.merge(repeat);
+  Flow after = here_->flow;
+  sink_.begin_statement();
+  loop->condition = condition(*stmt.condition);
+  if (is_always_true(loop->condition)) after.reachable = false;
+  for (const Flow& exit : here_->targets.back().exits) after.merge(exit);
+  here_->targets.pop_back();
+  here_->flow = std::move(after);
+  return loop;
+}
+
+hir::Stmt* Checker::check_for(const ast::ForStmt& stmt) {
+  std::vector<hir::Stmt*> body;
+  open_block();
+  for (const ast::Stmt* init : stmt.init) {
+    if (hir::Stmt* checked = check_statement(*init)) body.push_back(checked);
+  }
+  body.push_back(check_while(stmt.condition, *stmt.body, stmt.step, stmt.span));
+  close_block();
+  return make<hir::Block>(hir::StmtKind::kBlock, stmt.span, seq(body));
+}
+
+hir::Stmt* Checker::check_range(const ast::ForInStmt& stmt, const ast::CallExpr& range) {
+  auto* loop = make<hir::RangeStmt>(hir::StmtKind::kRange, stmt.span);
+  mentioned_.insert("range");
+  std::vector<hir::Expr*> bounds;
+  for (std::size_t i = 0; i < range.args.size(); ++i) {
+    bounds.push_back(check_as(*range.args[i].value, {.role = Target::Role::kArgument,
+                                                     .type = types_.integer(),
+                                                     .name = "bound",
+                                                     .function = "range",
+                                                     .position = static_cast<int>(i) + 1}));
+  }
+  loop->first = bounds.size() > 1 ? bounds[0]
+                                  : make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(), range.span, std::int64_t{0});
+  loop->last = bounds.size() > 1 ? bounds[1] : bounds[0];
+  loop->step = bounds.size() > 2 ? bounds[2] : nullptr;
+  open_block();
+  loop->variable = loop_variable(stmt, types_.integer());
+  loop->body = loop_body(loop, *stmt.body, false);
+  close_block();
+  return loop;
+}
+
+hir::Variable* Checker::loop_variable(const ast::ForInStmt& stmt, const Type* type) {
+  is_free(stmt.name);
+  hir::Variable* variable = new_variable(stmt.name.text, type, stmt.name.span);
+  variable->fixed = true;
+  add_local(variable, Declared::kLoop, stmt.name.span);
+  return variable;
+}
+
+hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
+  if (stmt.items->kind == ast::ExprKind::kCall) {
+    const auto& call = stmt.items->as<ast::CallExpr>();
+    const bool plain = stmt.type == nullptr || resolve(*stmt.type)->is(Kind::kInt);
+    const bool named = std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
+    if (plain && !named && dotted_name(*call.callee) == "range" && find_function("range") == nullptr &&
+        !call.args.empty() && call.args.size() <= 3) {
+      return check_range(stmt, call);
+    }
+  }
+  const Type* wanted = stmt.type != nullptr ? resolve(*stmt.type) : nullptr;
+  hir::Expr* items = check_value(*stmt.items, wanted != nullptr ? types_.list(wanted) : nullptr);
+  if (items->type->is(Kind::kMatrix)) items = not_available(items->span, "visiting the rows of a matrix");
+  if (!items->type->is(Kind::kList) && !items->type->is(Kind::kAny)) {
+    Diagnostic diagnostic = make_diagnostic("E0331", items->span, {type_phrase(items->type)});
+    if (items->type->is(Kind::kInt)) {
+      const std::string range = "range(" + text_of(items->span) + ")";
+      diagnostic.fix = Fix{.text = "write " + range, .edits = {{items->span, range}}, .confidence = Confidence::kSure};
+    }
+    report(std::move(diagnostic));
+    items = failed(items->span);
+  }
+  if (wanted != nullptr && !items->type->is(Kind::kAny)) {
+    items = require(items, {.type = types_.list(wanted), .name = stmt.name.text});
+  }
+  const bool known = items->type->is(Kind::kList) && !items->type->element->is(Kind::kAny);
+  if (items->type->is(Kind::kList) && !known) report(make_diagnostic("E0323", items->span, {"this empty list"}));
+  auto* loop = make<hir::ForListStmt>(hir::StmtKind::kForList, stmt.span);
+  loop->items = items;
+  open_block();
+  loop->variable = loop_variable(stmt, known ? items->type->element : wanted != nullptr ? wanted : types_.any());
+  loop->body = loop_body(loop, *stmt.body, false);
+  close_block();
+  return loop;
+}
+
+}  // namespace armlet::lang

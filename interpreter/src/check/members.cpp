@@ -1,0 +1,194 @@
+// x.name and x[i].
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// Evaluating it twice gives the same value and costs little.
+bool is_path(const hir::Expr& expr) {
+  switch (expr.kind) {
+    case hir::ExprKind::kVariable:
+    case hir::ExprKind::kInt:
+      return true;
+    case hir::ExprKind::kField:
+      return is_path(*expr.as<hir::FieldExpr>().object);
+    case hir::ExprKind::kElement:
+      return is_path(*expr.as<hir::ElementExpr>().object) && is_path(*expr.as<hir::ElementExpr>().index);
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::string Checker::dotted_name(const ast::Expr& expr) {
+  if (expr.kind == ast::ExprKind::kName) {
+    const std::string_view name = expr.as<ast::NameExpr>().name;
+    FunctionContext* where = nullptr;
+    return find_local(name, where) == nullptr ? std::string(name) : std::string();
+  }
+  if (expr.kind != ast::ExprKind::kMember) return {};
+  const auto& member = expr.as<ast::MemberExpr>();
+  const std::string object = dotted_name(*member.object);
+  return object.empty() ? object : object + '.' + std::string(member.member.text);
+}
+
+hir::Expr* Checker::check_member(const ast::MemberExpr& member) {
+  const std::string name = dotted_name(*member.object);
+  if (!name.empty()) {
+    if (hir::Expr* value = check_type_member(member, name)) return value;
+  }
+  hir::Expr* object = check_value(*member.object);
+  if (object->type->is(Kind::kAny)) return failed(member.span);
+  return field_of(object, member);
+}
+
+// State.Idle, State.values, Math.PI, robots.something; null if `name` is none of these.
+hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string_view name) {
+  const std::string_view field = member.member.text;
+  if (const auto found = named_types_.find(name); found != named_types_.end() && found->second->is(Kind::kEnum)) {
+    const Type* type = found->second;
+    const EnumInfo& info = *type->enumeration;
+    const auto value = [&](std::int64_t i) {
+      return make<hir::IntExpr>(hir::ExprKind::kEnum, type, member.span, i);
+    };
+    if (const int i = info.index_of(field); i >= 0) return value(i);
+    if (field == "values") {
+      std::vector<hir::Expr*> all;
+      for (std::size_t i = 0; i < info.values.size(); ++i) all.push_back(value(static_cast<std::int64_t>(i)));
+      return make<hir::ListExpr>(hir::ExprKind::kList, types_.list(type), member.span, seq(all));
+    }
+    Diagnostic diagnostic = make_diagnostic("E0218", member.member.span, {std::string(name), std::string(field)});
+    diagnostic.fix = did_you_mean(field, member.member.span, {info.values.begin(), info.values.end()});
+    report(std::move(diagnostic));
+    return failed(member.span);
+  }
+  const std::string full = std::string(name) + '.' + std::string(field);
+  const NativeConstant* constant = registry_.constant(full);
+  if (constant == nullptr && name == "Math") constant = registry_.constant(field);
+  if (constant != nullptr) {
+    return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(constant->dim), member.span, constant->value);
+  }
+  if (!registry_.is_namespace(name) && name != "Math") return nullptr;
+  report(make_diagnostic("E0201", member.span, {full}));
+  return failed(member.span);
+}
+
+hir::Expr* Checker::field_of(hir::Expr* object, const ast::MemberExpr& member) {
+  const std::string_view field = member.member.text;
+  const Type* type = object->type;
+  if ((type->is(Kind::kList) || type->is(Kind::kText)) && field == "length") {
+    return make<hir::LengthExpr>(hir::ExprKind::kLength, types_.integer(), member.span, object);
+  }
+  if (type->is(Kind::kList) && field == "last") return last_of(object, member.span);
+  if (type->is(Kind::kEnum) && field == "name") return enum_name(object, member.span);
+  if (type->is(Kind::kRecord)) {
+    const int i = type->record->index_of(field);
+    if (i < 0) return unknown_field(*object, member.member);
+    return make<hir::FieldExpr>(hir::ExprKind::kField, type->record->fields[i].type, member.span, object,
+                                static_cast<std::uint32_t>(i));
+  }
+  const std::string native = type_name(type) + '.' + std::string(field);
+  if (const auto found = registry_.functions(native); !found.empty()) {
+    return call_native(native, found, member.member.span, member.span, {Argument{.value = object}});
+  }
+  return unknown_field(*object, member.member);
+}
+
+hir::Expr* Checker::last_of(hir::Expr* list, Span span) {
+  const Type* element = list->type->element;
+  if (!is_path(*list)) {
+    return call_native("last", registry_.functions("last"), span, span, {Argument{.value = list}});
+  }
+  hir::Expr* length = make<hir::LengthExpr>(hir::ExprKind::kLength, types_.integer(), span, list);
+  hir::Expr* one = make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(), span, std::int64_t{1});
+  hir::Expr* index = make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.integer(), span, hir::Op::kSubI, length,
+                                           one, span);
+  return make<hir::ElementExpr>(hir::ExprKind::kElement, element, span, list, index);
+}
+
+// The names in a list, picked by number.
+hir::Expr* Checker::enum_name(hir::Expr* value, Span span) {
+  std::vector<hir::Expr*> names;
+  for (const std::string& name : value->type->enumeration->values) {
+    names.push_back(make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), span, arena_.copy(name)));
+  }
+  hir::Expr* list = make<hir::ListExpr>(hir::ExprKind::kList, types_.list(types_.text()), span, seq(names));
+  hir::Expr* number = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.integer(), span,
+                                             hir::Conversion::kSame, value);
+  return make<hir::ElementExpr>(hir::ExprKind::kElement, types_.text(), span, list, number);
+}
+
+hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& field) {
+  std::vector<std::string> names;
+  const Type* type = object.type;
+  if (type->is(Kind::kRecord)) {
+    for (const RecordField& known : type->record->fields) names.push_back(known.name);
+  } else if (type->is(Kind::kHost)) {
+    const std::string prefix = type_name(type) + '.';
+    for (const std::string_view known : registry_.public_names()) {
+      if (known.starts_with(prefix)) names.emplace_back(known.substr(prefix.size()));
+    }
+  } else if (type->is(Kind::kList)) {
+    names = {"length", "last"};
+  } else if (type->is(Kind::kText)) {
+    names = {"length"};
+  } else if (type->is(Kind::kEnum)) {
+    names = {"name"};
+  }
+  Diagnostic diagnostic =
+      make_diagnostic("E0208", field.span, {type_phrase(type), std::string(field.text)});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    diagnostic.why += (i == 0 ? "its fields are " : i + 1 < names.size() ? ", " : " and ") + names[i];
+  }
+  if (names.size() == 1) diagnostic.why = "its only field is " + names[0];
+  if (find_function(field.text) != nullptr || !registry_.functions(field.text).empty()) {
+    const std::string call = std::string(field.text) + "()";
+    diagnostic.fix = Fix{.text = "write " + call, .edits = {{field.span, call}}};
+  } else {
+    diagnostic.fix = did_you_mean(field.text, field.span, {names.begin(), names.end()});
+  }
+  report(std::move(diagnostic));
+  return failed(field.span);
+}
+
+hir::Expr* Checker::index_value(const ast::Expr& expr) {
+  return check_as(expr, {.type = types_.integer(), .name = "index"});
+}
+
+hir::Expr* Checker::check_index(const ast::IndexExpr& index) {
+  hir::Expr* object = check_value(*index.object);
+  const Type* type = object->type;
+  if (type->is(Kind::kAny)) return failed(index.span);
+  if (type->is(Kind::kMatrix) || index.items.size() > 1) {
+    if (type->is(Kind::kMatrix) || type->is(Kind::kHost)) return not_available(index.span, "indexing with several places");
+    Diagnostic diagnostic = make_diagnostic("E0318", index.span, {"with a comma, " + type_phrase(type)});
+    diagnostic.fix = Fix{.text = "write one pair of brackets for each index: a[i][j]"};
+    report(std::move(diagnostic));
+    return failed(index.span);
+  }
+  const ast::IndexItem& item = index.items[0];
+  const bool is_text = type->is(Kind::kText);
+  if (type->is(Kind::kList) || is_text) {
+    if (item.is_range) {
+      hir::Expr* first = item.first != nullptr ? index_value(*item.first) : nullptr;
+      hir::Expr* last = item.last != nullptr ? index_value(*item.last) : nullptr;
+      return make<hir::SliceExpr>(hir::ExprKind::kSlice, type, index.span, object, first, last);
+    }
+    hir::Expr* place = index_value(*item.first);
+    if (is_text) return make<hir::CharacterExpr>(hir::ExprKind::kCharacter, type, index.span, object, place);
+    return make<hir::ElementExpr>(hir::ExprKind::kElement, type->element, index.span, object, place);
+  }
+  const std::string native = type_name(type) + "[]";
+  if (const auto found = registry_.functions(native); !found.empty() && !item.is_range) {
+    return call_native(native, found, index.span, index.span,
+                       {Argument{.value = object}, Argument{.value = index_value(*item.first)}});
+  }
+  report(make_diagnostic("E0318", index.object->span, {type_phrase(type)}));
+  return failed(index.span);
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,195 @@
+// Messages that several parts of the checker share: unknown names and values of the wrong type.
+
+#include <algorithm>
+#include <array>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+namespace {
+
+std::string ordinal(int position) {
+  static constexpr std::array<std::string_view, 10> kWords = {
+      "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"};
+  if (position >= 1 && position <= 10) return std::string(kWords[position - 1]);
+  return std::to_string(position) + "th";
+}
+
+std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'; }
+
+}  // namespace
+
+void Checker::report(Diagnostic diagnostic) {
+  const FunctionContext& root = here_->root();
+  const bool is_error = diagnostic.severity == Severity::kError;
+  if (is_error && root.instance != nullptr && root.declaration->is_generic()) {
+    std::string types;
+    for (const Type* type : root.instance->types) types += (types.empty() ? "" : " and ") + type_phrase(type);
+    diagnostic.related.push_back({root.instance->first_call, "called here with " + types});
+  }
+  if (is_error) ++errors_;
+  sink_.report(std::move(diagnostic));
+}
+
+hir::Expr* Checker::failed(Span span) {
+  return make<hir::IntExpr>(hir::ExprKind::kInt, types_.any(), span, std::int64_t{0});
+}
+
+hir::Expr* Checker::not_available(Span span, std::string_view feature) {
+  report(make_diagnostic("E0199", span, {std::string(feature)}));
+  return failed(span);
+}
+
+std::string Checker::text_of(Span span) const { return std::string(into_.sources->slice(span)); }
+
+int Checker::line_of(Span span) const { return into_.sources->position(span).line; }
+
+std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
+                                         const std::vector<std::string_view>& names) const {
+  const auto found = suggest(name, std::span<const std::string_view>(names));
+  if (!found) return std::nullopt;
+  return Fix{.text = "did you mean " + quoted(*found) + "?",
+             .edits = {{span, std::string(*found)}},
+             .confidence = Confidence::kMaybe};
+}
+
+std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span) const {
+  std::vector<std::string_view> own;
+  std::map<std::string_view, Span> declared;
+  const auto add = [&](const Local& local) {
+    if (local.variable->name.empty()) return;
+    own.push_back(local.variable->name);
+    declared[local.variable->name] = local.variable->declared;
+  };
+  for (const FunctionContext* context = here_; context != nullptr; context = context->outer) {
+    std::ranges::for_each(context->locals, add);
+  }
+  if (&here_->root() != &main_) std::ranges::for_each(main_.locals, add);
+  for (const auto& [function, declaration] : functions_) {
+    own.push_back(function);
+    declared[function] = declaration.node->name.span;
+  }
+  const auto found = suggest(name, std::span<const std::string_view>(own));
+  if (found) {
+    const int line = line_of(declared[*found]);
+    return Fix{.text = "did you mean " + quoted(*found) + ", declared on line " + std::to_string(line) + "?",
+               .edits = {{span, std::string(*found)}},
+               .confidence = Confidence::kMaybe};
+  }
+  std::vector<std::string_view> library = registry_.public_names();
+  for (const auto& [type, unused] : named_types_) library.push_back(type);
+  return did_you_mean(name, span, library);
+}
+
+hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
+  if (name == "null") {
+    Diagnostic diagnostic = make_diagnostic("E0310", span, {std::string(name)});
+    diagnostic.why = "every variable has a value of its type from the start";
+    report(std::move(diagnostic));
+    return failed(span);
+  }
+  if (const auto found = top_level_names_.find(name); found != top_level_names_.end()) {
+    Diagnostic diagnostic = make_diagnostic("E0211", span, {std::string(name)});
+    diagnostic.related.push_back({found->second, "declared here"});
+    report(std::move(diagnostic));
+    return failed(span);
+  }
+  Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
+  if (const ForeignName* foreign = foreign_name(name)) {
+    diagnostic.why = foreign->note;
+    if (!foreign->here.empty()) {
+      diagnostic.fix = Fix{.text = "write " + std::string(foreign->here),
+                           .edits = {{span, std::string(foreign->here)}},
+                           .confidence = Confidence::kMaybe};
+    }
+  } else {
+    diagnostic.fix = did_you_mean(name, span);
+  }
+  report(std::move(diagnostic));
+  return failed(span);
+}
+
+// ---- values of the wrong type ---------------------------------------------------------------------------------
+
+namespace {
+
+bool is_handed_over(const Target& target) {
+  return target.role == Target::Role::kArgument || target.role == Target::Role::kSetting;
+}
+
+Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value) {
+  Diagnostic out = make_diagnostic("E0303", value.span, {type_phrase(value.type)});
+  if (!value.type->is_double()) return out;
+  out.why = "storing it in an int would lose the fraction";
+  const std::string text = checker.text_of(value.span);
+  const std::string cut = "int(" + text + ")";
+  out.fix = Fix{.text = "write " + cut, .edits = {{value.span, cut}}, .confidence = Confidence::kMaybe};
+  if (value.kind != hir::ExprKind::kBinary || value.as<hir::BinaryExpr>().op != hir::Op::kDivR) return out;
+  // i / 3.0 for an int i: the same with a whole number.
+  const auto& division = value.as<hir::BinaryExpr>();
+  const std::string right = checker.text_of(division.right->span);
+  if (division.left->kind != hir::ExprKind::kConvert || !right.ends_with(".0")) return out;
+  const std::string whole = checker.text_of({value.span.begin, division.right->span.begin, value.span.source}) +
+                            right.substr(0, right.size() - 2);
+  out.fix = Fix{.text = "write " + whole + " (whole-number division) or " + cut,
+                .edits = {{value.span, whole}},
+                .confidence = Confidence::kMaybe};
+  return out;
+}
+
+// A list where the host's value made from it is needed.
+Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, const Target& target,
+                             bool constructible) {
+  const HostType& host = *target.type->host;
+  Diagnostic out = make_diagnostic("E0301", value.span, {ordinal(target.position), std::string(host.noun)});
+  out.mark.label = "this is " + type_phrase(value.type);
+  if (!host.use.empty()) out.why = quoted(target.function) + ' ' + std::string(host.use);
+  if (!constructible) return out;
+  const std::string made = "new " + std::string(host.name) + '(' + checker.text_of(value.span) + ')';
+  const Span before{target.call.begin, value.span.begin, value.span.source};
+  Span after{value.span.end, target.call.end, value.span.source};
+  if (checker.text_of({after.end, after.end + 1, after.source}) == ";") ++after.end;
+  out.fix = Fix{.text = "write " + checker.text_of(before) + made + checker.text_of(after),
+                .edits = {{value.span, made}},
+                .confidence = Confidence::kSure};
+  return out;
+}
+
+}  // namespace
+
+hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
+  const Type* have = value.type;
+  const Type* want = target.type;
+  if (have->is(Kind::kVoid)) {
+    const std::string text = text_of(value.span);
+    report(make_diagnostic("E0320", value.span, {text.substr(0, text.find('('))}));
+  } else if (want->is(Kind::kInt) && have->is(Kind::kReal)) {
+    report(whole_number_needed(*this, value));
+  } else if (want->is_quantity() && (have->is(Kind::kInt) || have->is_double())) {
+    plain_number_for_quantity(value, target);
+  } else if (want->is_double() && have->is_quantity()) {
+    quantity_for_number(value);
+  } else if (want->is_quantity() && have->is_quantity()) {
+    other_quantity(value, target);
+  } else if (target.role == Target::Role::kArgument && want->is(Kind::kHost) && !want->host->noun.empty()) {
+    const auto makers = registry_.functions(want->host->name);
+    const bool constructible = std::ranges::any_of(makers, [&](const NativeFunction* maker) {
+      const Signature& signature = signature_of(*maker);
+      Bindings bindings;
+      return signature.parameters.size() == 1 && !signature.parameters[0].variadic &&
+             match(signature.parameters[0].type, have, false, bindings) >= 0;
+    });
+    report(host_value_needed(*this, value, target, constructible));
+  } else if (want->is_number() && have->is(Kind::kText)) {
+    Diagnostic diagnostic = make_diagnostic("E0314", value.span, {"a text"});
+    report(std::move(diagnostic));
+  } else if (is_handed_over(target)) {
+    report(make_diagnostic("E0313", value.span,
+                           {std::string(target.function), type_phrase(want), type_phrase(have)}));
+  } else {
+    report(make_diagnostic("E0315", value.span, {type_phrase(want), type_phrase(have)}));
+  }
+  return failed(value.span);
+}
+
+}  // namespace armlet::lang

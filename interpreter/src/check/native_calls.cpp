@@ -1,0 +1,172 @@
+// Calls of library functions, once it is known which one is meant.
+
+#include <algorithm>
+#include <array>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Expr* Checker::call_native(std::string_view name, std::span<const NativeFunction* const> candidates,
+                                Span callee, Span span, std::vector<Argument> arguments) {
+  if (candidates.empty()) return unknown_name(name, callee);
+  for (const Argument& argument : arguments) {
+    if (!argument.waits() && argument.value->type->is(Kind::kAny)) return failed(span);
+  }
+  Fit best;
+  const NativeFunction* function = choose(name, candidates, callee, span, arguments, best);
+  if (function == nullptr) return failed(span);
+  return finish_native(name, *function, callee, span, arguments, best);
+}
+
+// A lambda or the name of a function, now that its parameter's type is known as far as it will be.
+hir::Expr* Checker::waiting_argument(const Argument& argument, const TypePattern& pattern, Bindings& bindings) {
+  const Type* expected = instantiate(pattern, bindings, types_);
+  if (expected == nullptr && pattern.form == TypePattern::Form::kFunction) {
+    // The result is found from the body.
+    std::vector<const Type*> parameters;
+    for (std::size_t i = 0; i + 1 < pattern.parts.size(); ++i) {
+      parameters.push_back(instantiate(pattern.parts[i], bindings, types_));
+    }
+    if (std::ranges::find(parameters, nullptr) == parameters.end()) {
+      expected = types_.function(std::move(parameters), types_.any());
+    }
+  }
+  hir::Expr* value = check(*argument.written, expected);
+  if (match(pattern, value->type, false, bindings) < 0) {
+    const std::string need = pattern_name(pattern, bindings, types_);
+    report(make_diagnostic("E0313", value->span, {"this call", need, type_phrase(value->type)}));
+    return failed(value->span);
+  }
+  return value;
+}
+
+hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& function, Span callee, Span span,
+                                  std::vector<Argument>& arguments, Fit& fit) {
+  const Signature& signature = signature_of(function);
+  const auto& parameters = signature.parameters;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const int from = fit.from[p];
+    if (from < 0 || !arguments[from].waits()) continue;
+    arguments[from].value = waiting_argument(arguments[from], parameters[p].type, fit.bindings);
+    if (arguments[from].value->type->is(Kind::kAny)) return failed(span);
+  }
+  std::vector<hir::Expr*> values(parameters.size(), nullptr);
+  std::vector<Span> spans(parameters.size(), Span{callee.end, callee.end, callee.source});
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const Parameter& parameter = parameters[p];
+    const Type* type = instantiate(parameter.type, fit.bindings, types_);
+    if (type == nullptr) type = types_.any();
+    const int from = fit.from[p];
+    if (p == 0 && fit.ambient) {
+      values[p] = ambient_value(*type->host, callee);
+      if (values[p]->type->is(Kind::kAny)) return failed(span);
+    } else if (from >= 0) {
+      spans[p] = arguments[from].value->span;
+      values[p] = require(arguments[from].value, {.role = Target::Role::kArgument, .type = type, .function = name});
+    } else if (parameter.variadic) {
+      std::vector<hir::Expr*> items;
+      for (const int rest : fit.rest) {
+        hir::Expr* item = arguments[rest].value;
+        if (parameter.any_number && item->type->is_quantity()) {
+          item = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.real(), item->span, hir::Conversion::kSame, item);
+        }
+        items.push_back(require(item, {.role = Target::Role::kArgument, .type = type->element, .function = name}));
+      }
+      if (!fit.rest.empty()) spans[p] = cover(items.front()->span, items.back()->span);
+      values[p] = make<hir::ListExpr>(hir::ExprKind::kList, type, span, seq(items));
+    } else if (parameter.default_value) {
+      values[p] = literal_of(*parameter.default_value, type, callee);
+    } else {
+      values[p] = make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
+    }
+  }
+  const Type* result = instantiate(signature.result, fit.bindings, types_);
+  if (result == nullptr) {
+    report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
+    return failed(span);
+  }
+  if (function.pauses) note_pause(span);
+  auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function, seq(values),
+                                         hir::CallSite{span, callee, seq(spans)});
+  return run_rule(name, arguments, fit, call);
+}
+
+// A pause in a condition would stop the clock that the condition waits for.
+void Checker::note_pause(Span span) {
+  if (use_ != nullptr) use_->pauses = true;
+  for (const FunctionContext* context = here_; context != nullptr; context = context->outer) {
+    if (context->kind != FunctionContext::Kind::kCondition) continue;
+    report(make_diagnostic("E0505", span));
+    return;
+  }
+}
+
+// ---- the robot that is not written ----------------------------------------------------------------------------
+
+Ambient Checker::find_ambient(const HostType& type) {
+  Ambient out;
+  const auto look_in = [&](FunctionContext& context, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      Local& local = context.locals[i];
+      if (!local.variable->type->is(Kind::kHost) || local.variable->type->host != &type) continue;
+      out.local = &local;
+      out.where = &context;
+      out.names.push_back(local.variable->name);
+    }
+  };
+  for (FunctionContext* context = here_; context != nullptr && context != &main_ && out.names.empty();
+       context = context->outer) {
+    look_in(*context, context->locals.size());
+  }
+  if (!out.names.empty()) return out;
+  const bool in_main = &here_->root() == &main_;
+  look_in(main_, in_main || main_.blocks.size() < 2 ? main_.locals.size() : main_.blocks[1]);
+  for (const std::string_view declared : ambient_names_[type.name]) out.names.push_back(declared);
+  std::ranges::sort(out.names);
+  const auto repeated = std::ranges::unique(out.names);
+  out.names.erase(repeated.begin(), repeated.end());
+  return out;
+}
+
+hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
+  const Ambient found = find_ambient(type);
+  if (found.names.size() > 1) {
+    static constexpr std::array<std::string_view, 8> kCounts = {"", "", "two", "three", "four", "five", "six", "seven"};
+    const std::size_t n = found.names.size();
+    Diagnostic diagnostic = make_diagnostic(
+        "E0205", callee, {n < kCounts.size() ? std::string(kCounts[n]) : std::to_string(n)});
+    for (std::size_t i = 0; i < n; ++i) {
+      diagnostic.why += (i == 0 ? "" : i + 1 < n ? ", " : " and ") + ('`' + std::string(found.names[i]) + '`');
+    }
+    diagnostic.why += n == 2 ? " are both declared in this program" : " are declared in this program";
+    const std::string first(found.names[0]);
+    diagnostic.fix = Fix{.text = "write " + first + '.' + text_of(callee) +
+                                 "(...), or put the moves inside with (robot: " + first + ") { ... }",
+                         .edits = {{{callee.begin, callee.begin, callee.source}, first + '.'}}};
+    report(std::move(diagnostic));
+    return failed(callee);
+  }
+  if (found.local != nullptr) return read(*found.local, *found.where, callee);
+  if (!found.names.empty()) return unknown_name(found.names[0], callee);
+  const auto suppliers = registry_.functions(std::string(type.name) + "()");
+  if (!suppliers.empty()) return call_native(type.name, suppliers, callee, callee, {});
+  report(make_diagnostic("E0220", callee));
+  return failed(callee);
+}
+
+const Fact* Checker::ambient_fact(std::string_view name) {
+  const HostType* type = registry_.type(name);
+  if (type == nullptr) return nullptr;
+  const Ambient found = find_ambient(*type);
+  if (found.names.size() > 1) return nullptr;
+  if (found.local != nullptr) {
+    const hir::Expr* init = found.local->variable->init;
+    return init != nullptr ? fact_of(*init) : nullptr;
+  }
+  const auto suppliers = registry_.functions(std::string(name) + "()");
+  if (!found.names.empty() || suppliers.empty()) return nullptr;
+  return fact_of(*call_native(name, suppliers, Span{}, Span{}, {}));
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,122 @@
+// Rules that a host checks before running: one call as a rule sees it.
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+namespace {
+
+class Call final : public CheckCall {
+ public:
+  Call(Checker& checker, std::string_view name, const std::vector<Argument>& arguments, const Fit& fit,
+       hir::CallNativeExpr& call)
+      : checker_(checker), name_(name), arguments_(arguments), fit_(fit), call_(call) {}
+
+  std::string_view function_name() const override { return name_; }
+  bool given(int parameter) const override { return written(parameter) != nullptr || !items(parameter).empty(); }
+
+  const Type* type(int parameter) const override {
+    const hir::Expr* value = written(parameter);
+    return value != nullptr ? value->type : call_.arguments[parameter]->type;
+  }
+  Span span(int parameter) const override { return call_.site.arguments[parameter]; }
+  Span callee_span() const override { return call_.site.callee; }
+  Span call_span() const override { return call_.site.call; }
+  std::string text_of(Span span) const override { return checker_.text_of(span); }
+  int line_of(Span span) const override { return checker_.line_of(span); }
+
+  std::optional<Constant> constant(int parameter) const override {
+    return checker_.constant_of(*call_.arguments[parameter]);
+  }
+  std::shared_ptr<const Fact> fact(int parameter) const override {
+    return shared(checker_.fact_of(*call_.arguments[parameter]));
+  }
+
+  int item_count(int parameter) const override { return static_cast<int>(items(parameter).size()); }
+  const Type* item_type(int parameter, int item) const override { return items(parameter)[item]->type; }
+  Span item_span(int parameter, int item) const override { return items(parameter)[item]->span; }
+  std::optional<Constant> item_constant(int parameter, int item) const override {
+    return checker_.constant_of(*items(parameter)[item]);
+  }
+  std::shared_ptr<const Fact> item_fact(int parameter, int item) const override {
+    return shared(checker_.fact_of(*items(parameter)[item]));
+  }
+
+  std::shared_ptr<const Fact> ambient_fact(std::string_view host_type) const override {
+    return shared(checker_.ambient_fact(host_type));
+  }
+  std::vector<std::string> declared_names(std::string_view type) const override {
+    const auto found = checker_.declared_names_.find(std::string(type));
+    return found == checker_.declared_names_.end() ? std::vector<std::string>() : found->second;
+  }
+
+  Span origin(int parameter, int item) const override {
+    const hir::Expr* at = &checker_.origin_of(*call_.arguments[parameter]);
+    // new posJ(list): look into what the value was made from.
+    while (at->kind == hir::ExprKind::kCallNative && at->as<hir::CallNativeExpr>().arguments.size() == 1) {
+      at = &checker_.origin_of(*at->as<hir::CallNativeExpr>().arguments[0]);
+    }
+    if (at->kind != hir::ExprKind::kList) return {};
+    const auto& list = at->as<hir::ListExpr>().items;
+    return item >= 0 && item < static_cast<int>(list.size()) ? list[item]->span : Span{};
+  }
+  bool mentions(std::string_view function) const override {
+    return checker_.mentioned_.contains(std::string(function));
+  }
+  void* host() const override { return checker_.options_.host; }
+
+  void set_result_fact(std::shared_ptr<const Fact> fact) override {
+    call_.fact = fact.get();
+    checker_.into_.facts.push_back(std::move(fact));
+  }
+  void report(Diagnostic diagnostic) override { checker_.report(std::move(diagnostic)); }
+
+ private:
+  // The value as written, before conversion; null if it was not written.
+  const hir::Expr* written(int parameter) const {
+    if (parameter < 0 || parameter >= static_cast<int>(fit_.from.size())) return nullptr;
+    const int from = fit_.from[parameter];
+    return from >= 0 ? arguments_[from].value : nullptr;
+  }
+
+  // The values of a variadic parameter, or of a list of rows.
+  std::vector<const hir::Expr*> items(int parameter) const {
+    std::vector<const hir::Expr*> out;
+    const Parameter& declared = checker_.signature_of(*call_.function).parameters[parameter];
+    if (declared.variadic) {
+      for (const int rest : fit_.rest) out.push_back(arguments_[rest].value);
+    } else if (const hir::Expr* value = written(parameter)) {
+      const hir::Expr& list = checker_.origin_of(*value);
+      if (list.kind == hir::ExprKind::kList) {
+        const auto& values = list.as<hir::ListExpr>().items;
+        out.assign(values.begin(), values.end());
+      }
+    }
+    return out;
+  }
+
+  // Facts live as long as the program.
+  static std::shared_ptr<const Fact> shared(const Fact* fact) {
+    return {std::shared_ptr<const Fact>(), fact};
+  }
+
+  Checker& checker_;
+  std::string_view name_;
+  const std::vector<Argument>& arguments_;
+  const Fit& fit_;
+  hir::CallNativeExpr& call_;
+};
+
+}  // namespace
+
+hir::Expr* Checker::run_rule(std::string_view name, const std::vector<Argument>& arguments, const Fit& fit,
+                             hir::CallNativeExpr* call) {
+  const auto failed_value = [](const hir::Expr* value) { return value->type->is(Kind::kAny); };
+  if (call->function->check == nullptr || std::ranges::any_of(call->arguments, failed_value)) return call;
+  Call seen(*this, name, arguments, fit, *call);
+  call->function->check(seen);
+  return call;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,96 @@
+#pragma once
+// What names stand for while a program is checked: variables, functions, types; and what each function uses.
+
+#include <string_view>
+#include <vector>
+
+#include "check/hir.hpp"
+#include "syntax/ast.hpp"
+
+namespace armlet::lang {
+
+enum class Declared : std::uint8_t { kLet, kFinal, kVar, kClassic, kParameter, kLoop, kCatch, kBlock, kCapture };
+
+// A variable that can be seen from here.
+struct Local {
+  hir::Variable* variable = nullptr;
+  Declared how = Declared::kVar;
+  Span keyword{};             // let, var, final, or the type of a classic declaration
+  bool used = false;
+};
+
+// Whether the end of the text so far can be reached, and which variables have no value there on some way.
+struct Flow {
+  bool reachable = true;
+  std::vector<const hir::Variable*> unset{};
+
+  // Where two ways meet.
+  void merge(const Flow& other);
+  void assign(const hir::Variable* variable);
+  [[nodiscard]] bool is_unset(const hir::Variable* variable) const;
+};
+
+// A statement that break, continue or retry can leave.
+struct JumpTarget {
+  enum class Kind : std::uint8_t { kLoop, kSwitch, kCatch } kind;
+  const hir::Stmt* statement;
+  std::vector<Flow> exits{};    // the states at each break
+  std::vector<Flow> repeats{};  // the states at each continue
+};
+
+// Which top-level variables and which functions the text of a function mentions.
+struct Use {
+  std::vector<hir::Variable*> globals{};
+  std::vector<const hir::Function*> calls{};
+  bool pauses = false;
+
+  void add(hir::Variable* variable);
+  void add(const hir::Function* function);
+};
+
+// A function of the text, and its forms for the types it was called with.
+struct FunctionDecl;
+
+struct Instance {
+  std::vector<const Type*> types;
+  hir::Function* function = nullptr;
+  bool result_known = false;
+  bool checked = false;
+  FunctionDecl* declaration = nullptr;
+  Span first_call{};
+};
+
+struct FunctionDecl {
+  const ast::FunctionStmt* node = nullptr;
+  std::vector<const Type*> parameters{};     // null: generic by use
+  const Type* result = nullptr;              // null: inferred
+  std::vector<Instance*> instances{};
+  bool failed = false;                       // a form of it had errors
+  [[nodiscard]] bool is_generic() const;
+};
+
+// One function, lambda, condition or test while its body is being checked.
+struct FunctionContext {
+  enum class Kind : std::uint8_t { kProgram, kNamed, kTest, kLambda, kCondition } kind = Kind::kProgram;
+  hir::Function* function = nullptr;
+  FunctionContext* outer = nullptr;          // lambdas and conditions: where they are written
+  FunctionDecl* declaration = nullptr;       // kNamed
+  Instance* instance = nullptr;              // kNamed
+  std::vector<Local> locals{};               // all that can be seen, innermost last
+  std::vector<std::size_t> blocks{};         // where each open block begins in locals
+  std::vector<hir::Capture> captures{};
+  std::vector<JumpTarget> targets{};
+  Flow flow{};
+  const Type* result = nullptr;              // declared, or of the first return; null: none so far
+  bool result_is_declared = false;
+  std::vector<hir::ReturnStmt*> returns{};   // of an inferred result
+
+  [[nodiscard]] const FunctionContext& root() const;
+};
+
+struct StructDecl {
+  const ast::StructStmt* node = nullptr;
+  const Type* type = nullptr;
+};
+
+}  // namespace armlet::lang

@@ -1,0 +1,136 @@
+// Calls of functions of the text, and values of struct types.
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view name, ast::Seq<ast::Param> parameters,
+                                                            Span callee, Span span,
+                                                            std::vector<Argument>& arguments) {
+  // The same rules as for the library, told by the same messages.
+  Signature signature;
+  for (const ast::Param& parameter : parameters) {
+    signature.parameters.push_back({.name = std::string(parameter.name.text),
+                                    .type = {.type = types_.any()},
+                                    .optional = parameter.default_value != nullptr});
+  }
+  Fit fit;
+  if (!place_arguments(signature, arguments, fit)) {
+    report_misfit(name, signature, callee, span, arguments, fit);
+    return std::nullopt;
+  }
+  std::vector<Argument*> out;
+  for (const int from : fit.from) out.push_back(from >= 0 ? &arguments[from] : nullptr);
+  return out;
+}
+
+namespace {
+
+// A value that is the same at every call: written in the text, or a value of the host made from such values.
+bool is_fixed_value(const hir::Expr& value) {
+  const auto all = [](const auto& items) {
+    return std::ranges::all_of(items, [](const hir::Expr* item) { return is_fixed_value(*item); });
+  };
+  switch (value.kind) {
+    case hir::ExprKind::kBool:
+    case hir::ExprKind::kInt:
+    case hir::ExprKind::kReal:
+    case hir::ExprKind::kText:
+    case hir::ExprKind::kEnum:
+    case hir::ExprKind::kAbsent:
+    case hir::ExprKind::kFunctionValue:
+      return true;
+    case hir::ExprKind::kConvert:
+      return is_fixed_value(*value.as<hir::ConvertExpr>().operand);
+    case hir::ExprKind::kUnary:
+      return is_fixed_value(*value.as<hir::UnaryExpr>().operand);
+    case hir::ExprKind::kBinary:
+      return is_fixed_value(*value.as<hir::BinaryExpr>().left) && is_fixed_value(*value.as<hir::BinaryExpr>().right);
+    case hir::ExprKind::kList:
+      return all(value.as<hir::ListExpr>().items);
+    case hir::ExprKind::kRecord:
+      return all(value.as<hir::RecordExpr>().fields);
+    case hir::ExprKind::kCallNative:
+      return value.type->is(Kind::kHost) && all(value.as<hir::CallNativeExpr>().arguments);
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+hir::Expr* Checker::default_value(const ast::Expr& expr, const Target& target, std::string_view what) {
+  const bool before = std::exchange(only_top_level_, true);
+  hir::Expr* value = target.type != nullptr ? check_as(expr, target) : check_value(expr);
+  only_top_level_ = before;
+  if (value->type->is(Kind::kAny) || is_fixed_value(*value)) return value;
+  report(make_diagnostic("E0334", expr.span, {std::string(what), "a value written in the text"}));
+  return failed(expr.span);
+}
+
+hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span, std::vector<Argument> arguments) {
+  const ast::FunctionStmt& node = *function.node;
+  const std::string_view name = node.name.text;
+  const auto given = by_parameter(name, node.params, callee, span, arguments);
+  if (!given) return failed(span);
+  const int receiver = !arguments.empty() && arguments[0].written == nullptr ? 1 : 0;
+  std::vector<hir::Expr*> values;
+  std::vector<const Type*> types;
+  std::vector<Span> spans;
+  for (std::size_t p = 0; p < node.params.size(); ++p) {
+    const Type* type = function.parameters[p];
+    Argument* argument = (*given)[p];
+    Target target{.role = Target::Role::kArgument, .type = type, .name = node.params[p].name.text, .function = name, .call = span};
+    spans.push_back(argument != nullptr ? argument->span() : Span{callee.end, callee.end, callee.source});
+    hir::Expr* value = nullptr;
+    if (argument == nullptr) {
+      value = default_value(*node.params[p].default_value, target, "a default");
+    } else {
+      if (!argument->name.empty()) target.role = Target::Role::kSetting;
+      target.position = static_cast<int>(argument - arguments.data()) + 1 - receiver;
+      if (argument->waits()) argument->value = check_value(*argument->written, type);
+      value = type != nullptr ? require(argument->value, target) : argument->value;
+    }
+    if (value->type->is(Kind::kAny)) return failed(span);
+    if (value->type->is(Kind::kList) && value->type->element->is(Kind::kAny)) {
+      report(make_diagnostic("E0323", value->span, {"this empty list"}));
+      return failed(span);
+    }
+    values.push_back(value);
+    types.push_back(value->type);
+  }
+  Instance* instance = instance_of(function, std::move(types), span);
+  if (instance == nullptr) return failed(span);
+  use_->add(instance->function);
+  if (&here_->root() == &main_) main_calls_.emplace_back(instance->function, top_level_.size());
+  return make<hir::CallExpr>(hir::ExprKind::kCall, instance->function->result, span, instance->function, seq(values),
+                             hir::CallSite{span, callee, seq(spans)});
+}
+
+hir::Expr* Checker::construct(const StructDecl& structure, Span callee, Span span, std::vector<Argument> arguments) {
+  const ast::StructStmt& node = *structure.node;
+  const std::string_view name = node.name.text;
+  const auto given = by_parameter(name, node.fields, callee, span, arguments);
+  if (!given) return failed(span);
+  std::vector<hir::Expr*> values;
+  for (std::size_t i = 0; i < node.fields.size(); ++i) {
+    Argument* argument = (*given)[i];
+    Target target{.role = Target::Role::kSetting,
+                  .type = structure.type->record->fields[i].type,
+                  .name = node.fields[i].name.text,
+                  .function = name,
+                  .call = span};
+    if (argument == nullptr) {
+      values.push_back(default_value(*node.fields[i].default_value, target, "a default"));
+    } else {
+      if (argument->waits()) argument->value = check_value(*argument->written, target.type);
+      values.push_back(require(argument->value, target));
+    }
+    if (values.back()->type->is(Kind::kAny)) return failed(span);
+  }
+  return make<hir::RecordExpr>(hir::ExprKind::kRecord, structure.type, span, seq(values));
+}
+
+}  // namespace armlet::lang
