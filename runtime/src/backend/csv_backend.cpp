@@ -74,6 +74,7 @@ class CsvBackend::Table {
   TextSink sink;
   std::size_t columns = 0;
   std::vector<std::string> robots{};
+  std::string too_wide{};  // the first robot that does not fit
 
  private:
   void cell(double value) {
@@ -94,7 +95,18 @@ void CsvBackend::begin(const RunInfo& run) {
   for (const ObjectInfo& object : run.objects) object_added(0, object);
 }
 
+void CsvBackend::robot_added(std::int64_t, const RobotInfo& robot) {
+  table_->robots.push_back(robot.name);
+  if (robot.joints.size() <= table_->columns) return;
+  if (!table_->too_wide.empty()) return;
+  table_->too_wide = fmt::format(
+      "The table was begun for robots of {} joints; \"{}\" has {}. Declare it "
+      "before the first motion.",
+      table_->columns, robot.name, robot.joints.size());
+}
+
 void CsvBackend::joint_sample(const JointSample& sample) {
+  if (sample.q.size() > table_->columns) return;
   table_->begin_row(sample.t_ns, "robot", table_->robots[static_cast<std::size_t>(sample.robot)]);
   table_->write_pose(sample.T_world_tool);
   for (const auto values : {sample.q, sample.qd, sample.qdd}) table_->write_joints(values);
@@ -128,6 +140,8 @@ void CsvBackend::end(std::int64_t t_ns) {
   table_->sink.flush();
 }
 
-std::string CsvBackend::error() const { return table_->sink.error(); }
+std::string CsvBackend::error() const {
+  return table_->too_wide.empty() ? table_->sink.error() : table_->too_wide;
+}
 
 }  // namespace armlet

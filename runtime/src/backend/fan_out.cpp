@@ -16,6 +16,10 @@ void FanOut::begin(const RunInfo& run) {
   for (Backend* each : backends_) each->begin(run);
 }
 
+void FanOut::robot_added(std::int64_t t_ns, const RobotInfo& robot) {
+  for (Backend* each : backends_) each->robot_added(t_ns, robot);
+}
+
 void FanOut::joint_sample(const JointSample& sample) {
   for (Backend* each : backends_) each->joint_sample(sample);
 }

@@ -43,6 +43,19 @@ class JsonlBackend::Writer {
     field("r", std::array{r.w(), r.x(), r.y(), r.z()});
   }
 
+  // Fields of a robot that joins, without braces.
+  void robot(const RobotInfo& robot) {
+    robots.push_back(robot.name);
+    sink.text("\"name\":");
+    sink.quoted(robot.name);
+    sink.text(",\"joints\":[");
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+      sink.text(i > 0 ? "," : "");
+      sink.quoted(robot.joints[i] == JointUnit::kRadian ? "rad" : "m");
+    }
+    sink.text("]");
+  }
+
   void end_line() {
     sink.text("}");
     sink.end_line();
@@ -65,22 +78,22 @@ JsonlBackend::JsonlBackend(std::ostream& out) : writer_(std::make_unique<Writer>
 JsonlBackend::~JsonlBackend() = default;
 
 void JsonlBackend::begin(const RunInfo& run) {
-  TextSink& sink = writer_->sink;
-  sink.text("{\"what\":\"begin\",\"robots\":[");
+  writer_->sink.text("{\"what\":\"begin\",\"robots\":[");
   for (const RobotInfo& robot : run.robots) {
-    sink.text(writer_->robots.empty() ? "{\"name\":" : ",{\"name\":");
-    writer_->robots.push_back(robot.name);
-    sink.quoted(robot.name);
-    sink.text(",\"joints\":[");
-    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-      sink.text(i > 0 ? "," : "");
-      sink.quoted(robot.joints[i] == JointUnit::kRadian ? "rad" : "m");
-    }
-    sink.text("]}");
+    writer_->sink.text(writer_->robots.empty() ? "{" : ",{");
+    writer_->robot(robot);
+    writer_->sink.text("}");
   }
-  sink.text("]");
+  writer_->sink.text("]");
   writer_->end_line();
   for (const ObjectInfo& object : run.objects) object_added(0, object);
+}
+
+void JsonlBackend::robot_added(std::int64_t t_ns, const RobotInfo& robot) {
+  writer_->begin_line(t_ns, "robotAdded");
+  writer_->sink.text(",");
+  writer_->robot(robot);
+  writer_->end_line();
 }
 
 void JsonlBackend::joint_sample(const JointSample& sample) {

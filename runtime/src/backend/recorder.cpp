@@ -4,6 +4,8 @@ namespace armlet {
 
 void Recorder::begin(const RunInfo& run) { run_ = run; }
 
+void Recorder::robot_added(std::int64_t, const RobotInfo& robot) { run_.robots.push_back(robot); }
+
 void Recorder::joint_sample(const JointSample& sample) {
   joints_.push_back({.t_ns = sample.t_ns,
                      .robot = sample.robot,

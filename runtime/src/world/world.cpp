@@ -4,32 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "armlet/core/error.hpp"
+#include "armlet/core/similar.hpp"
 #include "armlet/math/pose.hpp"
 #include "world/support.hpp"
 
 namespace armlet {
-namespace {
-
-// Levenshtein distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, change});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
 
 World::World(std::optional<double> floor_z) : floor_z_(floor_z) {
   if (floor_z) check_finite("floor_z", *floor_z);
@@ -64,16 +45,10 @@ const Object* World::find(std::string_view name) const {
 const Object& World::at(std::string_view name) const { return bodies_[index_of(name)].object; }
 
 std::optional<std::string> World::similar_name(std::string_view name) const {
-  // One slip per three letters; more is another word.
-  std::size_t nearest = name.size() / 3 + 2;
-  std::optional<std::string> similar;
-  for (const Body& each : bodies_) {
-    const std::size_t distance = edit_distance(name, each.object.name);
-    if (distance >= nearest || distance >= each.object.name.size()) continue;
-    nearest = distance;
-    similar = each.object.name;
-  }
-  return similar;
+  std::vector<std::string_view> candidates;
+  for (const Body& each : bodies_) candidates.push_back(each.object.name);
+  const auto similar = most_similar(name, candidates);
+  return similar ? std::optional<std::string>(*similar) : std::nullopt;
 }
 
 std::size_t World::index_of(std::string_view name) const {

@@ -61,3 +61,17 @@ TEST_CASE("a stream that cannot be written is reported, once, and stops the writ
   tell_short_run(backend);
   CHECK(backend.error() == "The trace could not be written; is the disk full?");
 }
+
+TEST_CASE("a robot that joins later and is too wide for the table is an error") {
+  std::ostringstream out;
+  CsvBackend backend(out);
+  backend.begin({.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}});
+  backend.robot_added(5, {"wide", {JointUnit::kRadian, JointUnit::kMetre}});
+  const std::array q{1.0, 2.0};
+  backend.joint_sample({.t_ns = 5, .robot = 1, .q = q, .qd = q, .qdd = q});
+  backend.end(5);
+  CHECK(out.str().find("wide") == std::string::npos);
+  CHECK(backend.error() ==
+        "The table was begun for robots of 1 joints; \"wide\" has 2. Declare it before the first "
+        "motion.");
+}

@@ -18,7 +18,7 @@ TEST_CASE("every line is JSON and numbers read back to the same bits") {
   std::istringstream lines(out.str());
   std::vector<nlohmann::json> rows;
   for (std::string line; std::getline(lines, line);) rows.push_back(nlohmann::json::parse(line));
-  REQUIRE(rows.size() == 10);
+  REQUIRE(rows.size() == 11);
   CHECK(rows[0]["what"] == "begin");
   CHECK(rows[0]["robots"][0]["joints"] == nlohmann::json({"rad", "m"}));
   CHECK(rows[1]["what"] == "added");
@@ -36,7 +36,9 @@ TEST_CASE("every line is JSON and numbers read back to the same bits") {
   CHECK_FALSE(rows[6].contains("robot"));
   CHECK(rows[7]["text"] == "say \"hi\",\n now");
   CHECK(rows[8]["what"] == "advice");
-  CHECK(rows[9]["t"] == 3.0);
+  CHECK(rows[9]["what"] == "robotAdded");
+  CHECK(rows[9]["name"] == "late");
+  CHECK(rows[10]["t"] == 3.0);
 }
 
 TEST_CASE("a stream that cannot be written is reported") {

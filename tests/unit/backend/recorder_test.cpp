@@ -9,7 +9,7 @@ using namespace armlet;
 TEST_CASE("a recorder keeps everything in order") {
   Recorder recorder;
   tell_short_run(recorder);
-  CHECK(recorder.run().robots.size() == 2);
+  CHECK(recorder.run().robots.size() == 3);
   REQUIRE(recorder.joints().size() == 1);
   CHECK(recorder.joints()[0].t_ns == 10000000);
   CHECK(recorder.joints()[0].qd == std::vector<double>{1.0 / 3.0, 2.5});

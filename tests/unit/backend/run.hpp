@@ -28,6 +28,7 @@ inline void tell_short_run(Backend& backend) {
   backend.object_event({.t_ns = 30000000, .change = ObjectChange::kRemoved, .name = "ball"});
   backend.note({.t_ns = 30000000, .text = "say \"hi\",\n now"});
   backend.note({.t_ns = 30000000, .kind = NoteKind::kAdvice, .text = "slower"});
+  backend.robot_added(40000000, {"late", {JointUnit::kMetre}});
   backend.end(3000000000);
 }
 

@@ -75,6 +75,9 @@ class Backend {
   virtual ~Backend() = default;
 
   virtual void begin(const RunInfo&) {}
+
+  // A robot that joins later; its index follows those before it.
+  virtual void robot_added(std::int64_t /*t_ns*/, const RobotInfo&) {}
   virtual void joint_sample(const JointSample&) {}
   virtual void object_added(std::int64_t /*t_ns*/, const ObjectInfo&) {}
   virtual void object_sample(const ObjectSample&) {}

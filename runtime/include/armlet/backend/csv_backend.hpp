@@ -13,7 +13,8 @@ namespace armlet {
 //
 // t is in seconds with all nanoseconds, `what` is robot, object, attached, detached, removed,
 // output, message, advice or end. A robot's pose is that of its tool point, in the world. n is the
-// largest number of joints; cells that do not apply are empty. `text` is quoted.
+// largest number of joints at the beginning; a robot that joins later with more is an error and
+// left out. Cells that do not apply are empty.
 class CsvBackend : public Backend {
  public:
   // out  not owned; lives at least as long as this.
@@ -21,6 +22,7 @@ class CsvBackend : public Backend {
   ~CsvBackend() override;
 
   void begin(const RunInfo& run) override;
+  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
   void joint_sample(const JointSample& sample) override;
   void object_added(std::int64_t t_ns, const ObjectInfo& object) override;
   void object_sample(const ObjectSample& sample) override;

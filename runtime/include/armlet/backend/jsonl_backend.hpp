@@ -16,6 +16,7 @@ namespace armlet {
 //   {"t":..,"what":"object","name":"cube","p":..,"r":..}
 //   {"t":..,"what":"attached","name":"cube","robot":"arm"}          (also detached, removed)
 //   {"t":..,"what":"output","text":"..."}                           (also message, advice)
+//   {"t":..,"what":"robotAdded","name":"late","joints":["rad"]}
 //   {"t":..,"what":"end"}
 //
 // A robot's p and r are those of its tool point in the world; r is a unit quaternion.
@@ -26,6 +27,7 @@ class JsonlBackend : public Backend {
   ~JsonlBackend() override;
 
   void begin(const RunInfo& run) override;
+  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
   void joint_sample(const JointSample& sample) override;
   void object_added(std::int64_t t_ns, const ObjectInfo& object) override;
   void object_sample(const ObjectSample& sample) override;

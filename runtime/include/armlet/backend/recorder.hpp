@@ -36,6 +36,7 @@ struct RecordedNote {
 class Recorder : public Backend {
  public:
   void begin(const RunInfo& run) override;
+  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
   void joint_sample(const JointSample& sample) override;
   void object_added(std::int64_t t_ns, const ObjectInfo& object) override;
   void object_sample(const ObjectSample& sample) override;
