@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "armlet/trajectory/planner.hpp"
+#include "armlet/trajectory/verify.hpp"
+
+namespace armlet {
+
+// A move of all joints from rest at q0 to rest at q1; the rest as in MoveRequest.
+struct JointMove {
+  Eigen::VectorXd q0{};
+  Eigen::VectorXd q1{};
+  std::string planner = "Syn";
+  std::optional<double> time{};
+  std::optional<double> speed{};
+  bool enforce_limits = true;
+};
+
+// Plans a move between joint positions and verifies the whole of it.
+//
+// returns  a plan whose `outside` names joints that the target puts outside their limits, and whose
+//          `too_fast` names the joint that needs more time.
+// throws   ArgumentError for sizes, planners, times and speeds as PlannerSet::plan does.
+MotionPlan plan_joint_move(const PlannerSet& planners, const Robot& robot, const JointMove& move);
+
+}  // namespace armlet

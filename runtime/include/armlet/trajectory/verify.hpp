@@ -1,0 +1,41 @@
+// The check that every motion passes before anything moves.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "armlet/kinematics/limits.hpp"
+#include "armlet/model/robot.hpp"
+#include "armlet/trajectory/planner.hpp"
+#include "armlet/trajectory/trajectory.hpp"
+
+namespace armlet {
+
+// What planning a motion of a robot gave.
+//
+// trajectory  the motion; nothing if it must not be made.
+// too_fast    the time is too short; with a trajectory it is advice, limits not being enforced.
+// outside     joints that would leave their limits; never together with a trajectory.
+struct MotionPlan {
+  std::optional<Trajectory> trajectory{};
+  std::optional<TooFast> too_fast{};
+  std::vector<LimitViolation> outside{};
+
+  [[nodiscard]] bool ok() const { return trajectory.has_value(); }
+};
+
+// Speed, acceleration and jerk limits of every joint.
+std::vector<AxisLimits> axis_limits(const Robot& robot);
+
+// The duration that the path of this trajectory needs at least for the speed and acceleration
+// limits of every joint, and the joint that decides.
+TooFast least_time(const Robot& robot, const Trajectory& trajectory);
+
+// Checks positions, speeds and accelerations over the whole motion, exactly. A joint that starts
+// outside its limits may only come back.
+//
+// enforce_limits  false: speeds and accelerations that are too high are only reported.
+// throws          ArgumentError unless the trajectory has one path per joint.
+MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits = true);
+
+}  // namespace armlet

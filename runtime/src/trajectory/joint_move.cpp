@@ -1,0 +1,28 @@
+#include "armlet/trajectory/joint_move.hpp"
+
+#include "armlet/core/error.hpp"
+
+namespace armlet {
+
+MotionPlan plan_joint_move(const PlannerSet& planners, const Robot& robot, const JointMove& move) {
+  check_size("q0", move.q0.size(), robot.n());
+  check_size("q1", move.q1.size(), robot.n());
+  check_finite("q1", move.q1);
+  // A target that is out of range is the first thing to say, however short the time.
+  if (auto outside = limit_violations(robot, move.q1); !outside.empty()) {
+    return {.outside = std::move(outside)};
+  }
+  Plan plan = planners.plan(move.planner, {.q0 = move.q0,
+                                           .q1 = move.q1,
+                                           .limits = axis_limits(robot),
+                                           .time = move.time,
+                                           .speed = move.speed,
+                                           .enforce_limits = move.enforce_limits});
+  if (!plan.trajectory) return {.too_fast = plan.too_fast};
+  MotionPlan verified = verify(robot, *std::move(plan.trajectory), move.enforce_limits);
+  // The planner knows the least time of its own law; verification only that of this path.
+  if (plan.too_fast) verified.too_fast = plan.too_fast;
+  return verified;
+}
+
+}  // namespace armlet

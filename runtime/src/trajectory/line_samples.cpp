@@ -1,0 +1,149 @@
+#include "trajectory/line_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/trajectory/spline.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr int kFirstIntervals = 16;
+constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
+constexpr double kTurnPerSample = 2.0 * std::numbers::pi / 180.0;
+constexpr double kSlidePerSample = 0.02;    // m
+constexpr double kPlaceDeviation = 1e-5;    // m, between samples
+constexpr double kAngleDeviation = 1e-4;    // rad, between samples
+constexpr double kSampleTolerance = 1e-10;  // m and rad, at samples
+
+double covered(double x) { return x * x * x * (10.0 + x * (-15.0 + 6.0 * x)); }
+
+// Joint change between neighbouring samples, as a multiple of what is allowed.
+double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
+              int* joint = nullptr) {
+  double largest = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    const double allowed = robot.is_revolute(i) ? kTurnPerSample : kSlidePerSample;
+    const double part = std::abs(q1[i] - q0[i]) / allowed;
+    if (part <= largest) continue;
+    largest = part;
+    if (joint != nullptr) *joint = i;
+  }
+  return largest;
+}
+
+}  // namespace
+
+LineSamples::LineSamples(const Robot& robot, const Eigen::VectorXd& q0,
+                         const Eigen::Isometry3d& T_world_goal, IkTask task)
+    : robot_(robot),
+      T_world_start_(forward(robot, q0)),
+      T_world_goal_(T_world_goal),
+      task_(task),
+      samples_{{0.0, q0}} {}
+
+Eigen::Isometry3d LineSamples::pose_at(double x) const {
+  return interpolate(T_world_start_, T_world_goal_, covered(x));
+}
+
+IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
+  // Only the solution that the arm can slide into counts, so there is one start.
+  return solve_ik(robot_, pose_at(x),
+                  {.seed = seed,
+                   .task = task_,
+                   .choice = IkChoice::kFirst,
+                   .position_tolerance = kSampleTolerance,
+                   .rotation_tolerance = kSampleTolerance,
+                   .starts = 1,
+                   .respect_limits = respect_limits,
+                   .diagnose = false});
+}
+
+// Remembers why the line ends after the last sample; `ik` is what the solver said about x.
+bool LineSamples::fail(const Sample& last, double x, IkResult ik) {
+  fault_ = {.kind = LineFaultKind::kJump,
+            .fraction = covered(last.x),
+            .T_world_tool = pose_at(x),
+            .ik = std::move(ik)};
+  if (fault_.ik.ok()) {
+    change(robot_, last.q, fault_.ik.q, &fault_.joint);
+    return false;
+  }
+  fault_.kind = LineFaultKind::kPath;
+  fault_.ik = solve_ik(robot_, pose_at(x), {.seed = last.q, .task = task_});
+  const IkResult further = solve(x, last.q, false);
+  const auto outside = limit_violations(robot_, further.q);
+  if (further.ok() && !outside.empty()) fault_.limit = outside.front();
+  return false;
+}
+
+bool LineSamples::extend(double x, int halvings) {
+  const Sample last = samples_.back();
+  IkResult ik = solve(x, last.q);
+  if (ik.ok() && change(robot_, last.q, ik.q) <= 1.0) {
+    samples_.push_back({x, std::move(ik.q)});
+    return true;
+  }
+  if (halvings == 0) return fail(last, x, std::move(ik));
+  return extend(0.5 * (last.x + x), halvings - 1) && extend(x, halvings - 1);
+}
+
+bool LineSamples::follow() {
+  for (int k = 1; k <= kFirstIntervals; ++k) {
+    if (!extend(static_cast<double>(k) / kFirstIntervals, kHalvings)) return false;
+  }
+  return refine();
+}
+
+bool LineSamples::strays(const Trajectory& motion, double x) const {
+  Eigen::VectorXd q(robot_.n());
+  for (int i = 0; i < robot_.n(); ++i) q[i] = motion.value(i, x);
+  const Eigen::Isometry3d T_world_tool = forward(robot_, q);
+  const Eigen::Isometry3d T_world_line = pose_at(x);
+  const double aside = (T_world_tool.translation() - T_world_line.translation()).norm();
+  if (aside > kPlaceDeviation) return true;
+  const bool oriented = task_ == IkTask::kPose;
+  return oriented && angle_between(T_world_tool, T_world_line) > kAngleDeviation;
+}
+
+// Adds samples in the middle of intervals where the joint curves leave the line.
+bool LineSamples::refine() {
+  constexpr std::size_t kMostSamples = kFirstIntervals * (std::size_t{1} << kHalvings) + 1;
+  for (bool straying = true; straying;) {
+    straying = false;
+    const Trajectory curve = motion();
+    std::vector<Sample> finer = {samples_.front()};
+    for (std::size_t k = 1; k < samples_.size(); ++k) {
+      const Sample& before = samples_[k - 1];
+      const double x = 0.5 * (before.x + samples_[k].x);
+      if (strays(curve, x)) {
+        IkResult ik = solve(x, before.q);
+        if (!ik.ok() || finer.size() >= kMostSamples) {
+          return fail(before, x, std::move(ik));
+        }
+        finer.push_back({x, std::move(ik.q)});
+        straying = true;
+      }
+      finer.push_back(samples_[k]);
+    }
+    samples_ = std::move(finer);
+  }
+  return true;
+}
+
+Trajectory LineSamples::motion() const {
+  std::vector<double> x;
+  for (const Sample& sample : samples_) x.push_back(sample.x);
+  std::vector<JointPath> joints;
+  for (int i = 0; i < robot_.n(); ++i) {
+    std::vector<double> q;
+    for (const Sample& sample : samples_) q.push_back(sample.q[i]);
+    joints.push_back({.segments = cubic_spline(x, q), .q_end = q.back()});
+  }
+  return {std::move(joints), 1.0};
+}
+
+}  // namespace armlet
