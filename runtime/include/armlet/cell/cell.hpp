@@ -1,0 +1,193 @@
+// One or more robots, a world, a clock and a backend: the only mutable state of a run.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/backend/backend.hpp"
+#include "armlet/cell/clock.hpp"
+#include "armlet/cell/motion.hpp"
+#include "armlet/cell/signals.hpp"
+#include "armlet/math/twist.hpp"
+#include "armlet/model/robot.hpp"
+#include "armlet/world/world.hpp"
+
+namespace armlet {
+
+// tick_ns           how often conditions are to be evaluated while one is armed.
+// sample_period_ns  how often moving robots are reported to the backend.
+// contact_picking   hands close on objects of the task where a move ends, and open where a later
+//                   move puts them on a surface.
+struct CellOptions {
+  std::int64_t tick_ns = 1'000'000;
+  std::int64_t sample_period_ns = 10'000'000;
+  bool contact_picking = false;
+};
+
+// A robot of the cell: what it is and the state it is in.
+//
+// motion    what it executes; nothing while it stands still.
+// held      name of the object its hand is closed on; empty if none.
+// p_picked  where that object was when it was picked up, in the world.
+struct CellRobot {
+  std::string name;
+  std::shared_ptr<const Robot> model;  // shared with catalogues and planners; it never changes
+  Eigen::VectorXd q, qd, qdd;          // rad or m and their derivatives
+  std::optional<Motion> motion{};
+  int motion_id = -1;
+  std::string held{};
+  Eigen::Vector3d p_picked = Eigen::Vector3d::Zero();
+};
+
+// How a motion went; also while it is under way.
+enum class MotionState { kRunning, kReached, kStopped };
+struct MotionReport {
+  MotionState state = MotionState::kRunning;
+  int robot = 0;
+  std::int64_t start_ns = 0;
+  std::int64_t end_ns = 0;  // of a running motion: when it will end
+};
+
+// What happened without being asked for.
+//
+// motion  the motion that ended.
+// object  for kPicked and kPutDown; `support` is what it was put on.
+enum class CellEventKind { kMotionEnded, kPicked, kPutDown };
+struct CellEvent {
+  std::int64_t t_ns = 0;
+  CellEventKind kind = CellEventKind::kMotionEnded;
+  int robot = 0;
+  int motion = -1;
+  std::string object{};
+  std::string support{};
+};
+
+// Functions that take a robot throw ArgumentError for an index that does not exist, functions that
+// take an object's name for one that does not.
+class Cell {
+ public:
+  explicit Cell(World world = World(), CellOptions options = {});
+
+  // --- time -----------------------------------------------------------------------------------
+  [[nodiscard]] std::int64_t now_ns() const { return clock_.now_ns(); }
+  [[nodiscard]] const CellOptions& options() const { return options_; }
+  void set_pacer(Pacer pacer) { clock_.set_pacer(std::move(pacer)); }
+  void set_contact_picking(bool on) { options_.contact_picking = on; }
+
+  // The earliest end of a motion, which may be now; nothing while all robots stand still.
+  [[nodiscard]] std::optional<std::int64_t> next_event() const;
+
+  // The next instant after now at which conditions are evaluated: a multiple of the tick.
+  [[nodiscard]] std::int64_t next_tick() const;
+
+  // Lets time pass until t_ns: robots move, held objects with them, motions end. An instant may be
+  // given again to end motions that take no time. Cutting a stretch into pieces changes nothing.
+  void advance_to(std::int64_t t_ns);
+
+  // What happened since the last call, in order.
+  std::vector<CellEvent> take_events();
+
+  // --- robots ---------------------------------------------------------------------------------
+  // A robot at its home position; returns its index.
+  // throws  ArgumentError for a null model or a name in use.
+  int add_robot(std::shared_ptr<const Robot> model, std::string name = {});
+  [[nodiscard]] int robot_count() const { return static_cast<int>(robots_.size()); }
+  [[nodiscard]] const CellRobot& robot(int index) const;
+  [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
+
+  // Exchanges what a robot is, for example its tool point; what it holds stays where it is.
+  // throws  ArgumentError while it moves, or if the number of joints differs.
+  void set_model(int robot, std::shared_ptr<const Robot> model);
+
+  // Puts a robot into a position without moving it. Throws ArgumentError while it moves.
+  void set_joints(int robot, const Eigen::VectorXd& q);
+
+  [[nodiscard]] Eigen::Isometry3d T_world_flange(int robot) const;
+  [[nodiscard]] Eigen::Isometry3d T_world_tool(int robot) const;
+
+  // Force and moment that the surroundings exert on the tool point, in world axes; what the hand
+  // holds does not count. Nothing in this cell pushes back, so it is zero.
+  [[nodiscard]] Vector6d contact_wrench(int robot) const;
+
+  // --- motion ---------------------------------------------------------------------------------
+  // Starts a verified trajectory now; returns the number of the motion.
+  // throws  ArgumentError if the robot is moving or the trajectory does not start where it stands
+  //         (within 1e-6 rad or m).
+  int start(int robot, Trajectory trajectory);
+  [[nodiscard]] bool is_moving(int robot) const { return this->robot(robot).motion.has_value(); }
+
+  // Brings a robot to rest on its path as fast as its acceleration limits allow.
+  void stop(int robot);
+  [[nodiscard]] const MotionReport& report(int motion) const;
+
+  // --- objects --------------------------------------------------------------------------------
+  [[nodiscard]] const World& world() const { return world_; }
+  void insert(Object object);
+  void remove(std::string_view name);
+  void set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
+
+  // Makes an object part of the task: it is counted, and contact picking considers it. Naming it
+  // twice counts once.
+  void add_to_task(std::string_view name);
+  [[nodiscard]] const std::vector<std::string>& task_objects() const { return task_objects_; }
+
+  // Closes the hand of a robot on an object, whatever its distance: see gripper.hpp for the rules.
+  // An object that another hand holds as well follows the hand that closed last.
+  void take(int robot, std::string_view name);
+
+  // Opens the hand: what nobody else holds falls straight down to the first surface.
+  // throws  ArgumentError if the hand is empty.
+  Drop let_go(int robot);
+
+  // --- signals and the outside ----------------------------------------------------------------
+  [[nodiscard]] Signals& signals() { return signals_; }
+  [[nodiscard]] const Signals& signals() const { return signals_; }
+
+  // backend  not owned; null: nobody listens. To be set before the run begins.
+  void set_backend(Backend* backend) { backend_ = backend; }
+
+  // Tells the backend. What is said before the first motion is kept until the run begins, so that
+  // robots may be added after it.
+  void note(NoteKind kind, std::string_view text);
+
+  // Begins the run for the backend with what is there; the first motion or passing of time does so
+  // by itself.
+  void begin();
+
+  // Ends the run for the backend. Nothing may happen afterwards.
+  void end();
+
+ private:
+  struct PendingNote {
+    std::int64_t t_ns;
+    NoteKind kind;
+    std::string text;
+  };
+  CellRobot& state(int index);
+  void bring_to_now();
+  void publish(int index);
+  void publish_object(std::string_view name);
+  void publish_event(ObjectChange change, std::string_view name, int robot);
+  void end_due_motions();
+  void end_motion(int index);
+  [[nodiscard]] bool listening() const { return backend_ != nullptr && begun_; }
+  [[nodiscard]] std::int64_t next_multiple(std::int64_t period_ns) const;
+
+  World world_;
+  CellOptions options_;
+  Clock clock_;
+  Signals signals_;
+  std::vector<CellRobot> robots_;
+  std::vector<std::int64_t> published_ns_;  // when each robot was last reported
+  std::vector<MotionReport> reports_;
+  std::vector<CellEvent> events_;
+  std::vector<std::string> task_objects_;
+  std::vector<PendingNote> pending_notes_;
+  Backend* backend_ = nullptr;
+  bool begun_ = false;
+};
+
+}  // namespace armlet

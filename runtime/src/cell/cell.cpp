@@ -1,0 +1,254 @@
+#include "armlet/cell/cell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "armlet/core/error.hpp"
+#include "armlet/kinematics/forward.hpp"
+
+namespace armlet {
+namespace {
+
+struct ShapeSize {
+  std::vector<double> operator()(const Box& box) const {
+    return {box.size.x(), box.size.y(), box.size.z()};
+  }
+  std::vector<double> operator()(const Cylinder& cylinder) const {
+    return {cylinder.radius, cylinder.height};
+  }
+  std::vector<double> operator()(const Sphere& sphere) const { return {sphere.radius}; }
+};
+
+ObjectInfo object_info(const Object& object) {
+  return {.name = object.name,
+          .shape = shape_name(object.shape),
+          .size = std::visit(ShapeSize{}, object.shape),
+          .mass = object.mass,
+          .color = object.color,
+          .T_world_obj = object.T_world_obj};
+}
+
+RobotInfo robot_info(const CellRobot& robot) {
+  RobotInfo info{.name = robot.name, .joints = {}};
+  for (int i = 0; i < robot.model->n(); ++i) {
+    info.joints.push_back(robot.model->is_revolute(i) ? JointUnit::kRadian : JointUnit::kMetre);
+  }
+  return info;
+}
+
+std::span<const double> as_span(const Eigen::VectorXd& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+void check_tick(const char* what, std::int64_t period_ns) {
+  if (period_ns > 0) return;
+  throw ArgumentError(
+      fmt::format("The {} of a cell is {} ns; expected more than 0.", what, period_ns));
+}
+
+}  // namespace
+
+Cell::Cell(World world, CellOptions options) : world_(std::move(world)), options_(options) {
+  check_tick("tick", options.tick_ns);
+  check_tick("sample period", options.sample_period_ns);
+}
+
+int Cell::add_robot(std::shared_ptr<const Robot> model, std::string name) {
+  if (model == nullptr) throw ArgumentError("A robot of the cell needs a model.");
+  if (name.empty()) name = model->name();
+  if (find_robot(name)) {
+    throw ArgumentError(fmt::format("There is already a robot \"{}\" in the cell.", name));
+  }
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model->n());
+  const Eigen::VectorXd home = model->home();
+  robots_.push_back(
+      {.name = std::move(name), .model = std::move(model), .q = home, .qd = zero, .qdd = zero});
+  published_ns_.push_back(-1);
+  const int index = robot_count() - 1;
+  if (listening()) {
+    backend_->robot_added(now_ns(), robot_info(robot(index)));
+    publish(index);
+  }
+  return index;
+}
+
+const CellRobot& Cell::robot(int index) const {
+  if (index < 0 || index >= robot_count()) {
+    throw ArgumentError(
+        fmt::format("There is no robot {}; the cell has {}.", index, robot_count()));
+  }
+  return robots_[static_cast<std::size_t>(index)];
+}
+
+CellRobot& Cell::state(int index) {
+  (void)robot(index);
+  return robots_[static_cast<std::size_t>(index)];
+}
+
+std::optional<int> Cell::find_robot(std::string_view name) const {
+  const auto found = std::ranges::find(robots_, name, &CellRobot::name);
+  if (found == robots_.end()) return std::nullopt;
+  return static_cast<int>(found - robots_.begin());
+}
+
+void Cell::set_model(int index, std::shared_ptr<const Robot> model) {
+  if (model == nullptr) throw ArgumentError("A robot of the cell needs a model.");
+  CellRobot& changed = state(index);
+  check_size("model", model->n(), changed.model->n());
+  if (changed.motion) {
+    throw ArgumentError(fmt::format("\"{}\" is moving; it cannot be exchanged now.", changed.name));
+  }
+  changed.model = std::move(model);
+}
+
+void Cell::set_joints(int index, const Eigen::VectorXd& q) {
+  CellRobot& moved = state(index);
+  check_size("q", q.size(), moved.model->n());
+  check_finite("q", q);
+  if (moved.motion) {
+    throw ArgumentError(fmt::format("\"{}\" is moving; it cannot be put elsewhere.", moved.name));
+  }
+  moved.q = q;
+  world_.move_carried(index, T_world_flange(index));
+  published_ns_[static_cast<std::size_t>(index)] = -1;
+  publish(index);
+}
+
+Eigen::Isometry3d Cell::T_world_flange(int index) const {
+  const CellRobot& arm = robot(index);
+  return link_frame(*arm.model, arm.q, arm.model->n());
+}
+
+Eigen::Isometry3d Cell::T_world_tool(int index) const {
+  const CellRobot& arm = robot(index);
+  return forward(*arm.model, arm.q);
+}
+
+Vector6d Cell::contact_wrench(int index) const {
+  (void)robot(index);
+  return Vector6d::Zero();
+}
+
+void Cell::insert(Object object) {
+  const Object& inserted = world_.insert(std::move(object));
+  if (listening()) backend_->object_added(now_ns(), object_info(inserted));
+}
+
+void Cell::remove(std::string_view name) {
+  const std::string removed(name);  // the caller's text may live in the object itself
+  world_.remove(removed);
+  std::erase(task_objects_, removed);
+  for (CellRobot& each : robots_) {
+    if (each.held == removed) each.held.clear();
+  }
+  publish_event(ObjectChange::kRemoved, removed, -1);
+}
+
+void Cell::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
+  world_.set_pose(name, T_world_obj);
+  for (int i = 0; i < robot_count(); ++i) {
+    if (robot(i).held != name) continue;
+    state(i).held.clear();
+    publish_event(ObjectChange::kDetached, name, i);
+  }
+  publish_object(name);
+}
+
+void Cell::add_to_task(std::string_view name) {
+  (void)world_.at(name);
+  if (std::ranges::find(task_objects_, name) == task_objects_.end()) {
+    task_objects_.emplace_back(name);
+  }
+}
+
+void Cell::take(int index, std::string_view name) {
+  CellRobot& arm = state(index);
+  const Object& object = world_.at(name);
+  if (!arm.held.empty()) {
+    throw ArgumentError(fmt::format("\"{}\" holds \"{}\" already.", arm.name, arm.held));
+  }
+  arm.held = object.name;
+  arm.p_picked = object.T_world_obj.translation();
+  world_.attach(object.name, index, T_world_flange(index));
+  publish_event(ObjectChange::kAttached, object.name, index);
+}
+
+Drop Cell::let_go(int index) {
+  CellRobot& arm = state(index);
+  if (arm.held.empty()) throw ArgumentError(fmt::format("\"{}\" holds nothing.", arm.name));
+  const std::string name = std::exchange(arm.held, {});
+  publish_event(ObjectChange::kDetached, name, index);
+  for (int other = 0; other < robot_count(); ++other) {
+    if (robot(other).held != name) continue;
+    if (world_.attachment(name)->carrier == index) {
+      world_.attach(name, other, T_world_flange(other));
+    }
+    return {};
+  }
+  const Drop drop = world_.drop(name);
+  publish_object(name);
+  return drop;
+}
+
+void Cell::note(NoteKind kind, std::string_view text) {
+  if (backend_ == nullptr) return;
+  if (begun_) {
+    backend_->note({.t_ns = now_ns(), .kind = kind, .text = text});
+  } else {
+    pending_notes_.push_back({.t_ns = now_ns(), .kind = kind, .text = std::string(text)});
+  }
+}
+
+void Cell::begin() {
+  if (begun_) return;
+  begun_ = true;
+  if (backend_ == nullptr) return;
+  RunInfo run;
+  for (const CellRobot& each : robots_) run.robots.push_back(robot_info(each));
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    run.objects.push_back(object_info(world_.object(i)));
+  }
+  backend_->begin(run);
+  for (const PendingNote& each : pending_notes_) {
+    backend_->note({.t_ns = each.t_ns, .kind = each.kind, .text = each.text});
+  }
+  pending_notes_.clear();
+  for (int i = 0; i < robot_count(); ++i) publish(i);
+}
+
+void Cell::end() {
+  begin();
+  if (backend_ != nullptr) backend_->end(now_ns());
+}
+
+void Cell::publish(int index) {
+  if (!listening()) return;
+  std::int64_t& last_ns = published_ns_[static_cast<std::size_t>(index)];
+  if (last_ns == now_ns()) return;
+  last_ns = now_ns();
+  const CellRobot& arm = robot(index);
+  backend_->joint_sample({.t_ns = now_ns(),
+                          .robot = index,
+                          .q = as_span(arm.q),
+                          .qd = as_span(arm.qd),
+                          .qdd = as_span(arm.qdd),
+                          .T_world_tool = T_world_tool(index)});
+  if (const std::string_view carried = world_.carried_by(index); !carried.empty()) {
+    publish_object(carried);
+  }
+}
+
+void Cell::publish_object(std::string_view name) {
+  if (!listening()) return;
+  const Object& object = world_.at(name);
+  backend_->object_sample(
+      {.t_ns = now_ns(), .name = object.name, .T_world_obj = object.T_world_obj});
+}
+
+void Cell::publish_event(ObjectChange change, std::string_view name, int index) {
+  if (!listening()) return;
+  backend_->object_event({.t_ns = now_ns(), .change = change, .name = name, .robot = index});
+}
+
+}  // namespace armlet

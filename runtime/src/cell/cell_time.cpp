@@ -1,0 +1,112 @@
+// How time passes in a cell.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "armlet/cell/cell.hpp"
+#include "armlet/core/error.hpp"
+#include "cell/contact_picking.hpp"
+
+namespace armlet {
+
+int Cell::start(int index, Trajectory trajectory) {
+  constexpr double kSamePlace = 1e-6;  // rad or m: planned from a state that was printed and read
+  CellRobot& arm = state(index);
+  check_size("trajectory", trajectory.n(), arm.model->n());
+  if (arm.motion) throw ArgumentError(fmt::format("\"{}\" is moving already.", arm.name));
+  const double apart = (trajectory.start() - arm.q).cwiseAbs().maxCoeff();
+  if (apart > kSamePlace) {
+    throw ArgumentError(fmt::format(
+        "The motion of \"{}\" starts {} rad or m from where the robot is.", arm.name, apart));
+  }
+  begin();
+  arm.motion.emplace(std::move(trajectory), now_ns());
+  arm.motion_id = static_cast<int>(reports_.size());
+  reports_.push_back({.robot = index, .start_ns = now_ns(), .end_ns = arm.motion->end_ns()});
+  arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
+  publish(index);
+  return arm.motion_id;
+}
+
+void Cell::stop(int index) {
+  CellRobot& arm = state(index);
+  if (!arm.motion) return;
+  arm.motion->stop(now_ns(), arm.model->max_accel());
+  reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
+}
+
+const MotionReport& Cell::report(int motion) const {
+  if (motion < 0 || motion >= static_cast<int>(reports_.size())) {
+    throw ArgumentError(fmt::format("There is no motion {}.", motion));
+  }
+  return reports_[static_cast<std::size_t>(motion)];
+}
+
+std::optional<std::int64_t> Cell::next_event() const {
+  std::optional<std::int64_t> next;
+  for (const CellRobot& each : robots_) {
+    if (each.motion) next = std::min(next.value_or(each.motion->end_ns()), each.motion->end_ns());
+  }
+  return next;
+}
+
+std::int64_t Cell::next_multiple(std::int64_t period_ns) const {
+  return (now_ns() / period_ns + 1) * period_ns;
+}
+
+std::int64_t Cell::next_tick() const { return next_multiple(options_.tick_ns); }
+
+void Cell::advance_to(std::int64_t t_ns) {
+  if (t_ns > now_ns()) {
+    begin();
+  } else {
+    clock_.advance_to(t_ns);  // refuses the past
+  }
+  end_due_motions();
+  while (now_ns() < t_ns) {
+    const auto event = next_event();
+    std::int64_t next = std::min(t_ns, event.value_or(t_ns));
+    const std::int64_t sample = next_multiple(options_.sample_period_ns);
+    if (event && listening()) next = std::min(next, sample);
+    const bool due = next == sample;
+    clock_.advance_to(next);
+    bring_to_now();
+    for (int i = 0; due && i < robot_count(); ++i) {
+      // A motion that ends at this instant is reported at rest, by end_motion.
+      if (robot(i).motion && robot(i).motion->end_ns() > next) publish(i);
+    }
+    end_due_motions();
+  }
+}
+
+std::vector<CellEvent> Cell::take_events() { return std::exchange(events_, {}); }
+
+void Cell::bring_to_now() {
+  for (int i = 0; i < robot_count(); ++i) {
+    CellRobot& arm = state(i);
+    if (!arm.motion) continue;
+    arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
+    if (!arm.held.empty()) world_.move_carried(i, T_world_flange(i));
+  }
+}
+
+void Cell::end_due_motions() {
+  for (int i = 0; i < robot_count(); ++i) {
+    if (robot(i).motion && robot(i).motion->end_ns() <= now_ns()) end_motion(i);
+  }
+}
+
+void Cell::end_motion(int index) {
+  CellRobot& arm = state(index);
+  MotionReport& report = reports_[static_cast<std::size_t>(arm.motion_id)];
+  report.state = arm.motion->reaches_end() ? MotionState::kReached : MotionState::kStopped;
+  arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
+  arm.motion.reset();
+  if (!arm.held.empty()) world_.move_carried(index, T_world_flange(index));
+  publish(index);
+  events_.push_back({.t_ns = now_ns(), .robot = index, .motion = arm.motion_id});
+  if (!options_.contact_picking) return;
+  if (auto event = pick_or_put_down(*this, index)) events_.push_back(*std::move(event));
+}
+
+}  // namespace armlet
