@@ -1,17 +1,25 @@
 #include "trajectory/roots.hpp"
 
+#include <cmath>
+
 namespace armlet {
 namespace {
 
-// Halves the interval until no double lies between its ends; value(lo) and value(hi) differ in
-// sign.
-double bisect(const Segment& piece, int order, double lo, double hi) {
+// Newton's method kept inside [lo, hi], where the derivative of this order changes sign and is
+// monotone; halving takes over where a step would leave the interval.
+double root_between(const Segment& piece, int order, double lo, double hi) {
   const bool rising = piece.value(lo, order) < 0.0;
-  for (;;) {
-    const double mid = 0.5 * (lo + hi);
-    if (mid <= lo || mid >= hi) return mid;
-    ((piece.value(mid, order) < 0.0) == rising ? lo : hi) = mid;
+  constexpr int kMostSteps = 200;  // far more than halving alone would take
+  double u = 0.5 * (lo + hi);
+  for (int k = 0; k < kMostSteps; ++k) {
+    const double value = piece.value(u, order);
+    ((value < 0.0) == rising ? lo : hi) = u;
+    double next = u - value / piece.value(u, order + 1);
+    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    if (std::abs(next - u) <= 1e-15 * piece.duration) return next;
+    u = next;
   }
+  return u;
 }
 
 }  // namespace
@@ -27,7 +35,7 @@ std::vector<double> sign_changes(const Segment& piece, int order) {
     const double a = piece.value(grid[k], order);
     const double b = piece.value(grid[k + 1], order);
     if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) {
-      roots.push_back(bisect(piece, order, grid[k], grid[k + 1]));
+      roots.push_back(root_between(piece, order, grid[k], grid[k + 1]));
     } else if (a == 0.0 && grid[k] > 0.0) {
       roots.push_back(grid[k]);
     }

@@ -96,9 +96,25 @@ Eigen::VectorXd Trajectory::end() const {
 void Trajectory::sample(double t, Eigen::Ref<Eigen::VectorXd> q, Eigen::Ref<Eigen::VectorXd> qd,
                         Eigen::Ref<Eigen::VectorXd> qdd) const {
   for (int i = 0; i < n(); ++i) {
-    q[i] = value(i, t, 0);
-    qd[i] = value(i, t, 1);
-    qdd[i] = value(i, t, 2);
+    const JointPath& path = joint(i);
+    const bool moving = !path.segments.empty() && t >= 0.0 && t <= path.segments.back().end();
+    if (!moving) {
+      q[i] = value_of(path, t, 0);
+      qd[i] = qdd[i] = 0.0;
+      continue;
+    }
+    // One pass gives the value and, from its partial sums, both derivatives.
+    const Segment& piece = piece_at(path, t);
+    const double u = std::min(t - piece.start, piece.duration);
+    double p = 0.0, v = 0.0, half_a = 0.0;
+    for (int k = piece.degree; k >= 0; --k) {
+      half_a = half_a * u + v;
+      v = v * u + p;
+      p = p * u + piece.c[static_cast<size_t>(k)];
+    }
+    q[i] = t >= path.segments.back().end() ? path.q_end : p;
+    qd[i] = v;
+    qdd[i] = 2.0 * half_a;
   }
 }
 
