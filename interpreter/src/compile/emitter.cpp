@@ -209,8 +209,8 @@ Instr Emitter::narrow(const Wide& wide, std::uint32_t pc) const {
     const std::uint32_t target =
         labels_[wide.label].position + static_cast<std::uint32_t>(prologue_.size());
     const std::uint32_t offset = target - (pc + 1);
-    instr.b = static_cast<std::uint16_t>(offset >> 16U);
-    instr.c = static_cast<std::uint16_t>(offset);
+    instr.b = static_cast<std::uint16_t>(offset);
+    instr.c = static_cast<std::uint16_t>(offset >> 16U);
   }
   return instr;
 }

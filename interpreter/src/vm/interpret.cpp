@@ -18,7 +18,7 @@ namespace {
 
 // The offset of a jump lies across b and c.
 inline std::int32_t offset_of(const Instr& jump) {
-  return static_cast<std::int32_t>((static_cast<std::uint32_t>(jump.b) << 16U) | jump.c);
+  return static_cast<std::int32_t>((static_cast<std::uint32_t>(jump.c) << 16U) | jump.b);
 }
 inline std::int64_t small(std::uint16_t bits) { return static_cast<std::int16_t>(bits); }
 inline ListObj& list_in(Slot s) { return *static_cast<ListObj*>(s.o); }
