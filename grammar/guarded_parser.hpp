@@ -25,14 +25,17 @@ class GuardedCtx : public antlr4::ParserRuleContext {
   }
 
   size_t level = 0;
+  size_t chain = 0;  // operators and suffixes that follow each other: 1 + 2 + 3 has two
 };
 
-// Throws ParseCancellationException where the nesting exceeds `max_level`.
+// Throws ParseCancellationException where the nesting exceeds `max_level`, or a chain `max_chain`.
 class GuardedParser : public antlr4::Parser {
  public:
   using antlr4::Parser::Parser;
 
   size_t max_level = 200;
+  size_t max_chain = 1000;
+  bool chain_too_long = false;  // which of the two it was
 
   // Whether entering `rule` is one level more.
   virtual bool opensLevel(size_t rule) const = 0;
@@ -52,7 +55,12 @@ class GuardedParser : public antlr4::Parser {
   // `1 + 2` found after `1`: the new context stands where the old one stood.
   void pushNewRecursionContext(antlr4::ParserRuleContext* context, size_t state,
                                size_t rule) override {
-    static_cast<GuardedCtx*>(context)->level = GuardedCtx::level_of(_ctx);
+    auto* grown = static_cast<GuardedCtx*>(context);
+    auto* inner = static_cast<GuardedCtx*>(_ctx);
+    grown->level = inner->level;
+    grown->chain = inner->chain + 1;
+    chain_too_long = grown->chain > max_chain;
+    if (chain_too_long) throw antlr4::ParseCancellationException("too long a chain");
     antlr4::Parser::pushNewRecursionContext(context, state, rule);
   }
 

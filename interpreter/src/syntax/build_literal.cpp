@@ -158,8 +158,10 @@ std::size_t AstBuilder::decode_escape(Span span, std::size_t at, std::string& ou
   }
   while (at + length < raw.size() && (raw[at + length] & 0xC0) == 0x80) ++length;
   const auto begin = span.begin + static_cast<std::uint32_t>(at);
-  report(make_diagnostic("E0105", {begin, begin + static_cast<std::uint32_t>(length), span.source},
-                         {std::string(raw.substr(at, length))}));
+  Diagnostic message = make_diagnostic(
+      "E0105", {begin, begin + static_cast<std::uint32_t>(length), span.source}, {std::string(raw.substr(at, length))});
+  message.fix = Fix{"for a backslash itself write two", {{{begin, begin, span.source}, "\\"}}, Confidence::kMaybe};
+  report(std::move(message));
   return at + length;
 }
 

@@ -119,9 +119,14 @@ Answer unit_apart(const FailureSite& site) {
     return std::nullopt;
   }
   if (unit_named(site.text(site.at)) == nullptr) return std::nullopt;
-  Diagnostic out = make_diagnostic("E0102", site.span(site.at - 1, site.at));
+  std::size_t last = site.at;
+  while ((site.type(last + 1) == RbtLexer::SLASH || site.type(last + 1) == RbtLexer::STAR) &&
+         is_name(site.type(last + 2)) && site.touch(last, last + 1) && unit_named(site.text(last + 2)) != nullptr) {
+    last += 2;
+  }
+  Diagnostic out = make_diagnostic("E0102", site.span(site.at - 1, last));
   out.why = "with a space, `" + site.text(site.at) + "` is read as a separate name";
-  const std::string together = site.text(site.at - 1) + site.text(site.at);
+  const std::string together = site.text(site.at - 1) + site.text(site.at, last);
   out.fix = Fix{"write " + together, {{out.mark.span, together}}, Confidence::kSure};
   return out;
 }

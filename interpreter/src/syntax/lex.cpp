@@ -76,6 +76,7 @@ class Reader {
   void take_hidden(const antlr4::Token& read) {
     if (read.getType() == RbtLexer::NL) {
       line_break_ = true;
+      line_failed_ = false;
       return;
     }
     const std::uint32_t begin = byte_of(read.getStartIndex());
@@ -124,9 +125,8 @@ class Reader {
   // One message per line: what follows on it is seldom a mistake of its own.
   void fail(Diagnostic diagnostic) {
     out_.ok = false;
-    const int line = source_.position(diagnostic.mark.span.begin).line;
-    if (line == failed_line_) return;
-    failed_line_ = line;
+    if (line_failed_) return;
+    line_failed_ = true;
     sink_.begin_statement();
     sink_.report(std::move(diagnostic));
     if (sink_.full()) finished_ = true;
@@ -143,7 +143,7 @@ class Reader {
   std::size_t at_character_ = 0;
   std::size_t at_byte_ = 0;
   std::size_t depth_ = 0;
-  int failed_line_ = 0;
+  bool line_failed_ = false;
   bool line_break_ = false;
   bool finished_ = false;
 };

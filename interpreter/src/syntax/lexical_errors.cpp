@@ -36,10 +36,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+// Units that differ by one letter or by capitals. One letter alone is near to everything: rather a product.
 std::vector<std::string> units_near(std::string_view word) {
   std::vector<std::string> near;
   for (const Unit& unit : all_units()) {
-    if (word.size() < 6 && edit_distance(word, unit.name) == 1) near.emplace_back(unit.name);
+    const bool one_letter = word.size() >= 2 && word.size() < 6 && edit_distance(word, unit.name) == 1;
+    if (one_letter || lower_case(word) == lower_case(unit.name)) near.emplace_back(unit.name);
   }
   std::ranges::sort(near);
   return near;

@@ -52,7 +52,7 @@ class Front {
       }
     } catch (const antlr4::RecognitionException&) {  // reported by the recovery
     } catch (const antlr4::ParseCancellationException&) {
-      report_nesting(machine.feed.index());
+      report_guard(machine);
     }
     return ok_ && !builder.failed() ? value : nullptr;
   }
@@ -67,6 +67,7 @@ class Front {
       // The grammar never needs more: a test looks for full-context decisions in random programs.
       parser.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(antlr4::atn::PredictionMode::SLL);
       parser.max_level = front.limits_.nesting;
+      parser.max_chain = kMaxDepth;
     }
     TokenFeed feed;
     RbtParser parser;
@@ -107,12 +108,9 @@ class Front {
         machine.parser.getTreeTracker().reset();
       }
     } catch (const antlr4::ParseCancellationException&) {
-      report_nesting(machine.feed.index());
+      report_guard(machine);
     } catch (const TreeTooDeep& deep) {
-      ok_ = false;
-      sink_.begin_statement();
-      sink_.report(make_diagnostic("E0125", {deep.span.begin, deep.span.begin + 1, deep.span.source},
-                                   {std::to_string(kMaxDepth) + " operations"}));
+      report_depth({deep.span.begin, deep.span.begin + 1, deep.span.source}, kMaxDepth, " operations");
     }
     ok_ = ok_ && !builder.failed();
     return out;
@@ -125,11 +123,18 @@ class Front {
     sink_.report(explain_failure(source_, tokens_, statement, at));
   }
 
-  void report_nesting(std::size_t at) {
+  void report_depth(Span span, std::size_t limit, const char* what) {
     ok_ = false;
     sink_.begin_statement();
-    sink_.report(make_diagnostic("E0125", {tokens_[at].begin, tokens_[at].end, source_.id()},
-                                 {std::to_string(limits_.nesting) + " levels"}));
+    sink_.report(make_diagnostic("E0125", span, {std::to_string(limit) + what}));
+  }
+
+  // The parser stopped at a guard: of nesting, or of the length of a chain.
+  void report_guard(Machine& machine) {
+    const Token& at = tokens_[machine.feed.index()];
+    const Span span{at.begin, at.end, source_.id()};
+    if (machine.parser.chain_too_long) return report_depth(span, kMaxDepth, " operations");
+    report_depth(span, limits_.nesting, " levels");
   }
 
   const Source& source_;

@@ -89,7 +89,7 @@ std::size_t StatementRecovery::next_statement(std::size_t start, std::size_t at)
     if (is_closer(type) && depth == 0) return i;
     if (is_closer(type)) --depth;
     if (depth > 0 || i < at) continue;
-    if (type == RbtParser::SEMI) return i + 1;
+    if (type == RbtParser::SEMI && tokens_[i + 1].type != RbtParser::ELSE) return i + 1;
     if (type == RbtParser::RBRACE && !continues_block(tokens_[i + 1].type)) return i + 1;
   }
   return tokens_.size() - 1;

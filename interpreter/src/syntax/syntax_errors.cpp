@@ -265,9 +265,10 @@ Answer something_missing(const FailureSite& site) {
   if (site.at <= site.statement) return std::nullopt;
   const std::uint16_t type = site.type(site.at);
   const bool stops = type == RbtLexer::SEMI || type == kEndOfText || type == RbtLexer::COMMA || is_closer(type) ||
-                     site.starts_line(site.at) || is_compound(type);
+                     type == RbtLexer::ASSIGN || site.starts_line(site.at) || is_compound(type);
   if (!stops) return std::nullopt;
   const char* wanted = wanted_after(site.before());
+  if (type == RbtLexer::ASSIGN && site.before() == RbtLexer::COLON) wanted = "a type";
   if (wanted == nullptr) {
     // A header or a declaration that stops before its block.
     const std::uint16_t first = site.type(site.statement);
