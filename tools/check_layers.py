@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "vision": ["core", "math", "world"],
     "backend": ["core", "math"],
     "cell": RUNTIME,
-    "interpreter": ["core"],
+    "interpreter": ["core", "math"],
     "stdlib": ["interpreter", "cell"] + RUNTIME,
 }
 EVERYTHING = list(MAY_INCLUDE)

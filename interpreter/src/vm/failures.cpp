@@ -249,9 +249,8 @@ bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note
 
 void leave_frame(VmState& state, Task& task) {
   const Frame& frame = *task.top;
-  for (unsigned i = frame.callee->references_begin; i < frame.callee->references_end; ++i) {
-    state.heap.release(frame.base[i].o);
-  }
+  const Slot* references = frame.base + frame.callee->references_begin;
+  for (unsigned i = 0; i < frame.callee->references; ++i) state.heap.release(references[i].o);
   --task.top;
 }
 

@@ -46,7 +46,8 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
   steps.limit = options.limits.steps;
   callees.reserve(program.functions.size());
   for (const FunctionCode& f : program.functions) {
-    callees.push_back({f.code.data(), &f, f.registers, f.references_begin, f.references_end, 0});
+    const auto references = static_cast<std::uint16_t>(f.references_end - f.references_begin);
+    callees.push_back({f.code.data(), &f, f.registers, f.references_begin, references, 0});
   }
   globals.assign(program.global_is_reference.size(), Slot{.i = 0});
   global_is_set.assign(globals.size(), 0);
@@ -141,13 +142,13 @@ bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const
   const Callee& callee = callees[function];
   const Frame& below = *task.top;
   Slot* base = below.base + below.callee->registers + kScratch;
-  const bool fits = task.top + 2 < task.frames_end && base + callee.registers + kScratch <= task.slots_end;
+  const bool fits = task.top + 2 < task.frames_end && base < task.slots_end;
   if (!fits) return raise_too_deep(*this, callee);
   task.top[1] = {kReturnToHost, base, task.frames->callee, nullptr};
   task.top[2] = {callee.code, base, &callee, closure};
   task.top += 2;
   std::copy(arguments.begin(), arguments.end(), base);
-  for (unsigned i = callee.references_begin; i < callee.references_end; ++i) base[i].o = nullptr;
+  for (unsigned i = 0; i < callee.references; ++i) base[callee.references_begin + i].o = nullptr;
   return true;
 }
 

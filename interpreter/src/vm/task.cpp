@@ -10,6 +10,9 @@ namespace armlet::lang {
 
 namespace {
 
+// The largest frame, and the slots behind it that native calls may use.
+constexpr std::size_t kLargestFrame = 65536 + 16;
+
 // What lies at the bottom of every task and below every call by the host.
 constexpr Callee kHost{kReturnToHost, nullptr, 0, 0, 0, 0};
 
@@ -24,7 +27,7 @@ AddressSpace::~AddressSpace() { munmap(begin_, bytes_); }
 
 // Besides the calls there are the bottom, the host's frame, and the program itself.
 Task::Task(std::uint32_t call_depth, std::size_t slots)
-    : slot_space(slots * sizeof(Slot)),
+    : slot_space((slots + kLargestFrame) * sizeof(Slot)),
       frame_space((std::size_t{call_depth} + 3) * sizeof(Frame)),
       slots_end(static_cast<Slot*>(slot_space.begin()) + slots),
       frames(static_cast<Frame*>(frame_space.begin())),

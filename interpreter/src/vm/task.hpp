@@ -15,8 +15,8 @@ struct Callee {
   const Instr* code;
   const FunctionCode* function;  // null: the host
   std::uint16_t registers;
-  std::uint16_t references_begin;
-  std::uint16_t references_end;
+  std::uint16_t references_begin;  // the first reference register
+  std::uint16_t references;        // how many there are
   std::uint16_t reserved;
 };
 
@@ -24,7 +24,7 @@ struct Frame {
   const Instr* pc;      // the next instruction, while something else runs
   Slot* base;           // register 0
   const Callee* callee;
-  ClosureObj* closure;  // the running function value; null for named functions
+  ClosureObj* closure;  // the running function value; not set for functions that are called by name
 
   [[nodiscard]] bool is_host() const { return callee->function == nullptr; }
   // The instruction that is being executed.
@@ -52,11 +52,13 @@ struct Fault;
 
 // A task waits while `waiting` is set.
 struct Task {
+  // call_depth  calls that may be nested.
+  // slots       of all frames together, besides the one on top.
   Task(std::uint32_t call_depth, std::size_t slots);
 
   AddressSpace slot_space;
   AddressSpace frame_space;
-  Slot* slots_end;
+  Slot* slots_end;    // a frame that starts before it fits
   Frame* frames;      // frames[0] belongs to the host
   Frame* frames_end;
   Frame* top;

@@ -30,7 +30,7 @@ Exit Scheduler::run(std::uint32_t function) {
     exit = run_instant();
     if (exit == Exit::kPaused) exit = advance();
   }
-  if (exit == Exit::kDone) --state_.main.top;
+  while (exit == Exit::kDone && state_.main.top > state_.main.frames) leave_frame(state_, state_.main);
   return exit;
 }
 
