@@ -5,9 +5,6 @@
 namespace armlet::lang {
 namespace {
 
-using antlr4::tree::ParseTree;
-using antlr4::tree::TerminalNode;
-
 Diagnostic out_of_place(Span span, const std::string& word, const std::string& home, const char* task) {
   Diagnostic out = make_diagnostic("E0121", span, {word, home});
   if (task != nullptr) out.why = std::string("the block of `") + task + "` runs as a task of its own";
@@ -17,31 +14,42 @@ Diagnostic out_of_place(Span span, const std::string& word, const std::string& h
 }  // namespace
 
 ast::Stmt* AstBuilder::statement(RbtParser::StmtContext* ctx) {
-  if (ctx->SEMI() != nullptr && ctx->children.size() == 1) return nullptr;
+  if (ctx->start == ctx->stop && ctx->start->getType() == RbtParser::SEMI) return nullptr;
   in_.sink.begin_statement();
   const Deeper deeper(*this, 1, span_of(ctx));
-  if (ctx->closedStmt() != nullptr) return closed(ctx->closedStmt());
-  if (ctx->block() != nullptr) {
-    Place inside = place_;
-    inside.at_top = false;
-    return body_block(ctx->block(), inside);
+  // By the number of the rule: asking for every kind in turn would cost a search each.
+  auto* rule = static_cast<antlr4::RuleContext*>(ctx->children.front());
+  switch (rule->getRuleIndex()) {
+    case RbtParser::RuleClosedStmt: return closed(static_cast<RbtParser::ClosedStmtContext*>(rule));
+    case RbtParser::RuleBlock: return plain_block(static_cast<RbtParser::BlockContext*>(rule));
+    case RbtParser::RuleIfStmt: return if_stmt(static_cast<RbtParser::IfStmtContext*>(rule));
+    case RbtParser::RuleWhileStmt: return while_stmt(static_cast<RbtParser::WhileStmtContext*>(rule));
+    case RbtParser::RuleDoStmt: return do_stmt(static_cast<RbtParser::DoStmtContext*>(rule));
+    case RbtParser::RuleForStmt: return for_stmt(static_cast<RbtParser::ForStmtContext*>(rule));
+    case RbtParser::RuleSwitchStmt: return switch_stmt(static_cast<RbtParser::SwitchStmtContext*>(rule));
+    case RbtParser::RuleTryStmt: return try_stmt(static_cast<RbtParser::TryStmtContext*>(rule));
+    case RbtParser::RuleRecordStmt: return record_stmt(static_cast<RbtParser::RecordStmtContext*>(rule));
+    case RbtParser::RuleParallelStmt:
+    case RbtParser::RuleWhenStmt:
+    case RbtParser::RuleEveryStmt: return task_block(ctx);
+    case RbtParser::RuleWithStmt:
+    case RbtParser::RulePathStmt: return setting_block(ctx);
+    case RbtParser::RuleLetDecl: return let_decl(static_cast<RbtParser::LetDeclContext*>(rule));
+    case RbtParser::RuleVarDecl: return var_decl(static_cast<RbtParser::VarDeclContext*>(rule));
+    case RbtParser::RuleBlockDecl: return block_decl(static_cast<RbtParser::BlockDeclContext*>(rule));
+    default: return top_declaration(ctx);
   }
-  if (ctx->ifStmt() != nullptr) return if_stmt(ctx->ifStmt());
-  if (ctx->whileStmt() != nullptr) return while_stmt(ctx->whileStmt());
-  if (ctx->doStmt() != nullptr) return do_stmt(ctx->doStmt());
-  if (ctx->forStmt() != nullptr) return for_stmt(ctx->forStmt());
-  if (ctx->switchStmt() != nullptr) return switch_stmt(ctx->switchStmt());
-  if (ctx->tryStmt() != nullptr) return try_stmt(ctx->tryStmt());
-  if (ctx->recordStmt() != nullptr) return record_stmt(ctx->recordStmt());
-  if (ctx->parallelStmt() != nullptr || ctx->whenStmt() != nullptr || ctx->everyStmt() != nullptr) {
-    return task_block(ctx);
-  }
-  if (ctx->withStmt() != nullptr || ctx->pathStmt() != nullptr) return setting_block(ctx);
-  return declaration(ctx);
+}
+
+ast::Stmt* AstBuilder::plain_block(RbtParser::BlockContext* ctx) {
+  Place inside = place_;
+  inside.at_top = false;
+  return body_block(ctx, inside);
 }
 
 ast::Seq<ast::Stmt*> AstBuilder::statements(const std::vector<RbtParser::StmtContext*>& list) {
   std::vector<ast::Stmt*> out;
+  out.reserve(list.size());
   for (RbtParser::StmtContext* ctx : list) {
     if (ast::Stmt* made = statement(ctx)) out.push_back(made);
   }
@@ -74,14 +82,22 @@ ast::Stmt* AstBuilder::body(RbtParser::StmtContext* ctx) {
 }
 
 ast::Stmt* AstBuilder::closed(RbtParser::ClosedStmtContext* ctx) {
-  if (ctx->exprStmt() != nullptr) return expr_stmt(ctx->exprStmt());
-  if (ctx->waitStmt() != nullptr) return wait(ctx->waitStmt());
-  if (ctx->THROW() != nullptr) {
-    auto* out = fresh<ast::ThrowStmt>(ast::StmtKind::kThrow, span_of(ctx));
-    out->value = expression(ctx->expression());
-    return out;
+  switch (ctx->start->getType()) {
+    case RbtParser::WAIT:
+      return wait(ctx->waitStmt());
+    case RbtParser::THROW: {
+      auto* out = fresh<ast::ThrowStmt>(ast::StmtKind::kThrow, span_of(ctx));
+      out->value = expression(ctx->expression());
+      return out;
+    }
+    case RbtParser::BREAK:
+    case RbtParser::CONTINUE:
+    case RbtParser::RETRY:
+    case RbtParser::RETURN:
+      return jump(ctx);
+    default:
+      return expr_stmt(static_cast<RbtParser::ExprStmtContext*>(ctx->children.front()));
   }
-  return jump(ctx);
 }
 
 ast::Stmt* AstBuilder::jump(RbtParser::ClosedStmtContext* ctx) {
@@ -127,12 +143,12 @@ void AstBuilder::check_lone_return(const antlr4::ParserRuleContext* ctx) {
 }
 
 ast::Stmt* AstBuilder::expr_stmt(RbtParser::ExprStmtContext* ctx) {
-  if (ctx->assignTail() != nullptr || ctx->compoundOp() != nullptr) return assignment(ctx);
-  if (ctx->INC() == nullptr && ctx->DEC() == nullptr) {
+  if (ctx->children.size() == 1) {
     auto* out = fresh<ast::ExprStmt>(ast::StmtKind::kExpr, span_of(ctx));
-    out->value = expression(ctx->expression(0));
+    out->value = expression(static_cast<RbtParser::ExpressionContext*>(ctx->children.front()));
     return out;
   }
+  if (ctx->INC() == nullptr && ctx->DEC() == nullptr) return assignment(ctx);
   auto* out = fresh<ast::StepStmt>(ast::StmtKind::kStep, span_of(ctx));
   out->target = ctx->expr() != nullptr ? expr(ctx->expr()) : expression(ctx->expression(0));
   out->up = ctx->INC() != nullptr;

@@ -82,6 +82,7 @@ class AstBuilder {
   };
 
   // build_ast.cpp: statements
+  ast::Stmt* plain_block(RbtParser::BlockContext* ctx);
   ast::Stmt* closed(RbtParser::ClosedStmtContext* ctx);
   ast::Stmt* jump(RbtParser::ClosedStmtContext* ctx);
   ast::Stmt* expr_stmt(RbtParser::ExprStmtContext* ctx);
@@ -107,7 +108,6 @@ class AstBuilder {
   void check_lone_return(const antlr4::ParserRuleContext* ctx);
 
   // build_declaration.cpp
-  ast::Stmt* declaration(RbtParser::StmtContext* ctx);
   ast::Stmt* top_declaration(RbtParser::StmtContext* ctx);
   ast::Stmt* let_decl(RbtParser::LetDeclContext* ctx);
   ast::Stmt* var_decl(RbtParser::VarDeclContext* ctx);

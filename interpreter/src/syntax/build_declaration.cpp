@@ -7,18 +7,9 @@
 namespace armlet::lang {
 namespace {
 
-using antlr4::tree::TerminalNode;
-
 constexpr std::string_view kDocMark = "///";
 
 }  // namespace
-
-ast::Stmt* AstBuilder::declaration(RbtParser::StmtContext* ctx) {
-  if (ctx->letDecl() != nullptr) return let_decl(ctx->letDecl());
-  if (ctx->varDecl() != nullptr) return var_decl(ctx->varDecl());
-  if (ctx->blockDecl() != nullptr) return block_decl(ctx->blockDecl());
-  return top_declaration(ctx);
-}
 
 // What stands at the top of a file only.
 ast::Stmt* AstBuilder::top_declaration(RbtParser::StmtContext* ctx) {

@@ -43,10 +43,13 @@ ast::BinaryOp binary_op(std::size_t type) {
 
 ast::Expr* AstBuilder::expression(RbtParser::ExpressionContext* ctx) {
   const Deeper deeper(*this, 1, span_of(ctx));
-  if (ctx->lambda() != nullptr) return lambda(ctx->lambda());
-  if (ctx->newArray() != nullptr) return new_array(ctx->newArray());
-  ast::Expr* value = expr(ctx->expr(0));
-  if (ctx->UNTIL() == nullptr) return value;
+  ParseTree* first = ctx->children.front();
+  if (ctx->start->getType() == RbtParser::FN) return lambda(static_cast<RbtParser::LambdaContext*>(first));
+  if (ctx->start->getType() == RbtParser::NEW) {
+    if (auto* made = dynamic_cast<RbtParser::NewArrayContext*>(first)) return new_array(made);
+  }
+  ast::Expr* value = expr(static_cast<RbtParser::ExprContext*>(first));
+  if (ctx->children.size() == 1) return value;
   const Span until = token_span(ctx->UNTIL()->getSymbol());
   if (value->kind != ast::ExprKind::kCall) {
     Diagnostic out = make_diagnostic("E0128", until, {"until"});
@@ -96,22 +99,24 @@ ast::Expr* AstBuilder::unary(RbtParser::UnaryEContext* ctx) {
 // `ctx` is `left` with one more operator or suffix.
 ast::Expr* AstBuilder::extend(ast::Expr* left, RbtParser::ExprContext* ctx) {
   const Span span = span_of(ctx);
-  if (auto* call = dynamic_cast<RbtParser::CallEContext*>(ctx)) {
-    return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), left, args(call->args()),
-                                         span_of(call->args()));
+  auto* mark = dynamic_cast<TerminalNode*>(ctx->children[1]);
+  if (mark == nullptr) {
+    auto* list = static_cast<RbtParser::ArgsContext*>(ctx->children[1]);
+    return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), left, args(list), span_of(list));
   }
-  if (auto* member = dynamic_cast<RbtParser::MemberEContext*>(ctx)) {
-    return in_.arena.make<ast::MemberExpr>(base(ast::ExprKind::kMember, span), left, name(member->name()));
+  const antlr4::Token* op = mark->getSymbol();
+  if (op->getType() == RbtParser::DOT) {
+    auto* member = static_cast<RbtParser::NameContext*>(ctx->children[2]);
+    return in_.arena.make<ast::MemberExpr>(base(ast::ExprKind::kMember, span), left, name(member));
   }
-  if (dynamic_cast<RbtParser::IndexEContext*>(ctx) != nullptr) return index(left, ctx);
-  if (auto* choice = dynamic_cast<RbtParser::CondEContext*>(ctx)) {
-    return in_.arena.make<ast::CondExpr>(base(ast::ExprKind::kCond, span), left, expr(choice->expr(1)),
-                                         expr(choice->expr(2)));
+  if (op->getType() == RbtParser::LBRACK) return index(left, ctx);
+  ast::Expr* right = expr(static_cast<RbtParser::ExprContext*>(ctx->children[2]));
+  if (op->getType() == RbtParser::QMARK) {
+    ast::Expr* no = expr(static_cast<RbtParser::ExprContext*>(ctx->children[4]));
+    return in_.arena.make<ast::CondExpr>(base(ast::ExprKind::kCond, span), left, right, no);
   }
-  const antlr4::Token* op = static_cast<TerminalNode*>(ctx->children[1])->getSymbol();
-  auto* right = static_cast<RbtParser::ExprContext*>(ctx->children[2]);
   return in_.arena.make<ast::BinaryExpr>(base(ast::ExprKind::kBinary, span), binary_op(op->getType()), left,
-                                         expr(right), token_span(op));
+                                         right, token_span(op));
 }
 
 ast::Expr* AstBuilder::index(ast::Expr* object, RbtParser::ExprContext* ctx) {
@@ -137,26 +142,34 @@ ast::IndexItem AstBuilder::index_item(RbtParser::IndexItemContext* ctx) {
 
 ast::Expr* AstBuilder::primary(RbtParser::PrimaryContext* ctx) {
   const Span span = span_of(ctx);
-  if (ctx->literal() != nullptr) return literal(ctx->literal());
-  if (ctx->name() != nullptr) {
-    return in_.arena.make<ast::NameExpr>(base(ast::ExprKind::kName, span), text(span));
+  switch (ctx->start->getType()) {
+    case RbtParser::LPAREN: {
+      ast::Expr* inner = expression(ctx->expression());
+      if (inner->parens < std::numeric_limits<std::uint8_t>::max()) ++inner->parens;
+      return inner;
+    }
+    case RbtParser::LBRACK:
+      return list_or_matrix(ctx);
+    case RbtParser::NEW:
+      return in_.arena.make<ast::NewObjectExpr>(base(ast::ExprKind::kNewObject, span),
+                                                named_type(ctx->typeName()), args(ctx->args()));
+    case RbtParser::ID:
+    case RbtParser::TEST:
+    case RbtParser::RECORD:
+    case RbtParser::PATH:
+    case RbtParser::AS:
+      return in_.arena.make<ast::NameExpr>(base(ast::ExprKind::kName, span), text(span));
+    case RbtParser::INT_T:
+    case RbtParser::DOUBLE_T:
+    case RbtParser::BOOL_T: {
+      const Span type = token_span(ctx->start);
+      auto* callee = in_.arena.make<ast::NameExpr>(base(ast::ExprKind::kName, type), text(type));
+      return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), callee, args(ctx->args()),
+                                           span_of(ctx->args()));
+    }
+    default:
+      return literal(static_cast<RbtParser::LiteralContext*>(ctx->children.front()));
   }
-  if (ctx->expression() != nullptr) {
-    ast::Expr* inner = expression(ctx->expression());
-    if (inner->parens < std::numeric_limits<std::uint8_t>::max()) ++inner->parens;
-    return inner;
-  }
-  if (ctx->NEW() != nullptr) {
-    return in_.arena.make<ast::NewObjectExpr>(base(ast::ExprKind::kNewObject, span),
-                                              named_type(ctx->typeName()), args(ctx->args()));
-  }
-  if (ctx->primType() != nullptr) {
-    const Span type = span_of(ctx->primType());
-    auto* callee = in_.arena.make<ast::NameExpr>(base(ast::ExprKind::kName, type), text(type));
-    return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), callee, args(ctx->args()),
-                                         span_of(ctx->args()));
-  }
-  return list_or_matrix(ctx);
 }
 
 // [a, b] is a list; a `;` anywhere, even behind the last row, makes a matrix.
@@ -217,16 +230,18 @@ ast::Seq<ast::Expr*> AstBuilder::expressions(const antlr4::ParserRuleContext* ct
 }
 
 ast::Seq<ast::Arg> AstBuilder::args(RbtParser::ArgsContext* ctx) {
-  return ctx == nullptr ? ast::Seq<ast::Arg>{} : args(ctx->arg());
+  if (ctx == nullptr || ctx->children.size() == 2) return {};
+  return args(ctx->arg());
 }
 
 ast::Seq<ast::Arg> AstBuilder::args(const std::vector<RbtParser::ArgContext*>& list) {
   std::vector<ast::Arg> out;
+  out.reserve(list.size());
   for (RbtParser::ArgContext* ctx : list) {
     ast::Arg arg{};
     arg.span = span_of(ctx);
-    if (ctx->name() != nullptr) arg.name = name(ctx->name());
-    arg.value = expression(ctx->expression());
+    if (ctx->children.size() > 1) arg.name = name(static_cast<RbtParser::NameContext*>(ctx->children.front()));
+    arg.value = expression(static_cast<RbtParser::ExpressionContext*>(ctx->children.back()));
     if (arg.name.text.empty() && !out.empty() && !out.back().name.text.empty()) {
       Diagnostic message = make_diagnostic("E0326", arg.span);
       message.related.push_back({out.back().span, "a named value"});
