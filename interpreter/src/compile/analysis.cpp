@@ -43,6 +43,8 @@ bool is_plain_node(const Expr& e) {
     case ExprKind::kBool: case ExprKind::kInt: case ExprKind::kReal: case ExprKind::kEnum: return true;
     case ExprKind::kVariable:
       return e.as<VariableExpr>().variable->storage == Storage::kLocal && !e.type->is_reference();
+    case ExprKind::kAnd:
+    case ExprKind::kOr: return true;
     case ExprKind::kUnary: return is_plain_op(e.as<UnaryExpr>().op);
     case ExprKind::kBinary: return is_plain_op(e.as<BinaryExpr>().op);
     case ExprKind::kConvert:
@@ -157,6 +159,11 @@ bool is_quiet(const Expr& expr) { return !any_part(expr, is_loud); }
 
 bool is_plain(const Expr& expr) {
   return !any_part(expr, [](const Expr& e) { return !is_plain_node(e); });
+}
+
+bool is_short(const Expr& expr) {
+  int parts = 0;
+  return !any_part(expr, [&](const Expr& e) { return !is_plain_node(e) || ++parts > 16; });
 }
 
 bool mutates(const Expr& expr) {

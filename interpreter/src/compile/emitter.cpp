@@ -40,7 +40,7 @@ bool ends_flow(OpCode op) {
 }
 
 // The next word is a jump that is taken or skipped.
-bool is_compare_and_branch(OpCode op) { return op >= OpCode::IFLTI && op <= OpCode::FORI; }
+bool is_compare_and_branch(OpCode op) { return op >= OpCode::IFLTI && op <= OpCode::FORX; }
 
 }  // namespace
 
@@ -113,6 +113,23 @@ void Emitter::push(OpCode op, std::uint32_t a, std::uint32_t b, std::uint32_t c)
   if (ends_flow(op) && !guarded) reachable_ = false;
 }
 
+bool Emitter::just_counted(Reg reg) const {
+  if (!reachable_ || code_.empty() || last_target_ == position()) return false;
+  const Wide& last = code_.back();
+  return last.op == OpCode::ADDIK && last.a == reg.bits && last.b == reg.bits && last.c == 1;
+}
+
+void Emitter::count_and_compare(bool less, Reg a, Reg b) {
+  if (!just_counted(a)) {
+    emit(less ? OpCode::IFLTI : OpCode::IFGEI, a, b);
+    return;
+  }
+  Wide& last = code_.back();
+  last.op = less ? OpCode::FORI : OpCode::FORX;
+  last.b = b.bits;
+  last.c = 0;
+}
+
 void Emitter::constant(Reg to, Slot value) {
   if (value.i >= INT16_MIN && value.i <= INT16_MAX) {
     push(OpCode::INT, to.bits, static_cast<std::uint16_t>(value.i), 0);
@@ -139,12 +156,15 @@ Label Emitter::label() {
 void Emitter::bind(Label label) {
   LabelInfo& info = labels_[label.id];
   info.position = position();
-  if (info.used) reachable_ = true;
+  if (!info.used) return;
+  reachable_ = true;
+  last_target_ = position();
 }
 
 void Emitter::bind_loop(Label label, bool reachable) {
   labels_[label.id].position = position();
   reachable_ = reachable;
+  last_target_ = position();
 }
 
 void Emitter::jump(Label to) { branch(is_bound(to) ? OpCode::LOOP : OpCode::JUMP, 0, to); }
@@ -165,6 +185,7 @@ void Emitter::begin_handler(const std::vector<Range>& ranges, bool is_finally) {
     if (range.begin == range.end) continue;
     handlers_.push_back({range.begin, range.end, position(), is_finally});
     reachable_ = true;
+    last_target_ = position();
   }
 }
 

@@ -70,6 +70,10 @@ class Emitter {
     span_ = span;
     expr_ = expr;
   }
+  // The last instruction is `reg = reg + 1`, and nobody jumps to here.
+  [[nodiscard]] bool just_counted(Reg reg) const;
+  // Compares and branches: ints a < b or a >= b, together with the counting just before if there is one.
+  void count_and_compare(bool less, Reg a, Reg b);
   void emit(OpCode op, Reg a, Reg b, Reg c) { push(op, a.bits, b.bits, c.bits); }
   void emit(OpCode op, Reg a, Reg b) { push(op, a.bits, b.bits, 0); }
   void emit(OpCode op, Reg a) { push(op, a.bits, 0, 0); }
@@ -154,6 +158,7 @@ class Emitter {
   std::uint32_t references_ = 0;
   std::uint32_t most_references_ = 0;
   std::uint32_t pinned_ = 0;
+  std::uint32_t last_target_ = 0;        // the last position that something jumps to
   std::uint32_t numbers_ = 0;
   std::uint32_t most_numbers_ = 0;
   bool reachable_ = true;

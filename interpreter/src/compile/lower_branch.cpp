@@ -133,7 +133,8 @@ void Lowering::branch_int(const BinaryExpr& e, Op op, Label to) {
   const Emitter::Mark mark = code_.mark();
   const Reg left = value(*e.left);
   std::int64_t small = 0;
-  if (options_.optimise && small_int(*e.right, small)) {
+  const bool counts = options_.optimise && (op == Op::kLtI || op == Op::kGeI) && code_.just_counted(left);
+  if (options_.optimise && !counts && small_int(*e.right, small)) {
     code_.release(mark);
     code_.at(e.span, &e);
     code_.push(compare_small(op), left.bits, static_cast<std::uint16_t>(small), 0);
@@ -141,7 +142,11 @@ void Lowering::branch_int(const BinaryExpr& e, Op op, Label to) {
     const Reg right = value(*e.right);
     code_.release(mark);
     code_.at(e.span, &e);
-    code_.emit(compare(op), left, right);
+    if (counts) {
+      code_.count_and_compare(op == Op::kLtI, left, right);
+    } else {
+      code_.emit(compare(op), left, right);
+    }
   }
   code_.jump(to);
 }

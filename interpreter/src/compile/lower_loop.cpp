@@ -99,7 +99,12 @@ void Lowering::plain_loop(const LoopStmt& s) {
   const Label test = code_.label();
   const bool alive = code_.reachable();
   const bool endless = is_true(s.condition);
-  if (s.test_first && !endless) code_.jump(test);
+  // A short test is made twice: before the first pass, and below with the counting just before it.
+  if (options_.optimise && s.test_first && !endless && is_short(*s.condition)) {
+    branch(*s.condition, false, exits_.back().leave);
+  } else if (s.test_first && !endless) {
+    code_.jump(test);
+  }
   code_.bind_loop(body, alive);
   scoped(*s.body);
   code_.bind(exits_.back().again);

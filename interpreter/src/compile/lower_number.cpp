@@ -49,6 +49,10 @@ bool is_chain_link(const Expr& e) {
          !constant_slot(e, unused);
 }
 
+bool is_product(const Expr& e) {
+  return is_chain_link(e) && e.as<BinaryExpr>().op == Op::kMulR;
+}
+
 }  // namespace
 
 // The value in a register that may belong to a variable: only to be read, and soon.
@@ -160,17 +164,20 @@ void Lowering::binary_into(const BinaryExpr& e, Target to) {
   for (std::size_t i = chain.size(); i-- > 0;) {
     const Emitter::Mark mark = code_.mark();
     const BinaryExpr& link = *chain[i];
-    const Reg next = i == 0 ? to.reg : between;
-    arithmetic({link.span, &link}, link.op, result, *link.right, next);
+    if (i > 0 && add_to_product(link, *chain[i - 1], result, i == 1 ? to.reg : between)) {
+      --i;
+    } else {
+      arithmetic({link.span, &link}, link.op, result, *link.right, i == 0 ? to.reg : between);
+    }
     code_.release(mark);
-    result = next;
+    result = i == 0 ? to.reg : between;
   }
 }
 
 // to = left op right. Nothing is written to `to` before the right side has been evaluated.
 void Lowering::arithmetic(Site site, Op op, Reg left, const Expr& right, Reg to) {
   if (options_.optimise) {
-    if (left == to && multiply_add(site, op, right, to)) return;
+    if (multiply_add(site, op, left, right, to)) return;
     if (add_small(site, op, left, right, to)) return;
     if (left == to && op == Op::kMulR && multiply_element(right, to)) return;
   }
@@ -189,15 +196,32 @@ bool Lowering::add_small(Site site, Op op, Reg left, const Expr& right, Reg to) 
   return true;
 }
 
-// x + a * b where x may be overwritten. The product is rounded, then the sum: the same bits as two instructions.
-bool Lowering::multiply_add(Site site, Op op, const Expr& right, Reg accumulator) {
-  if (op != Op::kAddR && op != Op::kSubR) return false;
-  if (!is_chain_link(right) || right.as<BinaryExpr>().op != Op::kMulR) return false;
+// x + a * b. The product is rounded, then the sum: the same bits as two instructions.
+bool Lowering::multiply_add(Site site, Op op, Reg left, const Expr& right, Reg to) {
+  if (op != Op::kAddR && (op != Op::kSubR || left != to)) return false;
+  if (!is_product(right)) return false;
   const auto& product = right.as<BinaryExpr>();
   const Reg a = value(*product.left);
   const Reg b = value(*product.right);
   code_.at(site.span, site.expr);
-  code_.emit(op == Op::kAddR ? OpCode::MADD : OpCode::MSUB, accumulator, a, b);
+  if (left == to) {
+    code_.emit(op == Op::kAddR ? OpCode::MADD : OpCode::MSUB, to, a, b);
+  } else {
+    code_.emit(OpCode::MULADD, to, a, b);
+    code_.emit(OpCode::WITH, left);
+  }
+  return true;
+}
+
+// a * b + x where x is in a register already; `left` is a.
+bool Lowering::add_to_product(const BinaryExpr& product, const BinaryExpr& sum, Reg left, Reg to) {
+  Reg added;
+  if (!options_.optimise || product.op != Op::kMulR || sum.op != Op::kAddR) return false;
+  if (!in_register(*sum.right, added)) return false;
+  const Reg factor = value(*product.right);
+  code_.at(sum.span, &sum);
+  code_.emit(OpCode::MULADD, to, left, factor);
+  code_.emit(OpCode::WITH, added);
   return true;
 }
 

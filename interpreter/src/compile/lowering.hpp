@@ -86,7 +86,8 @@ class Lowering {
   void binary_into(const hir::BinaryExpr& e, Target to);
   void arithmetic(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool add_small(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
-  bool multiply_add(Site site, hir::Op op, const hir::Expr& right, Reg accumulator);
+  bool multiply_add(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool add_to_product(const hir::BinaryExpr& product, const hir::BinaryExpr& sum, Reg left, Reg to);
   bool multiply_element(const hir::Expr& right, Reg accumulator);
   void truth_into(const hir::Expr& e, Target to);
   void cond_into(const hir::CondExpr& e, Target to);
