@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace armlet::bench {
+
+// Rotation by rows, then the position: what crosses between two ways of laying out Eigen's types.
+using PlainPose = std::array<double, 12>;
+
+// One joint: Rz(theta) Tz(d) followed by Tx(a) Rx(alpha).
+struct KdlJoint {
+  bool revolute = true;
+  double theta = 0.0, d = 0.0, a = 0.0, alpha = 0.0;
+  double lower = 0.0, upper = 0.0;
+};
+
+// An arm in Orocos KDL. It is compiled apart from Armlet, which lays out Eigen's types without the
+// alignment that the installed KDL library expects. Inputs are handed over before the clock runs.
+class KdlArm {
+ public:
+  KdlArm(const PlainPose& base, const std::vector<KdlJoint>& joints, const PlainPose& tool);
+  ~KdlArm();
+
+  void add_configuration(const double* q);
+  void add_goal(const PlainPose& T_world_tool);
+  void change_first_joint(int k, double amount);
+
+  // Of configuration k: a number that depends on the result, which the other two copy out.
+  double pose(int k);
+  double jacobian(int k);
+  PlainPose last_pose() const;
+  std::vector<double> last_jacobian() const;  // column by column
+
+  // The Levenberg-Marquardt solver with weights for metres and radians, restarted at random until
+  // its answer is within the limits: the settings that serve it best.
+  bool solve(int k, const std::vector<double>& start, double tolerance, int restarts);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace armlet::bench
