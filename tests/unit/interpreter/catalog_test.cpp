@@ -10,6 +10,9 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <vector>
+
+#include "syntax/parse.hpp"
 
 namespace armlet {
 namespace {
@@ -37,6 +40,26 @@ std::string table() {
     out += fmt::format("| {} | {} | {} |\n", entry.code, entry.kind, headline);
   }
   return out;
+}
+
+// The programs of a page below a line that starts with `title`, without their indentation.
+std::string program_below(std::string_view page, std::string_view title) {
+  std::istringstream lines{std::string(page)};
+  std::string program;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (inside && line.starts_with("    ")) program += line.substr(4) + '\n';
+    if (!line.starts_with("    ")) inside = line.starts_with(title);
+  }
+  return program;
+}
+
+std::vector<Diagnostic> messages_of(const std::string& program) {
+  const Source source("page.rbt", program);
+  lang::Arena arena;
+  DiagnosticSink sink;
+  static_cast<void>(lang::parse(source, arena, sink));
+  return sink.take_sorted();
 }
 
 std::string read(const std::string& path) {
@@ -94,6 +117,35 @@ TEST_CASE("a wrong program comes with a right one") {
     const bool wrong = entry.page.find("\nWrong") != std::string_view::npos;
     const bool right = entry.page.find("\nRight") != std::string_view::npos;
     CHECK((!wrong || right));
+  }
+}
+
+TEST_CASE("the right program of every page reads without a message") {
+  for (const CatalogEntry& entry : catalog()) {
+    const std::string program = program_below(entry.page, "Right");
+    if (program.empty()) continue;
+    CAPTURE(entry.code);
+    CAPTURE(program);
+    const std::vector<Diagnostic> messages = messages_of(program);
+    const std::string first = messages.empty() ? "" : messages.front().message;
+    CHECK(first == "");
+  }
+}
+
+TEST_CASE("the wrong program of a page about reading gives the message of the page") {
+  for (const CatalogEntry& entry : catalog()) {
+    const std::string program = program_below(entry.page, "Wrong");
+    if (program.empty()) continue;
+    CAPTURE(entry.code);
+    CAPTURE(program);
+    const std::vector<Diagnostic> messages = messages_of(program);
+    if (entry.code.starts_with("E01")) {
+      REQUIRE(messages.size() == 1);
+      CHECK(messages.front().code == entry.code);
+    } else {
+      // Mistakes of other kinds are found by the checker, or while running.
+      CHECK((messages.empty() || messages.front().code == entry.code));
+    }
   }
 }
 
