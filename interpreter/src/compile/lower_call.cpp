@@ -26,11 +26,11 @@ void Lowering::window(Seq<Expr*> arguments, Reg base, Hold hold) {
 }
 
 // The window of a call may begin at the target itself when that is the topmost number.
-Reg Lowering::base_for(Target to) {
+Reg Lowering::base_for(Dest to) {
   return to.early && code_.is_top(to.reg) ? to.reg : code_.number();
 }
 
-void Lowering::call_into(const Expr& e, Target to) {
+void Lowering::call_into(const Expr& e, Dest to) {
   if (options_.optimise && e.kind == ExprKind::kCallNative && call_direct(e.as<CallNativeExpr>(), to)) {
     return;
   }
@@ -67,7 +67,7 @@ void Lowering::effect(const Expr& e) {
 }
 
 // Returns the register of the result; a reference there is owned and has to be taken at once.
-Reg Lowering::call(const Expr& e, Target to) {
+Reg Lowering::call(const Expr& e, Dest to) {
   switch (e.kind) {
     case ExprKind::kCall: {
       const auto& c = e.as<CallExpr>();
@@ -100,7 +100,7 @@ Reg Lowering::call_native(const CallNativeExpr& e, Reg base) {
   return base;
 }
 
-Reg Lowering::call_guarded(const GuardedExpr& e, Target to) {
+Reg Lowering::call_guarded(const GuardedExpr& e, Dest to) {
   const auto& motion = e.motion->as<CallNativeExpr>();
   const Reg condition = borrow(*e.condition, Hold::kOwn);
   const Reg base = base_for(to);
@@ -113,7 +113,7 @@ Reg Lowering::call_guarded(const GuardedExpr& e, Target to) {
 }
 
 // Functions of one or two doubles need no window.
-bool Lowering::call_direct(const CallNativeExpr& e, Target to) {
+bool Lowering::call_direct(const CallNativeExpr& e, Dest to) {
   const NativeFunction& f = *e.function;
   for (const Expr* argument : e.arguments) {
     if (!argument->type->is(Kind::kReal) || argument->kind == ExprKind::kAbsent) return false;

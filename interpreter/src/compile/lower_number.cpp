@@ -65,7 +65,7 @@ Reg Lowering::value(const Expr& e) {
 }
 
 // Like `value`, but computes in the target rather than in a new register, if it may.
-Reg Lowering::value_near(const Expr& e, Target hint) {
+Reg Lowering::value_near(const Expr& e, Dest hint) {
   Reg reg;
   if (in_register(e, reg)) return reg;
   if (!hint.early) return value(e);
@@ -93,7 +93,7 @@ bool Lowering::in_register(const Expr& e, Reg& out) {
   return true;
 }
 
-void Lowering::value_into(const Expr& e, Target to) {
+void Lowering::value_into(const Expr& e, Dest to) {
   Slot slot;
   Reg reg;
   if (constant_slot(e, slot)) {
@@ -110,7 +110,7 @@ void Lowering::value_into(const Expr& e, Target to) {
   code_.release(mark);
 }
 
-void Lowering::compute(const Expr& e, Target to) {
+void Lowering::compute(const Expr& e, Dest to) {
   code_.at(e.span, &e);
   switch (e.kind) {
     case ExprKind::kAbsent: code_.constant(to.reg, Slot{.i = kAbsentBits}); break;
@@ -145,14 +145,14 @@ void Lowering::load_variable(const Variable& variable, Reg to) {
   }
 }
 
-void Lowering::unary_into(const UnaryExpr& e, Target to) {
+void Lowering::unary_into(const UnaryExpr& e, Dest to) {
   const Reg operand = value_near(*e.operand, to);
   code_.at(e.span, &e);
   code_.emit(instruction(e.op), to.reg, operand);
 }
 
 // A chain such as a + b * c - d is a loop from its innermost left operand on.
-void Lowering::binary_into(const BinaryExpr& e, Target to) {
+void Lowering::binary_into(const BinaryExpr& e, Dest to) {
   std::vector<const BinaryExpr*> chain{&e};
   const Expr* first = e.left;
   for (; is_chain_link(*first); first = first->as<BinaryExpr>().left) {
@@ -235,7 +235,7 @@ bool Lowering::multiply_element(const Expr& right, Reg accumulator) {
   return true;
 }
 
-void Lowering::truth_into(const Expr& e, Target to) {
+void Lowering::truth_into(const Expr& e, Dest to) {
   if (e.kind == ExprKind::kBinary && is_number_comparison(e.as<BinaryExpr>().op)) {
     const auto& binary = e.as<BinaryExpr>();
     const Reg left = value(*binary.left);
@@ -255,7 +255,7 @@ void Lowering::truth_into(const Expr& e, Target to) {
   code_.bind(end);
 }
 
-void Lowering::cond_into(const CondExpr& e, Target to) {
+void Lowering::cond_into(const CondExpr& e, Dest to) {
   const Label no = code_.label();
   const Label end = code_.label();
   branch(*e.condition, false, no);
@@ -266,7 +266,7 @@ void Lowering::cond_into(const CondExpr& e, Target to) {
   code_.bind(end);
 }
 
-void Lowering::convert_into(const ConvertExpr& e, Target to) {
+void Lowering::convert_into(const ConvertExpr& e, Dest to) {
   if (e.conversion == Conversion::kSame) {
     value_into(*e.operand, to);
     return;

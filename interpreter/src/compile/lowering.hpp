@@ -17,7 +17,7 @@
 namespace armlet::lang {
 
 // Where a number shall go.
-struct Target {
+struct Dest {
   Reg reg;
   bool early;   // may be written before the whole expression has been evaluated
 };
@@ -77,21 +77,21 @@ class Lowering {
 
   // ---- lower_number.cpp: values without a count
   Reg value(const hir::Expr& e);
-  Reg value_near(const hir::Expr& e, Target hint);
-  void value_into(const hir::Expr& e, Target to);
+  Reg value_near(const hir::Expr& e, Dest hint);
+  void value_into(const hir::Expr& e, Dest to);
   bool in_register(const hir::Expr& e, Reg& out);
-  void compute(const hir::Expr& e, Target to);
+  void compute(const hir::Expr& e, Dest to);
   void load_variable(const hir::Variable& variable, Reg to);
-  void unary_into(const hir::UnaryExpr& e, Target to);
-  void binary_into(const hir::BinaryExpr& e, Target to);
+  void unary_into(const hir::UnaryExpr& e, Dest to);
+  void binary_into(const hir::BinaryExpr& e, Dest to);
   void arithmetic(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool add_small(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool multiply_add(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool add_to_product(const hir::BinaryExpr& product, const hir::BinaryExpr& sum, Reg left, Reg to);
   bool multiply_element(const hir::Expr& right, Reg accumulator);
-  void truth_into(const hir::Expr& e, Target to);
-  void cond_into(const hir::CondExpr& e, Target to);
-  void convert_into(const hir::ConvertExpr& e, Target to);
+  void truth_into(const hir::Expr& e, Dest to);
+  void cond_into(const hir::CondExpr& e, Dest to);
+  void convert_into(const hir::ConvertExpr& e, Dest to);
   void length_into(const hir::LengthExpr& e, Reg to);
   void load_field(const hir::FieldExpr& e, Reg to, Hold hold);
   void load_element(const hir::ElementExpr& e, Reg to, Hold hold);
@@ -119,14 +119,14 @@ class Lowering {
 
   // ---- lower_call.cpp
   void window(hir::Seq<hir::Expr*> arguments, Reg base, Hold hold);
-  Reg base_for(Target to);
-  void call_into(const hir::Expr& e, Target to);
+  Reg base_for(Dest to);
+  void call_into(const hir::Expr& e, Dest to);
   void call_own(const hir::Expr& e, Reg to);
   void effect(const hir::Expr& e);
-  Reg call(const hir::Expr& e, Target to);
+  Reg call(const hir::Expr& e, Dest to);
   Reg call_native(const hir::CallNativeExpr& e, Reg base);
-  Reg call_guarded(const hir::GuardedExpr& e, Target to);
-  bool call_direct(const hir::CallNativeExpr& e, Target to);
+  Reg call_guarded(const hir::GuardedExpr& e, Dest to);
+  bool call_direct(const hir::CallNativeExpr& e, Dest to);
 
   // ---- lower_branch.cpp
   void branch(const hir::Expr& e, bool when, Label to);
