@@ -1,6 +1,6 @@
 #pragma once
-// Base classes of the generated parser that count nesting: its functions call each other once per level of the text,
-// so without a limit a text of a few hundred kilobytes would overflow the stack.
+// Base classes of the generated parser that count nesting: its functions call each other once per
+// level of the text, so without a limit a text of a few hundred kilobytes would overflow the stack.
 
 #include <cstddef>
 
@@ -13,7 +13,8 @@ class GuardedCtx : public antlr4::ParserRuleContext {
   GuardedCtx(antlr4::ParserRuleContext* parent_context, size_t state)
       : antlr4::ParserRuleContext(parent_context, state), level(level_of(parent_context)) {}
 
-  // Labelled alternatives are made through copyFrom; without this they would start again at level 0.
+  // Labelled alternatives are made through copyFrom; without this they would start again at level
+  // 0.
   using antlr4::ParserRuleContext::copyFrom;
   void copyFrom(antlr4::ParserRuleContext* other) override {
     antlr4::ParserRuleContext::copyFrom(other);

@@ -8,7 +8,9 @@ namespace armlet::lang {
 namespace {
 
 // A token that is the first of its line: what indentation is measured by.
-bool starts_line(const Tokens& tokens, std::size_t i) { return i == 0 || tokens[i].line_break_before; }
+bool starts_line(const Tokens& tokens, std::size_t i) {
+  return i == 0 || tokens[i].line_break_before;
+}
 
 class BracketCheck {
  public:
@@ -39,7 +41,9 @@ class BracketCheck {
   }
 
   std::string closing_text(std::size_t opener) const {
-    return tokens_[opener].type == RbtLexer::LPAREN ? ")" : tokens_[opener].type == RbtLexer::LBRACK ? "]" : "}";
+    return tokens_[opener].type == RbtLexer::LPAREN   ? ")"
+           : tokens_[opener].type == RbtLexer::LBRACK ? "]"
+                                                      : "}";
   }
 
   // The closer `i` does not belong to the innermost open bracket.
@@ -51,14 +55,18 @@ class BracketCheck {
     if (tokens_[inner].type == RbtLexer::LBRACE || line(inner) != line(i)) return surplus(i);
     Diagnostic out = make_diagnostic("E0131", span(i), {text(i)});
     out.related.push_back({span(inner), "opened here"});
-    out.fix = Fix{"write `" + closing_text(inner) + '`', {{span(i), closing_text(inner)}}, Confidence::kMaybe};
+    out.fix = Fix{"write `" + closing_text(inner) + '`',
+                  {{span(i), closing_text(inner)}},
+                  Confidence::kMaybe};
     return out;
   }
 
   Diagnostic unclosed(std::size_t opener, std::size_t limit) {
     if (tokens_[opener].type != RbtLexer::LBRACE) return unclosed_bracket(opener, limit);
-    // A bracket left open inside an earlier block may have swallowed a brace: the indentation decides.
-    if (const std::optional<std::size_t> block = first_outgrown_block()) return unclosed_block(*block);
+    // A bracket left open inside an earlier block may have swallowed a brace: the indentation
+    // decides.
+    if (const std::optional<std::size_t> block = first_outgrown_block())
+      return unclosed_block(*block);
     return unclosed_block(opener);
   }
 
@@ -75,14 +83,16 @@ class BracketCheck {
       if (tokens_[end].type != kEndOfText && !is_closer(tokens_[end].type)) {
         out.related.push_back({span(end), "the next statement starts here"});
       }
-      out.fix = Fix{"add " + mark + " at the end of line " + std::to_string(line(end - 1)), {}, Confidence::kMaybe};
+      out.fix = Fix{"add " + mark + " at the end of line " + std::to_string(line(end - 1)),
+                    {},
+                    Confidence::kMaybe};
     }
     out.fix->edits.push_back({after(end - 1), closing_text(opener)});
     return out;
   }
 
-  // The token before which the bracket `opener` must have ended: a `;`, a closer of something outside, a line that is
-  // indented no deeper than the one with the bracket, the end of the text.
+  // The token before which the bracket `opener` must have ended: a `;`, a closer of something
+  // outside, a line that is indented no deeper than the one with the bracket, the end of the text.
   std::size_t end_of_bracket(std::size_t opener, std::size_t limit) const {
     std::size_t depth = 0;
     const bool in_for = opener > 0 && tokens_[opener - 1].type == RbtLexer::FOR;
@@ -91,24 +101,28 @@ class BracketCheck {
       const bool outside = depth == 0;
       if (is_closer(tokens_[i].type) && depth > 0) --depth;
       if (!outside) continue;
-      if (tokens_[i].type == RbtLexer::SEMI && !in_for && tokens_[opener].type == RbtLexer::LPAREN) return i;
-      if (starts_line(tokens_, i) && indent(i) <= indent(opener) && can_end_statement(tokens_[i - 1].type) &&
-          !is_closer(tokens_[i].type)) {
+      if (tokens_[i].type == RbtLexer::SEMI && !in_for && tokens_[opener].type == RbtLexer::LPAREN)
+        return i;
+      if (starts_line(tokens_, i) && indent(i) <= indent(opener) &&
+          can_end_statement(tokens_[i - 1].type) && !is_closer(tokens_[i].type)) {
         return i;
       }
     }
     return limit;
   }
 
-  // A block whose text goes on with a line indented no deeper than the line that opens it, in the order of the text.
+  // A block whose text goes on with a line indented no deeper than the line that opens it, in the
+  // order of the text.
   std::optional<std::size_t> first_outgrown_block() {
     std::vector<std::size_t> blocks;
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
       if (tokens_[i].type == RbtLexer::RBRACE && !blocks.empty()) {
-        if (starts_line(tokens_, i) && indent(i) < indent(blocks.back())) return outgrown(blocks.back(), i);
+        if (starts_line(tokens_, i) && indent(i) < indent(blocks.back()))
+          return outgrown(blocks.back(), i);
         blocks.pop_back();
-      } else if (starts_line(tokens_, i) && !blocks.empty() && tokens_[i].type != RbtLexer::LBRACE &&
-                 indent(i) <= indent(blocks.back()) && line(i) != line(blocks.back())) {
+      } else if (starts_line(tokens_, i) && !blocks.empty() &&
+                 tokens_[i].type != RbtLexer::LBRACE && indent(i) <= indent(blocks.back()) &&
+                 line(i) != line(blocks.back())) {
         return outgrown(blocks.back(), i);
       }
       if (tokens_[i].type == RbtLexer::LBRACE) blocks.push_back(i);
@@ -125,11 +139,14 @@ class BracketCheck {
     Diagnostic out = make_diagnostic("E0111", span(opener));
     out.mark.label = "opened here";
     if (next_after_block_ == 0) {
-      out.fix = Fix{"add `}` at the end of the program", {{span(tokens_.size() - 1), "}\n"}}, Confidence::kMaybe};
+      out.fix = Fix{"add `}` at the end of the program",
+                    {{span(tokens_.size() - 1), "}\n"}},
+                    Confidence::kMaybe};
       return out;
     }
     const int next_line = line(next_after_block_);
-    out.related.push_back({span(next_after_block_), "the indentation suggests that the block ends before this line"});
+    out.related.push_back(
+        {span(next_after_block_), "the indentation suggests that the block ends before this line"});
     const std::uint32_t place = source_.line_start(next_line);
     out.fix = Fix{"add `}` before line " + std::to_string(next_line),
                   {{{place, place, source_.id()}, std::string(indent(opener), ' ') + "}\n"}},
@@ -137,7 +154,8 @@ class BracketCheck {
     return out;
   }
 
-  // A closer too many. If an earlier `}` stands on a line indented otherwise than its block, that one is it.
+  // A closer too many. If an earlier `}` stands on a line indented otherwise than its block, that
+  // one is it.
   Diagnostic surplus(std::size_t i) {
     std::size_t at = i;
     if (tokens_[i].type == RbtLexer::RBRACE) {

@@ -5,9 +5,11 @@
 namespace armlet::lang {
 namespace {
 
-Diagnostic out_of_place(Span span, const std::string& word, const std::string& home, const char* task) {
+Diagnostic out_of_place(Span span, const std::string& word, const std::string& home,
+                        const char* task) {
   Diagnostic out = make_diagnostic("E0121", span, {word, home});
-  if (task != nullptr) out.why = std::string("the block of `") + task + "` runs as a task of its own";
+  if (task != nullptr)
+    out.why = std::string("the block of `") + task + "` runs as a task of its own";
   return out;
 }
 
@@ -20,24 +22,39 @@ ast::Stmt* AstBuilder::statement(RbtParser::StmtContext* ctx) {
   // By the number of the rule: asking for every kind in turn would cost a search each.
   auto* rule = static_cast<antlr4::RuleContext*>(ctx->children.front());
   switch (rule->getRuleIndex()) {
-    case RbtParser::RuleClosedStmt: return closed(static_cast<RbtParser::ClosedStmtContext*>(rule));
-    case RbtParser::RuleBlock: return plain_block(static_cast<RbtParser::BlockContext*>(rule));
-    case RbtParser::RuleIfStmt: return if_stmt(static_cast<RbtParser::IfStmtContext*>(rule));
-    case RbtParser::RuleWhileStmt: return while_stmt(static_cast<RbtParser::WhileStmtContext*>(rule));
-    case RbtParser::RuleDoStmt: return do_stmt(static_cast<RbtParser::DoStmtContext*>(rule));
-    case RbtParser::RuleForStmt: return for_stmt(static_cast<RbtParser::ForStmtContext*>(rule));
-    case RbtParser::RuleSwitchStmt: return switch_stmt(static_cast<RbtParser::SwitchStmtContext*>(rule));
-    case RbtParser::RuleTryStmt: return try_stmt(static_cast<RbtParser::TryStmtContext*>(rule));
-    case RbtParser::RuleRecordStmt: return record_stmt(static_cast<RbtParser::RecordStmtContext*>(rule));
+    case RbtParser::RuleClosedStmt:
+      return closed(static_cast<RbtParser::ClosedStmtContext*>(rule));
+    case RbtParser::RuleBlock:
+      return plain_block(static_cast<RbtParser::BlockContext*>(rule));
+    case RbtParser::RuleIfStmt:
+      return if_stmt(static_cast<RbtParser::IfStmtContext*>(rule));
+    case RbtParser::RuleWhileStmt:
+      return while_stmt(static_cast<RbtParser::WhileStmtContext*>(rule));
+    case RbtParser::RuleDoStmt:
+      return do_stmt(static_cast<RbtParser::DoStmtContext*>(rule));
+    case RbtParser::RuleForStmt:
+      return for_stmt(static_cast<RbtParser::ForStmtContext*>(rule));
+    case RbtParser::RuleSwitchStmt:
+      return switch_stmt(static_cast<RbtParser::SwitchStmtContext*>(rule));
+    case RbtParser::RuleTryStmt:
+      return try_stmt(static_cast<RbtParser::TryStmtContext*>(rule));
+    case RbtParser::RuleRecordStmt:
+      return record_stmt(static_cast<RbtParser::RecordStmtContext*>(rule));
     case RbtParser::RuleParallelStmt:
     case RbtParser::RuleWhenStmt:
-    case RbtParser::RuleEveryStmt: return task_block(ctx);
+    case RbtParser::RuleEveryStmt:
+      return task_block(ctx);
     case RbtParser::RuleWithStmt:
-    case RbtParser::RulePathStmt: return setting_block(ctx);
-    case RbtParser::RuleLetDecl: return let_decl(static_cast<RbtParser::LetDeclContext*>(rule));
-    case RbtParser::RuleVarDecl: return var_decl(static_cast<RbtParser::VarDeclContext*>(rule));
-    case RbtParser::RuleBlockDecl: return block_decl(static_cast<RbtParser::BlockDeclContext*>(rule));
-    default: return top_declaration(ctx);
+    case RbtParser::RulePathStmt:
+      return setting_block(ctx);
+    case RbtParser::RuleLetDecl:
+      return let_decl(static_cast<RbtParser::LetDeclContext*>(rule));
+    case RbtParser::RuleVarDecl:
+      return var_decl(static_cast<RbtParser::VarDeclContext*>(rule));
+    case RbtParser::RuleBlockDecl:
+      return block_decl(static_cast<RbtParser::BlockDeclContext*>(rule));
+    default:
+      return top_declaration(ctx);
   }
 }
 
@@ -130,8 +147,12 @@ ast::Stmt* AstBuilder::jump(RbtParser::ClosedStmtContext* ctx) {
 
 // Advice W0705: `return` alone on its line, and a value on the next.
 void AstBuilder::check_lone_return(const antlr4::ParserRuleContext* ctx) {
+  // Only where the next line belongs to the same block; behind `if (done) return` it is reached.
+  const auto* around = static_cast<antlr4::RuleContext*>(ctx->parent->parent);
+  const bool in_sequence =
+      ctx->parent->parent != nullptr && around->getRuleIndex() == RbtParser::RuleBlock;
   const std::size_t end = ctx->stop->getTokenIndex();
-  if (!in_.tokens[end].inserted || end + 1 >= in_.tokens.size()) return;
+  if (!in_sequence || !in_.tokens[end].inserted || end + 1 >= in_.tokens.size()) return;
   const Token& next = in_.tokens[end + 1];
   const bool is_value = is_literal(next.type) || is_name(next.type) || next.type == RbtParser::NEW;
   if (!next.line_break_before || !is_value) return;
@@ -171,7 +192,8 @@ ast::Stmt* AstBuilder::assignment(RbtParser::ExprStmtContext* ctx) {
   } else {
     RbtParser::AssignTailContext* tail = ctx->assignTail();
     out->op_span = token_span(tail->start);
-    for (RbtParser::ExpressionContext* value : tail->expression()) values.push_back(expression(value));
+    for (RbtParser::ExpressionContext* value : tail->expression())
+      values.push_back(expression(value));
     if (tail->braceInit() != nullptr) values.push_back(brace_init(tail->braceInit()));
   }
   out->value = values.back();
@@ -182,7 +204,8 @@ ast::Stmt* AstBuilder::assignment(RbtParser::ExprStmtContext* ctx) {
 }
 
 void AstBuilder::check_target(const ast::Expr* target) {
-  const bool is_place = target->kind == ast::ExprKind::kName || target->kind == ast::ExprKind::kIndex ||
+  const bool is_place = target->kind == ast::ExprKind::kName ||
+                        target->kind == ast::ExprKind::kIndex ||
                         target->kind == ast::ExprKind::kMember;
   if (is_place && target->parens == 0) return;
   Span span = target->span;

@@ -1,7 +1,8 @@
 #pragma once
-// Parse tree to syntax tree: one function per rule of the grammar. Knows nothing of errors of syntax; the trees it is
-// given are complete. Checks what the grammar leaves open: targets of assignments, the order of arguments, the place of
-// break, continue, return, retry and of declarations.
+// Parse tree to syntax tree: one function per rule of the grammar. Knows nothing of errors of
+// syntax; the trees it is given are complete. Checks what the grammar leaves open: targets of
+// assignments, the order of arguments, the place of break, continue, return, retry and of
+// declarations.
 
 #include <RbtParser.h>
 
@@ -29,8 +30,9 @@ struct BuildInput {
   Arena& arena;
   DiagnosticSink& sink;
   std::size_t max_depth;
-  std::size_t depth;                  // at which the tree hangs in the whole
-  // Parses the value in a formatted text; null after a message. The number is the depth of the text.
+  std::size_t depth;  // at which the tree hangs in the whole
+  // Parses the value in a formatted text; null after a message. The number is the depth of the
+  // text.
   std::function<ast::Expr*(Span, std::size_t)> parse_piece;
 };
 
@@ -52,7 +54,7 @@ class AstBuilder {
     bool in_switch = false;
     bool in_function = false;
     bool in_catch = false;
-    const char* task = nullptr;       // the block that made a task of its own
+    const char* task = nullptr;  // the block that made a task of its own
   };
   // Sets the place for a body and restores it at the end.
   class Inside {
@@ -126,7 +128,8 @@ class AstBuilder {
   ast::TypeExpr* function_type(RbtParser::FnTypeContext* ctx);
   ast::TypeExpr* result_type(RbtParser::ResultTypeContext* ctx);
   ast::TypeExpr* type(RbtParser::TypeContext* ctx);
-  ast::TypeExpr* base_type(RbtParser::PrimTypeContext* primitive, RbtParser::TypeNameContext* named);
+  ast::TypeExpr* base_type(RbtParser::PrimTypeContext* primitive,
+                           RbtParser::TypeNameContext* named);
   ast::TypeExpr* named_type(RbtParser::TypeNameContext* ctx);
   ast::TypeExpr* type_expr(ast::TypeForm form, Span span);
   ast::TypeExpr* array_of(ast::TypeExpr* element, std::size_t dimensions, Span span);

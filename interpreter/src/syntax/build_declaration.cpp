@@ -74,7 +74,8 @@ ast::Stmt* AstBuilder::block_decl(RbtParser::BlockDeclContext* ctx) {
   return out;
 }
 
-ast::Seq<ast::BlockItem> AstBuilder::block_items(const std::vector<RbtParser::BlockItemContext*>& list) {
+ast::Seq<ast::BlockItem> AstBuilder::block_items(
+    const std::vector<RbtParser::BlockItemContext*>& list) {
   std::vector<ast::BlockItem> items;
   for (RbtParser::BlockItemContext* ctx : list) {
     if (ctx->name().empty()) continue;  // a `;` alone
@@ -170,7 +171,8 @@ std::string_view AstBuilder::doc(const antlr4::ParserRuleContext* ctx) {
   for (auto at = from; at != in_.comments.end() && at->begin < above; ++at) {
     std::string_view line = text(*at);
     const std::uint32_t start = in_.source.line_start(in_.source.position(at->begin).line);
-    const bool alone = text({start, at->begin, at->source}).find_first_not_of(" \t") == std::string_view::npos;
+    const bool alone =
+        text({start, at->begin, at->source}).find_first_not_of(" \t") == std::string_view::npos;
     if (!alone || !line.starts_with(kDocMark)) {
       out.clear();
       continue;

@@ -18,24 +18,42 @@ RbtParser::ExprContext* left_operand(RbtParser::ExprContext* ctx) {
 
 ast::BinaryOp binary_op(std::size_t type) {
   switch (type) {
-    case RbtParser::PLUS: return ast::BinaryOp::kAdd;
-    case RbtParser::MINUS: return ast::BinaryOp::kSub;
-    case RbtParser::STAR: return ast::BinaryOp::kMul;
-    case RbtParser::SLASH: return ast::BinaryOp::kDiv;
-    case RbtParser::PERCENT: return ast::BinaryOp::kMod;
-    case RbtParser::BSLASH: return ast::BinaryOp::kLeftDiv;
-    case RbtParser::DOTSTAR: return ast::BinaryOp::kElemMul;
-    case RbtParser::DOTSLASH: return ast::BinaryOp::kElemDiv;
-    case RbtParser::CARET: return ast::BinaryOp::kPow;
-    case RbtParser::DOTCARET: return ast::BinaryOp::kElemPow;
-    case RbtParser::LT: return ast::BinaryOp::kLess;
-    case RbtParser::LE: return ast::BinaryOp::kLessEq;
-    case RbtParser::GT: return ast::BinaryOp::kGreater;
-    case RbtParser::GE: return ast::BinaryOp::kGreaterEq;
-    case RbtParser::EQ: return ast::BinaryOp::kEq;
-    case RbtParser::NE: return ast::BinaryOp::kNe;
-    case RbtParser::ANDAND: return ast::BinaryOp::kAnd;
-    default: return ast::BinaryOp::kOr;
+    case RbtParser::PLUS:
+      return ast::BinaryOp::kAdd;
+    case RbtParser::MINUS:
+      return ast::BinaryOp::kSub;
+    case RbtParser::STAR:
+      return ast::BinaryOp::kMul;
+    case RbtParser::SLASH:
+      return ast::BinaryOp::kDiv;
+    case RbtParser::PERCENT:
+      return ast::BinaryOp::kMod;
+    case RbtParser::BSLASH:
+      return ast::BinaryOp::kLeftDiv;
+    case RbtParser::DOTSTAR:
+      return ast::BinaryOp::kElemMul;
+    case RbtParser::DOTSLASH:
+      return ast::BinaryOp::kElemDiv;
+    case RbtParser::CARET:
+      return ast::BinaryOp::kPow;
+    case RbtParser::DOTCARET:
+      return ast::BinaryOp::kElemPow;
+    case RbtParser::LT:
+      return ast::BinaryOp::kLess;
+    case RbtParser::LE:
+      return ast::BinaryOp::kLessEq;
+    case RbtParser::GT:
+      return ast::BinaryOp::kGreater;
+    case RbtParser::GE:
+      return ast::BinaryOp::kGreaterEq;
+    case RbtParser::EQ:
+      return ast::BinaryOp::kEq;
+    case RbtParser::NE:
+      return ast::BinaryOp::kNe;
+    case RbtParser::ANDAND:
+      return ast::BinaryOp::kAnd;
+    default:
+      return ast::BinaryOp::kOr;
   }
 }
 
@@ -44,7 +62,8 @@ ast::BinaryOp binary_op(std::size_t type) {
 ast::Expr* AstBuilder::expression(RbtParser::ExpressionContext* ctx) {
   const Deeper deeper(*this, 1, span_of(ctx));
   ParseTree* first = ctx->children.front();
-  if (ctx->start->getType() == RbtParser::FN) return lambda(static_cast<RbtParser::LambdaContext*>(first));
+  if (ctx->start->getType() == RbtParser::FN)
+    return lambda(static_cast<RbtParser::LambdaContext*>(first));
   if (ctx->start->getType() == RbtParser::NEW) {
     if (auto* made = dynamic_cast<RbtParser::NewArrayContext*>(first)) return new_array(made);
   }
@@ -57,10 +76,12 @@ ast::Expr* AstBuilder::expression(RbtParser::ExpressionContext* ctx) {
     out.fix = Fix{"write wait until ... to wait for a condition", {}, Confidence::kMaybe};
     report(std::move(out));
   }
-  return in_.arena.make<ast::UntilExpr>(base(ast::ExprKind::kUntil, span_of(ctx)), value, expr(ctx->expr(1)));
+  return in_.arena.make<ast::UntilExpr>(base(ast::ExprKind::kUntil, span_of(ctx)), value,
+                                        expr(ctx->expr(1)));
 }
 
-// Operators and suffixes that follow each other make a tree that leans to the left: a loop, not a recursion.
+// Operators and suffixes that follow each other make a tree that leans to the left: a loop, not a
+// recursion.
 ast::Expr* AstBuilder::expr(RbtParser::ExprContext* ctx) {
   std::vector<RbtParser::ExprContext*> spine;
   while (RbtParser::ExprContext* left = left_operand(ctx)) {
@@ -74,12 +95,13 @@ ast::Expr* AstBuilder::expr(RbtParser::ExprContext* ctx) {
 }
 
 ast::Expr* AstBuilder::leaf(RbtParser::ExprContext* ctx) {
-  if (auto* plain = dynamic_cast<RbtParser::PrimaryEContext*>(ctx)) return primary(plain->primary());
+  if (auto* plain = dynamic_cast<RbtParser::PrimaryEContext*>(ctx))
+    return primary(plain->primary());
   if (auto* sign = dynamic_cast<RbtParser::UnaryEContext*>(ctx)) return unary(sign);
   auto* cast = static_cast<RbtParser::CastEContext*>(ctx);
   const Span type = span_of(cast->primType());
-  return in_.arena.make<ast::CastExpr>(base(ast::ExprKind::kCast, span_of(ctx)), ast::Name{text(type), type},
-                                       expr(cast->expr()));
+  return in_.arena.make<ast::CastExpr>(base(ast::ExprKind::kCast, span_of(ctx)),
+                                       ast::Name{text(type), type}, expr(cast->expr()));
 }
 
 ast::Expr* AstBuilder::unary(RbtParser::UnaryEContext* ctx) {
@@ -102,7 +124,8 @@ ast::Expr* AstBuilder::extend(ast::Expr* left, RbtParser::ExprContext* ctx) {
   auto* mark = dynamic_cast<TerminalNode*>(ctx->children[1]);
   if (mark == nullptr) {
     auto* list = static_cast<RbtParser::ArgsContext*>(ctx->children[1]);
-    return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), left, args(list), span_of(list));
+    return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), left, args(list),
+                                         span_of(list));
   }
   const antlr4::Token* op = mark->getSymbol();
   if (op->getType() == RbtParser::DOT) {
@@ -115,16 +138,18 @@ ast::Expr* AstBuilder::extend(ast::Expr* left, RbtParser::ExprContext* ctx) {
     ast::Expr* no = expr(static_cast<RbtParser::ExprContext*>(ctx->children[4]));
     return in_.arena.make<ast::CondExpr>(base(ast::ExprKind::kCond, span), left, right, no);
   }
-  return in_.arena.make<ast::BinaryExpr>(base(ast::ExprKind::kBinary, span), binary_op(op->getType()), left,
-                                         right, token_span(op));
+  return in_.arena.make<ast::BinaryExpr>(base(ast::ExprKind::kBinary, span),
+                                         binary_op(op->getType()), left, right, token_span(op));
 }
 
 ast::Expr* AstBuilder::index(ast::Expr* object, RbtParser::ExprContext* ctx) {
   std::vector<ast::IndexItem> items;
   for (ParseTree* node : ctx->children) {
-    if (auto* item = dynamic_cast<RbtParser::IndexItemContext*>(node)) items.push_back(index_item(item));
+    if (auto* item = dynamic_cast<RbtParser::IndexItemContext*>(node))
+      items.push_back(index_item(item));
   }
-  return in_.arena.make<ast::IndexExpr>(base(ast::ExprKind::kIndex, span_of(ctx)), object, in_.arena.copy(items));
+  return in_.arena.make<ast::IndexExpr>(base(ast::ExprKind::kIndex, span_of(ctx)), object,
+                                        in_.arena.copy(items));
 }
 
 ast::IndexItem AstBuilder::index_item(RbtParser::IndexItemContext* ctx) {
@@ -164,8 +189,8 @@ ast::Expr* AstBuilder::primary(RbtParser::PrimaryContext* ctx) {
     case RbtParser::BOOL_T: {
       const Span type = token_span(ctx->start);
       auto* callee = in_.arena.make<ast::NameExpr>(base(ast::ExprKind::kName, type), text(type));
-      return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), callee, args(ctx->args()),
-                                           span_of(ctx->args()));
+      return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), callee,
+                                           args(ctx->args()), span_of(ctx->args()));
     }
     default:
       return literal(static_cast<RbtParser::LiteralContext*>(ctx->children.front()));
@@ -178,7 +203,8 @@ ast::Expr* AstBuilder::list_or_matrix(RbtParser::PrimaryContext* ctx) {
   for (RbtParser::RowContext* row : ctx->row()) rows.push_back(expressions(row));
   const Span span = span_of(ctx);
   if (!ctx->SEMI().empty()) {
-    return in_.arena.make<ast::MatrixExpr>(base(ast::ExprKind::kMatrix, span), in_.arena.copy(rows));
+    return in_.arena.make<ast::MatrixExpr>(base(ast::ExprKind::kMatrix, span),
+                                           in_.arena.copy(rows));
   }
   return in_.arena.make<ast::ListExpr>(base(ast::ExprKind::kList, span),
                                        rows.empty() ? ast::Seq<ast::Expr*>{} : rows.front());
@@ -197,10 +223,12 @@ ast::Expr* AstBuilder::lambda(RbtParser::LambdaContext* ctx) {
 }
 
 ast::Expr* AstBuilder::new_array(RbtParser::NewArrayContext* ctx) {
+  const Deeper deeper(*this, ctx->newDim().size() + ctx->LBRACK().size(), span_of(ctx));
   auto* out = fresh<ast::NewArrayExpr>(ast::ExprKind::kNewArray, span_of(ctx));
   out->element = base_type(ctx->primType(), ctx->typeName());
   std::vector<ast::Expr*> sizes;
-  for (RbtParser::NewDimContext* dimension : ctx->newDim()) sizes.push_back(expression(dimension->expression()));
+  for (RbtParser::NewDimContext* dimension : ctx->newDim())
+    sizes.push_back(expression(dimension->expression()));
   out->sizes = in_.arena.copy(sizes);
   out->open_dimensions = static_cast<int>(ctx->LBRACK().size());
   if (ctx->braceInit() != nullptr) out->init = brace_init(ctx->braceInit());
@@ -215,16 +243,19 @@ ast::Expr* AstBuilder::brace_init(RbtParser::BraceInitContext* ctx) {
   const Deeper deeper(*this, 1, span_of(ctx));
   std::vector<ast::Expr*> items;
   for (ParseTree* node : ctx->children) {
-    if (auto* item = dynamic_cast<RbtParser::InitializerContext*>(node)) items.push_back(initializer(item));
+    if (auto* item = dynamic_cast<RbtParser::InitializerContext*>(node))
+      items.push_back(initializer(item));
   }
-  return in_.arena.make<ast::BraceExpr>(base(ast::ExprKind::kBrace, span_of(ctx)), in_.arena.copy(items));
+  return in_.arena.make<ast::BraceExpr>(base(ast::ExprKind::kBrace, span_of(ctx)),
+                                        in_.arena.copy(items));
 }
 
 // All expressions directly below `ctx`.
 ast::Seq<ast::Expr*> AstBuilder::expressions(const antlr4::ParserRuleContext* ctx) {
   std::vector<ast::Expr*> out;
   for (ParseTree* node : ctx->children) {
-    if (auto* value = dynamic_cast<RbtParser::ExpressionContext*>(node)) out.push_back(expression(value));
+    if (auto* value = dynamic_cast<RbtParser::ExpressionContext*>(node))
+      out.push_back(expression(value));
   }
   return in_.arena.copy(out);
 }
@@ -240,7 +271,8 @@ ast::Seq<ast::Arg> AstBuilder::args(const std::vector<RbtParser::ArgContext*>& l
   for (RbtParser::ArgContext* ctx : list) {
     ast::Arg arg{};
     arg.span = span_of(ctx);
-    if (ctx->children.size() > 1) arg.name = name(static_cast<RbtParser::NameContext*>(ctx->children.front()));
+    if (ctx->children.size() > 1)
+      arg.name = name(static_cast<RbtParser::NameContext*>(ctx->children.front()));
     arg.value = expression(static_cast<RbtParser::ExpressionContext*>(ctx->children.back()));
     if (arg.name.text.empty() && !out.empty() && !out.back().name.text.empty()) {
       Diagnostic message = make_diagnostic("E0326", arg.span);

@@ -27,8 +27,8 @@ void append_utf8(std::string& out, std::uint32_t code) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// Where the value in braces ends: at the colon of its format, or at the end of `text`. Brackets and inner texts hide
-// colons.
+// Where the value in braces ends: at the colon of its format, or at the end of `text`. Brackets and
+// inner texts hide colons.
 std::size_t find_format(std::string_view text) {
   std::size_t depth = 0;
   char quote = 0;
@@ -98,10 +98,12 @@ ast::Expr* AstBuilder::whole_number(Span span) {
   const bool hexadecimal = digits.size() > 2 && (digits[1] == 'x' || digits[1] == 'X');
   std::int64_t value = 0;
   const std::string_view number = std::string_view(digits).substr(hexadecimal ? 2 : 0);
-  const auto read = std::from_chars(number.data(), number.data() + number.size(), value, hexadecimal ? 16 : 10);
+  const auto read =
+      std::from_chars(number.data(), number.data() + number.size(), value, hexadecimal ? 16 : 10);
   const bool too_large = read.ec != std::errc{};
   if (too_large) report(make_diagnostic("E0109", span, {std::string(text(span))}));
-  return in_.arena.make<ast::IntExpr>(base(ast::ExprKind::kInt, span), too_large ? 0 : value, too_large);
+  return in_.arena.make<ast::IntExpr>(base(ast::ExprKind::kInt, span), too_large ? 0 : value,
+                                      too_large);
 }
 
 ast::Expr* AstBuilder::real_number(Span span) {
@@ -116,8 +118,8 @@ ast::Expr* AstBuilder::quantity(Span span) {
     report(make_diagnostic("E0109", span, {std::string(text(span))}));
     return in_.arena.make<ast::RealExpr>(base(ast::ExprKind::kReal, span), 0.0);
   }
-  return in_.arena.make<ast::QuantityExpr>(base(ast::ExprKind::kQuantity, span), read->si, read->dim,
-                                           read->number, in_.arena.copy(read->unit));
+  return in_.arena.make<ast::QuantityExpr>(base(ast::ExprKind::kQuantity, span), read->si,
+                                           read->dim, read->number, in_.arena.copy(read->unit));
 }
 
 // The text of `span` with its escapes decoded.
@@ -158,9 +160,12 @@ std::size_t AstBuilder::decode_escape(Span span, std::size_t at, std::string& ou
   }
   while (at + length < raw.size() && (raw[at + length] & 0xC0) == 0x80) ++length;
   const auto begin = span.begin + static_cast<std::uint32_t>(at);
-  Diagnostic message = make_diagnostic(
-      "E0105", {begin, begin + static_cast<std::uint32_t>(length), span.source}, {std::string(raw.substr(at, length))});
-  message.fix = Fix{"for a backslash itself write two", {{{begin, begin, span.source}, "\\"}}, Confidence::kMaybe};
+  Diagnostic message =
+      make_diagnostic("E0105", {begin, begin + static_cast<std::uint32_t>(length), span.source},
+                      {std::string(raw.substr(at, length))});
+  message.fix = Fix{"for a backslash itself write two",
+                    {{{begin, begin, span.source}, "\\"}},
+                    Confidence::kMaybe};
   report(std::move(message));
   return at + length;
 }
@@ -172,8 +177,8 @@ ast::Expr* AstBuilder::formatted(Span span) {
   std::vector<ast::FormatPiece> pieces;
   std::string run;
   const auto at_span = [&](std::size_t from, std::size_t to) {
-    return Span{inner.begin + static_cast<std::uint32_t>(from), inner.begin + static_cast<std::uint32_t>(to),
-                inner.source};
+    return Span{inner.begin + static_cast<std::uint32_t>(from),
+                inner.begin + static_cast<std::uint32_t>(to), inner.source};
   };
   for (std::size_t at = 0; at < raw.size();) {
     const char c = raw[at];
@@ -201,8 +206,8 @@ ast::Expr* AstBuilder::formatted(Span span) {
     }
   }
   texts.push_back(in_.arena.copy(run));
-  return in_.arena.make<ast::FormattedExpr>(base(ast::ExprKind::kFormatted, span), in_.arena.copy(texts),
-                                            in_.arena.copy(pieces));
+  return in_.arena.make<ast::FormattedExpr>(base(ast::ExprKind::kFormatted, span),
+                                            in_.arena.copy(texts), in_.arena.copy(pieces));
 }
 
 // What stands between braces: a value, and a format behind a colon.
@@ -245,8 +250,10 @@ ast::FormatSpec AstBuilder::format_spec(Span span) {
   if (is_style()) out.style = raw[at++];
   while (at < end && is_blank(raw[at])) ++at;
   out.unit = raw.substr(at, std::max(end, at) - at);
-  good = good && (out.unit.empty() || !std::ispunct(static_cast<unsigned char>(out.unit.front()))) &&
-         (out.unit.empty() || !is_digit(out.unit.front())) && out.unit.find_first_of(" \t.") == std::string_view::npos;
+  good = good &&
+         (out.unit.empty() || !std::ispunct(static_cast<unsigned char>(out.unit.front()))) &&
+         (out.unit.empty() || !is_digit(out.unit.front())) &&
+         out.unit.find_first_of(" \t.") == std::string_view::npos;
   if (!good) {
     report(make_diagnostic("E0107", span, {'`' + std::string(raw) + "` is not a format"}));
     out.unit = {};

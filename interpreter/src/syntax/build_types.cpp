@@ -70,7 +70,8 @@ ast::TypeExpr* AstBuilder::dim_type(RbtParser::DimTypeContext* ctx) {
 ast::TypeExpr* AstBuilder::function_type(RbtParser::FnTypeContext* ctx) {
   const Deeper deeper(*this, 1, span_of(ctx));
   std::vector<ast::TypeExpr*> parameters;
-  for (RbtParser::AnyTypeContext* parameter : ctx->anyType()) parameters.push_back(any_type(parameter));
+  for (RbtParser::AnyTypeContext* parameter : ctx->anyType())
+    parameters.push_back(any_type(parameter));
   ast::TypeExpr* out = type_expr(ast::TypeForm::kFunction, span_of(ctx));
   out->parameters = in_.arena.copy(parameters);
   out->result = result_type(ctx->resultType());

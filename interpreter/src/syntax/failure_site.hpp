@@ -17,7 +17,9 @@ class FailureSite {
   const std::size_t statement;  // first token of the statement
   const std::size_t at;         // the token that does not fit
 
-  [[nodiscard]] std::uint16_t type(std::size_t i) const { return i < tokens_.size() ? tokens_[i].type : kEndOfText; }
+  [[nodiscard]] std::uint16_t type(std::size_t i) const {
+    return i < tokens_.size() ? tokens_[i].type : kEndOfText;
+  }
   [[nodiscard]] std::uint16_t before() const { return at == 0 ? kEndOfText : tokens_[at - 1].type; }
   [[nodiscard]] bool inserted(std::size_t i) const { return tokens_[i].inserted; }
   [[nodiscard]] bool starts_line(std::size_t i) const { return tokens_[i].line_break_before; }
@@ -28,7 +30,9 @@ class FailureSite {
   }
   [[nodiscard]] Span span(std::size_t i) const { return span(i, i); }
   // The empty place behind token `i`.
-  [[nodiscard]] Span after(std::size_t i) const { return {tokens_[i].end, tokens_[i].end, source_.id()}; }
+  [[nodiscard]] Span after(std::size_t i) const {
+    return {tokens_[i].end, tokens_[i].end, source_.id()};
+  }
   [[nodiscard]] std::string text(std::size_t first, std::size_t last) const {
     return std::string(source_.slice(span(first, last)));
   }
@@ -66,14 +70,16 @@ class FailureSite {
   }
 
   // The bracket that the one at token `close` closes.
-  [[nodiscard]] std::size_t opener_of(std::size_t close) const { return opener(close).value_or(statement); }
+  [[nodiscard]] std::size_t opener_of(std::size_t close) const {
+    return opener(close).value_or(statement);
+  }
 
   // Whether `(` at token `open` passes arguments: it follows something that can be called.
   [[nodiscard]] bool is_call(std::size_t open) const {
     if (open == 0) return false;
     const std::uint16_t callee = type(open - 1);
-    return is_name(callee) || is_primitive_type(callee) || callee == RbtLexer::RPAREN || callee == RbtLexer::RBRACK ||
-           callee == RbtLexer::WITH;
+    return is_name(callee) || is_primitive_type(callee) || callee == RbtLexer::RPAREN ||
+           callee == RbtLexer::RBRACK || callee == RbtLexer::WITH;
   }
 
   // Whether a value can start with this token.

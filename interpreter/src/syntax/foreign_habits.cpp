@@ -1,4 +1,5 @@
-// Mistakes of people who know another language: Java's frame around a program, Python's words, a decimal comma.
+// Mistakes of people who know another language: Java's frame around a program, Python's words, a
+// decimal comma.
 
 #include <algorithm>
 #include <array>
@@ -10,8 +11,9 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::array<std::string_view, 9> kModifiers = {"public",   "private", "protected", "static",    "abstract",
-                                                        "class",    "package", "interface", "synchronized"};
+constexpr std::array<std::string_view, 9> kModifiers = {"public",  "private",   "protected",
+                                                        "static",  "abstract",  "class",
+                                                        "package", "interface", "synchronized"};
 
 struct Meant {
   std::string_view found;
@@ -19,24 +21,43 @@ struct Meant {
 };
 
 constexpr auto kInside = std::to_array<Meant>({
-    {"and", "&&"}, {"or", "||"}, {"not", "!"}, {"elif", "else if"}, {"elsif", "else if"}, {"elseif", "else if"},
-    {"of", "in"},  {"mod", "%"}, {"div", "/"}, {"except", "catch"},
+    {"and", "&&"},
+    {"or", "||"},
+    {"not", "!"},
+    {"elif", "else if"},
+    {"elsif", "else if"},
+    {"elseif", "else if"},
+    {"of", "in"},
+    {"mod", "%"},
+    {"div", "/"},
+    {"except", "catch"},
 });
 
 constexpr auto kAtStart = std::to_array<Meant>({
-    {"def", "fn"},     {"function", "fn"}, {"func", "fn"},     {"fun", "fn"},      {"sub", "fn"}, {"const", "let"},
-    {"foreach", "for"}, {"elif", "else if"}, {"elseif", "else if"}, {"except", "catch"}, {"raise", "throw"},
+    {"def", "fn"},
+    {"function", "fn"},
+    {"func", "fn"},
+    {"fun", "fn"},
+    {"sub", "fn"},
+    {"const", "let"},
+    {"foreach", "for"},
+    {"elif", "else if"},
+    {"elseif", "else if"},
+    {"except", "catch"},
+    {"raise", "throw"},
 });
 
 constexpr std::array<std::string_view, 36> kWords = {
-    "let",     "var",    "fn",     "struct",   "enum",  "import", "final", "void",     "new",    "if",   "else",  "while",
-    "do",      "for",    "in",     "switch",   "case",  "default", "break", "continue", "return", "try", "catch", "finally",
-    "throw",   "retry",  "parallel", "when",   "every", "wait",   "until", "with",     "true",   "false", "test", "record"};
+    "let",   "var",      "fn",     "struct", "enum",  "import",  "final",  "void",  "new",
+    "if",    "else",     "while",  "do",     "for",   "in",      "switch", "case",  "default",
+    "break", "continue", "return", "try",    "catch", "finally", "throw",  "retry", "parallel",
+    "when",  "every",    "wait",   "until",  "with",  "true",    "false",  "test",  "record"};
 
 using Answer = std::optional<Diagnostic>;
 
 bool is_modifier(const FailureSite& site, std::size_t i) {
-  return site.type(i) == RbtLexer::ID && std::ranges::find(kModifiers, site.text(i)) != kModifiers.end();
+  return site.type(i) == RbtLexer::ID &&
+         std::ranges::find(kModifiers, site.text(i)) != kModifiers.end();
 }
 
 // public static void main(String[] args) {
@@ -47,18 +68,20 @@ Answer java_frame(const FailureSite& site) {
   while (is_modifier(site, last + 1)) ++last;
   std::size_t end = last + 1;
   bool is_frame = false;
-  while (site.type(end) != RbtLexer::LBRACE && site.type(end) != RbtLexer::SEMI && site.type(end) != kEndOfText) {
+  while (site.type(end) != RbtLexer::LBRACE && site.type(end) != RbtLexer::SEMI &&
+         site.type(end) != kEndOfText) {
     is_frame = is_frame || site.text(end) == "main";
     ++end;
   }
   is_frame = site.type(end) == RbtLexer::LBRACE &&
              (is_frame || site.text(last) == "class" || site.text(last) == "interface");
-  Diagnostic out = make_diagnostic("E0116", site.span(first, is_frame ? end : last), {site.text(first)});
+  Diagnostic out =
+      make_diagnostic("E0116", site.span(first, is_frame ? end - 1 : last), {site.text(first)});
   out.why = "a .rbt file runs from its first line; there are no classes and no main";
   if (is_frame) {
     const std::size_t close = site.closer(end);
     out.fix = Fix{"delete this line and its closing brace",
-                  {{out.mark.span, ""}, {site.span(close), ""}},
+                  {{site.span(first, end), ""}, {site.span(close), ""}},
                   Confidence::kMaybe};
   } else {
     out.fix = Fix{"delete " + site.text(first, last), {{out.mark.span, ""}}, Confidence::kSure};
@@ -66,7 +89,8 @@ Answer java_frame(const FailureSite& site) {
   return out;
 }
 
-Answer written_as(const FailureSite& site, std::size_t i, std::string_view meant, Confidence confidence) {
+Answer written_as(const FailureSite& site, std::size_t i, std::string_view meant,
+                  Confidence confidence) {
   Diagnostic out = make_diagnostic("E0130", site.span(i), {site.text(i), std::string(meant)});
   out.fix = Fix{"write " + std::string(meant), {{site.span(i), std::string(meant)}}, confidence};
   return out;
@@ -102,9 +126,12 @@ Answer foreign_word(const FailureSite& site) {
 // 0,5
 Answer decimal_comma(const FailureSite& site) {
   const std::size_t comma = site.type(site.at) == RbtLexer::COMMA ? site.at : site.at - 1;
-  if (comma == 0 || comma <= site.statement || site.type(comma) != RbtLexer::COMMA) return std::nullopt;
-  if (site.type(comma - 1) != RbtLexer::INT || !is_number(site.type(comma + 1))) return std::nullopt;
-  if (!site.touch(comma - 1, comma) || !site.touch(comma, comma + 1) || site.opener(comma)) return std::nullopt;
+  if (comma == 0 || comma <= site.statement || site.type(comma) != RbtLexer::COMMA)
+    return std::nullopt;
+  if (site.type(comma - 1) != RbtLexer::INT || !is_number(site.type(comma + 1)))
+    return std::nullopt;
+  if (!site.touch(comma - 1, comma) || !site.touch(comma, comma + 1) || site.opener(comma))
+    return std::nullopt;
   Diagnostic out = make_diagnostic("E0108", site.span(comma - 1, comma + 1));
   const std::string number = site.text(comma - 1) + '.' + site.text(comma + 1);
   out.fix = Fix{"write " + number, {{site.span(comma), "."}}, Confidence::kSure};
@@ -115,13 +142,15 @@ Answer decimal_comma(const FailureSite& site) {
 Answer unit_apart(const FailureSite& site) {
   if (site.at <= site.statement || !is_name(site.type(site.at))) return std::nullopt;
   const std::uint16_t number = site.before();
-  if ((number != RbtLexer::INT && number != RbtLexer::FLOAT) || !site.on_one_line(site.at - 1, site.at)) {
+  if ((number != RbtLexer::INT && number != RbtLexer::FLOAT) ||
+      !site.on_one_line(site.at - 1, site.at)) {
     return std::nullopt;
   }
   if (unit_named(site.text(site.at)) == nullptr) return std::nullopt;
   std::size_t last = site.at;
   while ((site.type(last + 1) == RbtLexer::SLASH || site.type(last + 1) == RbtLexer::STAR) &&
-         is_name(site.type(last + 2)) && site.touch(last, last + 1) && unit_named(site.text(last + 2)) != nullptr) {
+         is_name(site.type(last + 2)) && site.touch(last, last + 1) &&
+         unit_named(site.text(last + 2)) != nullptr) {
     last += 2;
   }
   Diagnostic out = make_diagnostic("E0102", site.span(site.at - 1, last));
@@ -134,8 +163,8 @@ Answer unit_apart(const FailureSite& site) {
 // x := 3
 Answer colon_equals(const FailureSite& site) {
   const std::size_t colon = site.type(site.at) == RbtLexer::COLON ? site.at : site.at - 1;
-  if (site.at == 0 || site.type(colon) != RbtLexer::COLON || site.type(colon + 1) != RbtLexer::ASSIGN ||
-      !site.touch(colon, colon + 1)) {
+  if (site.at == 0 || site.type(colon) != RbtLexer::COLON ||
+      site.type(colon + 1) != RbtLexer::ASSIGN || !site.touch(colon, colon + 1)) {
     return std::nullopt;
   }
   Diagnostic out = make_diagnostic("E0119", site.span(colon, colon + 1));
@@ -146,7 +175,8 @@ Answer colon_equals(const FailureSite& site) {
 // double[] q = (0.0, 0.5)
 Answer round_list(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
-  if (site.type(site.at) != RbtLexer::COMMA || !open || site.type(*open) != RbtLexer::LPAREN || *open == 0) {
+  if (site.type(site.at) != RbtLexer::COMMA || !open || site.type(*open) != RbtLexer::LPAREN ||
+      *open == 0) {
     return std::nullopt;
   }
   if (site.is_call(*open) || is_header_word(site.type(*open - 1))) return std::nullopt;
@@ -170,14 +200,15 @@ Answer setting_with_equals(const FailureSite& site) {
   Answer out = written_as(site, site.at, ":", Confidence::kSure);
   out->why = "the name of a setting is followed by a colon";
   out->fix->text = "write " + site.text(site.at - 1) + ": " + site.text(site.at + 1);
-  out->fix->edits = {{{site.after(site.at - 1).begin, site.span(site.at).end, site.span(site.at).source}, ":"}};
+  out->fix->edits = {
+      {{site.after(site.at - 1).begin, site.span(site.at).end, site.span(site.at).source}, ":"}};
   return out;
 }
 
 // print "hello"
 Answer call_without_parentheses(const FailureSite& site) {
-  if (site.at != site.statement + 1 || !is_name(site.type(site.statement)) || !is_literal(site.type(site.at)) ||
-      !site.on_one_line(site.statement, site.at)) {
+  if (site.at != site.statement + 1 || !is_name(site.type(site.statement)) ||
+      !is_literal(site.type(site.at)) || !site.on_one_line(site.statement, site.at)) {
     return std::nullopt;
   }
   Diagnostic out = make_diagnostic("E0129", site.span(site.at), {"a pair of parentheses"});
@@ -189,8 +220,8 @@ Answer call_without_parentheses(const FailureSite& site) {
 }  // namespace
 
 std::optional<Diagnostic> explain_habit(const FailureSite& site) {
-  for (const auto explain : {java_frame, colon_equals, unit_apart, decimal_comma, foreign_word, round_list,
-                             setting_with_equals, call_without_parentheses}) {
+  for (const auto explain : {java_frame, colon_equals, unit_apart, decimal_comma, foreign_word,
+                             round_list, setting_with_equals, call_without_parentheses}) {
     if (Answer out = explain(site)) return out;
   }
   return std::nullopt;

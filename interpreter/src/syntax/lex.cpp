@@ -12,7 +12,12 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::size_t sequence_length(unsigned char first) {
-  return first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  return first < 0x80   ? 1
+         : first < 0xC2 ? 0
+         : first < 0xE0 ? 2
+         : first < 0xF0 ? 3
+         : first < 0xF5 ? 4
+                        : 0;
 }
 
 // Bytes of the character at `at`; 0 if it is not UTF-8, or a control character that no text holds.
@@ -45,8 +50,13 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
 class Reader {
  public:
   Reader(const Source& source, Span range, DiagnosticSink& sink, const ParseLimits& limits)
-      : source_(source), sink_(sink), limits_(limits), text_(source.slice(range)), base_(range.begin),
-        stream_(text_.data(), text_.size()), lexer_(&stream_) {
+      : source_(source),
+        sink_(sink),
+        limits_(limits),
+        text_(source.slice(range)),
+        base_(range.begin),
+        stream_(text_.data(), text_.size()),
+        lexer_(&stream_) {
     lexer_.removeErrorListeners();
     out_.tokens.reserve(text_.size() / 3 + 2);
   }
@@ -55,7 +65,8 @@ class Reader {
     while (!finished_) take(*lexer_.nextToken());
     if (out_.tokens.empty() || out_.tokens.back().type != kEndOfText) {
       const auto end = base_ + static_cast<std::uint32_t>(text_.size());
-      out_.tokens.push_back({.begin = end, .end = end, .type = kEndOfText, .line_break_before = true});
+      out_.tokens.push_back(
+          {.begin = end, .end = end, .type = kEndOfText, .line_break_before = true});
     }
     return std::move(out_);
   }
@@ -63,10 +74,12 @@ class Reader {
  private:
   void take(const antlr4::Token& read) {
     if (read.getChannel() != antlr4::Token::DEFAULT_CHANNEL) return take_hidden(read);
-    Token token{.type = static_cast<std::uint16_t>(read.getType()), .line_break_before = line_break_};
+    Token token{.type = static_cast<std::uint16_t>(read.getType()),
+                .line_break_before = line_break_};
     line_break_ = false;
     const bool at_end = token.type == kEndOfText;
-    token.begin = at_end ? base_ + static_cast<std::uint32_t>(text_.size()) : byte_of(read.getStartIndex());
+    token.begin =
+        at_end ? base_ + static_cast<std::uint32_t>(text_.size()) : byte_of(read.getStartIndex());
     token.end = at_end ? token.begin : byte_of(read.getStopIndex() + 1);
     finished_ = at_end;
     if (!at_end) check(token);
@@ -116,7 +129,8 @@ class Reader {
     }
   }
 
-  // A closed comment would have been one token, so `/` directly before `*` opens one that is never closed.
+  // A closed comment would have been one token, so `/` directly before `*` opens one that is never
+  // closed.
   bool opens_comment(const Token& star) const {
     return !out_.tokens.empty() && out_.tokens.back().type == RbtLexer::SLASH &&
            out_.tokens.back().end == star.begin;

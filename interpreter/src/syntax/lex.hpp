@@ -15,14 +15,18 @@ struct Lexed {
   bool ok = true;              // false: something was reported
 };
 
-// Whether the whole text is what a program may be: not too long, UTF-8, no control characters. Reports otherwise.
-[[nodiscard]] bool check_text(const Source& source, DiagnosticSink& sink, const ParseLimits& limits);
+// Whether the whole text is what a program may be: not too long, UTF-8, no control characters.
+// Reports otherwise.
+[[nodiscard]] bool check_text(const Source& source, DiagnosticSink& sink,
+                              const ParseLimits& limits);
 
-// The tokens of the part `range` of a text that check_text accepted. Stops at brackets nested deeper than the limit.
+// The tokens of the part `range` of a text that check_text accepted. Stops at brackets nested
+// deeper than the limit.
 [[nodiscard]] Lexed lex(const Source& source, Span range, DiagnosticSink& sink,
                         const ParseLimits& limits);
 
-// The part of a text that holds the program: without a byte-order mark and a first line that starts with #!.
+// The part of a text that holds the program: without a byte-order mark and a first line that starts
+// with #!.
 [[nodiscard]] Span program_range(const Source& source);
 
 }  // namespace armlet::lang

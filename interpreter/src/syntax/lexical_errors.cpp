@@ -42,11 +42,13 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
-// Units that differ by one letter or by capitals. One letter alone is near to everything: rather a product.
+// Units that differ by one letter or by capitals. One letter alone is near to everything: rather a
+// product.
 std::vector<std::string> units_near(std::string_view word) {
   std::vector<std::string> near;
   for (const Unit& unit : all_units()) {
-    const bool one_letter = word.size() >= 2 && word.size() < 6 && edit_distance(word, unit.name) == 1;
+    const bool one_letter =
+        word.size() >= 2 && word.size() < 6 && edit_distance(word, unit.name) == 1;
     if (one_letter || lower_case(word) == lower_case(unit.name)) near.emplace_back(unit.name);
   }
   std::ranges::sort(near);

@@ -10,10 +10,10 @@ enum class Bracket : std::uint8_t { kNone, kRound, kSquare, kListBrace, kBlockBr
 // What is known inside one pair of brackets, or outside all of them.
 struct Level {
   Bracket bracket = Bracket::kNone;
-  bool is_header = false;        // the parentheses of if (...), while (...) and so on
-  bool is_do_block = false;      // the braces of do { ... }
-  bool has_assignment = false;   // the present statement has `=` or `=>` outside brackets
-  std::size_t statement = 0;     // index of the present statement's first token
+  bool is_header = false;       // the parentheses of if (...), while (...) and so on
+  bool is_do_block = false;     // the braces of do { ... }
+  bool has_assignment = false;  // the present statement has `=` or `=>` outside brackets
+  std::size_t statement = 0;    // index of the present statement's first token
 };
 
 // Tokens with which a line goes on with the statement of the line above.
@@ -64,7 +64,8 @@ class Filter {
   Level& top() { return levels_.back(); }
 
   void insert_end(const Token& after) {
-    out_.push_back({.begin = after.end, .end = after.end, .type = RbtLexer::SEMI, .inserted = true});
+    out_.push_back(
+        {.begin = after.end, .end = after.end, .type = RbtLexer::SEMI, .inserted = true});
   }
 
   void start_statement(std::size_t index) {
@@ -77,7 +78,8 @@ class Filter {
     const Token& B = in_[b];
     const Bracket inside = top().bracket;
     if (inside != Bracket::kNone && inside != Bracket::kBlockBrace) return false;
-    if (!can_end_statement(A.type) || after_header_ || (after_do_block_ && B.type == RbtLexer::WHILE)) {
+    if (!can_end_statement(A.type) || after_header_ ||
+        (after_do_block_ && B.type == RbtLexer::WHILE)) {
       return false;
     }
     if (B.type == RbtLexer::RBRACE || B.type == kEndOfText) return true;
@@ -88,7 +90,8 @@ class Filter {
 
   // Whether a `{` on the line after token `a` belongs to the statement that `a` is part of.
   bool brace_belongs(std::size_t a) {
-    if (a > 0 && in_[a].type == RbtLexer::RBRACK && in_[a - 1].type == RbtLexer::LBRACK) return true;
+    if (a > 0 && in_[a].type == RbtLexer::RBRACK && in_[a - 1].type == RbtLexer::LBRACK)
+      return true;
     if (top().has_assignment) return false;
     switch (in_[top().statement].type) {
       case RbtLexer::FN:

@@ -13,7 +13,8 @@
 namespace armlet::lang {
 namespace {
 
-// Levels of the tree. Every later stage may recurse this deep; a chain of operators is as deep as it is long.
+// Levels of the tree. Every later stage may recurse this deep; a chain of operators is as deep as
+// it is long.
 constexpr std::size_t kMaxDepth = 1000;
 
 std::mutex& parser_mutex() {
@@ -46,7 +47,10 @@ class Front {
     try {
       RbtParser::ExpressionContext* ctx = machine.parser.expression();
       if (machine.feed.LA(1) != antlr4::Token::EOF) {
-        report_failure(0, machine.feed.index());
+        const Token& at = tokens_[machine.feed.index()];
+        const Span span{at.begin, at.end, source_.id()};
+        ok_ = false;
+        sink_.report(make_diagnostic("E0128", span, {std::string(source_.slice(span))}));
       } else {
         value = builder.expression(ctx);
       }
@@ -63,9 +67,12 @@ class Front {
     explicit Machine(Front& front) : feed(front.tokens_), parser(&feed) {
       parser.removeErrorListeners();
       parser.setErrorHandler(std::make_shared<StatementRecovery>(
-          front.tokens_, [&front](std::size_t statement, std::size_t at) { front.report_failure(statement, at); }));
+          front.tokens_, [&front](std::size_t statement, std::size_t at) {
+            front.report_failure(statement, at);
+          }));
       // The grammar never needs more: a test looks for full-context decisions in random programs.
-      parser.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(antlr4::atn::PredictionMode::SLL);
+      parser.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(
+          antlr4::atn::PredictionMode::SLL);
       parser.max_level = front.limits_.nesting;
       parser.max_chain = kMaxDepth;
     }
@@ -86,8 +93,16 @@ class Front {
   }
 
   BuildInput build_input(std::size_t depth) {
-    return {source_, tokens_, comments_, arena_, sink_, kMaxDepth, depth,
-            [this](Span range, std::size_t at) { return Front(source_, arena_, sink_, limits_).piece(range, at); }};
+    return {source_,
+            tokens_,
+            comments_,
+            arena_,
+            sink_,
+            kMaxDepth,
+            depth,
+            [this](Span range, std::size_t at) {
+              return Front(source_, arena_, sink_, limits_).piece(range, at);
+            }};
   }
 
   // Statement by statement, so that memory goes with the longest one and not with the text.
@@ -110,7 +125,8 @@ class Front {
     } catch (const antlr4::ParseCancellationException&) {
       report_guard(machine);
     } catch (const TreeTooDeep& deep) {
-      report_depth({deep.span.begin, deep.span.begin + 1, deep.span.source}, kMaxDepth, " operations");
+      report_depth({deep.span.begin, deep.span.begin + 1, deep.span.source}, kMaxDepth,
+                   " operations");
     }
     ok_ = ok_ && !builder.failed();
     return out;

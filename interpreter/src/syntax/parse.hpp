@@ -16,13 +16,15 @@ struct Parsed {
   bool ok = false;                     // nothing but advice was reported
 };
 
-// Reads a program. The tree lives in `arena` and refers to the text of `source`; both must outlive it. Text of any kind
-// ends with a tree or with messages in `sink`, after a time in proportion to its length. Safe to call from any thread;
-// ANTLR's caches are shared, so calls wait for each other.
+// Reads a program. The tree lives in `arena` and refers to the text of `source`; both must outlive
+// it. Text of any kind ends with a tree or with messages in `sink`, after a time in proportion to
+// its length. Safe to call from any thread; ANTLR's caches are shared, so calls wait for each
+// other.
 [[nodiscard]] Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink,
                            const ParseLimits& limits = {});
 
-// Whether the prompt should read the text now, or wait for more lines: a bracket is open, or the last line goes on.
+// Whether the prompt should read the text now, or wait for more lines: a bracket is open, or the
+// last line goes on.
 [[nodiscard]] bool is_complete(const Source& source, const ParseLimits& limits = {});
 
 }  // namespace armlet::lang

@@ -40,7 +40,8 @@ antlr4::Token* StatementRecovery::recoverInline(antlr4::Parser* parser) {
   throw antlr4::InputMismatchException(parser);
 }
 
-void StatementRecovery::reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) {
+void StatementRecovery::reportError(antlr4::Parser* parser,
+                                    const antlr4::RecognitionException& error) {
   if (reported_) return;
   reported_ = true;
   antlr4::RuleContext* ctx = parser->getContext();
@@ -52,7 +53,8 @@ void StatementRecovery::reportError(antlr4::Parser* parser, const antlr4::Recogn
   report_(statement == nullptr ? 0 : statement->start->getTokenIndex(), at);
 }
 
-// Every rule between the mistake and its statement gives up; the statement skips what is left of it.
+// Every rule between the mistake and its statement gives up; the statement skips what is left of
+// it.
 void StatementRecovery::recover(antlr4::Parser* parser, std::exception_ptr error) {
   antlr4::ParserRuleContext* ctx = parser->getContext();
   if (ctx->getRuleIndex() != RbtParser::RuleStmt) std::rethrow_exception(error);
@@ -71,7 +73,8 @@ void StatementRecovery::recover(antlr4::Parser* parser, std::exception_ptr error
 void StatementRecovery::sync(antlr4::Parser* parser) {
   if (parser->getContext()->getRuleIndex() != RbtParser::RuleBlock) return;
   antlr4::TokenStream* input = parser->getTokenStream();
-  const antlr4::misc::IntervalSet wanted = parser->getATN().nextTokens(parser->getATN().states[parser->getState()]);
+  const antlr4::misc::IntervalSet wanted =
+      parser->getATN().nextTokens(parser->getATN().states[parser->getState()]);
   while (!wanted.contains(input->LA(1)) && input->LA(1) != antlr4::Token::EOF) {
     const std::size_t at = input->index();
     report_(at, at);
@@ -84,7 +87,9 @@ std::size_t StatementRecovery::next_statement(std::size_t start, std::size_t at)
   for (std::size_t i = start; i < tokens_.size(); ++i) {
     const std::uint16_t type = tokens_[i].type;
     if (type == kEndOfText) return i;
-    if (depth == 0 && i > start && i >= at && tokens_[i].line_break_before && must_start_statement(type)) return i;
+    if (depth == 0 && i > start && i >= at && tokens_[i].line_break_before &&
+        must_start_statement(type))
+      return i;
     if (is_opener(type)) ++depth;
     if (is_closer(type) && depth == 0) return i;
     if (is_closer(type)) --depth;

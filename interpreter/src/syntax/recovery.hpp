@@ -10,10 +10,12 @@ namespace armlet::lang {
 
 class StatementRecovery : public antlr4::ANTLRErrorStrategy {
  public:
-  // `report(statement, at)`: the statement that starts at the first token cannot go on at the second.
+  // `report(statement, at)`: the statement that starts at the first token cannot go on at the
+  // second.
   using Report = std::function<void(std::size_t statement, std::size_t at)>;
 
-  StatementRecovery(const Tokens& tokens, Report report) : tokens_(tokens), report_(std::move(report)) {}
+  StatementRecovery(const Tokens& tokens, Report report)
+      : tokens_(tokens), report_(std::move(report)) {}
 
   void reset(antlr4::Parser*) override { reported_ = false; }
   antlr4::Token* recoverInline(antlr4::Parser* parser) override;

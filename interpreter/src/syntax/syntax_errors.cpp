@@ -11,7 +11,8 @@ std::string quoted(const std::string& text) { return '`' + text + '`'; }
 
 // "an `if`", "a `for`".
 std::string with_article(const std::string& word) {
-  return (std::string_view("aeiou").find(word.front()) == std::string_view::npos ? "a " : "an ") + quoted(word);
+  return (std::string_view("aeiou").find(word.front()) == std::string_view::npos ? "a " : "an ") +
+         quoted(word);
 }
 
 bool has_condition(std::uint16_t type) {
@@ -42,14 +43,16 @@ bool is_compound(std::uint16_t type) {
 }
 
 bool is_binary_operator(std::uint16_t type) {
-  return (type >= RbtLexer::EQ && type <= RbtLexer::OROR) || (type >= RbtLexer::DOTSTAR && type <= RbtLexer::CARET) ||
-         type == RbtLexer::DOT || type == RbtLexer::QMARK;
+  return (type >= RbtLexer::EQ && type <= RbtLexer::OROR) ||
+         (type >= RbtLexer::DOTSTAR && type <= RbtLexer::CARET) || type == RbtLexer::DOT ||
+         type == RbtLexer::QMARK;
 }
 
 // if d > 0.45 { ... }   and   if (a) && (b) { ... }
 Answer bare_condition(const FailureSite& site) {
   std::size_t word = site.at - 1;
-  if (site.at > site.statement && site.before() == RbtLexer::RPAREN && is_binary_operator(site.type(site.at))) {
+  if (site.at > site.statement && site.before() == RbtLexer::RPAREN &&
+      is_binary_operator(site.type(site.at))) {
     const std::size_t open = site.opener_of(site.at - 1);
     if (open == site.statement) return std::nullopt;
     word = open - 1;
@@ -58,8 +61,8 @@ Answer bare_condition(const FailureSite& site) {
   }
   if (!is_header_word(site.type(word)) || site.type(word) == RbtLexer::CATCH) return std::nullopt;
   std::size_t end = word + 1;
-  while (site.type(end) != RbtLexer::LBRACE && site.type(end) != RbtLexer::SEMI && site.type(end) != RbtLexer::RBRACE &&
-         site.type(end) != kEndOfText) {
+  while (site.type(end) != RbtLexer::LBRACE && site.type(end) != RbtLexer::SEMI &&
+         site.type(end) != RbtLexer::RBRACE && site.type(end) != kEndOfText) {
     end = is_opener(site.type(end)) ? site.closer(end) + 1 : end + 1;
   }
   if (end == word + 1) return std::nullopt;
@@ -67,9 +70,10 @@ Answer bare_condition(const FailureSite& site) {
   const bool has_block = site.type(end) == RbtLexer::LBRACE;
   Diagnostic out = make_diagnostic("E0112", condition, {with_article(site.text(word))});
   if (has_block) {
-    out.fix = Fix{"write " + site.text(word) + " (" + site.text(word + 1, end - 1) + ") { ... }",
-                  {{{condition.begin, condition.begin, condition.source}, "("}, {site.after(end - 1), ")"}},
-                  Confidence::kSure};
+    out.fix = Fix{
+        "write " + site.text(word) + " (" + site.text(word + 1, end - 1) + ") { ... }",
+        {{{condition.begin, condition.begin, condition.source}, "("}, {site.after(end - 1), ")"}},
+        Confidence::kSure};
   } else {
     out.fix = Fix{"write " + site.text(word) + " (...) { ... }", {}, Confidence::kMaybe};
   }
@@ -79,7 +83,8 @@ Answer bare_condition(const FailureSite& site) {
 // if (state = State.Done)
 Answer assignment_as_test(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
-  if (site.type(site.at) != RbtLexer::ASSIGN || !open || *open == site.statement) return std::nullopt;
+  if (site.type(site.at) != RbtLexer::ASSIGN || !open || *open == site.statement)
+    return std::nullopt;
   if (!has_condition(site.type(*open - 1))) return std::nullopt;
   Diagnostic out = make_diagnostic("E0113", site.span(site.at));
   out.fix = Fix{"to compare, write ==", {{site.span(site.at), "=="}}, Confidence::kSure};
@@ -101,8 +106,9 @@ Answer unbraced_body(const FailureSite& site) {
   const bool has_header = site.type(site.at + 1) == RbtLexer::LPAREN;
   const Span mark = site.span(site.at, has_header ? site.closer(site.at + 1) : site.at);
   Diagnostic out = make_diagnostic("E0114", mark, {with_article(word), outer});
-  out.why = site.type(site.at) == RbtLexer::IF ? "the reader could not tell which `if` the `else` belongs to"
-                                               : "a body without braces is one simple statement";
+  out.why = site.type(site.at) == RbtLexer::IF
+                ? "the reader could not tell which `if` the `else` belongs to"
+                : "a body without braces is one simple statement";
   out.fix = Fix{"put braces around the inner " + quoted(word), {}, Confidence::kMaybe};
   return out;
 }
@@ -112,7 +118,8 @@ std::size_t value_start(const FailureSite& site, std::size_t last) {
   while (true) {
     if (is_closer(site.type(last))) last = site.opener_of(last);
     if (last <= site.statement) return last;
-    const bool is_suffix = is_opener(site.type(last)) && FailureSite::ends_value(site.type(last - 1));
+    const bool is_suffix =
+        is_opener(site.type(last)) && FailureSite::ends_value(site.type(last - 1));
     if (is_suffix) {
       --last;
     } else if (site.type(last - 1) == RbtLexer::DOT && last >= site.statement + 2) {
@@ -125,7 +132,8 @@ std::size_t value_start(const FailureSite& site, std::size_t last) {
 
 // moveJ(p[i++], time: 1s)
 Answer step_as_value(const FailureSite& site) {
-  if (site.type(site.at) != RbtLexer::INC && site.type(site.at) != RbtLexer::DEC) return std::nullopt;
+  if (site.type(site.at) != RbtLexer::INC && site.type(site.at) != RbtLexer::DEC)
+    return std::nullopt;
   std::size_t first = site.at;
   std::size_t last = site.at;
   const bool behind = site.at > site.statement && FailureSite::ends_value(site.before());
@@ -142,14 +150,19 @@ Answer step_as_value(const FailureSite& site) {
   const bool is_index = open && site.type(*open) == RbtLexer::LBRACK && *open + 1 == first &&
                         site.type(last + 1) == RbtLexer::RBRACK && *open > site.statement;
   if (is_index) use = site.text(value_start(site, *open - 1), *open) + variable + ']';
-  out.fix = behind ? Fix{"use " + use + " here and write " + step + " on the next line", {}, Confidence::kMaybe}
-                   : Fix{"write " + step + " on the line before and use " + use + " here", {}, Confidence::kMaybe};
+  out.fix = behind ? Fix{"use " + use + " here and write " + step + " on the next line",
+                         {},
+                         Confidence::kMaybe}
+                   : Fix{"write " + step + " on the line before and use " + use + " here",
+                         {},
+                         Confidence::kMaybe};
   return out;
 }
 
 // fn(x) => { ... }
 Answer block_after_arrow(const FailureSite& site) {
-  if (site.at == 0 || site.type(site.at) != RbtLexer::LBRACE || site.before() != RbtLexer::FATARROW) return std::nullopt;
+  if (site.at == 0 || site.type(site.at) != RbtLexer::LBRACE || site.before() != RbtLexer::FATARROW)
+    return std::nullopt;
   Diagnostic out = make_diagnostic("E0118", site.span(site.at - 1));
   out.fix = Fix{"delete the =>", {{site.span(site.at - 1), ""}}, Confidence::kSure};
   return out;
@@ -183,8 +196,9 @@ Answer word_as_name(const FailureSite& site) {
   const bool is_word = site.type(site.at) <= RbtLexer::BOOL_T && site.type(site.at) != kEndOfText;
   if (!is_word || site.at <= site.statement || site.starts_line(site.at)) return std::nullopt;
   const std::uint16_t before = site.before();
-  const bool wants_name = before == RbtLexer::LET || before == RbtLexer::VAR || before == RbtLexer::DOT ||
-                          before == RbtLexer::FN || before == RbtLexer::STRUCT || before == RbtLexer::ENUM ||
+  const bool wants_name = before == RbtLexer::LET || before == RbtLexer::VAR ||
+                          before == RbtLexer::DOT || before == RbtLexer::FN ||
+                          before == RbtLexer::STRUCT || before == RbtLexer::ENUM ||
                           is_primitive_type(before);
   if (!wants_name) return std::nullopt;
   Diagnostic out = make_diagnostic("E0128", site.span(site.at), {site.text(site.at)});
@@ -198,22 +212,27 @@ Answer missing_separator(const FailureSite& site) {
   const std::uint16_t type = site.type(site.at);
   if (site.at <= site.statement || !can_end_statement(site.before())) return std::nullopt;
   const std::optional<std::size_t> open = site.opener(site.at);
-  const bool in_block = !open || (site.type(*open) == RbtLexer::LBRACE && site.type(*open - 1) != RbtLexer::ASSIGN);
+  const bool in_block =
+      !open || (site.type(*open) == RbtLexer::LBRACE && site.type(*open - 1) != RbtLexer::ASSIGN);
   if (!in_block) {
     const bool is_list = site.type(*open) != RbtLexer::LPAREN || site.is_call(*open);
-    if (!is_list || !FailureSite::starts_value(type) || !FailureSite::ends_value(site.before())) return std::nullopt;
+    if (!is_list || !FailureSite::starts_value(type) || !FailureSite::ends_value(site.before()))
+      return std::nullopt;
     Diagnostic out = make_diagnostic("E0120", site.span(site.at));
     out.fix = Fix{"write " + site.text(site.at - 1) + ", " + site.text(site.at),
                   {{site.after(site.at - 1), ","}},
                   Confidence::kMaybe};
     return out;
   }
-  const bool starts = FailureSite::starts_value(type) || is_compound(type) || is_primitive_type(type) ||
-                      (type >= RbtLexer::BREAK && type <= RbtLexer::WITH && type != RbtLexer::UNTIL);
+  const bool starts =
+      FailureSite::starts_value(type) || is_compound(type) || is_primitive_type(type) ||
+      (type >= RbtLexer::BREAK && type <= RbtLexer::WITH && type != RbtLexer::UNTIL);
   if (!starts || site.starts_line(site.at)) return std::nullopt;
   Diagnostic out = make_diagnostic("E0122", site.span(site.at));
   out.mark.label = "a new statement starts here";
-  out.fix = Fix{"write a `;` before it, or start a new line", {{site.after(site.at - 1), ";"}}, Confidence::kMaybe};
+  out.fix = Fix{"write a `;` before it, or start a new line",
+                {{site.after(site.at - 1), ";"}},
+                Confidence::kMaybe};
   return out;
 }
 
@@ -256,7 +275,9 @@ const char* wanted_after(std::uint16_t type) {
     case RbtLexer::NOT:
       return "a value";
     default:
-      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::SLASHEQ) || is_binary_operator(type) ? "a value" : nullptr;
+      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::SLASHEQ) || is_binary_operator(type)
+                 ? "a value"
+                 : nullptr;
   }
 }
 
@@ -264,19 +285,21 @@ const char* wanted_after(std::uint16_t type) {
 Answer something_missing(const FailureSite& site) {
   if (site.at <= site.statement) return std::nullopt;
   const std::uint16_t type = site.type(site.at);
-  const bool stops = type == RbtLexer::SEMI || type == kEndOfText || type == RbtLexer::COMMA || is_closer(type) ||
-                     type == RbtLexer::ASSIGN || site.starts_line(site.at) || is_compound(type);
+  const bool stops = type == RbtLexer::SEMI || type == kEndOfText || type == RbtLexer::COMMA ||
+                     is_closer(type) || type == RbtLexer::ASSIGN || site.starts_line(site.at) ||
+                     is_compound(type);
   if (!stops) return std::nullopt;
   const char* wanted = wanted_after(site.before());
   if (type == RbtLexer::ASSIGN && site.before() == RbtLexer::COLON) wanted = "a type";
   if (wanted == nullptr) {
     // A header or a declaration that stops before its block.
     const std::uint16_t first = site.type(site.statement);
-    const bool wants_block = first == RbtLexer::FN || first == RbtLexer::STRUCT || first == RbtLexer::ENUM ||
-                             first == RbtLexer::TRY || first == RbtLexer::WITH || first == RbtLexer::WHEN ||
-                             first == RbtLexer::EVERY || first == RbtLexer::SWITCH || first == RbtLexer::VOID;
+    const bool wants_block =
+        first == RbtLexer::FN || first == RbtLexer::STRUCT || first == RbtLexer::ENUM ||
+        first == RbtLexer::TRY || first == RbtLexer::WITH || first == RbtLexer::WHEN ||
+        first == RbtLexer::EVERY || first == RbtLexer::SWITCH || first == RbtLexer::VOID;
     if (type != RbtLexer::SEMI && type != kEndOfText) return std::nullopt;
-    wanted = wants_block                      ? "a block in braces"
+    wanted = wants_block                         ? "a block in braces"
              : site.before() == RbtLexer::RPAREN ? "a statement"
                                                  : "the rest of this statement";
   }
@@ -293,10 +316,12 @@ Diagnostic does_not_fit(const FailureSite& site) {
 
 }  // namespace
 
-Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size_t statement, std::size_t at) {
+Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size_t statement,
+                           std::size_t at) {
   const FailureSite site(source, tokens, statement, at);
-  for (const auto explain : {assignment_as_test, explain_habit, bare_condition, unbraced_body, step_as_value,
-                             block_after_arrow, orphan, word_as_name, missing_separator, something_missing}) {
+  for (const auto explain :
+       {assignment_as_test, explain_habit, bare_condition, unbraced_body, step_as_value,
+        block_after_arrow, orphan, word_as_name, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }
   return does_not_fit(site);

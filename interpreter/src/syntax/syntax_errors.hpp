@@ -1,14 +1,15 @@
 #pragma once
-// Why the parser could not go on, in the words of the program (language reference, section 20.3, E01xx).
+// Why the parser could not go on, in the words of the program (language reference, section 20.3,
+// E01xx).
 
 #include "armlet/interpreter/diagnostic.hpp"
 #include "syntax/token.hpp"
 
 namespace armlet::lang {
 
-// The statement that starts at token `statement` cannot go on at token `at`. `tokens` hold the inserted ends of
-// statements; all brackets match.
-[[nodiscard]] Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size_t statement,
-                                         std::size_t at);
+// The statement that starts at token `statement` cannot go on at token `at`. `tokens` hold the
+// inserted ends of statements; all brackets match.
+[[nodiscard]] Diagnostic explain_failure(const Source& source, const Tokens& tokens,
+                                         std::size_t statement, std::size_t at);
 
 }  // namespace armlet::lang

@@ -1,5 +1,6 @@
 #pragma once
-// One token of a text, without anything of ANTLR: what the filter, the bracket check and the messages work on.
+// One token of a text, without anything of ANTLR: what the filter, the bracket check and the
+// messages work on.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +11,7 @@
 namespace armlet::lang {
 
 struct Token {
-  std::uint32_t begin = 0;         // bytes in the source
+  std::uint32_t begin = 0;  // bytes in the source
   std::uint32_t end = 0;
   std::uint16_t type = 0;          // RbtLexer::ID, ...; kEndOfText at the end
   bool line_break_before = false;  // between it and the token before

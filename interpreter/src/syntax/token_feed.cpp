@@ -12,7 +12,8 @@ void TokenFeed::consume() {
 }
 
 size_t TokenFeed::LA(ssize_t i) {
-  const std::size_t index = i > 0 ? at_ + static_cast<std::size_t>(i) - 1 : at_ - static_cast<std::size_t>(-i);
+  const std::size_t index =
+      i > 0 ? at_ + static_cast<std::size_t>(i) - 1 : at_ - static_cast<std::size_t>(-i);
   if (index >= tokens_.size() || tokens_[index].type == kEndOfText) return antlr4::Token::EOF;
   return tokens_[index].type;
 }

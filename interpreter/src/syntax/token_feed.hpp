@@ -1,6 +1,6 @@
 #pragma once
-// Our tokens as ANTLR's parser wants them. Its own token objects, 128 bytes each, are made when they are looked at and
-// dropped with the statement they belong to.
+// Our tokens as ANTLR's parser wants them. Its own token objects, 128 bytes each, are made when
+// they are looked at and dropped with the statement they belong to.
 
 #include <memory>
 #include <string>

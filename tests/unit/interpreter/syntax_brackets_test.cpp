@@ -15,7 +15,8 @@ std::string checked(const std::string& text) {
       check_brackets(source, lex(source, program_range(source), sink, {}).tokens);
   if (!found) return "fine";
   const Position at = source.position(found->mark.span.begin);
-  return found->code + ' ' + std::to_string(at.line) + ':' + std::to_string(at.column) + " | " + found->fix->text;
+  return found->code + ' ' + std::to_string(at.line) + ':' + std::to_string(at.column) + " | " +
+         found->fix->text;
 }
 
 TEST_CASE("matching brackets are fine whatever the indentation") {
@@ -24,7 +25,8 @@ TEST_CASE("matching brackets are fine whatever the indentation") {
 }
 
 TEST_CASE("an open round bracket ends before the next statement") {
-  CHECK(checked("moveJ(above(p, 60mm), time: 2s\ngrasp(cube)\n") == "E0110 1:6 | add `)` at the end of line 1");
+  CHECK(checked("moveJ(above(p, 60mm), time: 2s\ngrasp(cube)\n") ==
+        "E0110 1:6 | add `)` at the end of line 1");
   CHECK(checked("moveJ(above(p, time: 2s;\nfoo();\n") == "E0110 1:12 | add `)` before the `;`");
   CHECK(checked("let a = [1, 2\nlet b = 3\n") == "E0110 1:9 | add `]` at the end of line 1");
   CHECK(checked("f(a,\n  b,\n  c\ng()\n") == "E0110 1:2 | add `)` at the end of line 3");
@@ -32,7 +34,8 @@ TEST_CASE("an open round bracket ends before the next statement") {
 }
 
 TEST_CASE("an open round bracket inside a block does not blame the block") {
-  CHECK(checked("fn f() {\n    x(\n}\nfn g() {\n}\n") == "E0110 2:6 | add `)` at the end of line 2");
+  CHECK(checked("fn f() {\n    x(\n}\nfn g() {\n}\n") ==
+        "E0110 2:6 | add `)` at the end of line 2");
   CHECK(checked("if (a { b() }\nc()\n") == "E0110 1:4 | add `)` at the end of line 1");
 }
 
@@ -45,7 +48,8 @@ TEST_CASE("the indentation tells which block is open") {
 
 TEST_CASE("a bracket too many is found, by its indentation if that tells") {
   CHECK(checked("print(1))\n") == "E0131 1:9 | delete it");
-  CHECK(checked("fn f() {\n    if (a) {\n        x()\n    }\n    }\n    y()\n}\n") == "E0131 5:5 | delete it");
+  CHECK(checked("fn f() {\n    if (a) {\n        x()\n    }\n    }\n    y()\n}\n") ==
+        "E0131 5:5 | delete it");
   CHECK(checked("}\n") == "E0131 1:1 | delete it");
 }
 

@@ -7,7 +7,8 @@
 
 namespace armlet::lang {
 
-// One line for each statement: `<KIND ...>` with the number of its kind; operators as `op` and their number.
+// One line for each statement: `<KIND ...>` with the number of its kind; operators as `op` and
+// their number.
 [[nodiscard]] std::string dump(const Parsed& parsed);
 
 // Parses a text that must be right and dumps it; the messages, if it is not.

@@ -70,7 +70,8 @@ class TreeDump {
         add("->");
         return type(expr->result);
       default:
-        for (std::size_t i = 0; i < expr->path.size(); ++i) add(i == 0 ? "" : ".", expr->path[i].text);
+        for (std::size_t i = 0; i < expr->path.size(); ++i)
+          add(i == 0 ? "" : ".", expr->path[i].text);
     }
   }
 
@@ -89,7 +90,8 @@ class TreeDump {
       case K::kReal:
         return add(std::to_string(expr->as<ast::RealExpr>().value));
       case K::kQuantity:
-        return add(std::to_string(expr->as<ast::QuantityExpr>().number), expr->as<ast::QuantityExpr>().unit);
+        return add(std::to_string(expr->as<ast::QuantityExpr>().number),
+                   expr->as<ast::QuantityExpr>().unit);
       case K::kText:
         return add("'", expr->as<ast::TextExpr>().value, "'");
       case K::kBool:
@@ -103,7 +105,8 @@ class TreeDump {
       case K::kBrace:
         return values("brace", expr->as<ast::BraceExpr>().items);
       case K::kMatrix:
-        return list("matrix", expr->as<ast::MatrixExpr>().rows, [&](ast::Seq<ast::Expr*> row) { values("row", row); });
+        return list("matrix", expr->as<ast::MatrixExpr>().rows,
+                    [&](ast::Seq<ast::Expr*> row) { values("row", row); });
       case K::kLambda:
         return lambda(expr->as<ast::LambdaExpr>());
       default:
@@ -124,7 +127,8 @@ class TreeDump {
       const auto& binary = expr->as<ast::BinaryExpr>();
       return two("op" + std::to_string(static_cast<int>(binary.op)), binary.left, binary.right);
     }
-    if (expr->kind == K::kUntil) return two("until", expr->as<ast::UntilExpr>().motion, expr->as<ast::UntilExpr>().condition);
+    if (expr->kind == K::kUntil)
+      return two("until", expr->as<ast::UntilExpr>().motion, expr->as<ast::UntilExpr>().condition);
     add("(");
     if (expr->kind == K::kMember) {
       value(expr->as<ast::MemberExpr>().object);
@@ -177,7 +181,8 @@ class TreeDump {
       const ast::FormatSpec& format = expr.pieces[i].format;
       add(" {");
       value(expr.pieces[i].value);
-      add("|", std::to_string(format.digits), "|", format.style == 0 ? "-" : std::string(1, format.style), "|", format.unit, "} '",
+      add("|", std::to_string(format.digits), "|",
+          format.style == 0 ? "-" : std::string(1, format.style), "|", format.unit, "} '",
           expr.texts[i + 1], "'");
     }
     add(")");
@@ -225,7 +230,9 @@ void TreeDump::statement(const ast::Stmt* stmt) {
       break;
     case K::kAssign:
       values("targets", stmt->as<ast::AssignStmt>().targets);
-      add(stmt->as<ast::AssignStmt>().compound ? " op" + std::to_string(static_cast<int>(stmt->as<ast::AssignStmt>().op)) : "",
+      add(stmt->as<ast::AssignStmt>().compound
+              ? " op" + std::to_string(static_cast<int>(stmt->as<ast::AssignStmt>().op))
+              : "",
           " = ");
       value(stmt->as<ast::AssignStmt>().value);
       break;
@@ -262,7 +269,8 @@ void TreeDump::declaration(const ast::Stmt* stmt) {
   using K = ast::StmtKind;
   switch (stmt->kind) {
     case K::kVar:
-      add(stmt->as<ast::VarStmt>().fixed ? "let" : "var", stmt->as<ast::VarStmt>().doc.empty() ? "" : " doc");
+      add(stmt->as<ast::VarStmt>().fixed ? "let" : "var",
+          stmt->as<ast::VarStmt>().doc.empty() ? "" : " doc");
       return list("", stmt->as<ast::VarStmt>().declarators, [&](const ast::Declarator& one) {
         add(one.name.text, ":");
         type(one.type);
@@ -285,7 +293,8 @@ void TreeDump::declaration(const ast::Stmt* stmt) {
       return params("fields", stmt->as<ast::StructStmt>().fields);
     case K::kEnum:
       add(stmt->as<ast::EnumStmt>().name.text);
-      return list("", stmt->as<ast::EnumStmt>().values, [&](const ast::Name& name) { add(name.text); });
+      return list("", stmt->as<ast::EnumStmt>().values,
+                  [&](const ast::Name& name) { add(name.text); });
     case K::kImport:
       return add(stmt->as<ast::ImportStmt>().path, " as ", stmt->as<ast::ImportStmt>().alias.text);
     case K::kTest:

@@ -36,7 +36,8 @@ TEST_CASE("an explicit semicolon is not doubled") {
   CHECK(filtered("{ a; }") == "{ a ; } #");
 }
 
-TEST_CASE("a line that starts with an operator, a dot or an opening bracket continues the line above") {
+TEST_CASE(
+    "a line that starts with an operator, a dot or an opening bracket continues the line above") {
   CHECK(filtered("x = 1\n  + 2") == "x = 1 + 2 #");
   CHECK(filtered("a\n.b\n(c)\n[d]\n? e\n: f") == "a . b ( c ) [ d ] ? e : f #");
   CHECK(filtered("x\n= 1\ny\n+= 2") == "x = 1 # y += 2 #");
@@ -71,8 +72,10 @@ TEST_CASE("the header of a statement is not its end") {
   CHECK(filtered("while (a)\n{ b }") == "while ( a ) { b # } #");
   CHECK(filtered("for (x in xs)\n{ b }") == "for ( x in xs ) { b # } #");
   CHECK(filtered("switch (a)\n{ default: b }") == "switch ( a ) { default : b # } #");
-  CHECK(filtered("when (a)\n{ b }\nevery (c)\n{ d }") == "when ( a ) { b # } # every ( c ) { d # } #");
-  CHECK(filtered("try { a }\ncatch (e)\n{ b }\nfinally { c }") == "try { a # } catch ( e ) { b # } finally { c # } #");
+  CHECK(filtered("when (a)\n{ b }\nevery (c)\n{ d }") ==
+        "when ( a ) { b # } # every ( c ) { d # } #");
+  CHECK(filtered("try { a }\ncatch (e)\n{ b }\nfinally { c }") ==
+        "try { a # } catch ( e ) { b # } finally { c # } #");
 }
 
 TEST_CASE("else stays with its if, with and without braces") {
@@ -94,8 +97,10 @@ TEST_CASE("a brace on a new line belongs to a declaration or a block with settin
   CHECK(filtered("double f(double x)\n{ a }") == "double f ( double x ) { a # } #");
   CHECK(filtered("pal.Pallet[] f()\n{ a }") == "pal . Pallet [ ] f ( ) { a # } #");
   CHECK(filtered("robot scara\n{ a: 1 }") == "robot scara { a : 1 # } #");
-  CHECK(filtered("struct P\n{ a: int }\nenum E\n{ A }") == "struct P { a : int # } # enum E { A # } #");
-  CHECK(filtered("with (speed: 1)\n{ a }\npath\n{ b }") == "with ( speed : 1 ) { a # } # path { b # } #");
+  CHECK(filtered("struct P\n{ a: int }\nenum E\n{ A }") ==
+        "struct P { a : int # } # enum E { A # } #");
+  CHECK(filtered("with (speed: 1)\n{ a }\npath\n{ b }") ==
+        "with ( speed : 1 ) { a # } # path { b # } #");
   CHECK(filtered("test \"t\"\n{ a }") == "test \"t\" { a # } #");
 }
 

@@ -24,7 +24,8 @@ std::string read_file(const std::filesystem::path& path) {
 
 std::vector<std::filesystem::path> language_blocks() {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(ARMLET_REFERENCE_DIR "/language_blocks")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(ARMLET_REFERENCE_DIR "/language_blocks")) {
     paths.push_back(entry.path());
   }
   std::ranges::sort(paths);
@@ -51,13 +52,18 @@ struct Reading {
   DiagnosticSink sink;
   Parsed parsed;
 
-  explicit Reading(const std::string& text) : parsed(parse(sources.add("test.rbt", text), arena, sink)) {}
+  explicit Reading(const std::string& text)
+      : parsed(parse(sources.add("test.rbt", text), arena, sink)) {}
 
   template <class T>
-  const T& statement(std::size_t i) const { return parsed.statements.at(i)->as<T>(); }
+  const T& statement(std::size_t i) const {
+    return parsed.statements.at(i)->as<T>();
+  }
   // The value of `let x = ...` in statement `i`.
   template <class T>
-  const T& init(std::size_t i) const { return statement<ast::VarStmt>(i).declarators[0].init->as<T>(); }
+  const T& init(std::size_t i) const {
+    return statement<ast::VarStmt>(i).declarators[0].init->as<T>();
+  }
   std::string_view slice(Span span) const { return sources.slice(span); }
 };
 
@@ -109,8 +115,9 @@ TEST_CASE("operators bind as the reference says") {
 }
 
 TEST_CASE("numbers keep their value") {
-  const Reading reading("let a = 1_000; let b = 0x1F; let c = 7L; let d = .5; let e = 2.; let f = 1e-3; let g = 3f; "
-                        "let h = -9223372036854775808");
+  const Reading reading(
+      "let a = 1_000; let b = 0x1F; let c = 7L; let d = .5; let e = 2.; let f = 1e-3; let g = 3f; "
+      "let h = -9223372036854775808");
   REQUIRE(reading.parsed.ok);
   CHECK(reading.init<ast::IntExpr>(0).value == 1000);
   CHECK(reading.init<ast::IntExpr>(1).value == 31);
@@ -123,7 +130,8 @@ TEST_CASE("numbers keep their value") {
 }
 
 TEST_CASE("quantities are in SI and do not stop inside a word") {
-  const Reading reading("let a = 250mm; let b = 100mm/s; let c = 10mm/speed; let d = 9.81m/s^2; let e = 90\u00B0");
+  const Reading reading(
+      "let a = 250mm; let b = 100mm/s; let c = 10mm/speed; let d = 9.81m/s^2; let e = 90\u00B0");
   REQUIRE(reading.parsed.ok);
   CHECK(reading.init<ast::QuantityExpr>(0).si == doctest::Approx(0.25));
   CHECK(reading.init<ast::QuantityExpr>(1).dim == dims::kSpeed);
@@ -173,7 +181,9 @@ TEST_CASE("a byte-order mark and a first line for the shell are skipped") {
 }
 
 TEST_CASE("comments above a declaration are its documentation") {
-  const Reading reading("/// One.\n///  Two.\nfn f() { }\nlet a = 1 /// not this\nlet b = 2\n// nor this\nlet c = 3\n");
+  const Reading reading(
+      "/// One.\n///  Two.\nfn f() { }\nlet a = 1 /// not this\nlet b = 2\n// nor this\nlet c = "
+      "3\n");
   REQUIRE(reading.parsed.ok);
   CHECK(reading.statement<ast::FunctionStmt>(0).doc == "One.\n Two.");
   CHECK(reading.statement<ast::VarStmt>(2).doc.empty());
@@ -182,7 +192,9 @@ TEST_CASE("comments above a declaration are its documentation") {
 }
 
 TEST_CASE("classic and modern spellings of a declaration have the same parts") {
-  const Reading reading("final double[] q[] = {1}, r; let k: force/length^2 = 0; double mean(double[] a) { return 0; }");
+  const Reading reading(
+      "final double[] q[] = {1}, r; let k: force/length^2 = 0; double mean(double[] a) { return 0; "
+      "}");
   REQUIRE(reading.parsed.ok);
   const auto& classic = reading.statement<ast::VarStmt>(0);
   CHECK(classic.fixed);
@@ -200,7 +212,8 @@ TEST_CASE("soft words are names where the grammar does not need them") {
 }
 
 TEST_CASE("a statement with a mistake does not hide the next") {
-  const Reading reading("let a = 1 1\nlet b = 2\nfn f() {\n    g(a b)\n    h()\n    let c =\n}\nlet d = 3 3\n");
+  const Reading reading(
+      "let a = 1 1\nlet b = 2\nfn f() {\n    g(a b)\n    h()\n    let c =\n}\nlet d = 3 3\n");
   CHECK_FALSE(reading.parsed.ok);
   CHECK(reading.sink.all().size() == 4);
   CHECK(reading.parsed.statements.size() == 1);
