@@ -60,6 +60,9 @@ bool Program::mentions(std::string_view function) const {
 }
 
 std::string Program::disassemble() const { return lang::disassemble(*compiled_); }
+const Type* Program::library_record(std::string_view name) const {
+  return compiled_->types->library_record(name);
+}
 
 lang::CompiledProgram::~CompiledProgram() = default;
 

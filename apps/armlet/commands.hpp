@@ -1,0 +1,42 @@
+#pragma once
+// The sub-commands of armlet. Each returns the exit status of the process (language reference,
+// ruling 25).
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace armlet::cli {
+
+enum Exit : int {
+  kDone = 0,
+  kUsage = 64,
+  kRejected = 65,
+  kNoFile = 66,
+  kFailed = 70,
+  kStopped = 130
+};
+
+// What run, check and test have in common.
+struct ProgramOptions {
+  std::string robot = "scara";  // a name of the catalogue
+  std::string world;  // a .rbt file; empty: the command's own, when a program names an object
+  std::uint64_t steps = 10'000'000'000;
+  bool json = false;
+};
+
+struct RunOptions {
+  ProgramOptions program;
+  std::string file;
+  std::string trace;  // .csv or .jsonl; empty: none
+  bool realtime = false;
+  bool quiet = false;  // no progress, no summary
+};
+
+int run(const RunOptions& options);
+int check(const ProgramOptions& options, const std::vector<std::string>& files);
+int test(const ProgramOptions& options, const std::vector<std::string>& files);
+int disasm(const ProgramOptions& options, const std::string& file);
+int explain(const std::string& code);
+
+}  // namespace armlet::cli

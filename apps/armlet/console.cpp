@@ -1,0 +1,153 @@
+#include "console.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include "armlet/core/similar.hpp"
+#include "armlet/interpreter/render.hpp"
+#include "armlet/model/catalog.hpp"
+#include "armlet/stdlib/install.hpp"
+
+namespace armlet::cli {
+namespace {
+
+std::atomic<Session*> running{nullptr};
+std::atomic<bool> was_interrupted{false};
+
+extern "C" void on_interrupt(int) {
+  if (was_interrupted.exchange(true)) _exit(kStopped);
+  if (Session* session = running.load()) session->cancel();
+}
+
+void write_error(std::string_view text) {
+  std::fflush(stdout);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+// E0126 for a file as a whole.
+void show_unreadable(const std::string& path, std::string_view reason, bool json) {
+  const SourceSet none;
+  show(make_diagnostic("E0126", kNoText, {path, std::string(reason)}), none, json);
+}
+
+}  // namespace
+
+std::optional<std::string> read_file(const std::string& path, bool json) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0) {
+    show_unreadable(path, errno == ENOENT ? "there is no such file" : std::strerror(errno), json);
+    return std::nullopt;
+  }
+  if (S_ISDIR(info.st_mode)) {
+    show_unreadable(path, "it is a folder", json);
+    return std::nullopt;
+  }
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) {
+    show_unreadable(path, std::strerror(errno), json);
+    return std::nullopt;
+  }
+  const std::size_t limit = ParseLimits{}.bytes;
+  std::string text;
+  char buffer[65536];
+  std::size_t got = 0;
+  while (text.size() <= limit && (got = std::fread(buffer, 1, sizeof buffer, file)) > 0)
+    text.append(buffer, got);
+  const bool failed = std::ferror(file) != 0;
+  std::fclose(file);
+  if (failed) {
+    show_unreadable(path, "reading failed", json);
+    return std::nullopt;
+  }
+  return text;
+}
+
+const Engine& engine() {
+  static const Engine the_engine = [] {
+    Engine made;
+    install(made);
+    return made;
+  }();
+  return the_engine;
+}
+
+Setup make_setup(const ProgramOptions& options) {
+  Setup setup;
+  SessionOptions& session = setup.session;
+  session.robot = make_robot(options.robot);
+  if (session.robot == nullptr) {
+    const auto& names = catalog_names();
+    std::string message = fmt::format("armlet: there is no robot called \"{}\"; there are {}\n",
+                                      options.robot, fmt::join(names, ", "));
+    if (const auto meant = most_similar(options.robot, names))
+      message += fmt::format("did you mean \"{}\"?\n", *meant);
+    write_error(message);
+    setup.exit = kUsage;
+    return setup;
+  }
+  if (options.world.empty()) {
+    session.default_world = table_world();
+  } else {
+    auto text = read_file(options.world, options.json);
+    if (!text) {
+      setup.exit = kNoFile;
+      return setup;
+    }
+    std::string name = options.world.substr(options.world.find_last_of('/') + 1);
+    if (name.ends_with(".rbt")) name.resize(name.size() - 4);
+    session.world = WorldText{std::move(name), *std::move(text)};
+  }
+  session.limits.steps = options.steps;
+  session.output = print_out;
+  return setup;
+}
+
+void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json) {
+  if (json) {
+    write_error(render_json(diagnostic, sources) + "\n");
+  } else {
+    write_error(render_text(diagnostic, sources, {.color = isatty(STDERR_FILENO) != 0}));
+  }
+}
+
+void show(const std::vector<Problem>& problems, bool json) {
+  for (const Problem& problem : problems) show(problem.diagnostic, *problem.sources, json);
+}
+
+void progress(std::string_view line) { write_error(fmt::format("{}\n", line)); }
+
+void print_out(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+bool finish_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  write_error(fmt::format("armlet: what the program printed could not be written: {}\n",
+                          std::strerror(errno)));
+  return false;
+}
+
+Interruptible::Interruptible(Session& session) {
+  was_interrupted = false;
+  running = &session;
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+Interruptible::~Interruptible() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  running = nullptr;
+}
+
+bool interrupted() { return was_interrupted; }
+
+}  // namespace armlet::cli

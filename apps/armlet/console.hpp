@@ -1,0 +1,45 @@
+#pragma once
+// Files, messages and interrupts, for all sub-commands.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "armlet/stdlib/session.hpp"
+#include "commands.hpp"
+
+namespace armlet::cli {
+
+// The text of a file, or nothing after a message.
+std::optional<std::string> read_file(const std::string& path, bool json);
+
+// The options of a session for the robot and world asked for, or the exit status after a message.
+struct Setup {
+  SessionOptions session;
+  int exit = kDone;
+};
+Setup make_setup(const ProgramOptions& options);
+
+// One engine for the life of the process.
+const Engine& engine();
+
+void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json);
+void show(const std::vector<Problem>& problems, bool json);
+// A line of progress on standard error, after everything that the program printed.
+void progress(std::string_view line);
+// What the program prints.
+void print_out(std::string_view text);
+// Everything printed arrived. False after a message: the outside could not take it.
+bool finish_output();
+
+// While one of these lives, Ctrl-C stops the session under control; a second one ends the process.
+class Interruptible {
+ public:
+  explicit Interruptible(Session& session);
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+};
+bool interrupted();
+
+}  // namespace armlet::cli

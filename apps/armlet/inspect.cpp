@@ -1,0 +1,50 @@
+// armlet disasm and armlet explain.
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "armlet/core/similar.hpp"
+#include "armlet/interpreter/catalog.hpp"
+#include "console.hpp"
+
+namespace armlet::cli {
+
+int disasm(const ProgramOptions& options, const std::string& file) {
+  auto text = read_file(file, options.json);
+  if (!text) return kNoFile;
+  Setup setup = make_setup(options);
+  if (setup.exit != kDone) return setup.exit;
+  Session session(engine(), std::move(setup.session));
+  const bool good = session.compile(*std::move(text), file);
+  show(session.problems(), options.json);
+  if (!good) return kRejected;
+  print_out(session.program()->disassemble());
+  return finish_output() ? kDone : kFailed;
+}
+
+int explain(const std::string& code) {
+  if (code.empty()) {
+    for (const CatalogEntry& entry : catalog())
+      print_out(fmt::format("{}  {}\n", entry.code, entry.headline));
+    return finish_output() ? kDone : kFailed;
+  }
+  std::string wanted = code;
+  for (char& c : wanted) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+  }
+  const std::string page = explain_page(wanted);
+  if (!page.empty()) {
+    print_out(page);
+    return finish_output() ? kDone : kFailed;
+  }
+  std::vector<std::string_view> codes;
+  for (const CatalogEntry& entry : catalog()) codes.push_back(entry.code);
+  std::string message = fmt::format("armlet: there is no message {}", code);
+  if (const auto meant = most_similar(wanted, codes))
+    message += fmt::format("; did you mean {}?", *meant);
+  progress(message + " `armlet explain` lists all of them.");
+  return kUsage;
+}
+
+}  // namespace armlet::cli

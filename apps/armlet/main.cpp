@@ -1,0 +1,93 @@
+// The command: reads the command line and calls the sub-command.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "commands.hpp"
+
+namespace {
+
+using namespace armlet::cli;
+
+void add_program_options(CLI::App& command, ProgramOptions& options) {
+  command
+      .add_option("--robot", options.robot,
+                  "the robot of programs that declare none (default: scara)")
+      ->type_name("NAME");
+  command
+      .add_option("--world", options.world,
+                  "a .rbt file that declares objects (default: a table with a cube and a cylinder)")
+      ->type_name("FILE");
+  command
+      .add_option("--steps", options.steps,
+                  "how many calls and loop passes a program may take (default: 10 billion)")
+      ->type_name("N");
+  command.add_flag("--json", options.json, "messages as JSON, one object per line");
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app("Armlet: a small language for robot arms.");
+  app.set_version_flag("--version", "armlet " ARMLET_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n  armlet run examples/01_pick_and_place.rbt\n  armlet explain E0401\n\n"
+      "Exit status: 0 ran, 64 wrong usage, 65 program rejected, 66 file not read, 70 program "
+      "failed, 130 stopped.");
+
+  RunOptions run_options;
+  CLI::App* run_command = app.add_subcommand("run", "check a program and run it");
+  run_command->add_option("FILE", run_options.file, "the program")->required();
+  add_program_options(*run_command, run_options.program);
+  run_command
+      ->add_option("--trace", run_options.trace,
+                   "write joints, hand and objects over time to a .csv or .jsonl file")
+      ->type_name("FILE");
+  run_command->add_flag("--realtime", run_options.realtime, "run no faster than the wall clock");
+  run_command->add_flag("--quiet", run_options.quiet, "show no moves and no summary");
+
+  ProgramOptions options;
+  std::vector<std::string> files;
+  CLI::App* check_command = app.add_subcommand("check", "look for mistakes without running");
+  check_command->add_option("FILE", files, "the programs")->required();
+  add_program_options(*check_command, options);
+  CLI::App* test_command =
+      app.add_subcommand("test", "run the tests in programs, each in a fresh world");
+  test_command->add_option("FILE", files, "the programs")->required();
+  add_program_options(*test_command, options);
+  std::string file;
+  CLI::App* disasm_command =
+      app.add_subcommand("disasm", "show the instructions that a program is compiled to");
+  disasm_command->add_option("FILE", file, "the program")->required();
+  add_program_options(*disasm_command, options);
+  std::string code;
+  CLI::App* explain_command =
+      app.add_subcommand("explain", "say what a message means, with a wrong and a right program");
+  explain_command->add_option("CODE", code,
+                              "for example E0401; without it, all messages are listed");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kUsage;
+  }
+  if (run_command->parsed()) return run(run_options);
+  if (check_command->parsed()) return check(options, files);
+  if (test_command->parsed()) return test(options, files);
+  if (disasm_command->parsed()) return disasm(options, file);
+  return explain_command->parsed() ? explain(code) : kUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("armlet: there is not enough memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "armlet: a defect of armlet itself: %s\n", error.what());
+  }
+  return kFailed;
+}
