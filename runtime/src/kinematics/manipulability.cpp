@@ -8,47 +8,51 @@
 namespace armlet {
 namespace {
 
-// Rank of the translational rows in a configuration without symmetry; a planar arm has two.
-Eigen::Index translation_rank(const Robot& robot) {
-  Eigen::Index rank = 0;
-  for (int sample = 1; sample <= 3; ++sample) {
-    Eigen::VectorXd q(robot.n());
-    for (int i = 0; i < robot.n(); ++i) {
-      const double share = 0.13 + 0.74 * ((sample * (i + 1) * 37) % 101) / 101.0;
+// Directions of motion that count for this arm, as orthonormal columns, with rotations scaled by
+// the arm's length: all those that it has in a few configurations without symmetry. A planar arm
+// never leaves its plane, so that direction is not one that it can lose.
+Eigen::MatrixXd possible_motions(const Robot& robot, bool place_only) {
+  const Eigen::Index n = robot.n();
+  Eigen::MatrixXd samples(6, 3 * n);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    Eigen::VectorXd q(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double share =
+          0.13 + 0.74 * static_cast<double>(((k + 1) * (i + 1) * 37) % 101) / 101.0;
       q[i] = robot.lower()[i] + share * (robot.upper()[i] - robot.lower()[i]);
     }
-    const Eigen::MatrixXd Jv = jacobian(robot, q).topRows<3>();
-    const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(Jv).singularValues();
-    rank = std::max<Eigen::Index>(rank, (sigma.array() > 1e-9 * robot.length()).count());
+    samples.middleCols(k * n, n) = jacobian(robot, q);
   }
-  return std::max<Eigen::Index>(rank, 1);
+  samples.bottomRows<3>() *= place_only ? 0.0 : robot.length();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(samples, Eigen::ComputeThinU);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  const Eigen::Index rank = (sigma.array() > 1e-9 * std::max(sigma[0], 1e-300)).count();
+  return svd.matrixU().leftCols(std::max<Eigen::Index>(rank, 1));
 }
 
 }  // namespace
 
 double manipulability(const Robot& robot, JointsIn q) {
-  const Jacobian J = jacobian(robot, q);
-  if (robot.n() >= 6) {
-    const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
-    return sigma.prod();
+  Eigen::MatrixXd J = jacobian(robot, q);
+  if (robot.n() < 6) {
+    J.bottomRows<3>().setZero();
+    J = possible_motions(robot, true).transpose() * J;
   }
-  const Eigen::MatrixXd Jv = J.topRows<3>();
-  const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(Jv).singularValues();
-  return sigma.head(std::min(translation_rank(robot), sigma.size())).prod();
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues().prod();
 }
 
 Singularity singularity(const Robot& robot, JointsIn q) {
-  Eigen::MatrixXd J = jacobian(robot, q);
   const bool place_only = robot.n() <= 3;
+  Eigen::MatrixXd J = jacobian(robot, q);
   J.bottomRows<3>() *= place_only ? 0.0 : robot.length();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::Index directions =
-      place_only ? translation_rank(robot) : std::min<Eigen::Index>(6, robot.n());
-  const Eigen::Index last = std::min(directions, svd.singularValues().size()) - 1;
+  const Eigen::MatrixXd motions = possible_motions(robot, place_only);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(motions.transpose() * J,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Index last = svd.singularValues().size() - 1;
   Singularity result;
   result.sigma_min = svd.singularValues()[last];
-  result.direction = svd.matrixU().col(last);
-  result.joints = svd.matrixV().col(svd.matrixV().cols() - 1);
+  result.direction = motions * svd.matrixU().col(last);
+  result.joints = svd.matrixV().col(robot.n() - 1);
   return result;
 }
 

@@ -38,23 +38,31 @@ std::array<int, 3> parse_sequence(std::string_view sequence) {
 // +1 if j follows i in the cycle X Y Z, else -1.
 double cyclic_sign(int i, int j) { return (i + 1) % 3 == j ? 1.0 : -1.0; }
 
+// The last angle follows from what the first leaves over, R_i(-a) R, of which row j is needed.
+// Taken from R itself it would lose digits near gimbal lock, where only the sum of the two is well
+// defined.
+Eigen::RowVector3d row_without_first(const Eigen::Matrix3d& R, double a, int i, int j) {
+  const auto [s, c] = det::sincos(a);
+  return c * R.row(j) + cyclic_sign(i, j) * s * R.row(3 - i - j);
+}
+
 // R = R_i(a) R_j(b) R_i(c), l is the axis that does not occur.
 Eigen::Vector3d proper_euler(const Eigen::Matrix3d& R, int i, int j) {
   const int l = 3 - i - j;
   const double sign = cyclic_sign(i, j);
   const double sin_b = det::hypot(R(i, j), R(i, l));
-  const double b = det::atan2(sin_b, R(i, i));
-  if (sin_b <= kGimbalLock) return {0.0, b, det::atan2(-sign * R(j, l), R(j, j))};
-  return {det::atan2(R(j, i), -sign * R(l, i)), b, det::atan2(R(i, j), sign * R(i, l))};
+  const double a = sin_b <= kGimbalLock ? 0.0 : det::atan2(R(j, i), -sign * R(l, i));
+  const Eigen::RowVector3d row = row_without_first(R, a, i, j);
+  return {a, det::atan2(sin_b, R(i, i)), det::atan2(-sign * row[l], row[j])};
 }
 
 // R = R_i(a) R_j(b) R_k(c) with three different axes.
 Eigen::Vector3d three_axis_euler(const Eigen::Matrix3d& R, int i, int j, int k) {
   const double sign = cyclic_sign(i, j);
   const double cos_b = det::hypot(R(i, i), R(i, j));
-  const double b = det::atan2(sign * R(i, k), cos_b);
-  if (cos_b <= kGimbalLock) return {0.0, b, det::atan2(sign * R(j, i), R(j, j))};
-  return {det::atan2(-sign * R(j, k), R(k, k)), b, det::atan2(-sign * R(i, j), R(i, i))};
+  const double a = cos_b <= kGimbalLock ? 0.0 : det::atan2(-sign * R(j, k), R(k, k));
+  const Eigen::RowVector3d row = row_without_first(R, a, i, j);
+  return {a, det::atan2(sign * R(i, k), cos_b), det::atan2(sign * row[i], row[j])};
 }
 
 }  // namespace
@@ -86,9 +94,11 @@ Eigen::Matrix3d R_from_rpy(const Eigen::Vector3d& rpy) {
 
 Eigen::Vector3d rpy_from_R(const Eigen::Matrix3d& R) {
   const double h = det::hypot(R(0, 0), R(1, 0));
-  const double pitch = det::atan2(-R(2, 0), h);
-  if (h <= kGimbalLock) return {0.0, pitch, det::atan2(-R(0, 1), R(1, 1))};
-  return {det::atan2(R(2, 1), R(2, 2)), pitch, det::atan2(R(1, 0), R(0, 0))};
+  const double roll = h <= kGimbalLock ? 0.0 : det::atan2(R(2, 1), R(2, 2));
+  // The y axis of R Rx(-roll) = Rz(yaw) Ry(pitch); near gimbal lock R alone would lose digits.
+  const auto [s, c] = det::sincos(roll);
+  const Eigen::Vector3d y_axis = c * R.col(1) - s * R.col(2);
+  return {roll, det::atan2(-R(2, 0), h), det::atan2(-y_axis.x(), y_axis.y())};
 }
 
 Eigen::Matrix3d R_from_euler(std::string_view sequence, const Eigen::Vector3d& angles) {

@@ -309,7 +309,7 @@ Robot make_puma560() {
   return make_arm(kPuma560, {.name = "puma560",
                              .source = "Corke and Armstrong-Helouvry 1994",
                              .inertia_check = InertiaCheck::kPublished,
-                             .home = {0, 45, -90, 0, -45, 0},
+                             .home = {0, 30, -125, 0, -85, 0},
                              .stroke = 0.060});
 }
 
@@ -317,7 +317,7 @@ Robot make_stanford() {
   return make_arm(kStanford, {.name = "stanford",
                               .source = "Paul 1981, tables 6.5 and 6.6",
                               .inertia_check = InertiaCheck::kPublished,
-                              .home = {0, 90, 0.5, 0, 45, 0},
+                              .home = {0, 105, 0.5, -90, -75, 0},
                               .stroke = 0.060});
 }
 

@@ -1,0 +1,85 @@
+#include "armlet/kinematics/manipulability.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "armlet/core/random.hpp"
+#include "armlet/model/catalog.hpp"
+#include "reference_robot.hpp"
+
+using namespace armlet;
+
+namespace {
+
+Eigen::VectorXd random_joints(const Robot& robot, Random& random) {
+  Eigen::VectorXd q(robot.n());
+  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
+  return q;
+}
+
+double worst_sigma(const Robot& robot, int joint, double value) {
+  Random random(1);
+  double worst = 0.0;
+  for (int k = 0; k < 100; ++k) {
+    Eigen::VectorXd q = random_joints(robot, random);
+    q[joint] = value;
+    worst = std::max(worst, singularity(robot, q).sigma_min);
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("manipulability agrees with other libraries") {
+  for (const std::string& name : reference::arm_names()) {
+    CAPTURE(name);
+    const reference::Json file = reference::load(name);
+    const Robot robot = reference::robot_of(file.at("robot"));
+    for (const reference::Json& sample : file.at("kinematics")) {
+      const Eigen::VectorXd q = reference::vector_of(sample.at("q"));
+      const reference::Json& all = sample.at("manip_all");
+      if (!all.is_null()) {
+        CHECK(std::abs(manipulability(robot, q) - all.get<double>()) < 1e-10);
+      } else if (robot.n() >= 3) {
+        CHECK(std::abs(manipulability(robot, q) - sample.at("manip_trans").get<double>()) < 1e-10);
+      }
+    }
+  }
+}
+
+// T. Yoshikawa 1985: w = a1 a2 |sin q2| for the planar arm with two joints.
+TEST_CASE("the planar arm with two joints has the manipulability of the textbook") {
+  const Robot arm = make_planar2();
+  for (double q2 = -3.0; q2 <= 3.0; q2 += 0.1) {
+    const double w = manipulability(arm, Eigen::Vector2d(0.7, q2));
+    CHECK(std::abs(w - std::abs(std::sin(q2))) < 1e-14);
+  }
+}
+
+TEST_CASE("known singular configurations are singular and others are not") {
+  CHECK(worst_sigma(make_planar2(), 1, 0.0) < 1e-15);
+  CHECK(worst_sigma(make_scara(), 1, 0.0) < 1e-15);
+  CHECK(worst_sigma(make_rrr3(), 2, 0.0) < 1e-15);
+  CHECK(worst_sigma(make_puma560(), 4, 0.0) < 1e-15);
+  CHECK(worst_sigma(make_pa10(), 3, 0.0) < 1e-15);
+  CHECK(worst_sigma(make_pa10(), 1, 0.0) > 0.01);  // one joint at zero alone is regular here
+  CHECK(singularity(make_puma560(), make_puma560().home()).sigma_min > 0.05);
+}
+
+TEST_CASE("the lost motion of a stretched arm is along the arm") {
+  const Singularity stretched = singularity(make_scara(), Eigen::Vector4d(0, 0, 0.1, 0));
+  CHECK(std::abs(stretched.direction[0]) == doctest::Approx(1.0));
+  CHECK(describe(stretched) == "cannot move along (1.00, 0.00, 0.00)");
+  const Singularity planar = singularity(make_planar2(), Eigen::Vector2d(0.0, 0.0));
+  CHECK(describe(planar) == "cannot move along (1.00, 0.00, 0.00)");
+}
+
+TEST_CASE("in an aligned wrist joints 4 and 6 fight each other") {
+  Eigen::VectorXd q = make_puma560().home();
+  q[4] = 0.0;
+  const Singularity aligned = singularity(make_puma560(), q);
+  CHECK(aligned.sigma_min < 1e-15);
+  // Joints 4 and 6 turn against each other without moving the tool.
+  CHECK(std::abs(aligned.joints[3] + aligned.joints[5]) < 1e-9);
+}
