@@ -15,8 +15,6 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/armlet-config-version.cma
 install(FILES ${PROJECT_BINARY_DIR}/armlet-config.cmake ${PROJECT_BINARY_DIR}/armlet-config-version.cmake
   DESTINATION ${ARMLET_PACKAGE_DIR})
 
-if(TARGET armlet)  # BOOTSTRAP
 install(TARGETS armlet EXPORT armlet-targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
 install(FILES docs/armlet.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
