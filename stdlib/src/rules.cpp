@@ -288,13 +288,12 @@ void check_joint_target(CheckCall& call, int parameter) {
   }
 }
 
-// A duration or speed that the text shows to be below zero.
-void check_not_negative(CheckCall& call, int parameter, std::string_view what) {
+// A duration that the text shows to be below zero.
+void check_duration(CheckCall& call, int parameter) {
   const auto constant = call.given(parameter) ? call.constant(parameter) : std::nullopt;
   if (!constant || !(constant->real < 0.0)) return;
-  call.report(make_diagnostic(
-      "E0513", call.span(parameter),
-      {fmt::format("the {}", what), "0 or more", call.text_of(call.span(parameter))}));
+  call.report(make_diagnostic("E0513", call.span(parameter),
+                              {"the time", "0 or more", format_number(constant->real, 6) + " s"}));
 }
 
 void check_time_and_speed(CheckCall& call, int time, int speed) {
@@ -304,8 +303,7 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
     d.fix = Fix{.text = "leave one of them out"};
     return call.report(std::move(d));
   }
-  check_not_negative(call, time, "time");
-  check_not_negative(call, speed, "speed");
+  check_duration(call, time);
 }
 
 }  // namespace
@@ -324,11 +322,11 @@ void check_move_line(CheckCall& call) { check_time_and_speed(call, 2, 3); }
 void check_classic_joints(CheckCall& call) {
   check_planner(call, 1);
   check_joint_target(call, 2);
-  check_not_negative(call, 3, "time");
+  check_duration(call, 3);
 }
 void check_classic_place(CheckCall& call) {
   check_planner(call, 1);
-  check_not_negative(call, 3, "time");
+  check_duration(call, 3);
 }
 
 void explain_list_for_posj(CheckCall& call) {
