@@ -34,9 +34,7 @@ std::shared_ptr<const Program> build(const Registry& registry, const Source& sou
 
 // Reached only through a mistake of ours, or when the machine has no memory left.
 Diagnostic defect(const char* what) {
-  Diagnostic d;
-  d.code = "E0198";
-  d.message = "this program cannot be compiled";
+  Diagnostic d = make_diagnostic("E0198", {});
   d.why = std::string("Armlet itself failed: ") + what;
   return d;
 }

@@ -1,0 +1,78 @@
+#pragma once
+// Runs small programs in tests, with a library of a few functions.
+
+#include <cmath>
+#include <string>
+
+#include "armlet/interpreter/engine.hpp"
+#include "compile/pipeline.hpp"
+
+namespace armlet::lang {
+
+namespace script_library {
+
+inline Signal root(Vm& vm, Slot* args) {
+  if (args[0].d < 0.0) return fail(vm, {.code = "R0609", .message = "the root of a negative number"});
+  return give(args, std::sqrt(args[0].d));
+}
+inline Signal length(Vm&, Slot* args) { return give(args, std::sqrt(args[0].d * args[0].d + args[1].d * args[1].d)); }
+// Calls a function value twice.
+inline Signal twice(Vm& vm, Slot* args) {
+  Slot once;
+  Slot result;
+  if (!vm.call(args[0].o, {&args[1], 1}, once)) return Signal::kFail;
+  if (!vm.call(args[0].o, {&once, 1}, result)) return Signal::kFail;
+  args[0] = result;
+  return Signal::kDone;
+}
+inline Signal total(Vm&, Slot* args) {
+  double sum = 0.0;
+  for (const double x : reals_value(args[0])) sum += x;
+  return give(args, sum);
+}
+
+inline const NativeFunction kFunctions[] = {
+    {.name = "sqrt", .signature = "(x: double) -> double", .help = "Square root.", .example = "sqrt(2.0)",
+     .thunk = &root, .real1 = [](double x) { return std::sqrt(x); }},
+    {.name = "hypot", .signature = "(a: double, b: double) -> double", .help = "Length of a vector.",
+     .example = "hypot(3.0, 4.0)", .thunk = &length,
+     .real2 = [](double a, double b) { return std::sqrt(a * a + b * b); }},
+    {.name = "twice", .signature = "(f: fn(int) -> int, x: int) -> int", .help = "f(f(x)).",
+     .example = "twice(fn(n) => n + 1, 3)", .thunk = &twice},
+    {.name = "sum", .signature = "(xs: double[]) -> double", .help = "The sum.", .example = "sum([1.0])",
+     .thunk = &total},
+};
+
+}  // namespace script_library
+
+inline const Engine& script_engine() {
+  static const Engine engine = [] {
+    Engine made;
+    made.add_functions(script_library::kFunctions);
+    return made;
+  }();
+  return engine;
+}
+
+inline Compilation compile_script(const std::string& text, bool optimise = true) {
+  return compile_text(script_engine().registry(), text, "test.rbt", {}, {.optimise = optimise});
+}
+
+// What a program prints; then, on a line of its own, the code and headline of the error that ended it, or of the first
+// mistake found before running.
+inline std::string run_script(const std::string& text, bool optimise = true) {
+  const Compilation compilation = compile_script(text, optimise);
+  if (compilation.program == nullptr) {
+    const Diagnostic& first = compilation.diagnostics.at(0);
+    return first.code + " " + first.message + "\n";
+  }
+  std::string out;
+  VmOptions options;
+  options.output = [&](std::string_view printed) { out += printed; };
+  Vm vm(compilation.program, std::move(options));
+  const RunResult result = vm.run();
+  if (result.error.has_value()) out += result.error->code + " " + result.error->message + "\n";
+  return out;
+}
+
+}  // namespace armlet::lang
