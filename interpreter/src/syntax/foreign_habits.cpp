@@ -190,6 +190,28 @@ Answer round_list(const FailureSite& site) {
   return out;
 }
 
+// posJ({0.0, 0.5})
+Answer braces_as_value(const FailureSite& site) {
+  const std::optional<std::size_t> open = site.opener(site.at);
+  if (site.type(site.at) != RbtLexer::LBRACE || !open || site.type(*open) == RbtLexer::LBRACE) {
+    return std::nullopt;
+  }
+  const std::uint16_t before = site.before();
+  if (before != RbtLexer::LPAREN && before != RbtLexer::LBRACK && before != RbtLexer::COMMA &&
+      before != RbtLexer::COLON) {
+    return std::nullopt;
+  }
+  const std::size_t close = site.closer(site.at);
+  Diagnostic out = make_diagnostic("E0128", site.span(site.at), {"{"});
+  out.why = "braces make a list only behind `=` and `new T[]`";
+  if (site.at + 1 < close) {
+    out.fix = Fix{"write [" + site.text(site.at + 1, close - 1) + ']',
+                  {{site.span(site.at), "["}, {site.span(close), "]"}},
+                  Confidence::kSure};
+  }
+  return out;
+}
+
 // moveJ(p, time = 2s)
 Answer setting_with_equals(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
@@ -220,8 +242,9 @@ Answer call_without_parentheses(const FailureSite& site) {
 }  // namespace
 
 std::optional<Diagnostic> explain_habit(const FailureSite& site) {
-  for (const auto explain : {java_frame, colon_equals, unit_apart, decimal_comma, foreign_word,
-                             round_list, setting_with_equals, call_without_parentheses}) {
+  for (const auto explain :
+       {java_frame, colon_equals, unit_apart, decimal_comma, foreign_word, round_list,
+        braces_as_value, setting_with_equals, call_without_parentheses}) {
     if (Answer out = explain(site)) return out;
   }
   return std::nullopt;

@@ -136,6 +136,10 @@ TEST_CASE("a list in round brackets inside a call becomes a list") {
   CHECK(brief("f((1, 2))") == "E0117 `(1, 2)` write [1, 2]");
 }
 
+TEST_CASE("braces inside a call become a list") {
+  CHECK(brief("f(posJ({1, 2}), 3)") == "E0128 `{` write [1, 2]");
+}
+
 TEST_CASE("arrows and colons of other languages are explained") {
   CHECK(brief("let f = fn(x) => { return x }") == "E0118 `=>` delete the =>");
   CHECK(brief("x := 3\nlet y := 4\n") == "E0119 `:=` write =; E0119 `:=` write =");
