@@ -36,7 +36,7 @@ double IkSolver::evaluate(const JointArray& q) {
   Eigen::Matrix3d R_tool;
   R_tool << tool.x, tool.y, tool.z;
   Eigen::Vector3d v = goal_.p - tool.p;
-  Eigen::Vector3d w = rotation_log(goal_.R * R_tool.transpose());
+  Eigen::Vector3d w = rotation_error(R_tool);
   for (std::size_t i = 0; i < n_; ++i) {
     Eigen::Vector3d linear = axis[i];
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();
@@ -71,12 +71,25 @@ double IkSolver::evaluate(const JointArray& q) {
   return energy;
 }
 
+// Half the sum of the cross products of the axes is the rotation vector but for its length; the
+// factor makes it exact at zero and good to half a percent up to a right angle.
+Eigen::Vector3d IkSolver::rotation_error(const Eigen::Matrix3d& R_tool) const {
+  const double twice_cosine = R_tool.cwiseProduct(goal_.R).sum() - 1.0;
+  if (exact_angle_ || twice_cosine < 0.0) return rotation_log(goal_.R * R_tool.transpose());
+  Eigen::Vector3d sum = R_tool.col(0).cross(goal_.R.col(0));
+  sum += R_tool.col(1).cross(goal_.R.col(1));
+  sum += R_tool.col(2).cross(goal_.R.col(2));
+  return sum / (1.28 + 0.36 * twice_cosine);
+}
+
 bool IkSolver::converged() const {
   return size_.position <= goal_.position_tolerance && size_.rotation <= goal_.rotation_tolerance;
 }
 
 IkError IkSolver::error_of(const JointArray& q) {
+  exact_angle_ = true;
   evaluate(q);
+  exact_angle_ = false;
   return size_;
 }
 
@@ -94,28 +107,29 @@ void IkSolver::normal_equations() {
 
 IkSolver::Step IkSolver::solve_step(double damping,
                                     const std::array<bool, kMaxJoints>& frozen) const {
-  // L D L^T of the damped matrix. The floor on the pivots replaces an exact zero of a redundant or
-  // singular arm by something too small to be felt elsewhere.
-  std::array<std::array<double, kMaxJoints>, kMaxJoints> L;
-  JointArray D{};
+  // L D L^T of the damped matrix; M holds L D. The floor on the pivots replaces an exact zero of a
+  // redundant or singular arm by something too small to be felt elsewhere.
+  std::array<std::array<double, kMaxJoints>, kMaxJoints> L, M;
+  JointArray inverse_pivot{};
   Step x{};
   double trace = 0.0;
   for (std::size_t i = 0; i < n_; ++i) trace += A_[i][i];
   const double floor = 1e-14 * trace + 1e-300;
   for (std::size_t i = 0; i < n_; ++i) {
+    double pivot = frozen[i] ? 1.0 : A_[i][i] + damping;
+    x[i] = frozen[i] ? 0.0 : b_[i];
     for (std::size_t k = 0; k < i; ++k) {
       double sum = frozen[i] || frozen[k] ? 0.0 : A_[i][k];
-      for (std::size_t j = 0; j < k; ++j) sum -= L[i][j] * L[k][j] * D[j];
-      L[i][k] = sum / D[k];
+      for (std::size_t j = 0; j < k; ++j) sum -= M[i][j] * L[k][j];
+      M[i][k] = sum;
+      L[i][k] = sum * inverse_pivot[k];
+      pivot -= sum * L[i][k];
+      x[i] -= L[i][k] * x[k];
     }
-    double pivot = frozen[i] ? 1.0 : A_[i][i] + damping;
-    for (std::size_t j = 0; j < i; ++j) pivot -= L[i][j] * L[i][j] * D[j];
-    D[i] = std::max(pivot, floor);
-    x[i] = frozen[i] ? 0.0 : b_[i];
-    for (std::size_t j = 0; j < i; ++j) x[i] -= L[i][j] * x[j];
+    inverse_pivot[i] = 1.0 / std::max(pivot, floor);
   }
   for (std::size_t i = n_; i-- > 0;) {
-    x[i] /= D[i];
+    x[i] *= inverse_pivot[i];
     for (std::size_t j = i + 1; j < n_; ++j) x[i] -= L[j][i] * x[j];
   }
   return x;
@@ -211,6 +225,7 @@ void IkSolver::polish(JointArray& q, double energy, bool in_box) {
 }
 
 void IkSolver::minimise_in_box(JointArray& q, int iterations) {
+  exact_angle_ = true;  // the gradient J^T e is that of the true angle only
   clamp(q);
   double energy = evaluate(q);
   normal_equations();

@@ -52,6 +52,7 @@ class IkSolver {
   using Step = JointArray;
 
   double evaluate(const JointArray& q);  // fills error_ and J_, returns half the squared error
+  Eigen::Vector3d rotation_error(const Eigen::Matrix3d& R_tool) const;
   bool converged() const;
   void polish(JointArray& q, double energy, bool in_box);
   void normal_equations();
@@ -70,6 +71,7 @@ class IkSolver {
   std::array<std::array<double, kMaxJoints>, kMaxJoints> A_{};  // J^T J, lower triangle
   JointArray b_{};                                              // J^T e
   IkError size_{};
+  bool exact_angle_ = false;
   int iterations_used_ = 0;
 };
 

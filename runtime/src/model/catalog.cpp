@@ -309,7 +309,7 @@ Robot make_puma560() {
   return make_arm(kPuma560, {.name = "puma560",
                              .source = "Corke and Armstrong-Helouvry 1994",
                              .inertia_check = InertiaCheck::kPublished,
-                             .home = {0, 30, -125, 0, -85, 0},
+                             .home = {0, -45, -50, 0, -85, 0},
                              .stroke = 0.060});
 }
 

@@ -39,7 +39,7 @@ struct IkOptions {
   double position_tolerance = 1e-6;  // m
   double rotation_tolerance = 1e-6;  // rad
   int iterations = 30;               // per start
-  int starts = 100;
+  int starts = 200;
   bool respect_limits = true;
   bool diagnose = true;  // find out why when there is no solution
 };
