@@ -54,7 +54,9 @@ const NativeConstant* Registry::constant(std::string_view name) const {
   return find_or(constants_, name, nullptr);
 }
 
-const HostType* Registry::type(std::string_view name) const { return find_or(types_, name, nullptr); }
+const HostType* Registry::type(std::string_view name) const {
+  return find_or(types_, name, nullptr);
+}
 
 bool Registry::is_namespace(std::string_view name) const {
   const std::string prefix = std::string(name) + '.';

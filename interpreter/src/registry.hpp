@@ -1,8 +1,9 @@
 #pragma once
-// The vocabulary of an engine: native functions, constants, host types and records of the library, by name.
+// The vocabulary of an engine: native functions, constants, host types and records of the library,
+// by name.
 //
-// Only names and texts are kept here. A program reads the signatures it needs against its own types, so an engine may be
-// shared by threads.
+// Only names and texts are kept here. A program reads the signatures it needs against its own
+// types, so an engine may be shared by threads.
 
 #include <map>
 #include <span>

@@ -19,7 +19,8 @@ bool is_literal(const hir::Expr& value) {
     case hir::ExprKind::kConvert:
       return is_literal(*value.as<hir::ConvertExpr>().operand);
     case hir::ExprKind::kList:
-      return std::ranges::all_of(value.as<hir::ListExpr>().items, [](const hir::Expr* item) { return is_literal(*item); });
+      return std::ranges::all_of(value.as<hir::ListExpr>().items,
+                                 [](const hir::Expr* item) { return is_literal(*item); });
     default:
       return false;
   }
@@ -38,11 +39,12 @@ hir::Stmt* Checker::check_assert(const ast::CallExpr& call) {
   if (!takes(call, "assert", 1, 2)) return nullptr;
   const ast::Expr& written = *call.args[0].value;
   hir::Expr* test = condition(written);
-  hir::Expr* note = call.args.size() > 1 ? check_as(*call.args[1].value, {.role = Target::Role::kArgument,
-                                                                          .type = types_.text(),
-                                                                          .function = "assert",
-                                                                          .position = 2})
-                                         : nullptr;
+  hir::Expr* note = call.args.size() > 1
+                        ? check_as(*call.args[1].value, {.role = Target::Role::kArgument,
+                                                         .type = types_.text(),
+                                                         .function = "assert",
+                                                         .position = 2})
+                        : nullptr;
   auto* out = make<hir::AssertStmt>(hir::StmtKind::kAssert, call.span);
   out->condition = test;
   out->note = note;
@@ -52,8 +54,8 @@ hir::Stmt* Checker::check_assert(const ast::CallExpr& call) {
   return out;
 }
 
-// The sides of a comparison, or the values of a call, are computed once into hidden variables, so that a failure can
-// show them.
+// The sides of a comparison, or the values of a call, are computed once into hidden variables, so
+// that a failure can show them.
 void Checker::split_condition(hir::AssertStmt& stmt, hir::Expr* test) {
   while (test->kind == hir::ExprKind::kUnary) test = static_cast<hir::UnaryExpr*>(test)->operand;
   std::vector<hir::InitStmt*> inits;
@@ -74,7 +76,7 @@ void Checker::split_condition(hir::AssertStmt& stmt, hir::Expr* test) {
     auto* call = static_cast<hir::CallNativeExpr*>(test);
     std::vector<hir::Expr*> arguments(call->arguments.begin(), call->arguments.end());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-      if (!call->site.arguments[i].empty()) keep(arguments[i], call->site.arguments[i]);
+      if (!call->site.arguments[i].empty()) keep(arguments[i], arguments[i]->span);
     }
     call->arguments = seq(arguments);
     if (call->function->explain != nullptr) {
@@ -83,8 +85,8 @@ void Checker::split_condition(hir::AssertStmt& stmt, hir::Expr* test) {
       why.real1 = nullptr;
       why.real2 = nullptr;
       const auto* function = arena_.make<NativeFunction>(why);
-      stmt.explain = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, types_.text(), call->span, function,
-                                               call->arguments, call->site);
+      stmt.explain = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, types_.text(),
+                                               call->span, function, call->arguments, call->site);
     }
   }
   stmt.parts_init = seq(inits);
@@ -102,14 +104,19 @@ hir::Stmt* Checker::check_assert_throws(const ast::CallExpr& call) {
       return nullptr;
     }
     if (is_kind) {
-      kind = check_as(*arg.value, {.role = Target::Role::kSetting, .type = types_.text(), .name = "kind", .function = "assertThrows"});
+      kind = check_as(*arg.value, {.role = Target::Role::kSetting,
+                                   .type = types_.text(),
+                                   .name = "kind",
+                                   .function = "assertThrows"});
     } else if (body == nullptr) {
       body = arg.value;
     }
   }
   const std::size_t values = (body != nullptr ? 1 : 0) + (kind != nullptr ? 1 : 0);
   if (body == nullptr || values != call.args.size()) {
-    report(make_diagnostic("E0312", call.callee->span, {"assertThrows", "1 function and a kind", std::to_string(call.args.size())}));
+    report(make_diagnostic(
+        "E0312", call.callee->span,
+        {"assertThrows", "1 function and a kind", std::to_string(call.args.size())}));
     return nullptr;
   }
   auto* out = make<hir::AssertThrowsStmt>(hir::StmtKind::kAssertThrows, call.span);
@@ -126,12 +133,15 @@ hir::Stmt* Checker::check_assert_throws(const ast::CallExpr& call) {
   const bool fits = function->type->is(Kind::kFunction) && function->type->parameters.empty();
   if (!fits) {
     if (!function->type->is(Kind::kAny)) {
-      report(make_diagnostic("E0313", function->span, {"assertThrows", "a function without parameters", type_phrase(function->type)}));
+      report(make_diagnostic(
+          "E0313", function->span,
+          {"assertThrows", "a function without parameters", type_phrase(function->type)}));
     }
     return nullptr;
   }
-  out->call = make<hir::CallValueExpr>(hir::ExprKind::kCallValue, function->type->result, body->span, function,
-                                       hir::Seq<hir::Expr*>{}, hir::CallSite{body->span, body->span, {}});
+  out->call = make<hir::CallValueExpr>(hir::ExprKind::kCallValue, function->type->result,
+                                       body->span, function, hir::Seq<hir::Expr*>{},
+                                       hir::CallSite{body->span, body->span, {}});
   return out;
 }
 

@@ -1,4 +1,5 @@
-// T name { field: value; row constructor(...) }: for structs, and for host types with a function "T{}".
+// T name { field: value; row constructor(...) }: for structs, and for host types with a function
+// "T{}".
 
 #include <algorithm>
 
@@ -29,65 +30,78 @@ hir::Stmt* Checker::check_object(const ast::ObjectStmt& stmt) {
 
 hir::Expr* Checker::block_value(const ast::ObjectStmt& stmt, const Type* type) {
   const std::string_view type_text = arena_.copy(type_name(type));
-  const auto makers = registry_.functions(std::string(type_text) + "{}");
+  const std::string_view maker = arena_.copy(std::string(type_text) + "{}");
+  const auto makers = registry_.functions(maker);
   const bool is_struct = type->is(Kind::kRecord) && structs_.contains(type->record);
   if (!is_struct && makers.empty()) {
-    report(make_diagnostic("E0217", stmt.type->span, {std::string(type_text), "a type without a block form"}));
+    report(make_diagnostic("E0217", stmt.type->span,
+                           {std::string(type_text), "a type without a block form"}));
     return failed(stmt.span);
   }
-  std::vector<Argument> arguments;
-  std::vector<std::pair<std::string_view, std::vector<hir::Expr*>>> rows;
-  if (!is_struct) {
-    const std::string_view name = arena_.copy(stmt.name.text);
-    arguments.push_back({.name = "name",
-                         .name_span = stmt.name.span,
-                         .value = make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), stmt.name.span, name)});
-  }
+  std::vector<Argument> arguments = block_rows(stmt);
   for (const ast::BlockItem& item : stmt.items) {
-    if (item.is_row) {
-      hir::Expr* row = block_row(stmt, item);
-      if (row->type->is(Kind::kAny)) return failed(stmt.span);
-      const auto known = std::ranges::find(rows, item.name.text, [](const auto& pair) { return pair.first; });
-      if (known == rows.end()) {
-        rows.push_back({item.name.text, {row}});
-      } else {
-        known->second.push_back(row);
-      }
-      continue;
-    }
+    if (item.is_row) continue;
     Argument argument{.name = item.name.text, .name_span = item.name.span, .written = item.value};
-    const std::string maker = std::string(type_text) + "{}";
     if (!waits(*item.value)) {
-      argument.value = check_value(*item.value, list_hint(maker, {item.name, item.value, item.span}, 0));
+      const Type* hint = list_hint(maker, {item.name, item.value, item.span}, 0);
+      argument.value = check_value(*item.value, hint);
     }
     arguments.push_back(argument);
   }
-  for (const auto& [name, values] : rows) {
-    arguments.push_back({.name = name,
-                         .name_span = stmt.name.span,
-                         .value = make<hir::ListExpr>(hir::ExprKind::kList, types_.list(values[0]->type), stmt.span,
-                                                      seq(values))});
+  if (is_struct) {
+    return construct(structs_[type->record], stmt.name.span, stmt.span, std::move(arguments));
   }
-  const bool wants_rows = !is_struct && rows.empty() &&
-                          std::ranges::any_of(signature_of(*makers[0]).parameters, [](const Parameter& p) {
-                            return p.type.form == TypePattern::Form::kList && !p.may_be_left_out();
-                          });
-  if (wants_rows) {
-    // A part that repeats may be missing altogether: the rule of the host says whether that is right.
-    for (const Parameter& p : signature_of(*makers[0]).parameters) {
-      if (p.type.form != TypePattern::Form::kList || p.may_be_left_out()) continue;
-      const Type* list = instantiate(p.type, {}, types_);
-      const std::string_view name = arena_.copy(p.name);
-      const auto given = [&](const Argument& argument) { return argument.name == name; };
-      if (list == nullptr || std::ranges::any_of(arguments, given)) continue;
-      arguments.push_back({.name = name,
-                           .name_span = stmt.name.span,
-                           .value = make<hir::ListExpr>(hir::ExprKind::kList, list, stmt.name.span,
-                                                        hir::Seq<hir::Expr*>{})});
+  const std::string_view name = arena_.copy(stmt.name.text);
+  arguments.push_back(
+      {.name = "name",
+       .name_span = stmt.name.span,
+       .value = make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), stmt.name.span, name)});
+  add_missing_rows(*makers[0], stmt.name.span, arguments);
+  return call_native(type_text, makers, stmt.name.span, stmt.span, std::move(arguments));
+}
+
+// The rows of each part as one list, named like the part.
+std::vector<Argument> Checker::block_rows(const ast::ObjectStmt& stmt) {
+  std::vector<std::pair<ast::Name, std::vector<hir::Expr*>>> parts;
+  for (const ast::BlockItem& item : stmt.items) {
+    if (!item.is_row) continue;
+    hir::Expr* row = block_row(stmt, item);
+    const auto known =
+        std::ranges::find(parts, item.name.text, [](const auto& part) { return part.first.text; });
+    if (known == parts.end()) {
+      parts.push_back({item.name, {row}});
+    } else {
+      known->second.push_back(row);
     }
   }
-  if (is_struct) return construct(structs_[type->record], stmt.name.span, stmt.span, std::move(arguments));
-  return call_native(type_text, makers, stmt.name.span, stmt.span, std::move(arguments));
+  std::vector<Argument> out;
+  for (const auto& [name, rows] : parts) {
+    const auto bad =
+        std::ranges::find_if(rows, [](const hir::Expr* row) { return row->type->is(Kind::kAny); });
+    hir::Expr* list = bad != rows.end()
+                          ? *bad
+                          : make<hir::ListExpr>(hir::ExprKind::kList, types_.list(rows[0]->type),
+                                                name.span, seq(rows));
+    out.push_back({.name = name.text, .name_span = name.span, .value = list});
+  }
+  return out;
+}
+
+// A part that repeats may be missing altogether: the rule of the host says whether that is right.
+void Checker::add_missing_rows(const NativeFunction& maker, Span span,
+                               std::vector<Argument>& arguments) {
+  for (const Parameter& parameter : signature_of(maker).parameters) {
+    const Type* list = instantiate(parameter.type, {}, types_);
+    const auto given = [&](const Argument& argument) { return argument.name == parameter.name; };
+    if (list == nullptr || !list->is(Kind::kList) || parameter.may_be_left_out() ||
+        std::ranges::any_of(arguments, given)) {
+      continue;
+    }
+    arguments.push_back(
+        {.name = arena_.copy(parameter.name),
+         .name_span = span,
+         .value = make<hir::ListExpr>(hir::ExprKind::kList, list, span, hir::Seq<hir::Expr*>{})});
+  }
 }
 
 // joint revolute(...): a call of "robot.joint.revolute".
@@ -102,7 +116,8 @@ hir::Expr* Checker::block_row(const ast::ObjectStmt& stmt, const ast::BlockItem&
     for (std::string_view name : registry_.public_names()) {
       if (!name.starts_with(prefix)) continue;
       name.remove_prefix(prefix.size());
-      if (wrong_part == (name.find('.') != std::string_view::npos)) known.push_back(name.substr(0, name.find('.')));
+      if (wrong_part == (name.find('.') != std::string_view::npos))
+        known.push_back(name.substr(0, name.find('.')));
     }
     const ast::Name& word = wrong_part ? item.name : item.constructor;
     Diagnostic diagnostic = make_diagnostic("E0201", word.span, {std::string(word.text)});
@@ -111,7 +126,8 @@ hir::Expr* Checker::block_row(const ast::ObjectStmt& stmt, const ast::BlockItem&
     return failed(item.span);
   }
   const std::string_view name = arena_.copy(full);
-  return call_native(item.constructor.text, makers, item.constructor.span, item.span, arguments_of(item.args, name));
+  return call_native(item.constructor.text, makers, item.constructor.span, item.span,
+                     arguments_of(item.args, name));
 }
 
 }  // namespace armlet::lang

@@ -16,7 +16,8 @@ bool Checker::waits(const ast::Expr& expr) {
 
 // What a list written in a call is going to be, when all functions of the name agree on it.
 const Type* Checker::list_hint(std::string_view callee, const ast::Arg& arg, std::size_t position) {
-  if (arg.value->kind != ast::ExprKind::kList && arg.value->kind != ast::ExprKind::kBrace) return nullptr;
+  if (arg.value->kind != ast::ExprKind::kList && arg.value->kind != ast::ExprKind::kBrace)
+    return nullptr;
   const Type* hint = nullptr;
   for (const NativeFunction* candidate : registry_.functions(callee)) {
     const Signature& signature = signature_of(*candidate);
@@ -70,14 +71,16 @@ hir::Expr* Checker::call_by_name(const ast::CallExpr& call, std::string_view nam
                       !registry_.functions(name).empty();
   if (!exists) {
     if (local == nullptr) return unknown_name(name, callee);
-    report(make_diagnostic("E0217", callee, {std::string(name), type_phrase(local->variable->type)}));
+    report(
+        make_diagnostic("E0217", callee, {std::string(name), type_phrase(local->variable->type)}));
     return failed(call.span);
   }
   return call_function(name, callee, call.span, arguments_of(call.args, name));
 }
 
 // A function of the text, a struct, or a function of the library.
-hir::Expr* Checker::call_function(std::string_view name, Span callee, Span span, std::vector<Argument> arguments) {
+hir::Expr* Checker::call_function(std::string_view name, Span callee, Span span,
+                                  std::vector<Argument> arguments) {
   if (FunctionDecl* function = find_function(name)) {
     return call_script(*function, callee, span, std::move(arguments));
   }
@@ -95,15 +98,19 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   const std::string_view name = member.member.text;
   const Span callee = member.member.span;
   if (const std::string group = dotted_name(*member.object); !group.empty()) {
-    if (group == "System.out" && (name == "println" || name == "print")) return print_call(call, name == "println");
-    if (group == "System.out" && name == "printf") return not_available(member.span, "`System.out.printf`");
+    if (group == "System.out" && (name == "println" || name == "print"))
+      return print_call(call, name == "println");
+    if (group == "System.out" && name == "printf")
+      return not_available(member.span, "`System.out.printf`");
     const std::string full = group + '.' + std::string(name);
     const auto functions = registry_.functions(group == "Math" ? name : std::string_view(full));
     if (!functions.empty()) {
       const std::string shown = group == "Math" ? std::string(name) : full;
-      return call_native(arena_.copy(shown), functions, member.span, call.span, arguments_of(call.args, shown));
+      return call_native(arena_.copy(shown), functions, member.span, call.span,
+                         arguments_of(call.args, shown));
     }
-    if (registry_.is_namespace(group) || group == "Math" || group == "System.out" || group == "System") {
+    if (registry_.is_namespace(group) || group == "Math" || group == "System.out" ||
+        group == "System") {
       Diagnostic diagnostic = make_diagnostic("E0201", member.span, {full});
       diagnostic.fix = did_you_mean(full, member.span, registry_.public_names());
       report(std::move(diagnostic));
@@ -128,7 +135,8 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   const bool exists = find_function(name) != nullptr || !registry_.functions(name).empty();
   if (methods.empty() && !exists) {
     if (type->is(Kind::kRecord) && type->record->index_of(name) >= 0) {
-      report(make_diagnostic("E0217", callee, {std::string(name), type_phrase(field_of(object, member)->type)}));
+      report(make_diagnostic("E0217", callee,
+                             {std::string(name), type_phrase(field_of(object, member)->type)}));
       return failed(call.span);
     }
     return unknown_name(name, callee);
@@ -147,7 +155,8 @@ hir::Expr* Checker::call_value(hir::Expr* function, const ast::CallExpr& call) {
     report(make_diagnostic("E0217", call.callee->span, {name, type_phrase(type)}));
     return failed(call.span);
   }
-  if (!takes(call, name, type->parameters.size(), type->parameters.size())) return failed(call.span);
+  if (!takes(call, name, type->parameters.size(), type->parameters.size()))
+    return failed(call.span);
   std::vector<hir::Expr*> values;
   std::vector<Span> spans;
   for (std::size_t i = 0; i < call.args.size(); ++i) {
@@ -158,7 +167,8 @@ hir::Expr* Checker::call_value(hir::Expr* function, const ast::CallExpr& call) {
                                                     .call = call.span}));
     spans.push_back(values.back()->span);
   }
-  return make<hir::CallValueExpr>(hir::ExprKind::kCallValue, type->result, call.span, function, seq(values),
+  return make<hir::CallValueExpr>(hir::ExprKind::kCallValue, type->result, call.span, function,
+                                  seq(values),
                                   hir::CallSite{call.span, call.callee->span, seq(spans)});
 }
 
@@ -167,7 +177,8 @@ hir::Expr* Checker::check_new_object(const ast::NewObjectExpr& expr) {
   if (type->is(Kind::kAny)) return failed(expr.span);
   const std::string_view name = arena_.copy(type_name(type));
   if (!type->is(Kind::kRecord) && registry_.functions(name).empty()) {
-    report(make_diagnostic("E0217", expr.type->span, {std::string(name), "a type without a constructor"}));
+    report(make_diagnostic("E0217", expr.type->span,
+                           {std::string(name), "a type without a constructor"}));
     return failed(expr.span);
   }
   return call_function(name, expr.type->span, expr.span, arguments_of(expr.args, name));

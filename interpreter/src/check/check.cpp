@@ -7,16 +7,6 @@
 
 namespace armlet::lang {
 
-Checker::Checker(const ast::Block& program, CompiledProgram& into, const Registry& registry,
-                 const CompileOptions& options, DiagnosticSink& sink)
-    : program_(program),
-      into_(into),
-      registry_(registry),
-      options_(options),
-      sink_(sink),
-      arena_(*into.arena),
-      types_(*into.types) {}
-
 // Notes what the whole text shows before any of it is checked.
 void Checker::look_ahead(const ast::Block& program) {
   const Sights sights = look_over(program);
@@ -24,13 +14,16 @@ void Checker::look_ahead(const ast::Block& program) {
   for (const std::string_view name : sights.mentioned) {
     if (!registry_.functions(name).empty()) mentioned_.insert(std::string(name));
   }
-  const auto declare = [&](const ast::Name& name, const ast::TypeExpr* type, const ast::Expr* init) {
+  const auto declare = [&](const ast::Name& name, const ast::TypeExpr* type,
+                           const ast::Expr* init) {
     top_level_names_.emplace(name.text, name.span);
-    if (const HostType* host = ambient_type(type, init)) ambient_names_[host->name].push_back(name.text);
+    if (const HostType* host = ambient_type(type, init))
+      ambient_names_[host->name].push_back(name.text);
   };
   for (const ast::Stmt* stmt : program.body) {
     if (stmt->kind == ast::StmtKind::kVar) {
-      for (const ast::Declarator& at : stmt->as<ast::VarStmt>().declarators) declare(at.name, at.type, at.init);
+      for (const ast::Declarator& at : stmt->as<ast::VarStmt>().declarators)
+        declare(at.name, at.type, at.init);
     } else if (stmt->kind == ast::StmtKind::kObject) {
       const auto& node = stmt->as<ast::ObjectStmt>();
       declare(node.name, node.type, nullptr);
@@ -39,7 +32,8 @@ void Checker::look_ahead(const ast::Block& program) {
   }
 }
 
-// The ambient type that a declaration shows: written, or made by robots.something(...); null if none.
+// The ambient type that a declaration shows: written, or made by robots.something(...); null if
+// none.
 const HostType* Checker::ambient_type(const ast::TypeExpr* type, const ast::Expr* init) {
   while (type != nullptr && type->form == ast::TypeForm::kProduct && type->factors.size() == 1) {
     type = type->factors[0].type;
@@ -77,7 +71,8 @@ bool Checker::run() {
     if (variable->storage == hir::Storage::kGlobal) globals.push_back(variable);
   }
   for (hir::Variable* variable : inner_globals_) globals.push_back(variable);
-  for (std::size_t i = 0; i < globals.size(); ++i) globals[i]->index = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < globals.size(); ++i)
+    globals[i]->index = static_cast<std::uint32_t>(i);
   module.main = main_.function;
   module.functions = seq(all_functions_);
   module.tests = seq(tests_);

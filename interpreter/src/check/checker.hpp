@@ -1,75 +1,24 @@
 #pragma once
-// One pass over a program, from the syntax tree to the typed tree. The parts are in the files named before each group.
+// One pass over a program, from the syntax tree to the typed tree. The parts are in the files named
+// before each group.
 //
-// What failed has the type `any`, which fits everywhere, so that one mistake gives one message. Statement by statement
-// the sink drops what follows a first message.
+// What failed has the type `any`, which fits everywhere, so that one mistake gives one message.
+// Statement by statement the sink drops what follows a first message.
 
-#include <deque>
-#include <map>
-#include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "check/check.hpp"
-#include "check/scope.hpp"
+#include "check/call.hpp"
+#include "check/state.hpp"
 #include "check/suggest.hpp"
-#include "types/signature.hpp"
 
 namespace armlet::lang {
 
-// What a value is needed for: decides the message when its type does not fit.
-struct Target {
-  enum class Role : std::uint8_t { kVariable, kArgument, kSetting, kResult, kElement } role = Role::kVariable;
-  const Type* type = nullptr;
-  std::string_view name{};        // of the variable or parameter
-  std::string_view function{};    // kArgument, kSetting
-  int position = 0;               // kArgument: from 1
-  Span call{};                    // kArgument, kSetting
-};
-
-// One value handed to a call. Lambdas and names of functions wait for the type their parameter asks for.
-struct Argument {
-  std::string_view name{};        // empty: by position
-  Span name_span{};
-  const ast::Expr* written = nullptr;
-  hir::Expr* value = nullptr;     // null: waits
-  [[nodiscard]] Span span() const { return value != nullptr ? value->span : written->span; }
-  [[nodiscard]] bool waits() const { return value == nullptr; }
-};
-
-// How the values of a call fall on the parameters of one function.
-struct Fit {
-  enum class Problem : std::uint8_t { kNone, kTooMany, kMissing, kUnknownName, kTwice, kType, kAfterNamed };
-  Problem problem = Problem::kNone;
-  int argument = -1;                       // the one with the problem
-  int parameter = -1;
-  int matched = 0;                         // values that fitted, to find the closest function
-  int cost = 0;
-  int generic = 0;
-  bool ambient = false;                    // the first parameter is the robot of the program
-  std::vector<int> from;                   // per parameter: which argument, -1 none
-  std::vector<int> rest;                   // arguments of the variadic parameter
-  Bindings bindings;
-};
-
-// The robots (or other ambient values) of the program that can be meant at one place.
-struct Ambient {
-  Local* local = nullptr;                  // the only one, if it is declared above
-  FunctionContext* where = nullptr;
-  std::vector<std::string_view> names;     // sorted
-};
-
-// The literal 0 or 0.0, which is any quantity.
-[[nodiscard]] bool is_zero(const hir::Expr& value);
-
-struct Checker {
-  Checker(const ast::Block& program, CompiledProgram& into, const Registry& registry,
-          const CompileOptions& options, DiagnosticSink& sink);
+struct Checker : CheckerState {
+  using CheckerState::CheckerState;
   bool run();
 
   // ---- messages.cpp
@@ -111,13 +60,14 @@ struct Checker {
   hir::Expr* check(const ast::Expr& expr, const Type* expected = nullptr);
   hir::Expr* check_value(const ast::Expr& expr, const Type* expected = nullptr);  // not void
   hir::Expr* check_any(const ast::Expr& expr, const Type* expected);
+  hir::Expr* check_literal(const ast::Expr& expr);
   hir::Expr* check_name(const ast::NameExpr& name, const Type* expected);
   hir::Expr* read(Local& local, FunctionContext& where, Span span);
   hir::Expr* check_conditional(const ast::CondExpr& cond, const Type* expected);
   hir::Expr* check_list(const ast::Expr& expr, ast::Seq<ast::Expr*> items, const Type* expected);
   hir::Expr* check_new_array(const ast::NewArrayExpr& expr);
   hir::Expr* check_until(const ast::UntilExpr& until);
-  hir::Expr* check_formatted(const ast::FormattedExpr& text);               // formatted.cpp
+  hir::Expr* check_formatted(const ast::FormattedExpr& text);  // formatted.cpp
   hir::Expr* formatted_piece(const ast::FormatPiece& piece);
   hir::Expr* to_text(hir::Expr* value);
 
@@ -138,9 +88,12 @@ struct Checker {
   hir::Expr* arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   hir::Expr* raise(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   hir::Expr* compare(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
-  hir::Expr* operator_native(std::string_view op, Span op_span, Span span, std::vector<hir::Expr*> operands);
-  hir::Expr* no_operator(const ast::BinaryExpr& node, const hir::Expr& left, const hir::Expr& right);
-  hir::Expr* different_dimensions(const ast::BinaryExpr& node, const hir::Expr& left, const hir::Expr& right);
+  hir::Expr* operator_native(std::string_view op, Span op_span, Span span,
+                             std::vector<hir::Expr*> operands);
+  hir::Expr* no_operator(const ast::BinaryExpr& node, const hir::Expr& left,
+                         const hir::Expr& right);
+  hir::Expr* different_dimensions(const ast::BinaryExpr& node, const hir::Expr& left,
+                                  const hir::Expr& right);
 
   // ---- constants.cpp
   [[nodiscard]] std::optional<Constant> constant_of(const hir::Expr& expr, int depth = 0) const;
@@ -152,9 +105,11 @@ struct Checker {
 
   // ---- calls.cpp
   hir::Expr* check_call(const ast::CallExpr& call, const Type* expected);
-  hir::Expr* call_by_name(const ast::CallExpr& call, std::string_view name, Span callee, const Type* expected);
+  hir::Expr* call_by_name(const ast::CallExpr& call, std::string_view name, Span callee,
+                          const Type* expected);
   hir::Expr* call_member(const ast::CallExpr& call, const ast::MemberExpr& member);
-  hir::Expr* call_function(std::string_view name, Span callee, Span span, std::vector<Argument> arguments);
+  hir::Expr* call_function(std::string_view name, Span callee, Span span,
+                           std::vector<Argument> arguments);
   hir::Expr* call_value(hir::Expr* function, const ast::CallExpr& call);
   hir::Expr* check_new_object(const ast::NewObjectExpr& expr);
   std::vector<Argument> arguments_of(ast::Seq<ast::Arg> args, std::string_view callee);
@@ -166,46 +121,62 @@ struct Checker {
   // ---- intrinsics.cpp
   hir::Expr* intrinsic(const ast::CallExpr& call, std::string_view name, Span callee, bool& known);
   hir::Expr* print_call(const ast::CallExpr& call, bool line);
+  hir::Expr* last_call(hir::Expr* list, Span span);
   hir::Expr* error_call(const ast::CallExpr& call);
   hir::Expr* conversion_call(const ast::CallExpr& call, const Type* type, std::string_view name);
-  hir::Expr* builtin_method(hir::Expr* object, const ast::CallExpr& call, const ast::MemberExpr& member, bool& known);
-  hir::Expr* mutation(const ast::CallExpr& call, const ast::MemberExpr& member, hir::Mutation mutation);
+  hir::Expr* builtin_method(hir::Expr* object, const ast::CallExpr& call,
+                            const ast::MemberExpr& member, bool& known);
+  hir::Expr* mutation(const ast::CallExpr& call, const ast::MemberExpr& member,
+                      hir::Mutation mutation);
   bool takes(const ast::CallExpr& call, std::string_view name, std::size_t least, std::size_t most);
 
   // ---- overloads.cpp
   const Signature& signature_of(const NativeFunction& function);
-  [[nodiscard]] Fit fit(const Signature& signature, const std::vector<Argument>& arguments, bool ambient);
-  bool place_arguments(const Signature& signature, const std::vector<Argument>& arguments, Fit& fit) const;
-  void match_argument(const Signature& signature, const std::vector<Argument>& arguments, int argument,
-                      int parameter, Fit& fit);
+  [[nodiscard]] Fit fit(const Signature& signature, const std::vector<Argument>& arguments,
+                        bool ambient);
+  bool place_arguments(const Signature& signature, const std::vector<Argument>& arguments,
+                       Fit& fit) const;
+  void match_argument(const Signature& signature, const std::vector<Argument>& arguments,
+                      int argument, int parameter, Fit& fit);
   bool fit_waiting(const ast::Expr& written, const TypePattern& pattern);
   // The best of all; null after a message.
-  const NativeFunction* choose(std::string_view name, std::span<const NativeFunction* const> candidates,
-                               Span callee, Span span, const std::vector<Argument>& arguments, Fit& best);
+  const NativeFunction* choose(std::string_view name,
+                               std::span<const NativeFunction* const> candidates, Span callee,
+                               Span span, const std::vector<Argument>& arguments, Fit& best);
   void report_misfit(std::string_view name, const Signature& signature, Span callee, Span span,
-                     const std::vector<Argument>& arguments, const Fit& fit);
+                     const std::vector<Argument>& arguments, const Fit& fit);  // misfits.cpp
+  void report_unknown_setting(std::string_view name, const Signature& signature, const Argument& at,
+                              bool ambient);
+  void report_count(std::string_view name, const Signature& signature, Span callee,
+                    const std::vector<Argument>& arguments, const Fit& fit);
+  void report_argument(std::string_view name, const Signature& signature, Span span,
+                       const std::vector<Argument>& arguments, const Fit& fit);
 
   // ---- native_calls.cpp
-  hir::Expr* call_native(std::string_view name, std::span<const NativeFunction* const> candidates, Span callee,
-                         Span span, std::vector<Argument> arguments);
-  hir::Expr* finish_native(std::string_view name, const NativeFunction& function, Span callee, Span span,
-                           std::vector<Argument>& arguments, Fit& fit);
-  hir::Expr* waiting_argument(const Argument& argument, const TypePattern& pattern, Bindings& bindings);
+  hir::Expr* call_native(std::string_view name, std::span<const NativeFunction* const> candidates,
+                         Span callee, Span span, std::vector<Argument> arguments);
+  hir::Expr* finish_native(std::string_view name, const NativeFunction& function, Span callee,
+                           Span span, std::vector<Argument>& arguments, Fit& fit);
+  hir::Expr* waiting_argument(const Argument& argument, const TypePattern& pattern,
+                              Bindings& bindings);
   hir::Expr* ambient_value(const HostType& type, Span callee);
   [[nodiscard]] const Fact* ambient_fact(std::string_view type);
   // The variables that a call without a robot may mean, and the names of all that it could mean.
   Ambient find_ambient(const HostType& type);
   void note_pause(Span span);
   hir::Expr* run_rule(std::string_view name, const std::vector<Argument>& arguments, const Fit& fit,
-                      hir::CallNativeExpr* call);                             // rules.cpp
+                      hir::CallNativeExpr* call);  // rules.cpp
 
   // ---- script_calls.cpp
-  hir::Expr* call_script(FunctionDecl& function, Span callee, Span span, std::vector<Argument> arguments);
-  hir::Expr* construct(const StructDecl& structure, Span callee, Span span, std::vector<Argument> arguments);
+  hir::Expr* call_script(FunctionDecl& function, Span callee, Span span,
+                         std::vector<Argument> arguments);
+  hir::Expr* construct(const StructDecl& structure, Span callee, Span span,
+                       std::vector<Argument> arguments);
   hir::Expr* default_value(const ast::Expr& expr, const Target& target, std::string_view what);
   // The arguments by parameter; empty with a message if they do not fit.
-  std::optional<std::vector<Argument*>> by_parameter(std::string_view name, ast::Seq<ast::Param> parameters,
-                                                     Span callee, Span span, std::vector<Argument>& arguments);
+  std::optional<std::vector<Argument*>> by_parameter(std::string_view name,
+                                                     ast::Seq<ast::Param> parameters, Span callee,
+                                                     Span span, std::vector<Argument>& arguments);
 
   // ---- functions.cpp
   Instance* instance_of(FunctionDecl& function, std::vector<const Type*> types, Span call);
@@ -216,8 +187,9 @@ struct Checker {
   hir::Function* new_function(std::string_view name, Span span);
   Use& use_of(const hir::Function* function) { return uses_[function]; }
   hir::Expr* check_lambda(const ast::LambdaExpr& lambda, const Type* expected);  // lambdas.cpp
-  hir::Expr* check_guard(const ast::Expr& condition);                            // a condition as a function
-  hir::Expr* closure(hir::Function* function, FunctionContext& context, const Type* type, Span span);
+  hir::Expr* check_guard(const ast::Expr& condition);  // a condition as a function
+  hir::Expr* closure(hir::Function* function, FunctionContext& context, const Type* type,
+                     Span span);
   void make_global(hir::Variable& variable);
   hir::Variable* captured(Local& local, FunctionContext& owner, FunctionContext& here);
 
@@ -238,6 +210,7 @@ struct Checker {
   void check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out);
   hir::Stmt* check_statement(const ast::Stmt& stmt);
   hir::Stmt* check_any_statement(const ast::Stmt& stmt);
+  hir::Stmt* not_there_yet(const ast::Stmt& stmt);
   hir::Stmt* misplaced_declaration(const ast::Stmt& stmt);
   hir::Stmt* check_expression_statement(const ast::ExprStmt& stmt);
   hir::Stmt* check_if(const ast::IfStmt& stmt);
@@ -250,7 +223,8 @@ struct Checker {
   hir::Stmt* check_wait_until(const ast::WaitUntilStmt& stmt);
   hir::Stmt* check_try(const ast::TryStmt& stmt);
   // loops.cpp
-  hir::Stmt* check_while(const ast::Expr* condition, const ast::Stmt& body, ast::Seq<ast::Stmt*> step, Span span);
+  hir::Stmt* check_while(const ast::Expr* condition, const ast::Stmt& body,
+                         ast::Seq<ast::Stmt*> step, Span span);
   hir::Stmt* check_do(const ast::DoStmt& stmt);
   hir::Stmt* check_for(const ast::ForStmt& stmt);
   hir::Stmt* check_for_in(const ast::ForInStmt& stmt);
@@ -259,8 +233,10 @@ struct Checker {
   hir::Variable* loop_variable(const ast::ForInStmt& stmt, const Type* type);
   // switches.cpp
   hir::Stmt* check_switch(const ast::SwitchStmt& stmt);
-  hir::Expr* case_test(hir::Variable* subject, const ast::Expr& value, std::vector<std::string>& seen);
-  void missing_cases(const ast::SwitchStmt& stmt, const Type* type, const std::vector<std::string>& seen);
+  hir::Expr* case_test(hir::Variable* subject, const ast::Expr& value,
+                       std::vector<std::string>& seen);
+  void missing_cases(const ast::SwitchStmt& stmt, const Type* type,
+                     const std::vector<std::string>& seen);
   void advise_missing_break(const ast::SwitchStmt& stmt);
   // asserts.cpp
   hir::Stmt* check_assert(const ast::CallExpr& call);
@@ -269,7 +245,7 @@ struct Checker {
 
   // ---- declarations.cpp
   void collect(const ast::Block& program);
-  void look_ahead(const ast::Block& program);                                  // check.cpp
+  void look_ahead(const ast::Block& program);  // check.cpp
   const HostType* ambient_type(const ast::TypeExpr* type, const ast::Expr* init);
   void check_functions();
   void collect_types(const ast::Block& program);
@@ -278,15 +254,17 @@ struct Checker {
   void fill_struct(const ast::StructStmt& node);
   hir::Stmt* check_var(const ast::VarStmt& stmt);
   hir::Stmt* declare(const ast::VarStmt& stmt, const ast::Declarator& declarator);
-  hir::Stmt* check_object(const ast::ObjectStmt& stmt);                        // block_declarations.cpp
+  hir::Stmt* check_object(const ast::ObjectStmt& stmt);  // block_declarations.cpp
   hir::Expr* block_value(const ast::ObjectStmt& stmt, const Type* type);
+  std::vector<Argument> block_rows(const ast::ObjectStmt& stmt);
+  void add_missing_rows(const NativeFunction& maker, Span span, std::vector<Argument>& arguments);
   hir::Expr* block_row(const ast::ObjectStmt& stmt, const ast::BlockItem& item);
   hir::Stmt* check_test(const ast::TestStmt& stmt);
   void check_waiting_tests();
   hir::Variable* new_variable(std::string_view name, const Type* type, Span span);
   hir::Variable* hidden(const Type* type, Span span);
   Local* add_local(hir::Variable* variable, Declared how, Span keyword);
-  bool is_free(const ast::Name& name);
+  bool is_free(const ast::Name& name, const ast::Expr* value = nullptr);
   void advise_hidden(const ast::Name& name);
   void open_block() { here_->blocks.push_back(here_->locals.size()); }
   void close_block();
@@ -301,56 +279,6 @@ struct Checker {
   // ---- names
   Local* find_local(std::string_view name, FunctionContext*& where);
   FunctionDecl* find_function(std::string_view name);
-
-  template <class T, class... Rest>
-  T* make(hir::ExprKind kind, const Type* type, Span span, Rest&&... rest) {
-    return arena_.make<T>(hir::Expr{.kind = kind, .type = type, .span = span}, std::forward<Rest>(rest)...);
-  }
-  template <class T, class... Rest>
-  T* make(hir::StmtKind kind, Span span, Rest&&... rest) {
-    return arena_.make<T>(hir::Stmt{.kind = kind, .span = span}, std::forward<Rest>(rest)...);
-  }
-  template <class T>
-  hir::Seq<T> seq(const std::vector<T>& items) {
-    return arena_.copy(items);
-  }
-
-  const ast::Block& program_;
-  CompiledProgram& into_;
-  const Registry& registry_;
-  const CompileOptions& options_;
-  DiagnosticSink& sink_;
-  Arena& arena_;
-  TypePool& types_;
-
-  FunctionContext main_;
-  FunctionContext* here_ = &main_;
-  bool only_top_level_ = false;              // while a default value is checked
-  bool classic_declaration_ = false;
-  int errors_ = 0;
-  int depth_ = 0;                            // of nested checks, bodies of called functions included
-  std::deque<Instance> instances_;
-  std::vector<Instance*> queue_;             // bodies that can wait
-  std::map<std::string_view, FunctionDecl> functions_;
-  std::map<std::string_view, const Type*> named_types_;
-  std::map<const RecordInfo*, StructDecl> structs_;
-  std::map<std::string_view, Span> top_level_names_;
-  std::set<std::string_view> changed_names_;      // that some statement of the text changes
-  std::map<std::string, std::vector<std::string>> declared_names_;  // block declarations by type
-  std::map<std::string_view, std::vector<std::string_view>> ambient_names_;  // top-level robots by type
-  std::unordered_map<const NativeFunction*, std::unique_ptr<Signature>> signatures_;
-  std::unordered_map<const hir::Function*, Use> uses_;
-  Use* use_ = nullptr;                       // what is being collected now
-  std::vector<hir::Function*> all_functions_;
-  std::vector<hir::Test> tests_;
-  std::vector<const ast::TestStmt*> waiting_tests_;
-  std::vector<hir::Variable*> inner_globals_;  // of blocks of the top level, used by conditions
-  std::vector<std::pair<const hir::Function*, std::size_t>> main_calls_;  // with the top-level variables declared then
-  std::vector<std::pair<const hir::Function*, Span>> conditions_;
-  std::vector<std::pair<hir::Variable*, hir::InitStmt*>> top_level_;      // in their order
-  std::unordered_map<const hir::Variable*, Use> init_uses_;
-  std::set<std::string> mentioned_;
-  const Type* error_type_ = nullptr;
 };
 
 }  // namespace armlet::lang

@@ -1,4 +1,5 @@
-// What is known about a value from the text alone: constants, and facts that rules of the host have left.
+// What is known about a value from the text alone: constants, and facts that rules of the host have
+// left.
 
 #include <cmath>
 
@@ -30,11 +31,14 @@ std::optional<Constant> compute(Op op, const Constant& a, const Constant& b) {
   std::int64_t whole = 0;
   switch (op) {
     case Op::kAddI:
-      return __builtin_add_overflow(a.integer, b.integer, &whole) ? std::nullopt : std::optional(integer(whole));
+      return __builtin_add_overflow(a.integer, b.integer, &whole) ? std::nullopt
+                                                                  : std::optional(integer(whole));
     case Op::kSubI:
-      return __builtin_sub_overflow(a.integer, b.integer, &whole) ? std::nullopt : std::optional(integer(whole));
+      return __builtin_sub_overflow(a.integer, b.integer, &whole) ? std::nullopt
+                                                                  : std::optional(integer(whole));
     case Op::kMulI:
-      return __builtin_mul_overflow(a.integer, b.integer, &whole) ? std::nullopt : std::optional(integer(whole));
+      return __builtin_mul_overflow(a.integer, b.integer, &whole) ? std::nullopt
+                                                                  : std::optional(integer(whole));
     case Op::kDivI:
       if (b.integer == 0 || b.integer == -1) return std::nullopt;
       return integer(a.integer / b.integer);
@@ -81,14 +85,16 @@ std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) c
     case ExprKind::kReal:
       return real(expr.as<hir::RealExpr>().value);
     case ExprKind::kText:
-      return Constant{.kind = Constant::Kind::kText, .text = std::string(expr.as<hir::TextExpr>().value)};
+      return Constant{.kind = Constant::Kind::kText,
+                      .text = std::string(expr.as<hir::TextExpr>().value)};
     case ExprKind::kVariable: {
       const hir::Expr* init = expr.as<hir::VariableExpr>().variable->init;
       return init != nullptr ? constant_of(*init, depth + 1) : std::nullopt;
     }
     case ExprKind::kConvert: {
       const auto& node = expr.as<hir::ConvertExpr>();
-      if (node.conversion == hir::Conversion::kRealToInt || expr.type->is(Kind::kEnum)) return std::nullopt;
+      if (node.conversion == hir::Conversion::kRealToInt || expr.type->is(Kind::kEnum))
+        return std::nullopt;
       auto value = constant_of(*node.operand, depth + 1);
       if (value && node.conversion != hir::Conversion::kSame) value = to_real(std::move(*value));
       return value;
@@ -112,7 +118,8 @@ std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) c
     case ExprKind::kBinary: {
       const auto& node = expr.as<hir::BinaryExpr>();
       const auto left = constant_of(*node.left, depth + 1);
-      const auto right = left && is_number(*left) ? constant_of(*node.right, depth + 1) : std::nullopt;
+      const auto right =
+          left && is_number(*left) ? constant_of(*node.right, depth + 1) : std::nullopt;
       return right && is_number(*right) ? compute(node.op, *left, *right) : std::nullopt;
     }
     default:
@@ -144,7 +151,8 @@ hir::Expr* Checker::literal_of(const Constant& constant, const Type* type, Span 
     case Constant::Kind::kText:
       return make<hir::TextExpr>(ExprKind::kText, types_.text(), span, arena_.copy(constant.text));
     case Constant::Kind::kInt:
-      if (type->is(Kind::kInt)) return make<hir::IntExpr>(ExprKind::kInt, type, span, constant.integer);
+      if (type->is(Kind::kInt))
+        return make<hir::IntExpr>(ExprKind::kInt, type, span, constant.integer);
       return make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);
     case Constant::Kind::kReal:
       return make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);

@@ -16,7 +16,8 @@ hir::Expr* Checker::number_as(hir::Expr* value, const Type* type) {
     const auto number = static_cast<double>(value->as<hir::IntExpr>().value);
     return make<hir::RealExpr>(hir::ExprKind::kReal, type, value->span, number);
   }
-  const auto how = value->type->is(Kind::kInt) ? hir::Conversion::kIntToReal : hir::Conversion::kSame;
+  const auto how =
+      value->type->is(Kind::kInt) ? hir::Conversion::kIntToReal : hir::Conversion::kSame;
   return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span, how, value);
 }
 
@@ -38,7 +39,8 @@ hir::Expr* Checker::convert(hir::Expr* value, const Type* type) {
   const Type* inner_from = from;
   while (inner_from->is(Kind::kList)) inner_from = inner_from->element;
   if (inner_from->is(Kind::kInt) && !from->element->is(Kind::kInt)) return nullptr;
-  const auto how = inner_from->is(Kind::kInt) ? hir::Conversion::kListIntToReal : hir::Conversion::kSame;
+  const auto how =
+      inner_from->is(Kind::kInt) ? hir::Conversion::kListIntToReal : hir::Conversion::kSame;
   return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span, how, value);
 }
 
@@ -75,10 +77,12 @@ hir::Expr* Checker::condition(const ast::Expr& expr) {
 hir::Expr* Checker::cast(hir::Expr* value, const Type* type, Span span) {
   if (value->type->is(Kind::kAny)) return failed(span);
   if (type->is(Kind::kInt) && value->type->is_double()) {
-    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span, hir::Conversion::kRealToInt, value);
+    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span, hir::Conversion::kRealToInt,
+                                  value);
   }
   if (type->is_double() && value->type->is(Kind::kInt)) {
-    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span, hir::Conversion::kIntToReal, value);
+    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span, hir::Conversion::kIntToReal,
+                                  value);
   }
   if (value->type->is(Kind::kReal) && (type->is_double() || type->is(Kind::kInt))) {
     hir::Expr* number = convert(value, types_.real());

@@ -47,10 +47,11 @@ void Checker::close_block() {
 }
 
 // Whether a name can be declared here; says so if not.
-bool Checker::is_free(const ast::Name& name) {
+bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
   Span first{};
   bool found = false;
-  for (const FunctionContext* context = here_; context != nullptr && !found; context = context->outer) {
+  for (const FunctionContext* context = here_; context != nullptr && !found;
+       context = context->outer) {
     for (const Local& local : context->locals) {
       if (local.variable->name != name.text || local.how == Declared::kCapture) continue;
       first = local.variable->declared;
@@ -71,6 +72,10 @@ bool Checker::is_free(const ast::Name& name) {
   diagnostic.mark.label = "declared again";
   diagnostic.related.push_back({first, "first declared here"});
   diagnostic.fix = Fix{.text = "choose another name"};
+  if (value != nullptr) {
+    diagnostic.fix->text += ", or write " + std::string(name.text) + " = " + text_of(value->span) +
+                            " if you want to change it (then declare it with var)";
+  }
   report(std::move(diagnostic));
   return false;
 }
@@ -85,11 +90,12 @@ void Checker::advise_hidden(const ast::Name& name) {
     what = "library function";
   }
   if (what.empty()) return;
-  Diagnostic advice = make_diagnostic("W0708", name.span, {std::string(name.text), std::string(what)});
+  Diagnostic advice =
+      make_diagnostic("W0708", name.span, {std::string(name.text), std::string(what)});
   report(std::move(advice));
 }
 
-// ---- variables ------------------------------------------------------------------------------------------------
+// ---- variables ---------------------------------------------------------------------------------
 
 hir::Stmt* Checker::check_var(const ast::VarStmt& stmt) {
   std::vector<hir::Stmt*> body;
@@ -109,9 +115,11 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
   Use* const use_before = use_;
   if (top_level) use_ = &used;
   const bool classic_before = std::exchange(classic_declaration_, stmt.classic);
+  if (declarator.init != nullptr) naming_ = {name.text, declarator.init->span};
   hir::Expr* value = declarator.init != nullptr ? check_value(*declarator.init, type) : nullptr;
   classic_declaration_ = classic_before;
-  if (value != nullptr && type != nullptr) value = require(value, {.type = type, .name = name.text});
+  if (value != nullptr && type != nullptr)
+    value = require(value, {.type = type, .name = name.text});
   use_ = use_before;
   if (type == nullptr && value != nullptr) {
     type = value->type;
@@ -120,8 +128,9 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
     if (type->is(Kind::kList) && inner->is(Kind::kAny)) {
       Diagnostic diagnostic = make_diagnostic("E0323", value->span, {"this empty list"});
       const Span after{name.span.end, name.span.end, name.span.source};
-      diagnostic.fix = Fix{.text = "write its type, such as " + std::string(name.text) + ": double[]",
-                           .edits = {{after, ": double[]"}}};
+      diagnostic.fix =
+          Fix{.text = "write its type, such as " + std::string(name.text) + ": double[]",
+              .edits = {{after, ": double[]"}}};
       report(std::move(diagnostic));
       type = types_.any();
     }
@@ -134,18 +143,21 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
     report(make_diagnostic("E0315", declarator.type->span, {"a type with values", "void"}));
     type = types_.any();
   }
-  const bool fresh = is_free(name);
+  const bool fresh = is_free(name, declarator.init);
   hir::Variable* variable = new_variable(name.text, type, name.span);
   variable->fixed = stmt.fixed;
-  const Declared how = !stmt.fixed       ? (stmt.classic ? Declared::kClassic : Declared::kVar)
-                       : stmt.classic    ? Declared::kFinal
-                                         : Declared::kLet;
+  const Declared how = !stmt.fixed    ? (stmt.classic ? Declared::kClassic : Declared::kVar)
+                       : stmt.classic ? Declared::kFinal
+                                      : Declared::kLet;
   // Fixed in fact, when nothing in the text changes it.
-  if (value != nullptr && (stmt.fixed || !changed_names_.contains(name.text))) variable->init = value;
+  if (value != nullptr && (stmt.fixed || !changed_names_.contains(name.text)))
+    variable->init = value;
   if (fresh) add_local(variable, how, stmt.keyword);
   if (fresh && value == nullptr) here_->flow.unset.push_back(variable);
-  auto* init = make<hir::InitStmt>(hir::StmtKind::kInit, cover(stmt.keyword, declarator.init != nullptr ? declarator.init->span : name.span),
-                                   variable, value);
+  auto* init = make<hir::InitStmt>(
+      hir::StmtKind::kInit,
+      cover(stmt.keyword, declarator.init != nullptr ? declarator.init->span : name.span), variable,
+      value);
   if (top_level) {
     top_level_.emplace_back(variable, init);
     init_uses_[variable] = std::move(used);
@@ -153,7 +165,7 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
   return init;
 }
 
-// ---- what is visible in the whole file ------------------------------------------------------------------------
+// ---- what is visible in the whole file ---------------------------------------------------------
 
 void Checker::collect(const ast::Block& program) {
   look_ahead(program);
@@ -203,7 +215,8 @@ void Checker::fill_struct(const ast::StructStmt& node) {
   for (const ast::Param& field : node.fields) {
     sink_.begin_statement();
     const Type* type = field.type != nullptr ? resolve(*field.type) : types_.any();
-    if (field.type == nullptr) report(make_diagnostic("E0323", field.name.span, {"`" + std::string(field.name.text) + "`"}));
+    if (field.type == nullptr)
+      report(make_diagnostic("E0323", field.name.span, {"`" + std::string(field.name.text) + "`"}));
     if (record.index_of(field.name.text) >= 0) {
       report(make_diagnostic("E0204", field.name.span, {std::string(field.name.text)}));
     }
@@ -212,7 +225,8 @@ void Checker::fill_struct(const ast::StructStmt& node) {
 }
 
 // A record that holds itself, directly or through others, would never end.
-bool Checker::refuse_endless(const ast::StructStmt& node, const Type* whole, const Type* part, int depth) {
+bool Checker::refuse_endless(const ast::StructStmt& node, const Type* whole, const Type* part,
+                             int depth) {
   if (depth > 64) return true;
   for (const RecordField& field : part->record->fields) {
     if (!field.type->is(Kind::kRecord)) continue;
@@ -232,7 +246,8 @@ void Checker::collect_functions(const ast::Block& program) {
     const auto& node = stmt->as<ast::FunctionStmt>();
     sink_.begin_statement();
     if (const FunctionDecl* first = find_function(node.name.text)) {
-      Diagnostic diagnostic = make_diagnostic("E0204", node.name.span, {std::string(node.name.text)});
+      Diagnostic diagnostic =
+          make_diagnostic("E0204", node.name.span, {std::string(node.name.text)});
       diagnostic.mark.label = "declared again";
       diagnostic.related.push_back({first->node->name.span, "first declared here"});
       diagnostic.fix = Fix{.text = "choose another name"};

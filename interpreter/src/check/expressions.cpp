@@ -7,14 +7,15 @@
 namespace armlet::lang {
 namespace {
 
-// Checks nest as the text does, and as bodies of called functions do. The parser limits the first; this bounds both.
+// Checks nest as the text does, and as bodies of called functions do. The parser limits the first;
+// this bounds both.
 constexpr int kDeepest = 1200;
 
 }  // namespace
 
 hir::Expr* Checker::check(const ast::Expr& expr, const Type* expected) {
   if (depth_ >= kDeepest) {
-    report(make_diagnostic("E0125", expr.span, {std::to_string(kDeepest)}));
+    report(make_diagnostic("E0125", expr.span, {std::to_string(kDeepest) + " levels"}));
     return failed(expr.span);
   }
   ++depth_;
@@ -32,26 +33,12 @@ hir::Expr* Checker::check_value(const ast::Expr& expr, const Type* expected) {
 hir::Expr* Checker::check_any(const ast::Expr& expr, const Type* expected) {
   using ast::ExprKind;
   switch (expr.kind) {
-    case ExprKind::kInt: {
-      const auto& node = expr.as<ast::IntExpr>();
-      if (node.too_large) {
-        report(make_diagnostic("E0109", expr.span, {text_of(expr.span)}));
-        return failed(expr.span);
-      }
-      return make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(), expr.span, node.value);
-    }
+    case ExprKind::kInt:
     case ExprKind::kReal:
-      return make<hir::RealExpr>(hir::ExprKind::kReal, types_.real(), expr.span, expr.as<ast::RealExpr>().value);
-    case ExprKind::kQuantity: {
-      const auto& node = expr.as<ast::QuantityExpr>();
-      return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(node.dim), expr.span, node.si);
-    }
-    case ExprKind::kText: {
-      const std::string_view text = arena_.copy(expr.as<ast::TextExpr>().value);
-      return make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), expr.span, text);
-    }
+    case ExprKind::kQuantity:
+    case ExprKind::kText:
     case ExprKind::kBool:
-      return make<hir::BoolExpr>(hir::ExprKind::kBool, types_.boolean(), expr.span, expr.as<ast::BoolExpr>().value);
+      return check_literal(expr);
     case ExprKind::kFormatted:
       return check_formatted(expr.as<ast::FormattedExpr>());
     case ExprKind::kName:
@@ -90,7 +77,38 @@ hir::Expr* Checker::check_any(const ast::Expr& expr, const Type* expected) {
   return failed(expr.span);
 }
 
-// ---- names ----------------------------------------------------------------------------------------------------
+hir::Expr* Checker::check_literal(const ast::Expr& expr) {
+  using ast::ExprKind;
+  switch (expr.kind) {
+    case ExprKind::kInt: {
+      const auto& node = expr.as<ast::IntExpr>();
+      if (node.too_large) {
+        report(make_diagnostic("E0109", expr.span, {text_of(expr.span)}));
+        return failed(expr.span);
+      }
+      return make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(), expr.span, node.value);
+    }
+    case ExprKind::kReal:
+      return make<hir::RealExpr>(hir::ExprKind::kReal, types_.real(), expr.span,
+                                 expr.as<ast::RealExpr>().value);
+    case ExprKind::kQuantity: {
+      const auto& node = expr.as<ast::QuantityExpr>();
+      return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(node.dim), expr.span,
+                                 node.si);
+    }
+    case ExprKind::kText: {
+      const std::string_view text = arena_.copy(expr.as<ast::TextExpr>().value);
+      return make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), expr.span, text);
+    }
+    case ExprKind::kBool:
+      return make<hir::BoolExpr>(hir::ExprKind::kBool, types_.boolean(), expr.span,
+                                 expr.as<ast::BoolExpr>().value);
+    default:
+      return failed(expr.span);
+  }
+}
+
+// ---- names -------------------------------------------------------------------------------------
 
 Local* Checker::find_local(std::string_view name, FunctionContext*& where) {
   const auto named = [name](const Local& local) { return local.variable->name == name; };
@@ -119,18 +137,22 @@ FunctionDecl* Checker::find_function(std::string_view name) {
 hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) {
   FunctionContext* where = nullptr;
   if (Local* local = find_local(name.name, where)) return read(*local, *where, name.span);
-  if (FunctionDecl* function = find_function(name.name)) return function_value(*function, expected, name.span);
+  if (FunctionDecl* function = find_function(name.name))
+    return function_value(*function, expected, name.span);
   if (const NativeConstant* constant = registry_.constant(name.name)) {
     mentioned_.insert(std::string(name.name));
-    return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(constant->dim), name.span, constant->value);
+    return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(constant->dim), name.span,
+                               constant->value);
   }
   const bool is_group = registry_.is_namespace(name.name) || name.name == "Math";
   if (is_group || type_called(name.name) != nullptr) {
-    report(make_diagnostic("E0219", name.span, {std::string(name.name), is_group ? "group of functions" : "type"}));
+    report(make_diagnostic("E0219", name.span,
+                           {std::string(name.name), is_group ? "group of functions" : "type"}));
     return failed(name.span);
   }
   if (!registry_.functions(name.name).empty()) {
-    report(make_diagnostic("E0219", name.span, {std::string(name.name), "function of the library"}));
+    report(
+        make_diagnostic("E0219", name.span, {std::string(name.name), "function of the library"}));
     return failed(name.span);
   }
   return unknown_name(name.name, name.span);
@@ -139,6 +161,7 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
 hir::Expr* Checker::read(Local& local, FunctionContext& where, Span span) {
   local.used = true;
   hir::Variable* variable = local.variable;
+  if (&where == &main_ && use_ != &uses_[main_.function]) use_->add(variable);
   const bool in_sequence = &where == here_ || (where.kind != FunctionContext::Kind::kProgram) ||
                            &here_->root() == &main_;
   if (in_sequence && where.flow.is_unset(variable)) {
@@ -151,7 +174,7 @@ hir::Expr* Checker::read(Local& local, FunctionContext& where, Span span) {
   return make<hir::VariableExpr>(hir::ExprKind::kVariable, variable->type, span, variable);
 }
 
-// ---- values made of values ------------------------------------------------------------------------------------
+// ---- values made of values ---------------------------------------------------------------------
 
 hir::Expr* Checker::check_conditional(const ast::CondExpr& cond, const Type* expected) {
   hir::Expr* condition_value = condition(*cond.condition);
@@ -171,8 +194,10 @@ hir::Expr* Checker::check_conditional(const ast::CondExpr& cond, const Type* exp
   return make<hir::CondExpr>(hir::ExprKind::kCond, type, cond.span, condition_value, left, right);
 }
 
-hir::Expr* Checker::check_list(const ast::Expr& expr, ast::Seq<ast::Expr*> items, const Type* expected) {
-  const Type* wanted = expected != nullptr && expected->is(Kind::kList) ? expected->element : nullptr;
+hir::Expr* Checker::check_list(const ast::Expr& expr, ast::Seq<ast::Expr*> items,
+                               const Type* expected) {
+  const Type* wanted =
+      expected != nullptr && expected->is(Kind::kList) ? expected->element : nullptr;
   std::vector<hir::Expr*> values;
   const Type* element = nullptr;
   hir::Expr* widest = nullptr;
@@ -189,7 +214,8 @@ hir::Expr* Checker::check_list(const ast::Expr& expr, ast::Seq<ast::Expr*> items
     if (widest == nullptr || element != widest->type) widest = values.back();
   }
   if (wanted != nullptr) {
-    // The whole list keeps its own types when the target wants others, so that the message is about the target.
+    // The whole list keeps its own types when the target wants others, so that the message is about
+    // the target.
     for (hir::Expr*& value : values) {
       value = require(value, {.role = Target::Role::kElement, .type = wanted});
       if (value->type->is(Kind::kAny)) return failed(expr.span);
@@ -209,9 +235,11 @@ hir::Expr* Checker::check_new_array(const ast::NewArrayExpr& expr) {
   if (type->is(Kind::kAny)) return failed(expr.span);
   const Type* innermost = type;
   for (int i = 0; i < expr.open_dimensions; ++i) type = types_.list(type);
-  if (expr.init != nullptr) return check_list(*expr.init, expr.init->as<ast::BraceExpr>().items, type);
-  if (expr.open_dimensions == 0 && (innermost->is(Kind::kHost) || innermost->is(Kind::kRecord) ||
-                                    innermost->is(Kind::kFunction) || innermost->is(Kind::kMatrix))) {
+  if (expr.init != nullptr)
+    return check_list(*expr.init, expr.init->as<ast::BraceExpr>().items, type);
+  if (expr.open_dimensions == 0 &&
+      (innermost->is(Kind::kHost) || innermost->is(Kind::kRecord) ||
+       innermost->is(Kind::kFunction) || innermost->is(Kind::kMatrix))) {
     Diagnostic diagnostic = make_diagnostic("E0315", expr.element->span,
                                             {"a type with a zero value", type_phrase(innermost)});
     diagnostic.fix = Fix{.text = "start with an empty list and push values"};
@@ -231,7 +259,8 @@ hir::Expr* Checker::check_until(const ast::UntilExpr& until) {
   const bool is_motion = motion->kind == hir::ExprKind::kCallNative &&
                          motion->as<hir::CallNativeExpr>().function->pauses;
   if (!is_motion && !motion->type->is(Kind::kAny)) {
-    report(make_diagnostic("E0315", motion->span, {"a motion before `until`", type_phrase(motion->type)}));
+    report(make_diagnostic("E0315", motion->span,
+                           {"a motion before `until`", type_phrase(motion->type)}));
     return failed(until.span);
   }
   hir::Expr* guard = check_guard(*until.condition);

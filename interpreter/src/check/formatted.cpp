@@ -6,15 +6,16 @@ namespace armlet::lang {
 
 hir::Expr* Checker::to_text(hir::Expr* value) {
   if (value->type->is(Kind::kText) || value->type->is(Kind::kAny)) return value;
-  return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value, std::int8_t{-1}, '\0',
-                               std::string_view{}, 1.0);
+  return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value,
+                               std::int8_t{-1}, '\0', std::string_view{}, 1.0);
 }
 
 hir::Expr* Checker::check_formatted(const ast::FormattedExpr& text) {
   std::vector<hir::Expr*> parts;
   const auto add_text = [&](std::string_view piece) {
     if (piece.empty()) return;
-    parts.push_back(make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), text.span, arena_.copy(piece)));
+    parts.push_back(
+        make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), text.span, arena_.copy(piece)));
   };
   for (std::size_t i = 0; i < text.pieces.size(); ++i) {
     add_text(text.texts[i]);
@@ -52,8 +53,9 @@ hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
     }
     // An angle may already have become a plain number in radians.
     if (unit->dim != number->dim && unit->dim.without_angle() != number->dim) {
-      Diagnostic diagnostic = make_diagnostic(
-          "E0402", format.span, {dimension_phrase(number->dim), "shown in", std::string(format.unit)});
+      Diagnostic diagnostic =
+          make_diagnostic("E0402", format.span,
+                          {dimension_phrase(number->dim), "shown in", std::string(format.unit)});
       diagnostic.mark.label = dimension_name(unit->dim);
       diagnostic.related.push_back({value->span, dimension_name(number->dim)});
       report(std::move(diagnostic));
@@ -62,8 +64,8 @@ hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
     factor = unit->factor;
   }
   return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value,
-                               static_cast<std::int8_t>(format.digits), format.style, arena_.copy(format.unit),
-                               factor);
+                               static_cast<std::int8_t>(format.digits), format.style,
+                               arena_.copy(format.unit), factor);
 }
 
 }  // namespace armlet::lang

@@ -1,4 +1,5 @@
-// Functions of the text: one typed form for every combination of argument types, results found from bodies.
+// Functions of the text: one typed form for every combination of argument types, results found from
+// bodies.
 
 #include <algorithm>
 
@@ -24,7 +25,8 @@ hir::Function* Checker::new_function(std::string_view name, Span span) {
 
 Instance* Checker::instance_of(FunctionDecl& function, std::vector<const Type*> types, Span call) {
   const std::string name(function.node->name.text);
-  const auto found = std::ranges::find(function.instances, types, [](const Instance* i) { return i->types; });
+  const auto found =
+      std::ranges::find(function.instances, types, [](const Instance* i) { return i->types; });
   if (found != function.instances.end()) {
     if (!(*found)->result_known) report(make_diagnostic("E0324", call, {name}));
     return (*found)->result_known ? *found : nullptr;
@@ -74,7 +76,8 @@ void Checker::check_body(Instance& instance) {
   open_block();
   std::vector<hir::Variable*> parameters;
   for (std::size_t i = 0; i < node.params.size(); ++i) {
-    hir::Variable* variable = new_variable(node.params[i].name.text, instance.types[i], node.params[i].name.span);
+    hir::Variable* variable =
+        new_variable(node.params[i].name.text, instance.types[i], node.params[i].name.span);
     variable->is_parameter = variable->fixed = true;
     parameters.push_back(variable);
     add_local(variable, Declared::kParameter, node.params[i].span);
@@ -85,8 +88,9 @@ void Checker::check_body(Instance& instance) {
   } else {
     instance.function->body = value_body(*node.value, context);
   }
-  const Span end = node.body != nullptr ? Span{node.body->span.end - 1, node.body->span.end, node.body->span.source}
-                                        : node.value->span;
+  const Span end = node.body != nullptr
+                       ? Span{node.body->span.end - 1, node.body->span.end, node.body->span.source}
+                       : node.value->span;
   finish_result(context, instance.function->name, end);
   close_block();
   --depth_;
@@ -130,6 +134,10 @@ void Checker::finish_result(FunctionContext& context, std::string_view name, Spa
   sink_.begin_statement();
   Diagnostic diagnostic = make_diagnostic("E0306", end, {std::string(name)});
   diagnostic.mark.label = "the end can be reached without a return";
+  // The line of the function's name is shown too.
+  const Span head{context.function->span.begin, context.function->span.begin,
+                  context.function->span.source};
+  diagnostic.related.push_back({head, ""});
   diagnostic.fix = Fix{.text = "return " + type_phrase(result) + " here, or throw an error"};
   report(std::move(diagnostic));
 }
@@ -137,7 +145,8 @@ void Checker::finish_result(FunctionContext& context, std::string_view name, Spa
 // The name of a function where a value is needed.
 hir::Expr* Checker::function_value(FunctionDecl& function, const Type* expected, Span span) {
   std::vector<const Type*> types = function.parameters;
-  if (expected != nullptr && expected->is(Kind::kFunction) && expected->parameters.size() == types.size()) {
+  if (expected != nullptr && expected->is(Kind::kFunction) &&
+      expected->parameters.size() == types.size()) {
     for (std::size_t i = 0; i < types.size(); ++i) {
       if (types[i] == nullptr) types[i] = expected->parameters[i];
     }
@@ -151,7 +160,8 @@ hir::Expr* Checker::function_value(FunctionDecl& function, const Type* expected,
   use_->add(instance->function);
   if (&here_->root() == &main_) main_calls_.emplace_back(instance->function, top_level_.size());
   const Type* type = types_.function(std::move(types), instance->function->result);
-  return make<hir::FunctionValueExpr>(hir::ExprKind::kFunctionValue, type, span, instance->function);
+  return make<hir::FunctionValueExpr>(hir::ExprKind::kFunctionValue, type, span,
+                                      instance->function);
 }
 
 }  // namespace armlet::lang

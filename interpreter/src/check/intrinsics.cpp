@@ -1,4 +1,5 @@
-// Calls that the language itself understands: print, error, int(x), and the methods of lists and texts.
+// Calls that the language itself understands: print, error, int(x), and the methods of lists and
+// texts.
 
 #include "armlet/interpreter/engine.hpp"
 #include "check/checker.hpp"
@@ -11,35 +12,58 @@ Signal print_text(Vm& vm, Slot* args) {
   return give_nothing();
 }
 
-constexpr NativeFunction kPrint = {.name = "print",
-                                   .signature = "(text: string)",
-                                   .help = "Writes its values, separated by spaces, and ends the line.",
-                                   .example = "print(1, \"two\")",
-                                   .thunk = &print_text};
+constexpr NativeFunction kPrint = {
+    .name = "print",
+    .signature = "(text: string)",
+    .help = "Writes its values, separated by spaces, and ends the line.",
+    .example = "print(1, \"two\")",
+    .thunk = &print_text};
+
+Signal last_element(Vm& vm, Slot* args) {
+  const auto* list = static_cast<const ListObj*>(args[0].o);
+  if (list->size == 0) {
+    return fail(
+        vm, {.code = "R0606", .message = "an empty list has no last value", .mark_parameter = 0});
+  }
+  const Slot last = list->data[list->size - 1];
+  if (list->holds_references()) retain(last.o);
+  args[0] = last;
+  return Signal::kDone;
+}
+
+constexpr NativeFunction kLast = {.name = "last",
+                                  .signature = "(xs: T[]) -> T",
+                                  .help = "The last value of a list.",
+                                  .example = "[1, 2].last",
+                                  .thunk = &last_element};
 
 std::string values(std::size_t least, std::size_t most) {
   if (most == 0) return "no values";
-  const std::string count = least == most ? std::to_string(most)
-                                          : std::to_string(least) + " to " + std::to_string(most);
+  const std::string count =
+      least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
   return count + (most == 1 ? " value" : " values");
 }
 
 }  // namespace
 
 // Whether the call has that many values, none of them named.
-bool Checker::takes(const ast::CallExpr& call, std::string_view name, std::size_t least, std::size_t most) {
+bool Checker::takes(const ast::CallExpr& call, std::string_view name, std::size_t least,
+                    std::size_t most) {
   for (const ast::Arg& arg : call.args) {
     if (arg.name.text.empty()) continue;
-    report(make_diagnostic("E0207", arg.name.span, {std::string(name), std::string(arg.name.text)}));
+    report(
+        make_diagnostic("E0207", arg.name.span, {std::string(name), std::string(arg.name.text)}));
     return false;
   }
   if (call.args.size() >= least && call.args.size() <= most) return true;
   const Span mark = call.args.size() > most ? call.args[most].span : call.callee->span;
-  report(make_diagnostic("E0312", mark, {std::string(name), values(least, most), std::to_string(call.args.size())}));
+  report(make_diagnostic(
+      "E0312", mark, {std::string(name), values(least, most), std::to_string(call.args.size())}));
   return false;
 }
 
-hir::Expr* Checker::intrinsic(const ast::CallExpr& call, std::string_view name, Span /*callee*/, bool& known) {
+hir::Expr* Checker::intrinsic(const ast::CallExpr& call, std::string_view name, Span /*callee*/,
+                              bool& known) {
   known = true;
   if (name == "print") return print_call(call, true);
   if (name == "error") return error_call(call);
@@ -65,11 +89,18 @@ hir::Expr* Checker::print_call(const ast::CallExpr& call, bool line) {
     parts.push_back(to_text(check_value(*arg.value)));
   }
   if (line) add("\n");
-  hir::Expr* text = make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), call.span, seq(parts));
+  hir::Expr* text =
+      make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), call.span, seq(parts));
   const std::vector<Span> spans = {call.args_span};
-  return make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, types_.void_type(), call.span, &kPrint,
-                                   seq(std::vector<hir::Expr*>{text}),
+  return make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, types_.void_type(), call.span,
+                                   &kPrint, seq(std::vector<hir::Expr*>{text}),
                                    hir::CallSite{call.span, call.callee->span, seq(spans)});
+}
+
+// The last value of a list that should be computed only once.
+hir::Expr* Checker::last_call(hir::Expr* list, Span span) {
+  const NativeFunction* const functions[] = {&kLast};
+  return call_native("last", functions, span, span, {Argument{.value = list}});
 }
 
 hir::Expr* Checker::error_call(const ast::CallExpr& call) {
@@ -78,17 +109,20 @@ hir::Expr* Checker::error_call(const ast::CallExpr& call) {
   for (const ast::Arg& arg : call.args) {
     const bool is_kind = arg.name.text == "kind";
     if (!arg.name.text.empty() && !is_kind && arg.name.text != "text") {
-      Diagnostic diagnostic = make_diagnostic("E0207", arg.name.span, {"error", std::string(arg.name.text)});
+      Diagnostic diagnostic =
+          make_diagnostic("E0207", arg.name.span, {"error", std::string(arg.name.text)});
       diagnostic.why = "error accepts kind";
       report(std::move(diagnostic));
       return failed(call.span);
     }
     hir::Expr*& place = is_kind ? kind : message;
     if (place != nullptr) {
-      report(make_diagnostic("E0312", arg.span, {"error", "1 text and a kind", std::to_string(call.args.size())}));
+      report(make_diagnostic("E0312", arg.span,
+                             {"error", "1 text and a kind", std::to_string(call.args.size())}));
       return failed(call.span);
     }
-    place = check_as(*arg.value, {.role = Target::Role::kArgument, .type = types_.text(), .function = "error"});
+    place = check_as(*arg.value,
+                     {.role = Target::Role::kArgument, .type = types_.text(), .function = "error"});
   }
   if (message == nullptr) {
     report(make_diagnostic("E0312", call.callee->span, {"error", "1 text and a kind", "none"}));
@@ -97,13 +131,14 @@ hir::Expr* Checker::error_call(const ast::CallExpr& call) {
   return make<hir::ErrorExpr>(hir::ExprKind::kError, error_type_, call.span, message, kind);
 }
 
-hir::Expr* Checker::conversion_call(const ast::CallExpr& call, const Type* type, std::string_view name) {
+hir::Expr* Checker::conversion_call(const ast::CallExpr& call, const Type* type,
+                                    std::string_view name) {
   if (!takes(call, name, 1, 1)) return failed(call.span);
   return cast(check_value(*call.args[0].value), type, call.span);
 }
 
-hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call, const ast::MemberExpr& member,
-                                   bool& known) {
+hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call,
+                                   const ast::MemberExpr& member, bool& known) {
   const std::string_view name = member.member.text;
   const Type* type = object->type;
   known = true;
@@ -121,11 +156,11 @@ hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call,
   }
   if (type->is(Kind::kText) && name == "equals") {
     if (!takes(call, name, 1, 1)) return failed(call.span);
-    hir::Expr* other = check_as(*call.args[0].value, {.role = Target::Role::kArgument,
-                                                      .type = types_.text(),
-                                                      .function = "equals"});
-    return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), call.span, hir::Op::kEqText, object,
-                                 other, member.member.span);
+    hir::Expr* other =
+        check_as(*call.args[0].value,
+                 {.role = Target::Role::kArgument, .type = types_.text(), .function = "equals"});
+    return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), call.span,
+                                 hir::Op::kEqText, object, other, member.member.span);
   }
   if (type == error_type_ && name == "getMessage") {
     if (!no_values()) return failed(call.span);
@@ -136,7 +171,8 @@ hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call,
   return nullptr;
 }
 
-hir::Expr* Checker::mutation(const ast::CallExpr& call, const ast::MemberExpr& member, hir::Mutation mutation) {
+hir::Expr* Checker::mutation(const ast::CallExpr& call, const ast::MemberExpr& member,
+                             hir::Mutation mutation) {
   using hir::Mutation;
   const std::string_view name = member.member.text;
   const bool has_index = mutation == Mutation::kInsert || mutation == Mutation::kRemoveAt;
@@ -157,7 +193,8 @@ hir::Expr* Checker::mutation(const ast::CallExpr& call, const ast::MemberExpr& m
                                                    .call = call.span});
   }
   const Type* type = has_value ? types_.void_type() : element;
-  return make<hir::MutateExpr>(hir::ExprKind::kMutate, type, call.span, mutation, *place, index, value);
+  return make<hir::MutateExpr>(hir::ExprKind::kMutate, type, call.span, mutation, *place, index,
+                               value);
 }
 
 }  // namespace armlet::lang

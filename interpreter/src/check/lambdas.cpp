@@ -16,7 +16,8 @@ void Checker::make_global(hir::Variable& variable) {
 hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionContext& here) {
   if (&here == &owner) return local.variable;
   if (&owner == &main_ && use_ != nullptr) use_->add(local.variable);
-  const bool is_function = here.kind == FunctionContext::Kind::kNamed || here.kind == FunctionContext::Kind::kTest;
+  const bool is_function =
+      here.kind == FunctionContext::Kind::kNamed || here.kind == FunctionContext::Kind::kTest;
   if (is_function || here.outer == nullptr) {
     make_global(*local.variable);
     return local.variable;
@@ -42,11 +43,13 @@ hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionC
   return inner;
 }
 
-hir::Expr* Checker::closure(hir::Function* function, FunctionContext& context, const Type* type, Span span) {
+hir::Expr* Checker::closure(hir::Function* function, FunctionContext& context, const Type* type,
+                            Span span) {
   function->captures = seq(context.captures);
   use_->add(function);
   if (&here_->root() == &main_) main_calls_.emplace_back(function, top_level_.size());
-  const auto kind = context.captures.empty() ? hir::ExprKind::kFunctionValue : hir::ExprKind::kClosure;
+  const auto kind =
+      context.captures.empty() ? hir::ExprKind::kFunctionValue : hir::ExprKind::kClosure;
   if (context.captures.empty()) return make<hir::FunctionValueExpr>(kind, type, span, function);
   return make<hir::ClosureExpr>(kind, type, span, function);
 }
@@ -57,9 +60,11 @@ hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expe
   FunctionContext context;
   context.kind = FunctionContext::Kind::kLambda;
   context.outer = here_;
-  context.function = new_function("lambda on line " + std::to_string(line_of(lambda.span)), lambda.span);
+  context.function =
+      new_function("lambda on line " + std::to_string(line_of(lambda.span)), lambda.span);
   if (lambda.result != nullptr) context.result = resolve(*lambda.result);
-  if (context.result == nullptr && fits && !expected->result->is(Kind::kAny)) context.result = expected->result;
+  if (context.result == nullptr && fits && !expected->result->is(Kind::kAny))
+    context.result = expected->result;
   context.result_is_declared = context.result != nullptr;
   if (context.result_is_declared) context.function->result = context.result;
 
@@ -67,11 +72,15 @@ hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expe
   std::vector<hir::Variable*> parameters;
   for (std::size_t i = 0; i < lambda.params.size(); ++i) {
     const ast::Param& param = lambda.params[i];
-    const Type* type = param.type != nullptr ? resolve(*param.type) : fits ? expected->parameters[i] : nullptr;
+    const Type* type = param.type != nullptr ? resolve(*param.type)
+                       : fits                ? expected->parameters[i]
+                                             : nullptr;
     if (type == nullptr) {
-      Diagnostic diagnostic = make_diagnostic("E0323", param.name.span, {"`" + std::string(param.name.text) + "`"});
+      Diagnostic diagnostic =
+          make_diagnostic("E0323", param.name.span, {"`" + std::string(param.name.text) + "`"});
       const std::string typed = std::string(param.name.text) + ": double";
-      diagnostic.fix = Fix{.text = "write its type, such as " + typed, .edits = {{param.name.span, typed}}};
+      diagnostic.fix =
+          Fix{.text = "write its type, such as " + typed, .edits = {{param.name.span, typed}}};
       report(std::move(diagnostic));
       return failed(lambda.span);
     }
@@ -86,7 +95,8 @@ hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expe
   FunctionContext* const before = std::exchange(here_, &context);
   Use* const use_before = std::exchange(use_, &use_of(context.function));
   open_block();
-  for (hir::Variable* parameter : parameters) add_local(parameter, Declared::kParameter, parameter->declared);
+  for (hir::Variable* parameter : parameters)
+    add_local(parameter, Declared::kParameter, parameter->declared);
   if (lambda.body != nullptr) {
     const bool failed_before = sink_.statement_failed();
     context.function->body = check_block(lambda.body->body, lambda.body->span);
@@ -94,20 +104,24 @@ hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expe
   } else {
     context.function->body = value_body(*lambda.value, context);
   }
-  finish_result(context, context.function->name, {lambda.span.end - 1, lambda.span.end, lambda.span.source});
+  finish_result(context, context.function->name,
+                {lambda.span.end - 1, lambda.span.end, lambda.span.source});
   close_block();
   here_ = before;
   use_ = use_before;
   if (context.result->is(Kind::kAny)) return failed(lambda.span);
-  return closure(context.function, context, types_.function(std::move(types), context.result), lambda.span);
+  return closure(context.function, context, types_.function(std::move(types), context.result),
+                 lambda.span);
 }
 
-// The condition of until and wait until: a function without parameters that is called again and again.
+// The condition of until and wait until: a function without parameters that is called again and
+// again.
 hir::Expr* Checker::check_guard(const ast::Expr& written) {
   FunctionContext context;
   context.kind = FunctionContext::Kind::kCondition;
   context.outer = here_;
-  context.function = new_function("condition on line " + std::to_string(line_of(written.span)), written.span);
+  context.function =
+      new_function("condition on line " + std::to_string(line_of(written.span)), written.span);
   context.function->is_condition = true;
   context.function->result = types_.boolean();
   FunctionContext* const before = std::exchange(here_, &context);

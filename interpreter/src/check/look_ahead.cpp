@@ -5,7 +5,8 @@ namespace {
 
 using namespace ast;
 
-// Walks the tree. Chains of operators lean to the left and may be long, so they are walked in a loop.
+// Walks the tree. Chains of operators lean to the left and may be long, so they are walked in a
+// loop.
 class Lookout {
  public:
   explicit Lookout(Sights& sights) : sights_(sights) {}
@@ -36,7 +37,8 @@ class Lookout {
     if (node.callee->kind == ExprKind::kMember) {
       const auto& member = node.callee->as<MemberExpr>();
       const std::string_view name = member.member.text;
-      if (name == "push" || name == "pop" || name == "insert" || name == "removeAt") changes(member.object);
+      if (name == "push" || name == "pop" || name == "insert" || name == "removeAt")
+        changes(member.object);
     }
     expr(node.callee);
     arguments(node.args);

@@ -10,7 +10,8 @@ namespace armlet::lang {
 
 struct Sights {
   std::set<std::string_view> mentioned;  // names in front of a call, behind a point, or alone
-  std::set<std::string_view> changed;    // variables that some statement may change after their declaration
+  std::set<std::string_view>
+      changed;  // variables that some statement may change after their declaration
 };
 
 [[nodiscard]] Sights look_over(const ast::Block& program);

@@ -8,12 +8,14 @@ namespace armlet::lang {
 namespace {
 
 bool is_always_true(const hir::Expr* condition) {
-  return condition == nullptr || (condition->kind == hir::ExprKind::kBool && condition->as<hir::BoolExpr>().value);
+  return condition == nullptr ||
+         (condition->kind == hir::ExprKind::kBool && condition->as<hir::BoolExpr>().value);
 }
 
 }  // namespace
 
-// The body of a loop that may run not even once, and the state behind it. endless: only break leaves.
+// The body of a loop that may run not even once, and the state behind it. endless: only break
+// leaves.
 hir::Stmt* Checker::loop_body(const hir::Stmt* loop, const ast::Stmt& body, bool endless) {
   const Flow before = here_->flow;
   here_->targets.push_back({JumpTarget::Kind::kLoop, loop});
@@ -26,12 +28,13 @@ hir::Stmt* Checker::loop_body(const hir::Stmt* loop, const ast::Stmt& body, bool
   for (const Flow& exit : here_->targets.back().exits) after.merge(exit);
   here_->targets.pop_back();
   here_->flow = std::move(after);
-  if (out == nullptr) out = make<hir::Block>(hir::StmtKind::kBlock, body.span, hir::Seq<hir::Stmt*>{});
+  if (out == nullptr)
+    out = make<hir::Block>(hir::StmtKind::kBlock, body.span, hir::Seq<hir::Stmt*>{});
   return out;
 }
 
-hir::Stmt* Checker::check_while(const ast::Expr* condition_expr, const ast::Stmt& body, ast::Seq<ast::Stmt*> step,
-                                Span span) {
+hir::Stmt* Checker::check_while(const ast::Expr* condition_expr, const ast::Stmt& body,
+                                ast::Seq<ast::Stmt*> step, Span span) {
   auto* loop = make<hir::LoopStmt>(hir::StmtKind::kLoop, span);
   loop->test_first = true;
   loop->condition = condition_expr != nullptr ? condition(*condition_expr) : nullptr;
@@ -88,7 +91,8 @@ hir::Stmt* Checker::check_range(const ast::ForInStmt& stmt, const ast::CallExpr&
                                                      .position = static_cast<int>(i) + 1}));
   }
   loop->first = bounds.size() > 1 ? bounds[0]
-                                  : make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(), range.span, std::int64_t{0});
+                                  : make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(),
+                                                       range.span, std::int64_t{0});
   loop->last = bounds.size() > 1 ? bounds[1] : bounds[0];
   loop->step = bounds.size() > 2 ? bounds[2] : nullptr;
   open_block();
@@ -110,20 +114,24 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
   if (stmt.items->kind == ast::ExprKind::kCall) {
     const auto& call = stmt.items->as<ast::CallExpr>();
     const bool plain = stmt.type == nullptr || resolve(*stmt.type)->is(Kind::kInt);
-    const bool named = std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
-    if (plain && !named && dotted_name(*call.callee) == "range" && find_function("range") == nullptr &&
-        !call.args.empty() && call.args.size() <= 3) {
+    const bool named =
+        std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
+    if (plain && !named && dotted_name(*call.callee) == "range" &&
+        find_function("range") == nullptr && !call.args.empty() && call.args.size() <= 3) {
       return check_range(stmt, call);
     }
   }
   const Type* wanted = stmt.type != nullptr ? resolve(*stmt.type) : nullptr;
   hir::Expr* items = check_value(*stmt.items, wanted != nullptr ? types_.list(wanted) : nullptr);
-  if (items->type->is(Kind::kMatrix)) items = not_available(items->span, "visiting the rows of a matrix");
+  if (items->type->is(Kind::kMatrix))
+    items = not_available(items->span, "visiting the rows of a matrix");
   if (!items->type->is(Kind::kList) && !items->type->is(Kind::kAny)) {
     Diagnostic diagnostic = make_diagnostic("E0331", items->span, {type_phrase(items->type)});
     if (items->type->is(Kind::kInt)) {
       const std::string range = "range(" + text_of(items->span) + ")";
-      diagnostic.fix = Fix{.text = "write " + range, .edits = {{items->span, range}}, .confidence = Confidence::kSure};
+      diagnostic.fix = Fix{.text = "write " + range,
+                           .edits = {{items->span, range}},
+                           .confidence = Confidence::kSure};
     }
     report(std::move(diagnostic));
     items = failed(items->span);
@@ -132,11 +140,14 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
     items = require(items, {.type = types_.list(wanted), .name = stmt.name.text});
   }
   const bool known = items->type->is(Kind::kList) && !items->type->element->is(Kind::kAny);
-  if (items->type->is(Kind::kList) && !known) report(make_diagnostic("E0323", items->span, {"this empty list"}));
+  if (items->type->is(Kind::kList) && !known)
+    report(make_diagnostic("E0323", items->span, {"this empty list"}));
   auto* loop = make<hir::ForListStmt>(hir::StmtKind::kForList, stmt.span);
   loop->items = items;
   open_block();
-  loop->variable = loop_variable(stmt, known ? items->type->element : wanted != nullptr ? wanted : types_.any());
+  loop->variable = loop_variable(stmt, known               ? items->type->element
+                                       : wanted != nullptr ? wanted
+                                                           : types_.any());
   loop->body = loop_body(loop, *stmt.body, false);
   close_block();
   return loop;

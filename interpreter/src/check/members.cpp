@@ -16,7 +16,8 @@ bool is_path(const hir::Expr& expr) {
     case hir::ExprKind::kField:
       return is_path(*expr.as<hir::FieldExpr>().object);
     case hir::ExprKind::kElement:
-      return is_path(*expr.as<hir::ElementExpr>().object) && is_path(*expr.as<hir::ElementExpr>().index);
+      return is_path(*expr.as<hir::ElementExpr>().object) &&
+             is_path(*expr.as<hir::ElementExpr>().index);
     default:
       return false;
   }
@@ -49,7 +50,8 @@ hir::Expr* Checker::check_member(const ast::MemberExpr& member) {
 // State.Idle, State.values, Math.PI, robots.something; null if `name` is none of these.
 hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string_view name) {
   const std::string_view field = member.member.text;
-  if (const auto found = named_types_.find(name); found != named_types_.end() && found->second->is(Kind::kEnum)) {
+  if (const auto found = named_types_.find(name);
+      found != named_types_.end() && found->second->is(Kind::kEnum)) {
     const Type* type = found->second;
     const EnumInfo& info = *type->enumeration;
     const auto value = [&](std::int64_t i) {
@@ -58,11 +60,14 @@ hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string
     if (const int i = info.index_of(field); i >= 0) return value(i);
     if (field == "values") {
       std::vector<hir::Expr*> all;
-      for (std::size_t i = 0; i < info.values.size(); ++i) all.push_back(value(static_cast<std::int64_t>(i)));
+      for (std::size_t i = 0; i < info.values.size(); ++i)
+        all.push_back(value(static_cast<std::int64_t>(i)));
       return make<hir::ListExpr>(hir::ExprKind::kList, types_.list(type), member.span, seq(all));
     }
-    Diagnostic diagnostic = make_diagnostic("E0218", member.member.span, {std::string(name), std::string(field)});
-    diagnostic.fix = did_you_mean(field, member.member.span, {info.values.begin(), info.values.end()});
+    Diagnostic diagnostic =
+        make_diagnostic("E0218", member.member.span, {std::string(name), std::string(field)});
+    diagnostic.fix =
+        did_you_mean(field, member.member.span, {info.values.begin(), info.values.end()});
     report(std::move(diagnostic));
     return failed(member.span);
   }
@@ -70,7 +75,8 @@ hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string
   const NativeConstant* constant = registry_.constant(full);
   if (constant == nullptr && name == "Math") constant = registry_.constant(field);
   if (constant != nullptr) {
-    return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(constant->dim), member.span, constant->value);
+    return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(constant->dim), member.span,
+                               constant->value);
   }
   if (!registry_.is_namespace(name) && name != "Math") return nullptr;
   report(make_diagnostic("E0201", member.span, {full}));
@@ -88,8 +94,8 @@ hir::Expr* Checker::field_of(hir::Expr* object, const ast::MemberExpr& member) {
   if (type->is(Kind::kRecord)) {
     const int i = type->record->index_of(field);
     if (i < 0) return unknown_field(*object, member.member);
-    return make<hir::FieldExpr>(hir::ExprKind::kField, type->record->fields[i].type, member.span, object,
-                                static_cast<std::uint32_t>(i));
+    return make<hir::FieldExpr>(hir::ExprKind::kField, type->record->fields[i].type, member.span,
+                                object, static_cast<std::uint32_t>(i));
   }
   const std::string native = type_name(type) + '.' + std::string(field);
   if (const auto found = registry_.functions(native); !found.empty()) {
@@ -100,13 +106,11 @@ hir::Expr* Checker::field_of(hir::Expr* object, const ast::MemberExpr& member) {
 
 hir::Expr* Checker::last_of(hir::Expr* list, Span span) {
   const Type* element = list->type->element;
-  if (!is_path(*list)) {
-    return call_native("last", registry_.functions("last"), span, span, {Argument{.value = list}});
-  }
+  if (!is_path(*list)) return last_call(list, span);
   hir::Expr* length = make<hir::LengthExpr>(hir::ExprKind::kLength, types_.integer(), span, list);
   hir::Expr* one = make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(), span, std::int64_t{1});
-  hir::Expr* index = make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.integer(), span, hir::Op::kSubI, length,
-                                           one, span);
+  hir::Expr* index = make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.integer(), span,
+                                           hir::Op::kSubI, length, one, span);
   return make<hir::ElementExpr>(hir::ExprKind::kElement, element, span, list, index);
 }
 
@@ -114,9 +118,11 @@ hir::Expr* Checker::last_of(hir::Expr* list, Span span) {
 hir::Expr* Checker::enum_name(hir::Expr* value, Span span) {
   std::vector<hir::Expr*> names;
   for (const std::string& name : value->type->enumeration->values) {
-    names.push_back(make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), span, arena_.copy(name)));
+    names.push_back(
+        make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), span, arena_.copy(name)));
   }
-  hir::Expr* list = make<hir::ListExpr>(hir::ExprKind::kList, types_.list(types_.text()), span, seq(names));
+  hir::Expr* list =
+      make<hir::ListExpr>(hir::ExprKind::kList, types_.list(types_.text()), span, seq(names));
   hir::Expr* number = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.integer(), span,
                                              hir::Conversion::kSame, value);
   return make<hir::ElementExpr>(hir::ExprKind::kElement, types_.text(), span, list, number);
@@ -142,7 +148,10 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
   Diagnostic diagnostic =
       make_diagnostic("E0208", field.span, {type_phrase(type), std::string(field.text)});
   for (std::size_t i = 0; i < names.size(); ++i) {
-    diagnostic.why += (i == 0 ? "its fields are " : i + 1 < names.size() ? ", " : " and ") + names[i];
+    diagnostic.why += (i == 0                 ? "its fields are "
+                       : i + 1 < names.size() ? ", "
+                                              : " and ") +
+                      names[i];
   }
   if (names.size() == 1) diagnostic.why = "its only field is " + names[0];
   if (find_function(field.text) != nullptr || !registry_.functions(field.text).empty()) {
@@ -164,8 +173,10 @@ hir::Expr* Checker::check_index(const ast::IndexExpr& index) {
   const Type* type = object->type;
   if (type->is(Kind::kAny)) return failed(index.span);
   if (type->is(Kind::kMatrix) || index.items.size() > 1) {
-    if (type->is(Kind::kMatrix) || type->is(Kind::kHost)) return not_available(index.span, "indexing with several places");
-    Diagnostic diagnostic = make_diagnostic("E0318", index.span, {"with a comma, " + type_phrase(type)});
+    if (type->is(Kind::kMatrix) || type->is(Kind::kHost))
+      return not_available(index.span, "indexing with several places");
+    Diagnostic diagnostic =
+        make_diagnostic("E0318", index.span, {"with a comma, " + type_phrase(type)});
     diagnostic.fix = Fix{.text = "write one pair of brackets for each index: a[i][j]"};
     report(std::move(diagnostic));
     return failed(index.span);
@@ -179,8 +190,10 @@ hir::Expr* Checker::check_index(const ast::IndexExpr& index) {
       return make<hir::SliceExpr>(hir::ExprKind::kSlice, type, index.span, object, first, last);
     }
     hir::Expr* place = index_value(*item.first);
-    if (is_text) return make<hir::CharacterExpr>(hir::ExprKind::kCharacter, type, index.span, object, place);
-    return make<hir::ElementExpr>(hir::ExprKind::kElement, type->element, index.span, object, place);
+    if (is_text)
+      return make<hir::CharacterExpr>(hir::ExprKind::kCharacter, type, index.span, object, place);
+    return make<hir::ElementExpr>(hir::ExprKind::kElement, type->element, index.span, object,
+                                  place);
   }
   const std::string native = type_name(type) + "[]";
   if (const auto found = registry_.functions(native); !found.empty() && !item.is_range) {

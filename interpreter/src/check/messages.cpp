@@ -10,7 +10,8 @@ namespace {
 
 std::string ordinal(int position) {
   static constexpr std::array<std::string_view, 10> kWords = {
-      "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"};
+      "first", "second",  "third",  "fourth", "fifth",
+      "sixth", "seventh", "eighth", "ninth",  "tenth"};
   if (position >= 1 && position <= 10) return std::string(kWords[position - 1]);
   return std::to_string(position) + "th";
 }
@@ -24,7 +25,8 @@ void Checker::report(Diagnostic diagnostic) {
   const bool is_error = diagnostic.severity == Severity::kError;
   if (is_error && root.instance != nullptr && root.declaration->is_generic()) {
     std::string types;
-    for (const Type* type : root.instance->types) types += (types.empty() ? "" : " and ") + type_phrase(type);
+    for (const Type* type : root.instance->types)
+      types += (types.empty() ? "" : " and ") + type_phrase(type);
     diagnostic.related.push_back({root.instance->first_call, "called here with " + types});
   }
   if (is_error) ++errors_;
@@ -72,7 +74,8 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span) const
   const auto found = suggest(name, std::span<const std::string_view>(own));
   if (found) {
     const int line = line_of(declared[*found]);
-    return Fix{.text = "did you mean " + quoted(*found) + ", declared on line " + std::to_string(line) + "?",
+    return Fix{.text = "did you mean " + quoted(*found) + ", declared on line " +
+                       std::to_string(line) + "?",
                .edits = {{span, std::string(*found)}},
                .confidence = Confidence::kMaybe};
   }
@@ -82,6 +85,7 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span) const
 }
 
 hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
+  if (syntax_failed_) return failed(span);
   if (name == "null") {
     Diagnostic diagnostic = make_diagnostic("E0310", span, {std::string(name)});
     diagnostic.why = "every variable has a value of its type from the start";
@@ -109,7 +113,7 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
   return failed(span);
 }
 
-// ---- values of the wrong type ---------------------------------------------------------------------------------
+// ---- values of the wrong type ------------------------------------------------------------------
 
 namespace {
 
@@ -123,14 +127,17 @@ Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value) {
   out.why = "storing it in an int would lose the fraction";
   const std::string text = checker.text_of(value.span);
   const std::string cut = "int(" + text + ")";
-  out.fix = Fix{.text = "write " + cut, .edits = {{value.span, cut}}, .confidence = Confidence::kMaybe};
-  if (value.kind != hir::ExprKind::kBinary || value.as<hir::BinaryExpr>().op != hir::Op::kDivR) return out;
+  out.fix =
+      Fix{.text = "write " + cut, .edits = {{value.span, cut}}, .confidence = Confidence::kMaybe};
+  if (value.kind != hir::ExprKind::kBinary || value.as<hir::BinaryExpr>().op != hir::Op::kDivR)
+    return out;
   // i / 3.0 for an int i: the same with a whole number.
   const auto& division = value.as<hir::BinaryExpr>();
   const std::string right = checker.text_of(division.right->span);
   if (division.left->kind != hir::ExprKind::kConvert || !right.ends_with(".0")) return out;
-  const std::string whole = checker.text_of({value.span.begin, division.right->span.begin, value.span.source}) +
-                            right.substr(0, right.size() - 2);
+  const std::string whole =
+      checker.text_of({value.span.begin, division.right->span.begin, value.span.source}) +
+      right.substr(0, right.size() - 2);
   out.fix = Fix{.text = "write " + whole + " (whole-number division) or " + cut,
                 .edits = {{value.span, whole}},
                 .confidence = Confidence::kMaybe};
@@ -141,11 +148,13 @@ Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value) {
 Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, const Target& target,
                              bool constructible) {
   const HostType& host = *target.type->host;
-  Diagnostic out = make_diagnostic("E0301", value.span, {ordinal(target.position), std::string(host.noun)});
+  Diagnostic out =
+      make_diagnostic("E0301", value.span, {ordinal(target.position), std::string(host.noun)});
   out.mark.label = "this is " + type_phrase(value.type);
   if (!host.use.empty()) out.why = quoted(target.function) + ' ' + std::string(host.use);
   if (!constructible) return out;
-  const std::string made = "new " + std::string(host.name) + '(' + checker.text_of(value.span) + ')';
+  const std::string made =
+      "new " + std::string(host.name) + '(' + checker.text_of(value.span) + ')';
   const Span before{target.call.begin, value.span.begin, value.span.source};
   Span after{value.span.end, target.call.end, value.span.source};
   if (checker.text_of({after.end, after.end + 1, after.source}) == ";") ++after.end;
@@ -171,7 +180,8 @@ hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
     quantity_for_number(value);
   } else if (want->is_quantity() && have->is_quantity()) {
     other_quantity(value, target);
-  } else if (target.role == Target::Role::kArgument && want->is(Kind::kHost) && !want->host->noun.empty()) {
+  } else if (target.role == Target::Role::kArgument && want->is(Kind::kHost) &&
+             !want->host->noun.empty()) {
     const auto makers = registry_.functions(want->host->name);
     const bool constructible = std::ranges::any_of(makers, [&](const NativeFunction* maker) {
       const Signature& signature = signature_of(*maker);

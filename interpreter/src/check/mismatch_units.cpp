@@ -36,7 +36,8 @@ bool is_number_literal(const hir::Expr& value) {
 
 // A product or sum needs parentheses before it is multiplied or divided.
 std::string in_parentheses(const std::string& text) {
-  return text.find_first_of(" ?") == std::string::npos || text.ends_with(')') ? text : '(' + text + ')';
+  return text.find_first_of(" ?") == std::string::npos || text.ends_with(')') ? text
+                                                                              : '(' + text + ')';
 }
 
 std::string short_number(double value) {
@@ -64,8 +65,8 @@ void Checker::plain_number_for_quantity(const hir::Expr& value, const Target& ta
     const auto constant = constant_of(value);
     const double turns = constant ? std::abs(constant->real) / (2.0 * std::numbers::pi) : 0.0;
     if (target.type->dim == dims::kAngle && turns >= 1.0) {
-      out.fix->text += " (or " + text + "rad, which is more than " + short_number(std::floor(turns)) +
-                       (turns < 2.0 ? " turn)" : " turns)");
+      out.fix->text += " (or " + text + "rad, which is more than " +
+                       short_number(std::floor(turns)) + (turns < 2.0 ? " turn)" : " turns)");
     }
   }
   report(std::move(out));
@@ -110,13 +111,17 @@ void Checker::other_quantity(const hir::Expr& value, const Target& target) {
     report(std::move(out));
     return;
   }
-  const bool handed = target.role == Target::Role::kArgument || target.role == Target::Role::kSetting;
-  Diagnostic out = handed ? make_diagnostic("E0403", value.span,
-                                            {std::string(target.name), made_of(want), dimension_phrase(have)})
-                          : make_diagnostic("E0410", value.span, {dimension_phrase(want), dimension_phrase(have)});
+  const bool handed =
+      target.role == Target::Role::kArgument || target.role == Target::Role::kSetting;
+  Diagnostic out =
+      handed
+          ? make_diagnostic("E0403", value.span,
+                            {std::string(target.name), made_of(want), dimension_phrase(have)})
+          : make_diagnostic("E0410", value.span, {dimension_phrase(want), dimension_phrase(have)});
   const auto quotient = divide(have, want);
   if (literal && quotient == dims::kTime) {
-    out.fix = Fix{.text = "write " + text + "/s", .edits = {{value.span, text + "/s"}},
+    out.fix = Fix{.text = "write " + text + "/s",
+                  .edits = {{value.span, text + "/s"}},
                   .confidence = Confidence::kMaybe};
   }
   report(std::move(out));
@@ -138,7 +143,8 @@ bool Checker::variable_named_like_a_unit(const hir::Expr& value, const Target& t
   Diagnostic out = make_diagnostic("E0406", origin.span, {name});
   const auto by = constant_of(*divisor);
   out.mark.label = dimension_phrase(quotient.left->type->dim) + " divided by " +
-                   (by ? short_number(by->real) : name) + " is " + dimension_phrase(origin.type->dim);
+                   (by ? short_number(by->real) : name) + " is " +
+                   dimension_phrase(origin.type->dim);
   out.related.push_back({variable.declared, "declared here"});
   if (!(value.span == origin.span)) {
     out.related.push_back({value.span, dimension_phrase(target.type->dim) + " is needed"});

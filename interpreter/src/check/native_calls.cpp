@@ -6,9 +6,19 @@
 #include "check/checker.hpp"
 
 namespace armlet::lang {
+namespace {
 
-hir::Expr* Checker::call_native(std::string_view name, std::span<const NativeFunction* const> candidates,
-                                Span callee, Span span, std::vector<Argument> arguments) {
+// `robot arm = robots.scara()`: a library function that takes a name gives its robot the declared one.
+bool names_result(const Parameter& parameter, const Type* type, const Type* result) {
+  return parameter.name == "name" && type->is(Kind::kText) && result->is(Kind::kHost) &&
+         result->host->is_handle;
+}
+
+}  // namespace
+
+hir::Expr* Checker::call_native(std::string_view name,
+                                std::span<const NativeFunction* const> candidates, Span callee,
+                                Span span, std::vector<Argument> arguments) {
   if (candidates.empty()) return unknown_name(name, callee);
   for (const Argument& argument : arguments) {
     if (!argument.waits() && argument.value->type->is(Kind::kAny)) return failed(span);
@@ -20,7 +30,8 @@ hir::Expr* Checker::call_native(std::string_view name, std::span<const NativeFun
 }
 
 // A lambda or the name of a function, now that its parameter's type is known as far as it will be.
-hir::Expr* Checker::waiting_argument(const Argument& argument, const TypePattern& pattern, Bindings& bindings) {
+hir::Expr* Checker::waiting_argument(const Argument& argument, const TypePattern& pattern,
+                                     Bindings& bindings) {
   const Type* expected = instantiate(pattern, bindings, types_);
   if (expected == nullptr && pattern.form == TypePattern::Form::kFunction) {
     // The result is found from the body.
@@ -41,8 +52,9 @@ hir::Expr* Checker::waiting_argument(const Argument& argument, const TypePattern
   return value;
 }
 
-hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& function, Span callee, Span span,
-                                  std::vector<Argument>& arguments, Fit& fit) {
+hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& function,
+                                  Span callee, Span span, std::vector<Argument>& arguments,
+                                  Fit& fit) {
   const Signature& signature = signature_of(function);
   const auto& parameters = signature.parameters;
   for (std::size_t p = 0; p < parameters.size(); ++p) {
@@ -50,6 +62,11 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
     if (from < 0 || !arguments[from].waits()) continue;
     arguments[from].value = waiting_argument(arguments[from], parameters[p].type, fit.bindings);
     if (arguments[from].value->type->is(Kind::kAny)) return failed(span);
+  }
+  const Type* result = instantiate(signature.result, fit.bindings, types_);
+  if (result == nullptr) {
+    report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
+    return failed(span);
   }
   std::vector<hir::Expr*> values(parameters.size(), nullptr);
   std::vector<Span> spans(parameters.size(), Span{callee.end, callee.end, callee.source});
@@ -63,32 +80,34 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
       if (values[p]->type->is(Kind::kAny)) return failed(span);
     } else if (from >= 0) {
       spans[p] = arguments[from].value->span;
-      values[p] = require(arguments[from].value, {.role = Target::Role::kArgument, .type = type, .function = name});
+      if (!arguments[from].name.empty()) spans[p] = cover(arguments[from].name_span, spans[p]);
+      values[p] = require(arguments[from].value,
+                          {.role = Target::Role::kArgument, .type = type, .function = name});
     } else if (parameter.variadic) {
       std::vector<hir::Expr*> items;
       for (const int rest : fit.rest) {
         hir::Expr* item = arguments[rest].value;
         if (parameter.any_number && item->type->is_quantity()) {
-          item = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.real(), item->span, hir::Conversion::kSame, item);
+          item = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.real(), item->span,
+                                        hir::Conversion::kSame, item);
         }
-        items.push_back(require(item, {.role = Target::Role::kArgument, .type = type->element, .function = name}));
+        items.push_back(require(
+            item, {.role = Target::Role::kArgument, .type = type->element, .function = name}));
       }
       if (!fit.rest.empty()) spans[p] = cover(items.front()->span, items.back()->span);
       values[p] = make<hir::ListExpr>(hir::ExprKind::kList, type, span, seq(items));
     } else if (parameter.default_value) {
       values[p] = literal_of(*parameter.default_value, type, callee);
+    } else if (names_result(parameter, type, result) && span == naming_.value) {
+      values[p] = make<hir::TextExpr>(hir::ExprKind::kText, type, callee,
+                                       arena_.copy(naming_.name));
     } else {
       values[p] = make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
     }
   }
-  const Type* result = instantiate(signature.result, fit.bindings, types_);
-  if (result == nullptr) {
-    report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
-    return failed(span);
-  }
   if (function.pauses) note_pause(span);
-  auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function, seq(values),
-                                         hir::CallSite{span, callee, seq(spans)});
+  auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function,
+                                         seq(values), hir::CallSite{span, callee, seq(spans)});
   return run_rule(name, arguments, fit, call);
 }
 
@@ -102,7 +121,7 @@ void Checker::note_pause(Span span) {
   }
 }
 
-// ---- the robot that is not written ----------------------------------------------------------------------------
+// ---- the robot that is not written -------------------------------------------------------------
 
 Ambient Checker::find_ambient(const HostType& type) {
   Ambient out;
@@ -115,8 +134,8 @@ Ambient Checker::find_ambient(const HostType& type) {
       out.names.push_back(local.variable->name);
     }
   };
-  for (FunctionContext* context = here_; context != nullptr && context != &main_ && out.names.empty();
-       context = context->outer) {
+  for (FunctionContext* context = here_;
+       context != nullptr && context != &main_ && out.names.empty(); context = context->outer) {
     look_in(*context, context->locals.size());
   }
   if (!out.names.empty()) return out;
@@ -132,18 +151,24 @@ Ambient Checker::find_ambient(const HostType& type) {
 hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
   const Ambient found = find_ambient(type);
   if (found.names.size() > 1) {
-    static constexpr std::array<std::string_view, 8> kCounts = {"", "", "two", "three", "four", "five", "six", "seven"};
+    static constexpr std::array<std::string_view, 8> kCounts = {"",     "",     "two", "three",
+                                                                "four", "five", "six", "seven"};
     const std::size_t n = found.names.size();
     Diagnostic diagnostic = make_diagnostic(
         "E0205", callee, {n < kCounts.size() ? std::string(kCounts[n]) : std::to_string(n)});
     for (std::size_t i = 0; i < n; ++i) {
-      diagnostic.why += (i == 0 ? "" : i + 1 < n ? ", " : " and ") + ('`' + std::string(found.names[i]) + '`');
+      diagnostic.why += (i == 0      ? ""
+                         : i + 1 < n ? ", "
+                                     : " and ") +
+                        ('`' + std::string(found.names[i]) + '`');
     }
-    diagnostic.why += n == 2 ? " are both declared in this program" : " are declared in this program";
+    diagnostic.why +=
+        n == 2 ? " are both declared in this program" : " are declared in this program";
     const std::string first(found.names[0]);
-    diagnostic.fix = Fix{.text = "write " + first + '.' + text_of(callee) +
-                                 "(...), or put the moves inside with (robot: " + first + ") { ... }",
-                         .edits = {{{callee.begin, callee.begin, callee.source}, first + '.'}}};
+    diagnostic.fix =
+        Fix{.text = "write " + first + '.' + text_of(callee) +
+                    "(...), or put the moves inside with (robot: " + first + ") { ... }",
+            .edits = {{{callee.begin, callee.begin, callee.source}, first + '.'}}};
     report(std::move(diagnostic));
     return failed(callee);
   }

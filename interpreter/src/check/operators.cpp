@@ -1,4 +1,5 @@
-// Operators: numbers and quantities with the angle rule of section 6, text, truth, and what the library adds.
+// Operators: numbers and quantities with the angle rule of section 6, text, truth, and what the
+// library adds.
 
 #include <cmath>
 #include <limits>
@@ -60,7 +61,9 @@ std::optional<Comparison> comparison_op(BinaryOp op) {
   }
 }
 
-bool is_sum(BinaryOp op) { return op == BinaryOp::kAdd || op == BinaryOp::kSub || op == BinaryOp::kMod; }
+bool is_sum(BinaryOp op) {
+  return op == BinaryOp::kAdd || op == BinaryOp::kSub || op == BinaryOp::kMod;
+}
 bool is_equality(BinaryOp op) { return op == BinaryOp::kEq || op == BinaryOp::kNe; }
 bool is_int_literal(const hir::Expr& expr) { return expr.kind == hir::ExprKind::kInt; }
 
@@ -82,7 +85,8 @@ bool has_deep_equality(const Type* type) {
 
 hir::Expr* Checker::check_unary(const ast::UnaryExpr& unary, const Type* expected) {
   if (unary.op == ast::UnaryOp::kMinus && unary.operand->kind == ast::ExprKind::kInt &&
-      unary.operand->as<ast::IntExpr>().too_large && text_of(unary.operand->span) == "9223372036854775808") {
+      unary.operand->as<ast::IntExpr>().too_large &&
+      text_of(unary.operand->span) == "9223372036854775808") {
     return make<hir::IntExpr>(hir::ExprKind::kInt, types_.integer(), unary.span,
                               std::numeric_limits<std::int64_t>::min());
   }
@@ -95,10 +99,12 @@ hir::Expr* Checker::check_unary(const ast::UnaryExpr& unary, const Type* expecte
   if (unary.op == ast::UnaryOp::kPlus && type->is_number()) return value;
   if (unary.op == ast::UnaryOp::kMinus) {
     if (value->kind == hir::ExprKind::kInt) {
-      return make<hir::IntExpr>(hir::ExprKind::kInt, type, unary.span, -value->as<hir::IntExpr>().value);
+      return make<hir::IntExpr>(hir::ExprKind::kInt, type, unary.span,
+                                -value->as<hir::IntExpr>().value);
     }
     if (value->kind == hir::ExprKind::kReal) {
-      return make<hir::RealExpr>(hir::ExprKind::kReal, type, unary.span, -value->as<hir::RealExpr>().value);
+      return make<hir::RealExpr>(hir::ExprKind::kReal, type, unary.span,
+                                 -value->as<hir::RealExpr>().value);
     }
     if (type->is_number()) {
       const Op op = type->is(Kind::kInt) ? Op::kNegI : Op::kNegR;
@@ -107,20 +113,23 @@ hir::Expr* Checker::check_unary(const ast::UnaryExpr& unary, const Type* expecte
     const Span mark{unary.span.begin, unary.span.begin + 1, unary.span.source};
     if (hir::Expr* result = operator_native("-", mark, unary.span, {value})) return result;
   }
-  const std::string_view op = unary.op == ast::UnaryOp::kNot ? "!" : unary.op == ast::UnaryOp::kPlus ? "+" : "-";
+  const std::string_view op = unary.op == ast::UnaryOp::kNot    ? "!"
+                              : unary.op == ast::UnaryOp::kPlus ? "+"
+                                                                : "-";
   report(make_diagnostic("E0317", unary.span, {std::string(op), type_phrase(type)}));
   return failed(unary.span);
 }
 
-// Chains such as a + b + c ... lean to the left and may be thousands long, so they are walked in a loop. Texts that are
-// joined become one node.
+// Chains such as a + b + c ... lean to the left and may be thousands long, so they are walked in a
+// loop. Texts that are joined become one node.
 hir::Expr* Checker::check_binary(const ast::BinaryExpr& binary, const Type* expected) {
   std::vector<const ast::BinaryExpr*> chain = {&binary};
   while (chain.back()->left->kind == ast::ExprKind::kBinary) {
     chain.push_back(&chain.back()->left->as<ast::BinaryExpr>());
   }
   const bool logical = binary.op == BinaryOp::kAnd || binary.op == BinaryOp::kOr;
-  hir::Expr* left = check_value(*chain.back()->left, chain.size() == 1 && !logical ? expected : nullptr);
+  hir::Expr* left =
+      check_value(*chain.back()->left, chain.size() == 1 && !logical ? expected : nullptr);
   std::vector<hir::Expr*> texts;
   for (auto node = chain.rbegin(); node != chain.rend(); ++node) {
     const ast::BinaryExpr& at = **node;
@@ -139,7 +148,8 @@ hir::Expr* Checker::check_binary(const ast::BinaryExpr& binary, const Type* expe
       continue;
     }
     if (!texts.empty()) {
-      left = make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), at.left->span, seq(texts));
+      left =
+          make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), at.left->span, seq(texts));
       texts.clear();
     }
     left = combine(at, left, right);
@@ -155,7 +165,8 @@ hir::Expr* Checker::combine(const ast::BinaryExpr& node, hir::Expr* left, hir::E
       return failed(node.span);
     }
     const auto kind = node.op == BinaryOp::kAnd ? hir::ExprKind::kAnd : hir::ExprKind::kOr;
-    return make<hir::BinaryExpr>(kind, types_.boolean(), node.span, Op::kEqI, left, right, node.op_span);
+    return make<hir::BinaryExpr>(kind, types_.boolean(), node.span, Op::kEqI, left, right,
+                                 node.op_span);
   }
   if (left->type->is(Kind::kAny) || right->type->is(Kind::kAny)) return failed(node.span);
   if (comparison_op(node.op)) return compare(node, left, right);
@@ -163,22 +174,25 @@ hir::Expr* Checker::combine(const ast::BinaryExpr& node, hir::Expr* left, hir::E
     if (node.op == BinaryOp::kPow) return raise(node, left, right);
     if (arithmetic_op(node.op)) return arithmetic(node, left, right);
   }
-  hir::Expr* result = operator_native(operator_text(node.op), node.op_span, node.span, {left, right});
+  hir::Expr* result =
+      operator_native(operator_text(node.op), node.op_span, node.span, {left, right});
   return result != nullptr ? result : no_operator(node, *left, *right);
 }
 
 hir::Expr* Checker::arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right) {
   const OpPair ops = *arithmetic_op(node.op);
   const auto binary = [&](const Type* type, Op op, hir::Expr* a, hir::Expr* b) {
-    return folded(make<hir::BinaryExpr>(hir::ExprKind::kBinary, type, node.span, op, a, b, node.op_span));
+    return folded(
+        make<hir::BinaryExpr>(hir::ExprKind::kBinary, type, node.span, op, a, b, node.op_span));
   };
   if (left->type->is(Kind::kInt) && right->type->is(Kind::kInt)) {
     hir::Expr* result = binary(types_.integer(), ops.integer, left, right);
     if (node.op == BinaryOp::kDiv && is_int_literal(*left) && is_int_literal(*right)) {
       const std::int64_t by = right->as<hir::IntExpr>().value;
       if (by != 0 && by != -1 && left->as<hir::IntExpr>().value % by != 0) {
-        Diagnostic advice = make_diagnostic("W0701", node.span, {text_of(node.span),
-                                            std::to_string(left->as<hir::IntExpr>().value / by)});
+        Diagnostic advice = make_diagnostic(
+            "W0701", node.span,
+            {text_of(node.span), std::to_string(left->as<hir::IntExpr>().value / by)});
         const std::string written = text_of(left->span) + ".0 / " + text_of(right->span);
         advice.fix = Fix{.text = "write " + written, .edits = {{node.span, written}}};
         report(std::move(advice));
@@ -241,21 +255,26 @@ hir::Expr* Checker::raise(const ast::BinaryExpr& node, hir::Expr* left, hir::Exp
 hir::Expr* Checker::compare(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right) {
   const Comparison ops = *comparison_op(node.op);
   const auto binary = [&](Op op, hir::Expr* a, hir::Expr* b) {
-    return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), node.span, op, a, b, node.op_span);
+    return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), node.span, op, a, b,
+                                 node.op_span);
   };
-  if (left->type->is(Kind::kInt) && right->type->is(Kind::kInt)) return binary(ops.integer, left, right);
+  if (left->type->is(Kind::kInt) && right->type->is(Kind::kInt))
+    return binary(ops.integer, left, right);
   if (left->type->is_number() && right->type->is_number()) {
     const Type* type = common_type(*left, *right);
     if (type == nullptr) return different_dimensions(node, *left, *right);
     return binary(ops.real, convert(left, type), convert(right, type));
   }
-  if (left->type->is(Kind::kText) && right->type->is(Kind::kText)) return binary(ops.text, left, right);
+  if (left->type->is(Kind::kText) && right->type->is(Kind::kText))
+    return binary(ops.text, left, right);
   if (!is_equality(node.op)) return no_operator(node, *left, *right);
   const bool by_number = left->type->is(Kind::kBool) || left->type->is(Kind::kEnum);
   if (by_number && left->type == right->type) return binary(ops.integer, left, right);
   const Type* type = common_type(*left, *right);
-  if (type == nullptr || by_number || !has_deep_equality(type)) return no_operator(node, *left, *right);
-  return binary(node.op == BinaryOp::kEq ? Op::kEqDeep : Op::kNeDeep, convert(left, type), convert(right, type));
+  if (type == nullptr || by_number || !has_deep_equality(type))
+    return no_operator(node, *left, *right);
+  return binary(node.op == BinaryOp::kEq ? Op::kEqDeep : Op::kNeDeep, convert(left, type),
+                convert(right, type));
 }
 
 // An operator that the library declares for these types; null if there is none.
@@ -266,13 +285,15 @@ hir::Expr* Checker::operator_native(std::string_view op, Span op_span, Span span
   for (hir::Expr* operand : operands) arguments.push_back({.value = operand});
   std::vector<const NativeFunction*> fitting;
   for (const NativeFunction* candidate : registry_.functions(name)) {
-    if (fit(signature_of(*candidate), arguments, false).problem == Fit::Problem::kNone) fitting.push_back(candidate);
+    if (fit(signature_of(*candidate), arguments, false).problem == Fit::Problem::kNone)
+      fitting.push_back(candidate);
   }
   if (fitting.empty()) return nullptr;
   return call_native(name, fitting, op_span, span, std::move(arguments));
 }
 
-hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& left, const hir::Expr& right) {
+hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& left,
+                                const hir::Expr& right) {
   const std::string op(operator_text(node.op));
   if (left.type->is(Kind::kList) && right.type->is(Kind::kList) &&
       (node.op == BinaryOp::kMul || node.op == BinaryOp::kDiv)) {
@@ -284,12 +305,15 @@ hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& le
     const std::string b = text_of(right.span);
     const std::string element_wise = a + " ." + op + ' ' + b + " for element by element";
     diagnostic.fix = node.op == BinaryOp::kMul
-                         ? Fix{.text = "write dot(" + a + ", " + b + ") for the inner product or " + element_wise}
+                         ? Fix{.text = "write dot(" + a + ", " + b + ") for the inner product or " +
+                                       element_wise}
                          : Fix{.text = "write " + element_wise};
     report(std::move(diagnostic));
     return failed(node.span);
   }
-  const hir::Expr* text = left.type->is(Kind::kText) ? &left : right.type->is(Kind::kText) ? &right : nullptr;
+  const hir::Expr* text = left.type->is(Kind::kText)    ? &left
+                          : right.type->is(Kind::kText) ? &right
+                                                        : nullptr;
   if (text != nullptr && arithmetic_op(node.op)) {
     report(make_diagnostic("E0314", text->span, {"a text"}));
     return failed(node.span);
@@ -306,7 +330,8 @@ hir::Expr* Checker::different_dimensions(const ast::BinaryExpr& node, const hir:
                                          const hir::Expr& right) {
   if (!left.type->is_quantity() || !right.type->is_quantity()) {
     const bool left_plain = !left.type->is_quantity();
-    plain_number_for_quantity(left_plain ? left : right, {.type = left_plain ? right.type : left.type});
+    plain_number_for_quantity(left_plain ? left : right,
+                              {.type = left_plain ? right.type : left.type});
     return failed(node.span);
   }
   const std::string a = dimension_phrase(left.type->dim);

@@ -1,4 +1,5 @@
-// Which function of the library a call means: every value fits, fewest conversions, no tie (language reference, section 5).
+// Which function of the library a call means: every value fits, fewest conversions, no tie
+// (language reference, section 5).
 
 #include <algorithm>
 #include <tuple>
@@ -13,34 +14,11 @@ using Problem = Fit::Problem;
 bool is_ambient_first(const Signature& signature) {
   if (signature.parameters.empty()) return false;
   const TypePattern& first = signature.parameters[0].type;
-  return first.form == TypePattern::Form::kType && first.type->is(Kind::kHost) && first.type->host->is_ambient;
+  return first.form == TypePattern::Form::kType && first.type->is(Kind::kHost) &&
+         first.type->host->is_ambient;
 }
 
 auto rank(const Fit& fit) { return std::tuple(fit.cost, fit.generic, fit.ambient); }
-
-// "1 value", "2 to 4 values", "at least 1 value".
-std::string accepted_count(const Signature& signature, bool ambient) {
-  std::size_t least = 0;
-  std::size_t most = 0;
-  bool open = false;
-  for (std::size_t i = ambient ? 1 : 0; i < signature.parameters.size(); ++i) {
-    ++most;
-    if (!signature.parameters[i].may_be_left_out()) ++least;
-    open = open || signature.parameters[i].variadic;
-  }
-  const auto counted = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " value" : " values"); };
-  if (open) return "at least " + counted(least);
-  if (most == 0) return "no values";
-  return least == most ? counted(most) : std::to_string(least) + " to " + counted(most);
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    out += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -56,7 +34,8 @@ const Signature& Checker::signature_of(const NativeFunction& function) {
 }
 
 // Lets the arguments fall on parameters: by position, then by name.
-bool Checker::place_arguments(const Signature& signature, const std::vector<Argument>& arguments, Fit& fit) const {
+bool Checker::place_arguments(const Signature& signature, const std::vector<Argument>& arguments,
+                              Fit& fit) const {
   const auto& parameters = signature.parameters;
   fit.from.assign(parameters.size(), -1);
   std::size_t next = fit.ambient ? 1 : 0;
@@ -102,13 +81,14 @@ bool Checker::fit_waiting(const ast::Expr& written, const TypePattern& pattern) 
   } else {
     return false;
   }
-  if (written.kind == ast::ExprKind::kLambda) return written.as<ast::LambdaExpr>().params.size() == wanted;
+  if (written.kind == ast::ExprKind::kLambda)
+    return written.as<ast::LambdaExpr>().params.size() == wanted;
   const FunctionDecl* function = find_function(written.as<ast::NameExpr>().name);
   return function != nullptr && function->node->params.size() == wanted;
 }
 
-void Checker::match_argument(const Signature& signature, const std::vector<Argument>& arguments, int argument,
-                             int parameter, Fit& fit) {
+void Checker::match_argument(const Signature& signature, const std::vector<Argument>& arguments,
+                             int argument, int parameter, Fit& fit) {
   const Parameter& target = signature.parameters[parameter];
   const Argument& given = arguments[argument];
   const TypePattern& pattern = target.variadic ? target.type.parts[0] : target.type;
@@ -155,8 +135,10 @@ Fit Checker::fit(const Signature& signature, const std::vector<Argument>& argume
   return out;
 }
 
-const NativeFunction* Checker::choose(std::string_view name, std::span<const NativeFunction* const> candidates,
-                                      Span callee, Span span, const std::vector<Argument>& arguments, Fit& best) {
+const NativeFunction* Checker::choose(std::string_view name,
+                                      std::span<const NativeFunction* const> candidates,
+                                      Span callee, Span span,
+                                      const std::vector<Argument>& arguments, Fit& best) {
   const NativeFunction* chosen = nullptr;
   const NativeFunction* closest = nullptr;
   Fit closest_fit;
@@ -167,10 +149,12 @@ const NativeFunction* Checker::choose(std::string_view name, std::span<const Nat
       if (ambient && !is_ambient_first(signature)) continue;
       Fit attempt = fit(signature, arguments, ambient);
       if (attempt.problem != Problem::kNone) {
-        const auto closeness = [](const Fit& f) { return std::pair(f.matched, f.problem == Problem::kType); };
+        const auto closeness = [](const Fit& f) {
+          return std::pair(f.matched, f.problem == Problem::kType);
+        };
         if (closest == nullptr || closeness(attempt) > closeness(closest_fit) ||
-            (closeness(attempt) == closeness(closest_fit) && attempt.ambient && !closest_fit.ambient &&
-             candidate == closest)) {
+            (closeness(attempt) == closeness(closest_fit) && attempt.ambient &&
+             !closest_fit.ambient && candidate == closest)) {
           closest = candidate;
           closest_fit = std::move(attempt);
         }
@@ -187,99 +171,14 @@ const NativeFunction* Checker::choose(std::string_view name, std::span<const Nat
     report_misfit(name, signature_of(*closest), callee, span, arguments, closest_fit);
   } else if (equal.size() > 1) {
     Diagnostic diagnostic = make_diagnostic("E0319", callee, {std::string(name)});
-    std::vector<std::string> forms;
-    for (const NativeFunction* candidate : equal) forms.push_back(std::string(name) + std::string(candidate->signature));
-    diagnostic.why = joined(forms);
+    for (const NativeFunction* candidate : equal) {
+      diagnostic.why += (diagnostic.why.empty() ? "" : ", ") + std::string(name);
+      diagnostic.why += candidate->signature;
+    }
     report(std::move(diagnostic));
     return nullptr;
   }
   return chosen;
-}
-
-void Checker::report_misfit(std::string_view name, const Signature& signature, Span callee, Span span,
-                            const std::vector<Argument>& arguments, const Fit& fit) {
-  const std::string function(name);
-  const auto& parameters = signature.parameters;
-  // The value before the point is no value of the list.
-  const int receiver = !arguments.empty() && arguments[0].written == nullptr ? 1 : 0;
-  switch (fit.problem) {
-    case Problem::kUnknownName: {
-      const Argument& at = arguments[fit.argument];
-      std::vector<std::string> settings;
-      std::vector<std::string_view> names;
-      for (std::size_t p = fit.ambient ? 1 : 0; p < parameters.size(); ++p) {
-        names.push_back(parameters[p].name);
-        if (parameters[p].may_be_left_out()) settings.push_back(parameters[p].name);
-      }
-      Diagnostic out = make_diagnostic("E0207", at.name_span, {function, std::string(at.name)});
-      if (settings.empty()) settings.assign(names.begin(), names.end());
-      if (!settings.empty()) out.why = function + " accepts " + joined(settings);
-      std::string_view meant = foreign_setting(at.name);
-      if (std::ranges::find(names, meant) == names.end()) {
-        meant = suggest(at.name, std::span<const std::string_view>(names)).value_or("");
-      }
-      if (!meant.empty()) {
-        out.fix = Fix{.text = "did you mean " + std::string(meant) + "?",
-                      .edits = {{at.name_span, std::string(meant)}},
-                      .confidence = Confidence::kMaybe};
-      }
-      report(std::move(out));
-      return;
-    }
-    case Problem::kTwice:
-      report(make_diagnostic("E0212", arguments[fit.argument].name_span, {std::string(arguments[fit.argument].name)}));
-      return;
-    case Problem::kAfterNamed:
-      report(make_diagnostic("E0326", arguments[fit.argument].span()));
-      return;
-    case Problem::kTooMany:
-    case Problem::kMissing: {
-      const bool all_named = !arguments.empty() &&
-                             std::ranges::none_of(arguments, [](const Argument& a) { return a.name.empty(); });
-      if (fit.problem == Problem::kMissing && all_named) {
-        report(make_diagnostic("E0327", callee, {function, parameters[fit.parameter].name}));
-        return;
-      }
-      const int given = static_cast<int>(arguments.size()) - receiver;
-      const bool first_is_known = fit.ambient || receiver > 0;
-      Diagnostic out = make_diagnostic(
-          "E0312", fit.problem == Problem::kTooMany ? arguments[fit.argument].span() : callee,
-          {function, accepted_count(signature, first_is_known), std::to_string(given)});
-      if (fit.problem == Problem::kTooMany) out.mark.label = "one too many";
-      if (fit.problem == Problem::kMissing) out.why = '`' + parameters[fit.parameter].name + "` is missing";
-      report(std::move(out));
-      return;
-    }
-    case Problem::kType:
-      break;
-    case Problem::kNone:
-      return;
-  }
-  const Argument& at = arguments[fit.argument];
-  const Parameter& parameter = parameters[fit.parameter];
-  const TypePattern& pattern = parameter.variadic ? parameter.type.parts[0] : parameter.type;
-  if (at.waits()) {
-    report(make_diagnostic("E0313", at.span(), {function, pattern_name(pattern, fit.bindings, types_), "a function"}));
-    return;
-  }
-  const Type* wanted = instantiate(pattern, fit.bindings, types_);
-  if (wanted == nullptr) {
-    const bool number = pattern.form == TypePattern::Form::kDimension;
-    const std::string phrase = type_phrase(at.value->type);
-    if (number) {
-      report(make_diagnostic("E0314", at.span(), {phrase}));
-    } else {
-      const std::string need = pattern_name(pattern, fit.bindings, types_);
-      report(make_diagnostic("E0313", at.span(), {function, std::string(article(need)) + ' ' + need, phrase}));
-    }
-    return;
-  }
-  require(at.value, {.role = at.name.empty() ? Target::Role::kArgument : Target::Role::kSetting,
-                     .type = wanted,
-                     .name = parameter.name,
-                     .function = name,
-                     .position = fit.argument + 1 - receiver,
-                     .call = span});
 }
 
 }  // namespace armlet::lang

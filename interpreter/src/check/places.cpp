@@ -42,9 +42,10 @@ void Checker::report_copy(const Local& local, Span statement) {
     const std::string type = type_name(local.variable->type);
     const std::string head = std::string(node.name.text) + '(' + parameters + ')';
     diagnostic.fix =
-        Fix{.text = "return the changed " + std::string(local.variable->type->is(Kind::kList) ? "list" : "value") +
-                    ": " + (node.classic ? type + ' ' + head : "fn " + head + " -> " + type) + " { var " + copy +
-                    " = " + name + "; " + changed + "; return " + copy + "; }"};
+        Fix{.text = "return the changed " +
+                    std::string(local.variable->type->is(Kind::kList) ? "list" : "value") + ": " +
+                    (node.classic ? type + ' ' + head : "fn " + head + " -> " + type) + " { var " +
+                    copy + " = " + name + "; " + changed + "; return " + copy + "; }"};
   }
   report(std::move(diagnostic));
 }
@@ -53,7 +54,8 @@ void Checker::report_copy(const Local& local, Span statement) {
 bool Checker::may_change(Local& local, FunctionContext& where, Span statement, bool whole) {
   const std::string name(local.variable->name);
   // Lambdas between here and the variable hold copies.
-  for (const FunctionContext* context = here_; context != &where && context != nullptr; context = context->outer) {
+  for (const FunctionContext* context = here_; context != &where && context != nullptr;
+       context = context->outer) {
     if (context->kind != FunctionContext::Kind::kLambda) continue;
     Diagnostic diagnostic = make_diagnostic("E0210", statement, {name});
     diagnostic.related.push_back({local.variable->declared, "declared here"});
@@ -65,16 +67,20 @@ bool Checker::may_change(Local& local, FunctionContext& where, Span statement, b
     return false;
   }
   // let x: T without a value gets its only value later.
-  if (!local.variable->fixed || (whole && &where == here_ && where.flow.is_unset(local.variable))) return true;
+  if (!local.variable->fixed || (whole && &where == here_ && where.flow.is_unset(local.variable)))
+    return true;
   Diagnostic diagnostic = make_diagnostic("E0206", statement, {name});
   switch (local.how) {
     case Declared::kLet:
     case Declared::kFinal: {
-      diagnostic.related.push_back({local.keyword, local.how == Declared::kLet ? "declared with let" : "declared with final"});
+      diagnostic.related.push_back({local.keyword, local.how == Declared::kLet
+                                                       ? "declared with let"
+                                                       : "declared with final"});
       const std::string line = std::to_string(line_of(local.variable->declared));
-      diagnostic.fix = Fix{.text = local.how == Declared::kLet ? "declare it with var on line " + line
-                                                               : "delete final on line " + line,
-                           .edits = {{local.keyword, local.how == Declared::kLet ? "var" : ""}}};
+      diagnostic.fix =
+          Fix{.text = local.how == Declared::kLet ? "declare it with var on line " + line
+                                                  : "delete final on line " + line,
+              .edits = {{local.keyword, local.how == Declared::kLet ? "var" : ""}}};
       break;
     }
     case Declared::kLoop:
@@ -92,13 +98,17 @@ std::optional<hir::Place> Checker::check_place(const ast::Expr& expr, Span state
   std::vector<const ast::Expr*> chain;
   for (const ast::Expr* at = &expr; at != &root_of(expr);) {
     chain.push_back(at);
-    at = at->kind == ast::ExprKind::kMember ? at->as<ast::MemberExpr>().object : at->as<ast::IndexExpr>().object;
+    at = at->kind == ast::ExprKind::kMember ? at->as<ast::MemberExpr>().object
+                                            : at->as<ast::IndexExpr>().object;
   }
   const ast::Expr& root = root_of(expr);
   FunctionContext* where = nullptr;
-  Local* local = root.kind == ast::ExprKind::kName ? find_local(root.as<ast::NameExpr>().name, where) : nullptr;
+  Local* local = root.kind == ast::ExprKind::kName
+                     ? find_local(root.as<ast::NameExpr>().name, where)
+                     : nullptr;
   if (local == nullptr) {
-    if (root.kind == ast::ExprKind::kName && find_function(root.as<ast::NameExpr>().name) == nullptr &&
+    if (root.kind == ast::ExprKind::kName &&
+        find_function(root.as<ast::NameExpr>().name) == nullptr &&
         registry_.functions(root.as<ast::NameExpr>().name).empty() &&
         registry_.constant(root.as<ast::NameExpr>().name) == nullptr) {
       unknown_name(root.as<ast::NameExpr>().name, root.span);
@@ -132,14 +142,16 @@ std::optional<hir::Place> Checker::check_place(const ast::Expr& expr, Span state
 }
 
 // One field or element of a place of type `type`; whole: the place as written.
-std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Type* type, Span whole) {
+std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Type* type,
+                                                   Span whole) {
   hir::Step step{};
   step.span = at.span;
   if (at.kind == ast::ExprKind::kMember) {
     const ast::Name& field = at.as<ast::MemberExpr>().member;
     const int i = type->is(Kind::kRecord) ? type->record->index_of(field.text) : -1;
     if (i < 0 && type->is(Kind::kRecord)) {
-      unknown_field(hir::Expr{.kind = hir::ExprKind::kVariable, .type = type, .span = at.span}, field);
+      unknown_field(hir::Expr{.kind = hir::ExprKind::kVariable, .type = type, .span = at.span},
+                    field);
     } else if (i < 0) {
       report(make_diagnostic("E0328", whole));
     }
@@ -163,7 +175,7 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
   return step;
 }
 
-// ---- assignments ----------------------------------------------------------------------------------------------
+// ---- assignments -------------------------------------------------------------------------------
 
 hir::Stmt* Checker::check_assign(const ast::AssignStmt& assign) {
   if (assign.compound) return assign_compound(assign);
@@ -179,8 +191,8 @@ hir::Stmt* Checker::assign_one(const ast::Expr& target, const ast::AssignStmt& a
   }
   hir::Expr* value = check_as(*assign.value, {.type = place->type, .name = place->variable->name});
   if (place->steps.empty()) here_->flow.assign(place->variable);
-  return make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, value, false, hir::Op::kAddI,
-                               assign.op_span);
+  return make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, value, false,
+                               hir::Op::kAddI, assign.op_span);
 }
 
 // a = b = e: e once, then from right to left.
@@ -196,24 +208,29 @@ hir::Stmt* Checker::assign_many(const ast::AssignStmt& assign) {
   if (value->kind == hir::ExprKind::kList) value = require(value, {.type = places.back().type});
   hir::Variable* once = hidden(value->type, assign.value->span);
   once->init = value;
-  std::vector<hir::Stmt*> body = {make<hir::InitStmt>(hir::StmtKind::kInit, assign.span, once, value)};
+  std::vector<hir::Stmt*> body = {
+      make<hir::InitStmt>(hir::StmtKind::kInit, assign.span, once, value)};
   for (auto place = places.rbegin(); place != places.rend(); ++place) {
-    hir::Expr* copy = is_zero(*value) ? value : make<hir::VariableExpr>(hir::ExprKind::kVariable, once->type, value->span, once);
+    hir::Expr* copy = is_zero(*value) ? value
+                                      : make<hir::VariableExpr>(hir::ExprKind::kVariable,
+                                                                once->type, value->span, once);
     copy = require(copy, {.type = place->type, .name = place->variable->name});
     if (place->steps.empty()) here_->flow.assign(place->variable);
-    body.push_back(make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, copy, false, hir::Op::kAddI,
-                                         assign.op_span));
+    body.push_back(make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, copy, false,
+                                         hir::Op::kAddI, assign.op_span));
   }
   return make<hir::Block>(hir::StmtKind::kBlock, assign.span, seq(body));
 }
 
 hir::Expr* Checker::read_place(const hir::Place& place) {
-  hir::Expr* value = make<hir::VariableExpr>(hir::ExprKind::kVariable, place.variable->type, place.span, place.variable);
+  hir::Expr* value = make<hir::VariableExpr>(hir::ExprKind::kVariable, place.variable->type,
+                                             place.span, place.variable);
   for (const hir::Step& step : place.steps) {
     if (step.is_field) {
       value = make<hir::FieldExpr>(hir::ExprKind::kField, step.type, step.span, value, step.field);
     } else {
-      value = make<hir::ElementExpr>(hir::ExprKind::kElement, step.type, step.span, value, step.index);
+      value =
+          make<hir::ElementExpr>(hir::ExprKind::kElement, step.type, step.span, value, step.index);
     }
   }
   return value;
@@ -231,10 +248,13 @@ hir::Stmt* Checker::assign_compound(const ast::AssignStmt& assign) {
   if (!numbers) {
     // The place is written twice, so what its indexes compute is kept.
     for (hir::Step& step : place->steps) {
-      if (step.is_field || step.index->kind == hir::ExprKind::kInt || step.index->kind == hir::ExprKind::kVariable) continue;
+      if (step.is_field || step.index->kind == hir::ExprKind::kInt ||
+          step.index->kind == hir::ExprKind::kVariable)
+        continue;
       hir::Variable* index = hidden(types_.integer(), step.index->span);
       before.push_back(make<hir::InitStmt>(hir::StmtKind::kInit, assign.span, index, step.index));
-      step.index = make<hir::VariableExpr>(hir::ExprKind::kVariable, index->type, index->declared, index);
+      step.index =
+          make<hir::VariableExpr>(hir::ExprKind::kVariable, index->type, index->declared, index);
     }
   }
   hir::Expr* value = check_value(*assign.value);
@@ -257,12 +277,13 @@ hir::Stmt* Checker::assign_compound(const ast::AssignStmt& assign) {
     if (result->type->is(Kind::kAny)) return nullptr;
     if (numbers && result->kind == hir::ExprKind::kBinary) {
       const auto& sum = result->as<hir::BinaryExpr>();
-      return make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, sum.right, true, sum.op, assign.op_span);
+      return make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, sum.right, true,
+                                   sum.op, assign.op_span);
     }
     value = result;
   }
-  hir::Stmt* store = make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, value, false, hir::Op::kAddI,
-                                           assign.op_span);
+  hir::Stmt* store = make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, value,
+                                           false, hir::Op::kAddI, assign.op_span);
   if (before.empty()) return store;
   before.push_back(store);
   return make<hir::Block>(hir::StmtKind::kBlock, assign.span, seq(before));
@@ -276,11 +297,13 @@ hir::Stmt* Checker::check_step(const ast::StepStmt& step) {
     return nullptr;
   }
   const bool whole = place->type->is(Kind::kInt);
-  hir::Expr* one = whole ? static_cast<hir::Expr*>(make<hir::IntExpr>(hir::ExprKind::kInt, place->type, step.span, std::int64_t{1}))
+  hir::Expr* one = whole ? static_cast<hir::Expr*>(make<hir::IntExpr>(
+                               hir::ExprKind::kInt, place->type, step.span, std::int64_t{1}))
                          : make<hir::RealExpr>(hir::ExprKind::kReal, place->type, step.span, 1.0);
   const hir::Op up = whole ? hir::Op::kAddI : hir::Op::kAddR;
   const hir::Op down = whole ? hir::Op::kSubI : hir::Op::kSubR;
-  return make<hir::AssignStmt>(hir::StmtKind::kAssign, step.span, *place, one, true, step.up ? up : down, step.span);
+  return make<hir::AssignStmt>(hir::StmtKind::kAssign, step.span, *place, one, true,
+                               step.up ? up : down, step.span);
 }
 
 }  // namespace armlet::lang

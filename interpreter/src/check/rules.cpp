@@ -9,18 +9,23 @@ namespace {
 
 class Call final : public CheckCall {
  public:
-  Call(Checker& checker, std::string_view name, const std::vector<Argument>& arguments, const Fit& fit,
-       hir::CallNativeExpr& call)
+  Call(Checker& checker, std::string_view name, const std::vector<Argument>& arguments,
+       const Fit& fit, hir::CallNativeExpr& call)
       : checker_(checker), name_(name), arguments_(arguments), fit_(fit), call_(call) {}
 
   std::string_view function_name() const override { return name_; }
-  bool given(int parameter) const override { return written(parameter) != nullptr || !items(parameter).empty(); }
+  bool given(int parameter) const override {
+    return written(parameter) != nullptr || !items(parameter).empty();
+  }
 
   const Type* type(int parameter) const override {
     const hir::Expr* value = written(parameter);
     return value != nullptr ? value->type : call_.arguments[parameter]->type;
   }
-  Span span(int parameter) const override { return call_.site.arguments[parameter]; }
+  Span span(int parameter) const override {
+    const hir::Expr* value = written(parameter);
+    return value != nullptr ? value->span : call_.site.arguments[parameter];
+  }
   Span callee_span() const override { return call_.site.callee; }
   Span call_span() const override { return call_.site.call; }
   std::string text_of(Span span) const override { return checker_.text_of(span); }
@@ -34,7 +39,9 @@ class Call final : public CheckCall {
   }
 
   int item_count(int parameter) const override { return static_cast<int>(items(parameter).size()); }
-  const Type* item_type(int parameter, int item) const override { return items(parameter)[item]->type; }
+  const Type* item_type(int parameter, int item) const override {
+    return items(parameter)[item]->type;
+  }
   Span item_span(int parameter, int item) const override { return items(parameter)[item]->span; }
   std::optional<Constant> item_constant(int parameter, int item) const override {
     return checker_.constant_of(*items(parameter)[item]);
@@ -54,7 +61,8 @@ class Call final : public CheckCall {
   Span origin(int parameter, int item) const override {
     const hir::Expr* at = &checker_.origin_of(*call_.arguments[parameter]);
     // new posJ(list): look into what the value was made from.
-    while (at->kind == hir::ExprKind::kCallNative && at->as<hir::CallNativeExpr>().arguments.size() == 1) {
+    while (at->kind == hir::ExprKind::kCallNative &&
+           at->as<hir::CallNativeExpr>().arguments.size() == 1) {
       at = &checker_.origin_of(*at->as<hir::CallNativeExpr>().arguments[0]);
     }
     if (at->kind != hir::ExprKind::kList) return {};
@@ -110,10 +118,11 @@ class Call final : public CheckCall {
 
 }  // namespace
 
-hir::Expr* Checker::run_rule(std::string_view name, const std::vector<Argument>& arguments, const Fit& fit,
-                             hir::CallNativeExpr* call) {
+hir::Expr* Checker::run_rule(std::string_view name, const std::vector<Argument>& arguments,
+                             const Fit& fit, hir::CallNativeExpr* call) {
   const auto failed_value = [](const hir::Expr* value) { return value->type->is(Kind::kAny); };
-  if (call->function->check == nullptr || std::ranges::any_of(call->arguments, failed_value)) return call;
+  if (call->function->check == nullptr || std::ranges::any_of(call->arguments, failed_value))
+    return call;
   Call seen(*this, name, arguments, fit, *call);
   call->function->check(seen);
   return call;

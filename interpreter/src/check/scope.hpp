@@ -1,5 +1,6 @@
 #pragma once
-// What names stand for while a program is checked: variables, functions, types; and what each function uses.
+// What names stand for while a program is checked: variables, functions, types; and what each
+// function uses.
 
 #include <string_view>
 #include <vector>
@@ -9,17 +10,28 @@
 
 namespace armlet::lang {
 
-enum class Declared : std::uint8_t { kLet, kFinal, kVar, kClassic, kParameter, kLoop, kCatch, kBlock, kCapture };
+enum class Declared : std::uint8_t {
+  kLet,
+  kFinal,
+  kVar,
+  kClassic,
+  kParameter,
+  kLoop,
+  kCatch,
+  kBlock,
+  kCapture
+};
 
 // A variable that can be seen from here.
 struct Local {
   hir::Variable* variable = nullptr;
   Declared how = Declared::kVar;
-  Span keyword{};             // let, var, final, or the type of a classic declaration
+  Span keyword{};  // let, var, final, or the type of a classic declaration
   bool used = false;
 };
 
-// Whether the end of the text so far can be reached, and which variables have no value there on some way.
+// Whether the end of the text so far can be reached, and which variables have no value there on
+// some way.
 struct Flow {
   bool reachable = true;
   std::vector<const hir::Variable*> unset{};
@@ -62,28 +74,34 @@ struct Instance {
 
 struct FunctionDecl {
   const ast::FunctionStmt* node = nullptr;
-  std::vector<const Type*> parameters{};     // null: generic by use
-  const Type* result = nullptr;              // null: inferred
+  std::vector<const Type*> parameters{};  // null: generic by use
+  const Type* result = nullptr;           // null: inferred
   std::vector<Instance*> instances{};
-  bool failed = false;                       // a form of it had errors
+  bool failed = false;  // a form of it had errors
   [[nodiscard]] bool is_generic() const;
 };
 
 // One function, lambda, condition or test while its body is being checked.
 struct FunctionContext {
-  enum class Kind : std::uint8_t { kProgram, kNamed, kTest, kLambda, kCondition } kind = Kind::kProgram;
+  enum class Kind : std::uint8_t {
+    kProgram,
+    kNamed,
+    kTest,
+    kLambda,
+    kCondition
+  } kind = Kind::kProgram;
   hir::Function* function = nullptr;
-  FunctionContext* outer = nullptr;          // lambdas and conditions: where they are written
-  FunctionDecl* declaration = nullptr;       // kNamed
-  Instance* instance = nullptr;              // kNamed
-  std::vector<Local> locals{};               // all that can be seen, innermost last
-  std::vector<std::size_t> blocks{};         // where each open block begins in locals
+  FunctionContext* outer = nullptr;     // lambdas and conditions: where they are written
+  FunctionDecl* declaration = nullptr;  // kNamed
+  Instance* instance = nullptr;         // kNamed
+  std::vector<Local> locals{};          // all that can be seen, innermost last
+  std::vector<std::size_t> blocks{};    // where each open block begins in locals
   std::vector<hir::Capture> captures{};
   std::vector<JumpTarget> targets{};
   Flow flow{};
-  const Type* result = nullptr;              // declared, or of the first return; null: none so far
+  const Type* result = nullptr;  // declared, or of the first return; null: none so far
   bool result_is_declared = false;
-  std::vector<hir::ReturnStmt*> returns{};   // of an inferred result
+  std::vector<hir::ReturnStmt*> returns{};  // of an inferred result
 
   [[nodiscard]] const FunctionContext& root() const;
 };

@@ -6,7 +6,8 @@
 
 namespace armlet::lang {
 
-std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view name, ast::Seq<ast::Param> parameters,
+std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view name,
+                                                            ast::Seq<ast::Param> parameters,
                                                             Span callee, Span span,
                                                             std::vector<Argument>& arguments) {
   // The same rules as for the library, told by the same messages.
@@ -28,7 +29,8 @@ std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view nam
 
 namespace {
 
-// A value that is the same at every call: written in the text, or a value of the host made from such values.
+// A value that is the same at every call: written in the text, or a value of the host made from
+// such values.
 bool is_fixed_value(const hir::Expr& value) {
   const auto all = [](const auto& items) {
     return std::ranges::all_of(items, [](const hir::Expr* item) { return is_fixed_value(*item); });
@@ -47,7 +49,8 @@ bool is_fixed_value(const hir::Expr& value) {
     case hir::ExprKind::kUnary:
       return is_fixed_value(*value.as<hir::UnaryExpr>().operand);
     case hir::ExprKind::kBinary:
-      return is_fixed_value(*value.as<hir::BinaryExpr>().left) && is_fixed_value(*value.as<hir::BinaryExpr>().right);
+      return is_fixed_value(*value.as<hir::BinaryExpr>().left) &&
+             is_fixed_value(*value.as<hir::BinaryExpr>().right);
     case hir::ExprKind::kList:
       return all(value.as<hir::ListExpr>().items);
     case hir::ExprKind::kRecord:
@@ -61,7 +64,8 @@ bool is_fixed_value(const hir::Expr& value) {
 
 }  // namespace
 
-hir::Expr* Checker::default_value(const ast::Expr& expr, const Target& target, std::string_view what) {
+hir::Expr* Checker::default_value(const ast::Expr& expr, const Target& target,
+                                  std::string_view what) {
   const bool before = std::exchange(only_top_level_, true);
   hir::Expr* value = target.type != nullptr ? check_as(expr, target) : check_value(expr);
   only_top_level_ = before;
@@ -70,7 +74,8 @@ hir::Expr* Checker::default_value(const ast::Expr& expr, const Target& target, s
   return failed(expr.span);
 }
 
-hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span, std::vector<Argument> arguments) {
+hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
+                                std::vector<Argument> arguments) {
   const ast::FunctionStmt& node = *function.node;
   const std::string_view name = node.name.text;
   const auto given = by_parameter(name, node.params, callee, span, arguments);
@@ -82,8 +87,13 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span, 
   for (std::size_t p = 0; p < node.params.size(); ++p) {
     const Type* type = function.parameters[p];
     Argument* argument = (*given)[p];
-    Target target{.role = Target::Role::kArgument, .type = type, .name = node.params[p].name.text, .function = name, .call = span};
-    spans.push_back(argument != nullptr ? argument->span() : Span{callee.end, callee.end, callee.source});
+    Target target{.role = Target::Role::kArgument,
+                  .type = type,
+                  .name = node.params[p].name.text,
+                  .function = name,
+                  .call = span};
+    spans.push_back(argument != nullptr ? argument->span()
+                                        : Span{callee.end, callee.end, callee.source});
     hir::Expr* value = nullptr;
     if (argument == nullptr) {
       value = default_value(*node.params[p].default_value, target, "a default");
@@ -105,11 +115,13 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span, 
   if (instance == nullptr) return failed(span);
   use_->add(instance->function);
   if (&here_->root() == &main_) main_calls_.emplace_back(instance->function, top_level_.size());
-  return make<hir::CallExpr>(hir::ExprKind::kCall, instance->function->result, span, instance->function, seq(values),
+  return make<hir::CallExpr>(hir::ExprKind::kCall, instance->function->result, span,
+                             instance->function, seq(values),
                              hir::CallSite{span, callee, seq(spans)});
 }
 
-hir::Expr* Checker::construct(const StructDecl& structure, Span callee, Span span, std::vector<Argument> arguments) {
+hir::Expr* Checker::construct(const StructDecl& structure, Span callee, Span span,
+                              std::vector<Argument> arguments) {
   const ast::StructStmt& node = *structure.node;
   const std::string_view name = node.name.text;
   const auto given = by_parameter(name, node.fields, callee, span, arguments);

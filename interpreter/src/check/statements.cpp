@@ -17,7 +17,8 @@ bool does_nothing(const hir::Expr& value) {
     case hir::ExprKind::kGuarded:
       return false;
     case hir::ExprKind::kCond:
-      return does_nothing(*value.as<hir::CondExpr>().yes) && does_nothing(*value.as<hir::CondExpr>().no);
+      return does_nothing(*value.as<hir::CondExpr>().yes) &&
+             does_nothing(*value.as<hir::CondExpr>().no);
     case hir::ExprKind::kConvert:
       return does_nothing(*value.as<hir::ConvertExpr>().operand);
     default:
@@ -39,8 +40,9 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
   bool told = false;
   for (std::size_t i = 0; i < body.size(); ++i) {
     const ast::Stmt& stmt = *body[i];
-    const bool is_declaration = stmt.kind == ast::StmtKind::kFunction || stmt.kind == ast::StmtKind::kStruct ||
-                                stmt.kind == ast::StmtKind::kEnum || stmt.kind == ast::StmtKind::kTest;
+    const bool is_declaration =
+        stmt.kind == ast::StmtKind::kFunction || stmt.kind == ast::StmtKind::kStruct ||
+        stmt.kind == ast::StmtKind::kEnum || stmt.kind == ast::StmtKind::kTest;
     if (!here_->flow.reachable && !told && stmt.kind != ast::StmtKind::kEmpty && !is_declaration) {
       told = true;
       const ast::Stmt* before = i > 0 ? body[i - 1] : nullptr;
@@ -63,7 +65,7 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
 
 hir::Stmt* Checker::check_statement(const ast::Stmt& stmt) {
   if (++depth_ > 1200) {
-    report(make_diagnostic("E0125", stmt.span, {"1200"}));
+    report(make_diagnostic("E0125", stmt.span, {"1200 levels"}));
     --depth_;
     return nullptr;
   }
@@ -74,10 +76,6 @@ hir::Stmt* Checker::check_statement(const ast::Stmt& stmt) {
 
 hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
   using ast::StmtKind;
-  const auto refuse = [&](std::size_t length, std::string_view feature) -> hir::Stmt* {
-    not_available({stmt.span.begin, stmt.span.begin + static_cast<std::uint32_t>(length), stmt.span.source}, feature);
-    return nullptr;
-  };
   switch (stmt.kind) {
     case StmtKind::kBlock:
       return check_block(stmt.as<ast::Block>().body, stmt.span);
@@ -93,14 +91,11 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
       return misplaced_declaration(stmt);
     case StmtKind::kTest:
       return check_test(stmt.as<ast::TestStmt>());
-    case StmtKind::kImport:
-      return refuse(6, "`import`");
     case StmtKind::kIf:
       return check_if(stmt.as<ast::IfStmt>());
-    case StmtKind::kWhile: {
-      const auto& loop = stmt.as<ast::WhileStmt>();
-      return check_while(loop.condition, *loop.body, {}, stmt.span);
-    }
+    case StmtKind::kWhile:
+      return check_while(stmt.as<ast::WhileStmt>().condition, *stmt.as<ast::WhileStmt>().body, {},
+                         stmt.span);
     case StmtKind::kDo:
       return check_do(stmt.as<ast::DoStmt>());
     case StmtKind::kForIn:
@@ -111,18 +106,14 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
       return check_switch(stmt.as<ast::SwitchStmt>());
     case StmtKind::kTry:
       return check_try(stmt.as<ast::TryStmt>());
+    case StmtKind::kImport:
     case StmtKind::kParallel:
-      return refuse(8, "`parallel`");
     case StmtKind::kWhen:
-      return refuse(4, "`when`");
     case StmtKind::kEvery:
-      return refuse(5, "`every`");
     case StmtKind::kWith:
-      return refuse(4, "`with`");
     case StmtKind::kPath:
-      return refuse(4, "`path`");
     case StmtKind::kRecord:
-      return refuse(6, "`record`");
+      return not_there_yet(stmt);
     case StmtKind::kExpr:
       return check_expression_statement(stmt.as<ast::ExprStmt>());
     case StmtKind::kAssign:
@@ -142,6 +133,15 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kThrow:
       return check_throw(stmt.as<ast::ThrowStmt>());
   }
+  return nullptr;
+}
+
+// Statements that begin with a word of their own, which names them.
+hir::Stmt* Checker::not_there_yet(const ast::Stmt& stmt) {
+  const std::string text = text_of(stmt.span);
+  const std::string word = text.substr(0, text.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+  const auto length = static_cast<std::uint32_t>(word.size());
+  not_available({stmt.span.begin, stmt.span.begin + length, stmt.span.source}, '`' + word + '`');
   return nullptr;
 }
 
@@ -167,12 +167,14 @@ hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {
     if (name == "assertThrows" && !own) return check_assert_throws(call);
     if (name == "Thread.sleep") {
       if (!takes(call, name, 1, 1)) return nullptr;
-      hir::Expr* milliseconds = check_as(*call.args[0].value, {.role = Target::Role::kArgument,
-                                                               .type = types_.real(),
-                                                               .function = "Thread.sleep"});
-      hir::Expr* factor = make<hir::RealExpr>(hir::ExprKind::kReal, types_.real(), stmt.span, 1000.0);
-      hir::Expr* seconds = folded(make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.real(), stmt.span,
-                                                        hir::Op::kDivR, milliseconds, factor, stmt.span));
+      hir::Expr* milliseconds = check_as(
+          *call.args[0].value,
+          {.role = Target::Role::kArgument, .type = types_.real(), .function = "Thread.sleep"});
+      hir::Expr* factor =
+          make<hir::RealExpr>(hir::ExprKind::kReal, types_.real(), stmt.span, 1000.0);
+      hir::Expr* seconds =
+          folded(make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.real(), stmt.span,
+                                       hir::Op::kDivR, milliseconds, factor, stmt.span));
       note_pause(stmt.span);
       return make<hir::WaitStmt>(hir::StmtKind::kWait, stmt.span, seconds);
     }
@@ -200,7 +202,8 @@ hir::Stmt* Checker::check_if(const ast::IfStmt& stmt) {
   hir::Stmt* no = stmt.no != nullptr ? branch(*stmt.no) : nullptr;
   after.merge(here_->flow);
   here_->flow = std::move(after);
-  if (yes == nullptr) yes = make<hir::Block>(hir::StmtKind::kBlock, stmt.yes->span, hir::Seq<hir::Stmt*>{});
+  if (yes == nullptr)
+    yes = make<hir::Block>(hir::StmtKind::kBlock, stmt.yes->span, hir::Seq<hir::Stmt*>{});
   return make<hir::IfStmt>(hir::StmtKind::kIf, stmt.span, test, yes, no);
 }
 
@@ -228,7 +231,8 @@ hir::Stmt* Checker::return_value(hir::Expr* value, Span span) {
 
 hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
   FunctionContext& context = *here_;
-  const bool in_function = context.kind == FunctionContext::Kind::kNamed || context.kind == FunctionContext::Kind::kLambda;
+  const bool in_function = context.kind == FunctionContext::Kind::kNamed ||
+                           context.kind == FunctionContext::Kind::kLambda;
   if (!in_function) {
     report(make_diagnostic("E0121", stmt.span, {"return", "a function"}));
     return nullptr;
@@ -241,7 +245,8 @@ hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
     return nullptr;
   }
   if (stmt.value != nullptr) {
-    return return_value(check(*stmt.value, context.result_is_declared ? context.result : nullptr), stmt.span);
+    return return_value(check(*stmt.value, context.result_is_declared ? context.result : nullptr),
+                        stmt.span);
   }
   if (context.result_is_declared && !is_void && !context.result->is(Kind::kAny)) {
     report(make_diagnostic("E0322", stmt.span, {type_phrase(context.result)}));
@@ -263,13 +268,18 @@ hir::Stmt* Checker::check_jump(const ast::Stmt& stmt) {
   const auto found = std::find_if(targets.rbegin(), targets.rend(), leaves);
   if (found == targets.rend()) {
     const std::string word = is_break ? "break" : is_retry ? "retry" : "continue";
-    report(make_diagnostic("E0121", stmt.span, {word, is_retry ? "`catch`" : is_break ? "a loop or a `switch`" : "a loop"}));
+    report(make_diagnostic("E0121", stmt.span,
+                           {word, is_retry   ? "`catch`"
+                                  : is_break ? "a loop or a `switch`"
+                                             : "a loop"}));
     return nullptr;
   }
   if (is_break) found->exits.push_back(here_->flow);
   if (!is_break && !is_retry) found->repeats.push_back(here_->flow);
   here_->flow.reachable = false;
-  const hir::Jump jump = is_break ? hir::Jump::kBreak : is_retry ? hir::Jump::kRetry : hir::Jump::kContinue;
+  const hir::Jump jump = is_break   ? hir::Jump::kBreak
+                         : is_retry ? hir::Jump::kRetry
+                                    : hir::Jump::kContinue;
   return make<hir::JumpStmt>(hir::StmtKind::kJump, stmt.span, jump, found->statement);
 }
 
@@ -279,7 +289,9 @@ hir::Stmt* Checker::check_throw(const ast::ThrowStmt& stmt) {
   if (value->type->is(Kind::kText)) {
     Diagnostic diagnostic = make_diagnostic("E0315", value->span, {"an error", "a string"});
     const std::string written = "error(" + text_of(value->span) + ")";
-    diagnostic.fix = Fix{.text = "write throw " + written, .edits = {{value->span, written}}, .confidence = Confidence::kSure};
+    diagnostic.fix = Fix{.text = "write throw " + written,
+                         .edits = {{value->span, written}},
+                         .confidence = Confidence::kSure};
     report(std::move(diagnostic));
     return nullptr;
   }
@@ -291,7 +303,10 @@ hir::Expr* Checker::seconds(const ast::Expr& written, std::string_view what) {
   hir::Expr* value = check_value(written);
   // Classic programs count seconds in plain numbers.
   if (hir::Expr* plain = convert(value, types_.real())) return plain;
-  return require(value, {.role = Target::Role::kArgument, .type = types_.quantity(dims::kTime), .name = what, .function = what});
+  return require(value, {.role = Target::Role::kArgument,
+                         .type = types_.quantity(dims::kTime),
+                         .name = what,
+                         .function = what});
 }
 
 hir::Stmt* Checker::check_wait(const ast::Expr& duration, Span span) {
@@ -315,11 +330,13 @@ hir::Stmt* Checker::check_wait_until(const ast::WaitUntilStmt& stmt) {
   hir::Expr* guard = check_guard(*stmt.condition);
   note_pause(stmt.span);
   const Span span = stmt.condition->span;
-  return make<hir::WaitUntilStmt>(hir::StmtKind::kWaitUntil, stmt.span, guard, timeout, into_.sources->slice(span), span);
+  return make<hir::WaitUntilStmt>(hir::StmtKind::kWaitUntil, stmt.span, guard, timeout,
+                                  into_.sources->slice(span), span);
 }
 
 hir::Stmt* Checker::check_try(const ast::TryStmt& stmt) {
-  auto* out = make<hir::TryStmt>(hir::StmtKind::kTry, stmt.span);
+  auto* out =
+      make<hir::TryStmt>(hir::StmtKind::kTry, stmt.span, nullptr, nullptr, nullptr, nullptr);
   const Flow before = here_->flow;
   out->body = check_block(stmt.body->body, stmt.body->span);
   Flow after = here_->flow;
@@ -348,7 +365,8 @@ hir::Stmt* Checker::check_try(const ast::TryStmt& stmt) {
     here_->flow = before;
     out->finally = check_block(stmt.finally->body, stmt.finally->span);
     // What finally stores is stored on every way on.
-    std::erase_if(after.unset, [&](const hir::Variable* variable) { return !here_->flow.is_unset(variable); });
+    std::erase_if(after.unset,
+                  [&](const hir::Variable* variable) { return !here_->flow.is_unset(variable); });
     after.reachable = after.reachable && here_->flow.reachable;
     here_->flow = std::move(after);
   }

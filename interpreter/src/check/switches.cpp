@@ -17,13 +17,17 @@ const ast::Stmt* last_statement(ast::Seq<ast::Stmt*> body) {
 
 }  // namespace
 
-// subject == value, with `value` written in the text. Notes what was compared with, to find what is missing or double.
-hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value, std::vector<std::string>& seen) {
-  hir::Expr* wanted = require(check_value(value, subject->type), {.type = subject->type, .name = "case"});
+// subject == value, with `value` written in the text. Notes what was compared with, to find what is
+// missing or double.
+hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value,
+                              std::vector<std::string>& seen) {
+  hir::Expr* wanted =
+      require(check_value(value, subject->type), {.type = subject->type, .name = "case"});
   if (wanted->type->is(Kind::kAny)) return wanted;
   std::string shown = text_of(value.span);
   if (wanted->kind == hir::ExprKind::kEnum) {
-    shown = subject->type->enumeration->values[static_cast<std::size_t>(wanted->as<hir::IntExpr>().value)];
+    shown = subject->type->enumeration
+                ->values[static_cast<std::size_t>(wanted->as<hir::IntExpr>().value)];
   } else if (const auto constant = constant_of(*wanted)) {
     if (constant->kind == Constant::Kind::kInt) shown = std::to_string(constant->integer);
     if (constant->kind == Constant::Kind::kText) shown = '"' + constant->text + '"';
@@ -36,17 +40,21 @@ hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value, st
     return failed(value.span);
   }
   seen.push_back(shown);
-  hir::Expr* left = make<hir::VariableExpr>(hir::ExprKind::kVariable, subject->type, value.span, subject);
+  hir::Expr* left =
+      make<hir::VariableExpr>(hir::ExprKind::kVariable, subject->type, value.span, subject);
   const hir::Op op = subject->type->is(Kind::kText) ? hir::Op::kEqText : hir::Op::kEqI;
-  return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), value.span, op, left, wanted, value.span);
+  return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), value.span, op, left,
+                               wanted, value.span);
 }
 
 hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
   auto* out = make<hir::SwitchStmt>(hir::StmtKind::kSwitch, stmt.span);
   out->value = check_value(*stmt.value);
   const Type* type = out->value->type;
-  if (!type->is(Kind::kInt) && !type->is(Kind::kText) && !type->is(Kind::kEnum) && !type->is(Kind::kAny)) {
-    report(make_diagnostic("E0315", out->value->span, {"an int, a text or an enum value", type_phrase(type)}));
+  if (!type->is(Kind::kInt) && !type->is(Kind::kText) && !type->is(Kind::kEnum) &&
+      !type->is(Kind::kAny)) {
+    report(make_diagnostic("E0315", out->value->span,
+                           {"an int, a text or an enum value", type_phrase(type)}));
     type = types_.any();
   }
   out->subject = hidden(type, stmt.value->span);
@@ -85,10 +93,12 @@ hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
   return out;
 }
 
-void Checker::missing_cases(const ast::SwitchStmt& stmt, const Type* type, const std::vector<std::string>& seen) {
+void Checker::missing_cases(const ast::SwitchStmt& stmt, const Type* type,
+                            const std::vector<std::string>& seen) {
   std::vector<std::string> missing;
   for (const std::string& value : type->enumeration->values) {
-    if (std::ranges::find(seen, value) == seen.end()) missing.push_back(type->enumeration->name + '.' + value);
+    if (std::ranges::find(seen, value) == seen.end())
+      missing.push_back(type->enumeration->name + '.' + value);
   }
   std::string list;
   std::string cases;
@@ -96,7 +106,10 @@ void Checker::missing_cases(const ast::SwitchStmt& stmt, const Type* type, const
     list += (i == 0 ? "" : i + 1 < missing.size() ? ", " : " and ") + missing[i];
     cases += (i == 0 ? "" : ", ") + missing[i];
   }
-  Diagnostic diagnostic = make_diagnostic("E0307", stmt.header, {list});
+  Span header = stmt.header;
+  const std::string text = text_of(header);
+  header.end = header.begin + static_cast<std::uint32_t>(text.find_last_of(')') + 1);
+  Diagnostic diagnostic = make_diagnostic("E0307", header, {list});
   diagnostic.why = "every value of an enum must be handled";
   diagnostic.fix = Fix{.text = "add case " + cases + ": or default:"};
   report(std::move(diagnostic));
@@ -112,9 +125,10 @@ void Checker::advise_missing_break(const ast::SwitchStmt& stmt) {
   for (std::size_t i = 0; i + 1 < stmt.cases.size(); ++i) {
     const ast::Stmt* last = last_statement(stmt.cases[i].body);
     if (last == nullptr) continue;
-    const bool leaves = last->kind == ast::StmtKind::kBreak || last->kind == ast::StmtKind::kReturn ||
-                        last->kind == ast::StmtKind::kThrow || last->kind == ast::StmtKind::kContinue ||
-                        last->kind == ast::StmtKind::kRetry;
+    const bool leaves =
+        last->kind == ast::StmtKind::kBreak || last->kind == ast::StmtKind::kReturn ||
+        last->kind == ast::StmtKind::kThrow || last->kind == ast::StmtKind::kContinue ||
+        last->kind == ast::StmtKind::kRetry;
     if (leaves) continue;
     report(make_diagnostic("W0713", stmt.cases[i].span));
     return;

@@ -23,7 +23,8 @@ const Type* Checker::resolve_named(const ast::TypeExpr& type) {
     if (const Type* found = type_called(type.path[0].text)) return found;
   }
   std::string name;
-  for (const ast::Name& part : type.path) name += (name.empty() ? "" : ".") + std::string(part.text);
+  for (const ast::Name& part : type.path)
+    name += (name.empty() ? "" : ".") + std::string(part.text);
   if (type.path.size() > 1) {
     not_available(type.span, "a type of another file");
     return types_.any();
@@ -40,7 +41,8 @@ const Type* Checker::resolve_named(const ast::TypeExpr& type) {
 }
 
 const Type* Checker::resolve_product(const ast::TypeExpr& type) {
-  if (type.factors.size() == 1 && type.factors[0].exponent == 1) return resolve(*type.factors[0].type);
+  if (type.factors.size() == 1 && type.factors[0].exponent == 1)
+    return resolve(*type.factors[0].type);
   std::optional<Dim> dim = Dim{};
   for (const ast::TypeFactor& factor : type.factors) {
     const Type* base = resolve(*factor.type);
@@ -72,7 +74,8 @@ const Type* Checker::resolve(const ast::TypeExpr& type) {
       return resolve_product(type);
     case ast::TypeForm::kFunction: {
       std::vector<const Type*> parameters;
-      for (const ast::TypeExpr* parameter : type.parameters) parameters.push_back(resolve(*parameter));
+      for (const ast::TypeExpr* parameter : type.parameters)
+        parameters.push_back(resolve(*parameter));
       return types_.function(std::move(parameters), resolve(*type.result));
     }
     case ast::TypeForm::kVoid:

@@ -1,5 +1,5 @@
-// What the whole program shows about its parts: which top-level variables tests need, which may be read too early, and
-// which conditions would wait.
+// What the whole program shows about its parts: which top-level variables tests need, which may be
+// read too early, and which conditions would wait.
 
 #include <algorithm>
 
@@ -18,7 +18,8 @@ Use Checker::closure_of(Use seed) {
   return seed;
 }
 
-// A call above a declaration may read the variable before it has a value: such reads are checked while running.
+// A call above a declaration may read the variable before it has a value: such reads are checked
+// while running.
 void Checker::mark_unset_globals() {
   std::map<const hir::Function*, std::size_t> earliest;
   for (const auto& [function, declared] : main_calls_) {
@@ -36,11 +37,13 @@ void Checker::mark_unset_globals() {
     }
   }
   for (const auto& [variable, init] : top_level_) {
-    if (init->value == nullptr && variable->storage == hir::Storage::kGlobal) variable->maybe_unset = true;
+    if (init->value == nullptr && variable->storage == hir::Storage::kGlobal)
+      variable->maybe_unset = true;
   }
 }
 
-// A test runs without the program's text, so the variables that it needs are given their first values in front of it.
+// A test runs without the program's text, so the variables that it needs are given their first
+// values in front of it.
 void Checker::prepare_tests() {
   for (hir::Test& test : tests_) {
     Use use = closure_of(uses_[test.function]);

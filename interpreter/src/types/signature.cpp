@@ -207,7 +207,8 @@ class SignatureReader {
     if (name == "string" || name == "String") return types_.text();
     if (name == "matrix" || name == "Matrix") return types_.matrix();
     if (name == "void") return types_.void_type();
-    // A library that has its own `force` record would shadow the dimension, so dimensions come first.
+    // A library that has its own `force` record would shadow the dimension, so dimensions come
+    // first.
     if (const auto dim = dimension_named(name)) return types_.quantity(*dim);
     if (const Type* type = names_(name)) return type;
     fail("`" + std::string(name) + "` is not a type");
@@ -228,7 +229,8 @@ class SignatureReader {
 
   Constant number() {
     const double sign = accept("-") ? -1.0 : 1.0;
-    const std::string_view digits = take([](unsigned char c) { return c != ',' && c != ')' && c != ' '; });
+    const std::string_view digits =
+        take([](unsigned char c) { return c != ',' && c != ')' && c != ' '; });
     if (const auto quantity = parse_quantity(digits)) {
       return {.kind = Constant::Kind::kReal, .real = sign * quantity->si};
     }
