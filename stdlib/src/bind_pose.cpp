@@ -120,14 +120,24 @@ Signal near_places(Vm& vm, Slot* args) {
   const bool near = (a.T.translation() - b.T.translation()).norm() <= args[2].d;
   return give(args, near && (is_absent(args[3]) || angle_between(a.T, b.T) <= args[3].d));
 }
+// Places that are compared have the same digits.
+std::string place_text(const PosC& p, int digits) {
+  const Eigen::Vector3d mm = p.T.translation() * 1000.0;
+  return fmt::format("({:.{}f}, {:.{}f}, {:.{}f}) mm", mm.x(), digits, mm.y(), digits, mm.z(),
+                     digits);
+}
 Signal explain_near_places(Vm& vm, Slot* args) {
   const PosC& a = posc(args[0]);
   const PosC& b = posc(args[1]);
   const double gap = (a.T.translation() - b.T.translation()).norm();
-  std::string text = fmt::format("the positions differ by {}", format_mm(gap));
-  if (!is_absent(args[3]) && gap <= args[2].d)
-    text = fmt::format("the orientations differ by {}", format_deg(angle_between(a.T, b.T)));
-  return give(args, new_text(vm, text));
+  if (!is_absent(args[3]) && gap <= args[2].d) {
+    return give(args, new_text(vm, fmt::format("the orientations differ by {}",
+                                               format_deg(angle_between(a.T, b.T)))));
+  }
+  const int digits = gap < 0.0001 ? 4 : 1;
+  return give(args, new_text(vm, fmt::format("the positions differ by {} mm\n{}\n{}",
+                                             format_number(gap * 1000.0, digits),
+                                             place_text(a, digits), place_text(b, digits))));
 }
 Signal near_joints(Vm&, Slot* args) {
   const PosJ& a = posj(args[0]);

@@ -42,6 +42,16 @@ double from_axis(const Robot& robot, const Vector3d& p) {
   return std::hypot(local.x(), local.y());
 }
 
+// How close the straight line between two points comes to that axis.
+double least_from_axis(const Robot& robot, const Vector3d& from, const Vector3d& to) {
+  const Isometry3d T_base_world = robot.T_world_base().inverse();
+  const Eigen::Vector2d a = (T_base_world * from).head<2>();
+  const Eigen::Vector2d way = (T_base_world * to).head<2>() - a;
+  const double length2 = way.squaredNorm();
+  const double s = length2 > 0.0 ? std::clamp(-a.dot(way) / length2, 0.0, 1.0) : 0.0;
+  return (a + s * way).norm();
+}
+
 constexpr double kSameHeight = 0.001;
 
 void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, Failure& f) {
@@ -197,10 +207,11 @@ Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFau
         "change between them on the way";
   } else if (fault.ik.status == IkStatus::kUnreachable &&
              from_axis(robot, p) < from_axis(robot, fault.ik.diagnosis.nearest.translation())) {
+    const Vector3d from = Host::of(vm).cell().T_world_tool(call.robot).translation();
     f.why = fmt::format(
         "both ends can be reached, but in between the line passes {} from the axis of joint 1, "
         "closer than the arm can fold",
-        millimetres(from_axis(robot, p)));
+        millimetres(least_from_axis(robot, from, target.T.translation())));
   } else {
     Failure part = start(vm, call, "R0601", call.target);
     if (fault.ik.status == IkStatus::kJointLimit) say_joint(robot, fault.ik.diagnosis, part);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "armlet/core/format.hpp"
@@ -227,12 +228,13 @@ void check_robot_block(CheckCall& call) {
   call.set_result_fact(std::move(fact));
 }
 
-// (table: double[][], types: string, ...)
+// (table: double[][], types: string, convention, base, tool, name)
 void check_dh_table(CheckCall& call) {
   const auto types = call.constant(1);
   if (!types) return;
   auto fact = std::make_shared<RobotFact>();
-  fact->name = "this robot";
+  const auto name = call.constant(5);
+  fact->name = name ? name->text : "this robot";
   for (const char c : types->text) {
     if (c != 'R' && c != 'P') return;
     fact->turns.push_back(c == 'R');
@@ -306,18 +308,37 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
   check_duration(call, time);
 }
 
+struct Setting {
+  int parameter;
+  std::string_view name;
+};
+
+// Settings that are declared but that nothing obeys yet: refused rather than ignored.
+void refuse_settings(CheckCall& call, std::initializer_list<Setting> settings) {
+  for (const Setting& setting : settings) {
+    if (!call.given(setting.parameter)) continue;
+    call.report(make_diagnostic("E0199", call.span(setting.parameter),
+                                {fmt::format("the setting `{}`", setting.name)}));
+  }
+}
+
 }  // namespace
 
 void check_move_joints(CheckCall& call) {
   check_joint_target(call, 1);
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
+  refuse_settings(call, {{4, "accel"}});
 }
 void check_move_place(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
+  refuse_settings(call, {{4, "accel"}});
 }
-void check_move_line(CheckCall& call) { check_time_and_speed(call, 2, 3); }
+void check_move_line(CheckCall& call) {
+  check_time_and_speed(call, 2, 3);
+  refuse_settings(call, {{4, "accel"}, {5, "tool"}, {6, "frame"}, {7, "blend"}});
+}
 
 void check_classic_joints(CheckCall& call) {
   check_planner(call, 1);

@@ -45,7 +45,7 @@ void check_move_joints(CheckCall& call);     // (r, target: posJ, ..., traj: str
 void check_move_place(CheckCall& call);      // (r, target: posC, ..., traj: string)
 void check_classic_joints(CheckCall& call);  // (r, traj, posJ, time)
 void check_classic_place(CheckCall& call);   // (r, traj, posC, time)
-void check_move_line(CheckCall& call);       // time with speed
+void check_move_line(CheckCall& call);       // (r, target, time, speed, accel, tool, frame, blend)
 // Calls that exist only to be explained.
 void explain_list_for_posj(CheckCall& call);  // E0301: moveJ("Syn", q, 2.0) with a double[]
 void explain_arc(CheckCall& call);            // E0503: moveC(via, goal, ...)
@@ -56,7 +56,8 @@ void check_object_name(CheckCall& call);
 template <Robot (*kMake)()>
 void check_ready_robot(CheckCall& call) {
   const Robot robot = kMake();
-  set_robot_fact(call, robot, robot.name());
+  const auto name = call.constant(2);  // (base, tool, name)
+  set_robot_fact(call, robot, name ? name->text : robot.name());
 }
 
 }  // namespace armlet::bind

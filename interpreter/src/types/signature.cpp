@@ -174,6 +174,11 @@ class SignatureReader {
   }
 
   TypePattern base() {
+    if (accept("(")) {
+      TypePattern out = type();
+      expect(")");
+      return out;
+    }
     const std::string_view name = word();
     if (name == "T" || name == "U") return {.form = Form::kVariable, .variable = name == "U"};
     if (name == "D") return {.form = Form::kDimension, .d = 1};

@@ -7,7 +7,7 @@
 //
 //   name: type            required;   name: type = literal   default;   name: type?   may be left out (absent)
 //   values: number...     any number of trailing numbers, handed over as one double[]
-//   D, E                  any quantity or double; D^2, D*E, D/E; D[] lists of it
+//   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
 //   T, U                  any type; fn(T) -> U;  joints: a posJ or a double[] may be declared as two overloads
 //
 // Names with a meaning of their own: "posC.x" is the field x of a posC; "posJ[]" indexing; "operator*" and its like
@@ -51,7 +51,9 @@ struct NativeFunction {
   double (*real1)(double) = nullptr;            // the same function for a direct call, when it cannot fail
   double (*real2)(double, double) = nullptr;
   void (*check)(CheckCall& call) = nullptr;     // rules checked before running
-  Thunk explain = nullptr;                      // same arguments -> text: why the result was false (for assert)
+  // Same arguments -> text: why the result was false (for assert). Further lines are how to show the arguments that are
+  // not written as literals, in their order.
+  Thunk explain = nullptr;
   bool pauses = false;                          // takes virtual time: not allowed in conditions
 };
 
@@ -74,7 +76,8 @@ struct Failure {
   std::string element_label;              // label for the place where that element was written
   std::string label;
   std::string why;
-  std::string fix;                        // may contain {line}: the line where the marked element was written
+  // May contain {line}, the line where the marked element was written, and {arg}, the text of the marked argument.
+  std::string fix;
   std::string robot;
   std::optional<bool> moved;
 };
@@ -125,6 +128,7 @@ template <class T>
 [[nodiscard]] Obj* new_text(Vm& vm, std::string_view text);
 [[nodiscard]] ListObj* new_list(Vm& vm, std::uint32_t size, bool references);  // elements zero
 [[nodiscard]] Obj* new_reals(Vm& vm, std::span<const double> values);
+[[nodiscard]] MatrixObj* new_matrix(Vm& vm, std::uint32_t rows, std::uint32_t cols);           // elements zero
 [[nodiscard]] RecordObj* new_record(Vm& vm, const Type* record);               // fields zero
 [[nodiscard]] HostObj* new_host_object(Vm& vm, const HostType& type);          // payload not constructed
 void retain(Obj* object);

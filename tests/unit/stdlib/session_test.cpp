@@ -1,0 +1,160 @@
+#include "armlet/stdlib/session.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "armlet/backend/csv_backend.hpp"
+#include "armlet/backend/jsonl_backend.hpp"
+#include "armlet/backend/recorder.hpp"
+#include "armlet/model/catalog.hpp"
+#include "armlet/stdlib/install.hpp"
+
+using namespace armlet;
+
+namespace {
+
+const Engine& engine() {
+  static const Engine made = [] {
+    Engine e;
+    install(e);
+    return e;
+  }();
+  return made;
+}
+
+SessionOptions options() {
+  SessionOptions made;
+  made.robot = make_robot("scara");
+  made.default_world = table_world();
+  return made;
+}
+
+// The classic program of the language reference, A.1, shortened.
+const std::string kClassic = R"(
+double[] pick  = {0.61, 0.94, 0.11, -0.33};
+double[] over  = {-Math.PI / 4, 1.20, 0.02, 0.45};
+double[] place = {-Math.PI / 4, 1.20, 0.11, 0.45};
+insertObj("cube");
+moveJ('Syn', new posJ({0.61, 0.94, 0.02, -0.33}), 2.0);
+moveJ('Syn', new posJ(pick), 1.0);
+moveJ('Syn', new posJ({0.61, 0.94, 0.02, -0.33}), 1.0);
+moveJ('Syn', new posJ(over), 2.0);
+moveJ('Syn', new posJ(place), 1.0);
+moveJ('Syn', new posJ(over), 1.0);
+)";
+
+std::string trace_of(const std::string& program) {
+  std::ostringstream out;
+  JsonlBackend backend(out);
+  SessionOptions made = options();
+  made.backends = {&backend};
+  Session session(engine(), std::move(made));
+  REQUIRE(session.compile(program, "classic.rbt"));
+  REQUIRE(session.run().status == RunStatus::kDone);
+  return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("a classic program really carries the cube from its place to the other") {
+  Session session(engine(), options());
+  REQUIRE(session.compile(kClassic, "classic.rbt"));
+  const RunResult result = session.run();
+  REQUIRE(result.status == RunStatus::kDone);
+  const Object& cube = session.host()->cell().world().at("cube");
+  // Forward kinematics of the SCARA by hand: 0.4 (cos, sin)(-45 deg) + 0.3 (cos, sin)(1.2 rad - 45
+  // deg).
+  const Eigen::Vector3d expected(0.557425747501916, -0.161995052690914, 0.24);
+  CHECK((cube.T_world_obj.translation() - expected).norm() < 1e-4);
+  CHECK(session.host()->cell().world().resting_on("cube") == "table");
+  CHECK(session.host()->move_count() == 6);
+  CHECK(session.host()->now_ns() == 8'000'000'000);
+}
+
+TEST_CASE("the same program gives the same trace, byte for byte") {
+  const std::string first = trace_of(kClassic);
+  CHECK(first.size() > 10'000);
+  CHECK(first == trace_of(kClassic));
+}
+
+TEST_CASE("a failed move leaves everything where it was") {
+  Session session(engine(), options());
+  REQUIRE(
+      session.compile("let before = joints()\n"
+                      "try { moveL(xyz(3m, 0m, 0m), time: 1s) } catch (e) { print(e.kind) }\n"
+                      "assert(joints() == before)\nassert(now() == 0s)\n",
+                      "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+}
+
+TEST_CASE("a world given by the user is used, and its mistakes are reported in its own text") {
+  SessionOptions made = options();
+  made.world = WorldText{"lab", "object ball { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }"};
+  Session session(engine(), std::move(made));
+  REQUIRE(session.compile("assert(poseOf(object(\"ball\")).x == 300mm)", "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK_FALSE(session.compile("insertObj(\"cube\")", "p.rbt"));
+  REQUIRE_FALSE(session.problems().empty());
+  CHECK(session.problems().front().diagnostic.code == "E0203");
+
+  SessionOptions broken = options();
+  broken.world = WorldText{"lab", "object ball { shape: sphere(15); at: xyz(300mm, 0mm, 300mm) }"};
+  Session other(engine(), std::move(broken));
+  CHECK_FALSE(other.compile("print(1)", "p.rbt"));
+  REQUIRE_FALSE(other.problems().empty());
+  CHECK(other.problems()
+            .front()
+            .sources->position(other.problems().front().diagnostic.mark.span)
+            .line == 1);
+}
+
+TEST_CASE("a program's own objects take the place of those of the default world") {
+  Session session(engine(), options());
+  REQUIRE(
+      session.compile("object cube { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }\n"
+                      "insertObj(\"cylinder\")\nassert(poseOf(cube).z == 300mm)\n",
+                      "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.host()->cell().world().find("cylinder") != nullptr);
+}
+
+TEST_CASE("without any world insertObj makes a stand-in and says so") {
+  SessionOptions made = options();
+  made.default_world.reset();
+  int advice = 0;
+  made.advice = [&](const Diagnostic& d) { advice += d.code == "W0712" ? 1 : 0; };
+  Session session(engine(), std::move(made));
+  REQUIRE(session.compile("insertObj(\"thing\")\nassert(getNumberObj() == 1)\n", "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(advice == 1);
+}
+
+TEST_CASE("cancelling from another thread stops an endless program") {
+  SessionOptions made = options();
+  made.limits.steps = ~std::uint64_t{0};
+  Session session(engine(), std::move(made));
+  REQUIRE(session.compile("var i = 0\nwhile (true) { i = 1 - i }\n", "p.rbt"));
+  std::jthread other([&session] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    session.cancel();
+  });
+  CHECK(session.run().status == RunStatus::kCancelled);
+}
+
+TEST_CASE("each test runs in a fresh world at time 0") {
+  Session session(engine(), options());
+  REQUIRE(session.compile(
+      "test \"one\" { insertObj(\"cube\"); moveJ(home(), time: 1s); assert(now() == 1s) }\n"
+      "test \"two\" { assert(now() == 0s); assert(getNumberObj() == 0) }\n"
+      "test \"three\" { assert(1 == 2) }\n",
+      "p.rbt"));
+  CHECK(session.run_test(0).status == RunStatus::kDone);
+  CHECK(session.run_test(1).status == RunStatus::kDone);
+  const RunResult failed = session.run_test(2);
+  REQUIRE(failed.error);
+  CHECK(failed.error->code == "R0608");
+}
