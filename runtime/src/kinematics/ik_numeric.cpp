@@ -23,52 +23,55 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
       goal_(goal),
       n_(static_cast<std::size_t>(robot.n())),
       lower_(to_array(robot.lower())),
-      upper_(to_array(robot.upper())) {}
+      upper_(to_array(robot.upper())),
+      selective_((goal.weights.array() != 1.0).any()) {}
 
 double IkSolver::evaluate(const JointArray& q) {
-  std::array<Eigen::Vector3d, kMaxJoints> axis, point;
+  std::array<Vec3, kMaxJoints> axis, point;
   Frame tool = walk(chain_, q.data(), [&](std::size_t i, const Frame& f) {
     axis[i] = f.z;
     point[i] = f.p;
   });
   tool.step(chain_.T_flange_tool);
-
-  Eigen::Matrix3d R_tool;
-  R_tool << tool.x, tool.y, tool.z;
-  Eigen::Vector3d v = goal_.p - tool.p;
-  Eigen::Vector3d w = rotation_error(R_tool);
   for (std::size_t i = 0; i < n_; ++i) {
-    Eigen::Vector3d linear = axis[i];
-    Eigen::Vector3d angular = Eigen::Vector3d::Zero();
-    if (chain_.revolute[i]) {
-      linear = axis[i].cross(tool.p - point[i]);
-      angular = axis[i];
-    }
-    if (goal_.in_tool_axes) {
-      linear = R_tool.transpose() * linear;
-      angular = R_tool.transpose() * angular;
-    }
-    for (std::size_t r = 0; r < 3; ++r) {
-      J_[i][r] = goal_.weights[static_cast<Eigen::Index>(r)] * linear[static_cast<Eigen::Index>(r)];
-      J_[i][r + 3] =
-          goal_.weights[static_cast<Eigen::Index>(r) + 3] * angular[static_cast<Eigen::Index>(r)];
-    }
+    const Vec3 v = chain_.revolute[i] ? cross(axis[i], tool.p - point[i]) : axis[i];
+    const Vec3 w = chain_.turns[i] * axis[i];
+    J_[i] = {v.xy[0], v.xy[1], v.z, w.xy[0], w.xy[1], w.z};
   }
-  if (goal_.in_tool_axes) {
-    v = R_tool.transpose() * v;
-    w = R_tool.transpose() * w;
-  }
-  double energy = 0.0, position = 0.0, rotation = 0.0;
-  for (Eigen::Index r = 0; r < 3; ++r) {
-    const std::size_t i = static_cast<std::size_t>(r);
-    error_[i] = goal_.weights[r] * v[r];
-    error_[i + 3] = goal_.weights[r + 3] * w[r];
-    energy += 0.5 * (error_[i] * error_[i] + error_[i + 3] * error_[i + 3]);
-    position += goal_.weights[r] != 0.0 ? v[r] * v[r] : 0.0;
-    rotation += goal_.weights[r + 3] != 0.0 ? w[r] * w[r] : 0.0;
+  const Eigen::Matrix3d R_tool = tool.rotation();
+  const Eigen::Vector3d v = goal_.p - tool.p.to_eigen();
+  const Eigen::Vector3d w = rotation_error(R_tool);
+  error_ = {v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
+  if (goal_.in_tool_axes) turn_rows(R_tool.transpose());
+  if (selective_)
+    select_rows();
+  else
+    size_ = {v.norm(), w.norm()};
+  double energy = 0.0;
+  for (const double e : error_) energy += 0.5 * e * e;
+  return energy;
+}
+
+// The same rows in other axes.
+void IkSolver::turn_rows(const Eigen::Matrix3d& R) {
+  const auto turn = [&R](std::array<double, 6>& rows) {
+    Eigen::Map<Vector6d> twist(rows.data());
+    twist = rotate_twist(R, twist);
+  };
+  turn(error_);
+  for (std::size_t i = 0; i < n_; ++i) turn(J_[i]);
+}
+
+// Leaves out rows that do not count and weighs the others.
+void IkSolver::select_rows() {
+  double position = 0.0, rotation = 0.0;
+  for (std::size_t r = 0; r < 6; ++r) {
+    const double weight = goal_.weights[static_cast<Eigen::Index>(r)];
+    if (weight != 0.0) (r < 3 ? position : rotation) += error_[r] * error_[r];
+    error_[r] *= weight;
+    for (std::size_t i = 0; i < n_; ++i) J_[i][r] *= weight;
   }
   size_ = {std::sqrt(position), std::sqrt(rotation)};
-  return energy;
 }
 
 // Half the sum of the cross products of the axes is the rotation vector but for its length; the

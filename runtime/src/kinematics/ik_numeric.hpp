@@ -53,6 +53,8 @@ class IkSolver {
 
   double evaluate(const JointArray& q);  // fills error_ and J_, returns half the squared error
   Eigen::Vector3d rotation_error(const Eigen::Matrix3d& R_tool) const;
+  void turn_rows(const Eigen::Matrix3d& R);
+  void select_rows();
   bool converged() const;
   void polish(JointArray& q, double energy, bool in_box);
   void normal_equations();
@@ -66,6 +68,7 @@ class IkSolver {
   IkGoal goal_;
   std::size_t n_;
   JointArray lower_{}, upper_{};
+  bool selective_;  // not all rows count alike
   std::array<double, 6> error_{};
   std::array<std::array<double, 6>, kMaxJoints> J_{};
   std::array<std::array<double, kMaxJoints>, kMaxJoints> A_{};  // J^T J, lower triangle

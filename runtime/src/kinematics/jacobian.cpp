@@ -9,19 +9,16 @@ Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian&
   check_size("q", q.size(), robot.n());
   const Chain& chain = robot.chain();
   J.resize(6, chain.n);
-  // The upper half holds the point on the axis until the tool point is known.
-  Frame frame = walk(chain, q.data(), [&J](std::size_t i, const Frame& f) {
-    J.col(static_cast<Eigen::Index>(i)) << f.p, f.z;
+  std::array<Vec3, kMaxJoints> axis, point;
+  Frame frame = walk(chain, q.data(), [&](std::size_t i, const Frame& f) {
+    axis[i] = f.z;
+    point[i] = f.p;
   });
   frame.step(chain.T_flange_tool);
-  for (Eigen::Index i = 0; i < chain.n; ++i) {
-    const Eigen::Vector3d z = J.col(i).tail<3>();
-    const Eigen::Vector3d p = J.col(i).head<3>();
-    if (chain.revolute[static_cast<std::size_t>(i)]) {
-      J.col(i).head<3>() = z.cross(frame.p - p);
-    } else {
-      J.col(i) << z, Eigen::Vector3d::Zero();
-    }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(chain.n); ++i) {
+    const Vec3 v = chain.revolute[i] ? cross(axis[i], frame.p - point[i]) : axis[i];
+    const Vec3 w = chain.turns[i] * axis[i];
+    J.col(static_cast<Eigen::Index>(i)) << v.xy[0], v.xy[1], v.z, w.xy[0], w.xy[1], w.z;
   }
   return frame.pose();
 }
@@ -52,8 +49,8 @@ Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd) {
     p = p_next;
   };
   Frame frame = walk(chain, q.data(), [&](std::size_t i, const Frame& f) {
-    carry_to(f.p);
-    const Eigen::Vector3d motion = f.z * qd[static_cast<Eigen::Index>(i)];
+    carry_to(f.p.to_eigen());
+    const Eigen::Vector3d motion = f.z.to_eigen() * qd[static_cast<Eigen::Index>(i)];
     if (chain.revolute[i]) {
       wd += w.cross(motion);
       w += motion;
@@ -62,7 +59,7 @@ Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd) {
     }
   });
   frame.step(chain.T_flange_tool);
-  carry_to(frame.p);
+  carry_to(frame.p.to_eigen());
   Vector6d result;
   result << a, wd;
   return result;

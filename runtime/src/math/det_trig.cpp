@@ -85,11 +85,10 @@ Pair to_pair(const Words& fraction) {
 }  // namespace
 
 Reduced reduce_near_multiple(double x, double fn) {
-  constexpr double kPart1 = 1.57079632673412561417e+00;
   constexpr double kPart2 = 6.07710050630396597660e-11;
   constexpr double kPart3 = 2.02226624871116645580e-21;
   constexpr double kRest3 = 8.47842766036889956997e-32;
-  const Pair a = two_sum(x - fn * kPart1, -fn * kPart2);
+  const Pair a = two_sum(x - fn * kHalfPiPart1, -fn * kPart2);
   const Pair b = two_sum(a.hi, -fn * kPart3);
   const Pair r = fast_two_sum(b.hi, (a.lo + b.lo) - fn * kRest3);
   return {r, static_cast<std::int64_t>(fn)};
@@ -126,10 +125,12 @@ double sin(double x) { return sincos_inline(x).sin; }
 double cos(double x) { return sincos_inline(x).cos; }
 
 void sincos(const double* x, double* s, double* c, int n) {
-  for (int i = 0; i < n; ++i) {
-    const SinCos sc = sincos_inline(x[i]);
-    s[i] = sc.sin;
-    c[i] = sc.cos;
+  int i = 0;
+  for (; i + 1 < n; i += 2) sincos_lanes(x + i, s + i, c + i);
+  if (i < n) {
+    const SinCos last = sincos_inline(x[i]);
+    s[i] = last.sin;
+    c[i] = last.cos;
   }
 }
 

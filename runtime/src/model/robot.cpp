@@ -34,12 +34,11 @@ Chain make_chain(const RobotSpec& spec) {
     chain.a[x] = joint.dh.a;
     chain.sin_alpha[x] = alpha.sin;
     chain.cos_alpha[x] = alpha.cos;
-    const det::SinCos theta = det::sincos(joint.dh.theta);
     chain.revolute[i] = joint.is_revolute();
     chain.theta[i] = joint.dh.theta;
     chain.d[i] = joint.dh.d;
-    chain.sin_theta[i] = theta.sin;
-    chain.cos_theta[i] = theta.cos;
+    chain.turns[i] = joint.is_revolute() ? 1.0 : 0.0;
+    chain.slides[i] = 1.0 - chain.turns[i];
   }
   // The X at the other end of the chain is the identity.
   chain.cos_alpha[chain.standard ? 0 : spec.joints.size()] = 1.0;

@@ -21,8 +21,8 @@ struct Chain {
   std::array<double, kMaxJoints>
       theta{};                         // offset of a revolute joint, constant of a prismatic one
   std::array<double, kMaxJoints> d{};  // constant of a revolute joint, offset of a prismatic one
-  std::array<double, kMaxJoints> sin_theta{};  // of the constant angle of a prismatic joint
-  std::array<double, kMaxJoints> cos_theta{};
+  std::array<double, kMaxJoints> turns{};   // 1 where q adds to theta, else 0
+  std::array<double, kMaxJoints> slides{};  // 1 where q adds to d, else 0
   std::array<double, kMaxJoints + 1> a{};
   std::array<double, kMaxJoints + 1> sin_alpha{};
   std::array<double, kMaxJoints + 1> cos_alpha{};
