@@ -32,10 +32,13 @@ Decimal read_scientific(std::string_view text) {
 // value: finite, > 0.
 Decimal decimal_of(double value) {
   char buffer[64];
-  auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
+  auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
   Decimal shortest = read_scientific({buffer, static_cast<std::size_t>(end - buffer)});
   if (shortest.digits.size() <= kMostDigits) return shortest;
-  end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, kMostDigits - 1).ptr;
+  end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific,
+                      kMostDigits - 1)
+            .ptr;
   return read_scientific({buffer, static_cast<std::size_t>(end - buffer)});
 }
 
@@ -58,7 +61,8 @@ std::string plain_number(double value, bool& is_whole) {
   const Decimal d = decimal_of(std::abs(value));
   const std::string sign = value < 0 ? "-" : "";
   if (d.exponent < -4 || d.exponent >= kMostDigits) return sign + with_exponent(d);
-  if (d.exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-d.exponent - 1), '0') + d.digits;
+  if (d.exponent < 0)
+    return sign + "0." + std::string(static_cast<std::size_t>(-d.exponent - 1), '0') + d.digits;
   const auto before = static_cast<std::size_t>(d.exponent) + 1;
   is_whole = d.digits.size() <= before;
   if (is_whole) return sign + d.digits + std::string(before - d.digits.size(), '0');
@@ -75,7 +79,8 @@ std::string styled_number(double value, int digits, char style) {
   const int places = digits < 0 ? 6 : digits;
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, format, places).ptr;
   const std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
-  const bool is_zero = text.substr(0, text.find('e')).find_first_of("123456789") == std::string_view::npos;
+  const bool is_zero =
+      text.substr(0, text.find('e')).find_first_of("123456789") == std::string_view::npos;
   return std::string(text.substr(is_zero && text.starts_with('-') ? 1 : 0));
 }
 

@@ -1,4 +1,5 @@
-// The text form of bytecode: one line per instruction, with what its operands mean and where it comes from.
+// The text form of bytecode: one line per instruction, with what its operands mean and where it
+// comes from.
 
 #include <fmt/format.h>
 
@@ -54,7 +55,8 @@ std::string operands_text(const Instr& instr, std::size_t pc) {
 }
 
 // What a table index stands for.
-std::string meaning(const CompiledProgram& program, const FunctionCode& function, const Instr& instr) {
+std::string meaning(const CompiledProgram& program, const FunctionCode& function,
+                    const Instr& instr) {
   switch (instr.op) {
     case OpCode::CALL:
       return program.functions[instr.b].name;
@@ -80,14 +82,15 @@ std::string line_text(const CompiledProgram& program, Span span) {
   const int line = source.position(span.begin).line;
   const std::string_view text = source.line(line);
   const std::size_t first = text.find_first_not_of(" \t");
-  return fmt::format("  line {}: {}\n", line, first == std::string_view::npos ? "" : text.substr(first));
+  return fmt::format("  line {}: {}\n", line,
+                     first == std::string_view::npos ? "" : text.substr(first));
 }
 
 void append_function(const CompiledProgram& program, std::size_t index, std::string& out) {
   const FunctionCode& f = program.functions[index];
   out += fmt::format("function {} {}: {} parameters, {} registers, references r{} to r{}\n", index,
-                     f.name.empty() ? "(program)" : f.name, f.parameters, f.registers, f.references_begin,
-                     f.references_end);
+                     f.name.empty() ? "(program)" : f.name, f.parameters, f.registers,
+                     f.references_begin, f.references_end);
   auto next_span = f.spans.begin();
   int shown_line = 0;
   for (std::size_t pc = 0; pc < f.code.size(); ++pc) {
@@ -99,7 +102,8 @@ void append_function(const CompiledProgram& program, std::size_t index, std::str
     const Instr& instr = f.code[pc];
     const std::string note = meaning(program, f, instr);
     const std::string operands = operands_text(instr, pc);
-    out += fmt::format("{:6}  {:<10}{}{}{}\n", pc, info(instr.op).name, operands, note.empty() ? "" : "   ; ", note);
+    out += fmt::format("{:6}  {:<10}{}{}{}\n", pc, info(instr.op).name, operands,
+                       note.empty() ? "" : "   ; ", note);
   }
   for (const Handler& h : f.handlers) {
     out += fmt::format("        failures in {} to {} go on at {}{}\n", h.begin, h.end, h.handler,

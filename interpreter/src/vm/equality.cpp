@@ -26,7 +26,8 @@ void open_items(const ListObj& a, const ListObj& b, const Type* element, std::ve
   for (std::uint32_t i = a.size; i-- > 0;) open.push_back({a.data[i], b.data[i], element});
 }
 
-void open_fields(const RecordObj& a, const RecordObj& b, const RecordInfo& info, std::vector<Pair>& open) {
+void open_fields(const RecordObj& a, const RecordObj& b, const RecordInfo& info,
+                 std::vector<Pair>& open) {
   for (std::size_t i = info.fields.size(); i-- > 0;) {
     open.push_back({a.fields()[i], b.fields()[i], info.fields[i].type});
   }
@@ -53,7 +54,8 @@ bool equal_so_far(const Pair& pair, std::vector<Pair>& open) {
       return true;
     }
     case Kind::kRecord:
-      open_fields(*static_cast<RecordObj*>(a.o), *static_cast<RecordObj*>(b.o), *type->record, open);
+      open_fields(*static_cast<RecordObj*>(a.o), *static_cast<RecordObj*>(b.o), *type->record,
+                  open);
       return true;
     default:
       return a.o == b.o;  // functions

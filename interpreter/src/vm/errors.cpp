@@ -1,4 +1,5 @@
-// Error records: what programs see of a failure, and how it comes back to life when they throw it again.
+// Error records: what programs see of a failure, and how it comes back to life when they throw it
+// again.
 
 #include <new>
 
@@ -11,7 +12,8 @@ namespace {
 
 using FaultLink = std::shared_ptr<Fault>;
 
-// The link from an error record, or a finally block, to the failure it stands for. Programs never see it.
+// The link from an error record, or a finally block, to the failure it stands for. Programs never
+// see it.
 const HostType kFaultType = [] {
   HostType type{};
   type.name = "failure";
@@ -33,12 +35,17 @@ Slot field(const VmState& state, const RecordObj& error, const char* name) {
   return error.fields()[state.error_layout->type->record->index_of(name)];
 }
 // Behind the fields that the type tells of.
-Slot& link_of(const VmState& state, RecordObj& error) { return error.fields()[state.error_layout->size - 1]; }
-Slot link_of(const VmState& state, const RecordObj& error) { return error.fields()[state.error_layout->size - 1]; }
+Slot& link_of(const VmState& state, RecordObj& error) {
+  return error.fields()[state.error_layout->size - 1];
+}
+Slot link_of(const VmState& state, const RecordObj& error) {
+  return error.fields()[state.error_layout->size - 1];
+}
 
 RecordObj* new_error(VmState& state) {
   RecordObj* error = state.heap.new_record(*state.error_layout);
-  for (std::uint16_t i = 0; error != nullptr && i < state.error_layout->size; ++i) error->fields()[i].i = 0;
+  for (std::uint16_t i = 0; error != nullptr && i < state.error_layout->size; ++i)
+    error->fields()[i].i = 0;
   return error;
 }
 
@@ -63,9 +70,12 @@ RecordObj* catch_error(VmState& state) {
   const Diagnostic& diagnostic = fault->diagnostic;
   field(state, *error, "message").o = state.heap.new_text(diagnostic.message);
   field(state, *error, "kind").o = state.heap.new_text(fault->kind);
-  field(state, *error, "robot").o = state.heap.new_text(diagnostic.when ? diagnostic.when->robot : "");
-  field(state, *error, "line").i = diagnostic.mark.span.empty() ? 0 : line_of(state, diagnostic.mark.span);
-  field(state, *error, "time").d = diagnostic.when ? static_cast<double>(diagnostic.when->time_ns) * 1e-9 : 0.0;
+  field(state, *error, "robot").o =
+      state.heap.new_text(diagnostic.when ? diagnostic.when->robot : "");
+  field(state, *error, "line").i =
+      diagnostic.mark.span.empty() ? 0 : line_of(state, diagnostic.mark.span);
+  field(state, *error, "time").d =
+      diagnostic.when ? static_cast<double>(diagnostic.when->time_ns) * 1e-9 : 0.0;
   link_of(state, *error).o = new_link(state, fault);
   return complete(state, error);
 }

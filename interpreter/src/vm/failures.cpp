@@ -41,7 +41,8 @@ std::string loop_note(const Frame& frame) {
   if (innermost_loop == nullptr || innermost_loop->step == 0) return {};
   const std::int64_t counter = frame.base[innermost_loop->counter].i;
   const std::int64_t pass = (counter - innermost_loop->first) / innermost_loop->step + 1;
-  return "in the " + ordinal(pass) + " pass of the loop on line " + std::to_string(innermost_loop->line);
+  return "in the " + ordinal(pass) + " pass of the loop on line " +
+         std::to_string(innermost_loop->line);
 }
 
 // Deep recursion is told by its ends.
@@ -65,10 +66,6 @@ std::vector<std::string> call_path(const VmState& state) {
   return calls;
 }
 
-std::string source_text(const VmState& state, Span span) {
-  return span.empty() ? std::string() : std::string(state.program.sources->slice(span));
-}
-
 // The running instruction's text in backquotes, or a stand-in if it is long.
 std::string running_text(const VmState& state, const char* otherwise) {
   constexpr std::size_t kLong = 40;
@@ -76,6 +73,16 @@ std::string running_text(const VmState& state, const char* otherwise) {
   const std::string text = at == nullptr ? "" : source_text(state, at->span);
   if (text.empty() || text.size() > kLong || text.find('\n') != std::string::npos) return otherwise;
   return "`" + text + "`";
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  for (std::size_t end = 0; end != std::string_view::npos;
+       text.remove_prefix(std::min(end + 1, text.size()))) {
+    end = text.find('\n');
+    lines.emplace_back(text.substr(0, end));
+  }
+  return lines;
 }
 
 void set_fault(VmState& state, Diagnostic diagnostic, std::string kind, Reach reach) {
@@ -96,7 +103,7 @@ void begin_leaving(VmState& state) {
 
 }  // namespace
 
-// ---- where --------------------------------------------------------------------------------------------------------
+// ---- where ----------------------------------------------------------------------------------
 
 const CodeSpan* code_span(const Frame& frame) {
   const std::vector<CodeSpan>& spans = frame.callee->function->spans;
@@ -109,6 +116,10 @@ const CodeSpan* code_span(const VmState& state) {
   return frame == nullptr ? nullptr : code_span(*frame);
 }
 
+std::string source_text(const VmState& state, Span span) {
+  return span.empty() ? std::string() : std::string(state.program.sources->slice(span));
+}
+
 int line_of(const VmState& state, Span span) { return state.program.sources->position(span).line; }
 
 When circumstances(const VmState& state) {
@@ -119,9 +130,10 @@ When circumstances(const VmState& state) {
   return when;
 }
 
-// ---- raising ------------------------------------------------------------------------------------------------------
+// ---- raising --------------------------------------------------------------------------------
 
-Diagnostic start_failure(const VmState& state, std::string_view code, const std::vector<std::string>& arguments) {
+Diagnostic start_failure(const VmState& state, std::string_view code,
+                         const std::vector<std::string>& arguments) {
   const CodeSpan* at = code_span(state);
   return make_diagnostic(code, at == nullptr ? Span{} : at->span, arguments);
 }
@@ -146,7 +158,8 @@ bool raise(VmState& state, const Failure& failure) {
 bool raise_out_of_memory(VmState& state) {
   constexpr std::uint64_t kMega = 1024 * 1024;
   const std::uint64_t limit = state.options.limits.heap_bytes;
-  const std::string size = limit >= kMega ? std::to_string(limit / kMega) + " MB" : std::to_string(limit) + " bytes";
+  const std::string size =
+      limit >= kMega ? std::to_string(limit / kMega) + " MB" : std::to_string(limit) + " bytes";
   return raise(state, "R0628", {size});
 }
 
@@ -176,23 +189,33 @@ bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::st
   const std::string last = std::to_string(size - 1);
   const std::string name(what);
   Diagnostic failure = start_failure(state, "R0606", {std::to_string(index), "0 to " + last});
-  if (size == 0) failure.message = "there is no value " + std::to_string(index) + " in an empty " + name;
+  if (size == 0)
+    failure.message = "there is no value " + std::to_string(index) + " in an empty " + name;
   if (size != 0 && what != "list") failure.message.replace(0, 4, name);
   const CodeSpan* at = code_span(state);
   const hir::Expr* written = nullptr;
   if (at != nullptr && at->expr != nullptr) {
     if (at->expr->kind == hir::ExprKind::kElement) written = at->expr->as<hir::ElementExpr>().index;
-    if (at->expr->kind == hir::ExprKind::kCharacter) written = at->expr->as<hir::CharacterExpr>().index;
+    if (at->expr->kind == hir::ExprKind::kCharacter)
+      written = at->expr->as<hir::CharacterExpr>().index;
   }
-  const std::string has = "the " + name + (size == 0 ? " is empty"
-                                                     : " has " + std::to_string(size) + (what == "text" ? " character" : " value") +
-                                                           (size == 1 ? "" : "s"));
+  const std::string has =
+      "the " + name +
+      (size == 0 ? " is empty"
+                 : " has " + std::to_string(size) + (what == "text" ? " character" : " value") +
+                       (size == 1 ? "" : "s"));
   if (written != nullptr && written->constant == nullptr) {
-    failure.mark.label = source_text(state, written->span) + " is " + std::to_string(index) + ", " + has;
-    const bool counts = written->kind == hir::ExprKind::kVariable && index == static_cast<std::int64_t>(size);
+    failure.mark.label =
+        source_text(state, written->span) + " is " + std::to_string(index) + ", " + has;
+    const bool counts =
+        written->kind == hir::ExprKind::kVariable && index == static_cast<std::int64_t>(size);
     if (counts && size > 0) {
-      const std::string loop = "for (" + source_text(state, written->span) + " in range(" + std::to_string(size) + "))";
-      failure.fix = Fix{"the last index of a " + name + " of " + std::to_string(size) + " is " + last + ": " + loop, {}, Confidence::kMaybe};
+      const std::string loop =
+          "for (" + source_text(state, written->span) + " in range(" + std::to_string(size) + "))";
+      failure.fix = Fix{"the last index of a " + name + " of " + std::to_string(size) + " is " +
+                            last + ": " + loop,
+                        {},
+                        Confidence::kMaybe};
     }
   } else if (size != 0) {
     failure.mark.label = has;
@@ -200,15 +223,13 @@ bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::st
   return raise(state, std::move(failure));
 }
 
-bool raise_too_deep(VmState& state, const Callee& called) {
+bool raise_too_deep(VmState& state, const Callee& called, std::uint32_t limit) {
   const std::string& name = called.function->name;
-  Diagnostic failure =
-      start_failure(state, "R0624", {std::to_string(state.options.limits.call_depth), name.empty() ? "the program" : name});
-  return raise(state, std::move(failure));
+  return raise(state, "R0624", {std::to_string(limit), name.empty() ? "the program" : name});
 }
 
-bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement, const RecordObj* thrown,
-                       const TextObj* kind) {
+bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement,
+                       const RecordObj* thrown, const TextObj* kind) {
   const std::string call = source_text(state, statement.call_span);
   if (thrown == nullptr) {
     Diagnostic failure = make_diagnostic("R0608", statement.call_span, {call + " throws"});
@@ -220,18 +241,23 @@ bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement, c
     return static_cast<const TextObj*>(thrown->fields()[index].o)->view();
   };
   if (kind == nullptr || kind->view() == field("kind")) return true;
-  Diagnostic failure =
-      make_diagnostic("R0608", statement.call_span, {call + " throws kind \"" + std::string(kind->view()) + "\""});
+  Diagnostic failure = make_diagnostic(
+      "R0608", statement.call_span, {call + " throws kind \"" + std::string(kind->view()) + "\""});
   failure.mark.label = "the kind is \"" + std::string(field("kind")) + "\"";
   failure.why = field("message");
   return raise(state, std::move(failure));
 }
 
-bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note, const TextObj* explanation,
-                     const Slot* base) {
+// The first line of an explanation says why; the others, if there are any, show the values better
+// than print does.
+bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note,
+                     const TextObj* explanation, const Slot* base) {
   const hir::AssertStmt& statement = *info.statement;
-  Diagnostic failure = make_diagnostic("R0608", statement.condition_span, {std::string(statement.text)});
-  if (explanation != nullptr) failure.mark.label = explanation->view();
+  Diagnostic failure =
+      make_diagnostic("R0608", statement.condition_span, {std::string(statement.text)});
+  std::vector<std::string> lines;
+  if (explanation != nullptr) lines = lines_of(explanation->view());
+  if (!lines.empty()) failure.mark.label = lines[0];
   if (note != nullptr) failure.why = note->view();
   std::size_t widest = 0;
   for (const hir::AssertPart& part : statement.shown) widest = std::max(widest, part.text.size());
@@ -240,12 +266,15 @@ bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note
     if (!failure.why.empty()) failure.why += '\n';
     failure.why += part.text;
     failure.why.append(widest - part.text.size(), ' ');
-    failure.why += " = " + value_text(base[info.registers[i]], *part.variable->type, 1000);
+    failure.why += " = ";
+    failure.why += i + 1 < lines.size()
+                       ? lines[i + 1]
+                       : value_text(base[info.registers[i]], *part.variable->type, 1000);
   }
   return raise(state, std::move(failure));
 }
 
-// ---- handling -----------------------------------------------------------------------------------------------------
+// ---- handling -------------------------------------------------------------------------------
 
 void leave_frame(VmState& state, Task& task) {
   const Frame& frame = *task.top;

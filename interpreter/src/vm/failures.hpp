@@ -1,7 +1,9 @@
 #pragma once
-// Failures: making their messages, finding who handles them, and the error records that programs see.
+// Failures: making their messages, finding who handles them, and the error records that programs
+// see.
 //
-// Functions that raise set state.fault and return false, so that they can be the last word of an operation.
+// Functions that raise set state.fault and return false, so that they can be the last word of an
+// operation.
 
 #include <string>
 #include <string_view>
@@ -11,18 +13,20 @@
 
 namespace armlet::lang {
 
-// ---- where -----------------------------------------------------------------------------------------------------
+// ---- where ----------------------------------------------------------------------------------
 
 // What the running instruction of a frame belongs to in the text; null if unknown.
 [[nodiscard]] const CodeSpan* code_span(const Frame& frame);
 // The same of the innermost frame of the running task that is not the host's.
 [[nodiscard]] const CodeSpan* code_span(const VmState& state);
+// The text of a span; empty for an empty one.
+[[nodiscard]] std::string source_text(const VmState& state, Span span);
 // Line of a span, from 1.
 [[nodiscard]] int line_of(const VmState& state, Span span);
 // Time, call path and loop pass of the running task.
 [[nodiscard]] When circumstances(const VmState& state);
 
-// ---- raising ---------------------------------------------------------------------------------------------------
+// ---- raising --------------------------------------------------------------------------------
 
 // A failure from the catalogue at the running instruction, to be completed and raised.
 [[nodiscard]] Diagnostic start_failure(const VmState& state, std::string_view code,
@@ -37,25 +41,27 @@ bool raise(VmState& state, const Failure& failure);
 bool raise_out_of_memory(VmState& state);
 bool raise_out_of_steps(VmState& state);
 bool raise_cancelled(VmState& state);
-bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::string_view what = "list");
-bool raise_too_deep(VmState& state, const Callee& called);
+bool raise_index(VmState& state, std::int64_t index, std::uint64_t size,
+                 std::string_view what = "list");
+bool raise_too_deep(VmState& state, const Callee& called, std::uint32_t limit);
 bool raise_overflow(VmState& state);
 bool raise_division_by_zero(VmState& state);
-bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note, const TextObj* explanation,
-                     const Slot* base);
+bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note,
+                     const TextObj* explanation, const Slot* base);
 // `thrown` is null when nothing was thrown.
-bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement, const RecordObj* thrown,
-                       const TextObj* kind);
+bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement,
+                       const RecordObj* thrown, const TextObj* kind);
 
-// ---- handling --------------------------------------------------------------------------------------------------
+// ---- handling -------------------------------------------------------------------------------
 
-// Finds who handles state.fault in the frames above the nearest host frame, and makes it the top of the task. False:
-// nobody; the host frame is removed too.
+// Finds who handles state.fault in the frames above the nearest host frame, and makes it the top of
+// the task. False: nobody; the host frame is removed too.
 [[nodiscard]] bool unwind(VmState& state, Task& task);
 // Removes the frame on top and releases what its registers own.
 void leave_frame(VmState& state, Task& task);
 
-// The record that `catch (e)` gets; takes state.fault. Null: the heap is full even with its reserve.
+// The record that `catch (e)` gets; takes state.fault. Null: the heap is full even with its
+// reserve.
 [[nodiscard]] RecordObj* catch_error(VmState& state);
 // An error record as `error(message, kind:)` makes it.
 [[nodiscard]] RecordObj* make_error(VmState& state, TextObj* message, TextObj* kind);

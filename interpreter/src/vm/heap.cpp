@@ -22,14 +22,18 @@ T* begin_object(Heap& heap, ObjKind kind, std::size_t extra_bytes) {
   return object;
 }
 
+// How many elements of a list fit behind its header, and where they are.
+std::size_t room_of(const ListObj& list) { return list.flags >> 1U; }
+Slot* own_room(ListObj& list) { return reinterpret_cast<Slot*>(&list + 1); }
+
 std::size_t text_bytes(std::uint64_t capacity) { return sizeof(TextObj) + capacity; }
 std::size_t host_bytes(const HostType& type) { return HostObj::kPayloadOffset + type.size; }
 std::size_t matrix_bytes(const MatrixObj& m) {
   return sizeof(MatrixObj) + sizeof(double) * m.rows * m.cols;
 }
 
-// A dead object needs its count and `extra` no more: they hold the address of the next dead one. Blocks are
-// 16-aligned, so 48 bits reach 52-bit addresses.
+// A dead object needs its count and `extra` no more: they hold the address of the next dead one.
+// Blocks are 16-aligned, so 48 bits reach 52-bit addresses.
 void link_dead(Obj* object, Obj* next) {
   const auto bits = reinterpret_cast<std::uintptr_t>(next) >> 4U;
   object->refs = static_cast<std::uint32_t>(bits);
@@ -117,28 +121,35 @@ TextObj* Heap::new_text_buffer(std::size_t size) {
 
 TextObj* Heap::new_text(std::string_view characters) {
   TextObj* text = new_text_buffer(characters.size());
-  if (text != nullptr && !characters.empty()) std::memcpy(text->data(), characters.data(), characters.size());
+  if (text != nullptr && !characters.empty())
+    std::memcpy(text->data(), characters.data(), characters.size());
   return text;
 }
 
 ListObj* Heap::new_list(std::uint64_t size, bool references) {
+  ListObj* list = new_list_unset(size, references);
+  if (list != nullptr && size > 0)
+    std::memset(static_cast<void*>(list->data), 0, size * sizeof(Slot));
+  return list;
+}
+
+ListObj* Heap::new_list_unset(std::uint64_t size, bool references) {
   if (size > kMaxCount) return nullptr;
-  auto* list = begin_object<ListObj>(*this, ObjKind::kList, 0);
+  const bool is_short = size <= kShortList;
+  auto* list = begin_object<ListObj>(*this, ObjKind::kList, is_short ? size * sizeof(Slot) : 0);
   if (list == nullptr) return nullptr;
-  list->flags = references ? 1 : 0;
-  list->size = 0;
-  list->capacity = 0;
-  list->data = nullptr;
-  if (size == 0) return list;
-  list->data = static_cast<Slot*>(take(size * sizeof(Slot)));
-  if (list->data == nullptr) {
-    release(list);
-    return nullptr;
-  }
   list->size = static_cast<std::uint32_t>(size);
   list->capacity = list->size;
-  std::memset(static_cast<void*>(list->data), 0, size * sizeof(Slot));
-  return list;
+  list->flags = static_cast<std::uint8_t>((is_short ? size << 1U : 0U) |
+                                          (references ? ListObj::kReferences : 0U));
+  if (is_short) {
+    list->data = own_room(*list);
+    return list;
+  }
+  list->data = static_cast<Slot*>(take(size * sizeof(Slot)));
+  if (list->data != nullptr) return list;
+  give_back(list, sizeof(ListObj));
+  return nullptr;
 }
 
 RecordObj* Heap::new_record(const RecordLayout& layout) {
@@ -185,7 +196,7 @@ HostObj* Heap::new_host(const HostType& type) {
   return host;
 }
 
-// ---- destruction ------------------------------------------------------------------------------------------------
+// ---- destruction ----------------------------------------------------------------------------
 
 Obj* Heap::bury(Obj* object, Obj* waiting) {
   if (object == nullptr || --object->refs != 0) return waiting;
@@ -205,8 +216,7 @@ void Heap::destroy(Obj* object) {
     waiting = linked_dead(dead);
     switch (dead->kind) {
       case ObjKind::kList:
-        if (dead->flags != 0) {
-          const auto* list = static_cast<ListObj*>(dead);
+        if (const auto* list = static_cast<ListObj*>(dead); list->holds_references()) {
           waiting = bury_children(list->data, list->size, waiting);
         }
         break;
@@ -243,11 +253,12 @@ void Heap::free_object(Obj* object) {
       return give_back(object, text_bytes(static_cast<TextObj*>(object)->capacity));
     case ObjKind::kList: {
       auto* list = static_cast<ListObj*>(object);
-      if (list->data != nullptr) give_back(list->data, list->capacity * sizeof(Slot));
-      return give_back(object, sizeof(ListObj));
+      if (list->data != own_room(*list)) give_back(list->data, list->capacity * sizeof(Slot));
+      return give_back(object, sizeof(ListObj) + room_of(*list) * sizeof(Slot));
     }
     case ObjKind::kRecord:
-      return give_back(object, sizeof(RecordObj) + sizeof(Slot) * static_cast<RecordObj*>(object)->layout->size);
+      return give_back(
+          object, sizeof(RecordObj) + sizeof(Slot) * static_cast<RecordObj*>(object)->layout->size);
     case ObjKind::kMatrix:
       return give_back(object, matrix_bytes(*static_cast<MatrixObj*>(object)));
     case ObjKind::kClosure:
@@ -264,10 +275,10 @@ void Heap::free_object(Obj* object) {
   }
 }
 
-// ---- copy on write ----------------------------------------------------------------------------------------------
+// ---- copy on write --------------------------------------------------------------------------
 
 static ListObj* copy_list(Heap& heap, const ListObj& old) {
-  ListObj* list = heap.new_list(old.size, old.holds_references());
+  ListObj* list = heap.new_list_unset(old.size, old.holds_references());
   if (list == nullptr) return nullptr;
   if (old.size > 0) std::memcpy(static_cast<void*>(list->data), old.data, old.size * sizeof(Slot));
   if (old.holds_references()) {
@@ -286,7 +297,8 @@ static RecordObj* copy_record(Heap& heap, const RecordObj& old) {
 
 static MatrixObj* copy_matrix(Heap& heap, const MatrixObj& old) {
   MatrixObj* matrix = heap.new_matrix(old.rows, old.cols);
-  if (matrix != nullptr) std::memcpy(matrix->data(), old.data(), sizeof(double) * old.rows * old.cols);
+  if (matrix != nullptr)
+    std::memcpy(matrix->data(), old.data(), sizeof(double) * old.rows * old.cols);
   return matrix;
 }
 
@@ -308,14 +320,18 @@ bool reserve_list(Heap& heap, ListObj& list, std::uint64_t capacity) {
   if (wanted < capacity) wanted = capacity;
   if (wanted < 4) wanted = 4;
   if (wanted > kMaxCount) return false;
-  void* data = heap.resize(list.data, list.capacity * sizeof(Slot), wanted * sizeof(Slot));
+  const bool moves_out = list.data == own_room(list);
+  void* data = heap.resize(moves_out ? nullptr : list.data, list.capacity * sizeof(Slot),
+                           wanted * sizeof(Slot));
   if (data == nullptr) return false;
+  if (moves_out && list.size > 0)
+    std::memcpy(data, static_cast<const void*>(list.data), list.size * sizeof(Slot));
   list.data = static_cast<Slot*>(data);
   list.capacity = static_cast<std::uint32_t>(wanted);
   return true;
 }
 
-// ---- text -------------------------------------------------------------------------------------------------------
+// ---- text -----------------------------------------------------------------------------------
 
 bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
   auto* text = static_cast<TextObj*>(place.o);
@@ -327,7 +343,8 @@ bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
     std::uint64_t capacity = size + size / 2;
     if (capacity > kMaxCount) capacity = size;
     TextObj* grown = shared ? heap.new_text_buffer(capacity)
-                            : static_cast<TextObj*>(heap.resize(text, text_bytes(text->capacity), text_bytes(capacity)));
+                            : static_cast<TextObj*>(heap.resize(text, text_bytes(text->capacity),
+                                                                text_bytes(capacity)));
     if (grown == nullptr) return false;
     if (shared) {
       std::memcpy(grown->data(), text->data(), text->size);
@@ -345,7 +362,9 @@ bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
   return true;
 }
 
-static bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+static bool starts_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
 
 std::uint32_t character_count(TextObj& text) {
   if (text.characters == TextObj::kUncounted) {

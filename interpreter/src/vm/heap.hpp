@@ -1,8 +1,8 @@
 #pragma once
 // The counted heap of one Vm: every block is charged against one exact limit, in units of 16 bytes.
 //
-// Small blocks come from free lists, one per size; large ones from malloc. Destroying an object never recurses: dead
-// objects wait in a list threaded through their own headers.
+// Small blocks come from free lists, one per size; large ones from malloc. Destroying an object
+// never recurses: dead objects wait in a list threaded through their own headers.
 
 #include <cstddef>
 #include <cstdint>
@@ -54,14 +54,16 @@ class Heap {
 
   // New objects with one count; null if the limit would be passed.
   [[nodiscard]] TextObj* new_text(std::string_view text);
-  [[nodiscard]] TextObj* new_text_buffer(std::size_t size);                      // bytes not set
-  [[nodiscard]] ListObj* new_list(std::uint64_t size, bool references);          // elements zero
-  [[nodiscard]] RecordObj* new_record(const RecordLayout& layout);               // fields not set
-  [[nodiscard]] MatrixObj* new_matrix(std::uint32_t rows, std::uint32_t cols);   // elements not set
-  [[nodiscard]] ClosureObj* new_closure(std::uint32_t function, std::uint16_t captures,
-                                        const std::vector<std::uint16_t>* references);  // captures not set
-  [[nodiscard]] BoxObj* new_box(bool reference);                                 // holds zero
-  [[nodiscard]] HostObj* new_host(const HostType& type);                         // payload not constructed
+  [[nodiscard]] TextObj* new_text_buffer(std::size_t size);                     // bytes not set
+  [[nodiscard]] ListObj* new_list(std::uint64_t size, bool references);         // elements zero
+  [[nodiscard]] ListObj* new_list_unset(std::uint64_t size, bool references);   // elements not set
+  [[nodiscard]] RecordObj* new_record(const RecordLayout& layout);              // fields not set
+  [[nodiscard]] MatrixObj* new_matrix(std::uint32_t rows, std::uint32_t cols);  // elements not set
+  [[nodiscard]] ClosureObj* new_closure(
+      std::uint32_t function, std::uint16_t captures,
+      const std::vector<std::uint16_t>* references);      // captures not set
+  [[nodiscard]] BoxObj* new_box(bool reference);          // holds zero
+  [[nodiscard]] HostObj* new_host(const HostType& type);  // payload not constructed
 
   [[nodiscard]] std::uint64_t used() const { return used_; }
   [[nodiscard]] std::uint64_t limit() const { return limit_; }
@@ -97,6 +99,8 @@ class Heap {
   static constexpr std::size_t kUnit = 16;
   static constexpr std::size_t kClasses = 33;  // blocks up to 512 bytes
   static constexpr std::size_t kChunk = 64 * 1024;
+  static constexpr std::uint64_t kShortList =
+      16;  // longer ones have their elements in a block of their own
   static constexpr std::uint64_t kReserve = 64 * 1024;
 
   static std::size_t units_of(std::size_t bytes) { return (bytes + kUnit - 1) / kUnit; }
@@ -124,7 +128,8 @@ inline void retain_object(Obj* object) {
   if (object != nullptr) ++object->refs;
 }
 
-// Makes the object in `place` the only owner of its contents, copying it if it is shared. False: the heap is full.
+// Makes the object in `place` the only owner of its contents, copying it if it is shared. False:
+// the heap is full.
 [[nodiscard]] bool copy_shared(Heap& heap, Slot& place);
 [[nodiscard]] inline bool own(Heap& heap, Slot& place) {
   return place.o->refs == 1 || copy_shared(heap, place);

@@ -6,8 +6,8 @@
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 
-// Every instruction ends with its own jump to the next one: branch predictors learn the program that way. Labels as
-// values are an extension that both of our compilers have.
+// Every instruction ends with its own jump to the next one: branch predictors learn the program
+// that way. Labels as values are an extension that both of our compilers have.
 #pragma GCC diagnostic ignored "-Wpedantic"
 
 namespace armlet::lang {
@@ -34,7 +34,8 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
 
 }  // namespace
 
-// Registers of the machine that live in registers of the processor: pc, base and frame. pc is the running instruction.
+// Registers of the machine that live in registers of the processor: pc, base and frame. pc is the
+// running instruction.
 #define RA base[pc->a]
 #define RB base[pc->b]
 #define RC base[pc->c]
@@ -56,25 +57,25 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
     frame->pc = pc + 1; \
     task.top = frame;   \
   } while (false)
-#define STEP()                                         \
-  do {                                                 \
-    if (state.steps.left-- == 0) [[unlikely]] {        \
-      SAVE();                                          \
-      if (!count_slowly(state)) goto failed;           \
-    }                                                  \
+#define STEP()                                  \
+  do {                                          \
+    if (state.steps.left-- == 0) [[unlikely]] { \
+      SAVE();                                   \
+      if (!count_slowly(state)) goto failed;    \
+    }                                           \
   } while (false)
-#define FAIL(call)     \
-  do {                 \
-    SAVE();            \
-    (void)(call);      \
-    goto failed;       \
+#define FAIL(call) \
+  do {             \
+    SAVE();        \
+    (void)(call);  \
+    goto failed;   \
   } while (false)
-#define OUT_OF_LINE(name, function, words)           \
-  CASE(name) {                                       \
-    SAVE();                                          \
-    if (!function(state, base, pc)) goto failed;     \
-    pc += words;                                     \
-    GO;                                              \
+#define OUT_OF_LINE(name, function, words)       \
+  CASE(name) {                                   \
+    SAVE();                                      \
+    if (!function(state, base, pc)) goto failed; \
+    pc += words;                                 \
+    GO;                                          \
   }
 
 Exit interpret(VmState& state, Task& task) {
@@ -92,8 +93,8 @@ Exit interpret(VmState& state, Task& task) {
   GO;
 
 #include "vm/ops_data.inc"
-#include "vm/ops_numbers.inc"
 #include "vm/ops_flow.inc"
+#include "vm/ops_numbers.inc"
 #include "vm/ops_objects.inc"
 
 failed:

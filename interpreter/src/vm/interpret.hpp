@@ -6,7 +6,8 @@
 namespace armlet::lang {
 
 enum class Exit : std::uint8_t {
-  kDone,    // the program ended, or the function called by the host returned (result in register 0 of its frame)
+  kDone,  // the program ended, or the function called by the host returned (result in register 0 of
+          // its frame)
   kFailed,  // nobody in this call of the loop handled state.fault
   kPaused,  // task.waiting is set; task.result says where the result goes
 };

@@ -1,4 +1,5 @@
-// Failures of native functions: their marks are put where the arguments, or single elements of them, were written.
+// Failures of native functions: their marks are put where the arguments, or single elements of
+// them, were written.
 
 #include <algorithm>
 #include <optional>
@@ -13,11 +14,13 @@ using hir::Expr;
 using hir::ExprKind;
 
 const Expr* through_conversions(const Expr* expr) {
-  while (expr != nullptr && expr->kind == ExprKind::kConvert) expr = expr->as<hir::ConvertExpr>().operand;
+  while (expr != nullptr && expr->kind == ExprKind::kConvert)
+    expr = expr->as<hir::ConvertExpr>().operand;
   return expr;
 }
 
-// Where element `item` of a value was written, following fixed variables and positions made from one list.
+// Where element `item` of a value was written, following fixed variables and positions made from
+// one list.
 Span origin_of(const Expr* expr, int item) {
   constexpr int kMostSteps = 20;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -36,7 +39,9 @@ Span origin_of(const Expr* expr, int item) {
   }
   if (expr == nullptr || expr->kind != ExprKind::kList) return {};
   const auto& list = expr->as<hir::ListExpr>();
-  return static_cast<std::size_t>(item) < list.items.size() ? list.items[static_cast<std::size_t>(item)]->span : Span{};
+  return static_cast<std::size_t>(item) < list.items.size()
+             ? list.items[static_cast<std::size_t>(item)]->span
+             : Span{};
 }
 
 struct NativeCall {
@@ -47,7 +52,8 @@ struct NativeCall {
 NativeCall running_call(const VmState& state) {
   const CodeSpan* at = code_span(state);
   const Expr* expr = at == nullptr ? nullptr : at->expr;
-  if (expr != nullptr && expr->kind == ExprKind::kGuarded) expr = expr->as<hir::GuardedExpr>().motion;
+  if (expr != nullptr && expr->kind == ExprKind::kGuarded)
+    expr = expr->as<hir::GuardedExpr>().motion;
   if (expr == nullptr || expr->kind != ExprKind::kCallNative) return {};
   const auto& call = expr->as<hir::CallNativeExpr>();
   return {&call.site, call.arguments};
@@ -57,14 +63,36 @@ Span mark_of(const NativeCall& call, const Failure& failure, Span otherwise) {
   if (call.site == nullptr) return otherwise;
   if (failure.mark_parameter == kMarkCallee) return call.site->callee;
   const auto index = static_cast<std::size_t>(failure.mark_parameter);
-  const bool written = failure.mark_parameter >= 0 && index < call.site->arguments.size() && !call.site->arguments[index].empty();
+  const bool written = failure.mark_parameter >= 0 && index < call.site->arguments.size() &&
+                       !call.site->arguments[index].empty();
   return written ? call.site->arguments[index] : call.site->call;
 }
 
 void replace_all(std::string& text, std::string_view what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
     text.replace(at, what.size(), by);
   }
+}
+
+// The fix with its places filled in; nothing if one of them cannot be.
+std::optional<std::string> fix_of(const VmState& state, const Failure& failure,
+                                  const NativeCall& call, Span element) {
+  std::string fix = failure.fix;
+  if (fix.find("{line}") != std::string::npos) {
+    if (element.empty()) return std::nullopt;
+    replace_all(fix, "{line}", std::to_string(line_of(state, element)));
+  }
+  if (fix.find("{arg}") != std::string::npos) {
+    const auto index = static_cast<std::size_t>(failure.mark_parameter);
+    const bool written = call.site != nullptr && failure.mark_parameter >= 0 &&
+                         index < call.site->arguments.size() &&
+                         !call.site->arguments[index].empty();
+    if (!written) return std::nullopt;
+    replace_all(fix, "{arg}",
+                std::string(state.program.sources->slice(call.site->arguments[index])));
+  }
+  return fix.empty() ? std::nullopt : std::optional(std::move(fix));
 }
 
 }  // namespace
@@ -86,20 +114,19 @@ Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
 
   Span element;
   const auto parameter = static_cast<std::size_t>(failure.mark_parameter);
-  if (failure.mark_element >= 0 && failure.mark_parameter >= 0 && parameter < call.arguments.size()) {
+  if (failure.mark_element >= 0 && failure.mark_parameter >= 0 &&
+      parameter < call.arguments.size()) {
     element = origin_of(call.arguments[parameter], failure.mark_element);
   }
   if (!element.empty()) {
     const bool inside = element.begin >= out.mark.span.begin && element.end <= out.mark.span.end &&
                         element.source == out.mark.span.source;
-    if (inside) out.mark = {element, failure.element_label.empty() ? failure.label : failure.element_label};
+    if (inside)
+      out.mark = {element, failure.element_label.empty() ? failure.label : failure.element_label};
     if (!inside) out.related.push_back({element, failure.element_label});
   }
-  const bool needs_line = failure.fix.find("{line}") != std::string::npos;
-  if (!failure.fix.empty() && (!needs_line || !element.empty())) {
-    std::string fix = failure.fix;
-    if (needs_line) replace_all(fix, "{line}", std::to_string(line_of(state, element)));
-    out.fix = Fix{std::move(fix), {}, Confidence::kMaybe};
+  if (std::optional<std::string> fix = fix_of(state, failure, call, element)) {
+    out.fix = Fix{std::move(*fix), {}, Confidence::kMaybe};
   }
   out.when = circumstances(state);
   out.when->robot = failure.robot;

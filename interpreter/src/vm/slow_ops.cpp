@@ -37,19 +37,22 @@ Slot taken(Slot& from) {
 
 }  // namespace
 
-// ---- numbers ----------------------------------------------------------------------------------------------------
+// ---- numbers --------------------------------------------------------------------------------
 
 bool op_powi(VmState& state, Slot* base, const Instr* pc) {
   std::int64_t factor = base[pc->b].i;
   std::int64_t exponent = base[pc->c].i;
   if (exponent < 0) {
-    return raise(state, "R0609",
-                 {"a power", std::to_string(exponent), "whole numbers need an exponent of 0 or more"});
+    return raise(
+        state, "R0609",
+        {"a power", std::to_string(exponent), "whole numbers need an exponent of 0 or more"});
   }
   std::int64_t power = 1;
   for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 != 0 && __builtin_mul_overflow(power, factor, &power)) return raise_overflow(state);
-    if (exponent > 1 && __builtin_mul_overflow(factor, factor, &factor)) return raise_overflow(state);
+    if (exponent % 2 != 0 && __builtin_mul_overflow(power, factor, &power))
+      return raise_overflow(state);
+    if (exponent > 1 && __builtin_mul_overflow(factor, factor, &factor))
+      return raise_overflow(state);
   }
   base[pc->a].i = power;
   return true;
@@ -60,8 +63,9 @@ bool op_powr(VmState& state, Slot* base, const Instr* pc) {
   const double y = base[pc->c].d;
   const double power = det::pow(x, y);
   if (std::isnan(power) && !std::isnan(x) && !std::isnan(y)) {
-    return raise(state, "R0609", {"a power with exponent " + number_text(y), number_text(x),
-                                  "a negative number has only whole powers"});
+    return raise(state, "R0609",
+                 {"a power with exponent " + number_text(y), number_text(x),
+                  "a negative number has only whole powers"});
   }
   base[pc->a].d = power;
   return true;
@@ -101,7 +105,7 @@ bool op_calld_again(VmState& state, Slot* base, const Instr* pc, int arguments) 
   return true;
 }
 
-// ---- making objects -----------------------------------------------------------------------------------------------
+// ---- making objects -------------------------------------------------------------------------
 
 bool op_box(VmState& state, Slot* base, const Instr* pc) {
   return put_new(state, base[pc->a], state.heap.new_box(pc->c != 0));
@@ -109,11 +113,13 @@ bool op_box(VmState& state, Slot* base, const Instr* pc) {
 
 bool op_closure(VmState& state, Slot* base, const Instr* pc) {
   const FunctionCode& function = state.program.functions[pc->c];
-  ClosureObj* closure = state.heap.new_closure(pc->c, function.captures, &function.capture_references);
+  ClosureObj* closure =
+      state.heap.new_closure(pc->c, function.captures, &function.capture_references);
   if (closure == nullptr) return raise_out_of_memory(state);
   const Slot* from = base + pc->b;
   for (std::uint16_t i = 0; i < function.captures; ++i) closure->captures()[i] = from[i];
-  for (const std::uint16_t reference : function.capture_references) retain_object(from[reference].o);
+  for (const std::uint16_t reference : function.capture_references)
+    retain_object(from[reference].o);
   set_reference(state, base[pc->a], closure);
   return true;
 }
@@ -137,15 +143,17 @@ bool op_newlist(VmState& state, Slot* base, const Instr* pc) {
 
 bool op_makelist(VmState& state, Slot* base, const Instr* pc) {
   const bool references = pc[1].b != 0;
-  ListObj* list = state.heap.new_list(pc->c, references);
+  ListObj* list = state.heap.new_list_unset(pc->c, references);
   if (list == nullptr) return raise_out_of_memory(state);
   Slot* from = base + pc->b;
-  for (std::uint32_t i = 0; i < list->size; ++i) list->data[i] = references ? taken(from[i]) : from[i];
+  for (std::uint32_t i = 0; i < list->size; ++i)
+    list->data[i] = references ? taken(from[i]) : from[i];
   set_reference(state, base[pc->a], list);
   return true;
 }
 
-// Lists of lists are made from the inside out: all inner lists of one row share their storage until one is changed.
+// Lists of lists are made from the inside out: all inner lists of one row share their storage until
+// one is changed.
 bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
   const Type* type = state.running->top->callee->function->types[pc[1].b];
   const int count = pc->c;
@@ -154,7 +162,8 @@ bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
   const bool references = type->element->is_reference();
   Slot inner{.o = nullptr};
   if (references) {
-    inner.o = texts ? static_cast<Obj*>(state.heap.new_text({})) : state.heap.new_list(0, type->element->element->is_reference());
+    inner.o = texts ? static_cast<Obj*>(state.heap.new_text({}))
+                    : state.heap.new_list(0, type->element->element->is_reference());
     if (inner.o == nullptr) return raise_out_of_memory(state);
   }
   bool inner_references = references;
@@ -189,14 +198,15 @@ bool op_makerec(VmState& state, Slot* base, const Instr* pc) {
 
 bool op_listtoreal(VmState& state, Slot* base, const Instr* pc) {
   const ListObj& from = list_in(base[pc->b]);
-  ListObj* list = state.heap.new_list(from.size, false);
+  ListObj* list = state.heap.new_list_unset(from.size, false);
   if (list == nullptr) return raise_out_of_memory(state);
-  for (std::uint32_t i = 0; i < from.size; ++i) list->data[i].d = static_cast<double>(from.data[i].i);
+  for (std::uint32_t i = 0; i < from.size; ++i)
+    list->data[i].d = static_cast<double>(from.data[i].i);
   set_reference(state, base[pc->a], list);
   return true;
 }
 
-// ---- lists ------------------------------------------------------------------------------------------------------
+// ---- lists ----------------------------------------------------------------------------------
 
 // The ends of a slice: both inside 0 to size, the second not before the first.
 static bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::string_view what,
@@ -215,7 +225,7 @@ bool op_slice(VmState& state, Slot* base, const Instr* pc) {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
   if (!slice_ends(state, base + pc->c, from.size, "list", first, last)) return false;
-  ListObj* list = state.heap.new_list(last - first, from.holds_references());
+  ListObj* list = state.heap.new_list_unset(last - first, from.holds_references());
   if (list == nullptr) return raise_out_of_memory(state);
   for (std::uint32_t i = 0; i < list->size; ++i) {
     list->data[i] = from.data[first + i];
@@ -231,8 +241,10 @@ static bool insert_at(VmState& state, Slot& place, std::int64_t index, Slot valu
   if (static_cast<std::uint64_t>(index) > list.size) {
     return raise_index(state, index, std::uint64_t{list.size} + 1);
   }
-  if (!reserve_list(state.heap, list, std::uint64_t{list.size} + 1)) return raise_out_of_memory(state);
-  std::memmove(static_cast<void*>(list.data + index + 1), list.data + index, (list.size - index) * sizeof(Slot));
+  if (!reserve_list(state.heap, list, std::uint64_t{list.size} + 1))
+    return raise_out_of_memory(state);
+  std::memmove(static_cast<void*>(list.data + index + 1), list.data + index,
+               (list.size - index) * sizeof(Slot));
   list.data[index] = value;
   ++list.size;
   return true;
@@ -268,11 +280,12 @@ bool op_pop(VmState& state, Slot* base, const Instr* pc) {
   if (static_cast<std::uint64_t>(index) >= list.size) return raise_index(state, index, list.size);
   base[pc->a] = list.data[index];
   --list.size;
-  std::memmove(static_cast<void*>(list.data + index), list.data + index + 1, (list.size - index) * sizeof(Slot));
+  std::memmove(static_cast<void*>(list.data + index), list.data + index + 1,
+               (list.size - index) * sizeof(Slot));
   return true;
 }
 
-// ---- text -------------------------------------------------------------------------------------------------------
+// ---- text -----------------------------------------------------------------------------------
 
 bool op_lentext(VmState&, Slot* base, const Instr* pc) {
   base[pc->a].i = character_count(text_in(base[pc->b]));
@@ -310,7 +323,8 @@ bool op_charat(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_totext(VmState& state, Slot* base, const Instr* pc) {
-  const std::string text = format_value(base[pc->b], state.program.formats[pc->c], state.heap.limit() - state.heap.used());
+  const std::string text = format_value(base[pc->b], state.program.formats[pc->c],
+                                        state.heap.limit() - state.heap.used());
   return put_new(state, base[pc->a], state.heap.new_text(text));
 }
 
@@ -330,7 +344,7 @@ bool op_concat(VmState& state, Slot* base, const Instr* pc) {
   return true;
 }
 
-// ---- failures -----------------------------------------------------------------------------------------------------
+// ---- failures -------------------------------------------------------------------------------
 
 bool op_makeerr(VmState& state, Slot* base, const Instr* pc) {
   auto* kind = static_cast<TextObj*>(base[pc->c].o);
@@ -341,7 +355,9 @@ bool op_throw(VmState& state, Slot* base, const Instr* pc) {
   return throw_error(state, *static_cast<RecordObj*>(base[pc->a].o));
 }
 
-bool op_rethrow(VmState& state, Slot* base, const Instr* pc) { return rethrow(state, base[pc->a].o); }
+bool op_rethrow(VmState& state, Slot* base, const Instr* pc) {
+  return rethrow(state, base[pc->a].o);
+}
 
 bool op_catch(VmState& state, Slot* base, const Instr* pc) {
   return put_new(state, base[pc->a], catch_error(state));

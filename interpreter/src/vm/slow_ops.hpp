@@ -1,7 +1,8 @@
 #pragma once
 // Instructions that are not worth a place in the loop, and the rare ways of those that are.
 //
-// Each takes the registers of the running frame and its instruction, and returns false after setting state.fault.
+// Each takes the registers of the running frame and its instruction, and returns false after
+// setting state.fault.
 
 #include "vm/state.hpp"
 

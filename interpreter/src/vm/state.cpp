@@ -11,15 +11,14 @@ namespace armlet::lang {
 
 namespace {
 
-constexpr std::uint32_t kConditionDepth = 1000;
-constexpr std::size_t kConditionSlots = 256 * 1024;
-
 // Room for frames of usual size at full depth, and for a few very large ones.
-std::size_t slots_for(std::uint32_t call_depth) { return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64; }
+std::size_t slots_for(std::uint32_t call_depth) {
+  return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64;
+}
 
 }  // namespace
 
-// ---- steps --------------------------------------------------------------------------------------------------------
+// ---- steps ----------------------------------------------------------------------------------
 
 void StepMeter::settle() {
   const std::uint64_t done = chunk - left;
@@ -34,7 +33,7 @@ bool StepMeter::refill() {
   return chunk > 0;
 }
 
-// ---- making and clearing --------------------------------------------------------------------------------------------
+// ---- making and clearing --------------------------------------------------------------------
 
 VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm_options)
     : vm(owner),
@@ -133,9 +132,11 @@ Obj* VmState::character(unsigned char code) {
   return ascii[code];
 }
 
-bool VmState::take_cancellation() { return vm.cancelled_.exchange(false, std::memory_order_relaxed); }
+bool VmState::take_cancellation() {
+  return vm.cancelled_.exchange(false, std::memory_order_relaxed);
+}
 
-// ---- calls by the host ----------------------------------------------------------------------------------------------
+// ---- calls by the host ----------------------------------------------------------------------
 
 bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const Slot> arguments) {
   Task& task = *running;
@@ -143,7 +144,7 @@ bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const
   const Frame& below = *task.top;
   Slot* base = below.base + below.callee->registers + kScratch;
   const bool fits = task.top + 2 < task.frames_end && base < task.slots_end;
-  if (!fits) return raise_too_deep(*this, callee);
+  if (!fits) return raise_too_deep(*this, callee, options.limits.call_depth);
   task.top[1] = {kReturnToHost, base, task.frames->callee, nullptr};
   task.top[2] = {callee.code, base, &callee, closure};
   task.top += 2;
@@ -153,7 +154,9 @@ bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const
 }
 
 bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& result) {
-  if (host_calls >= kHostCalls) return raise_too_deep(*this, callees[function->function]);
+  if (host_calls >= kHostCalls) {
+    return raise_too_deep(*this, callees[function->function], kHostCalls);
+  }
   if (steps.left-- == 0 && !count_slowly(*this)) return false;
   if (!enter(function->function, function, arguments)) return false;
   ++host_calls;
@@ -167,7 +170,8 @@ bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& 
 }
 
 bool VmState::evaluate(ClosureObj* condition, bool& result) {
-  if (condition_task == nullptr) condition_task = std::make_unique<Task>(kConditionDepth, kConditionSlots);
+  const std::uint32_t depth = options.limits.call_depth;
+  if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, slots_for(depth));
   Task* before = running;
   running = condition_task.get();
   Slot value{.i = 0};

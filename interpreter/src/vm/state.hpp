@@ -21,13 +21,13 @@ enum class Reach : std::uint8_t {
 
 struct Fault {
   Diagnostic diagnostic;
-  std::string kind;      // as e.kind shows it
+  std::string kind;  // as e.kind shows it
   Reach reach = Reach::kHandlers;
   bool cancelled = false;
 };
 
-// Counts calls and backward jumps. The loop only counts `left` down; every chunk the limit and the wish to cancel are
-// looked at.
+// Counts calls and backward jumps. The loop only counts `left` down; every chunk the limit and the
+// wish to cancel are looked at.
 struct StepMeter {
   static constexpr std::uint64_t kChunk = 4096;
 
@@ -54,7 +54,7 @@ struct VmState {
   VmState& operator=(const VmState&) = delete;
 
   static constexpr std::uint32_t kHostCalls = 200;  // calls of the program inside calls of the host
-  static constexpr std::uint32_t kScratch = 4;      // slots behind a frame that native calls may use
+  static constexpr std::uint32_t kScratch = 4;  // slots behind a frame that native calls may use
 
   Vm& vm;
   const CompiledProgram& program;
@@ -65,19 +65,19 @@ struct VmState {
   std::vector<Callee> callees;
   std::vector<Slot> globals;
   std::vector<std::uint8_t> global_is_set;
-  std::vector<Slot> texts;                       // literals
-  Obj* ascii[128] = {};                          // texts of one character, made when first needed
+  std::vector<Slot> texts;  // literals
+  Obj* ascii[128] = {};     // texts of one character, made when first needed
   std::vector<std::unique_ptr<RecordLayout>> own_layouts;  // of records that only the library makes
   std::vector<std::unique_ptr<std::vector<std::uint16_t>>> own_references;
-  const RecordLayout* error_layout = nullptr;    // one slot more than the type says: the hidden fault
+  const RecordLayout* error_layout = nullptr;  // one slot more than the type says: the hidden fault
 
   Task main;
-  std::unique_ptr<Task> condition_task;          // runs conditions; they never pause
+  std::unique_ptr<Task> condition_task;  // runs conditions; they never pause
   Task* running = nullptr;
-  std::uint32_t host_calls = 0;                  // nested calls of the program by native functions
-  std::unique_ptr<Waiting> pending;              // left by a native function that pauses
-  std::shared_ptr<Fault> fault;                  // the failure under way
-  bool is_leaving = false;                       // cancelled or out of steps: only finally blocks run
+  std::uint32_t host_calls = 0;      // nested calls of the program by native functions
+  std::unique_ptr<Waiting> pending;  // left by a native function that pauses
+  std::shared_ptr<Fault> fault;      // the failure under way
+  bool is_leaving = false;           // cancelled or out of steps: only finally blocks run
   bool has_run = false;
   std::uint64_t output_left;
 
@@ -86,8 +86,10 @@ struct VmState {
   // Releases the program's variables and whatever else the run left.
   void clear();
   [[nodiscard]] const RecordLayout& layout_of(const Type* record);
-  // Puts a host frame and the function's frame on the running task. False: calls are nested too deep.
-  [[nodiscard]] bool enter(std::uint32_t function, ClosureObj* closure, std::span<const Slot> arguments);
+  // Puts a host frame and the function's frame on the running task. False: calls are nested too
+  // deep.
+  [[nodiscard]] bool enter(std::uint32_t function, ClosureObj* closure,
+                           std::span<const Slot> arguments);
   // Calls a function to its end. False: it failed, and `fault` is set.
   [[nodiscard]] bool call(ClosureObj* function, std::span<const Slot> arguments, Slot& result);
   // Evaluates a condition on a stack of its own.

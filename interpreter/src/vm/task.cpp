@@ -19,7 +19,8 @@ constexpr Callee kHost{kReturnToHost, nullptr, 0, 0, 0, 0};
 }  // namespace
 
 AddressSpace::AddressSpace(std::size_t bytes) : begin_(nullptr), bytes_(bytes) {
-  begin_ = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  begin_ = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE,
+                -1, 0);
   if (begin_ == MAP_FAILED) throw std::bad_alloc();
 }
 

@@ -21,17 +21,20 @@ struct Callee {
 };
 
 struct Frame {
-  const Instr* pc;      // the next instruction, while something else runs
-  Slot* base;           // register 0
+  const Instr* pc;  // the next instruction, while something else runs
+  Slot* base;       // register 0
   const Callee* callee;
   ClosureObj* closure;  // the running function value; not set for functions that are called by name
 
   [[nodiscard]] bool is_host() const { return callee->function == nullptr; }
   // The instruction that is being executed.
-  [[nodiscard]] std::uint32_t at() const { return static_cast<std::uint32_t>(pc - callee->code) - 1; }
+  [[nodiscard]] std::uint32_t at() const {
+    return static_cast<std::uint32_t>(pc - callee->code) - 1;
+  }
 };
 
-// Address space whose pages get memory when they are first touched, so that addresses in it never change.
+// Address space whose pages get memory when they are first touched, so that addresses in it never
+// change.
 class AddressSpace {
  public:
   // Throws std::bad_alloc if the system has no addresses left.
@@ -58,8 +61,8 @@ struct Task {
 
   AddressSpace slot_space;
   AddressSpace frame_space;
-  Slot* slots_end;    // a frame that starts before it fits
-  Frame* frames;      // frames[0] belongs to the host
+  Slot* slots_end;  // a frame that starts before it fits
+  Frame* frames;    // frames[0] belongs to the host
   Frame* frames_end;
   Frame* top;
 

@@ -30,7 +30,8 @@ Exit Scheduler::run(std::uint32_t function) {
     exit = run_instant();
     if (exit == Exit::kPaused) exit = advance();
   }
-  while (exit == Exit::kDone && state_.main.top > state_.main.frames) leave_frame(state_, state_.main);
+  while (exit == Exit::kDone && state_.main.top > state_.main.frames)
+    leave_frame(state_, state_.main);
   return exit;
 }
 
@@ -94,7 +95,8 @@ std::int64_t Scheduler::next_instant() const {
     next = std::min(next, due > now ? due : next_tick);
     armed = armed || task->condition != nullptr;
   }
-  if (armed && (next != kNever || now - resumed_ns_ < kPatience_ns)) next = std::min(next, next_tick);
+  if (armed && (next != kNever || now - resumed_ns_ < kPatience_ns))
+    next = std::min(next, next_tick);
   return next;
 }
 
@@ -134,7 +136,8 @@ Exit Scheduler::abandon() {
   return Exit::kFailed;
 }
 
-void Scheduler::fail_everywhere(const char* code, const std::vector<std::string>& arguments, std::string why) {
+void Scheduler::fail_everywhere(const char* code, const std::vector<std::string>& arguments,
+                                std::string why) {
   state_.running = &state_.main;
   Diagnostic failure = start_failure(state_, code, arguments);
   failure.why = std::move(why);

@@ -1,5 +1,6 @@
 #pragma once
-// Which task runs when: the order at one instant (reference, section 12), and from one instant to the next.
+// Which task runs when: the order at one instant (reference, section 12), and from one instant to
+// the next.
 
 #include <cstdint>
 #include <vector>
@@ -25,7 +26,8 @@ class Scheduler {
   Exit advance();
   void interrupt(Task& task);
   Exit abandon();
-  void fail_everywhere(const char* code, const std::vector<std::string>& arguments, std::string why);
+  void fail_everywhere(const char* code, const std::vector<std::string>& arguments,
+                       std::string why);
   [[nodiscard]] std::string waited_for() const;
 
   VmState& state_;

@@ -1,6 +1,7 @@
 #include <cassert>
 #include <utility>
 
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "vm/failures.hpp"
 #include "vm/tasks.hpp"
@@ -27,7 +28,8 @@ class Clock final : public Timeline {
 RunResult refuse_second_run() {
   RunResult result;
   result.status = RunStatus::kFailed;
-  result.error = make_diagnostic("R0626", {}, {"this Vm has run already; make a new one to run again"});
+  result.error =
+      make_diagnostic("R0626", {}, {"this Vm has run already; make a new one to run again"});
   return result;
 }
 
@@ -63,12 +65,16 @@ RunResult Vm::run() {
 }
 
 RunResult Vm::run_test(std::size_t index) {
-  if (std::exchange(state_->has_run, true)) return refuse_second_run();
   const lang::CompiledProgram& program = program_->compiled();
+  if (index >= program.module.tests.size()) {
+    throw ArgumentError("test " + std::to_string(index) + " does not exist; the program has " +
+                        std::to_string(program.module.tests.size()) + " tests.");
+  }
+  if (std::exchange(state_->has_run, true)) return refuse_second_run();
   lang::Scheduler scheduler(*state_);
-  lang::Exit exit = state_->make_texts() ? scheduler.run(program.declarations) : lang::Exit::kFailed;
-  if (exit == lang::Exit::kDone) exit = scheduler.run(program.module.tests[index].function->index);
-  return finish_run(*state_, exit);
+  const std::uint32_t test = program.module.tests[index].function->index;
+  const bool ready = state_->make_texts();
+  return finish_run(*state_, ready ? scheduler.run(test) : lang::Exit::kFailed);
 }
 
 bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
@@ -76,7 +82,10 @@ bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
 }
 
 void Vm::advise(const Failure& advice) {
-  if (options_.advice) options_.advice(lang::diagnostic_of(*state_, advice));
+  if (!options_.advice) return;
+  Diagnostic diagnostic = lang::diagnostic_of(*state_, advice);
+  diagnostic.when.reset();  // advice is about the text, whenever it was given
+  options_.advice(diagnostic);
 }
 
 void Vm::print(std::string_view text) {

@@ -34,7 +34,10 @@ class Sleep final : public Waiting {
 class WaitUntil final : public Waiting {
  public:
   WaitUntil(VmState& state, const hir::WaitUntilStmt& statement, double timeout)
-      : state_(state), statement_(statement), timeout_(timeout), armed_ns_(state.vm.timeline().now_ns()) {
+      : state_(state),
+        statement_(statement),
+        timeout_(timeout),
+        armed_ns_(state.vm.timeline().now_ns()) {
     if (timeout < kLongest) due_ns_ = armed_ns_ + std::llround(timeout * 1e9);
   }
 
@@ -49,10 +52,12 @@ class WaitUntil final : public Waiting {
 
   Signal finish(Vm&, Slot&) override {
     if (stopped_) return Signal::kDone;
-    Diagnostic failure = make_diagnostic("R0607", statement_.condition_span,
-                                         {quantity_text(timeout_, dims::kTime), std::string(statement_.condition_text)});
+    Diagnostic failure = make_diagnostic(
+        "R0607", statement_.condition_span,
+        {quantity_text(timeout_, dims::kTime), std::string(statement_.condition_text)});
     char since[64];
-    std::snprintf(since, sizeof since, "false since t = %.2f s", static_cast<double>(armed_ns_) * 1e-9);
+    std::snprintf(since, sizeof since, "false since t = %.2f s",
+                  static_cast<double>(armed_ns_) * 1e-9);
     failure.mark.label = since;
     failure.fix = Fix{"use a longer timeout, or catch the error", {}, Confidence::kMaybe};
     raise(state_, std::move(failure));
@@ -70,7 +75,8 @@ class WaitUntil final : public Waiting {
 
 // Seconds that can be waited; negative ones are none.
 bool check_seconds(VmState& state, double& seconds) {
-  if (!std::isfinite(seconds)) return raise(state, "R0612", {"the time to wait", number_text(seconds)});
+  if (!std::isfinite(seconds))
+    return raise(state, "R0612", {"the time to wait", number_text(seconds)});
   seconds = std::clamp(seconds, 0.0, kLongest);
   return true;
 }
@@ -89,7 +95,8 @@ bool op_wait(VmState& state, Slot* base, const Instr* pc) {
   if (state.host_calls > 0) return raise_may_not_pause(state);
   if (!check_seconds(state, seconds)) return false;
   Timeline& timeline = state.vm.timeline();
-  state.pending = std::make_unique<Sleep>(timeline, timeline.now_ns() + std::llround(seconds * 1e9));
+  state.pending =
+      std::make_unique<Sleep>(timeline, timeline.now_ns() + std::llround(seconds * 1e9));
   return true;
 }
 

@@ -22,7 +22,8 @@ TEST_CASE("jumps are shown with their targets") {
   program.sources = std::make_shared<SourceSet>();
   program.sources->add("a.rbt", "while (true) { }");
   FunctionCode main;
-  main.code = {{OpCode::INT, 0, 5, 0}, {OpCode::LOOP, 0, 0xFFFF, 0xFFFF}, {OpCode::IFLTIK, 0, 0xFFFE, 0}};
+  main.code = {
+      {OpCode::INT, 0, 5, 0}, {OpCode::LOOP, 0, 0xFFFF, 0xFFFF}, {OpCode::IFLTIK, 0, 0xFFFE, 0}};
   main.spans = {{0, {0, 5, 0}, nullptr}};
   program.functions.push_back(main);
   const std::string listing = disassemble(program);

@@ -14,7 +14,8 @@ namespace {
 
 std::string formatted(double value, const Type* type, int digits, char style, const char* unit = "",
                       double factor = 1.0) {
-  return format_value(slot_of(value), Format{type, static_cast<std::int8_t>(digits), style, unit, factor});
+  return format_value(slot_of(value),
+                      Format{type, static_cast<std::int8_t>(digits), style, unit, factor});
 }
 
 }  // namespace
@@ -82,11 +83,13 @@ TEST_CASE("lists, records and choices are written as they would be in a program"
 
   ListObj* texts = heap.new_list(1, true);
   texts->data[0].o = heap.new_text("say \"hi\"");
-  CHECK(value_text(slot_of(static_cast<Obj*>(texts)), *types.list(types.text())) == "[\"say \\\"hi\\\"\"]");
+  CHECK(value_text(slot_of(static_cast<Obj*>(texts)), *types.list(types.text())) ==
+        "[\"say \\\"hi\\\"\"]");
   CHECK(value_text(texts->data[0], *types.text()) == "say \"hi\"");
 
   const Type* pallet = types.new_record("Pallet");
-  pallet->record->fields = {{"width", types.quantity(dims::kLength), false}, {"rows", types.integer(), false}};
+  pallet->record->fields = {{"width", types.quantity(dims::kLength), false},
+                            {"rows", types.integer(), false}};
   const RecordLayout layout{pallet, 2, {}};
   RecordObj* record = heap.new_record(layout);
   record->fields()[0].d = 0.08;
@@ -101,8 +104,8 @@ TEST_CASE("lists, records and choices are written as they would be in a program"
   MatrixObj* matrix = heap.new_matrix(2, 2);
   for (int i = 0; i < 4; ++i) matrix->data()[i] = i;
   CHECK(value_text(slot_of(static_cast<Obj*>(matrix)), *types.matrix()) == "[0.0, 1.0; 2.0, 3.0]");
-  for (Obj* object : {static_cast<Obj*>(numbers), static_cast<Obj*>(texts), static_cast<Obj*>(record),
-                      static_cast<Obj*>(matrix)}) {
+  for (Obj* object : {static_cast<Obj*>(numbers), static_cast<Obj*>(texts),
+                      static_cast<Obj*>(record), static_cast<Obj*>(matrix)}) {
     heap.release(object);
   }
 }

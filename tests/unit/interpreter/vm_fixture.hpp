@@ -16,7 +16,8 @@ namespace armlet::lang {
 class TestMotion final : public Waiting {
  public:
   TestMotion(Timeline& timeline, double seconds)
-      : timeline_(timeline), due_ns_(timeline.now_ns() + static_cast<std::int64_t>(seconds * 1e9)) {}
+      : timeline_(timeline),
+        due_ns_(timeline.now_ns() + static_cast<std::int64_t>(seconds * 1e9)) {}
 
   [[nodiscard]] std::int64_t due_ns() const override { return due_ns_; }
   [[nodiscard]] bool is_over() const override { return timeline_.now_ns() >= due_ns_; }
@@ -39,7 +40,8 @@ inline Signal sqrt_of(Vm& vm, Slot* args) {
   if (args[0].d >= 0.0) return give(args, square_root(args[0].d));
   return fail(vm, {.code = "R0609",
                    .arguments = {"sqrt", "a negative number", "the value must not be negative"},
-                   .mark_parameter = 0});
+                   .mark_parameter = 0,
+                   .fix = "use sqrt(abs({arg}))"});
 }
 
 inline Signal move(Vm& vm, Slot* args) {
@@ -87,7 +89,9 @@ inline constexpr NativeFunction kTestFunctions[] = {
     {.name = "sqrt", .signature = "(x: double) -> double", .thunk = sqrt_of, .real1 = square_root},
     {.name = "move", .signature = "(t: double) -> bool", .thunk = move, .pauses = true},
     {.name = "now", .signature = "() -> time", .thunk = now},
-    {.name = "map", .signature = "(xs: double[], f: fn(double) -> double) -> double[]", .thunk = map_reals},
+    {.name = "map",
+     .signature = "(xs: double[], f: fn(double) -> double) -> double[]",
+     .thunk = map_reals},
     {.name = "refuse", .signature = "(xs: double[])", .thunk = refuse},
     {.name = "cancelNow", .signature = "()", .thunk = cancel_now},
     {.name = "note", .signature = "()", .thunk = note},
@@ -115,7 +119,8 @@ inline std::shared_ptr<const Program> compiled(const std::string& text) {
   return compilation.program;
 }
 
-inline Outcome outcome_of(const std::shared_ptr<const Program>& program, RunLimits limits = {}, int test = -1) {
+inline Outcome outcome_of(const std::shared_ptr<const Program>& program, RunLimits limits = {},
+                          int test = -1) {
   Outcome outcome;
   VmOptions options;
   options.limits = limits;
@@ -129,7 +134,9 @@ inline Outcome outcome_of(const std::shared_ptr<const Program>& program, RunLimi
   return outcome;
 }
 
-inline Outcome run(const std::string& text, RunLimits limits = {}) { return outcome_of(compiled(text), limits); }
+inline Outcome run(const std::string& text, RunLimits limits = {}) {
+  return outcome_of(compiled(text), limits);
+}
 
 // What a program that must succeed writes.
 inline std::string output_of(const std::string& text) {

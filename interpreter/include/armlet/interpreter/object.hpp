@@ -54,12 +54,13 @@ struct TextObj : Obj {
   [[nodiscard]] std::string_view view() const { return {data(), size}; }
 };
 
-// flags == 1: elements are references.
+// The elements of short lists lie behind the header; `data` points to them wherever they are.
 struct ListObj : Obj {
+  static constexpr std::uint8_t kReferences = 1;  // flag: elements are references; the other bits are the heap's
   std::uint32_t size;
   std::uint32_t capacity;
   Slot* data;
-  [[nodiscard]] bool holds_references() const { return flags != 0; }
+  [[nodiscard]] bool holds_references() const { return (flags & kReferences) != 0; }
   // For lists of numbers.
   [[nodiscard]] std::span<const double> reals() const {
     return {reinterpret_cast<const double*>(data), size};
