@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
@@ -53,15 +54,16 @@ void show_move(const MoveReport& move) {
 }
 
 // Sleeps until wall-clock time has caught up with virtual time, in short pieces so that Ctrl-C is
-// heard.
-std::function<void(std::int64_t)> real_time() {
+// heard. Ctrl-C asks the program once to stop; coming to rest then costs no time.
+std::function<bool(std::int64_t)> real_time() {
   const auto start = std::chrono::steady_clock::now();
-  return [start](std::int64_t t_ns) {
+  return [start, told = false](std::int64_t t_ns) mutable {
     const auto due = start + std::chrono::nanoseconds(t_ns);
     while (!interrupted() && std::chrono::steady_clock::now() < due) {
       std::this_thread::sleep_for(std::min<std::chrono::steady_clock::duration>(
           due - std::chrono::steady_clock::now(), std::chrono::milliseconds(20)));
     }
+    return !interrupted() || std::exchange(told, true);
   };
 }
 

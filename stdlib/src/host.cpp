@@ -4,6 +4,13 @@
 #include <utility>
 
 namespace armlet {
+namespace {
+
+// How often a host that paces the clock is asked: often enough that a viewer sees motion and Ctrl-C
+// is heard.
+constexpr std::int64_t kPaceStep = 10'000'000;  // ns
+
+}  // namespace
 
 Host::Host(HostOptions options) : options_(std::move(options)), cell_(World(0.0)) {}
 
@@ -53,6 +60,12 @@ std::int64_t Host::now_ns() const { return cell_.now_ns(); }
 std::int64_t Host::tick_ns() const { return cell_.options().tick_ns; }
 
 bool Host::advance_to(std::int64_t t_ns) {
+  while (options_.pace) {
+    const std::int64_t next = std::min(t_ns, cell_.now_ns() + kPaceStep);
+    if (!options_.pace(next)) return false;
+    if (next == t_ns) break;
+    cell_.advance_to(next);
+  }
   cell_.advance_to(t_ns);
   return true;
 }

@@ -13,6 +13,24 @@ constexpr NativeConstant kConstants[] = {
     {"E", std::numbers::e, dims::kNone, "The base of natural logarithms."},
 };
 
+// Functions, types and fields of the language reference that do not exist yet.
+constexpr std::string_view kPlanned[] = {
+    // motion
+    "moveCirc", "moveSpline", "follow", "speedJ", "speedC", "halt", "trajectory", "plan",
+    // robots, hands, tools
+    "robots.arm7", "robots.barrettHand", "urdf", "setPayload", "finger", "graspQuality",
+    "closeHand", "openHand", "ikineAll", "jacobian", "dhTable", "torques", "invDyn", "fwdDyn",
+    "massMatrix", "coriolis", "gravity", "friction", "simulate",
+    // lists and matrices
+    "matrix", "map", "filter", "fold", "any", "all", "zip", "flatten", "eye", "diag", "hcat",
+    "vcat", "outer", "det", "rank", "trace", "pinv", "lu", "qr", "chol", "svd", "eig", "expm",
+    "polyfit", "polyval", "roots", "interp", "ode", "solve", "minimise", "posC.R", "posC.T",
+    // world, cameras, output
+    "mesh", "touching", "corners", "camera", "image", "capture", "project", "depth",
+    "interactionMatrix", "gray", "blur", "threshold", "edges", "blobs", "lines", "circles", "match",
+    "table", "plot", "scatter", "scatter3", "bars", "figure", "savePlot", "show", "trail",
+    "loadImage", "explain"};
+
 }  // namespace
 
 void install(Engine& engine) {
@@ -23,6 +41,7 @@ void install(Engine& engine) {
   engine.add_record("Move", "reached: bool, stopped: bool, time: time, length: length");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
   engine.add_constants(kConstants);
+  engine.add_planned(kPlanned);
   for (const auto functions :
        {bind::math_functions(), bind::list_functions(), bind::text_functions(),
         bind::pose_functions(), bind::model_functions(), bind::robot_functions(),

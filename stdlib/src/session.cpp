@@ -14,6 +14,7 @@ std::unique_ptr<Host> Session::make_host(bool with_world) {
   HostOptions host_options;
   host_options.robot = options_.robot;
   host_options.on_move = options_.on_move;
+  host_options.pace = options_.pace;
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
       fill_world(host, *options_.default_world);
@@ -72,7 +73,6 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
   FanOut fan_out(options_.backends);
   Cell& cell = host_->cell();
   if (!options_.backends.empty()) cell.set_backend(&fan_out);
-  if (options_.pace) cell.set_pacer(options_.pace);
   const Program& program = *compilation_.program;
   cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
                            !program.mentions("release"));

@@ -29,7 +29,7 @@ struct SessionOptions {
   ParseLimits parse_limits;
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
-  std::function<void(std::int64_t t_ns)> pace;  // called as the clock advances; may sleep
+  std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
   std::function<void(std::string_view)> output;
   std::function<void(const Diagnostic&)> advice;
   std::function<void(const MoveReport&)> on_move;

@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""Gives the command input that no sane person would, and checks that it answers with a clear error: no crash, no hang.
+
+usage: hostile.py COMMAND
+"""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+LEVELS = 200_000
+REJECTED, NO_FILE, FAILED, STOPPED = 65, 66, 70, 130
+
+# name: (text, exit status, code of the message, options)
+PROGRAMS = {
+    "empty": ("", REJECTED, "E0127", []),
+    "blank": (" \n\t\n", REJECTED, "E0127", []),
+    "binary": (bytes((i * 7919 + i // 3) % 256 for i in range(100_000)), REJECTED, "E0123", []),
+    "zeros": (b"print(1)\0\0\0", REJECTED, "E0123", []),
+    "brackets_10_mb": ("(" * 10_000_000, REJECTED, "E0125", []),
+    "parentheses": ("let x = " + "(" * LEVELS + "1" + ")" * LEVELS, REJECTED, "E0125", []),
+    "square_brackets": ("let x = " + "[" * LEVELS + "]" * LEVELS, REJECTED, "E0125", []),
+    "blocks": ("{" * LEVELS + "}" * LEVELS, REJECTED, "E0125", []),
+    "list_braces": ("double[] x = " + "{" * LEVELS + "}" * LEVELS, REJECTED, "E0125", []),
+    "calls": ("let x = " + "sin(" * LEVELS + "1" + ")" * LEVELS, REJECTED, "E0125", []),
+    "indices": ("let x = [1]\nprint(x" + "[0]" * LEVELS + ")", REJECTED, "E0125", []),
+    "members": ("let x = 1\nprint(x" + ".a" * LEVELS + ")", REJECTED, "E0125", []),
+    "not": ("let x = " + "!" * LEVELS + "true", REJECTED, "E0125", []),
+    "minus": ("let x = " + "- " * LEVELS + "1", REJECTED, "E0125", []),
+    "powers": ("let x = 1" + "^1" * LEVELS, REJECTED, "E0125", []),
+    "sums": ("let x = 1" + "+1" * LEVELS, REJECTED, "E0125", []),
+    "conditions": ("let x = " + "true ? 1 : " * LEVELS + "1", REJECTED, "E0125", []),
+    "casts": ("let x = " + "(int) " * LEVELS + "1", REJECTED, "E0125", []),
+    "lambdas": ("let x = " + "fn() => " * LEVELS + "1", REJECTED, "E0125", []),
+    "function_types": ("let x: " + "fn(" * LEVELS, REJECTED, "E0125", []),
+    "array_types": ("let x: int" + "[]" * LEVELS + " = 1", REJECTED, "E0125", []),
+    "else_ifs": ("if (true) {}" + " else if (true) {}" * LEVELS, REJECTED, "E0125", []),
+    "loops": ("while (true) " * LEVELS + ";", REJECTED, "E0125", []),
+    "long_text": ('let x = "' + "a" * 5_000_000 + '"\nprint(y)', REJECTED, "E0201", []),
+    "endless_recursion": ("fn f(n: int) -> int { return f(n + 1) + 1 }\nprint(f(0))", FAILED, "R0624", []),
+    "endless_loop": ("while (true) { }", FAILED, "R0622", ["--steps", "1000000"]),
+    "endless_growth": ('var s = "x"\nwhile (true) { s = s + s }', FAILED, "R0628", []),
+    "huge_array": ("double[] a = new double[1000000000000];", FAILED, "R0628", []),
+    "table_with_nan": ('robot arm = dh([[0.0, 0.0, 0.0 / 0.0, 0.0]], types: "R")', FAILED, "R0630", []),
+    "robot_without_joints": ("robot arm { base: xyz(0mm, 0mm, 0mm) }", FAILED, "R0630", []),
+    "negative_time": ("moveJ(home(), time: -1s)", REJECTED, "E0513", []),
+    "negative_time_at_run_time": ("fn t() => 0.0 - 1.0\nmoveJ('Syn', home(), t())", FAILED, "R0609", []),
+    "infinite_time": ("fn t() => 1.0 / 0.0\nmoveJ('Syn', home(), t())", FAILED, "R0612", []),
+    "infinite_target": ("fn x() => 1m / 0.0\nmoveL(xyz(x(), 0m, 0m))", FAILED, "R0612", []),
+    "zero_length_moves": ("moveJ(home(), time: 1s)\nmoveL(here())\nmoveJ(home())\nmoveJ('Syn', home(), 0.0)\n"
+                          "assert(now() == 1s)", 0, "", []),
+}
+PATIENCE = 60  # seconds: a hang, not a measure of speed
+
+
+def report(name, what, shown):
+    print(f"{name}: {what}")
+    print("   " + shown[:300].replace("\n", "\n   "))
+    return 1
+
+
+def check_program(command, folder, name, text, status, code, options):
+    path = os.path.join(folder, name + ".rbt")
+    with open(path, "wb") as file:
+        file.write(text if isinstance(text, bytes) else text.encode())
+    try:
+        run = subprocess.run([command, "run", "--quiet", *options, path], capture_output=True, timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        return report(name, f"no answer within {PATIENCE} s", "")
+    shown = run.stderr.decode(errors="replace")
+    if run.returncode != status:
+        return report(name, f"exit status {run.returncode}, expected {status}", shown)
+    if code and f"error {code}:" not in shown:
+        return report(name, f"no message {code}", shown)
+    if shown.count("error ") > 1:
+        return report(name, "more than one message", shown)
+    return 0
+
+
+def check_usage(command, folder):
+    failed = 0
+    missing = os.path.join(folder, "missing.rbt")
+    cases = {
+        "unknown file": (["run", missing], NO_FILE), "folder": (["run", folder], NO_FILE),
+        "no command": ([], 64), "unknown command": (["fly"], 64), "unknown option": (["run", "--fly", missing], 64),
+        "unknown robot": (["run", "--robot", "r2d2", __file__], 64), "unknown code": (["explain", "E9999"], 64),
+        "help": (["--help"], 0), "version": (["--version"], 0), "a page": (["explain", "E0401"], 0),
+    }
+    for name, (arguments, status) in cases.items():
+        run = subprocess.run([command, *arguments], capture_output=True, timeout=PATIENCE)
+        if run.returncode != status or not (run.stdout + run.stderr):
+            failed += report(name, f"exit status {run.returncode}, expected {status}", (run.stdout + run.stderr).decode())
+    return failed
+
+
+def check_interrupt(command, folder, name, text, options):
+    """Ctrl-C stops the program under control, and the summary says where it stood."""
+    path = os.path.join(folder, name + ".rbt")
+    with open(path, "w") as file:
+        file.write(text)
+    process = subprocess.Popen([command, "run", *options, path], stderr=subprocess.PIPE, stdout=subprocess.PIPE)
+    time.sleep(1.0)
+    process.send_signal(signal.SIGINT)
+    try:
+        _, errors = process.communicate(timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        return report(name, "Ctrl-C is not heard", "")
+    shown = errors.decode()
+    if process.returncode != STOPPED or "stopped by the user at t =" not in shown:
+        return report(name, f"exit status {process.returncode}, expected {STOPPED}", shown)
+    return 0
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    command = os.path.abspath(sys.argv[1])
+    failed = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for name, (text, status, code, options) in PROGRAMS.items():
+            failed += check_program(command, folder, name, text, status, code, options)
+        failed += check_usage(command, folder)
+        failed += check_interrupt(command, folder, "busy", "var i = 0\nwhile (true) { i = 1 - i }", [])
+        failed += check_interrupt(command, folder, "moving", "moveJ(home() + [0.5, 0, 0, 0], time: 100s)", ["--realtime"])
+    print(f"{failed} failed" if failed else "all answered")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
