@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+"""Runs every program (a block marked rbt) of the README and the documents.
+
+usage: snippets.py COMMAND ROOT
+
+A block after a line `<!-- fails: CODE -->` must fail with that message; all others must run.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+BLOCK = re.compile(r"(?:<!-- fails: (\w+) -->\n)?```rbt\n(.*?)```", re.DOTALL)
+
+
+def check(command, folder, document, number, text, code):
+    path = pathlib.Path(folder) / f"{document.stem}_{number}.rbt"
+    path.write_text(text)
+    run = subprocess.run([command, "run", "--quiet", path], capture_output=True, text=True, timeout=60, cwd=folder)
+    fine = f"error {code}:" in run.stderr if code else run.returncode == 0
+    if fine:
+        return 0
+    print(f"{document}, block {number}: exit status {run.returncode}\n{run.stderr}")
+    return 1
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    command, root = sys.argv[1], pathlib.Path(sys.argv[2])
+    failed = blocks = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for document in sorted([*root.glob("*.md"), *root.glob("docs/**/*.md")]):
+            for number, match in enumerate(BLOCK.finditer(document.read_text()), 1):
+                blocks += 1
+                failed += check(command, folder, document, number, match[2], match[1])
+    print(f"{blocks} programs, {failed} failed")
+    sys.exit(1 if failed or not blocks else 0)
+
+
+if __name__ == "__main__":
+    main()
