@@ -19,8 +19,11 @@ const std::regex kOutput(R"(^expect:(?: (.*))?$)");
 const std::regex kAbout(R"(^expect about: (.*) within (\S+)$)");
 const std::regex kMessage(R"(^expect (?:error|advice) ([ERW]\d{4})(?: at (\d+))?(?:: (.*))?$)");
 const std::regex kExit(R"(^expect exit: (\d+)$)");
-const std::regex kShown(R"(^expect shown:$)");
+const std::regex kShown(R"(^expect shown(?: as (\S+))?:$)");
 const std::regex kShownLine(R"(^// ?\| ?(.*)$)");
+const std::regex kHeadline(R"(^(?:error|advice) ([ERW]\d{4}): (.*)$)");
+const std::regex kPlace(R"(^ *--> .*:(\d+):(\d+)$)");
+const std::regex kBelow(R"(^ *(?:-->|\d* \||=|\.\.\.| {10}\S).*$)");
 
 struct Comment {
   std::string code;  // what stands before it, without trailing blanks
@@ -46,10 +49,27 @@ bool read_expectation(const std::string& body, int line, int about, Expectations
     out.output.push_back({m[1], std::nullopt, line});
   } else if (body.starts_with("run: ")) {
     out.command = body.substr(5);
+  } else if (std::regex_match(body, m, kShown)) {
+    out.shown_as = m[1];
   } else {
-    return std::regex_match(body, kShown);
+    return false;
   }
   return true;
+}
+
+// The messages that a shown text consists of.
+std::vector<Message> messages_in(const std::vector<std::string>& shown) {
+  std::vector<Message> messages;
+  for (const std::string& line : shown) {
+    std::smatch m;
+    if (std::regex_match(line, m, kHeadline)) {
+      messages.push_back({m[1], m[2]});
+    } else if (!messages.empty() && std::regex_match(line, m, kPlace)) {
+      messages.back().line = std::stoi(m[1]);
+      messages.back().column = std::stoi(m[2]);
+    }
+  }
+  return messages;
 }
 
 std::string describe(const Message& message) {
@@ -157,6 +177,18 @@ Expectations parse_expectations(std::string_view source) {
       throw std::invalid_argument(
           fmt::format("line {}: '{}' is none of the forms of an expectation", line, comment->body));
   }
+  result.shown_only = result.messages.empty() && !result.shown.empty();
+  if (result.shown_only) result.messages = messages_in(result.shown);
+  return result;
+}
+
+std::vector<std::string> only_messages(const std::vector<std::string>& lines) {
+  std::vector<std::string> result;
+  bool inside = false;
+  for (const std::string& line : lines) {
+    inside = std::regex_match(line, kHeadline) || (inside && std::regex_match(line, kBelow));
+    if (inside) result.push_back(line);
+  }
   return result;
 }
 
@@ -215,6 +247,7 @@ std::string update_expectations(std::string_view source, const Outcome& actual) 
       program.lines[program.kept[old.output[i].line] - 1] += "  " + comment;
   }
   for (const Message& message : actual.messages) {
+    if (old.shown_only) break;
     const char* kind = message.code[0] == 'W' ? "advice" : "error";
     const std::string comment = fmt::format("  // expect {} {} at {}: {}", kind, message.code,
                                             message.column, message.text);
@@ -222,7 +255,8 @@ std::string update_expectations(std::string_view source, const Outcome& actual) 
       program.lines[program.kept[message.line] - 1] += comment;
   }
   if (!old.shown.empty()) {
-    at_end.push_back("// expect shown:");
+    at_end.push_back(old.shown_as.empty() ? "// expect shown:"
+                                          : fmt::format("// expect shown as {}:", old.shown_as));
     for (const std::string& line : actual.shown) at_end.push_back("// | " + line);
   }
   return join(program.lines) + join(at_end);

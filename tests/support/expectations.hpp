@@ -23,6 +23,8 @@ struct Expectations {
   std::vector<Output> output;      // the lines of standard output, in order
   std::vector<Message> messages;   // every message and advice, in any order
   std::vector<std::string> shown;  // the whole rendered text of the messages; empty: not checked
+  std::string shown_as;            // the name of the script in that text; empty: its own
+  bool shown_only = false;         // that text alone states the messages
   std::optional<int> exit;         // without it 65 with an E expected, 70 with an R, else 0
   std::string command = "run";     // what stands between `armlet` and the file
 };
@@ -38,6 +40,9 @@ struct Outcome {
 // Throws std::invalid_argument with the line number for a comment that starts like an expectation
 // and is none.
 Expectations parse_expectations(std::string_view source);
+
+// The lines of `lines` that belong to messages, without reports of progress.
+std::vector<std::string> only_messages(const std::vector<std::string>& lines);
 
 int expected_exit(const Expectations& expected);
 

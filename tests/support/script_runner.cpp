@@ -31,11 +31,15 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// Messages name the script by its path; scripts expect the bare name.
-std::string without_folder(std::string text, const fs::path& script) {
-  const std::string folder = script.parent_path().string() + "/";
-  for (std::size_t at; (at = text.find(folder)) != std::string::npos;)
-    text.erase(at, folder.size());
+void replace_all(std::string& text, const std::string& old, const std::string& now) {
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += now.size())
+    text.replace(at, old.size(), now);
+}
+
+// Messages name the script by its path; scripts expect the bare name or one of their choice.
+std::string renamed(std::string text, const fs::path& script, const std::string& name) {
+  if (!name.empty()) replace_all(text, script.string(), name);
+  replace_all(text, script.parent_path().string() + "/", "");
   return text;
 }
 
@@ -45,14 +49,16 @@ struct Run {
 };
 
 // Runs the command in a folder of its own, so that traces are left nowhere else.
-Run run(const std::string& command, const std::string& options, const fs::path& script) {
+Run run(const std::string& command, std::string options, const fs::path& script,
+        const std::string& name = "") {
+  replace_all(options, "{folder}", quoted(script.parent_path().string()));
   const fs::path folder =
       fs::temp_directory_path() / ("armlet_script_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   const std::string line = "cd " + quoted(folder) + " && " + quoted(command) + " " + options + " " +
                            quoted(script) + " >stdout 2>stderr </dev/null";
   const int status = std::system(line.c_str());
-  const Run result{read(folder / "stdout"), without_folder(read(folder / "stderr"), script),
+  const Run result{read(folder / "stdout"), renamed(read(folder / "stderr"), script, name),
                    WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
   fs::remove_all(folder);
   return result;
@@ -71,7 +77,8 @@ Outcome outcome_of(const std::string& command, const Expectations& expected,
       std::fprintf(stderr, "%s\n", line.c_str());
   }
   if (!expected.shown.empty())
-    outcome.shown = split_lines(run(command, expected.command, script).errors);
+    outcome.shown = only_messages(
+        split_lines(run(command, expected.command, script, expected.shown_as).errors));
   return outcome;
 }
 
