@@ -236,13 +236,14 @@ class TextRenderer {
   }
 
   void notes(bool has_text) {
-    const bool any = diagnostic_.when || !diagnostic_.why.empty() || diagnostic_.fix;
+    const bool any =
+        tells_something(diagnostic_.when) || !diagnostic_.why.empty() || diagnostic_.fix;
     if (!any) return;
     if (has_text) {
       gutter("");
       end_line();
     }
-    if (diagnostic_.when) note("when:", when_text(*diagnostic_.when));
+    if (tells_something(diagnostic_.when)) note("when:", when_text(*diagnostic_.when));
     if (!diagnostic_.why.empty()) note("why:", diagnostic_.why);
     if (diagnostic_.fix) note("fix:", diagnostic_.fix->text);
   }
@@ -256,6 +257,11 @@ class TextRenderer {
 
 }  // namespace
 
+bool tells_something(const std::optional<When>& when) {
+  return when && (when->time_ns != 0 || !when->robot.empty() || !when->task.empty() ||
+                  when->moved || !when->note.empty() || !when->calls.empty());
+}
+
 std::string when_text(const When& when) {
   // A program that calls itself without end has thousands of calls; the innermost ones tell enough.
   constexpr std::size_t kShownCalls = 4;
@@ -267,7 +273,7 @@ std::string when_text(const When& when) {
     out += ", in " + when.calls[i];
   }
   if (when.calls.size() > kShownCalls) {
-    out += fmt::format(", and {} calls further out", when.calls.size() - kShownCalls);
+    out += ", and further out";
   }
   if (when.moved) out += *when.moved ? ", the robot had started to move" : ", nothing has moved";
   return out;

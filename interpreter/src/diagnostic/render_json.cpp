@@ -73,7 +73,7 @@ std::string render_json(const Diagnostic& diagnostic, const SourceSet& sources) 
   if (!related.empty()) out["related"] = std::move(related);
   add_text(out, "why", diagnostic.why);
   if (diagnostic.fix) out["fix"] = fix_json(*diagnostic.fix, sources);
-  if (diagnostic.when) out["when"] = when_json(*diagnostic.when);
+  if (tells_something(diagnostic.when)) out["when"] = when_json(*diagnostic.when);
   // Bytes that are no UTF-8 become U+FFFD: a message must not fail because of the text it is about.
   return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

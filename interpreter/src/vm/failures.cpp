@@ -204,7 +204,9 @@ bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::st
       (size == 0 ? " is empty"
                  : " has " + std::to_string(size) + (what == "text" ? " character" : " value") +
                        (size == 1 ? "" : "s"));
-  if (written != nullptr && written->constant == nullptr) {
+  const bool is_computed =
+      written != nullptr && source_text(state, written->span) != std::to_string(index);
+  if (is_computed) {
     failure.mark.label =
         source_text(state, written->span) + " is " + std::to_string(index) + ", " + has;
     const bool counts =

@@ -77,20 +77,17 @@ void replace_all(std::string& text, std::string_view what, const std::string& by
 
 // The fix with its places filled in; nothing if one of them cannot be.
 std::optional<std::string> fix_of(const VmState& state, const Failure& failure,
-                                  const NativeCall& call, Span element) {
+                                  const NativeCall& call, Span element, bool is_inside) {
   std::string fix = failure.fix;
   if (fix.find("{line}") != std::string::npos) {
-    if (element.empty()) return std::nullopt;
+    // What the mark shows needs no words.
+    if (element.empty() || is_inside) return std::nullopt;
     replace_all(fix, "{line}", std::to_string(line_of(state, element)));
   }
   if (fix.find("{arg}") != std::string::npos) {
     const auto index = static_cast<std::size_t>(failure.mark_parameter);
-    const bool written = call.site != nullptr && failure.mark_parameter >= 0 &&
-                         index < call.site->arguments.size() &&
-                         !call.site->arguments[index].empty();
-    if (!written) return std::nullopt;
-    replace_all(fix, "{arg}",
-                std::string(state.program.sources->slice(call.site->arguments[index])));
+    if (failure.mark_parameter < 0 || index >= call.arguments.size()) return std::nullopt;
+    replace_all(fix, "{arg}", source_text(state, call.arguments[index]->span));
   }
   return fix.empty() ? std::nullopt : std::optional(std::move(fix));
 }
@@ -118,14 +115,14 @@ Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
       parameter < call.arguments.size()) {
     element = origin_of(call.arguments[parameter], failure.mark_element);
   }
+  bool inside = false;
   if (!element.empty()) {
-    const bool inside = element.begin >= out.mark.span.begin && element.end <= out.mark.span.end &&
+    inside = element.begin >= out.mark.span.begin && element.end <= out.mark.span.end &&
                         element.source == out.mark.span.source;
-    if (inside)
-      out.mark = {element, failure.element_label.empty() ? failure.label : failure.element_label};
+    if (inside) out.mark = {element, failure.element_label};
     if (!inside) out.related.push_back({element, failure.element_label});
   }
-  if (std::optional<std::string> fix = fix_of(state, failure, call, element)) {
+  if (std::optional<std::string> fix = fix_of(state, failure, call, element, inside)) {
     out.fix = Fix{std::move(*fix), {}, Confidence::kMaybe};
   }
   out.when = circumstances(state);

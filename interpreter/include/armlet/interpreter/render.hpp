@@ -2,6 +2,7 @@
 // Messages as text for people (language reference, section 20.1) and as JSON for editors (ruling
 // 26).
 
+#include <optional>
 #include <string>
 
 #include "armlet/interpreter/diagnostic.hpp"
@@ -25,6 +26,9 @@ inline constexpr Span kNoText{0, 0, 0xFFFFFFFF};
 
 // One JSON object on one line, without a line break. `text` is the first line of the marked text.
 [[nodiscard]] std::string render_json(const Diagnostic& diagnostic, const SourceSet& sources);
+
+// Whether circumstances are worth a line: not before anything has happened.
+[[nodiscard]] bool tells_something(const std::optional<When>& when);
 
 // "at t = 4.00 s, robot scara, nothing has moved"
 [[nodiscard]] std::string when_text(const When& when);
