@@ -41,6 +41,8 @@ class AstBuilder {
   explicit AstBuilder(const BuildInput& input) : in_(input), depth_(input.depth) {}
 
   [[nodiscard]] bool failed() const { return failed_; }
+  // Whether something is missing in the last statement, so that it cannot be checked.
+  [[nodiscard]] bool take_incomplete() { return std::exchange(incomplete_, false); }
 
   // Null for an empty statement.
   ast::Stmt* statement(RbtParser::StmtContext* ctx);
@@ -185,6 +187,7 @@ class AstBuilder {
   std::size_t depth_;
   Place place_;
   bool failed_ = false;
+  bool incomplete_ = false;
 };
 
 }  // namespace armlet::lang

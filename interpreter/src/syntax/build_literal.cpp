@@ -222,8 +222,8 @@ ast::FormatPiece AstBuilder::format_piece(Span piece) {
                            {"there is no value between the braces"}));
   } else {
     out.value = in_.parse_piece(value, depth_);
-    failed_ = failed_ || out.value == nullptr;
   }
+  if (out.value == nullptr) failed_ = incomplete_ = true;
   if (colon < raw.size()) out.format = format_spec({value.end + 1, piece.end, piece.source});
   return out;
 }

@@ -119,6 +119,7 @@ class Front {
         RbtParser::StmtContext* ctx = machine.parser.stmt();
         if (machine.feed.index() == first) machine.feed.consume();
         ast::Stmt* made = statement_ok_ ? builder.statement(ctx) : nullptr;
+        if (builder.take_incomplete()) made = nullptr;
         if (made != nullptr) out.push_back(made);
         machine.parser.getTreeTracker().reset();
       }

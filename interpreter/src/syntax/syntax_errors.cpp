@@ -159,6 +159,34 @@ Answer step_as_value(const FailureSite& site) {
   return out;
 }
 
+// moveL(p, speed = 100mm/s)   and   (a = 2) + 1
+Answer assignment_as_value(const FailureSite& site) {
+  const std::optional<std::size_t> open = site.opener(site.at);
+  if (site.type(site.at) != RbtLexer::ASSIGN || !open || site.type(*open) != RbtLexer::LPAREN)
+    return std::nullopt;
+  if (!FailureSite::ends_value(site.before())) return std::nullopt;
+  const std::size_t first = value_start(site, site.at - 1);
+  const bool begins = first == *open + 1 || site.type(first - 1) == RbtLexer::COMMA;
+  if (begins && site.is_call(*open) && is_name(site.before())) {
+    Diagnostic out = make_diagnostic("E0128", site.span(site.at), {"="});
+    out.why = "a setting and its value have a colon between them";
+    out.fix =
+        Fix{"write " + site.text(site.at - 1) + ':',
+            {{{site.span(site.at - 1).end, site.span(site.at).end, site.span(0).source}, ":"}},
+            Confidence::kMaybe};
+    return out;
+  }
+  const std::size_t last = site.closer(*open) - 1;
+  if (last <= site.at) return std::nullopt;
+  const std::string stored = site.text(first, last);
+  Diagnostic out = make_diagnostic("E0115", site.span(first, last), {stored});
+  out.fix = Fix{
+      "write " + stored + " on the line before and use " + site.text(first, site.at - 1) + " here",
+      {},
+      Confidence::kMaybe};
+  return out;
+}
+
 // fn(x) => { ... }
 Answer block_after_arrow(const FailureSite& site) {
   if (site.at == 0 || site.type(site.at) != RbtLexer::LBRACE || site.before() != RbtLexer::FATARROW)
@@ -319,9 +347,9 @@ Diagnostic does_not_fit(const FailureSite& site) {
 Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size_t statement,
                            std::size_t at) {
   const FailureSite site(source, tokens, statement, at);
-  for (const auto explain :
-       {assignment_as_test, explain_habit, bare_condition, unbraced_body, step_as_value,
-        block_after_arrow, orphan, word_as_name, missing_separator, something_missing}) {
+  for (const auto explain : {assignment_as_test, explain_habit, bare_condition, unbraced_body,
+                             step_as_value, assignment_as_value, block_after_arrow, orphan,
+                             word_as_name, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }
   return does_not_fit(site);
