@@ -36,6 +36,11 @@ Engine& Engine::add_record(std::string_view name, std::string_view fields) {
   return *this;
 }
 
+Engine& Engine::add_planned(std::span<const std::string_view> names) {
+  for (const std::string_view name : names) registry_->add_planned(name);
+  return *this;
+}
+
 Compilation Engine::compile(std::string text, std::string name, const CompileOptions& options) const {
   return lang::compile_text(*registry_, std::move(text), std::move(name), options);
 }

@@ -6,6 +6,7 @@
 // types, so an engine may be shared by threads.
 
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,10 +27,13 @@ class Registry {
   void add_constant(const NativeConstant& constant);
   void add_type(const HostType& type);
   void add_record(std::string_view name, std::string_view fields);
+  // A name of the language reference that nothing stands behind yet.
+  void add_planned(std::string_view name) { planned_.insert(name); }
 
   // All functions of one name, in the order in which they were added.
   [[nodiscard]] std::span<const NativeFunction* const> functions(std::string_view name) const;
   [[nodiscard]] const NativeConstant* constant(std::string_view name) const;
+  [[nodiscard]] bool is_planned(std::string_view name) const { return planned_.contains(name); }
   [[nodiscard]] const HostType* type(std::string_view name) const;
   // Whether names such as "robots.scara" exist for "robots".
   [[nodiscard]] bool is_namespace(std::string_view name) const;
@@ -57,6 +61,7 @@ class Registry {
   std::map<std::string, const HostType*, std::less<>> types_;
   std::map<std::string, std::string, std::less<>> records_;
   std::vector<std::string_view> names_;
+  std::set<std::string_view> planned_;
 };
 
 }  // namespace armlet::lang

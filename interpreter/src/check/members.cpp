@@ -145,6 +145,8 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
   } else if (type->is(Kind::kEnum)) {
     names = {"name"};
   }
+  const std::string whole = type_name(type) + '.' + std::string(field.text);
+  if (registry_.is_planned(whole)) return not_available(field.span, '`' + whole + '`');
   Diagnostic diagnostic =
       make_diagnostic("E0208", field.span, {type_phrase(type), std::string(field.text)});
   for (std::size_t i = 0; i < names.size(); ++i) {

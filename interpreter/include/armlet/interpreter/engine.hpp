@@ -82,6 +82,8 @@ class Engine {
   Engine& add_type(const HostType& type);
   // A record of the library: add_record("Move", "reached: bool, stopped: bool, time: time, length: length").
   Engine& add_record(std::string_view name, std::string_view fields);
+  // Names that are reserved for what is not there yet: a program that uses one is told so. They must outlive the engine.
+  Engine& add_planned(std::span<const std::string_view> names);
 
   [[nodiscard]] Compilation compile(std::string text, std::string name,
                                     const CompileOptions& options = {}) const;
