@@ -46,6 +46,7 @@ Signal move_j(Vm& vm, Slot* args) {
                       .robot = host_value<RobotRef>(args[0]).id,
                       .target = 2,
                       .time = 3,
+                      .planner = 1,
                       .classic = true};
   return move_to_joints(vm, args, call, posj(args[2]).vector(), std::string(text_value(args[1])),
                         args[3].d, std::nullopt);
@@ -55,6 +56,7 @@ Signal move_c(Vm& vm, Slot* args) {
                       .robot = host_value<RobotRef>(args[0]).id,
                       .target = 2,
                       .time = 3,
+                      .planner = 1,
                       .classic = true};
   const std::string_view planner = text_value(args[1]);
   if (planner == "Lin") return move_on_line(vm, args, call, posc(args[2]), args[3].d, std::nullopt);

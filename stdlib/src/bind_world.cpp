@@ -190,10 +190,13 @@ Signal top_grasp(Vm& vm, Slot* args) {
 
 constexpr NativeFunction kFunctions[] = {
     {"box", "(x: length, y: length, z: length) -> shape",
-     "A box with its edges along its own axes.", "box(40mm, 40mm, 40mm)", box},
+     "A box with its edges along its own axes.", "box(40mm, 40mm, 40mm)", box, nullptr, nullptr,
+     check_box},
     {"cylinder", "(radius: length, height: length) -> shape",
-     "A cylinder standing along its own z axis.", "cylinder(radius: 20mm, height: 50mm)", cylinder},
-    {"sphere", "(radius: length) -> shape", "A sphere.", "sphere(15mm)", sphere},
+     "A cylinder standing along its own z axis.", "cylinder(radius: 20mm, height: 50mm)", cylinder,
+     nullptr, nullptr, check_cylinder},
+    {"sphere", "(radius: length) -> shape", "A sphere.", "sphere(15mm)", sphere, nullptr, nullptr,
+     check_sphere},
     {"object{}",
      "(name: string, shape: shape, at: posC, mass: mass = 0kg, friction: double = 0.5, color: "
      "string = \"gray\", fixed: bool = false) -> object",

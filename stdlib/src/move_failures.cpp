@@ -236,7 +236,7 @@ Signal fail_joint_count(Vm& vm, const MoveCall& call, int count) {
 Signal fail_planner(Vm& vm, const MoveCall& call, std::string_view planner) {
   const std::vector<std::string> names = Host::of(vm).planners().names();
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  Failure f = start(vm, call, "R0626", kMarkCallee);
+  Failure f = start(vm, call, "R0626", call.planner);
   f.message = fmt::format("there is no trajectory called \"{}\"", planner);
   if (const auto meant = most_similar(planner, candidates))
     f.fix = fmt::format("did you mean \"{}\"?", *meant);

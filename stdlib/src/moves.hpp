@@ -18,6 +18,7 @@ struct MoveCall {
   int robot = 0;              // in the cell
   int target = 1;
   int time = 2;
+  int planner = 5;
   bool classic = false;  // too fast is advice, not an error
 };
 

@@ -9,6 +9,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
+#include "armlet/model/joint.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/planner.hpp"
 
@@ -118,9 +119,9 @@ void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const 
 
 void check_posj_values(CheckCall& call) {
   const int count = call.item_count(0);
-  set_position_fact(call, count);
   const auto robot = ambient_robot(call);
   const bool fits = robot != nullptr && static_cast<int>(robot->turns.size()) == count;
+  if (robot == nullptr || fits) set_position_fact(call, count);
   for (int i = 0; i < count; ++i) {
     const Type* type = call.item_type(0, i);
     if (type == nullptr || type->is(Kind::kAny)) continue;
@@ -185,11 +186,11 @@ void check_posj_list(CheckCall& call) {
   const auto robot = ambient_robot(call);
   if (!constant || constant->kind != Constant::Kind::kList) return;
   const int count = static_cast<int>(constant->items.size());
-  set_position_fact(call, count);
   if (robot != nullptr && static_cast<int>(robot->turns.size()) != count) {
     return report_count(call, *robot, count, call.span(0),
                         [&](int i) { return call.origin(0, i); });
   }
+  set_position_fact(call, count);
   const Type* type = call.type(0);
   const bool plain = type != nullptr && type->is(Kind::kList) && !type->element->is_quantity();
   if (plain) advise_degrees(call, constant->items, robot.get());
@@ -205,16 +206,37 @@ void set_robot_fact(CheckCall& call, const Robot& robot, std::string name) {
   call.set_result_fact(std::move(fact));
 }
 
-void check_revolute_row(CheckCall& call) {
+namespace {
+
+// (theta, d, a, alpha, limits, ...)
+void set_joint_fact(CheckCall& call, bool turns) {
+  constexpr int kLimits = 4;
   auto fact = std::make_shared<JointFact>();
-  fact->turns = true;
+  fact->turns = turns;
+  const auto limits = call.constant(kLimits);
+  if (limits && limits->kind == Constant::Kind::kList && limits->items.size() == 2) {
+    fact->limits = {limits->items[0].real, limits->items[1].real};
+    fact->written = call.span(kLimits);
+  }
   call.set_result_fact(std::move(fact));
 }
-void check_prismatic_row(CheckCall& call) {
-  auto fact = std::make_shared<JointFact>();
-  fact->turns = false;
-  call.set_result_fact(std::move(fact));
+
+// E0511, for joint number `i` from 0.
+void check_limits(CheckCall& call, const JointFact& joint, int i) {
+  if (!joint.limits || (*joint.limits)[0] <= (*joint.limits)[1]) return;
+  const JointKind kind = joint.turns ? JointKind::kRevolute : JointKind::kPrismatic;
+  Diagnostic d =
+      make_diagnostic("E0511", joint.written,
+                      {format_joint_value(kind, (*joint.limits)[0]), std::to_string(i + 1),
+                       format_joint_value(kind, (*joint.limits)[1])});
+  d.fix = Fix{.text = "limits are written as [lower, upper]"};
+  call.report(std::move(d));
 }
+
+}  // namespace
+
+void check_revolute_row(CheckCall& call) { set_joint_fact(call, true); }
+void check_prismatic_row(CheckCall& call) { set_joint_fact(call, false); }
 
 // (name: string, joint: jointRow[], ...)
 void check_robot_block(CheckCall& call) {
@@ -223,22 +245,47 @@ void check_robot_block(CheckCall& call) {
   for (int i = 0; i < call.item_count(1); ++i) {
     const auto joint = std::dynamic_pointer_cast<const JointFact>(call.item_fact(1, i));
     if (joint == nullptr) return;
+    check_limits(call, *joint, i);
     fact->turns.push_back(joint->turns);
+  }
+  if (fact->turns.empty()) {
+    Diagnostic d = make_diagnostic("E0508", call.callee_span(), {fact->name});
+    d.fix = Fix{.text = "give it joints, such as joint revolute(a: 300mm)"};
+    return call.report(std::move(d));
   }
   call.set_result_fact(std::move(fact));
 }
 
 // (table: double[][], types: string, convention, base, tool, name)
 void check_dh_table(CheckCall& call) {
+  constexpr std::size_t kRow = 4;
+  const auto table = call.constant(0);
+  const bool known = table && table->kind == Constant::Kind::kList;
+  for (std::size_t i = 0; known && i < table->items.size(); ++i) {
+    const std::size_t found = table->items[i].items.size();
+    if (table->items[i].kind != Constant::Kind::kList || found == kRow) continue;
+    Diagnostic d =
+        make_diagnostic("E0509", call.item_span(0, static_cast<int>(i)),
+                        {std::to_string(i + 1), count_of(static_cast<int>(found), "value")});
+    d.why = "a row is theta, d, a, alpha";
+    return call.report(std::move(d));
+  }
   const auto types = call.constant(1);
   if (!types) return;
+  const bool letters = types->text.find_first_not_of("RP") == std::string::npos;
+  if (!letters || (known && types->text.size() != table->items.size())) {
+    Diagnostic d = make_diagnostic("E0510", call.span(1), {types->text});
+    if (letters)
+      d.mark.label =
+          fmt::format("{} for {}", count_of(static_cast<int>(types->text.size()), "joint"),
+                      count_of(static_cast<int>(table->items.size()), "row"));
+    d.why = "R is a joint that turns, P one that slides";
+    return call.report(std::move(d));
+  }
   auto fact = std::make_shared<RobotFact>();
   const auto name = call.constant(5);
   fact->name = name ? name->text : "this robot";
-  for (const char c : types->text) {
-    if (c != 'R' && c != 'P') return;
-    fact->turns.push_back(c == 'R');
-  }
+  for (const char c : types->text) fact->turns.push_back(c == 'R');
   call.set_result_fact(std::move(fact));
 }
 
@@ -354,14 +401,16 @@ void explain_list_for_posj(CheckCall& call) {
   const Span span = call.span(2);
   Diagnostic d = make_diagnostic("E0301", span, {"second", "a position"});
   d.mark.label = fmt::format("this is {}", type_phrase(call.type(2)));
-  d.why =
-      fmt::format("`{}` moves to a posJ, an object made from the numbers", call.function_name());
+  const std::string_view wanted = call.function_name() == "moveC" ? "posC" : "posJ";
+  d.why = fmt::format("`{}` moves to a {}, an object made from the numbers", call.function_name(),
+                      wanted);
   const std::string whole = call.text_of(call.call_span());
   const std::string value = call.text_of(span);
   const std::size_t at = span.begin - call.call_span().begin;
-  d.fix = Fix{.text = fmt::format("write {}new posJ({}){};", whole.substr(0, at), value,
+  const std::string made = fmt::format("new {}({})", wanted, value);
+  d.fix = Fix{.text = fmt::format("write {}{}{};", whole.substr(0, at), made,
                                   whole.substr(at + value.size())),
-              .edits = {{span, fmt::format("new posJ({})", value)}},
+              .edits = {{span, made}},
               .confidence = Confidence::kSure};
   call.report(std::move(d));
 }
@@ -379,6 +428,25 @@ void explain_arc(CheckCall& call) {
 
 // ---- objects
 // ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+void check_lengths(CheckCall& call, std::initializer_list<std::string_view> names) {
+  int parameter = -1;
+  for (const std::string_view name : names) {
+    const auto constant = call.constant(++parameter);
+    if (!constant || constant->real > 0.0) continue;
+    return call.report(make_diagnostic(
+        "E0513", call.span(parameter),
+        {fmt::format("the {}", name), "more than 0 mm", format_mm(constant->real)}));
+  }
+}
+
+}  // namespace
+
+void check_box(CheckCall& call) { check_lengths(call, {"length x", "length y", "length z"}); }
+void check_cylinder(CheckCall& call) { check_lengths(call, {"radius", "height"}); }
+void check_sphere(CheckCall& call) { check_lengths(call, {"radius"}); }
 
 void check_object_name(CheckCall& call) {
   const auto constant = call.constant(0);

@@ -4,7 +4,9 @@
 //
 // Rules work on facts: what the text alone tells about a robot or a position.
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,8 @@ struct RobotFact : Fact {
 };
 struct JointFact : Fact {
   bool turns = true;
+  std::optional<std::array<double, 2>> limits;  // where the text shows both
+  Span written;                                 // of the limits
 };
 // How many values a posJ holds.
 struct PositionFact : Fact {
@@ -30,7 +34,7 @@ struct PositionFact : Fact {
 void check_posj_values(CheckCall& call);
 void check_posj_list(CheckCall& call);
 
-// Robots and their parts.
+// Robots and their parts: E0508 to E0511.
 void check_revolute_row(CheckCall& call);
 void check_prismatic_row(CheckCall& call);
 void check_robot_block(CheckCall& call);
@@ -50,6 +54,10 @@ void check_move_line(CheckCall& call);       // (r, target, time, speed, accel, 
 void explain_list_for_posj(CheckCall& call);  // E0301: moveJ("Syn", q, 2.0) with a double[]
 void explain_arc(CheckCall& call);            // E0503: moveC(via, goal, ...)
 
+// Every parameter is a length of a shape: E0513.
+void check_box(CheckCall& call);
+void check_cylinder(CheckCall& call);
+void check_sphere(CheckCall& call);
 // The first parameter is an object's name: E0203.
 void check_object_name(CheckCall& call);
 
