@@ -23,7 +23,7 @@ class JsonlBackend::Writer {
 
   void field(std::string_view key, double value) {
     write_key(key);
-    sink.number(value, kDigits);
+    sink.number(value);
   }
 
   void field(std::string_view key, std::span<const double> values) {
@@ -31,7 +31,7 @@ class JsonlBackend::Writer {
     sink.text("[");
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) sink.text(",");
-      sink.number(values[i], kDigits);
+      sink.number(values[i]);
     }
     sink.text("]");
   }
@@ -65,7 +65,6 @@ class JsonlBackend::Writer {
   std::vector<std::string> robots{};
 
  private:
-  static constexpr int kDigits = 17;
 
   void write_key(std::string_view key) {
     sink.text(",");

@@ -21,6 +21,9 @@ class TextSink {
     fmt::format_to(fmt::appender(buffer_), "{:.{}g}", value + 0.0, digits);
   }
 
+  // The fewest digits that read back to the same number.
+  void number(double value) { fmt::format_to(fmt::appender(buffer_), "{}", value + 0.0); }
+
   // Nanoseconds as seconds, exactly: "2.000000000".
   void seconds(std::int64_t t_ns) {
     constexpr std::int64_t kSecond = 1000000000;

@@ -22,4 +22,6 @@ TEST_CASE("the most similar name is found, and nothing when none is near") {
   CHECK(most_similar("CUBIC", names) == "Cubic");
   CHECK_FALSE(most_similar("whatever", names));
   CHECK_FALSE(most_similar("x", names));
+  const std::vector<std::string_view> robots = {"planar2", "puma560"};
+  CHECK(most_similar("puma", robots) == "puma560");
 }
