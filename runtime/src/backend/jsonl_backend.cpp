@@ -65,7 +65,6 @@ class JsonlBackend::Writer {
   std::vector<std::string> robots{};
 
  private:
-
   void write_key(std::string_view key) {
     sink.text(",");
     sink.quoted(key);
