@@ -299,7 +299,22 @@ void Lowering::load_field(const FieldExpr& e, Reg to, Hold hold) {
   code_.push(OpCode::FLD, to.bits, record.bits, e.field);
 }
 
+// rows[i][j], where evaluating j neither fails nor runs anything.
+bool Lowering::load_element_twice(const ElementExpr& e, Reg to, Hold hold) {
+  if (!options_.optimise || e.object->kind != ExprKind::kElement || !is_plain(*e.index)) return false;
+  const auto& row = e.object->as<ElementExpr>();
+  const Reg rows = borrow(*row.object, stronger(hold, hold_over(*row.index)));
+  const Reg i = value(*row.index);
+  const Reg j = value(*e.index);
+  code_.at(row.span, &row);
+  code_.emit(OpCode::LDLD, to, rows, i);
+  code_.at(e.span, &e);
+  code_.emit(OpCode::WITH, j);
+  return true;
+}
+
 void Lowering::load_element(const ElementExpr& e, Reg to, Hold hold) {
+  if (load_element_twice(e, to, hold)) return;
   const Reg list = borrow(*e.object, stronger(hold, hold_over(*e.index)));
   std::int64_t small = 0;
   if (options_.optimise && small_int(*e.index, small)) {

@@ -42,10 +42,7 @@ class Lowering {
  public:
   Lowering(Tables& tables, const hir::Function& function, LowerOptions options);
 
-  // The whole function; for the program itself with the statements of the top level.
   void function(FunctionCode& into);
-  // Only the initialisers of the top level.
-  void declarations(FunctionCode& into);
 
  private:
   // What `break`, `continue` and `retry` go to.
@@ -95,6 +92,7 @@ class Lowering {
   void length_into(const hir::LengthExpr& e, Reg to);
   void load_field(const hir::FieldExpr& e, Reg to, Hold hold);
   void load_element(const hir::ElementExpr& e, Reg to, Hold hold);
+  bool load_element_twice(const hir::ElementExpr& e, Reg to, Hold hold);
 
   // ---- lower_reference.cpp: texts, lists, records ...
   Reg borrow(const hir::Expr& e, Hold hold);
