@@ -319,6 +319,7 @@ struct AssertThrowsStmt : Stmt {
 
 // ---- the whole ------------------------------------------------------------------------------------------------
 
+// The body begins with the initialisers of the top-level variables that the test needs.
 struct Test {
   std::string_view name;
   Function* function;

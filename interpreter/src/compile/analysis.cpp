@@ -54,6 +54,20 @@ bool is_plain_node(const Expr& e) {
   }
 }
 
+// The expression that gives a variable its only value; null if there is none, or if it is another variable.
+const Expr* only_value(const Variable& variable) {
+  const Variable* v = &variable;
+  while (v->owner != nullptr) {
+    const auto& captures = v->owner->captures;
+    const auto capture = std::find_if(captures.begin(), captures.end(),
+                                      [&](const Capture& c) { return c.inner == v; });
+    if (capture == captures.end()) break;
+    v = capture->outer;
+  }
+  if (!v->fixed || v->is_parameter || v->maybe_unset || v->init == nullptr) return nullptr;
+  return v->init->kind == ExprKind::kVariable ? nullptr : v->init;
+}
+
 // Walks one statement and everything in it.
 class Summariser {
  public:
@@ -124,6 +138,18 @@ class Summariser {
 
 bool constant_slot(const Expr& e, Slot& out) {
   switch (e.kind) {
+    case ExprKind::kVariable: {
+      const Expr* init = only_value(*e.as<VariableExpr>().variable);
+      if (init != nullptr && init->type == e.type && constant_slot(*init, out)) return true;
+      break;
+    }
+    case ExprKind::kConvert:
+      if (e.as<ConvertExpr>().conversion == Conversion::kIntToReal &&
+          constant_slot(*e.as<ConvertExpr>().operand, out)) {
+        out = slot_of(static_cast<double>(out.i));
+        return true;
+      }
+      break;
     case ExprKind::kBool: out = slot_of(e.as<BoolExpr>().value); return true;
     case ExprKind::kInt:
     case ExprKind::kEnum: out = slot_of(e.as<IntExpr>().value); return true;

@@ -24,14 +24,6 @@ void Lowering::function(FunctionCode& into) {
   finish(into);
 }
 
-void Lowering::declarations(FunctionCode& into) {
-  start(into);
-  for (const Stmt* s : function_.body->body) {
-    if (s->kind == StmtKind::kInit) statement(*s);
-  }
-  finish(into);
-}
-
 void Lowering::start(FunctionCode& into) {
   into.name = function_.name;
   into.span = function_.span;
@@ -94,11 +86,6 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
     if (instructions > kMostInstructions) {
       throw TooLarge{module.main->span, "instructions", kMostInstructions};
     }
-  }
-  if (!module.tests.empty()) {
-    program.declarations = static_cast<std::uint32_t>(program.functions.size());
-    program.functions.emplace_back();
-    Lowering(tables, *module.main, options).declarations(program.functions.back());
   }
   for (const Variable* global : module.globals) {
     program.global_is_reference.push_back(global->type->is_reference());

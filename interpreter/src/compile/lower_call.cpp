@@ -119,14 +119,11 @@ bool Lowering::call_direct(const CallNativeExpr& e, Dest to) {
     if (!argument->type->is(Kind::kReal) || argument->kind == ExprKind::kAbsent) return false;
   }
   if (!e.type->is(Kind::kReal)) return false;
-  if (e.arguments.size() == 1 && f.real1 != nullptr) {
+  const bool is_root = f.name == "sqrt";
+  if (e.arguments.size() == 1 && (is_root || f.real1 != nullptr)) {
     const Reg argument = value_near(*e.arguments[0], to);
     code_.at(e.span, &e);
-    if (f.name == "sqrt") {
-      code_.push(OpCode::SQRT, to.reg.bits, argument.bits, tables_.native(&f));
-    } else {
-      code_.push(OpCode::CALLD1, to.reg.bits, argument.bits, tables_.native(&f));
-    }
+    code_.push(is_root ? OpCode::SQRT : OpCode::CALLD1, to.reg.bits, argument.bits, tables_.native(&f));
     return true;
   }
   if (e.arguments.size() == 2 && f.real2 != nullptr) {

@@ -96,8 +96,6 @@ struct CompiledProgram {
   hir::Module module;
 
   std::vector<FunctionCode> functions;   // [0] is the program itself
-  // The function that runs the top-level initialisers only, for tests; 0 if the program has no tests.
-  std::uint32_t declarations = 0;
   std::vector<const NativeFunction*> natives;
   std::vector<std::string> texts;        // literals; each Vm makes its own objects of them, so that Vms share nothing
   std::vector<RecordLayout> layouts;
