@@ -45,11 +45,9 @@ hir::Stmt* Checker::check_assert(const ast::CallExpr& call) {
                                                          .function = "assert",
                                                          .position = 2})
                         : nullptr;
-  auto* out = make<hir::AssertStmt>(hir::StmtKind::kAssert, call.span);
-  out->condition = test;
-  out->note = note;
-  out->condition_span = written.span;
-  out->text = into_.sources->slice(written.span);
+  auto* out = make<hir::AssertStmt>(hir::StmtKind::kAssert, call.span, hir::Seq<hir::InitStmt*>{},
+                                    test, note, hir::Seq<hir::AssertPart>{}, nullptr,
+                                    into_.sources->slice(written.span), written.span);
   if (!test->type->is(Kind::kAny)) split_condition(*out, test);
   return out;
 }
@@ -119,9 +117,8 @@ hir::Stmt* Checker::check_assert_throws(const ast::CallExpr& call) {
         {"assertThrows", "1 function and a kind", std::to_string(call.args.size())}));
     return nullptr;
   }
-  auto* out = make<hir::AssertThrowsStmt>(hir::StmtKind::kAssertThrows, call.span);
-  out->kind_text = kind;
-  out->call_span = body->span;
+  auto* out = make<hir::AssertThrowsStmt>(hir::StmtKind::kAssertThrows, call.span, nullptr, kind,
+                                          body->span);
   // fn() => f(x) is run in place: what it names are the variables here.
   if (body->kind == ast::ExprKind::kLambda && body->as<ast::LambdaExpr>().params.empty() &&
       body->as<ast::LambdaExpr>().value != nullptr) {

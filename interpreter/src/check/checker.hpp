@@ -157,8 +157,8 @@ struct Checker : CheckerState {
                          Span callee, Span span, std::vector<Argument> arguments);
   hir::Expr* finish_native(std::string_view name, const NativeFunction& function, Span callee,
                            Span span, std::vector<Argument>& arguments, Fit& fit);
-  hir::Expr* waiting_argument(const Argument& argument, const TypePattern& pattern,
-                              Bindings& bindings);
+  hir::Expr* waiting_argument(std::string_view name, const Argument& argument,
+                              const TypePattern& pattern, Bindings& bindings);
   hir::Expr* ambient_value(const HostType& type, Span callee);
   [[nodiscard]] const Fact* ambient_fact(std::string_view type);
   // The variables that a call without a robot may mean, and the names of all that it could mean.
@@ -187,6 +187,9 @@ struct Checker : CheckerState {
   hir::Function* new_function(std::string_view name, Span span);
   Use& use_of(const hir::Function* function) { return uses_[function]; }
   hir::Expr* check_lambda(const ast::LambdaExpr& lambda, const Type* expected);  // lambdas.cpp
+  std::optional<std::vector<hir::Variable*>> lambda_parameters(const ast::LambdaExpr& lambda,
+                                                               const Type* expected,
+                                                               hir::Function* owner);
   hir::Expr* check_guard(const ast::Expr& condition);  // a condition as a function
   hir::Expr* closure(hir::Function* function, FunctionContext& context, const Type* type,
                      Span span);
@@ -211,7 +214,6 @@ struct Checker : CheckerState {
   hir::Stmt* check_statement(const ast::Stmt& stmt);
   hir::Stmt* check_any_statement(const ast::Stmt& stmt);
   hir::Stmt* not_there_yet(const ast::Stmt& stmt);
-  hir::Stmt* misplaced_declaration(const ast::Stmt& stmt);
   hir::Stmt* check_expression_statement(const ast::ExprStmt& stmt);
   hir::Stmt* check_if(const ast::IfStmt& stmt);
   hir::Stmt* check_return(const ast::ReturnStmt& stmt);
@@ -223,6 +225,7 @@ struct Checker : CheckerState {
   hir::Stmt* check_wait_until(const ast::WaitUntilStmt& stmt);
   hir::Stmt* check_try(const ast::TryStmt& stmt);
   // loops.cpp
+  hir::Stmt* check_loop(const ast::Stmt& stmt);
   hir::Stmt* check_while(const ast::Expr* condition, const ast::Stmt& body,
                          ast::Seq<ast::Stmt*> step, Span span);
   hir::Stmt* check_do(const ast::DoStmt& stmt);

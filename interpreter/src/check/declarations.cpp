@@ -22,7 +22,7 @@ hir::Variable* Checker::hidden(const Type* type, Span span) {
 }
 
 Local* Checker::add_local(hir::Variable* variable, Declared how, Span keyword) {
-  here_->locals.push_back({.variable = variable, .how = how, .keyword = keyword});
+  here_->add({.variable = variable, .how = how, .keyword = keyword});
   return &here_->locals.back();
 }
 
@@ -36,25 +36,25 @@ void Checker::close_block() {
     const bool declared = local.how == Declared::kLet || local.how == Declared::kFinal ||
                           local.how == Declared::kVar || local.how == Declared::kClassic;
     const Type* type = local.variable->type;
-    if (local.used || !declared || !in_function || type->is(Kind::kAny) || type->is(Kind::kHost) ||
-        local.variable->name.starts_with('_')) {
+    // After an error a use may not have been seen.
+    if (local.used || errors_ > 0 || !declared || !in_function || type->is(Kind::kAny) ||
+        type->is(Kind::kHost) || local.variable->name.starts_with('_')) {
       continue;
     }
     report(make_diagnostic("W0709", local.variable->declared, {std::string(local.variable->name)}));
   }
   // The top level stays visible to functions that are checked later.
-  if (here_ != &main_ || !here_->blocks.empty()) here_->locals.resize(begin);
+  if (here_ != &main_ || !here_->blocks.empty()) here_->drop(begin);
 }
 
 // Whether a name can be declared here; says so if not.
 bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
   Span first{};
   bool found = false;
-  for (const FunctionContext* context = here_; context != nullptr && !found;
+  for (FunctionContext* context = here_; context != nullptr && !found;
        context = context->outer) {
-    for (const Local& local : context->locals) {
-      if (local.variable->name != name.text || local.how == Declared::kCapture) continue;
-      first = local.variable->declared;
+    if (const Local* local = context->find(name.text)) {
+      first = local->variable->declared;
       found = true;
     }
   }
@@ -72,7 +72,7 @@ bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
   diagnostic.mark.label = "declared again";
   diagnostic.related.push_back({first, "first declared here"});
   diagnostic.fix = Fix{.text = "choose another name"};
-  if (value != nullptr) {
+  if (value != nullptr && find_function(name.text) == nullptr) {
     diagnostic.fix->text += ", or write " + std::string(name.text) + " = " + text_of(value->span) +
                             " if you want to change it (then declare it with var)";
   }
@@ -270,10 +270,7 @@ void Checker::collect_functions(const ast::Block& program) {
 }
 
 hir::Stmt* Checker::check_test(const ast::TestStmt& stmt) {
-  if (here_ != &main_ || main_.blocks.size() > 1) {
-    report(make_diagnostic("E0132", stmt.name_span, {"a test"}));
-    return nullptr;
-  }
+  if (here_ != &main_ || main_.blocks.size() > 1) return nullptr;  // refused before
   // Checked when the whole top level is known.
   waiting_tests_.push_back(&stmt);
   return nullptr;

@@ -9,7 +9,7 @@ namespace {
 
 // Checks nest as the text does, and as bodies of called functions do. The parser limits the first;
 // this bounds both.
-constexpr int kDeepest = 1200;
+constexpr int kDeepest = 600;
 
 }  // namespace
 
@@ -111,22 +111,18 @@ hir::Expr* Checker::check_literal(const ast::Expr& expr) {
 // ---- names -------------------------------------------------------------------------------------
 
 Local* Checker::find_local(std::string_view name, FunctionContext*& where) {
-  const auto named = [name](const Local& local) { return local.variable->name == name; };
   if (!only_top_level_) {
-    for (FunctionContext* context = here_; context != nullptr; context = context->outer) {
-      const auto found = std::find_if(context->locals.rbegin(), context->locals.rend(), named);
-      if (found == context->locals.rend()) continue;
-      where = context;
-      return &*found;
+    for (where = here_; where != nullptr; where = where->outer) {
+      if (Local* local = where->find(name)) return local;
     }
     if (&here_->root() == &main_) return nullptr;
   }
   // Named functions and tests see what the top level has declared so far, but not its inner blocks.
-  const std::size_t visible = main_.blocks.size() > 1 ? main_.blocks[1] : main_.locals.size();
-  const auto end = main_.locals.begin() + static_cast<std::ptrdiff_t>(visible);
-  const auto found = std::find_if(main_.locals.begin(), end, named);
   where = &main_;
-  return found == end ? nullptr : &*found;
+  Local* local = main_.find(name);
+  const bool inner =
+      local != nullptr && main_.blocks.size() > 1 && local >= main_.locals.data() + main_.blocks[1];
+  return inner ? nullptr : local;
 }
 
 FunctionDecl* Checker::find_function(std::string_view name) {

@@ -22,8 +22,11 @@ constexpr NativeFunction kPrint = {
 Signal last_element(Vm& vm, Slot* args) {
   const auto* list = static_cast<const ListObj*>(args[0].o);
   if (list->size == 0) {
-    return fail(
-        vm, {.code = "R0606", .message = "an empty list has no last value", .mark_parameter = 0});
+    Failure failure;
+    failure.code = "R0606";
+    failure.message = "an empty list has no last value";
+    failure.mark_parameter = 0;
+    return fail(vm, std::move(failure));
   }
   const Slot last = list->data[list->size - 1];
   if (list->holds_references()) retain(last.o);

@@ -54,6 +54,33 @@ hir::Expr* Checker::closure(hir::Function* function, FunctionContext& context, c
   return make<hir::ClosureExpr>(kind, type, span, function);
 }
 
+// The parameters of a lambda, with the types that are written or expected; empty after a message.
+std::optional<std::vector<hir::Variable*>> Checker::lambda_parameters(const ast::LambdaExpr& lambda,
+                                                                      const Type* expected,
+                                                                      hir::Function* owner) {
+  std::vector<hir::Variable*> out;
+  for (std::size_t i = 0; i < lambda.params.size(); ++i) {
+    const ast::Param& param = lambda.params[i];
+    const Type* type = param.type != nullptr ? resolve(*param.type)
+                       : expected != nullptr ? expected->parameters[i]
+                                             : nullptr;
+    if (type == nullptr) {
+      const std::string name(param.name.text);
+      Diagnostic diagnostic = make_diagnostic("E0323", param.name.span, {'`' + name + '`'});
+      diagnostic.fix = Fix{.text = "write its type, such as " + name + ": double",
+                           .edits = {{param.name.span, name + ": double"}},
+                           .confidence = Confidence::kMaybe};
+      report(std::move(diagnostic));
+      return std::nullopt;
+    }
+    if (find_function(param.name.text) == nullptr && !is_free(param.name)) return std::nullopt;
+    out.push_back(new_variable(param.name.text, type, param.name.span));
+    out.back()->owner = owner;
+    out.back()->is_parameter = out.back()->fixed = true;
+  }
+  return out;
+}
+
 hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expected) {
   const bool fits = expected != nullptr && expected->is(Kind::kFunction) &&
                     expected->parameters.size() == lambda.params.size();
@@ -62,41 +89,25 @@ hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expe
   context.outer = here_;
   context.function =
       new_function("lambda on line " + std::to_string(line_of(lambda.span)), lambda.span);
-  if (lambda.result != nullptr) context.result = resolve(*lambda.result);
-  if (context.result == nullptr && fits && !expected->result->is(Kind::kAny))
+  if (lambda.result != nullptr) {
+    context.result = resolve(*lambda.result);
+  } else if (fits && !expected->result->is(Kind::kAny)) {
     context.result = expected->result;
+  }
   context.result_is_declared = context.result != nullptr;
   if (context.result_is_declared) context.function->result = context.result;
-
-  std::vector<const Type*> types;
-  std::vector<hir::Variable*> parameters;
-  for (std::size_t i = 0; i < lambda.params.size(); ++i) {
-    const ast::Param& param = lambda.params[i];
-    const Type* type = param.type != nullptr ? resolve(*param.type)
-                       : fits                ? expected->parameters[i]
-                                             : nullptr;
-    if (type == nullptr) {
-      Diagnostic diagnostic =
-          make_diagnostic("E0323", param.name.span, {"`" + std::string(param.name.text) + "`"});
-      const std::string typed = std::string(param.name.text) + ": double";
-      diagnostic.fix =
-          Fix{.text = "write its type, such as " + typed, .edits = {{param.name.span, typed}}};
-      report(std::move(diagnostic));
-      return failed(lambda.span);
-    }
-    if (!is_free(param.name)) return failed(lambda.span);
-    types.push_back(type);
-    parameters.push_back(new_variable(param.name.text, type, param.name.span));
-    parameters.back()->owner = context.function;
-    parameters.back()->is_parameter = parameters.back()->fixed = true;
-  }
-  context.function->parameters = seq(parameters);
+  const auto parameters = lambda_parameters(lambda, fits ? expected : nullptr, context.function);
+  if (!parameters) return failed(lambda.span);
+  context.function->parameters = seq(*parameters);
 
   FunctionContext* const before = std::exchange(here_, &context);
   Use* const use_before = std::exchange(use_, &use_of(context.function));
   open_block();
-  for (hir::Variable* parameter : parameters)
+  std::vector<const Type*> types;
+  for (hir::Variable* parameter : *parameters) {
+    types.push_back(parameter->type);
     add_local(parameter, Declared::kParameter, parameter->declared);
+  }
   if (lambda.body != nullptr) {
     const bool failed_before = sink_.statement_failed();
     context.function->body = check_block(lambda.body->body, lambda.body->span);

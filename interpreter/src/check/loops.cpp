@@ -14,6 +14,14 @@ bool is_always_true(const hir::Expr* condition) {
 
 }  // namespace
 
+hir::Stmt* Checker::check_loop(const ast::Stmt& stmt) {
+  if (stmt.kind == ast::StmtKind::kDo) return check_do(stmt.as<ast::DoStmt>());
+  if (stmt.kind == ast::StmtKind::kForIn) return check_for_in(stmt.as<ast::ForInStmt>());
+  if (stmt.kind == ast::StmtKind::kFor) return check_for(stmt.as<ast::ForStmt>());
+  const auto& loop = stmt.as<ast::WhileStmt>();
+  return check_while(loop.condition, *loop.body, {}, stmt.span);
+}
+
 // The body of a loop that may run not even once, and the state behind it. endless: only break
 // leaves.
 hir::Stmt* Checker::loop_body(const hir::Stmt* loop, const ast::Stmt& body, bool endless) {
@@ -35,8 +43,7 @@ hir::Stmt* Checker::loop_body(const hir::Stmt* loop, const ast::Stmt& body, bool
 
 hir::Stmt* Checker::check_while(const ast::Expr* condition_expr, const ast::Stmt& body,
                                 ast::Seq<ast::Stmt*> step, Span span) {
-  auto* loop = make<hir::LoopStmt>(hir::StmtKind::kLoop, span);
-  loop->test_first = true;
+  auto* loop = make<hir::LoopStmt>(hir::StmtKind::kLoop, span, nullptr, nullptr, nullptr, true);
   loop->condition = condition_expr != nullptr ? condition(*condition_expr) : nullptr;
   loop->body = loop_body(loop, body, is_always_true(loop->condition));
   if (step.empty()) return loop;
@@ -53,7 +60,8 @@ hir::Stmt* Checker::check_while(const ast::Expr* condition_expr, const ast::Stmt
 }
 
 hir::Stmt* Checker::check_do(const ast::DoStmt& stmt) {
-  auto* loop = make<hir::LoopStmt>(hir::StmtKind::kLoop, stmt.span);
+  auto* loop =
+      make<hir::LoopStmt>(hir::StmtKind::kLoop, stmt.span, nullptr, nullptr, nullptr, false);
   // The body runs at least once, so what it stores on every way to the condition is stored.
   here_->targets.push_back({JumpTarget::Kind::kLoop, loop});
   loop->body = check_block(stmt.body->body, stmt.body->span);
@@ -80,7 +88,8 @@ hir::Stmt* Checker::check_for(const ast::ForStmt& stmt) {
 }
 
 hir::Stmt* Checker::check_range(const ast::ForInStmt& stmt, const ast::CallExpr& range) {
-  auto* loop = make<hir::RangeStmt>(hir::StmtKind::kRange, stmt.span);
+  auto* loop = make<hir::RangeStmt>(hir::StmtKind::kRange, stmt.span, nullptr, nullptr, nullptr,
+                                    nullptr, nullptr);
   mentioned_.insert("range");
   std::vector<hir::Expr*> bounds;
   for (std::size_t i = 0; i < range.args.size(); ++i) {
@@ -142,7 +151,8 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
   const bool known = items->type->is(Kind::kList) && !items->type->element->is(Kind::kAny);
   if (items->type->is(Kind::kList) && !known)
     report(make_diagnostic("E0323", items->span, {"this empty list"}));
-  auto* loop = make<hir::ForListStmt>(hir::StmtKind::kForList, stmt.span);
+  auto* loop =
+      make<hir::ForListStmt>(hir::StmtKind::kForList, stmt.span, nullptr, nullptr, nullptr);
   loop->items = items;
   open_block();
   loop->variable = loop_variable(stmt, known               ? items->type->element

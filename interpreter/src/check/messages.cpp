@@ -80,6 +80,9 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span) const
                .confidence = Confidence::kMaybe};
   }
   std::vector<std::string_view> library = registry_.public_names();
+  for (const std::string_view word : {"print", "error", "assert", "assertThrows"}) {
+    library.push_back(word);
+  }
   for (const auto& [type, unused] : named_types_) library.push_back(type);
   return did_you_mean(name, span, library);
 }
@@ -98,6 +101,7 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
     report(std::move(diagnostic));
     return failed(span);
   }
+  if (registry_.is_planned(name)) return not_available(span, quoted(name));
   Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
   if (const ForeignName* foreign = foreign_name(name)) {
     diagnostic.why = foreign->note;

@@ -115,10 +115,17 @@ void Checker::report_argument(std::string_view name, const Signature& signature,
   const Parameter& parameter = signature.parameters[fit.parameter];
   const TypePattern& pattern = parameter.variadic ? parameter.type.parts[0] : parameter.type;
   const Type* wanted = at.waits() ? nullptr : instantiate(pattern, fit.bindings, types_);
+  const bool variable = pattern.form != TypePattern::Form::kType;
+  if (variable && wanted != nullptr && wanted->is_quantity() && at.value->type->is_quantity()) {
+    report(
+        make_diagnostic("E0402", at.span(),
+                        {type_phrase(at.value->type), "used together with", type_phrase(wanted)}));
+    return;
+  }
   if (wanted != nullptr) {
     require(at.value, {.role = at.name.empty() ? Target::Role::kArgument : Target::Role::kSetting,
                        .type = wanted,
-                       .name = parameter.name,
+                       .name = variable ? std::string_view() : parameter.name,
                        .function = name,
                        .position = fit.argument + 1 - receivers(arguments),
                        .call = span});

@@ -8,7 +8,8 @@
 namespace armlet::lang {
 namespace {
 
-// `robot arm = robots.scara()`: a library function that takes a name gives its robot the declared one.
+// `robot arm = robots.scara()`: a library function that takes a name gives its robot the declared
+// one.
 bool names_result(const Parameter& parameter, const Type* type, const Type* result) {
   return parameter.name == "name" && type->is(Kind::kText) && result->is(Kind::kHost) &&
          result->host->is_handle;
@@ -30,8 +31,8 @@ hir::Expr* Checker::call_native(std::string_view name,
 }
 
 // A lambda or the name of a function, now that its parameter's type is known as far as it will be.
-hir::Expr* Checker::waiting_argument(const Argument& argument, const TypePattern& pattern,
-                                     Bindings& bindings) {
+hir::Expr* Checker::waiting_argument(std::string_view name, const Argument& argument,
+                                     const TypePattern& pattern, Bindings& bindings) {
   const Type* expected = instantiate(pattern, bindings, types_);
   if (expected == nullptr && pattern.form == TypePattern::Form::kFunction) {
     // The result is found from the body.
@@ -46,7 +47,8 @@ hir::Expr* Checker::waiting_argument(const Argument& argument, const TypePattern
   hir::Expr* value = check(*argument.written, expected);
   if (match(pattern, value->type, false, bindings) < 0) {
     const std::string need = pattern_name(pattern, bindings, types_);
-    report(make_diagnostic("E0313", value->span, {"this call", need, type_phrase(value->type)}));
+    report(
+        make_diagnostic("E0313", value->span, {std::string(name), need, type_phrase(value->type)}));
     return failed(value->span);
   }
   return value;
@@ -60,7 +62,8 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const int from = fit.from[p];
     if (from < 0 || !arguments[from].waits()) continue;
-    arguments[from].value = waiting_argument(arguments[from], parameters[p].type, fit.bindings);
+    arguments[from].value =
+        waiting_argument(name, arguments[from], parameters[p].type, fit.bindings);
     if (arguments[from].value->type->is(Kind::kAny)) return failed(span);
   }
   const Type* result = instantiate(signature.result, fit.bindings, types_);
@@ -99,8 +102,8 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
     } else if (parameter.default_value) {
       values[p] = literal_of(*parameter.default_value, type, callee);
     } else if (names_result(parameter, type, result) && span == naming_.value) {
-      values[p] = make<hir::TextExpr>(hir::ExprKind::kText, type, callee,
-                                       arena_.copy(naming_.name));
+      values[p] =
+          make<hir::TextExpr>(hir::ExprKind::kText, type, callee, arena_.copy(naming_.name));
     } else {
       values[p] = make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
     }

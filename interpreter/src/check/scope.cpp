@@ -22,11 +22,29 @@ bool Flow::is_unset(const hir::Variable* variable) const {
 }
 
 void Use::add(hir::Variable* variable) {
-  if (std::ranges::find(globals, variable) == globals.end()) globals.push_back(variable);
+  if (known.insert(variable).second) globals.push_back(variable);
 }
 
 void Use::add(const hir::Function* function) {
-  if (std::ranges::find(calls, function) == calls.end()) calls.push_back(function);
+  if (known.insert(function).second) calls.push_back(function);
+}
+
+Local* FunctionContext::find(std::string_view name) {
+  const auto found = places.find(name);
+  return found == places.end() ? nullptr : &locals[found->second];
+}
+
+void FunctionContext::add(Local local) {
+  places[local.variable->name] = locals.size();
+  locals.push_back(local);
+}
+
+void FunctionContext::drop(std::size_t first) {
+  for (std::size_t i = first; i < locals.size(); ++i) {
+    const auto found = places.find(locals[i].variable->name);
+    if (found != places.end() && found->second == i) places.erase(found);
+  }
+  locals.resize(first);
 }
 
 bool FunctionDecl::is_generic() const {

@@ -3,6 +3,8 @@
 // function uses.
 
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "check/hir.hpp"
@@ -54,6 +56,7 @@ struct JumpTarget {
 struct Use {
   std::vector<hir::Variable*> globals{};
   std::vector<const hir::Function*> calls{};
+  std::unordered_set<const void*> known{};
   bool pauses = false;
 
   void add(hir::Variable* variable);
@@ -95,7 +98,8 @@ struct FunctionContext {
   FunctionDecl* declaration = nullptr;  // kNamed
   Instance* instance = nullptr;         // kNamed
   std::vector<Local> locals{};          // all that can be seen, innermost last
-  std::vector<std::size_t> blocks{};    // where each open block begins in locals
+  std::unordered_map<std::string_view, std::size_t> places{};  // of names in locals
+  std::vector<std::size_t> blocks{};  // where each open block begins in locals
   std::vector<hir::Capture> captures{};
   std::vector<JumpTarget> targets{};
   Flow flow{};
@@ -103,6 +107,11 @@ struct FunctionContext {
   bool result_is_declared = false;
   std::vector<hir::ReturnStmt*> returns{};  // of an inferred result
 
+  // The variable of that name; null if none can be seen here.
+  [[nodiscard]] Local* find(std::string_view name);
+  void add(Local local);
+  // Forgets the locals from `first` on.
+  void drop(std::size_t first);
   [[nodiscard]] const FunctionContext& root() const;
 };
 

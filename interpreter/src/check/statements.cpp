@@ -64,8 +64,8 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
 }
 
 hir::Stmt* Checker::check_statement(const ast::Stmt& stmt) {
-  if (++depth_ > 1200) {
-    report(make_diagnostic("E0125", stmt.span, {"1200 levels"}));
+  if (++depth_ > 600) {
+    report(make_diagnostic("E0125", stmt.span, {"600 levels"}));
     --depth_;
     return nullptr;
   }
@@ -88,20 +88,16 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kFunction:
     case StmtKind::kStruct:
     case StmtKind::kEnum:
-      return misplaced_declaration(stmt);
+      return nullptr;  // collected before; refused elsewhere while the tree was built
     case StmtKind::kTest:
       return check_test(stmt.as<ast::TestStmt>());
     case StmtKind::kIf:
       return check_if(stmt.as<ast::IfStmt>());
     case StmtKind::kWhile:
-      return check_while(stmt.as<ast::WhileStmt>().condition, *stmt.as<ast::WhileStmt>().body, {},
-                         stmt.span);
     case StmtKind::kDo:
-      return check_do(stmt.as<ast::DoStmt>());
     case StmtKind::kForIn:
-      return check_for_in(stmt.as<ast::ForInStmt>());
     case StmtKind::kFor:
-      return check_for(stmt.as<ast::ForStmt>());
+      return check_loop(stmt);
     case StmtKind::kSwitch:
       return check_switch(stmt.as<ast::SwitchStmt>());
     case StmtKind::kTry:
@@ -142,19 +138,6 @@ hir::Stmt* Checker::not_there_yet(const ast::Stmt& stmt) {
   const std::string word = text.substr(0, text.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
   const auto length = static_cast<std::uint32_t>(word.size());
   not_available({stmt.span.begin, stmt.span.begin + length, stmt.span.source}, '`' + word + '`');
-  return nullptr;
-}
-
-// Functions, structs and enums of the top level were collected before; elsewhere they are refused.
-hir::Stmt* Checker::misplaced_declaration(const ast::Stmt& stmt) {
-  if (here_ == &main_ && main_.blocks.size() == 1) return nullptr;
-  const std::string_view what = stmt.kind == ast::StmtKind::kFunction ? "a function"
-                                : stmt.kind == ast::StmtKind::kStruct ? "a struct"
-                                                                      : "an enum";
-  const Span name = stmt.kind == ast::StmtKind::kFunction ? stmt.as<ast::FunctionStmt>().name.span
-                    : stmt.kind == ast::StmtKind::kStruct ? stmt.as<ast::StructStmt>().name.span
-                                                          : stmt.as<ast::EnumStmt>().name.span;
-  report(make_diagnostic("E0132", name, {std::string(what)}));
   return nullptr;
 }
 
@@ -233,10 +216,7 @@ hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
   FunctionContext& context = *here_;
   const bool in_function = context.kind == FunctionContext::Kind::kNamed ||
                            context.kind == FunctionContext::Kind::kLambda;
-  if (!in_function) {
-    report(make_diagnostic("E0121", stmt.span, {"return", "a function"}));
-    return nullptr;
-  }
+  if (!in_function) return nullptr;  // refused while the tree was built
   const bool is_void = context.result_is_declared && context.result->is(Kind::kVoid);
   const std::string name(context.function->name);
   if (stmt.value != nullptr && is_void) {
@@ -303,10 +283,10 @@ hir::Expr* Checker::seconds(const ast::Expr& written, std::string_view what) {
   hir::Expr* value = check_value(written);
   // Classic programs count seconds in plain numbers.
   if (hir::Expr* plain = convert(value, types_.real())) return plain;
-  return require(value, {.role = Target::Role::kArgument,
+  const bool setting = what == "timeout";
+  return require(value, {.role = setting ? Target::Role::kSetting : Target::Role::kVariable,
                          .type = types_.quantity(dims::kTime),
-                         .name = what,
-                         .function = what});
+                         .name = setting ? what : std::string_view()});
 }
 
 hir::Stmt* Checker::check_wait(const ast::Expr& duration, Span span) {

@@ -48,7 +48,8 @@ hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value,
 }
 
 hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
-  auto* out = make<hir::SwitchStmt>(hir::StmtKind::kSwitch, stmt.span);
+  auto* out = make<hir::SwitchStmt>(hir::StmtKind::kSwitch, stmt.span, nullptr, nullptr,
+                                    hir::Seq<hir::SwitchCase>{});
   out->value = check_value(*stmt.value);
   const Type* type = out->value->type;
   if (!type->is(Kind::kInt) && !type->is(Kind::kText) && !type->is(Kind::kEnum) &&

@@ -34,7 +34,7 @@ struct Parameter {
   bool optional = false;    // `time?`: may be absent
   bool variadic = false;    // `number...`: the rest, as one list
   bool any_number = false;  // `number`: a double or any quantity, taken as SI
-  std::optional<Constant> default_value;
+  std::optional<Constant> default_value{};
 
   [[nodiscard]] bool may_be_left_out() const { return optional || variadic || default_value; }
 };

@@ -16,7 +16,7 @@ TEST_CASE("the overload with the fewest conversions is taken") {
   CHECK(type_of("min([1mm, 2mm])") == "length");
   CHECK(type_of("sum([1, 2])") == "int");
   CHECK(type_of("sum([1.5])") == "double");
-  CHECK(type_of("min(1mm, 2s)") == "E0403");
+  CHECK(type_of("min(1mm, 2s)") == "E0402");
   CHECK(type_of("Math.sqrt(4.0) + Math.PI") == "double");
   CHECK(type_of("sqrt(4.0, 2.0)") == "E0312");
   CHECK(type_of("sqrt()") == "E0312");
