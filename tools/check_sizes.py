@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parent.parent
 FILE, HEADER, FUNCTION, CMAKE = 500, 300, 60, 40
 FOLDERS = ("runtime", "grammar", "interpreter", "stdlib", "apps", "tests", "bench", "examples", "cmake", "tools")
 SKIPPED = ("grammar/generated/", "apps/lab/page/dist/")
-CODE = {".hpp", ".h", ".cpp", ".def", ".g4", ".py", ".sh", ".cmake", ".rbt"}
+CODE = {".hpp", ".h", ".cpp", ".def", ".inc", ".g4", ".py", ".sh", ".cmake", ".rbt"}
 
 NOT_A_FUNCTION = re.compile(r"^\s*(namespace|extern|class|struct|union|enum)\b|=\s*$")
 INITIALISERS = re.compile(r"\)\s*(noexcept\s*)?:[^:]")

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""Checks that every message the sources can make is shown by a script, word for word where the reference has a sample."""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SCRIPTS = ROOT / "tests" / "scripts" / "errors"
+SAMPLES = ROOT / "tests" / "reference" / "messages"
+SOURCES = ("interpreter/src", "stdlib/src", "apps")
+
+# Codes that no script can show, and the test that shows them instead.
+ELSEWHERE = {
+    "E0123": "tests/hostile.py",  # a script with an expectation in it is text
+    "E0124": "tests/unit/interpreter/syntax_limits_test.cpp",  # too long for a script
+    "E0126": "tests/hostile.py",  # there is no file
+    "E0127": "tests/hostile.py",  # a script with an expectation in it is not empty
+    "E0198": "tests/unit/interpreter/lower_test.cpp",  # memory ran out while compiling
+    "E0220": "tests/unit/interpreter/check_calls_test.cpp",  # the command always supplies a robot
+    "R0617": "tests/unit/stdlib/session_test.cpp",  # needs two tasks
+    "R0620": "tests/unit/interpreter/vm_test.cpp",  # needs watchers
+    "R0628": "tests/unit/interpreter/vm_test.cpp",  # the command's limit is too high for a quick test
+    "R0629": "tests/hostile.py",  # needs a signal
+    "R0632": "tests/unit/interpreter/vm_test.cpp",  # no function of the library calls back yet
+    "W0712": "tests/unit/stdlib/session_test.cpp",  # the command always supplies a world
+}
+
+# Samples whose feature does not exist yet.
+LATER = {
+    "E0305": "matrices",
+    "E0501": "parallel",
+    "E0502": "path",
+    "E0504": "import",
+    "R0607": "the branches of parallel",
+}
+
+# Where a script shows another text than the sample (docs/decisions/0006-samples-of-messages.md).
+CHANGED = {"R0604": ("163 deg", "130 deg")}
+
+HEADLINE = re.compile(r"^(?:error|advice) ([ERW]\d{4}): ")
+
+
+def catalogue():
+    rows = "".join(p.read_text() for p in sorted((ROOT / "interpreter/src/diagnostic").glob("catalog_*.def")))
+    return sorted(re.findall(r"^ARMLET_MESSAGE\(([ERW]\d{4}),", rows, re.M))
+
+
+def raised():
+    """The codes that occur in the sources."""
+    texts = [p.read_text() for folder in SOURCES for p in (ROOT / folder).rglob("*.[chi]*") if p.is_file()]
+    return set(re.findall(r'"([ERW]\d{4})"', "".join(texts)))
+
+
+def shown_block(script):
+    return [line[5:] for line in script.splitlines() if line.startswith("// | ")]
+
+
+def expected(script):
+    """The codes that a script says will come."""
+    codes = re.findall(r"// expect (?:error|advice) ([ERW]\d{4})", script)
+    return set(codes) | {m[1] for line in shown_block(script) if (m := HEADLINE.match(line))}
+
+
+def sample(code):
+    lines = [line for line in (SAMPLES / f"{code}.txt").read_text().splitlines() if line]
+    start = next(i for i, line in enumerate(lines) if HEADLINE.match(line))
+    old, new = CHANGED.get(code, ("", ""))
+    return [line.replace(old, new) if old else line for line in lines[start:]]
+
+
+def contains(shown, wanted):
+    """Whether all wanted lines are shown in their order; a script may mark more than the sample."""
+    rest = iter(shown)
+    return all(line in rest for line in wanted)
+
+
+def problems():
+    scripts = {path: path.read_text() for path in sorted(SCRIPTS.rglob("*.rbt"))}
+    by_code = {}
+    for path, text in scripts.items():
+        for code in expected(text):
+            by_code.setdefault(code, []).append(path)
+        named = path.name.split("_")[0]
+        if "modules" not in path.parts and named not in expected(text):
+            yield f"{path.relative_to(ROOT)} does not expect {named}"
+    for code in catalogue():
+        if code in raised() and code not in by_code and code not in ELSEWHERE:
+            yield f"{code} is shown by no script"
+        if code in by_code and code in ELSEWHERE:
+            yield f"{code} is shown by a script, so it is no exception"
+    for code, test in ELSEWHERE.items():
+        if code not in (ROOT / test).read_text():
+            yield f"{code} is not tested in {test}"
+    for path in sorted(SAMPLES.glob("*.txt")):
+        code = path.stem
+        shown = [shown_block(scripts[p]) for p in by_code.get(code, [])]
+        if code not in LATER and not any(contains(block, sample(code)) for block in shown):
+            yield f"no script shows the sample of {code} word for word"
+
+
+def main():
+    found = list(problems())
+    for problem in found:
+        print(problem)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
