@@ -111,10 +111,7 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
     }
     if (registry_.is_namespace(group) || group == "Math" || group == "System.out" ||
         group == "System") {
-      Diagnostic diagnostic = make_diagnostic("E0201", member.span, {full});
-      diagnostic.fix = did_you_mean(full, member.span, registry_.public_names());
-      report(std::move(diagnostic));
-      return failed(call.span);
+      return unknown_name(full, member.span);
     }
   }
   hir::Expr* object = check_value(*member.object);

@@ -79,8 +79,7 @@ hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string
                                constant->value);
   }
   if (!registry_.is_namespace(name) && name != "Math") return nullptr;
-  report(make_diagnostic("E0201", member.span, {full}));
-  return failed(member.span);
+  return unknown_name(full, member.span);
 }
 
 hir::Expr* Checker::field_of(hir::Expr* object, const ast::MemberExpr& member) {

@@ -201,7 +201,7 @@ void Lowering::raise(const ThrowStmt& s) {
 void Lowering::wait(const WaitStmt& s) {
   const Emitter::Mark mark = code_.mark();
   const Reg seconds = value(*s.duration);
-  code_.at(s.span, s.duration);
+  code_.at(s.duration->span, s.duration);
   code_.emit(OpCode::WAIT, seconds);
   code_.release(mark);
 }

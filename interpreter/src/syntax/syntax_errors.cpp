@@ -159,23 +159,13 @@ Answer step_as_value(const FailureSite& site) {
   return out;
 }
 
-// moveL(p, speed = 100mm/s)   and   (a = 2) + 1
+// (a = 2) + 1
 Answer assignment_as_value(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || site.type(*open) != RbtLexer::LPAREN)
     return std::nullopt;
   if (!FailureSite::ends_value(site.before())) return std::nullopt;
   const std::size_t first = value_start(site, site.at - 1);
-  const bool begins = first == *open + 1 || site.type(first - 1) == RbtLexer::COMMA;
-  if (begins && site.is_call(*open) && is_name(site.before())) {
-    Diagnostic out = make_diagnostic("E0128", site.span(site.at), {"="});
-    out.why = "a setting and its value have a colon between them";
-    out.fix =
-        Fix{"write " + site.text(site.at - 1) + ':',
-            {{{site.span(site.at - 1).end, site.span(site.at).end, site.span(0).source}, ":"}},
-            Confidence::kMaybe};
-    return out;
-  }
   const std::size_t last = site.closer(*open) - 1;
   if (last <= site.at) return std::nullopt;
   const std::string stored = site.text(first, last);
