@@ -16,8 +16,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 std::size_t similar_enough(std::string_view name);
 
 // The candidate most like a mistyped name, the first of several equally near; nothing if none is
-// near enough. A difference of capital letters alone is always near, and so is a name that is not
-// written to its end.
+// near enough. Nothing is nearer than a difference of capital letters alone, and a name that is not
+// written to its end is always near.
 std::optional<std::string_view> most_similar(std::string_view name,
                                              std::span<const std::string_view> candidates);
 
