@@ -183,11 +183,12 @@ Signal robot_from_table(Vm& vm, Slot* args) try {
     const auto values = reals_value(row);
     rows.emplace_back(values.begin(), values.end());
   }
+  if (args[kName].o != nullptr) spec.name = std::string(text_value(args[kName]));
   spec.source = "a table in the program";
   spec.convention = convention_of(text_value(args[kConvention]));
   spec.joints = joints_from_table(rows, text_value(args[kTypes]));
   return add_robot(vm, args,
-                   finished(Robot(std::move(spec)), args[kBase], args[kTool], args[kName]));
+                   finished(Robot(std::move(spec)), args[kBase], args[kTool], Slot{.o = nullptr}));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0630", error);
 }
