@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/look_ahead.hpp"
 
 namespace armlet::lang {
 
@@ -51,8 +52,7 @@ void Checker::close_block() {
 bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
   Span first{};
   bool found = false;
-  for (FunctionContext* context = here_; context != nullptr && !found;
-       context = context->outer) {
+  for (FunctionContext* context = here_; context != nullptr && !found; context = context->outer) {
     if (const Local* local = context->find(name.text)) {
       first = local->variable->declared;
       found = true;
@@ -260,12 +260,19 @@ void Checker::collect_functions(const ast::Block& program) {
       const ast::Param& param = node.params[i];
       function.parameters.push_back(param.type != nullptr ? resolve(*param.type) : nullptr);
       for (std::size_t k = 0; k < i; ++k) {
-        if (node.params[k].name.text == param.name.text) {
-          report(make_diagnostic("E0204", param.name.span, {std::string(param.name.text)}));
-        }
+        if (node.params[k].name.text != param.name.text) continue;
+        Diagnostic diagnostic =
+            make_diagnostic("E0204", param.name.span, {std::string(param.name.text)});
+        diagnostic.mark.label = "declared again";
+        diagnostic.related.push_back({node.params[k].name.span, "first declared here"});
+        report(std::move(diagnostic));
       }
     }
-    if (node.result != nullptr) function.result = resolve(*node.result);
+    if (node.result != nullptr) {
+      function.result = resolve(*node.result);
+    } else if (node.body != nullptr && !returns_a_value(*node.body)) {
+      function.result = types_.void_type();
+    }
   }
 }
 

@@ -33,7 +33,7 @@ Instance* Checker::instance_of(FunctionDecl& function, std::vector<const Type*> 
   }
   if (function.failed && function.is_generic()) return nullptr;
   if (function.instances.size() >= kMostInstances) {
-    report(make_diagnostic("E0324", call, {name}));
+    report(make_diagnostic("E0125", call, {std::to_string(kMostInstances) + " levels"}));
     return nullptr;
   }
   Instance& instance = instances_.emplace_back();

@@ -1,5 +1,7 @@
 #include "check/look_ahead.hpp"
 
+#include <algorithm>
+
 namespace armlet::lang {
 namespace {
 
@@ -201,6 +203,45 @@ class Lookout {
 };
 
 }  // namespace
+
+namespace {
+
+bool returns(const ast::Stmt* at);
+
+bool any_returns(Seq<ast::Stmt*> statements) { return std::ranges::any_of(statements, returns); }
+
+bool returns(const ast::Stmt* at) {
+  if (at == nullptr) return false;
+  switch (at->kind) {
+    case StmtKind::kReturn:
+      return at->as<ReturnStmt>().value != nullptr;
+    case StmtKind::kBlock:
+      return any_returns(at->as<Block>().body);
+    case StmtKind::kIf:
+      return returns(at->as<IfStmt>().yes) || returns(at->as<IfStmt>().no);
+    case StmtKind::kWhile:
+      return returns(at->as<WhileStmt>().body);
+    case StmtKind::kDo:
+      return returns(at->as<DoStmt>().body);
+    case StmtKind::kForIn:
+      return returns(at->as<ForInStmt>().body);
+    case StmtKind::kFor:
+      return returns(at->as<ForStmt>().body);
+    case StmtKind::kSwitch:
+      return std::ranges::any_of(at->as<SwitchStmt>().cases,
+                                 [](const SwitchCase& one) { return any_returns(one.body); });
+    case StmtKind::kTry:
+      return returns(at->as<TryStmt>().body) || returns(at->as<TryStmt>().finally) ||
+             std::ranges::any_of(at->as<TryStmt>().catches,
+                                 [](const CatchClause& clause) { return returns(clause.body); });
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+bool returns_a_value(const ast::Block& body) { return any_returns(body.body); }
 
 Sights look_over(const ast::Block& program) {
   Sights out;

@@ -16,4 +16,7 @@ struct Sights {
 
 [[nodiscard]] Sights look_over(const ast::Block& program);
 
+// Whether some `return` in it has a value; lambdas inside do not count.
+[[nodiscard]] bool returns_a_value(const ast::Block& body);
+
 }  // namespace armlet::lang

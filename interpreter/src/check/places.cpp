@@ -118,7 +118,14 @@ std::optional<hir::Place> Checker::check_place(const ast::Expr& expr, Span state
     return std::nullopt;
   }
   const bool is_whole = whole && chain.empty();
-  if (local->variable->type->is(Kind::kAny)) return std::nullopt;
+  const Type* type = local->variable->type;
+  if (type->is(Kind::kAny)) return std::nullopt;
+  const bool has_parts =
+      type->is(Kind::kList) || type->is(Kind::kRecord) || type->is(Kind::kMatrix);
+  if (!chain.empty() && !has_parts) {
+    report(make_diagnostic("E0328", expr.span));
+    return std::nullopt;
+  }
   if (!may_change(*local, *where, statement, is_whole)) return std::nullopt;
   hir::Variable* variable = local->variable;
   if (is_whole && where != here_) {

@@ -35,6 +35,7 @@ TEST_CASE("elements, fields and nested places can be assigned") {
   CHECK(check_text("var x = 1mm\nx += 1")->codes() == "E0401");
   CHECK(check_text("var n = 1\nn += 0.5")->codes() == "E0303");
   CHECK(check_text("joints() = 3")->codes() == "E0328");
+  CHECK(check_text("let s = \"abc\"\ns[0] = \"x\"")->codes() == "E0328");
   CHECK(check_text("struct P { a: int }\nvar p = P(a: 1)\np.b = 2")->codes() == "E0208");
 }
 
