@@ -49,11 +49,11 @@ bool is_chain_link(const Expr& e) {
          !constant_slot(e, unused);
 }
 
+}  // namespace
+
 bool is_product(const Expr& e) {
   return is_chain_link(e) && e.as<BinaryExpr>().op == Op::kMulR;
 }
-
-}  // namespace
 
 // The value in a register that may belong to a variable: only to be read, and soon.
 Reg Lowering::value(const Expr& e) {

@@ -136,7 +136,7 @@ void Lowering::assign_inside(const AssignStmt& s) {
     code_.emit(OpCode::PUTREF, to, from);
   } else if (!s.compound) {
     store_inside(s.place, indices, value(*s.value));
-  } else {
+  } else if (!add_product_inside(s, indices)) {
     // The old value is read first; a call in s.value may change it.
     const Reg now = code_.number();
     load_place(s.place, indices, now);
@@ -144,6 +144,21 @@ void Lowering::assign_inside(const AssignStmt& s) {
     store_inside(s.place, indices, now);
   }
   code_.release(mark);
+}
+
+// xs[i].field += a * b in one instruction.
+bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
+  const auto& steps = s.place.steps;
+  Reg list;
+  if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field) return false;
+  if (!own_register(*s.place.variable, list) || !is_product(*s.value) || !is_plain(*s.value)) return false;
+  const auto& product = s.value->as<BinaryExpr>();
+  const Reg a = value(*product.left);
+  const Reg b = value(*product.right);
+  code_.at(s.place.span);
+  code_.emit(OpCode::MADDLF, list, indices[0]);
+  code_.push(OpCode::FACTORS, a.bits, b.bits, steps[1].field);
+  return true;
 }
 
 Lowering::Indices Lowering::index_values(const Place& place) {

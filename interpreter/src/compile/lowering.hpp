@@ -37,6 +37,8 @@ enum class Hold : std::uint8_t {
 [[nodiscard]] Hold stronger(Hold a, Hold b);
 // What a reference needs to outlast the evaluation of `later`.
 [[nodiscard]] Hold hold_over(const hir::Expr& later);
+// a * b of doubles, not known before running.
+[[nodiscard]] bool is_product(const hir::Expr& e);
 
 class Lowering {
  public:
@@ -147,6 +149,7 @@ class Lowering {
   bool can_write_early(const hir::Variable& variable, const hir::Expr& value) const;
   bool append_text(const hir::Variable& variable, const hir::Expr& value);
   void operate(const hir::AssignStmt& s, Reg left, Reg to);
+  bool add_product_inside(const hir::AssignStmt& s, const Indices& indices);
   Indices index_values(const hir::Place& place);
   static Hold hold_for(const hir::Place& place, const hir::Expr& value);
   bool own_register(const hir::Variable& variable, Reg& out) const;

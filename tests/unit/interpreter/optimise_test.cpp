@@ -93,6 +93,16 @@ TEST_CASE("records are values, also inside records and lists") {
          "L(name: \"ab\", xs: [2.5])\n");
 }
 
+TEST_CASE("a product is added to a field in place, unless the record is shared") {
+  const std::string setup =
+      "struct P { x: double }\nvar ps = [P(x: 1.0), P(x: 2.0)]\nlet old = ps\nlet first = ps[0]\nlet k = sqrt(9.0)\n";
+  prints(setup + "for (i in range(2)) { ps[i].x += k * k }\nprint(ps[0].x, ps[1].x, old[1].x, first.x)", "10.0 11.0 2.0 1.0\n");
+  prints(setup + "var i = 2\ntry { ps[i].x += k * k } catch (e) { print(e.kind) }\nprint(ps == old)", "IndexError\ntrue\n");
+  prints("let rows = [[1, 2], [3]]\nvar i = 1\nvar j = 0\nprint(rows[i][j], rows[0][i])\n"
+         "try { print(rows[i][i]) } catch (e) { print(e.message) }\ntry { print(rows[i + 1][j]) } catch (e) { print(e.message) }",
+         "3 2\nlist index 1 is outside 0 to 0\nlist index 2 is outside 0 to 1\n");
+}
+
 TEST_CASE("texts are joined, grown, cut and compared") {
   prints("var s = \"\"\nfor (i in range(5)) { s = s + i + \",\" }\nprint(s, s.length)", "0,1,2,3,4, 10\n");
   prints("var s = \"a\"\nlet t = s\ns += \"b\"\ns = s + s\nprint(s, t)", "abab a\n");
