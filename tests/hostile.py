@@ -83,15 +83,18 @@ def check_usage(command, folder):
     failed = 0
     missing = os.path.join(folder, "missing.rbt")
     cases = {
-        "unknown file": (["run", missing], NO_FILE), "folder": (["run", folder], NO_FILE),
+        "unknown file": (["run", missing], NO_FILE, "E0126"), "folder": (["run", folder], NO_FILE, "E0126"),
         "no command": ([], 64), "unknown command": (["fly"], 64), "unknown option": (["run", "--fly", missing], 64),
         "unknown robot": (["run", "--robot", "r2d2", __file__], 64), "unknown code": (["explain", "E9999"], 64),
         "help": (["--help"], 0), "version": (["--version"], 0), "a page": (["explain", "E0401"], 0),
     }
-    for name, (arguments, status) in cases.items():
+    for name, (arguments, status, *code) in cases.items():
         run = subprocess.run([command, *arguments], capture_output=True, timeout=PATIENCE)
-        if run.returncode != status or not (run.stdout + run.stderr):
-            failed += report(name, f"exit status {run.returncode}, expected {status}", (run.stdout + run.stderr).decode())
+        shown = (run.stdout + run.stderr).decode()
+        if run.returncode != status or not shown:
+            failed += report(name, f"exit status {run.returncode}, expected {status}", shown)
+        elif code and f"error {code[0]}:" not in shown:
+            failed += report(name, f"no message {code[0]}", shown)
     return failed
 
 
@@ -109,7 +112,8 @@ def check_interrupt(command, folder, name, text, options):
         process.kill()
         return report(name, "Ctrl-C is not heard", "")
     shown = errors.decode()
-    if process.returncode != STOPPED or "stopped by the user at t =" not in shown:
+    stopped = "error R0629:" in shown and "stopped by the user at t =" in shown
+    if process.returncode != STOPPED or not stopped:
         return report(name, f"exit status {process.returncode}, expected {STOPPED}", shown)
     return 0
 

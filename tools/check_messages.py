@@ -10,17 +10,18 @@ SCRIPTS = ROOT / "tests" / "scripts" / "errors"
 SAMPLES = ROOT / "tests" / "reference" / "messages"
 SOURCES = ("interpreter/src", "stdlib/src", "apps")
 
-# Codes that no script can show, and the test that shows them instead.
+# Codes that no script can show, and the test that shows them instead (None: nothing can yet).
 ELSEWHERE = {
     "E0123": "tests/hostile.py",  # a script with an expectation in it is text
     "E0124": "tests/unit/interpreter/syntax_limits_test.cpp",  # too long for a script
     "E0126": "tests/hostile.py",  # there is no file
     "E0127": "tests/hostile.py",  # a script with an expectation in it is not empty
-    "E0198": "tests/unit/interpreter/lower_test.cpp",  # memory ran out while compiling
-    "E0220": "tests/unit/interpreter/check_calls_test.cpp",  # the command always supplies a robot
-    "R0617": "tests/unit/stdlib/session_test.cpp",  # needs two tasks
+    "E0198": None,  # a defect of Armlet, or no memory left
+    "E0220": "tests/unit/interpreter/host_vocabulary_test.cpp",  # the command always supplies a robot
+    "E0319": "tests/unit/interpreter/host_vocabulary_test.cpp",  # no functions of the library are a tie
+    "R0617": None,  # needs two tasks
     "R0620": "tests/unit/interpreter/vm_test.cpp",  # needs watchers
-    "R0628": "tests/unit/interpreter/vm_test.cpp",  # the command's limit is too high for a quick test
+    "R0628": "tests/hostile.py",  # fills a gigabyte
     "R0629": "tests/hostile.py",  # needs a signal
     "R0632": "tests/unit/interpreter/vm_test.cpp",  # no function of the library calls back yet
     "W0712": "tests/unit/stdlib/session_test.cpp",  # the command always supplies a world
@@ -90,7 +91,7 @@ def problems():
         if code in by_code and code in ELSEWHERE:
             yield f"{code} is shown by a script, so it is no exception"
     for code, test in ELSEWHERE.items():
-        if code not in (ROOT / test).read_text():
+        if test and code not in (ROOT / test).read_text():
             yield f"{code} is not tested in {test}"
     for path in sorted(SAMPLES.glob("*.txt")):
         code = path.stem
