@@ -42,14 +42,24 @@ double from_axis(const Robot& robot, const Vector3d& p) {
   return std::hypot(local.x(), local.y());
 }
 
-// How close the straight line between two points comes to that axis.
-double least_from_axis(const Robot& robot, const Vector3d& from, const Vector3d& to) {
+// The point of the straight line between two points that is nearest to that axis.
+Vector3d nearest_to_axis(const Robot& robot, const Vector3d& from, const Vector3d& to) {
   const Isometry3d T_base_world = robot.T_world_base().inverse();
   const Eigen::Vector2d a = (T_base_world * from).head<2>();
   const Eigen::Vector2d way = (T_base_world * to).head<2>() - a;
   const double length2 = way.squaredNorm();
   const double s = length2 > 0.0 ? std::clamp(-a.dot(way) / length2, 0.0, 1.0) : 0.0;
-  return (a + s * way).norm();
+  return from + s * (to - from);
+}
+
+// Whether a place is too close to that axis, however the joints are turned.
+bool is_inside_fold(const Robot& robot, const Eigen::VectorXd& q, const Vector3d& place) {
+  IkOptions options;
+  options.seed = q;
+  options.task = IkTask::kPlace;
+  const IkResult result = solve_ik(robot, make_translation(place), options);
+  return result.status == IkStatus::kUnreachable &&
+         from_axis(robot, place) < from_axis(robot, result.diagnosis.nearest.translation());
 }
 
 constexpr double kSameHeight = 0.001;
@@ -195,8 +205,15 @@ Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFau
   const Robot& robot = model(vm, call);
   Failure f = start(vm, call, "R0603", kMarkCallee);
   f.arguments = {fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)))};
-  const Vector3d p = fault.T_world_tool.translation();
-  if (fault.kind == LineFaultKind::kJump) {
+  const CellRobot& state = Host::of(vm).cell().robot(call.robot);
+  const Vector3d start_point = Host::of(vm).cell().T_world_tool(call.robot).translation();
+  const Vector3d closest = nearest_to_axis(robot, start_point, target.T.translation());
+  if (is_inside_fold(robot, state.q, closest)) {
+    f.why = fmt::format(
+        "both ends can be reached, but in between the line passes {} from the axis of joint 1, "
+        "closer than the arm can fold",
+        millimetres(from_axis(robot, closest)));
+  } else if (fault.kind == LineFaultKind::kJump) {
     f.why = fmt::format(
         "there joint {} would have to jump, because the line passes too close to where the arm is "
         "singular",
@@ -205,17 +222,11 @@ Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFau
     f.why =
         "both ends can be reached, but only with different postures of the arm, and it cannot "
         "change between them on the way";
-  } else if (fault.ik.status == IkStatus::kUnreachable &&
-             from_axis(robot, p) < from_axis(robot, fault.ik.diagnosis.nearest.translation())) {
-    const Vector3d from = Host::of(vm).cell().T_world_tool(call.robot).translation();
-    f.why = fmt::format(
-        "both ends can be reached, but in between the line passes {} from the axis of joint 1, "
-        "closer than the arm can fold",
-        millimetres(least_from_axis(robot, from, target.T.translation())));
   } else {
     Failure part = start(vm, call, "R0601", call.target);
     if (fault.ik.status == IkStatus::kJointLimit) say_joint(robot, fault.ik.diagnosis, part);
-    if (part.why.empty()) say_place(robot, p, fault.ik.diagnosis, part);
+    if (part.why.empty())
+      say_place(robot, fault.T_world_tool.translation(), fault.ik.diagnosis, part);
     f.why = fmt::format("both ends can be reached, but in between {}", part.why);
   }
   f.fix = "use moveJ, or go round through a point in between";

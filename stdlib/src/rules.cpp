@@ -291,8 +291,11 @@ void check_dh_table(CheckCall& call) {
 
 void check_default_robot(CheckCall& call) {
   const auto* host = static_cast<const Host*>(call.host());
-  if (host != nullptr && host->default_robot_model() != nullptr) {
-    set_robot_fact(call, *host->default_robot_model(), host->default_robot_model()->name());
+  if (host == nullptr) return;
+  if (const Robot* robot = host->default_robot_model()) {
+    set_robot_fact(call, *robot, robot->name());
+  } else if (!call.callee_span().empty()) {  // a call, not a question about one
+    call.report(make_diagnostic("E0220", call.callee_span()));
   }
 }
 
