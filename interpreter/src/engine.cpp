@@ -9,7 +9,8 @@
 
 namespace armlet {
 
-// ---- Engine -------------------------------------------------------------------------------------------------------
+// ---- Engine
+// -------------------------------------------------------------------------------------------------------
 
 Engine::Engine() : registry_(std::make_unique<lang::Registry>()) {}
 Engine::~Engine() = default;
@@ -41,15 +42,18 @@ Engine& Engine::add_planned(std::span<const std::string_view> names) {
   return *this;
 }
 
-Compilation Engine::compile(std::string text, std::string name, const CompileOptions& options) const {
+Compilation Engine::compile(std::string text, std::string name,
+                            const CompileOptions& options) const {
   return lang::compile_text(*registry_, std::move(text), std::move(name), options);
 }
 
 std::vector<std::string> Engine::check_signatures() const { return registry_->check_signatures(); }
 
-// ---- Program ------------------------------------------------------------------------------------------------------
+// ---- Program
+// ------------------------------------------------------------------------------------------------------
 
-Program::Program(std::unique_ptr<lang::CompiledProgram> compiled) : compiled_(std::move(compiled)) {}
+Program::Program(std::unique_ptr<lang::CompiledProgram> compiled)
+    : compiled_(std::move(compiled)) {}
 Program::~Program() = default;
 
 const SourceSet& Program::sources() const { return *compiled_->sources; }

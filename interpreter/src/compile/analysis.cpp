@@ -22,39 +22,67 @@ bool is_loud(const Expr& e) {
     case ExprKind::kCall:
     case ExprKind::kCallValue:
     case ExprKind::kMutate:
-    case ExprKind::kGuarded: return true;
-    case ExprKind::kCallNative: return !calls_quietly(e.as<CallNativeExpr>());
-    default: return false;
+    case ExprKind::kGuarded:
+      return true;
+    case ExprKind::kCallNative:
+      return !calls_quietly(e.as<CallNativeExpr>());
+    default:
+      return false;
   }
 }
 
 bool is_plain_op(Op op) {
   switch (op) {
-    case Op::kAddR: case Op::kSubR: case Op::kMulR: case Op::kDivR: case Op::kNegR:
-    case Op::kLtI: case Op::kLeI: case Op::kGtI: case Op::kGeI: case Op::kEqI: case Op::kNeI:
-    case Op::kLtR: case Op::kLeR: case Op::kGtR: case Op::kGeR: case Op::kEqR: case Op::kNeR:
-    case Op::kNot: return true;
-    default: return false;
+    case Op::kAddR:
+    case Op::kSubR:
+    case Op::kMulR:
+    case Op::kDivR:
+    case Op::kNegR:
+    case Op::kLtI:
+    case Op::kLeI:
+    case Op::kGtI:
+    case Op::kGeI:
+    case Op::kEqI:
+    case Op::kNeI:
+    case Op::kLtR:
+    case Op::kLeR:
+    case Op::kGtR:
+    case Op::kGeR:
+    case Op::kEqR:
+    case Op::kNeR:
+    case Op::kNot:
+      return true;
+    default:
+      return false;
   }
 }
 
 bool is_plain_node(const Expr& e) {
   switch (e.kind) {
-    case ExprKind::kBool: case ExprKind::kInt: case ExprKind::kReal: case ExprKind::kEnum: return true;
+    case ExprKind::kBool:
+    case ExprKind::kInt:
+    case ExprKind::kReal:
+    case ExprKind::kEnum:
+      return true;
     case ExprKind::kVariable:
       return e.as<VariableExpr>().variable->storage == Storage::kLocal && !e.type->is_reference();
     case ExprKind::kAnd:
-    case ExprKind::kOr: return true;
-    case ExprKind::kUnary: return is_plain_op(e.as<UnaryExpr>().op);
-    case ExprKind::kBinary: return is_plain_op(e.as<BinaryExpr>().op);
+    case ExprKind::kOr:
+      return true;
+    case ExprKind::kUnary:
+      return is_plain_op(e.as<UnaryExpr>().op);
+    case ExprKind::kBinary:
+      return is_plain_op(e.as<BinaryExpr>().op);
     case ExprKind::kConvert:
       return e.as<ConvertExpr>().conversion == Conversion::kSame ||
              e.as<ConvertExpr>().conversion == Conversion::kIntToReal;
-    default: return false;
+    default:
+      return false;
   }
 }
 
-// The expression that gives a variable its only value; null if there is none, or if it is another variable.
+// The expression that gives a variable its only value; null if there is none, or if it is another
+// variable.
 const Expr* only_value(const Variable& variable) {
   const Variable* v = &variable;
   while (v->owner != nullptr) {
@@ -75,16 +103,28 @@ class Summariser {
 
   void statement(const Stmt& s) {
     switch (s.kind) {
-      case StmtKind::kAssign: place(s.as<AssignStmt>().place, false); break;
-      case StmtKind::kInit: use(s.as<InitStmt>().variable).assigned = true; break;
-      case StmtKind::kRange: use(s.as<RangeStmt>().variable).assigned = true; break;
-      case StmtKind::kForList: use(s.as<ForListStmt>().variable).assigned = true; break;
+      case StmtKind::kAssign:
+        place(s.as<AssignStmt>().place, false);
+        break;
+      case StmtKind::kInit:
+        use(s.as<InitStmt>().variable).assigned = true;
+        break;
+      case StmtKind::kRange:
+        use(s.as<RangeStmt>().variable).assigned = true;
+        break;
+      case StmtKind::kForList:
+        use(s.as<ForListStmt>().variable).assigned = true;
+        break;
       case StmtKind::kWait:
-      case StmtKind::kWaitUntil: out_.quiet = false; break;
-      default: break;
+      case StmtKind::kWaitUntil:
+        out_.quiet = false;
+        break;
+      default:
+        break;
     }
     for_each_child(
-        s, [this](const Expr& e) { expression(e); }, [this](const Stmt& child) { statement(child); });
+        s, [this](const Expr& e) { expression(e); },
+        [this](const Stmt& child) { statement(child); });
   }
 
  private:
@@ -150,11 +190,18 @@ bool constant_slot(const Expr& e, Slot& out) {
         return true;
       }
       break;
-    case ExprKind::kBool: out = slot_of(e.as<BoolExpr>().value); return true;
+    case ExprKind::kBool:
+      out = slot_of(e.as<BoolExpr>().value);
+      return true;
     case ExprKind::kInt:
-    case ExprKind::kEnum: out = slot_of(e.as<IntExpr>().value); return true;
-    case ExprKind::kReal: out = slot_of(e.as<RealExpr>().value); return true;
-    default: break;
+    case ExprKind::kEnum:
+      out = slot_of(e.as<IntExpr>().value);
+      return true;
+    case ExprKind::kReal:
+      out = slot_of(e.as<RealExpr>().value);
+      return true;
+    default:
+      break;
   }
   if (e.constant == nullptr) return false;
   const Constant& c = *e.constant;
@@ -206,11 +253,19 @@ const Variable* root_variable(const Expr& expr) {
   const Expr* e = &expr;
   for (;;) {
     switch (e->kind) {
-      case ExprKind::kVariable: return e->as<VariableExpr>().variable;
-      case ExprKind::kField: e = e->as<FieldExpr>().object; break;
-      case ExprKind::kElement: e = e->as<ElementExpr>().object; break;
-      case ExprKind::kConvert: e = e->as<ConvertExpr>().operand; break;
-      default: return nullptr;
+      case ExprKind::kVariable:
+        return e->as<VariableExpr>().variable;
+      case ExprKind::kField:
+        e = e->as<FieldExpr>().object;
+        break;
+      case ExprKind::kElement:
+        e = e->as<ElementExpr>().object;
+        break;
+      case ExprKind::kConvert:
+        e = e->as<ConvertExpr>().operand;
+        break;
+      default:
+        return nullptr;
     }
   }
 }

@@ -24,18 +24,20 @@ namespace armlet::lang {
 // push, pop, insert or removeAt happens somewhere in it.
 [[nodiscard]] bool mutates(const hir::Expr& expr);
 [[nodiscard]] bool mentions(const hir::Expr& expr, const hir::Variable& variable);
-// The variable that a chain of fields and elements starts from; null if it starts from something else.
+// The variable that a chain of fields and elements starts from; null if it starts from something
+// else.
 [[nodiscard]] const hir::Variable* root_variable(const hir::Expr& expr);
 
 // What a statement does to one variable.
 struct VariableUse {
   const hir::Variable* variable = nullptr;
-  bool assigned = false;   // as a whole, or its list changes its length
-  bool element = false;    // an element or field of it is assigned
-  bool whole = false;      // its value is used as a whole: copied, passed, compared
+  bool assigned = false;  // as a whole, or its list changes its length
+  bool element = false;   // an element or field of it is assigned
+  bool whole = false;     // its value is used as a whole: copied, passed, compared
 };
 
-// What a loop does: how it uses variables, in the order of the text, and whether other code may run meanwhile.
+// What a loop does: how it uses variables, in the order of the text, and whether other code may run
+// meanwhile.
 struct Summary {
   bool quiet = true;
   std::vector<VariableUse> uses;

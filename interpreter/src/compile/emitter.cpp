@@ -34,8 +34,10 @@ bool ends_flow(OpCode op) {
     case OpCode::THROW:
     case OpCode::RETHROW:
     case OpCode::ASSERTFAIL:
-    case OpCode::HALT: return true;
-    default: return false;
+    case OpCode::HALT:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -46,7 +48,8 @@ bool is_compare_and_branch(OpCode op) { return op >= OpCode::IFLTI && op <= OpCo
 
 Emitter::Emitter(Span span) : whole_(span), span_(span) {}
 
-// ---- registers ----------------------------------------------------------------------------------------------------
+// ---- registers
+// ----------------------------------------------------------------------------------------------------
 
 Reg Emitter::number() {
   const Reg reg = Reg::make(RegClass::kNumber, numbers_++);
@@ -101,7 +104,8 @@ void Emitter::check_limits() const {
   }
 }
 
-// ---- code ---------------------------------------------------------------------------------------------------------
+// ---- code
+// ---------------------------------------------------------------------------------------------------------
 
 void Emitter::push(OpCode op, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   if (!reachable_) return;
@@ -146,7 +150,8 @@ void Emitter::constant(Reg to, Slot value) {
   push(OpCode::CONST, to.bits, known->second, 0);
 }
 
-// ---- labels -------------------------------------------------------------------------------------------------------
+// ---- labels
+// -------------------------------------------------------------------------------------------------------
 
 Label Emitter::label() {
   labels_.emplace_back();
@@ -178,7 +183,8 @@ void Emitter::branch(OpCode op, std::uint32_t a, Label to) {
   code_.back().label = to.id;
 }
 
-// ---- tables -------------------------------------------------------------------------------------------------------
+// ---- tables
+// -------------------------------------------------------------------------------------------------------
 
 void Emitter::begin_handler(const std::vector<Range>& ranges, bool is_finally) {
   for (const Range& range : ranges) {
@@ -206,15 +212,23 @@ void Emitter::shown(std::uint32_t assert_index, std::vector<Reg> registers) {
   shown_.push_back({assert_index, std::move(registers)});
 }
 
-// ---- the end ------------------------------------------------------------------------------------------------------
+// ---- the end
+// ------------------------------------------------------------------------------------------------------
 
 std::uint16_t Emitter::place(Reg reg) const {
   std::uint32_t at = reg.number();
   switch (reg.reg_class()) {
-    case RegClass::kNumber: at += pinned_; [[fallthrough]];
-    case RegClass::kPinned: at += most_references_; [[fallthrough]];
-    case RegClass::kReference: at += parameters_; [[fallthrough]];
-    case RegClass::kParameter: break;
+    case RegClass::kNumber:
+      at += pinned_;
+      [[fallthrough]];
+    case RegClass::kPinned:
+      at += most_references_;
+      [[fallthrough]];
+    case RegClass::kReference:
+      at += parameters_;
+      [[fallthrough]];
+    case RegClass::kParameter:
+      break;
   }
   return static_cast<std::uint16_t>(at);
 }
@@ -261,8 +275,8 @@ void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
     into.handlers.push_back({h.begin + shift, h.end + shift, h.handler + shift, h.is_finally});
   }
   for (const WideLoop& l : loops_) {
-    into.loops.push_back({l.range.begin + shift, l.range.end + shift, place(l.counter), l.first,
-                          l.step, l.line});
+    into.loops.push_back(
+        {l.range.begin + shift, l.range.end + shift, place(l.counter), l.first, l.step, l.line});
   }
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 // Makes the bytecode of one function: registers, labels, constants, and the way back to the text.
 //
-// While code is made, registers are virtual: they carry a class, and each class is numbered by itself. `finish` lays
-// the classes out one after the other: parameters, references, pinned numbers, numbers. Numbers come last, so that the
-// window of a call, made of the topmost numbers, lies above everything that is alive.
+// While code is made, registers are virtual: they carry a class, and each class is numbered by
+// itself. `finish` lays the classes out one after the other: parameters, references, pinned
+// numbers, numbers. Numbers come last, so that the window of a call, made of the topmost numbers,
+// lies above everything that is alive.
 
 #include <cstdint>
 #include <map>
@@ -35,7 +36,7 @@ struct Label {
 // A program that is too large for the bytecode. Caught at the door of `lower`.
 struct TooLarge {
   Span span;
-  const char* what;    // "variables and temporaries in one function"
+  const char* what;  // "variables and temporaries in one function"
   std::uint32_t limit;
 };
 
@@ -49,10 +50,11 @@ class Emitter {
     std::uint32_t numbers;
   };
   Reg parameter(std::uint32_t number) const { return Reg::make(RegClass::kParameter, number); }
-  Reg number();      // the topmost number from now on
-  Reg reference();   // null or owned by this frame
-  Reg pinned();      // a number for the rest of the function, never part of a window
-  // A constant that is loaded once, when the function starts; nothing when there are too many of them.
+  Reg number();     // the topmost number from now on
+  Reg reference();  // null or owned by this frame
+  Reg pinned();     // a number for the rest of the function, never part of a window
+  // A constant that is loaded once, when the function starts; nothing when there are too many of
+  // them.
   bool pinned_constant(Slot value, Reg& out);
   [[nodiscard]] Mark mark() const { return {references_, numbers_}; }
   [[nodiscard]] bool is_top(Reg reg) const;
@@ -72,7 +74,8 @@ class Emitter {
   }
   // The last instruction is `reg = reg + 1`, and nobody jumps to here.
   [[nodiscard]] bool just_counted(Reg reg) const;
-  // Compares and branches: ints a < b or a >= b, together with the counting just before if there is one.
+  // Compares and branches: ints a < b or a >= b, together with the counting just before if there is
+  // one.
   void count_and_compare(bool less, Reg a, Reg b);
   void emit(OpCode op, Reg a, Reg b, Reg c) { push(op, a.bits, b.bits, c.bits); }
   void emit(OpCode op, Reg a, Reg b) { push(op, a.bits, b.bits, 0); }
@@ -88,8 +91,8 @@ class Emitter {
   void bind(Label label);
   // Binds a label that is jumped to from below; `reachable`: the loop around it can be entered.
   void bind_loop(Label label, bool reachable);
-  void jump(Label to);                        // LOOP if the label is already bound
-  void jump_if(OpCode op, Reg a, Label to);   // JT, JF; forward only
+  void jump(Label to);                       // LOOP if the label is already bound
+  void jump_if(OpCode op, Reg a, Label to);  // JT, JF; forward only
   [[nodiscard]] bool is_bound(Label label) const { return labels_[label.id].position != kUnbound; }
   [[nodiscard]] bool reachable() const { return reachable_; }
   [[nodiscard]] std::uint32_t position() const { return static_cast<std::uint32_t>(code_.size()); }
@@ -143,7 +146,7 @@ class Emitter {
   std::vector<Wide> code_;
   std::vector<Wide> prologue_;
   std::vector<LabelInfo> labels_;
-  std::vector<bool> owned_;              // by reference register: may hold a count now
+  std::vector<bool> owned_;  // by reference register: may hold a count now
   std::map<std::int64_t, std::uint32_t> pinned_constants_;
   std::vector<Handler> handlers_;
   std::vector<WideLoop> loops_;
@@ -158,7 +161,7 @@ class Emitter {
   std::uint32_t references_ = 0;
   std::uint32_t most_references_ = 0;
   std::uint32_t pinned_ = 0;
-  std::uint32_t last_target_ = 0;        // the last position that something jumps to
+  std::uint32_t last_target_ = 0;  // the last position that something jumps to
   std::uint32_t numbers_ = 0;
   std::uint32_t most_numbers_ = 0;
   bool reachable_ = true;

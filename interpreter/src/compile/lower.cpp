@@ -41,8 +41,8 @@ void Lowering::start(FunctionCode& into) {
   load_captures(into);
 }
 
-// The closure keeps what it captured alive while its function runs, so borrowing is enough. A variable that is shared
-// is captured as its box.
+// The closure keeps what it captured alive while its function runs, so borrowing is enough. A
+// variable that is shared is captured as its box.
 void Lowering::load_captures(FunctionCode& into) {
   into.captures = static_cast<std::uint16_t>(function_.captures.size());
   for (std::uint16_t i = 0; i < function_.captures.size(); ++i) {

@@ -9,7 +9,7 @@
 namespace armlet::lang {
 
 struct LowerOptions {
-  bool optimise = true;    // off: plain code with the same results, for comparison in tests
+  bool optimise = true;  // off: plain code with the same results, for comparison in tests
 };
 
 // Fills the functions and tables of `program` from program.module.

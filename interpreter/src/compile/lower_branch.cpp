@@ -11,46 +11,70 @@ namespace {
 // The comparison that is true when `op` is false; for ints.
 Op negated(Op op) {
   switch (op) {
-    case Op::kLtI: return Op::kGeI;
-    case Op::kLeI: return Op::kGtI;
-    case Op::kGtI: return Op::kLeI;
-    case Op::kGeI: return Op::kLtI;
-    case Op::kEqI: return Op::kNeI;
-    default: return Op::kEqI;
+    case Op::kLtI:
+      return Op::kGeI;
+    case Op::kLeI:
+      return Op::kGtI;
+    case Op::kGtI:
+      return Op::kLeI;
+    case Op::kGeI:
+      return Op::kLtI;
+    case Op::kEqI:
+      return Op::kNeI;
+    default:
+      return Op::kEqI;
   }
 }
 
 OpCode compare(Op op) {
   switch (op) {
-    case Op::kLtI: return OpCode::IFLTI;
-    case Op::kLeI: return OpCode::IFLEI;
-    case Op::kGtI: return OpCode::IFGTI;
-    case Op::kGeI: return OpCode::IFGEI;
-    case Op::kEqI: return OpCode::IFEQI;
-    default: return OpCode::IFNEI;
+    case Op::kLtI:
+      return OpCode::IFLTI;
+    case Op::kLeI:
+      return OpCode::IFLEI;
+    case Op::kGtI:
+      return OpCode::IFGTI;
+    case Op::kGeI:
+      return OpCode::IFGEI;
+    case Op::kEqI:
+      return OpCode::IFEQI;
+    default:
+      return OpCode::IFNEI;
   }
 }
 
 OpCode compare_small(Op op) {
   switch (op) {
-    case Op::kLtI: return OpCode::IFLTIK;
-    case Op::kLeI: return OpCode::IFLEIK;
-    case Op::kGtI: return OpCode::IFGTIK;
-    case Op::kGeI: return OpCode::IFGEIK;
-    case Op::kEqI: return OpCode::IFEQIK;
-    default: return OpCode::IFNEIK;
+    case Op::kLtI:
+      return OpCode::IFLTIK;
+    case Op::kLeI:
+      return OpCode::IFLEIK;
+    case Op::kGtI:
+      return OpCode::IFGTIK;
+    case Op::kGeI:
+      return OpCode::IFGEIK;
+    case Op::kEqI:
+      return OpCode::IFEQIK;
+    default:
+      return OpCode::IFNEIK;
   }
 }
 
 // Texts are compared by the sign of CMPTEXT.
 Op sign_test(Op op) {
   switch (op) {
-    case Op::kEqText: return Op::kEqI;
-    case Op::kNeText: return Op::kNeI;
-    case Op::kLtText: return Op::kLtI;
-    case Op::kLeText: return Op::kLeI;
-    case Op::kGtText: return Op::kGtI;
-    default: return Op::kGeI;
+    case Op::kEqText:
+      return Op::kEqI;
+    case Op::kNeText:
+      return Op::kNeI;
+    case Op::kLtText:
+      return Op::kLtI;
+    case Op::kLeText:
+      return Op::kLeI;
+    case Op::kGtText:
+      return Op::kGtI;
+    default:
+      return Op::kGeI;
   }
 }
 
@@ -92,7 +116,8 @@ void Lowering::branch_on(Reg truth, bool when, Label to) {
 void Lowering::branch_all(const BinaryExpr& e, bool when, Label to) {
   std::vector<const Expr*> parts;
   const Expr* first = &e;
-  for (; first->kind == e.kind && first->constant == nullptr; first = first->as<BinaryExpr>().left) {
+  for (; first->kind == e.kind && first->constant == nullptr;
+       first = first->as<BinaryExpr>().left) {
     parts.push_back(first->as<BinaryExpr>().right);
   }
   parts.push_back(first);
@@ -111,21 +136,40 @@ void Lowering::branch_all(const BinaryExpr& e, bool when, Label to) {
 
 bool Lowering::branch_compare(const BinaryExpr& e, bool when, Label to) {
   switch (e.op) {
-    case Op::kLtI: case Op::kLeI: case Op::kGtI: case Op::kGeI: case Op::kEqI: case Op::kNeI:
+    case Op::kLtI:
+    case Op::kLeI:
+    case Op::kGtI:
+    case Op::kGeI:
+    case Op::kEqI:
+    case Op::kNeI:
       branch_int(e, when ? e.op : negated(e.op), to);
       return true;
-    case Op::kLtR: case Op::kLeR: case Op::kGtR: case Op::kGeR: case Op::kEqR: case Op::kNeR:
+    case Op::kLtR:
+    case Op::kLeR:
+    case Op::kGtR:
+    case Op::kGeR:
+    case Op::kEqR:
+    case Op::kNeR:
       branch_real(e, when, to);
       return true;
-    case Op::kEqText: case Op::kNeText: case Op::kLtText: case Op::kLeText: case Op::kGtText:
+    case Op::kEqText:
+    case Op::kNeText:
+    case Op::kLtText:
+    case Op::kLeText:
+    case Op::kGtText:
     case Op::kGeText: {
       const Op op = sign_test(e.op);
       branch_text(e, when ? op : negated(op), to);
       return true;
     }
-    case Op::kEqDeep: branch_deep(e, when, to); return true;
-    case Op::kNeDeep: branch_deep(e, !when, to); return true;
-    default: return false;
+    case Op::kEqDeep:
+      branch_deep(e, when, to);
+      return true;
+    case Op::kNeDeep:
+      branch_deep(e, !when, to);
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -133,7 +177,8 @@ void Lowering::branch_int(const BinaryExpr& e, Op op, Label to) {
   const Emitter::Mark mark = code_.mark();
   const Reg left = value(*e.left);
   std::int64_t small = 0;
-  const bool counts = options_.optimise && (op == Op::kLtI || op == Op::kGeI) && code_.just_counted(left);
+  const bool counts =
+      options_.optimise && (op == Op::kLtI || op == Op::kGeI) && code_.just_counted(left);
   if (options_.optimise && !counts && small_int(*e.right, small)) {
     code_.release(mark);
     code_.at(e.span, &e);
@@ -159,12 +204,24 @@ void Lowering::branch_real(const BinaryExpr& e, bool when, Label to) {
   code_.release(mark);
   code_.at(e.span, &e);
   switch (e.op) {
-    case Op::kLtR: code_.emit(when ? OpCode::IFLTR : OpCode::IFNLTR, left, right); break;
-    case Op::kLeR: code_.emit(when ? OpCode::IFLER : OpCode::IFNLER, left, right); break;
-    case Op::kGtR: code_.emit(when ? OpCode::IFLTR : OpCode::IFNLTR, right, left); break;
-    case Op::kGeR: code_.emit(when ? OpCode::IFLER : OpCode::IFNLER, right, left); break;
-    case Op::kEqR: code_.emit(when ? OpCode::IFEQR : OpCode::IFNER, left, right); break;
-    default: code_.emit(when ? OpCode::IFNER : OpCode::IFEQR, left, right); break;
+    case Op::kLtR:
+      code_.emit(when ? OpCode::IFLTR : OpCode::IFNLTR, left, right);
+      break;
+    case Op::kLeR:
+      code_.emit(when ? OpCode::IFLER : OpCode::IFNLER, left, right);
+      break;
+    case Op::kGtR:
+      code_.emit(when ? OpCode::IFLTR : OpCode::IFNLTR, right, left);
+      break;
+    case Op::kGeR:
+      code_.emit(when ? OpCode::IFLER : OpCode::IFNLER, right, left);
+      break;
+    case Op::kEqR:
+      code_.emit(when ? OpCode::IFEQR : OpCode::IFNER, left, right);
+      break;
+    default:
+      code_.emit(when ? OpCode::IFNER : OpCode::IFEQR, left, right);
+      break;
   }
   code_.jump(to);
 }

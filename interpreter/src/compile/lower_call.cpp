@@ -6,8 +6,8 @@ namespace armlet::lang {
 
 using namespace hir;
 
-// Arguments in consecutive registers from `base`, which is the topmost number. References there are borrowed copies;
-// what owns them stays in reference registers until the caller gives those back.
+// Arguments in consecutive registers from `base`, which is the topmost number. References there are
+// borrowed copies; what owns them stays in reference registers until the caller gives those back.
 void Lowering::window(Seq<Expr*> arguments, Reg base, Hold hold) {
   std::vector<Hold> holds(arguments.size(), hold);
   for (std::size_t i = arguments.size(); i-- > 1;) {
@@ -31,7 +31,8 @@ Reg Lowering::base_for(Dest to) {
 }
 
 void Lowering::call_into(const Expr& e, Dest to) {
-  if (options_.optimise && e.kind == ExprKind::kCallNative && call_direct(e.as<CallNativeExpr>(), to)) {
+  if (options_.optimise && e.kind == ExprKind::kCallNative &&
+      call_direct(e.as<CallNativeExpr>(), to)) {
     return;
   }
   const Reg result = call(e, to);
@@ -88,8 +89,10 @@ Reg Lowering::call(const Expr& e, Dest to) {
       code_.emit(OpCode::CALLV, base, function);
       return base;
     }
-    case ExprKind::kGuarded: return call_guarded(e.as<GuardedExpr>(), to);
-    default: return call_native(e.as<CallNativeExpr>(), base_for(to));
+    case ExprKind::kGuarded:
+      return call_guarded(e.as<GuardedExpr>(), to);
+    default:
+      return call_native(e.as<CallNativeExpr>(), base_for(to));
   }
 }
 
@@ -123,7 +126,8 @@ bool Lowering::call_direct(const CallNativeExpr& e, Dest to) {
   if (e.arguments.size() == 1 && (is_root || f.real1 != nullptr)) {
     const Reg argument = value_near(*e.arguments[0], to);
     code_.at(e.span, &e);
-    code_.push(is_root ? OpCode::SQRT : OpCode::CALLD1, to.reg.bits, argument.bits, tables_.native(&f));
+    code_.push(is_root ? OpCode::SQRT : OpCode::CALLD1, to.reg.bits, argument.bits,
+               tables_.native(&f));
     return true;
   }
   if (e.arguments.size() == 2 && f.real2 != nullptr) {

@@ -17,7 +17,8 @@ bool is_variable(const Expr& e, const Variable& variable) {
   return e.kind == ExprKind::kVariable && e.as<VariableExpr>().variable == &variable;
 }
 
-// The int variable of this function that `step` moves by a constant, as in i++; null if it does something else.
+// The int variable of this function that `step` moves by a constant, as in i++; null if it does
+// something else.
 Variable* counted_variable(const Stmt* step, std::int64_t& by) {
   if (step == nullptr) return nullptr;
   if (step->kind == StmtKind::kBlock && step->as<Block>().body.size() == 1) {
@@ -26,7 +27,8 @@ Variable* counted_variable(const Stmt* step, std::int64_t& by) {
   if (step->kind != StmtKind::kAssign) return nullptr;
   const auto& s = step->as<AssignStmt>();
   Variable& variable = *s.place.variable;
-  if (!s.place.steps.empty() || variable.storage != Storage::kLocal || !variable.type->is(Kind::kInt)) {
+  if (!s.place.steps.empty() || variable.storage != Storage::kLocal ||
+      !variable.type->is(Kind::kInt)) {
     return nullptr;
   }
   const Expr* amount = s.value;
@@ -65,7 +67,8 @@ void Lowering::pin_globals(const Summary& summary) {
   for (const VariableUse& use : summary.uses) {
     const Variable& variable = *use.variable;
     Reg reg;
-    if (variable.storage != Storage::kGlobal || use.assigned || pinned_global(&variable, reg)) continue;
+    if (variable.storage != Storage::kGlobal || use.assigned || pinned_global(&variable, reg))
+      continue;
     if (use.element && use.whole) continue;
     reg = code_.number();
     code_.push(use.element ? OpCode::GOWN : OpCode::GLOAD, reg.bits, variable.index, 0);
@@ -73,7 +76,8 @@ void Lowering::pin_globals(const Summary& summary) {
   }
 }
 
-// ---- while, do, for (;;) ------------------------------------------------------------------------------------------
+// ---- while, do, for (;;)
+// ------------------------------------------------------------------------------------------
 
 void Lowering::loop(const LoopStmt& s) {
   const Emitter::Mark mark = code_.mark();
@@ -123,7 +127,8 @@ bool Lowering::counted_loop(const LoopStmt& s, const Summary& body) {
   std::int64_t by = 0;
   const Variable* counter = counted_variable(s.step, by);
   if (!options_.optimise || counter == nullptr || by != 1 || body.assigns(counter)) return false;
-  if (!s.test_first || s.condition == nullptr || s.condition->kind != ExprKind::kBinary) return false;
+  if (!s.test_first || s.condition == nullptr || s.condition->kind != ExprKind::kBinary)
+    return false;
   const auto& test = s.condition->as<BinaryExpr>();
   Reg last;
   if (test.op != Op::kLtI || test.constant != nullptr || !is_variable(*test.left, *counter) ||
@@ -134,7 +139,8 @@ bool Lowering::counted_loop(const LoopStmt& s, const Summary& body) {
   return true;
 }
 
-// A bound that stays in a register: a number, a variable, or the length of a list that keeps its length.
+// A bound that stays in a register: a number, a variable, or the length of a list that keeps its
+// length.
 bool Lowering::loop_bound(const Expr& e, const Summary& body, Reg& out) {
   if (in_register(e, out)) return true;
   if (e.kind != ExprKind::kLength) return false;
@@ -164,7 +170,8 @@ void Lowering::count_up(const Stmt& s, Reg counter, Reg last, const Pass& pass) 
   code_.jump(body);
 }
 
-// ---- for (x in ...) -----------------------------------------------------------------------------------------------
+// ---- for (x in ...)
+// -----------------------------------------------------------------------------------------------
 
 void Lowering::range(const RangeStmt& s) {
   const Emitter::Mark mark = code_.mark();
@@ -217,7 +224,8 @@ Reg Lowering::range_end(const Expr& e, const Summary& body) {
   return reg;
 }
 
-// A range by any step: up while below the end, down while above it. A step of zero is refused like a division by zero.
+// A range by any step: up while below the end, down while above it. A step of zero is refused like
+// a division by zero.
 void Lowering::count_by(const RangeStmt& s, Reg counter, Reg last, RangeStep step,
                         const Pass& pass) {
   const Label body = code_.label();

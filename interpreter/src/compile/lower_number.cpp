@@ -8,32 +8,60 @@ using namespace hir;
 
 namespace {
 
-// The instruction of an operator on numbers; comparisons the wrong way round are turned by the caller.
+// The instruction of an operator on numbers; comparisons the wrong way round are turned by the
+// caller.
 OpCode instruction(Op op) {
   switch (op) {
-    case Op::kAddI: return OpCode::ADDI;
-    case Op::kSubI: return OpCode::SUBI;
-    case Op::kMulI: return OpCode::MULI;
-    case Op::kDivI: return OpCode::DIVI;
-    case Op::kModI: return OpCode::MODI;
-    case Op::kPowI: return OpCode::POWI;
-    case Op::kNegI: return OpCode::NEGI;
-    case Op::kAddR: return OpCode::ADDR;
-    case Op::kSubR: return OpCode::SUBR;
-    case Op::kMulR: return OpCode::MULR;
-    case Op::kDivR: return OpCode::DIVR;
-    case Op::kModR: return OpCode::MODR;
-    case Op::kPowR: return OpCode::POWR;
-    case Op::kNegR: return OpCode::NEGR;
-    case Op::kLtI: case Op::kGtI: return OpCode::LTI;
-    case Op::kLeI: case Op::kGeI: return OpCode::LEI;
-    case Op::kEqI: return OpCode::EQI;
-    case Op::kNeI: return OpCode::NEI;
-    case Op::kLtR: case Op::kGtR: return OpCode::LTR;
-    case Op::kLeR: case Op::kGeR: return OpCode::LER;
-    case Op::kEqR: return OpCode::EQR;
-    case Op::kNeR: return OpCode::NER;
-    default: return OpCode::NOT;
+    case Op::kAddI:
+      return OpCode::ADDI;
+    case Op::kSubI:
+      return OpCode::SUBI;
+    case Op::kMulI:
+      return OpCode::MULI;
+    case Op::kDivI:
+      return OpCode::DIVI;
+    case Op::kModI:
+      return OpCode::MODI;
+    case Op::kPowI:
+      return OpCode::POWI;
+    case Op::kNegI:
+      return OpCode::NEGI;
+    case Op::kAddR:
+      return OpCode::ADDR;
+    case Op::kSubR:
+      return OpCode::SUBR;
+    case Op::kMulR:
+      return OpCode::MULR;
+    case Op::kDivR:
+      return OpCode::DIVR;
+    case Op::kModR:
+      return OpCode::MODR;
+    case Op::kPowR:
+      return OpCode::POWR;
+    case Op::kNegR:
+      return OpCode::NEGR;
+    case Op::kLtI:
+    case Op::kGtI:
+      return OpCode::LTI;
+    case Op::kLeI:
+    case Op::kGeI:
+      return OpCode::LEI;
+    case Op::kEqI:
+      return OpCode::EQI;
+    case Op::kNeI:
+      return OpCode::NEI;
+    case Op::kLtR:
+    case Op::kGtR:
+      return OpCode::LTR;
+    case Op::kLeR:
+    case Op::kGeR:
+      return OpCode::LER;
+    case Op::kEqR:
+      return OpCode::EQR;
+    case Op::kNeR:
+      return OpCode::NER;
+    default:
+      return OpCode::NOT;
   }
 }
 
@@ -51,9 +79,7 @@ bool is_chain_link(const Expr& e) {
 
 }  // namespace
 
-bool is_product(const Expr& e) {
-  return is_chain_link(e) && e.as<BinaryExpr>().op == Op::kMulR;
-}
+bool is_product(const Expr& e) { return is_chain_link(e) && e.as<BinaryExpr>().op == Op::kMulR; }
 
 // The value in a register that may belong to a variable: only to be read, and soon.
 Reg Lowering::value(const Expr& e) {
@@ -113,12 +139,16 @@ void Lowering::value_into(const Expr& e, Dest to) {
 void Lowering::compute(const Expr& e, Dest to) {
   code_.at(e.span, &e);
   switch (e.kind) {
-    case ExprKind::kAbsent: code_.constant(to.reg, Slot{.i = kAbsentBits}); break;
+    case ExprKind::kAbsent:
+      code_.constant(to.reg, Slot{.i = kAbsentBits});
+      break;
     case ExprKind::kVariable:
       check_set(*e.as<VariableExpr>().variable);
       load_variable(*e.as<VariableExpr>().variable, to.reg);
       break;
-    case ExprKind::kUnary: unary_into(e.as<UnaryExpr>(), to); break;
+    case ExprKind::kUnary:
+      unary_into(e.as<UnaryExpr>(), to);
+      break;
     case ExprKind::kBinary:
       if (is_arithmetic(e.as<BinaryExpr>().op)) {
         binary_into(e.as<BinaryExpr>(), to);
@@ -126,14 +156,30 @@ void Lowering::compute(const Expr& e, Dest to) {
       }
       [[fallthrough]];
     case ExprKind::kAnd:
-    case ExprKind::kOr: truth_into(e, to); break;
-    case ExprKind::kCond: cond_into(e.as<CondExpr>(), to); break;
-    case ExprKind::kConvert: convert_into(e.as<ConvertExpr>(), to); break;
-    case ExprKind::kField: load_field(e.as<FieldExpr>(), to.reg, Hold::kNow); break;
-    case ExprKind::kElement: load_element(e.as<ElementExpr>(), to.reg, Hold::kNow); break;
-    case ExprKind::kLength: length_into(e.as<LengthExpr>(), to.reg); break;
-    case ExprKind::kMutate: code_.emit(OpCode::MOVE, to.reg, mutate(e.as<MutateExpr>())); break;
-    default: call_into(e, to); break;
+    case ExprKind::kOr:
+      truth_into(e, to);
+      break;
+    case ExprKind::kCond:
+      cond_into(e.as<CondExpr>(), to);
+      break;
+    case ExprKind::kConvert:
+      convert_into(e.as<ConvertExpr>(), to);
+      break;
+    case ExprKind::kField:
+      load_field(e.as<FieldExpr>(), to.reg, Hold::kNow);
+      break;
+    case ExprKind::kElement:
+      load_element(e.as<ElementExpr>(), to.reg, Hold::kNow);
+      break;
+    case ExprKind::kLength:
+      length_into(e.as<LengthExpr>(), to.reg);
+      break;
+    case ExprKind::kMutate:
+      code_.emit(OpCode::MOVE, to.reg, mutate(e.as<MutateExpr>()));
+      break;
+    default:
+      call_into(e, to);
+      break;
   }
 }
 
@@ -282,7 +328,8 @@ void Lowering::length_into(const LengthExpr& e, Reg to) {
   code_.emit(e.object->type->is(Kind::kText) ? OpCode::LENTEXT : OpCode::LEN, to, object);
 }
 
-// ---- fields and elements, also as borrowed references --------------------------------------------------------------
+// ---- fields and elements, also as borrowed references
+// --------------------------------------------------------------
 
 void Lowering::load_field(const FieldExpr& e, Reg to, Hold hold) {
   if (options_.optimise && e.object->kind == ExprKind::kElement) {
@@ -301,7 +348,8 @@ void Lowering::load_field(const FieldExpr& e, Reg to, Hold hold) {
 
 // rows[i][j], where evaluating j neither fails nor runs anything.
 bool Lowering::load_element_twice(const ElementExpr& e, Reg to, Hold hold) {
-  if (!options_.optimise || e.object->kind != ExprKind::kElement || !is_plain(*e.index)) return false;
+  if (!options_.optimise || e.object->kind != ExprKind::kElement || !is_plain(*e.index))
+    return false;
   const auto& row = e.object->as<ElementExpr>();
   const Reg rows = borrow(*row.object, stronger(hold, hold_over(*row.index)));
   const Reg i = value(*row.index);

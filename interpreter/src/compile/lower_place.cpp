@@ -6,7 +6,8 @@ namespace armlet::lang {
 
 using namespace hir;
 
-// ---- whole variables ----------------------------------------------------------------------------------------------
+// ---- whole variables
+// ----------------------------------------------------------------------------------------------
 
 // Reading or changing a variable of the program before its declaration has run is an error.
 void Lowering::check_set(const Variable& variable) {
@@ -65,7 +66,8 @@ void Lowering::store_register(const Variable& variable, Reg from) {
   }
 }
 
-// x = ... may use x as its work register if x is read first, or not at all, and nothing can fail half-way.
+// x = ... may use x as its work register if x is read first, or not at all, and nothing can fail
+// half-way.
 bool Lowering::can_write_early(const Variable& variable, const Expr& value) const {
   if (!options_.optimise || !is_plain(value)) return false;
   const Expr* e = &value;
@@ -77,7 +79,8 @@ bool Lowering::can_write_early(const Variable& variable, const Expr& value) cons
 
 // s = s + t grows s in place.
 bool Lowering::append_text(const Variable& variable, const Expr& value) {
-  if (!options_.optimise || value.kind != ExprKind::kConcat || value.constant != nullptr) return false;
+  if (!options_.optimise || value.kind != ExprKind::kConcat || value.constant != nullptr)
+    return false;
   const std::vector<Expr*> parts = joined_parts(value.as<ConcatExpr>());
   if (parts.size() < 2 || parts.size() > 8) return false;
   const auto is_variable = [&](const Expr& e) {
@@ -122,9 +125,11 @@ void Lowering::operate(const AssignStmt& s, Reg left, Reg to) {
   arithmetic({s.span, nullptr}, s.op, left, *s.value, to);
 }
 
-// ---- inside lists and records -------------------------------------------------------------------------------------
+// ---- inside lists and records
+// -------------------------------------------------------------------------------------
 
-// What stands in the brackets is evaluated first, then the value; then the way to the place is walked at once.
+// What stands in the brackets is evaluated first, then the value; then the way to the place is
+// walked at once.
 void Lowering::assign_inside(const AssignStmt& s) {
   const Emitter::Mark mark = code_.mark();
   code_.at(s.span);
@@ -150,8 +155,10 @@ void Lowering::assign_inside(const AssignStmt& s) {
 bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
   const auto& steps = s.place.steps;
   Reg list;
-  if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field) return false;
-  if (!own_register(*s.place.variable, list) || !is_product(*s.value) || !is_plain(*s.value)) return false;
+  if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field)
+    return false;
+  if (!own_register(*s.place.variable, list) || !is_product(*s.value) || !is_plain(*s.value))
+    return false;
   const auto& product = s.value->as<BinaryExpr>();
   const Reg a = value(*product.left);
   const Reg b = value(*product.right);
@@ -169,7 +176,8 @@ Lowering::Indices Lowering::index_values(const Place& place) {
   return indices;
 }
 
-// A value that is part of the variable it is stored into is counted first, so that no object can come to hold itself.
+// A value that is part of the variable it is stored into is counted first, so that no object can
+// come to hold itself.
 Hold Lowering::hold_for(const Place& place, const Expr& value) {
   return root_variable(value) == place.variable ? Hold::kOwn : Hold::kNow;
 }
@@ -213,9 +221,15 @@ Reg Lowering::address(const Place& place, const Indices& indices) {
   const Variable& variable = *place.variable;
   const Reg to = code_.number();
   switch (variable.storage) {
-    case Storage::kLocal: code_.emit(OpCode::ADDRL, to, reg_of(variable)); break;
-    case Storage::kBoxed: code_.emit(OpCode::ADDRB, to, reg_of(variable)); break;
-    case Storage::kGlobal: code_.push(OpCode::ADDRG, to.bits, variable.index, 0); break;
+    case Storage::kLocal:
+      code_.emit(OpCode::ADDRL, to, reg_of(variable));
+      break;
+    case Storage::kBoxed:
+      code_.emit(OpCode::ADDRB, to, reg_of(variable));
+      break;
+    case Storage::kGlobal:
+      code_.push(OpCode::ADDRG, to.bits, variable.index, 0);
+      break;
   }
   for (std::size_t i = 0; i < place.steps.size(); ++i) {
     const Step& step = place.steps[i];
@@ -249,9 +263,11 @@ void Lowering::load_place(const Place& place, const Indices& indices, Reg to) {
   }
 }
 
-// ---- lists that grow and shrink -----------------------------------------------------------------------------------
+// ---- lists that grow and shrink
+// -----------------------------------------------------------------------------------
 
-// Returns the register of the removed element; a reference there is owned and has to be taken at once.
+// Returns the register of the removed element; a reference there is owned and has to be taken at
+// once.
 Reg Lowering::mutate(const MutateExpr& e) {
   const bool reference = e.value != nullptr && e.value->type->is_reference();
   const Reg result = code_.number();
@@ -267,12 +283,16 @@ Reg Lowering::mutate(const MutateExpr& e) {
   const Reg list = address(e.place, indices);
   code_.at(e.span, &e);
   switch (e.mutation) {
-    case Mutation::kPush: code_.emit(reference ? OpCode::PUSHREF : OpCode::PUSH, list, added); break;
+    case Mutation::kPush:
+      code_.emit(reference ? OpCode::PUSHREF : OpCode::PUSH, list, added);
+      break;
     case Mutation::kInsert:
       code_.emit(reference ? OpCode::INSERTREF : OpCode::INSERT, list, index, added);
       break;
     case Mutation::kPop:
-    case Mutation::kRemoveAt: code_.emit(OpCode::POP, result, list, index); break;
+    case Mutation::kRemoveAt:
+      code_.emit(OpCode::POP, result, list, index);
+      break;
   }
   return result;
 }

@@ -35,7 +35,8 @@ Hold hold_over(const Expr& later) {
   return mutates(later) ? Hold::kOwn : Hold::kCall;
 }
 
-// ---- borrowing ----------------------------------------------------------------------------------------------------
+// ---- borrowing
+// ----------------------------------------------------------------------------------------------------
 
 Reg Lowering::borrow(const Expr& e, Hold hold) {
   if (hold != Hold::kOwn) {
@@ -61,7 +62,8 @@ Reg Lowering::borrow(const Expr& e, Hold hold) {
         code_.release_numbers(mark);
         return to;
       }
-      default: break;
+      default:
+        break;
     }
   }
   const Reg to = code_.reference();
@@ -79,10 +81,17 @@ void Lowering::borrow_into(const Expr& e, Reg to, Hold hold) {
   }
   if (hold != Hold::kOwn) {
     switch (e.kind) {
-      case ExprKind::kAbsent: code_.emit(OpCode::ZERO, to); return;
-      case ExprKind::kField: load_field(e.as<FieldExpr>(), to, hold); return;
-      case ExprKind::kElement: load_element(e.as<ElementExpr>(), to, hold); return;
-      default: break;
+      case ExprKind::kAbsent:
+        code_.emit(OpCode::ZERO, to);
+        return;
+      case ExprKind::kField:
+        load_field(e.as<FieldExpr>(), to, hold);
+        return;
+      case ExprKind::kElement:
+        load_element(e.as<ElementExpr>(), to, hold);
+        return;
+      default:
+        break;
     }
   }
   code_.emit(OpCode::MOVE, to, borrow(e, hold));
@@ -113,7 +122,8 @@ Reg Lowering::null_reference() {
   return reg;
 }
 
-// ---- counting -----------------------------------------------------------------------------------------------------
+// ---- counting
+// -----------------------------------------------------------------------------------------------------
 
 void Lowering::own_variable(const Variable& variable, Reg to) {
   Reg reg;
@@ -141,16 +151,24 @@ void Lowering::own_into(const Expr& e, Reg to) {
       check_set(*e.as<VariableExpr>().variable);
       own_variable(*e.as<VariableExpr>().variable, to);
       break;
-    case ExprKind::kAbsent: code_.emit(OpCode::DROP, to); break;
-    case ExprKind::kCond: own_either(e.as<CondExpr>(), to); break;
-    case ExprKind::kConvert: own_converted(e.as<ConvertExpr>(), to); break;
+    case ExprKind::kAbsent:
+      code_.emit(OpCode::DROP, to);
+      break;
+    case ExprKind::kCond:
+      own_either(e.as<CondExpr>(), to);
+      break;
+    case ExprKind::kConvert:
+      own_converted(e.as<ConvertExpr>(), to);
+      break;
     case ExprKind::kField:
     case ExprKind::kElement: {
       const Reg borrowed = borrow(e, Hold::kNow);
       code_.emit(OpCode::MOVEREF, to, borrowed);
       break;
     }
-    default: make(e, to); break;
+    default:
+      make(e, to);
+      break;
   }
   code_.release(mark);
 }
@@ -176,26 +194,49 @@ void Lowering::own_converted(const ConvertExpr& e, Reg to) {
   code_.emit(OpCode::LISTTOREAL, to, list);
 }
 
-// ---- making -------------------------------------------------------------------------------------------------------
+// ---- making
+// -------------------------------------------------------------------------------------------------------
 
 // New objects.
 void Lowering::make(const Expr& e, Reg to) {
   switch (e.kind) {
-    case ExprKind::kList: make_list(e.as<ListExpr>(), to); break;
-    case ExprKind::kNewArray: make_array(e.as<NewArrayExpr>(), to); break;
-    case ExprKind::kRecord: make_record(e.as<RecordExpr>(), to); break;
-    case ExprKind::kSlice: make_slice(e.as<SliceExpr>(), to); break;
-    case ExprKind::kCharacter: make_character(e.as<CharacterExpr>(), to); break;
+    case ExprKind::kList:
+      make_list(e.as<ListExpr>(), to);
+      break;
+    case ExprKind::kNewArray:
+      make_array(e.as<NewArrayExpr>(), to);
+      break;
+    case ExprKind::kRecord:
+      make_record(e.as<RecordExpr>(), to);
+      break;
+    case ExprKind::kSlice:
+      make_slice(e.as<SliceExpr>(), to);
+      break;
+    case ExprKind::kCharacter:
+      make_character(e.as<CharacterExpr>(), to);
+      break;
     case ExprKind::kFunctionValue:
       code_.at(e.span, &e);
       code_.push(OpCode::CLOSURE, to.bits, 0, e.as<FunctionValueExpr>().function->index);
       break;
-    case ExprKind::kClosure: make_closure(e.as<ClosureExpr>(), to); break;
-    case ExprKind::kConcat: join(e.as<ConcatExpr>(), to); break;
-    case ExprKind::kToText: to_text(e.as<ToTextExpr>(), to); break;
-    case ExprKind::kError: make_error(e.as<ErrorExpr>(), to); break;
-    case ExprKind::kMutate: code_.emit(OpCode::TAKE, to, mutate(e.as<MutateExpr>())); break;
-    default: call_own(e, to); break;
+    case ExprKind::kClosure:
+      make_closure(e.as<ClosureExpr>(), to);
+      break;
+    case ExprKind::kConcat:
+      join(e.as<ConcatExpr>(), to);
+      break;
+    case ExprKind::kToText:
+      to_text(e.as<ToTextExpr>(), to);
+      break;
+    case ExprKind::kError:
+      make_error(e.as<ErrorExpr>(), to);
+      break;
+    case ExprKind::kMutate:
+      code_.emit(OpCode::TAKE, to, mutate(e.as<MutateExpr>()));
+      break;
+    default:
+      call_own(e, to);
+      break;
   }
 }
 
@@ -287,7 +328,8 @@ void Lowering::make_character(const CharacterExpr& e, Reg to) {
   code_.emit(OpCode::CHARAT, to, text, index);
 }
 
-// ---- texts --------------------------------------------------------------------------------------------------------
+// ---- texts
+// --------------------------------------------------------------------------------------------------------
 
 void Lowering::join(const ConcatExpr& e, Reg to) {
   std::vector<Expr*> parts = joined_parts(e);

@@ -10,23 +10,57 @@ void Lowering::statement(const Stmt& s) {
   if (!code_.reachable()) return;
   code_.at(s.span);
   switch (s.kind) {
-    case StmtKind::kBlock: block(s.as<Block>()); break;
-    case StmtKind::kInit: init(s.as<InitStmt>()); break;
-    case StmtKind::kAssign: assign(s.as<AssignStmt>()); break;
-    case StmtKind::kExpr: effect(*s.as<ExprStmt>().value); break;
-    case StmtKind::kIf: if_else(s.as<IfStmt>()); break;
-    case StmtKind::kLoop: loop(s.as<LoopStmt>()); break;
-    case StmtKind::kRange: range(s.as<RangeStmt>()); break;
-    case StmtKind::kForList: for_list(s.as<ForListStmt>()); break;
-    case StmtKind::kSwitch: switch_case(s.as<SwitchStmt>()); break;
-    case StmtKind::kTry: try_catch(s.as<TryStmt>()); break;
-    case StmtKind::kThrow: raise(s.as<ThrowStmt>()); break;
-    case StmtKind::kJump: jump(s.as<JumpStmt>()); break;
-    case StmtKind::kReturn: give_back(s.as<ReturnStmt>()); break;
-    case StmtKind::kWait: wait(s.as<WaitStmt>()); break;
-    case StmtKind::kWaitUntil: wait_until(s.as<WaitUntilStmt>()); break;
-    case StmtKind::kAssert: check(s.as<AssertStmt>()); break;
-    case StmtKind::kAssertThrows: check_throws(s.as<AssertThrowsStmt>()); break;
+    case StmtKind::kBlock:
+      block(s.as<Block>());
+      break;
+    case StmtKind::kInit:
+      init(s.as<InitStmt>());
+      break;
+    case StmtKind::kAssign:
+      assign(s.as<AssignStmt>());
+      break;
+    case StmtKind::kExpr:
+      effect(*s.as<ExprStmt>().value);
+      break;
+    case StmtKind::kIf:
+      if_else(s.as<IfStmt>());
+      break;
+    case StmtKind::kLoop:
+      loop(s.as<LoopStmt>());
+      break;
+    case StmtKind::kRange:
+      range(s.as<RangeStmt>());
+      break;
+    case StmtKind::kForList:
+      for_list(s.as<ForListStmt>());
+      break;
+    case StmtKind::kSwitch:
+      switch_case(s.as<SwitchStmt>());
+      break;
+    case StmtKind::kTry:
+      try_catch(s.as<TryStmt>());
+      break;
+    case StmtKind::kThrow:
+      raise(s.as<ThrowStmt>());
+      break;
+    case StmtKind::kJump:
+      jump(s.as<JumpStmt>());
+      break;
+    case StmtKind::kReturn:
+      give_back(s.as<ReturnStmt>());
+      break;
+    case StmtKind::kWait:
+      wait(s.as<WaitStmt>());
+      break;
+    case StmtKind::kWaitUntil:
+      wait_until(s.as<WaitUntilStmt>());
+      break;
+    case StmtKind::kAssert:
+      check(s.as<AssertStmt>());
+      break;
+    case StmtKind::kAssertThrows:
+      check_throws(s.as<AssertThrowsStmt>());
+      break;
   }
 }
 
@@ -37,12 +71,14 @@ void Lowering::block(const Block& b) {
   code_.release(mark);
 }
 
-// ---- variables ----------------------------------------------------------------------------------------------------
+// ---- variables
+// ----------------------------------------------------------------------------------------------------
 
 // Gives a variable its register or box.
 void Lowering::declare(Variable& variable) {
   switch (variable.storage) {
-    case Storage::kGlobal: break;
+    case Storage::kGlobal:
+      break;
     case Storage::kLocal:
       variable.index = (variable.type->is_reference() ? code_.reference() : code_.number()).bits;
       break;
@@ -53,7 +89,8 @@ void Lowering::declare(Variable& variable) {
   }
 }
 
-// The register of a new variable holds nothing yet, so it may be written before the value is complete.
+// The register of a new variable holds nothing yet, so it may be written before the value is
+// complete.
 void Lowering::init(const InitStmt& s) {
   Variable& variable = *s.variable;
   declare(variable);
@@ -83,7 +120,8 @@ void Lowering::note_set(const Variable& variable) {
   }
 }
 
-// ---- choices ------------------------------------------------------------------------------------------------------
+// ---- choices
+// ------------------------------------------------------------------------------------------------------
 
 void Lowering::if_else(const IfStmt& s) {
   const Label end = code_.label();
@@ -128,7 +166,8 @@ void Lowering::switch_case(const SwitchStmt& s) {
     if (c.is_default) fallback = &c;
     for (const Expr* test : c.tests) branch(*test, true, bodies.back());
   }
-  code_.jump(fallback == nullptr ? end : bodies[static_cast<std::size_t>(fallback - s.cases.data())]);
+  code_.jump(fallback == nullptr ? end
+                                 : bodies[static_cast<std::size_t>(fallback - s.cases.data())]);
   exits_.push_back({&s, end, end, tries_.size(), {}, {}});
   for (std::size_t i = 0; i < s.cases.size(); ++i) {
     code_.bind(bodies[i]);
@@ -140,7 +179,8 @@ void Lowering::switch_case(const SwitchStmt& s) {
   code_.release(mark);
 }
 
-// ---- going elsewhere ----------------------------------------------------------------------------------------------
+// ---- going elsewhere
+// ----------------------------------------------------------------------------------------------
 
 void Lowering::jump(const JumpStmt& s) {
   for (std::size_t i = exits_.size(); i-- > 0;) {
@@ -172,11 +212,12 @@ void Lowering::give_back(const ReturnStmt& s) {
   code_.release(mark);
 }
 
-// A local variable is handed over; what belongs to someone else is counted; new values are handed over.
+// A local variable is handed over; what belongs to someone else is counted; new values are handed
+// over.
 void Lowering::give_back_reference(const Expr& e) {
   if (!finally_runs()) {
-    const bool variable = e.kind == ExprKind::kVariable &&
-                          e.as<VariableExpr>().variable->storage == Storage::kLocal;
+    const bool variable =
+        e.kind == ExprKind::kVariable && e.as<VariableExpr>().variable->storage == Storage::kLocal;
     if (variable || e.kind == ExprKind::kField || e.kind == ExprKind::kElement) {
       const Reg result = borrow(e, Hold::kNow);
       code_.emit(variable && result.is_reference() ? OpCode::RETTAKE : OpCode::RETREF, result);
@@ -196,7 +237,8 @@ void Lowering::raise(const ThrowStmt& s) {
   code_.release(mark);
 }
 
-// ---- waiting and checking -----------------------------------------------------------------------------------------
+// ---- waiting and checking
+// -----------------------------------------------------------------------------------------
 
 void Lowering::wait(const WaitStmt& s) {
   const Emitter::Mark mark = code_.mark();

@@ -26,7 +26,8 @@ bool Lowering::finally_runs() const {
   return false;
 }
 
-// Code on the way out belongs to none of the tries it leaves: their ranges stop here and go on behind it.
+// Code on the way out belongs to none of the tries it leaves: their ranges stop here and go on
+// behind it.
 void Lowering::leave(std::size_t depth, const std::function<void()>& go) {
   std::vector<TryScope> left;
   while (tries_.size() > depth) {

@@ -1,8 +1,9 @@
 #pragma once
 // One function of the checked program on its way to bytecode. The parts are in lower_*.cpp.
 //
-// Numbers are evaluated into number registers, destination first, so that few moves are needed. References are either
-// borrowed, when someone else keeps them alive while they are needed, or counted into a reference register.
+// Numbers are evaluated into number registers, destination first, so that few moves are needed.
+// References are either borrowed, when someone else keeps them alive while they are needed, or
+// counted into a reference register.
 
 #include <cstdint>
 #include <functional>
@@ -19,7 +20,7 @@ namespace armlet::lang {
 // Where a number shall go.
 struct Dest {
   Reg reg;
-  bool early;   // may be written before the whole expression has been evaluated
+  bool early;  // may be written before the whole expression has been evaluated
 };
 
 // What an instruction belongs to in the text.
@@ -30,9 +31,9 @@ struct Site {
 
 // How long a borrowed reference must stay good.
 enum class Hold : std::uint8_t {
-  kNow,    // nothing else runs until it is used
-  kCall,   // other code of the program may run, but this function changes none of its variables
-  kOwn,    // this function itself may change the variable: count it
+  kNow,   // nothing else runs until it is used
+  kCall,  // other code of the program may run, but this function changes none of its variables
+  kOwn,   // this function itself may change the variable: count it
 };
 [[nodiscard]] Hold stronger(Hold a, Hold b);
 // What a reference needs to outlast the evaluation of `later`.
@@ -56,17 +57,17 @@ class Lowering {
     Reg retries, instant;  // for RETRY
   };
   struct TryScope {
-    const hir::Block* finally;            // null: none
-    bool catching;                        // failures here go to a handler
-    std::uint32_t begin;                  // of the range that is open
+    const hir::Block* finally;  // null: none
+    bool catching;              // failures here go to a handler
+    std::uint32_t begin;        // of the range that is open
     std::vector<Emitter::Range> caught;
     std::vector<Emitter::Range> finals;
   };
   struct RangeStep {
-    std::int64_t by = 1;                  // 0: known only while running, in `reg`
+    std::int64_t by = 1;  // 0: known only while running, in `reg`
     Reg reg;
   };
-  using Indices = std::vector<Reg>;       // by step of a place; unused for fields
+  using Indices = std::vector<Reg>;  // by step of a place; unused for fields
   using Pass = std::function<void()>;
 
   // ---- lower.cpp
@@ -213,7 +214,8 @@ class Lowering {
   bool is_program_;
   std::vector<Exit> exits_;
   std::vector<TryScope> tries_;
-  std::vector<std::pair<const hir::Variable*, Reg>> pinned_globals_;  // held in registers during a quiet loop
+  std::vector<std::pair<const hir::Variable*, Reg>>
+      pinned_globals_;  // held in registers during a quiet loop
   int loop_depth_ = 0;
 };
 

@@ -35,7 +35,7 @@ struct Handler {
   std::uint32_t begin;
   std::uint32_t end;
   std::uint32_t handler;
-  bool is_finally;                   // also entered when the task is cancelled
+  bool is_finally;  // also entered when the task is cancelled
 };
 
 // A loop whose passes can be counted: the hidden counter is in register `counter`.
@@ -43,31 +43,32 @@ struct LoopInfo {
   std::uint32_t begin;
   std::uint32_t end;
   std::uint16_t counter;
-  std::int64_t first = 0;            // pass = (counter - first) / step + 1
-  std::int64_t step = 1;             // 0: the pass cannot be told
+  std::int64_t first = 0;  // pass = (counter - first) / step + 1
+  std::int64_t step = 1;   // 0: the pass cannot be told
   std::uint32_t line = 0;
 };
 
 // What an instruction belongs to in the text.
 struct CodeSpan {
-  std::uint32_t pc;                  // from here on
+  std::uint32_t pc;  // from here on
   Span span;
-  const hir::Expr* expr = nullptr;   // the element, call ... being computed, for labels and marks
+  const hir::Expr* expr = nullptr;  // the element, call ... being computed, for labels and marks
 };
 
 struct FunctionCode {
   std::string name;
   Span span;
   std::vector<Instr> code;
-  std::vector<Slot> constants;       // numbers
+  std::vector<Slot> constants;  // numbers
   std::uint16_t parameters = 0;
-  std::uint16_t registers = 0;       // all, arguments of calls included
-  std::uint16_t references_begin = 0;  // reference registers [begin, end): null at entry, released at the end.
-  std::uint16_t references_end = 0;    // Parameters are borrowed and lie before them.
+  std::uint16_t registers = 0;  // all, arguments of calls included
+  std::uint16_t references_begin =
+      0;  // reference registers [begin, end): null at entry, released at the end.
+  std::uint16_t references_end = 0;  // Parameters are borrowed and lie before them.
   std::vector<Handler> handlers;
   std::vector<LoopInfo> loops;
-  std::vector<CodeSpan> spans;       // sorted by pc
-  std::vector<const Type*> types;    // for EQDEEP, NEWARRAY
+  std::vector<CodeSpan> spans;     // sorted by pc
+  std::vector<const Type*> types;  // for EQDEEP, NEWARRAY
   // Captures of a closure: which are references (for release).
   std::vector<std::uint16_t> capture_references;
   std::uint16_t captures = 0;
@@ -89,15 +90,16 @@ struct AssertInfo {
 
 struct CompiledProgram {
   std::shared_ptr<SourceSet> sources;
-  std::unique_ptr<Arena> arena;          // hir
+  std::unique_ptr<Arena> arena;  // hir
   std::unique_ptr<TypePool> types;
   std::vector<std::shared_ptr<const Fact>> facts;
   std::vector<std::unique_ptr<Constant>> constants;
   hir::Module module;
 
-  std::vector<FunctionCode> functions;   // [0] is the program itself
+  std::vector<FunctionCode> functions;  // [0] is the program itself
   std::vector<const NativeFunction*> natives;
-  std::vector<std::string> texts;        // literals; each Vm makes its own objects of them, so that Vms share nothing
+  std::vector<std::string>
+      texts;  // literals; each Vm makes its own objects of them, so that Vms share nothing
   std::vector<RecordLayout> layouts;
   std::vector<std::vector<std::uint16_t>> layout_references;
   std::vector<Format> formats;
@@ -105,7 +107,7 @@ struct CompiledProgram {
   std::vector<const hir::AssertThrowsStmt*> expects;
   std::vector<const hir::WaitUntilStmt*> waits;
   std::vector<bool> global_is_reference;
-  std::vector<std::string> mentioned;    // library functions named in the text, sorted
+  std::vector<std::string> mentioned;  // library functions named in the text, sorted
 
   CompiledProgram() = default;
   CompiledProgram(const CompiledProgram&) = delete;

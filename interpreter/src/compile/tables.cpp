@@ -40,9 +40,9 @@ std::uint32_t Tables::layout(const Type* record) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].type->is_reference()) references.push_back(static_cast<std::uint16_t>(i));
   }
-  known->second = append(
-      program_.layouts,
-      RecordLayout{record, static_cast<std::uint16_t>(fields.size()), {}}, "structs");
+  known->second =
+      append(program_.layouts, RecordLayout{record, static_cast<std::uint16_t>(fields.size()), {}},
+             "structs");
   program_.layout_references.push_back(std::move(references));
   return known->second;
 }

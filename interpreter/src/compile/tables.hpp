@@ -1,5 +1,6 @@
 #pragma once
-// The tables of a program that all its functions share: each entry once, found again by what it holds.
+// The tables of a program that all its functions share: each entry once, found again by what it
+// holds.
 
 #include <cstdint>
 #include <map>

@@ -15,9 +15,9 @@ void for_each_index(const hir::Place& place, F f) {
   }
 }
 
-// Calls f(const hir::Expr&) for each operand of an expression, from left to right. Bodies of functions are not entered.
+// The operands of expressions that have any number of them, or may lack some.
 template <class F>
-void for_each_operand(const hir::Expr& e, F f) {
+void for_each_listed_operand(const hir::Expr& e, F f) {
   using hir::ExprKind;
   const auto all = [&](hir::Seq<hir::Expr*> items) {
     for (const hir::Expr* item : items) f(*item);
@@ -26,46 +26,33 @@ void for_each_operand(const hir::Expr& e, F f) {
     if (item != nullptr) f(*item);
   };
   switch (e.kind) {
-    case ExprKind::kBool: case ExprKind::kInt: case ExprKind::kReal: case ExprKind::kText:
-    case ExprKind::kEnum: case ExprKind::kAbsent: case ExprKind::kVariable:
-    case ExprKind::kFunctionValue: case ExprKind::kClosure: break;
-    case ExprKind::kUnary: f(*e.as<hir::UnaryExpr>().operand); break;
-    case ExprKind::kBinary: case ExprKind::kAnd: case ExprKind::kOr:
-      f(*e.as<hir::BinaryExpr>().left);
-      f(*e.as<hir::BinaryExpr>().right);
+    case ExprKind::kList:
+      all(e.as<hir::ListExpr>().items);
       break;
-    case ExprKind::kCond:
-      f(*e.as<hir::CondExpr>().condition);
-      f(*e.as<hir::CondExpr>().yes);
-      f(*e.as<hir::CondExpr>().no);
+    case ExprKind::kNewArray:
+      all(e.as<hir::NewArrayExpr>().sizes);
       break;
-    case ExprKind::kConvert: f(*e.as<hir::ConvertExpr>().operand); break;
-    case ExprKind::kList: all(e.as<hir::ListExpr>().items); break;
-    case ExprKind::kNewArray: all(e.as<hir::NewArrayExpr>().sizes); break;
-    case ExprKind::kRecord: all(e.as<hir::RecordExpr>().fields); break;
-    case ExprKind::kField: f(*e.as<hir::FieldExpr>().object); break;
-    case ExprKind::kElement:
-      f(*e.as<hir::ElementExpr>().object);
-      f(*e.as<hir::ElementExpr>().index);
+    case ExprKind::kRecord:
+      all(e.as<hir::RecordExpr>().fields);
       break;
     case ExprKind::kSlice:
       f(*e.as<hir::SliceExpr>().object);
       maybe(e.as<hir::SliceExpr>().first);
       maybe(e.as<hir::SliceExpr>().last);
       break;
-    case ExprKind::kLength: f(*e.as<hir::LengthExpr>().object); break;
-    case ExprKind::kCharacter:
-      f(*e.as<hir::CharacterExpr>().object);
-      f(*e.as<hir::CharacterExpr>().index);
+    case ExprKind::kCall:
+      all(e.as<hir::CallExpr>().arguments);
       break;
-    case ExprKind::kCall: all(e.as<hir::CallExpr>().arguments); break;
     case ExprKind::kCallValue:
       f(*e.as<hir::CallValueExpr>().function);
       all(e.as<hir::CallValueExpr>().arguments);
       break;
-    case ExprKind::kCallNative: all(e.as<hir::CallNativeExpr>().arguments); break;
-    case ExprKind::kConcat: all(e.as<hir::ConcatExpr>().parts); break;
-    case ExprKind::kToText: f(*e.as<hir::ToTextExpr>().value); break;
+    case ExprKind::kCallNative:
+      all(e.as<hir::CallNativeExpr>().arguments);
+      break;
+    case ExprKind::kConcat:
+      all(e.as<hir::ConcatExpr>().parts);
+      break;
     case ExprKind::kError:
       f(*e.as<hir::ErrorExpr>().message);
       maybe(e.as<hir::ErrorExpr>().kind_text);
@@ -75,9 +62,57 @@ void for_each_operand(const hir::Expr& e, F f) {
       maybe(e.as<hir::MutateExpr>().index);
       maybe(e.as<hir::MutateExpr>().value);
       break;
+    default:
+      break;
+  }
+}
+
+// Calls f(const hir::Expr&) for each operand of an expression, from left to right. Bodies of
+// functions are not entered.
+template <class F>
+void for_each_operand(const hir::Expr& e, F f) {
+  using hir::ExprKind;
+  switch (e.kind) {
+    case ExprKind::kUnary:
+      f(*e.as<hir::UnaryExpr>().operand);
+      break;
+    case ExprKind::kBinary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+      f(*e.as<hir::BinaryExpr>().left);
+      f(*e.as<hir::BinaryExpr>().right);
+      break;
+    case ExprKind::kCond:
+      f(*e.as<hir::CondExpr>().condition);
+      f(*e.as<hir::CondExpr>().yes);
+      f(*e.as<hir::CondExpr>().no);
+      break;
+    case ExprKind::kConvert:
+      f(*e.as<hir::ConvertExpr>().operand);
+      break;
+    case ExprKind::kField:
+      f(*e.as<hir::FieldExpr>().object);
+      break;
+    case ExprKind::kElement:
+      f(*e.as<hir::ElementExpr>().object);
+      f(*e.as<hir::ElementExpr>().index);
+      break;
+    case ExprKind::kLength:
+      f(*e.as<hir::LengthExpr>().object);
+      break;
+    case ExprKind::kCharacter:
+      f(*e.as<hir::CharacterExpr>().object);
+      f(*e.as<hir::CharacterExpr>().index);
+      break;
+    case ExprKind::kToText:
+      f(*e.as<hir::ToTextExpr>().value);
+      break;
     case ExprKind::kGuarded:
       f(*e.as<hir::GuardedExpr>().motion);
       f(*e.as<hir::GuardedExpr>().condition);
+      break;
+    default:
+      for_each_listed_operand(e, f);
       break;
   }
 }
@@ -95,26 +130,11 @@ bool any_part(const hir::Expr& expr, F claim) {
   return false;
 }
 
-// Calls on_expr(const hir::Expr&) for each expression and on_stmt(const hir::Stmt&) for each statement directly inside.
+// The parts of statements that decide where to go on.
 template <class E, class S>
-void for_each_child(const hir::Stmt& s, E on_expr, S on_stmt) {
+void for_each_child_of_control(const hir::Stmt& s, E expr, S stmt) {
   using hir::StmtKind;
-  const auto expr = [&](const hir::Expr* e) {
-    if (e != nullptr) on_expr(*e);
-  };
-  const auto stmt = [&](const hir::Stmt* child) {
-    if (child != nullptr) on_stmt(*child);
-  };
   switch (s.kind) {
-    case StmtKind::kBlock:
-      for (const hir::Stmt* child : s.as<hir::Block>().body) on_stmt(*child);
-      break;
-    case StmtKind::kInit: expr(s.as<hir::InitStmt>().value); break;
-    case StmtKind::kAssign:
-      for_each_index(s.as<hir::AssignStmt>().place, on_expr);
-      expr(s.as<hir::AssignStmt>().value);
-      break;
-    case StmtKind::kExpr: expr(s.as<hir::ExprStmt>().value); break;
     case StmtKind::kIf:
       expr(s.as<hir::IfStmt>().condition);
       stmt(s.as<hir::IfStmt>().yes);
@@ -147,10 +167,45 @@ void for_each_child(const hir::Stmt& s, E on_expr, S on_stmt) {
       stmt(s.as<hir::TryStmt>().handler);
       stmt(s.as<hir::TryStmt>().finally);
       break;
-    case StmtKind::kThrow: expr(s.as<hir::ThrowStmt>().value); break;
-    case StmtKind::kJump: break;
-    case StmtKind::kReturn: expr(s.as<hir::ReturnStmt>().value); break;
-    case StmtKind::kWait: expr(s.as<hir::WaitStmt>().duration); break;
+    default:
+      break;
+  }
+}
+
+// Calls on_expr(const hir::Expr&) for each expression and on_stmt(const hir::Stmt&) for each
+// statement directly inside.
+template <class E, class S>
+void for_each_child(const hir::Stmt& s, E on_expr, S on_stmt) {
+  using hir::StmtKind;
+  const auto expr = [&](const hir::Expr* e) {
+    if (e != nullptr) on_expr(*e);
+  };
+  const auto stmt = [&](const hir::Stmt* child) {
+    if (child != nullptr) on_stmt(*child);
+  };
+  switch (s.kind) {
+    case StmtKind::kBlock:
+      for (const hir::Stmt* child : s.as<hir::Block>().body) on_stmt(*child);
+      break;
+    case StmtKind::kInit:
+      expr(s.as<hir::InitStmt>().value);
+      break;
+    case StmtKind::kAssign:
+      for_each_index(s.as<hir::AssignStmt>().place, on_expr);
+      expr(s.as<hir::AssignStmt>().value);
+      break;
+    case StmtKind::kExpr:
+      expr(s.as<hir::ExprStmt>().value);
+      break;
+    case StmtKind::kThrow:
+      expr(s.as<hir::ThrowStmt>().value);
+      break;
+    case StmtKind::kReturn:
+      expr(s.as<hir::ReturnStmt>().value);
+      break;
+    case StmtKind::kWait:
+      expr(s.as<hir::WaitStmt>().duration);
+      break;
     case StmtKind::kWaitUntil:
       expr(s.as<hir::WaitUntilStmt>().condition);
       expr(s.as<hir::WaitUntilStmt>().timeout);
@@ -164,6 +219,9 @@ void for_each_child(const hir::Stmt& s, E on_expr, S on_stmt) {
     case StmtKind::kAssertThrows:
       expr(s.as<hir::AssertThrowsStmt>().call);
       expr(s.as<hir::AssertThrowsStmt>().kind_text);
+      break;
+    default:
+      for_each_child_of_control(s, expr, stmt);
       break;
   }
 }

@@ -25,7 +25,8 @@ std::string run_test(const Compilation& compilation, std::size_t index) {
 }  // namespace
 
 TEST_CASE("a text becomes a program that several machines can run") {
-  const Compilation compilation = script_engine().compile("var n = 1\nn += 1\nprint(n)", "count.rbt");
+  const Compilation compilation =
+      script_engine().compile("var n = 1\nn += 1\nprint(n)", "count.rbt");
   REQUIRE(compilation.program != nullptr);
   CHECK(compilation.diagnostics.empty());
   CHECK(compilation.program->sources()[0].name() == "count.rbt");
@@ -48,7 +49,8 @@ TEST_CASE("mistakes come back as messages, and no program") {
 }
 
 TEST_CASE("nothing that a text does makes the compiler throw") {
-  const std::string texts[] = {"", "\xFF\xFE", "(((((", "fn f( {", "let let let", std::string(100'000, '(')};
+  const std::string texts[] = {"",        "\xFF\xFE",    "(((((",
+                               "fn f( {", "let let let", std::string(100'000, '(')};
   for (const std::string& text : texts) {
     CHECK_NOTHROW((void)compile_script(text));
   }
@@ -67,7 +69,8 @@ TEST_CASE("a program knows its tests and the library functions it mentions") {
 TEST_CASE("a test runs after the declarations alone") {
   const Compilation compilation = compile_script(
       "var n = 40\nlet two = 2\nprint(\"not in tests\")\nn = 0\n"
-      "test \"sum\" { print(n + two)\n assert(n + two == 42) }\ntest \"false\" { assert(n == two) }");
+      "test \"sum\" { print(n + two)\n assert(n + two == 42) }\ntest \"false\" { assert(n == two) "
+      "}");
   REQUIRE(compilation.program != nullptr);
   CHECK(run_test(compilation, 0) == "42\n");
   CHECK(run_test(compilation, 1) == "R0608");

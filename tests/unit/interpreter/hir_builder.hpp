@@ -181,7 +181,7 @@ class HirBuilder {
 
   std::unique_ptr<CompiledProgram> program;
   hir::Function* main = nullptr;
-  hir::Function* owner = nullptr;     // of the variables made from now on
+  hir::Function* owner = nullptr;  // of the variables made from now on
 
  private:
   template <class T>

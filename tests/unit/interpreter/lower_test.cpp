@@ -40,7 +40,8 @@ std::string output_of(std::unique_ptr<CompiledProgram> compiled) {
 }
 
 long count(const FunctionCode& code, OpCode op) {
-  return std::count_if(code.code.begin(), code.code.end(), [&](const Instr& i) { return i.op == op; });
+  return std::count_if(code.code.begin(), code.code.end(),
+                       [&](const Instr& i) { return i.op == op; });
 }
 
 }  // namespace
@@ -71,10 +72,10 @@ TEST_CASE("a sum of products is accumulated in place, a counted loop ends in one
   hir::Variable* i = b.variable("i", b.types().integer());
   auto program = b.finish(
       {b.init(s, b.real(0.0)), b.init(i, b.integer(0)),
-       b.loop(b.binary(Op::kLtI, b.read(i), b.integer(100'000)),
-              b.change(s, Op::kAddR,
-                       b.binary(Op::kMulR, b.to_real(b.read(i)), b.to_real(b.read(i)))),
-              b.change(i, Op::kAddI, b.integer(1))),
+       b.loop(
+           b.binary(Op::kLtI, b.read(i), b.integer(100'000)),
+           b.change(s, Op::kAddR, b.binary(Op::kMulR, b.to_real(b.read(i)), b.to_real(b.read(i)))),
+           b.change(i, Op::kAddI, b.integer(1))),
        b.when(b.binary(Op::kEqR, b.read(s), b.real(333328333350000.0)), print_int(b, b.read(i)))});
   REQUIRE_FALSE(lower(*program).has_value());
   const FunctionCode& code = program->functions[0];
@@ -92,10 +93,10 @@ TEST_CASE("without optimisation the same program has other instructions and the 
     HirBuilder b;
     const Type* real = b.types().real();
     hir::Variable* x = b.variable("x", real);
-    auto program = b.finish(
-        {b.init(x, b.real(0.1)),
-         b.change(x, Op::kAddR, b.binary(Op::kMulR, b.real(0.7), b.real(0.7))),
-         b.when(b.binary(Op::kEqR, b.read(x), b.real(0.1 + 0.7 * 0.7)), print_int(b, b.integer(1)))});
+    auto program = b.finish({b.init(x, b.real(0.1)),
+                             b.change(x, Op::kAddR, b.binary(Op::kMulR, b.real(0.7), b.real(0.7))),
+                             b.when(b.binary(Op::kEqR, b.read(x), b.real(0.1 + 0.7 * 0.7)),
+                                    print_int(b, b.integer(1)))});
     REQUIRE_FALSE(lower(*program, {.optimise = optimise}).has_value());
     CHECK(count(program->functions[0], OpCode::MADD) == (optimise ? 1 : 0));
     CHECK(output_of(std::move(program)) == "1\n");

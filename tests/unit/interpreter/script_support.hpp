@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "armlet/interpreter/engine.hpp"
 #include "compile/pipeline.hpp"
@@ -12,10 +13,17 @@ namespace armlet::lang {
 namespace script_library {
 
 inline Signal root(Vm& vm, Slot* args) {
-  if (args[0].d < 0.0) return fail(vm, {.code = "R0609", .message = "the root of a negative number"});
+  if (args[0].d < 0.0) {
+    Failure failure;
+    failure.code = "R0609";
+    failure.message = "the root of a negative number";
+    return fail(vm, std::move(failure));
+  }
   return give(args, std::sqrt(args[0].d));
 }
-inline Signal length(Vm&, Slot* args) { return give(args, std::sqrt(args[0].d * args[0].d + args[1].d * args[1].d)); }
+inline Signal length(Vm&, Slot* args) {
+  return give(args, std::sqrt(args[0].d * args[0].d + args[1].d * args[1].d));
+}
 // Calls a function value twice.
 inline Signal twice(Vm& vm, Slot* args) {
   Slot once;
@@ -32,14 +40,27 @@ inline Signal total(Vm&, Slot* args) {
 }
 
 inline const NativeFunction kFunctions[] = {
-    {.name = "sqrt", .signature = "(x: double) -> double", .help = "Square root.", .example = "sqrt(2.0)",
-     .thunk = &root, .real1 = [](double x) { return std::sqrt(x); }},
-    {.name = "hypot", .signature = "(a: double, b: double) -> double", .help = "Length of a vector.",
-     .example = "hypot(3.0, 4.0)", .thunk = &length,
+    {.name = "sqrt",
+     .signature = "(x: double) -> double",
+     .help = "Square root.",
+     .example = "sqrt(2.0)",
+     .thunk = &root,
+     .real1 = [](double x) { return std::sqrt(x); }},
+    {.name = "hypot",
+     .signature = "(a: double, b: double) -> double",
+     .help = "Length of a vector.",
+     .example = "hypot(3.0, 4.0)",
+     .thunk = &length,
      .real2 = [](double a, double b) { return std::sqrt(a * a + b * b); }},
-    {.name = "twice", .signature = "(f: fn(int) -> int, x: int) -> int", .help = "f(f(x)).",
-     .example = "twice(fn(n) => n + 1, 3)", .thunk = &twice},
-    {.name = "sum", .signature = "(xs: double[]) -> double", .help = "The sum.", .example = "sum([1.0])",
+    {.name = "twice",
+     .signature = "(f: fn(int) -> int, x: int) -> int",
+     .help = "f(f(x)).",
+     .example = "twice(fn(n) => n + 1, 3)",
+     .thunk = &twice},
+    {.name = "sum",
+     .signature = "(xs: double[]) -> double",
+     .help = "The sum.",
+     .example = "sum([1.0])",
      .thunk = &total},
 };
 
@@ -58,8 +79,8 @@ inline Compilation compile_script(const std::string& text, bool optimise = true)
   return compile_text(script_engine().registry(), text, "test.rbt", {}, {.optimise = optimise});
 }
 
-// What a program prints; then, on a line of its own, the code and headline of the error that ended it, or of the first
-// mistake found before running.
+// What a program prints; then, on a line of its own, the code and headline of the error that ended
+// it, or of the first mistake found before running.
 inline std::string run_script(const std::string& text, bool optimise = true) {
   const Compilation compilation = compile_script(text, optimise);
   if (compilation.program == nullptr) {
