@@ -26,12 +26,16 @@ endfunction()
 # Installs this build into a folder of its own, then builds and runs the program in tests/embed against it.
 function(armlet_add_embed_test)
   set(prefix ${CMAKE_CURRENT_BINARY_DIR}/installed)
+  set(flags "")
+  if(ARMLET_SANITIZE)
+    set(flags -fsanitize=${ARMLET_SANITIZE})
+  endif()
   add_test(NAME embed.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
   add_test(NAME embed.host COMMAND ${CMAKE_CTEST_COMMAND}
     --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/embed ${CMAKE_CURRENT_BINARY_DIR}/embed
     --build-generator ${CMAKE_GENERATOR}
     --build-options -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-                    "-DCMAKE_CXX_FLAGS=$<$<BOOL:${ARMLET_SANITIZE}>:-fsanitize=${ARMLET_SANITIZE}>"
+                    -DCMAKE_CXX_FLAGS=${flags}
     --test-command embed_host)
   set_tests_properties(embed.install PROPERTIES FIXTURES_SETUP installed_package)
   set_tests_properties(embed.host PROPERTIES FIXTURES_REQUIRED installed_package)
