@@ -169,7 +169,7 @@ TEST_CASE("the circumstances name robot, task, calls and whether anything moved"
 TEST_CASE("endless recursion does not make an endless message") {
   When when;
   when.calls.assign(10'000, "f, called on line 1");
-  CHECK(when_text(when).ends_with(", and 9996 calls further out"));
+  CHECK(when_text(when).ends_with(", and further out"));
 }
 
 TEST_CASE("JSON holds every part of a message") {
