@@ -220,8 +220,8 @@ constexpr NativeFunction kFunctions[] = {
      "Whether an object that is not fixed has its centre near p.",
      "objectAt(xyz(300mm, 0mm, 0mm), within: 20mm)", object_at},
     {"nearestObject", "(p: posC) -> object",
-     "The object that is not fixed and has its centre nearest to p.", "nearestObject(here())",
-     nearest_object},
+     "The object that is not fixed and has its centre nearest to p.",
+     "nearestObject(poseOf(object(\"cube\")))", nearest_object},
     {"topGrasp", "(o: object, yaw: angle = 0rad) -> posC",
      "The pose for grasping an object from above.", "topGrasp(object(\"cube\"))", top_grasp},
 };
