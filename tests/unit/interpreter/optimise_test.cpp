@@ -4,8 +4,10 @@
 
 #include <string>
 
+#include "random_program.hpp"
 #include "script_support.hpp"
 
+using armlet::lang::RandomProgram;
 using armlet::lang::run_script;
 
 namespace {
@@ -234,4 +236,16 @@ TEST_CASE("plain functions of the library are called directly, and still say why
          "3.0 5.0 10.0\n");
   prints("var x = -1.0\nprint(sqrt(x))", "R0609 the root of a negative number\n");
   prints("print(sum([1.0, 2.0]), sum([1, 2]))", "3.0 3.0\n");
+}
+
+TEST_CASE("random programs do the same with and without optimisation") {
+  int failed_to_compile = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const std::string program = RandomProgram(seed).text();
+    INFO(program);
+    const std::string plain = run_script(program, false);
+    if (plain[0] == 'E') ++failed_to_compile;
+    REQUIRE(run_script(program, true) == plain);
+  }
+  CHECK(failed_to_compile == 0);
 }
