@@ -4,7 +4,9 @@
 
 namespace armlet {
 
-Span cover(Span a, Span b) { return {std::min(a.begin, b.begin), std::max(a.end, b.end), a.source}; }
+Span cover(Span a, Span b) {
+  return {std::min(a.begin, b.begin), std::max(a.end, b.end), a.source};
+}
 
 Source::Source(std::string name, std::string text, std::uint32_t id)
     : name_(std::move(name)), text_(std::move(text)), id_(id) {
@@ -29,8 +31,8 @@ Position Source::position(std::uint32_t offset) const {
 std::string_view Source::line(int line) const {
   if (line < 1 || line > line_count()) return {};
   const std::uint32_t begin = line_starts_[line - 1];
-  std::uint32_t end = line < line_count() ? line_starts_[line] - 1
-                                          : static_cast<std::uint32_t>(text_.size());
+  std::uint32_t end =
+      line < line_count() ? line_starts_[line] - 1 : static_cast<std::uint32_t>(text_.size());
   if (end > begin && text_[end - 1] == '\r') --end;
   return std::string_view(text_).substr(begin, end - begin);
 }

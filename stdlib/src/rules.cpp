@@ -350,8 +350,8 @@ void check_duration(CheckCall& call, int parameter) {
 
 void check_time_and_speed(CheckCall& call, int time, int speed) {
   if (call.given(time) && call.given(speed)) {
-    Diagnostic d = make_diagnostic("E0506", call.span(speed));
-    d.related.push_back({call.span(time), ""});
+    Diagnostic d = make_diagnostic("E0506", call.setting_span(speed));
+    d.related.push_back({call.setting_span(time), ""});
     d.fix = Fix{.text = "leave one of them out"};
     return call.report(std::move(d));
   }
@@ -367,7 +367,7 @@ struct Setting {
 void refuse_settings(CheckCall& call, std::initializer_list<Setting> settings) {
   for (const Setting& setting : settings) {
     if (!call.given(setting.parameter)) continue;
-    call.report(make_diagnostic("E0199", call.span(setting.parameter),
+    call.report(make_diagnostic("E0199", call.setting_span(setting.parameter),
                                 {fmt::format("the setting `{}`", setting.name)}));
   }
 }

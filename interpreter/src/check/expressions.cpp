@@ -141,17 +141,14 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
                                constant->value);
   }
   const bool is_group = registry_.is_namespace(name.name) || name.name == "Math";
-  if (is_group || type_called(name.name) != nullptr) {
-    report(make_diagnostic("E0219", name.span,
-                           {std::string(name.name), is_group ? "group of functions" : "type"}));
-    return failed(name.span);
-  }
-  if (!registry_.functions(name.name).empty()) {
-    report(
-        make_diagnostic("E0219", name.span, {std::string(name.name), "function of the library"}));
-    return failed(name.span);
-  }
-  return unknown_name(name.name, name.span);
+  const char* what = is_group                                  ? "group of functions"
+                     : type_called(name.name) != nullptr       ? "type"
+                     : !registry_.functions(name.name).empty() ? "function of the library"
+                                                               : nullptr;
+  if (what == nullptr) return unknown_name(name.name, name.span);
+  if (!syntax_failed_ && told_.emplace(name.name).second)
+    report(make_diagnostic("E0219", name.span, {std::string(name.name), what}));
+  return failed(name.span);
 }
 
 hir::Expr* Checker::read(Local& local, FunctionContext& where, Span span) {

@@ -1,10 +1,11 @@
 #pragma once
 // The checked program: every name resolved, every type known, every conversion written out.
 //
-// The checker makes this tree from the syntax tree; the compiler turns it into bytecode. Overloads, named and default
-// arguments, x.f(a), units, ambient robots and block declarations are gone. One function of the text that is generic
-// by use appears here once for each combination of argument types. Nodes live in the program's arena and are read-only
-// after checking; they stay alive with the program, because messages at run time point back to what was written.
+// The checker makes this tree from the syntax tree; the compiler turns it into bytecode. Overloads,
+// named and default arguments, x.f(a), units, ambient robots and block declarations are gone. One
+// function of the text that is generic by use appears here once for each combination of argument
+// types. Nodes live in the program's arena and are read-only after checking; they stay alive with
+// the program, because messages at run time point back to what was written.
 
 #include <cstdint>
 #include <string_view>
@@ -13,11 +14,27 @@
 
 namespace armlet::lang::hir {
 
-// ---- statements -----------------------------------------------------------------------------------------------
+// ---- statements
+// -----------------------------------------------------------------------------------------------
 
 enum class StmtKind : std::uint8_t {
-  kBlock, kInit, kAssign, kExpr, kIf, kLoop, kRange, kForList, kSwitch, kTry, kThrow, kJump, kReturn, kWait,
-  kWaitUntil, kAssert, kAssertThrows
+  kBlock,
+  kInit,
+  kAssign,
+  kExpr,
+  kIf,
+  kLoop,
+  kRange,
+  kForList,
+  kSwitch,
+  kTry,
+  kThrow,
+  kJump,
+  kReturn,
+  kWait,
+  kWaitUntil,
+  kAssert,
+  kAssertThrows
 };
 
 struct Stmt {
@@ -30,95 +47,109 @@ struct Stmt {
   }
 };
 
-struct Block : Stmt { Seq<Stmt*> body; };
+struct Block : Stmt {
+  Seq<Stmt*> body;
+};
 struct InitStmt : Stmt {
   Variable* variable;
-  Expr* value;                     // null: no first value; boxes are made, references stay null
+  Expr* value;  // null: no first value; boxes are made, references stay null
 };
 struct AssignStmt : Stmt {
   Place place;
   Expr* value;
-  bool compound;                   // place = place op value, the place evaluated once
-  Op op;                           // for numbers; text and lists are written out by the checker as kConcat or natives
+  bool compound;  // place = place op value, the place evaluated once
+  Op op;  // for numbers; text and lists are written out by the checker as kConcat or natives
   Span op_span;
 };
-struct ExprStmt : Stmt { Expr* value; };   // the value is dropped
+struct ExprStmt : Stmt {
+  Expr* value;
+};  // the value is dropped
 struct IfStmt : Stmt {
   Expr* condition;
   Stmt* yes;
-  Stmt* no;                        // null: none
+  Stmt* no;  // null: none
 };
-struct LoopStmt : Stmt {           // while, do, for(;;)
-  Expr* condition;                 // null: for ever
+struct LoopStmt : Stmt {  // while, do, for(;;)
+  Expr* condition;        // null: for ever
   Stmt* body;
-  Stmt* step;                      // null: none; `continue` goes here
+  Stmt* step;  // null: none; `continue` goes here
   bool test_first;
 };
-// for (i in range(a, b, s)): the bounds are evaluated once. The hidden counter tells messages the pass.
+// for (i in range(a, b, s)): the bounds are evaluated once. The hidden counter tells messages the
+// pass.
 struct RangeStmt : Stmt {
   Variable* variable;
   Expr* first;
   Expr* last;
-  Expr* step;                      // null: 1
+  Expr* step;  // null: 1
   Stmt* body;
 };
 struct ForListStmt : Stmt {
   Variable* variable;
-  Expr* items;                     // a list
+  Expr* items;  // a list
   Stmt* body;
 };
 struct SwitchCase {
-  Seq<Expr*> tests;                // bool expressions over `subject`; empty for default
+  Seq<Expr*> tests;  // bool expressions over `subject`; empty for default
   bool is_default;
   Block* body;
 };
 struct SwitchStmt : Stmt {
-  Variable* subject;               // hidden
+  Variable* subject;  // hidden
   Expr* value;
-  Seq<SwitchCase> cases;           // default may stand anywhere; it is taken last
+  Seq<SwitchCase> cases;  // default may stand anywhere; it is taken last
 };
 struct TryStmt : Stmt {
   Block* body;
-  Variable* error;                 // null: catch without a name, or no catch
-  Block* handler;                  // null: no catch
-  Block* finally;                  // null: none
+  Variable* error;  // null: catch without a name, or no catch
+  Block* handler;   // null: no catch
+  Block* finally;   // null: none
 };
-struct ThrowStmt : Stmt { Expr* value; };   // the library's error record
+struct ThrowStmt : Stmt {
+  Expr* value;
+};  // the library's error record
 enum class Jump : std::uint8_t { kBreak, kContinue, kRetry };
 struct JumpStmt : Stmt {
   Jump jump;
-  const Stmt* target;              // the loop, switch or try
+  const Stmt* target;  // the loop, switch or try
 };
-struct ReturnStmt : Stmt { Expr* value; };  // null: none
-struct WaitStmt : Stmt { Expr* duration; };             // seconds, a double
+struct ReturnStmt : Stmt {
+  Expr* value;
+};  // null: none
+struct WaitStmt : Stmt {
+  Expr* duration;
+};  // seconds, a double
 struct WaitUntilStmt : Stmt {
-  Expr* condition;                 // a closure or function without parameters -> bool
-  Expr* timeout;                   // seconds; null: none
-  std::string_view condition_text; // as written
+  Expr* condition;                  // a closure or function without parameters -> bool
+  Expr* timeout;                    // seconds; null: none
+  std::string_view condition_text;  // as written
   Span condition_span;
 };
-// assert(c, note): the parts of c are evaluated once into hidden variables, so that they can be shown.
+// assert(c, note): the parts of c are evaluated once into hidden variables, so that they can be
+// shown.
 struct AssertPart {
-  std::string_view text;           // as written
+  std::string_view text;  // as written
   Variable* variable;
 };
 struct AssertStmt : Stmt {
-  Seq<InitStmt*> parts_init;       // executed in order before the condition
+  Seq<InitStmt*> parts_init;  // executed in order before the condition
   Expr* condition;
-  Expr* note;                      // a text or null
-  Seq<AssertPart> shown;           // values worth showing (not literals)
-  Expr* explain;                   // text expression saying why, evaluated on failure only; null: none
-  std::string_view text;           // of the condition, as written
+  Expr* note;             // a text or null
+  Seq<AssertPart> shown;  // values worth showing (not literals)
+  Expr* explain;          // text expression saying why, evaluated on failure only; null: none
+  std::string_view text;  // of the condition, as written
   Span condition_span;
 };
-// assertThrows(fn() => ..., kind: "..."): runs the call; fails if nothing was thrown, or another kind.
+// assertThrows(fn() => ..., kind: "..."): runs the call; fails if nothing was thrown, or another
+// kind.
 struct AssertThrowsStmt : Stmt {
-  Expr* call;                      // an expression statement to run
-  Expr* kind_text;                 // null: any
+  Expr* call;       // an expression statement to run
+  Expr* kind_text;  // null: any
   Span call_span;
 };
 
-// ---- the whole ------------------------------------------------------------------------------------------------
+// ---- the whole
+// ------------------------------------------------------------------------------------------------
 
 // The body begins with the initialisers of the top-level variables that the test needs.
 struct Test {
@@ -128,11 +159,11 @@ struct Test {
 };
 
 struct Module {
-  Function* main = nullptr;              // the top level, in order; imports' initialisers first
-  Seq<Function*> functions;              // all, main included, numbered by index
+  Function* main = nullptr;  // the top level, in order; imports' initialisers first
+  Seq<Function*> functions;  // all, main included, numbered by index
   Seq<Test> tests;
   std::uint32_t global_count = 0;
-  Seq<Variable*> globals;                // numbered by index
+  Seq<Variable*> globals;  // numbered by index
 };
 
 }  // namespace armlet::lang::hir

@@ -1,5 +1,6 @@
 #pragma once
-// The variables and expressions of a checked program; hir.hpp has the statements and says what the tree is.
+// The variables and expressions of a checked program; hir.hpp has the statements and says what the
+// tree is.
 
 #include <cstdint>
 #include <memory>
@@ -20,13 +21,17 @@ struct Stmt;
 struct Block;
 struct Function;
 
-// ---- variables ------------------------------------------------------------------------------------------------
+// ---- variables
+// ------------------------------------------------------------------------------------------------
 
-// Where a variable lives. The checker starts with kLocal and raises it when it sees a use from elsewhere.
+// Where a variable lives. The checker starts with kLocal and raises it when it sees a use from
+// elsewhere.
 enum class Storage : std::uint8_t {
-  kLocal,    // a register of its function
-  kGlobal,   // a top-level variable that a function, test or condition uses: numbered in the program's globals
-  kBoxed,    // a local shared by reference with a condition or task inside its function: a register holding a box
+  kLocal,   // a register of its function
+  kGlobal,  // a top-level variable that a function, test or condition uses: numbered in the
+            // program's globals
+  kBoxed,   // a local shared by reference with a condition or task inside its function: a register
+            // holding a box
 };
 
 struct Variable {
@@ -35,54 +40,111 @@ struct Variable {
   Span declared;
   Function* owner = nullptr;
   Storage storage = Storage::kLocal;
-  bool fixed = false;              // let, final, parameters, loop variables
+  bool fixed = false;  // let, final, parameters, loop variables
   bool is_parameter = false;
-  bool maybe_unset = false;        // a global that may be read before its initialiser ran: reads are checked (R0623)
-  const Expr* init = nullptr;      // the initialiser, for messages
-  std::uint32_t index = 0;         // the compiler's: register or global number
+  bool maybe_unset =
+      false;  // a global that may be read before its initialiser ran: reads are checked (R0623)
+  const Expr* init = nullptr;  // the initialiser, for messages
+  std::uint32_t index = 0;     // the compiler's: register or global number
 };
 
-// A variable of an enclosing function used inside a lambda (by copy) or a condition (by reference: both boxed).
+// A variable of an enclosing function used inside a lambda (by copy) or a condition (by reference:
+// both boxed).
 struct Capture {
   Variable* outer;
   Variable* inner;
 };
 
 struct Function {
-  std::string_view name;           // "slot", "lambda on line 3", "" for the program itself
+  std::string_view name;  // "slot", "lambda on line 3", "" for the program itself
   Span span;
   Seq<Variable*> parameters;
   Seq<Capture> captures;
-  const Type* result = nullptr;    // void type if none
+  const Type* result = nullptr;  // void type if none
   Block* body = nullptr;
-  std::uint32_t index = 0;         // in the program's functions
-  bool is_condition = false;       // the condition of until, wait until, when: may not pause
+  std::uint32_t index = 0;    // in the program's functions
+  bool is_condition = false;  // the condition of until, wait until, when: may not pause
 };
 
-// ---- expressions ----------------------------------------------------------------------------------------------
+// ---- expressions
+// ----------------------------------------------------------------------------------------------
 
 enum class ExprKind : std::uint8_t {
-  kBool, kInt, kReal, kText, kEnum, kAbsent,
-  kVariable, kUnary, kBinary, kAnd, kOr, kCond, kConvert,
-  kList, kNewArray, kRecord, kField, kElement, kSlice, kLength, kCharacter,
-  kCall, kCallValue, kCallNative, kFunctionValue, kClosure,
-  kConcat, kToText, kError, kMutate, kGuarded
+  kBool,
+  kInt,
+  kReal,
+  kText,
+  kEnum,
+  kAbsent,
+  kVariable,
+  kUnary,
+  kBinary,
+  kAnd,
+  kOr,
+  kCond,
+  kConvert,
+  kList,
+  kNewArray,
+  kRecord,
+  kField,
+  kElement,
+  kSlice,
+  kLength,
+  kCharacter,
+  kCall,
+  kCallValue,
+  kCallNative,
+  kFunctionValue,
+  kClosure,
+  kConcat,
+  kToText,
+  kError,
+  kMutate,
+  kGuarded
 };
 
 enum class Op : std::uint8_t {
-  kAddI, kSubI, kMulI, kDivI, kModI, kPowI, kNegI,      // overflow and division by zero fail
-  kAddR, kSubR, kMulR, kDivR, kModR, kPowR, kNegR,
-  kLtI, kLeI, kGtI, kGeI, kEqI, kNeI,                   // kEqI, kNeI also for bool and enum
-  kLtR, kLeR, kGtR, kGeR, kEqR, kNeR,
+  kAddI,
+  kSubI,
+  kMulI,
+  kDivI,
+  kModI,
+  kPowI,
+  kNegI,  // overflow and division by zero fail
+  kAddR,
+  kSubR,
+  kMulR,
+  kDivR,
+  kModR,
+  kPowR,
+  kNegR,
+  kLtI,
+  kLeI,
+  kGtI,
+  kGeI,
+  kEqI,
+  kNeI,  // kEqI, kNeI also for bool and enum
+  kLtR,
+  kLeR,
+  kGtR,
+  kGeR,
+  kEqR,
+  kNeR,
   kNot,
-  kEqText, kNeText, kLtText, kLeText, kGtText, kGeText,
-  kEqDeep, kNeDeep,                                     // lists, records, host values, by Type
+  kEqText,
+  kNeText,
+  kLtText,
+  kLeText,
+  kGtText,
+  kGeText,
+  kEqDeep,
+  kNeDeep,  // lists, records, host values, by Type
 };
 
 enum class Conversion : std::uint8_t {
-  kSame,          // the bits stay, the type changes (angle to double, 0 to a quantity)
+  kSame,  // the bits stay, the type changes (angle to double, 0 to a quantity)
   kIntToReal,
-  kRealToInt,     // toward zero; fails when not finite or too large
+  kRealToInt,  // toward zero; fails when not finite or too large
   kListIntToReal,
 };
 
@@ -99,18 +161,28 @@ struct Expr {
   }
 };
 
-struct BoolExpr : Expr { bool value; };
-struct IntExpr : Expr { std::int64_t value; };        // also kEnum: the ordinal
-struct RealExpr : Expr { double value; };
-struct TextExpr : Expr { std::string_view value; };
-struct AbsentExpr : Expr {};                          // an optional argument not given; type tells how it is passed
-struct VariableExpr : Expr { Variable* variable; };
+struct BoolExpr : Expr {
+  bool value;
+};
+struct IntExpr : Expr {
+  std::int64_t value;
+};  // also kEnum: the ordinal
+struct RealExpr : Expr {
+  double value;
+};
+struct TextExpr : Expr {
+  std::string_view value;
+};
+struct AbsentExpr : Expr {};  // an optional argument not given; type tells how it is passed
+struct VariableExpr : Expr {
+  Variable* variable;
+};
 struct UnaryExpr : Expr {
   Op op;
   Expr* operand;
 };
-struct BinaryExpr : Expr {                            // kBinary, kAnd, kOr
-  Op op;                                              // unused for kAnd and kOr
+struct BinaryExpr : Expr {  // kBinary, kAnd, kOr
+  Op op;                    // unused for kAnd and kOr
   Expr* left;
   Expr* right;
   Span op_span;
@@ -124,28 +196,37 @@ struct ConvertExpr : Expr {
   Conversion conversion;
   Expr* operand;
 };
-struct ListExpr : Expr { Seq<Expr*> items; };
-struct NewArrayExpr : Expr { Seq<Expr*> sizes; };     // elements zero, false, "" or empty lists; type: the whole list
-struct RecordExpr : Expr { Seq<Expr*> fields; };      // all of them, in order
+struct ListExpr : Expr {
+  Seq<Expr*> items;
+};
+struct NewArrayExpr : Expr {
+  Seq<Expr*> sizes;
+};  // elements zero, false, "" or empty lists; type: the whole list
+struct RecordExpr : Expr {
+  Seq<Expr*> fields;
+};  // all of them, in order
 struct FieldExpr : Expr {
   Expr* object;
   std::uint32_t field;
 };
-struct ElementExpr : Expr {                           // list[i]
+struct ElementExpr : Expr {  // list[i]
   Expr* object;
   Expr* index;
 };
-struct SliceExpr : Expr {                             // list[a:b]; text[a:b] too
+struct SliceExpr : Expr {  // list[a:b]; text[a:b] too
   Expr* object;
-  Expr* first;                                        // null: from the start
-  Expr* last;                                         // null: to the end
+  Expr* first;  // null: from the start
+  Expr* last;   // null: to the end
 };
-struct LengthExpr : Expr { Expr* object; };           // list or text
-struct CharacterExpr : Expr {                         // text[i]
+struct LengthExpr : Expr {
+  Expr* object;
+};                             // list or text
+struct CharacterExpr : Expr {  // text[i]
   Expr* object;
   Expr* index;
 };
-// What is marked when a call fails: the whole, the name, and each argument by parameter (empty if not written).
+// What is marked when a call fails: the whole, the name, and each argument by parameter (empty if
+// not written).
 struct CallSite {
   Span call;
   Span callee;
@@ -163,31 +244,37 @@ struct CallValueExpr : Expr {
 };
 struct CallNativeExpr : Expr {
   const NativeFunction* function;
-  Seq<Expr*> arguments;                               // one per parameter
+  Seq<Expr*> arguments;  // one per parameter
   CallSite site;
 };
-struct FunctionValueExpr : Expr { Function* function; };
-struct ClosureExpr : Expr { Function* function; };    // captures are read here
-struct ConcatExpr : Expr { Seq<Expr*> parts; };       // all of them texts
-struct ToTextExpr : Expr {                            // any value as print shows it, or in a format
-  Expr* value;
-  std::int8_t digits;                                 // -1: not given
-  char style;                                         // 'f' 'e' 'g' or 0
-  std::string_view unit;                              // shown after the number; empty: chosen by size
-  double factor;                                      // SI value of one such unit (when unit is given)
+struct FunctionValueExpr : Expr {
+  Function* function;
 };
-struct ErrorExpr : Expr {                             // error("text", kind: "word") -> the library's error record
+struct ClosureExpr : Expr {
+  Function* function;
+};  // captures are read here
+struct ConcatExpr : Expr {
+  Seq<Expr*> parts;
+};                          // all of them texts
+struct ToTextExpr : Expr {  // any value as print shows it, or in a format
+  Expr* value;
+  std::int8_t digits;     // -1: not given
+  char style;             // 'f' 'e' 'g' or 0
+  std::string_view unit;  // shown after the number; empty: chosen by size
+  double factor;          // SI value of one such unit (when unit is given)
+};
+struct ErrorExpr : Expr {  // error("text", kind: "word") -> the library's error record
   Expr* message;
-  Expr* kind_text;                                    // null: no kind
+  Expr* kind_text;  // null: no kind
 };
 
 // A place that can be assigned: a variable, then fields and elements of it.
 struct Step {
   bool is_field;
   std::uint32_t field;
-  Expr* index;                                        // elements
-  const Type* type;                                   // of the place after this step
-  Span span;                                          // from the start of the place to the end of this step
+  Expr* index;       // elements
+  const Type* type;  // of the place after this step
+  Span span;         // from the start of the place to the end of this step
 };
 struct Place {
   Variable* variable;
@@ -196,15 +283,15 @@ struct Place {
   Span span;
 };
 enum class Mutation : std::uint8_t { kPush, kPop, kInsert, kRemoveAt };
-struct MutateExpr : Expr {                            // xs.push(x): void; xs.pop(), xs.removeAt(i): the element
+struct MutateExpr : Expr {  // xs.push(x): void; xs.pop(), xs.removeAt(i): the element
   Mutation mutation;
   Place place;
-  Expr* index;                                        // insert, removeAt
-  Expr* value;                                        // push, insert
+  Expr* index;  // insert, removeAt
+  Expr* value;  // push, insert
 };
-struct GuardedExpr : Expr {                           // motion until condition
-  Expr* motion;                                       // a CallNativeExpr that pauses
-  Expr* condition;                                    // a ClosureExpr or FunctionValueExpr without parameters -> bool
+struct GuardedExpr : Expr {  // motion until condition
+  Expr* motion;              // a CallNativeExpr that pauses
+  Expr* condition;           // a ClosureExpr or FunctionValueExpr without parameters -> bool
 };
 
 }  // namespace armlet::lang::hir

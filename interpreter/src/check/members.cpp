@@ -144,6 +144,8 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
   } else if (type->is(Kind::kEnum)) {
     names = {"name"};
   }
+  // A field may have this name in a struct whose text failed.
+  if (syntax_failed_ || told_.contains(field.text)) return failed(field.span);
   const std::string whole = type_name(type) + '.' + std::string(field.text);
   if (registry_.is_planned(whole)) return not_available(field.span, '`' + whole + '`');
   Diagnostic diagnostic =

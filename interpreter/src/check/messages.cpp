@@ -88,7 +88,7 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span) const
 }
 
 hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
-  if (syntax_failed_) return failed(span);
+  if (syntax_failed_ || !told_.emplace(name).second) return failed(span);
   if (name == "null") {
     Diagnostic diagnostic = make_diagnostic("E0310", span, {std::string(name)});
     diagnostic.why = "every variable has a value of its type from the start";

@@ -107,14 +107,20 @@ std::optional<hir::Place> Checker::check_place(const ast::Expr& expr, Span state
                      ? find_local(root.as<ast::NameExpr>().name, where)
                      : nullptr;
   if (local == nullptr) {
-    if (root.kind == ast::ExprKind::kName &&
-        find_function(root.as<ast::NameExpr>().name) == nullptr &&
-        registry_.functions(root.as<ast::NameExpr>().name).empty() &&
-        registry_.constant(root.as<ast::NameExpr>().name) == nullptr) {
-      unknown_name(root.as<ast::NameExpr>().name, root.span);
-    } else {
-      report(make_diagnostic("E0328", expr.span));
+    const std::string_view name =
+        root.kind == ast::ExprKind::kName ? root.as<ast::NameExpr>().name : std::string_view();
+    const bool is_type = !name.empty() && type_called(name) != nullptr;
+    if (!name.empty() && !is_type && find_function(name) == nullptr &&
+        registry_.functions(name).empty() && registry_.constant(name) == nullptr) {
+      unknown_name(name, root.span);
+      return std::nullopt;
     }
+    Diagnostic diagnostic = make_diagnostic("E0328", expr.span);
+    if (is_type) {
+      diagnostic.why = '`' + std::string(name) + "` is a type; the name of the variable is missing";
+      syntax_failed_ = true;
+    }
+    report(std::move(diagnostic));
     return std::nullopt;
   }
   const bool is_whole = whole && chain.empty();

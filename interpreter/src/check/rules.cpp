@@ -26,6 +26,7 @@ class Call final : public CheckCall {
     const hir::Expr* value = written(parameter);
     return value != nullptr ? value->span : call_.site.arguments[parameter];
   }
+  Span setting_span(int parameter) const override { return call_.site.arguments[parameter]; }
   Span callee_span() const override { return call_.site.callee; }
   Span call_span() const override { return call_.site.call; }
   std::string text_of(Span span) const override { return checker_.text_of(span); }

@@ -61,7 +61,8 @@ struct CheckerState {
   } naming_;  // the declaration whose first value is being checked
   int errors_ = 0;
   bool syntax_failed_ = false;  // statements are missing, so unknown names prove nothing
-  int depth_ = 0;               // of nested checks, bodies of called functions included
+  std::set<std::string, std::less<>> told_;  // unknown names; each is told of once
+  int depth_ = 0;  // of nested checks, bodies of called functions included
   std::deque<Instance> instances_;
   std::vector<Instance*> queue_;  // bodies that can wait
   std::map<std::string_view, FunctionDecl> functions_;

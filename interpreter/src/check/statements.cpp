@@ -7,6 +7,8 @@
 namespace armlet::lang {
 namespace {
 
+constexpr std::string_view kFn = "fn";
+
 // Computing it changes nothing, so a statement made of it does nothing.
 bool does_nothing(const hir::Expr& value) {
   switch (value.kind) {
@@ -161,6 +163,15 @@ hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {
       note_pause(stmt.span);
       return make<hir::WaitStmt>(hir::StmtKind::kWait, stmt.span, seconds);
     }
+  }
+  if (stmt.value->kind == ast::ExprKind::kLambda) {
+    const std::uint32_t behind = stmt.span.begin + static_cast<std::uint32_t>(kFn.size());
+    Diagnostic diagnostic =
+        make_diagnostic("E0129", {behind, behind, stmt.span.source}, {"a name"});
+    diagnostic.why = "a function without a name is a value, which would be forgotten here";
+    report(std::move(diagnostic));
+    syntax_failed_ = true;
+    return nullptr;
   }
   hir::Expr* value = check(*stmt.value);
   if (does_nothing(*value)) {

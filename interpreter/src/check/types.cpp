@@ -29,11 +29,13 @@ const Type* Checker::resolve_named(const ast::TypeExpr& type) {
     not_available(type.span, "a type of another file");
     return types_.any();
   }
+  if (syntax_failed_ || !told_.emplace(name).second) return types_.any();
   if (registry_.is_planned(name)) {
     not_available(type.span, '`' + name + '`');
     return types_.any();
   }
-  if (const ForeignName* foreign = foreign_name(name); foreign != nullptr && foreign->here == "fn") {
+  if (const ForeignName* foreign = foreign_name(name);
+      foreign != nullptr && foreign->here == "fn") {
     // def f(x) { ... }
     Diagnostic diagnostic = make_diagnostic("E0130", type.span, {name, "fn"});
     diagnostic.fix =

@@ -1,8 +1,9 @@
 #pragma once
 // The tree of a program as written. Plain structs in an arena; every node carries its span.
 //
-// Nothing here is checked beyond the grammar: names are text, types are type expressions. The checker reads this tree
-// and builds the typed one (check/hir.hpp); it never writes to it, so that one function body can be checked several times.
+// Nothing here is checked beyond the grammar: names are text, types are type expressions. The
+// checker reads this tree and builds the typed one (check/hir.hpp); it never writes to it, so that
+// one function body can be checked several times.
 
 #include <cstdint>
 #include <string_view>
@@ -11,12 +12,42 @@
 
 namespace armlet::lang::ast {
 
-// ---- statements -----------------------------------------------------------------------------------------------
+// ---- statements
+// -----------------------------------------------------------------------------------------------
 
 enum class StmtKind : std::uint8_t {
-  kBlock, kEmpty, kVar, kObject, kFunction, kStruct, kEnum, kImport, kTest, kIf, kWhile, kDo, kForIn, kFor, kSwitch,
-  kTry, kParallel, kWhen, kEvery, kWith, kPath, kRecord, kExpr, kAssign, kStep, kWait, kWaitUntil, kBreak, kContinue,
-  kRetry, kReturn, kThrow
+  kBlock,
+  kEmpty,
+  kVar,
+  kObject,
+  kFunction,
+  kStruct,
+  kEnum,
+  kImport,
+  kTest,
+  kIf,
+  kWhile,
+  kDo,
+  kForIn,
+  kFor,
+  kSwitch,
+  kTry,
+  kParallel,
+  kWhen,
+  kEvery,
+  kWith,
+  kPath,
+  kRecord,
+  kExpr,
+  kAssign,
+  kStep,
+  kWait,
+  kWaitUntil,
+  kBreak,
+  kContinue,
+  kRetry,
+  kReturn,
+  kThrow
 };
 
 struct Stmt {
@@ -29,30 +60,32 @@ struct Stmt {
   }
 };
 
-struct Block : Stmt { Seq<Stmt*> body; };
+struct Block : Stmt {
+  Seq<Stmt*> body;
+};
 struct EmptyStmt : Stmt {};
 
 // let x = e; var x: T = e; double a = 1, b[] = {..}; final int n = 3;
 struct Declarator {
   Name name;
-  TypeExpr* type;                  // with the brackets of `double x[]` already applied; null: inferred
-  Expr* init;                      // null: none
+  TypeExpr* type;  // with the brackets of `double x[]` already applied; null: inferred
+  Expr* init;      // null: none
 };
 struct VarStmt : Stmt {
-  bool fixed;                      // let or final
-  bool classic;                    // Type name = ...
-  Span keyword;                    // let, var or final; the type in the classic form
+  bool fixed;    // let or final
+  bool classic;  // Type name = ...
+  Span keyword;  // let, var or final; the type in the classic form
   Seq<Declarator> declarators;
-  std::string_view doc;            // text of the /// lines above, or empty
+  std::string_view doc;  // text of the /// lines above, or empty
 };
 
 // robot scara { joint revolute(...); tool: ... }
 struct BlockItem {
   bool is_row;
-  Name name;                       // field name, or the row's first word (joint)
-  Name constructor;                // rows: the second word (revolute)
-  Expr* value;                     // fields
-  Seq<Arg> args;                   // rows
+  Name name;         // field name, or the row's first word (joint)
+  Name constructor;  // rows: the second word (revolute)
+  Expr* value;       // fields
+  Seq<Arg> args;     // rows
   Span span;
 };
 struct ObjectStmt : Stmt {
@@ -65,8 +98,8 @@ struct ObjectStmt : Stmt {
 struct FunctionStmt : Stmt {
   Name name;
   Seq<Param> params;
-  TypeExpr* result;                // null: inferred; form kVoid: returns nothing
-  Block* body;                     // exactly one of body and value is set
+  TypeExpr* result;  // null: inferred; form kVoid: returns nothing
+  Block* body;       // exactly one of body and value is set
   Expr* value;
   bool classic;
   std::string_view doc;
@@ -82,10 +115,10 @@ struct EnumStmt : Stmt {
   std::string_view doc;
 };
 struct ImportStmt : Stmt {
-  std::string_view path;           // text of the string, or the dotted name
-  bool is_file;                    // a string
+  std::string_view path;  // text of the string, or the dotted name
+  bool is_file;           // a string
   Span path_span;
-  Name alias;                      // text empty: none
+  Name alias;  // text empty: none
 };
 struct TestStmt : Stmt {
   std::string_view name;
@@ -96,7 +129,7 @@ struct TestStmt : Stmt {
 struct IfStmt : Stmt {
   Expr* condition;
   Stmt* yes;
-  Stmt* no;                        // null: none; an IfStmt for else if
+  Stmt* no;  // null: none; an IfStmt for else if
 };
 struct WhileStmt : Stmt {
   Expr* condition;
@@ -106,40 +139,42 @@ struct DoStmt : Stmt {
   Block* body;
   Expr* condition;
 };
-struct ForInStmt : Stmt {          // for (x in xs), for (double x : xs)
+struct ForInStmt : Stmt {  // for (x in xs), for (double x : xs)
   Name name;
-  TypeExpr* type;                  // null: inferred
+  TypeExpr* type;  // null: inferred
   Expr* items;
   Stmt* body;
 };
 struct ForStmt : Stmt {
   Seq<Stmt*> init;
-  Expr* condition;                 // null: for ever
+  Expr* condition;  // null: for ever
   Seq<Stmt*> step;
   Stmt* body;
 };
 struct SwitchCase {
-  Seq<Expr*> values;               // empty for default
+  Seq<Expr*> values;  // empty for default
   bool is_default;
   Seq<Stmt*> body;
-  Span span;                       // `case ... :` without the body
+  Span span;  // `case ... :` without the body
 };
 struct SwitchStmt : Stmt {
   Expr* value;
   Seq<SwitchCase> cases;
-  Span header;                     // switch (...) {
+  Span header;  // switch (...) {
 };
 struct CatchClause {
-  Name name;                       // text empty: catch without a name
+  Name name;  // text empty: catch without a name
   Block* body;
 };
 struct TryStmt : Stmt {
   Block* body;
   Seq<CatchClause> catches;
-  Block* finally;                  // null: none
+  Block* finally;  // null: none
 };
 
-struct ParallelStmt : Stmt { Block* body; };
+struct ParallelStmt : Stmt {
+  Block* body;
+};
 struct WhenStmt : Stmt {
   Expr* condition;
   Block* body;
@@ -162,7 +197,9 @@ struct RecordStmt : Stmt {
   Seq<BlockItem> items;
 };
 
-struct ExprStmt : Stmt { Expr* value; };
+struct ExprStmt : Stmt {
+  Expr* value;
+};
 // a = b = e; a += e. Targets from left to right; op is kAdd ... only when compound.
 struct AssignStmt : Stmt {
   Seq<Expr*> targets;
@@ -171,17 +208,23 @@ struct AssignStmt : Stmt {
   BinaryOp op;
   Span op_span;
 };
-struct StepStmt : Stmt {           // i++, --i
+struct StepStmt : Stmt {  // i++, --i
   Expr* target;
   bool up;
 };
-struct WaitStmt : Stmt { Expr* duration; };              // wait(2s) and wait 2s
+struct WaitStmt : Stmt {
+  Expr* duration;
+};  // wait(2s) and wait 2s
 struct WaitUntilStmt : Stmt {
   Expr* condition;
   Seq<Arg> args;
 };
-struct JumpStmt : Stmt {};                               // kBreak kContinue kRetry
-struct ReturnStmt : Stmt { Expr* value; };               // null: none
-struct ThrowStmt : Stmt { Expr* value; };
+struct JumpStmt : Stmt {};  // kBreak kContinue kRetry
+struct ReturnStmt : Stmt {
+  Expr* value;
+};  // null: none
+struct ThrowStmt : Stmt {
+  Expr* value;
+};
 
 }  // namespace armlet::lang::ast

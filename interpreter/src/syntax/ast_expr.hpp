@@ -1,5 +1,6 @@
 #pragma once
-// The types and expressions of a program as written; ast.hpp has the statements and says what the tree is.
+// The types and expressions of a program as written; ast.hpp has the statements and says what the
+// tree is.
 
 #include <cstdint>
 #include <span>
@@ -24,7 +25,8 @@ struct Name {
   Span span;
 };
 
-// ---- types as written -----------------------------------------------------------------------------------------
+// ---- types as written
+// -----------------------------------------------------------------------------------------
 
 enum class TypeForm : std::uint8_t { kNamed, kPrimitive, kArray, kProduct, kFunction, kVoid };
 
@@ -37,25 +39,62 @@ struct TypeFactor {
 struct TypeExpr {
   TypeForm form;
   Span span;
-  Seq<Name> path;             // kNamed: pal.Pallet; kPrimitive: one name as written (int long double float bool boolean)
-  TypeExpr* element;          // kArray
+  Seq<Name> path;     // kNamed: pal.Pallet; kPrimitive: one name as written (int long double float
+                      // bool boolean)
+  TypeExpr* element;  // kArray
   Seq<TypeFactor> factors;    // kProduct
   Seq<TypeExpr*> parameters;  // kFunction
   TypeExpr* result;           // kFunction
 };
 
-// ---- expressions ----------------------------------------------------------------------------------------------
+// ---- expressions
+// ----------------------------------------------------------------------------------------------
 
 enum class ExprKind : std::uint8_t {
-  kInt, kReal, kQuantity, kText, kFormatted, kBool, kName, kMember, kIndex, kCall, kUnary, kBinary, kCond, kCast,
-  kList, kMatrix, kNewObject, kNewArray, kBrace, kLambda, kUntil
+  kInt,
+  kReal,
+  kQuantity,
+  kText,
+  kFormatted,
+  kBool,
+  kName,
+  kMember,
+  kIndex,
+  kCall,
+  kUnary,
+  kBinary,
+  kCond,
+  kCast,
+  kList,
+  kMatrix,
+  kNewObject,
+  kNewArray,
+  kBrace,
+  kLambda,
+  kUntil
 };
 
 enum class UnaryOp : std::uint8_t { kMinus, kPlus, kNot };
 
 enum class BinaryOp : std::uint8_t {
-  kAdd, kSub, kMul, kDiv, kMod, kLeftDiv, kElemMul, kElemDiv, kPow, kElemPow,
-  kLess, kLessEq, kGreater, kGreaterEq, kEq, kNe, kAnd, kOr
+  kAdd,
+  kSub,
+  kMul,
+  kDiv,
+  kMod,
+  kLeftDiv,
+  kElemMul,
+  kElemDiv,
+  kPow,
+  kElemPow,
+  kLess,
+  kLessEq,
+  kGreater,
+  kGreaterEq,
+  kEq,
+  kNe,
+  kAnd,
+  kOr
 };
 
 // "+", ".*", "&&" ...
@@ -63,7 +102,8 @@ enum class BinaryOp : std::uint8_t {
 
 struct Expr {
   ExprKind kind;
-  std::uint8_t parens = 0;  // pairs of parentheses around it in the text (saturates); span excludes them
+  std::uint8_t parens =
+      0;  // pairs of parentheses around it in the text (saturates); span excludes them
   Span span;
 
   template <class T>
@@ -72,26 +112,32 @@ struct Expr {
   }
 };
 
-struct IntExpr : Expr {            // 42, 0x1F
+struct IntExpr : Expr {  // 42, 0x1F
   std::int64_t value;
-  bool too_large;                  // does not fit 64 bits; value is 0
+  bool too_large;  // does not fit 64 bits; value is 0
 };
-struct RealExpr : Expr { double value; };
-struct QuantityExpr : Expr {       // 90deg
+struct RealExpr : Expr {
+  double value;
+};
+struct QuantityExpr : Expr {  // 90deg
   double si;
   Dim dim;
   double number;
   std::string_view unit;
 };
-struct TextExpr : Expr { std::string_view value; };  // escapes already decoded
-struct BoolExpr : Expr { bool value; };
+struct TextExpr : Expr {
+  std::string_view value;
+};  // escapes already decoded
+struct BoolExpr : Expr {
+  bool value;
+};
 
 // f"a {x:.1f mm} b": texts has one more element than pieces.
 struct FormatSpec {
-  int digits = -1;                 // -1: not given
-  char style = 0;                  // 'f', 'e', 'g' or 0
-  std::string_view unit;           // as written, may be empty
-  Span span;                       // of the text after the colon; empty if there is none
+  int digits = -1;        // -1: not given
+  char style = 0;         // 'f', 'e', 'g' or 0
+  std::string_view unit;  // as written, may be empty
+  Span span;              // of the text after the colon; empty if there is none
 };
 struct FormatPiece {
   Expr* value;
@@ -102,7 +148,9 @@ struct FormattedExpr : Expr {
   Seq<FormatPiece> pieces;
 };
 
-struct NameExpr : Expr { std::string_view name; };
+struct NameExpr : Expr {
+  std::string_view name;
+};
 struct MemberExpr : Expr {
   Expr* object;
   Name member;
@@ -119,14 +167,14 @@ struct IndexExpr : Expr {
   Seq<IndexItem> items;
 };
 struct Arg {
-  Name name;                       // text empty: positional
+  Name name;  // text empty: positional
   Expr* value;
-  Span span;                       // name and value
+  Span span;  // name and value
 };
 struct CallExpr : Expr {
-  Expr* callee;                    // a NameExpr for primitive conversions too: int(x), double(x)
+  Expr* callee;  // a NameExpr for primitive conversions too: int(x), double(x)
   Seq<Arg> args;
-  Span args_span;                  // the parentheses with what is between them
+  Span args_span;  // the parentheses with what is between them
 };
 struct UnaryExpr : Expr {
   UnaryOp op;
@@ -143,36 +191,42 @@ struct CondExpr : Expr {
   Expr* yes;
   Expr* no;
 };
-struct CastExpr : Expr {           // (int) x
+struct CastExpr : Expr {  // (int) x
   Name type;
   Expr* operand;
 };
-struct ListExpr : Expr { Seq<Expr*> items; };             // [a, b]
-struct MatrixExpr : Expr { Seq<Seq<Expr*>> rows; };       // [a, b; c, d]
-struct NewObjectExpr : Expr {      // new posJ(q)
+struct ListExpr : Expr {
+  Seq<Expr*> items;
+};  // [a, b]
+struct MatrixExpr : Expr {
+  Seq<Seq<Expr*>> rows;
+};                             // [a, b; c, d]
+struct NewObjectExpr : Expr {  // new posJ(q)
   TypeExpr* type;
   Seq<Arg> args;
 };
-struct NewArrayExpr : Expr {       // new double[3][4], new double[3][], new double[] {1, 2}
-  TypeExpr* element;               // double
+struct NewArrayExpr : Expr {  // new double[3][4], new double[3][], new double[] {1, 2}
+  TypeExpr* element;          // double
   Seq<Expr*> sizes;
-  int open_dimensions;             // number of [] after the sizes, or before the braces
-  Expr* init;                      // a BraceExpr or null
+  int open_dimensions;  // number of [] after the sizes, or before the braces
+  Expr* init;           // a BraceExpr or null
 };
-struct BraceExpr : Expr { Seq<Expr*> items; };            // {1, 2}: only as an initialiser
+struct BraceExpr : Expr {
+  Seq<Expr*> items;
+};  // {1, 2}: only as an initialiser
 struct Param {
   Name name;
-  TypeExpr* type;                  // null: generic by use
-  Expr* default_value;             // null: required
+  TypeExpr* type;       // null: generic by use
+  Expr* default_value;  // null: required
   Span span;
 };
 struct LambdaExpr : Expr {
   Seq<Param> params;
-  TypeExpr* result;                // null: inferred
-  Block* body;                     // exactly one of body and value is set
+  TypeExpr* result;  // null: inferred
+  Block* body;       // exactly one of body and value is set
   Expr* value;
 };
-struct UntilExpr : Expr {          // arm.moveL(p) until c
+struct UntilExpr : Expr {  // arm.moveL(p) until c
   Expr* motion;
   Expr* condition;
 };

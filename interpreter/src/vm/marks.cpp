@@ -118,7 +118,7 @@ Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
   bool inside = false;
   if (!element.empty()) {
     inside = element.begin >= out.mark.span.begin && element.end <= out.mark.span.end &&
-                        element.source == out.mark.span.source;
+             element.source == out.mark.span.source;
     if (inside) out.mark = {element, failure.element_label};
     if (!inside) out.related.push_back({element, failure.element_label});
   }

@@ -1,8 +1,10 @@
 #pragma once
-// The door to the language: an Engine knows the vocabulary, compiles texts to Programs, and a Vm runs one.
+// The door to the language: an Engine knows the vocabulary, compiles texts to Programs, and a Vm
+// runs one.
 //
-// An Engine is set up once and then only read, so threads may share it. A Program never changes. A Vm belongs to one
-// thread at a time; `cancel` is the only call that another thread may make. Nothing here throws for what a script does.
+// An Engine is set up once and then only read, so threads may share it. A Program never changes. A
+// Vm belongs to one thread at a time; `cancel` is the only call that another thread may make.
+// Nothing here throws for what a script does.
 
 #include <atomic>
 #include <cstdint>
@@ -34,12 +36,13 @@ struct ParseLimits {
 };
 
 // Gives the text of an imported module, or nothing if there is no such file.
-using ModuleLoader = std::function<std::optional<std::string>(const std::string& path, const std::string& from)>;
+using ModuleLoader =
+    std::function<std::optional<std::string>(const std::string& path, const std::string& from)>;
 
 struct CompileOptions {
   ParseLimits limits;
-  void* host = nullptr;            // handed to check rules
-  ModuleLoader load;               // no imports without it
+  void* host = nullptr;  // handed to check rules
+  ModuleLoader load;     // no imports without it
 };
 
 // A checked program. Shared by all who run it.
@@ -64,9 +67,9 @@ class Program {
 };
 
 struct Compilation {
-  std::shared_ptr<const Program> program;      // null if there were errors
-  std::shared_ptr<const SourceSet> sources;    // also when it failed
-  std::vector<Diagnostic> diagnostics;         // errors and advice in the order of the text
+  std::shared_ptr<const Program> program;    // null if there were errors
+  std::shared_ptr<const SourceSet> sources;  // also when it failed
+  std::vector<Diagnostic> diagnostics;       // errors and advice in the order of the text
 };
 
 class Engine {
@@ -76,18 +79,22 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  // The tables must outlive the engine. Signatures are read when first used; `check_signatures` reads all.
+  // The tables must outlive the engine. Signatures are read when first used; `check_signatures`
+  // reads all.
   Engine& add_functions(std::span<const NativeFunction> functions);
   Engine& add_constants(std::span<const NativeConstant> constants);
   Engine& add_type(const HostType& type);
-  // A record of the library: add_record("Move", "reached: bool, stopped: bool, time: time, length: length").
+  // A record of the library: add_record("Move", "reached: bool, stopped: bool, time: time, length:
+  // length").
   Engine& add_record(std::string_view name, std::string_view fields);
-  // Names that are reserved for what is not there yet: a program that uses one is told so. They must outlive the engine.
+  // Names that are reserved for what is not there yet: a program that uses one is told so. They
+  // must outlive the engine.
   Engine& add_planned(std::span<const std::string_view> names);
 
   [[nodiscard]] Compilation compile(std::string text, std::string name,
                                     const CompileOptions& options = {}) const;
-  // Every declared signature that cannot be read, with the reason; empty if all is well (for tests).
+  // Every declared signature that cannot be read, with the reason; empty if all is well (for
+  // tests).
   [[nodiscard]] std::vector<std::string> check_signatures() const;
   [[nodiscard]] const lang::Registry& registry() const { return *registry_; }
 
@@ -96,7 +103,7 @@ class Engine {
 };
 
 struct RunLimits {
-  std::uint64_t steps = 100'000'000;           // calls and backward jumps (ruling 9)
+  std::uint64_t steps = 100'000'000;  // calls and backward jumps (ruling 9)
   std::uint64_t heap_bytes = 1ULL << 30U;
   std::uint32_t call_depth = 10'000;
   std::uint64_t output_bytes = 1ULL << 30U;
@@ -104,17 +111,17 @@ struct RunLimits {
 
 struct VmOptions {
   RunLimits limits;
-  Timeline* timeline = nullptr;                // null: a clock without a world
-  void* host = nullptr;                        // what native functions find with Vm::host
-  std::function<void(std::string_view)> output;            // what `print` writes
-  std::function<void(const Diagnostic&)> advice;           // advice given while running
+  Timeline* timeline = nullptr;                   // null: a clock without a world
+  void* host = nullptr;                           // what native functions find with Vm::host
+  std::function<void(std::string_view)> output;   // what `print` writes
+  std::function<void(const Diagnostic&)> advice;  // advice given while running
 };
 
 enum class RunStatus : std::uint8_t { kDone, kFailed, kCancelled };
 
 struct RunResult {
   RunStatus status = RunStatus::kDone;
-  std::optional<Diagnostic> error;             // kFailed
+  std::optional<Diagnostic> error;  // kFailed
   std::uint64_t steps = 0;
 };
 
@@ -129,7 +136,8 @@ class Vm {
   [[nodiscard]] RunResult run();
   // Runs top-level declarations' initialisers that test `index` needs, then its body.
   [[nodiscard]] RunResult run_test(std::size_t index);
-  // May be called from any thread or a signal handler: the program stops at its next pause point or step check.
+  // May be called from any thread or a signal handler: the program stops at its next pause point or
+  // step check.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
   // For native functions.

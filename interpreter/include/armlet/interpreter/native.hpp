@@ -3,17 +3,21 @@
 //
 // A function is declared by its signature in the notation of the language reference, section 19:
 //
-//     {"moveL", "(r: robot, target: posC, time: time?, speed: speed?) -> Move", help, example, &move_l}
+//     {"moveL", "(r: robot, target: posC, time: time?, speed: speed?) -> Move", help, example,
+//     &move_l}
 //
-//   name: type            required;   name: type = literal   default;   name: type?   may be left out (absent)
-//   values: number...     any number of trailing numbers, handed over as one double[]
+//   name: type            required;   name: type = literal   default;   name: type?   may be left
+//   out (absent) values: number...     any number of trailing numbers, handed over as one double[]
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
-//   T, U                  any type; fn(T) -> U;  joints: a posJ or a double[] may be declared as two overloads
+//   T, U                  any type; fn(T) -> U;  joints: a posJ or a double[] may be declared as
+//   two overloads
 //
-// Names with a meaning of their own: "posC.x" is the field x of a posC; "posJ[]" indexing; "operator*" and its like
-// operators between host types or lists; "robot{}" what a block declaration of type robot calls, whose parameter `name`
-// receives the declared name, and a parameter `joint: jointRow[]` the rows `joint revolute(...)`, each made by
-// "robot.joint.revolute"; "robot()" gives the ambient robot of the host; "Math.sqrt" style names live in a namespace.
+// Names with a meaning of their own: "posC.x" is the field x of a posC; "posJ[]" indexing;
+// "operator*" and its like operators between host types or lists; "robot{}" what a block
+// declaration of type robot calls, whose parameter `name` receives the declared name, and a
+// parameter `joint: jointRow[]` the rows `joint revolute(...)`, each made by
+// "robot.joint.revolute"; "robot()" gives the ambient robot of the host; "Math.sqrt" style names
+// live in a namespace.
 
 #include <cstdint>
 #include <functional>
@@ -35,48 +39,51 @@ namespace armlet {
 class Vm;
 class CheckCall;
 
-// What a native function did: left its result in args[0]; failed (the failure is in the Vm); or takes virtual time.
+// What a native function did: left its result in args[0]; failed (the failure is in the Vm); or
+// takes virtual time.
 enum class Signal : std::uint8_t { kDone, kFail, kPause };
 
-// args: one slot per parameter, then room for the result in args[0]. References in args are borrowed; a reference
-// left as the result belongs to the caller.
+// args: one slot per parameter, then room for the result in args[0]. References in args are
+// borrowed; a reference left as the result belongs to the caller.
 using Thunk = Signal (*)(Vm& vm, Slot* args);
 
 struct NativeFunction {
   std::string_view name;
   std::string_view signature;
-  std::string_view help;                        // one or two sentences
-  std::string_view example;                     // one line that runs
+  std::string_view help;     // one or two sentences
+  std::string_view example;  // one line that runs
   Thunk thunk = nullptr;
-  double (*real1)(double) = nullptr;            // the same function for a direct call, when it cannot fail
+  double (*real1)(double) = nullptr;  // the same function for a direct call, when it cannot fail
   double (*real2)(double, double) = nullptr;
-  void (*check)(CheckCall& call) = nullptr;     // rules checked before running
-  // Same arguments -> text: why the result was false (for assert). Further lines are how to show the arguments that are
-  // not written as literals, in their order.
+  void (*check)(CheckCall& call) = nullptr;  // rules checked before running
+  // Same arguments -> text: why the result was false (for assert). Further lines are how to show
+  // the arguments that are not written as literals, in their order.
   Thunk explain = nullptr;
-  bool pauses = false;                          // takes virtual time: not allowed in conditions
+  bool pauses = false;  // takes virtual time: not allowed in conditions
 };
 
 // A named number of the library: PI, E.
 struct NativeConstant {
   std::string_view name;
-  double value = 0.0;                           // SI
+  double value = 0.0;  // SI
   Dim dim;
   std::string_view help;
 };
 
 // Why a native function failed. The position is added by the interpreter.
 struct Failure {
-  std::string code;                       // "R0601"; gives the kind and the headline
-  std::vector<std::string> arguments;     // for the headline's {}
-  std::string message;                    // replaces the headline if not empty
-  std::string kind;                       // replaces the code's kind if not empty
-  int mark_parameter = -1;                // which argument to mark; -1: the call; kMarkCallee: the function's name
-  int mark_element = -1;                  // element of a list argument (or of the position made from it) at fault
-  std::string element_label;              // label for the place where that element was written
+  std::string code;                    // "R0601"; gives the kind and the headline
+  std::vector<std::string> arguments;  // for the headline's {}
+  std::string message;                 // replaces the headline if not empty
+  std::string kind;                    // replaces the code's kind if not empty
+  int mark_parameter =
+      -1;                 // which argument to mark; -1: the call; kMarkCallee: the function's name
+  int mark_element = -1;  // element of a list argument (or of the position made from it) at fault
+  std::string element_label;  // label for the place where that element was written
   std::string label;
   std::string why;
-  // May contain {line}, the line where the marked element was written, and {arg}, the text of the marked argument.
+  // May contain {line}, the line where the marked element was written, and {arg}, the text of the
+  // marked argument.
   std::string fix;
   std::string robot;
   std::optional<bool> moved;
@@ -90,7 +97,8 @@ class Waiting {
   // The virtual time (ns) at which it ends if nothing interferes; may change when it is stopped.
   [[nodiscard]] virtual std::int64_t due_ns() const = 0;
   [[nodiscard]] virtual bool is_over() const = 0;
-  // Stops under control (a guard came true, or the task is cancelled); is_over becomes true at due_ns.
+  // Stops under control (a guard came true, or the task is cancelled); is_over becomes true at
+  // due_ns.
   virtual void stop() = 0;
   // Called once when over: leaves the result in `result` and returns kDone, or fails.
   virtual Signal finish(Vm& vm, Slot& result) = 0;
@@ -104,11 +112,13 @@ class Timeline {
   virtual ~Timeline() = default;
   [[nodiscard]] virtual std::int64_t now_ns() const = 0;
   [[nodiscard]] virtual std::int64_t tick_ns() const = 0;  // how often conditions are looked at
-  // Brings robots, objects and sensors to time t >= now. Returns false if the host wants the program to stop.
+  // Brings robots, objects and sensors to time t >= now. Returns false if the host wants the
+  // program to stop.
   virtual bool advance_to(std::int64_t t_ns) = 0;
 };
 
-// ---- reading arguments and leaving results ---------------------------------------------------------------------
+// ---- reading arguments and leaving results
+// ---------------------------------------------------------------------
 
 template <class T>
 [[nodiscard]] const T& host_value(Slot s) {
@@ -124,13 +134,15 @@ template <class T>
   const auto* list = static_cast<const ListObj*>(s.o);
   return {list->data, list->size};
 }
-// Objects are counted and limited; nullptr means that the heap limit was reached and the failure is set in the Vm.
+// Objects are counted and limited; nullptr means that the heap limit was reached and the failure is
+// set in the Vm.
 [[nodiscard]] Obj* new_text(Vm& vm, std::string_view text);
 [[nodiscard]] ListObj* new_list(Vm& vm, std::uint32_t size, bool references);  // elements zero
 [[nodiscard]] Obj* new_reals(Vm& vm, std::span<const double> values);
-[[nodiscard]] MatrixObj* new_matrix(Vm& vm, std::uint32_t rows, std::uint32_t cols);           // elements zero
-[[nodiscard]] RecordObj* new_record(Vm& vm, const Type* record);               // fields zero
-[[nodiscard]] HostObj* new_host_object(Vm& vm, const HostType& type);          // payload not constructed
+[[nodiscard]] MatrixObj* new_matrix(Vm& vm, std::uint32_t rows,
+                                    std::uint32_t cols);               // elements zero
+[[nodiscard]] RecordObj* new_record(Vm& vm, const Type* record);       // fields zero
+[[nodiscard]] HostObj* new_host_object(Vm& vm, const HostType& type);  // payload not constructed
 void retain(Obj* object);
 void release(Vm& vm, Obj* object);
 
@@ -161,37 +173,42 @@ template <class T>
 Signal fail(Vm& vm, Failure failure);
 Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting);
 
-// ---- rules checked before running -----------------------------------------------------------------------------
+// ---- rules checked before running
+// -----------------------------------------------------------------------------
 
 // A value known from the text: literals, fixed variables and lists made of them.
 struct Constant {
   enum class Kind : std::uint8_t { kBool, kInt, kReal, kText, kList } kind = Kind::kInt;
   bool truth = false;
   std::int64_t integer = 0;
-  double real = 0.0;          // also set for kInt
+  double real = 0.0;  // also set for kInt
   std::string text{};
   std::vector<Constant> items{};
 };
 
-// What the host knows about a value before running, for example the joints of a robot. Made by check rules, carried
-// along by fixed variables.
+// What the host knows about a value before running, for example the joints of a robot. Made by
+// check rules, carried along by fixed variables.
 class Fact {
  public:
   virtual ~Fact() = default;
 };
 
-// One call seen by a rule. Parameters are numbered as in the signature (the ambient first one included).
+// One call seen by a rule. Parameters are numbered as in the signature (the ambient first one
+// included).
 class CheckCall {
  public:
   virtual ~CheckCall() = default;
 
   [[nodiscard]] virtual std::string_view function_name() const = 0;  // as written: "moveJ"
-  [[nodiscard]] virtual bool given(int parameter) const = 0;         // absent, defaulted and ambient ones are not
-  [[nodiscard]] virtual const Type* type(int parameter) const = 0;   // before conversion
+  [[nodiscard]] virtual bool given(
+      int parameter) const = 0;  // absent, defaulted and ambient ones are not
+  [[nodiscard]] virtual const Type* type(int parameter) const = 0;  // before conversion
   [[nodiscard]] virtual Span span(int parameter) const = 0;
+  // The value with the name in front of it, if it has one: `time: 2s`.
+  [[nodiscard]] virtual Span setting_span(int parameter) const = 0;
   [[nodiscard]] virtual Span callee_span() const = 0;
   [[nodiscard]] virtual Span call_span() const = 0;
-  [[nodiscard]] virtual std::string text_of(Span span) const = 0;    // as written
+  [[nodiscard]] virtual std::string text_of(Span span) const = 0;  // as written
   [[nodiscard]] virtual int line_of(Span span) const = 0;
   [[nodiscard]] virtual std::optional<Constant> constant(int parameter) const = 0;
   [[nodiscard]] virtual std::shared_ptr<const Fact> fact(int parameter) const = 0;
@@ -201,13 +218,15 @@ class CheckCall {
   [[nodiscard]] virtual Span item_span(int parameter, int item) const = 0;
   [[nodiscard]] virtual std::optional<Constant> item_constant(int parameter, int item) const = 0;
   [[nodiscard]] virtual std::shared_ptr<const Fact> item_fact(int parameter, int item) const = 0;
-  // The fact of the ambient value of a host type ("robot") at this place: the robot that a call without a robot
-  // would use; null if there is none or several. The name as declared in the program, empty for the host's own.
-  [[nodiscard]] virtual std::shared_ptr<const Fact> ambient_fact(std::string_view host_type) const = 0;
+  // The fact of the ambient value of a host type ("robot") at this place: the robot that a call
+  // without a robot would use; null if there is none or several. The name as declared in the
+  // program, empty for the host's own.
+  [[nodiscard]] virtual std::shared_ptr<const Fact> ambient_fact(
+      std::string_view host_type) const = 0;
   // Names of all block declarations of a type in the program: declared_names("object").
   [[nodiscard]] virtual std::vector<std::string> declared_names(std::string_view type) const = 0;
-  // Where the literal element `item` of a list argument was written, following fixed and classic variables and
-  // `new posJ(list)`; empty span if it cannot be known.
+  // Where the literal element `item` of a list argument was written, following fixed and classic
+  // variables and `new posJ(list)`; empty span if it cannot be known.
   [[nodiscard]] virtual Span origin(int parameter, int item) const = 0;
   // Whether the program's text mentions this library function anywhere.
   [[nodiscard]] virtual bool mentions(std::string_view function) const = 0;

@@ -1,9 +1,10 @@
 #pragma once
 // What a program's values are made of while it runs: eight-byte slots and counted objects.
 //
-// Types exist only while checking, so a slot has no tag: whoever reads it knows from the checked program what is in
-// it. A reference in a variable or a container owns one count. Objects with more than one count are never changed in
-// place, which is what makes values values. No cycle can be built, so counting is enough.
+// Types exist only while checking, so a slot has no tag: whoever reads it knows from the checked
+// program what is in it. A reference in a variable or a container owns one count. Objects with more
+// than one count are never changed in place, which is what makes values values. No cycle can be
+// built, so counting is enough.
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +30,8 @@ static_assert(sizeof(Slot) == 8);
 [[nodiscard]] inline Slot slot_of(bool b) { return Slot{.i = b ? 1 : 0}; }
 [[nodiscard]] inline Slot slot_of(Obj* o) { return Slot{.o = o}; }
 
-// An optional argument that was not given: a null reference, or these bits (a not-a-number no arithmetic makes).
+// An optional argument that was not given: a null reference, or these bits (a not-a-number no
+// arithmetic makes).
 inline constexpr std::int64_t kAbsentBits = static_cast<std::int64_t>(0xFFF8'A851'7000'0001ULL);
 [[nodiscard]] inline bool is_absent_scalar(Slot s) { return s.i == kAbsentBits; }
 
@@ -56,7 +58,8 @@ struct TextObj : Obj {
 
 // The elements of short lists lie behind the header; `data` points to them wherever they are.
 struct ListObj : Obj {
-  static constexpr std::uint8_t kReferences = 1;  // flag: elements are references; the other bits are the heap's
+  static constexpr std::uint8_t kReferences =
+      1;  // flag: elements are references; the other bits are the heap's
   std::uint32_t size;
   std::uint32_t capacity;
   Slot* data;
@@ -69,8 +72,8 @@ struct ListObj : Obj {
 
 // How the fields of a record or the captures of a closure are laid out.
 struct RecordLayout {
-  const Type* type = nullptr;      // the record's type
-  std::uint16_t size = 0;          // slots
+  const Type* type = nullptr;                 // the record's type
+  std::uint16_t size = 0;                     // slots
   std::span<const std::uint16_t> references;  // which of them are references
 };
 
@@ -88,7 +91,8 @@ struct MatrixObj : Obj {
   [[nodiscard]] const double* data() const { return reinterpret_cast<const double*>(this + 1); }
 };
 
-// A function value: which function, and copies (or boxes) of the outer variables it uses. extra = number of captures.
+// A function value: which function, and copies (or boxes) of the outer variables it uses. extra =
+// number of captures.
 struct ClosureObj : Obj {
   std::uint32_t function;
   std::uint32_t reserved;
@@ -96,22 +100,25 @@ struct ClosureObj : Obj {
   [[nodiscard]] const Slot* captures() const { return reinterpret_cast<const Slot*>(this + 1); }
 };
 
-// A variable shared between a block and the conditions or tasks inside it. flags == 1: holds a reference.
+// A variable shared between a block and the conditions or tasks inside it. flags == 1: holds a
+// reference.
 struct BoxObj : Obj {
   Slot value;
 };
 
-// A kind of value that the host defines: posJ, posC, robot ... Values are immutable; handles name one thing.
+// A kind of value that the host defines: posJ, posC, robot ... Values are immutable; handles name
+// one thing.
 struct HostType {
   std::string_view name;
-  std::uint32_t size = 0;                                  // bytes of the payload, at most 16-aligned
+  std::uint32_t size = 0;  // bytes of the payload, at most 16-aligned
   bool is_handle = false;
-  bool is_ambient = false;                                 // may be left out as first argument (section 5)
-  void (*destroy)(void* value) = nullptr;                  // null: trivially destructible
-  bool (*equal)(const void* a, const void* b) = nullptr;   // null: == is not offered
+  bool is_ambient = false;                 // may be left out as first argument (section 5)
+  void (*destroy)(void* value) = nullptr;  // null: trivially destructible
+  bool (*equal)(const void* a, const void* b) = nullptr;        // null: == is not offered
   void (*text)(const void* value, std::string& out) = nullptr;  // as print shows it
   std::string_view help;
-  // For messages about values of another type: "a position", "moves to a posJ, an object made from the numbers".
+  // For messages about values of another type: "a position", "moves to a posJ, an object made from
+  // the numbers".
   std::string_view noun = {};
   std::string_view use = {};
 };
@@ -119,9 +126,7 @@ struct HostType {
 struct HostObj : Obj {
   std::uint32_t reserved;
   const HostType* type;
-  [[nodiscard]] void* payload() {
-    return reinterpret_cast<std::byte*>(this) + kPayloadOffset;
-  }
+  [[nodiscard]] void* payload() { return reinterpret_cast<std::byte*>(this) + kPayloadOffset; }
   [[nodiscard]] const void* payload() const {
     return reinterpret_cast<const std::byte*>(this) + kPayloadOffset;
   }

@@ -58,7 +58,9 @@ class SourceSet {
   const Source& add(std::string name, std::string text);
   [[nodiscard]] const Source& operator[](std::uint32_t id) const { return *sources_[id]; }
   [[nodiscard]] std::size_t size() const { return sources_.size(); }
-  [[nodiscard]] std::string_view slice(Span span) const { return sources_[span.source]->slice(span); }
+  [[nodiscard]] std::string_view slice(Span span) const {
+    return sources_[span.source]->slice(span);
+  }
   [[nodiscard]] Position position(Span span) const {
     return sources_[span.source]->position(span.begin);
   }

@@ -1,5 +1,6 @@
 #pragma once
-// Types of the language (reference, section 5). Types are interned: equal types are one object, compared by address.
+// Types of the language (reference, section 5). Types are interned: equal types are one object,
+// compared by address.
 
 #include <cstdint>
 #include <deque>
@@ -15,18 +16,18 @@ namespace armlet {
 struct HostType;
 
 enum class Kind : std::uint8_t {
-  kAny,       // what could not be checked; fits everything, so that one mistake gives one message
+  kAny,  // what could not be checked; fits everything, so that one mistake gives one message
   kVoid,
   kBool,
   kInt,
-  kReal,      // double (dim none) and every quantity
+  kReal,  // double (dim none) and every quantity
   kText,
   kList,
   kMatrix,
-  kRecord,    // struct types, and records of the library such as Move
+  kRecord,  // struct types, and records of the library such as Move
   kEnum,
   kFunction,
-  kHost,      // values and handles that the host defines: posJ, posC, robot, object ...
+  kHost,  // values and handles that the host defines: posJ, posC, robot, object ...
 };
 
 struct Type;

@@ -45,7 +45,8 @@ inline constexpr Dim kForce{2, 2, -4, 0};
 inline constexpr Dim kTorque{4, 2, -4, 0};
 }  // namespace dims
 
-// "length", "angle" ...: the named dimensions of section 6. `energy` and `torque` are one dimension.
+// "length", "angle" ...: the named dimensions of section 6. `energy` and `torque` are one
+// dimension.
 [[nodiscard]] std::optional<Dim> dimension_named(std::string_view name);
 [[nodiscard]] std::span<const std::string_view> dimension_names();
 // "length" for lengths, "length/mass^2" style for unnamed ones, "number" for none.
@@ -75,8 +76,8 @@ struct CombinedUnit {
 struct Quantity {
   double si = 0.0;
   Dim dim;
-  double number = 0.0;         // as written
-  std::string_view unit;       // as written
+  double number = 0.0;    // as written
+  std::string_view unit;  // as written
 };
 [[nodiscard]] std::optional<Quantity> parse_quantity(std::string_view text);
 

@@ -32,7 +32,8 @@ struct MoveReport {
 struct HostOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
   std::function<void(const MoveReport&)> on_move;
-  // Called before time passes to t; may sleep. False asks the program to stop. Null: time costs no time.
+  // Called before time passes to t; may sleep. False asks the program to stop. Null: time costs no
+  // time.
   std::function<bool(std::int64_t t_ns)> pace;
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
