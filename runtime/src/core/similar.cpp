@@ -49,7 +49,8 @@ std::optional<std::string_view> most_similar(std::string_view name,
   for (const std::string_view candidate : candidates) {
     std::size_t distance = edit_distance(name, candidate);
     if (same_but_for_capitals(name, candidate)) distance = 0;
-    if (name.size() > 2 && candidate.starts_with(name)) distance = std::min<std::size_t>(distance, 2);
+    if (name.size() > 2 && candidate.starts_with(name))
+      distance = std::min<std::size_t>(distance, 2);
     if (distance < best_distance && distance < candidate.size()) {
       best_distance = distance;
       best = candidate;

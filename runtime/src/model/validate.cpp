@@ -31,7 +31,8 @@ void check_joint(const RobotSpec& spec, std::size_t i) {
                                                     {"maxJerk", joint.max_jerk}};
   for (const auto& [name, value] : numbers) {
     if (!std::isfinite(value)) {
-      fail(spec, "Joint", i, fmt::format("has {} = {}; expected a finite number", name, format_number(value, 6)));
+      fail(spec, "Joint", i,
+           fmt::format("has {} = {}; expected a finite number", name, format_number(value, 6)));
     }
   }
   if (joint.lower > joint.upper) {
@@ -88,7 +89,8 @@ void check_link(const RobotSpec& spec, std::size_t i) {
       {"negative Coulomb friction", link.friction.coulomb_minus}};
   for (const auto& [name, value] : numbers) {
     if (!std::isfinite(value)) {
-      fail(spec, "Link", i, fmt::format("has {} = {}; expected a finite number", name, format_number(value, 6)));
+      fail(spec, "Link", i,
+           fmt::format("has {} = {}; expected a finite number", name, format_number(value, 6)));
     }
   }
   if (!link.com.allFinite() || !link.inertia.allFinite()) {
