@@ -379,6 +379,11 @@ void check_move_joints(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
   refuse_settings(call, {{4, "accel"}});
+  if (!call.given(6)) return;
+  Diagnostic d = make_diagnostic("E0207", call.setting_span(6), {"moveJ", "near"});
+  d.why = "near chooses among the joint values that reach a place; a posJ is such values already";
+  d.fix = Fix{.text = "leave near out"};
+  call.report(std::move(d));
 }
 void check_move_place(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
