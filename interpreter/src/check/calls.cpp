@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/printf.hpp"
 
 namespace armlet::lang {
 
@@ -100,8 +101,7 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   if (const std::string group = dotted_name(*member.object); !group.empty()) {
     if (group == "System.out" && (name == "println" || name == "print"))
       return print_call(call, name == "println");
-    if (group == "System.out" && name == "printf")
-      return not_available(member.span, "`System.out.printf`");
+    if (group == "System.out" && name == "printf") return print_formatted(*this, call);
     const std::string full = group + '.' + std::string(name);
     const auto functions = registry_.functions(group == "Math" ? name : std::string_view(full));
     if (!functions.empty()) {

@@ -3,6 +3,7 @@
 
 #include "armlet/interpreter/engine.hpp"
 #include "check/checker.hpp"
+#include "check/printf.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -80,6 +81,21 @@ hir::Expr* Checker::intrinsic(const ast::CallExpr& call, std::string_view name, 
   return nullptr;
 }
 
+namespace {
+
+hir::Expr* print_parts(Checker& checker, const ast::CallExpr& call,
+                       const std::vector<hir::Expr*>& parts) {
+  hir::Expr* text = checker.make<hir::ConcatExpr>(hir::ExprKind::kConcat, checker.types_.text(),
+                                                  call.span, checker.seq(parts));
+  const std::vector<Span> spans = {call.args_span};
+  return checker.make<hir::CallNativeExpr>(
+      hir::ExprKind::kCallNative, checker.types_.void_type(), call.span, &kPrint,
+      checker.seq(std::vector<hir::Expr*>{text}),
+      hir::CallSite{call.span, call.callee->span, checker.seq(spans)});
+}
+
+}  // namespace
+
 hir::Expr* Checker::print_call(const ast::CallExpr& call, bool line) {
   mentioned_.insert("print");
   if (!takes(call, "print", 0, call.args.size())) return failed(call.span);
@@ -92,12 +108,13 @@ hir::Expr* Checker::print_call(const ast::CallExpr& call, bool line) {
     parts.push_back(to_text(check_value(*arg.value)));
   }
   if (line) add("\n");
-  hir::Expr* text =
-      make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), call.span, seq(parts));
-  const std::vector<Span> spans = {call.args_span};
-  return make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, types_.void_type(), call.span,
-                                   &kPrint, seq(std::vector<hir::Expr*>{text}),
-                                   hir::CallSite{call.span, call.callee->span, seq(spans)});
+  return print_parts(*this, call, parts);
+}
+
+hir::Expr* print_formatted(Checker& checker, const ast::CallExpr& call) {
+  checker.mentioned_.insert("print");
+  const auto parts = printf_parts(checker, call);
+  return parts ? print_parts(checker, call, *parts) : checker.failed(call.span);
 }
 
 // The last value of a list that should be computed only once.
