@@ -38,5 +38,6 @@ int check(const ProgramOptions& options, const std::vector<std::string>& files);
 int test(const ProgramOptions& options, const std::vector<std::string>& files);
 int disasm(const ProgramOptions& options, const std::string& file);
 int explain(const std::string& code);
+int help(const std::string& name, bool markdown);
 
 }  // namespace armlet::cli

@@ -66,6 +66,12 @@ int dispatch(int argc, char** argv) {
       app.add_subcommand("explain", "say what a message means, with a wrong and a right program");
   explain_command->add_option("CODE", code,
                               "for example E0401; without it, all messages are listed");
+  std::string name;
+  bool markdown = false;
+  CLI::App* help_command = app.add_subcommand("help", "say what a function does, with an example");
+  help_command->add_option("NAME", name,
+                           "for example moveL, or a word to look for; without it, all names");
+  help_command->add_flag("--markdown", markdown, "the whole reference, as in docs/stdlib.md");
 
   try {
     app.parse(argc, argv);
@@ -76,6 +82,7 @@ int dispatch(int argc, char** argv) {
   if (check_command->parsed()) return check(options, files);
   if (test_command->parsed()) return test(options, files);
   if (disasm_command->parsed()) return disasm(options, file);
+  if (help_command->parsed()) return help(name, markdown);
   return explain_command->parsed() ? explain(code) : kUsage;
 }
 

@@ -17,12 +17,14 @@ Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
-Engine& Engine::add_functions(std::span<const NativeFunction> functions) {
+Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::string_view chapter) {
+  registry_->add_chapter({chapter, functions, {}});
   for (const NativeFunction& function : functions) registry_->add_function(function);
   return *this;
 }
 
-Engine& Engine::add_constants(std::span<const NativeConstant> constants) {
+Engine& Engine::add_constants(std::span<const NativeConstant> constants, std::string_view chapter) {
+  registry_->add_chapter({chapter, {}, constants});
   for (const NativeConstant& constant : constants) registry_->add_constant(constant);
   return *this;
 }

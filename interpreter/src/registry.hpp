@@ -19,6 +19,13 @@
 
 namespace armlet::lang {
 
+// What was added in one go, and the chapter of the reference that it belongs to.
+struct Chapter {
+  std::string_view title;
+  std::span<const NativeFunction> functions;
+  std::span<const NativeConstant> constants;
+};
+
 class Registry {
  public:
   Registry();
@@ -27,6 +34,7 @@ class Registry {
   void add_constant(const NativeConstant& constant);
   void add_type(const HostType& type);
   void add_record(std::string_view name, std::string_view fields);
+  void add_chapter(const Chapter& chapter) { chapters_.push_back(chapter); }
   // A name of the language reference that nothing stands behind yet.
   void add_planned(std::string_view name) { planned_.insert(name); }
 
@@ -43,6 +51,7 @@ class Registry {
   [[nodiscard]] const std::map<std::string, std::string, std::less<>>& records() const {
     return records_;
   }
+  [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
   // Names a program can write, sorted: for suggestions.
   [[nodiscard]] const std::vector<std::string_view>& public_names() const { return names_; }
 
@@ -62,6 +71,7 @@ class Registry {
   std::map<std::string, std::string, std::less<>> records_;
   std::vector<std::string_view> names_;
   std::set<std::string_view> planned_;
+  std::vector<Chapter> chapters_;
 };
 
 }  // namespace armlet::lang

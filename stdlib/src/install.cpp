@@ -1,6 +1,7 @@
 #include "armlet/stdlib/install.hpp"
 
 #include <numbers>
+#include <utility>
 
 #include "bind.hpp"
 #include "values.hpp"
@@ -40,15 +41,22 @@ void install(Engine& engine) {
   }
   engine.add_record("Move", "reached: bool, stopped: bool, time: time, length: length");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
-  engine.add_constants(kConstants);
+  engine.add_constants(kConstants, "Mathematics");
   engine.add_planned(kPlanned);
-  for (const auto functions :
-       {bind::math_functions(), bind::list_functions(), bind::text_functions(),
-        bind::pose_functions(), bind::model_functions(), bind::robot_functions(),
-        bind::motion_functions(), bind::hand_functions(), bind::world_functions(),
-        bind::classic_functions(), bind::time_functions()}) {
-    engine.add_functions(functions);
-  }
+  const std::pair<std::string_view, std::span<const NativeFunction>> chapters[] = {
+      {"Mathematics", bind::math_functions()},
+      {"Lists", bind::list_functions()},
+      {"Text", bind::text_functions()},
+      {"Positions and frames", bind::pose_functions()},
+      {"Robots: models", bind::model_functions()},
+      {"Robots: state and kinematics", bind::robot_functions()},
+      {"Robots: motion", bind::motion_functions()},
+      {"Hands", bind::hand_functions()},
+      {"World and signals", bind::world_functions()},
+      {"The classic subset", bind::classic_functions()},
+      {"Time", bind::time_functions()},
+  };
+  for (const auto& [title, functions] : chapters) engine.add_functions(functions, title);
 }
 
 }  // namespace armlet

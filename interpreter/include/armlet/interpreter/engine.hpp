@@ -81,8 +81,11 @@ class Engine {
 
   // The tables must outlive the engine. Signatures are read when first used; `check_signatures`
   // reads all.
-  Engine& add_functions(std::span<const NativeFunction> functions);
-  Engine& add_constants(std::span<const NativeConstant> constants);
+  // `chapter` is where the reference lists them (reference.hpp).
+  Engine& add_functions(std::span<const NativeFunction> functions,
+                        std::string_view chapter = "Functions of the host");
+  Engine& add_constants(std::span<const NativeConstant> constants,
+                        std::string_view chapter = "Functions of the host");
   Engine& add_type(const HostType& type);
   // A record of the library: add_record("Move", "reached: bool, stopped: bool, time: time, length:
   // length").

@@ -1,0 +1,13 @@
+#pragma once
+// Calls that the checker itself understands (check/intrinsics.cpp), described like functions of the
+// library.
+
+#include <span>
+
+#include "armlet/interpreter/native.hpp"
+
+namespace armlet::lang {
+
+[[nodiscard]] std::span<const NativeFunction> language_words();
+
+}  // namespace armlet::lang
