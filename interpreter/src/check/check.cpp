@@ -63,6 +63,7 @@ bool Checker::run() {
   check_waiting_tests();
   check_functions();
   close_block();
+  report_later();
   if (errors_ == 0) finish_usage();
 
   hir::Module& module = into_.module;

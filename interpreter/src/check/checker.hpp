@@ -25,6 +25,10 @@ struct Checker : CheckerState {
   void report(Diagnostic diagnostic);
   hir::Expr* failed(Span span);
   hir::Expr* not_available(Span span, std::string_view feature);
+  // Something of the language that is checked but cannot run yet (E0199), reported once when all
+  // else is checked.
+  void note_later(Span span, std::string feature);
+  void report_later();
   [[nodiscard]] std::string text_of(Span span) const;
   [[nodiscard]] int line_of(Span span) const;
   // Reports E0201 with the best suggestion.
@@ -213,6 +217,7 @@ struct Checker : CheckerState {
   void check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out);
   hir::Stmt* check_statement(const ast::Stmt& stmt);
   hir::Stmt* check_any_statement(const ast::Stmt& stmt);
+  hir::Stmt* check_path(const ast::PathStmt& path);
   hir::Stmt* not_there_yet(const ast::Stmt& stmt);
   hir::Stmt* check_expression_statement(const ast::ExprStmt& stmt);
   hir::Stmt* check_if(const ast::IfStmt& stmt);

@@ -42,6 +42,17 @@ hir::Expr* Checker::not_available(Span span, std::string_view feature) {
   return failed(span);
 }
 
+void Checker::note_later(Span span, std::string feature) {
+  later_.emplace(std::move(feature), span);
+}
+
+void Checker::report_later() {
+  for (const auto& [feature, span] : later_) {
+    sink_.begin_statement();
+    report(make_diagnostic("E0199", span, {feature}));
+  }
+}
+
 std::string Checker::text_of(Span span) const { return std::string(into_.sources->slice(span)); }
 
 int Checker::line_of(Span span) const { return into_.sources->position(span).line; }

@@ -109,6 +109,7 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
     }
   }
   if (function.pauses) note_pause(span);
+  if (function.later) note_later(callee, '`' + std::string(name) + '`');
   auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function,
                                          seq(values), hir::CallSite{span, callee, seq(spans)});
   return run_rule(name, arguments, fit, call);

@@ -86,6 +86,7 @@ struct CheckerState {
   std::vector<std::pair<hir::Variable*, hir::InitStmt*>> top_level_;  // in their order
   std::unordered_map<const hir::Variable*, Use> init_uses_;
   std::set<std::string> mentioned_;
+  std::map<std::string, Span> later_;  // what the program uses and nothing stands behind yet
   const Type* error_type_ = nullptr;
 };
 

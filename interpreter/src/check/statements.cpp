@@ -109,9 +109,10 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kWhen:
     case StmtKind::kEvery:
     case StmtKind::kWith:
-    case StmtKind::kPath:
     case StmtKind::kRecord:
       return not_there_yet(stmt);
+    case StmtKind::kPath:
+      return check_path(stmt.as<ast::PathStmt>());
     case StmtKind::kExpr:
       return check_expression_statement(stmt.as<ast::ExprStmt>());
     case StmtKind::kAssign:
@@ -141,6 +142,26 @@ hir::Stmt* Checker::not_there_yet(const ast::Stmt& stmt) {
   const auto length = static_cast<std::uint32_t>(word.size());
   not_available({stmt.span.begin, stmt.span.begin + length, stmt.span.source}, '`' + word + '`');
   return nullptr;
+}
+
+// A path is checked like a block until it can be planned.
+hir::Stmt* Checker::check_path(const ast::PathStmt& path) {
+  const std::uint32_t begin = path.span.begin;
+  note_later({begin, begin + 4, path.span.source}, "`path`");
+  for (const ast::Arg& setting : path.settings) {
+    if (setting.name.text != "blend") {
+      report(make_diagnostic(
+          "E0207", setting.span,
+          {"path",
+           std::string(text_of(setting.name.text.empty() ? setting.span : setting.name.span))}));
+      return nullptr;
+    }
+    check_as(*setting.value, {.role = Target::Role::kArgument,
+                              .type = types_.quantity(dims::kLength),
+                              .name = "blend",
+                              .function = "path"});
+  }
+  return check_block(path.body->body, path.body->span);
 }
 
 hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {

@@ -15,6 +15,7 @@ constexpr NativeFunction kWords[] = {
     {.name = "mix", .signature = "(a: int, b: double) -> double", .thunk = do_nothing},
     {.name = "mix", .signature = "(a: double, b: int) -> double", .thunk = do_nothing},
     {.name = "joints", .signature = "(r: robot) -> double[]", .thunk = do_nothing},
+    {.name = "turn", .signature = "(by: angle) -> length", .later = true},
 };
 constexpr std::string_view kPlanned[] = {"sway", "robots.tall", "camera"};
 const HostType kRobot = {.name = "robot", .size = 8, .is_handle = true, .is_ambient = true};
@@ -43,6 +44,13 @@ TEST_CASE("a call that needs a robot is refused where nobody supplies one") {
 TEST_CASE("a planned name is said to be missing, once") {
   CHECK(codes("sway(1, 2)\nlet t: camera = 3\nfn f(c: camera) { print(c) }") == "E0199 E0199");
   CHECK(codes("fn sway(n: int) => n\nprint(sway(1))").empty());
+}
+
+TEST_CASE("a call of what is not there yet is checked like any other, then refused once") {
+  CHECK(codes("print(turn(90deg) + 1mm)\nprint(turn(1deg))") == "E0199");
+  CHECK(codes("let t: time = turn(90deg)\nturn(3mm)") == "E0410 E0199 E0403");
+  CHECK(codes("path (blend: 3mm) { print(turn(1deg)) }") == "E0199 E0199");
+  CHECK(codes("path (blend: 3s) { print(nothing) }") == "E0199 E0403 E0201");
 }
 
 }  // namespace armlet

@@ -60,6 +60,7 @@ struct NativeFunction {
   // the arguments that are not written as literals, in their order.
   Thunk explain = nullptr;
   bool pauses = false;  // takes virtual time: not allowed in conditions
+  bool later = false;   // nothing stands behind it yet: its calls are checked, then refused (E0199)
 };
 
 // A named number of the library: PI, E.
