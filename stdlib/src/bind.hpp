@@ -24,6 +24,8 @@ std::span<const NativeFunction> hand_functions();
 std::span<const NativeFunction> world_functions();
 std::span<const NativeFunction> classic_functions();
 std::span<const NativeFunction> time_functions();
+// What has a signature but nothing behind it yet.
+std::span<const NativeFunction> later_functions();
 
 // R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
 Signal domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,

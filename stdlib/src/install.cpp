@@ -14,33 +14,29 @@ constexpr NativeConstant kConstants[] = {
     {"E", std::numbers::e, dims::kNone, "The base of natural logarithms."},
 };
 
-// Functions, types and fields of the language reference that do not exist yet.
+// Names of the language reference without even a signature yet.
 constexpr std::string_view kPlanned[] = {
-    // motion
-    "moveCirc", "moveSpline", "follow", "speedJ", "speedC", "halt", "trajectory", "plan",
-    // robots, hands, tools
-    "robots.arm7", "robots.barrettHand", "urdf", "setPayload", "finger", "graspQuality",
-    "closeHand", "openHand", "ikineAll", "jacobian", "dhTable", "torques", "invDyn", "fwdDyn",
-    "massMatrix", "coriolis", "gravity", "friction", "simulate",
-    // lists and matrices
-    "matrix", "map", "filter", "fold", "any", "all", "zip", "flatten", "eye", "diag", "hcat",
-    "vcat", "outer", "det", "rank", "trace", "pinv", "lu", "qr", "chol", "svd", "eig", "expm",
-    "polyfit", "polyval", "roots", "interp", "ode", "solve", "minimise", "posC.R", "posC.T",
-    // world, cameras, output
-    "mesh", "touching", "corners", "camera", "image", "capture", "project", "depth",
-    "interactionMatrix", "gray", "blur", "threshold", "edges", "blobs", "lines", "circles", "match",
-    "table", "plot", "scatter", "scatter3", "bars", "figure", "savePlot", "show", "trail",
-    "loadImage", "explain"};
+    "halt",     "robots.arm7", "urdf",    "jacobian", "dhTable", "simulate", "mesh", "touching",
+    "table",    "explain",     "lab",     "matrix",   "map",     "filter",   "fold", "any",
+    "all",      "zip",         "flatten", "eye",      "diag",    "hcat",     "vcat", "outer",
+    "det",      "rank",        "trace",   "pinv",     "lu",      "qr",       "chol", "svd",
+    "eig",      "expm",        "polyfit", "polyval",  "roots",   "interp",   "ode",  "solve",
+    "minimise", "posC.R",      "posC.T"};
 
 }  // namespace
 
 void install(Engine& engine) {
-  for (const HostType* type : {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject,
-                               &bind::kShape, &bind::kTool, &bind::kJointRow}) {
+  for (const HostType* type :
+       {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kShape, &bind::kTool,
+        &bind::kJointRow, &bind::kCamera, &bind::kImage, &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }
   engine.add_record("Move", "reached: bool, stopped: bool, time: time, length: length");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
+  engine.add_record("GraspQuality",
+                    "contacts: int, minSingular: double, volume: double, forceClosure: bool");
+  engine.add_record("Blob", "x: double, y: double, area: double");
+  engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_constants(kConstants, "Mathematics");
   engine.add_planned(kPlanned);
   const std::pair<std::string_view, std::span<const NativeFunction>> chapters[] = {
@@ -55,6 +51,7 @@ void install(Engine& engine) {
       {"World and signals", bind::world_functions()},
       {"The classic subset", bind::classic_functions()},
       {"Time", bind::time_functions()},
+      {"Later", bind::later_functions()},
   };
   for (const auto& [title, functions] : chapters) engine.add_functions(functions, title);
 }

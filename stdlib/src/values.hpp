@@ -63,6 +63,11 @@ extern const HostType kObject;
 extern const HostType kShape;
 extern const HostType kTool;
 extern const HostType kJointRow;
+// Without values of their own yet (bind_later.cpp).
+extern const HostType kCamera;
+extern const HostType kImage;
+extern const HostType kTrajectory;
+extern const HostType kFinger;
 
 [[nodiscard]] Obj* new_posj(Vm& vm, const PosJ& q);
 [[nodiscard]] Obj* new_posc(Vm& vm, const PosC& p);

@@ -15,6 +15,12 @@ bool names_result(const Parameter& parameter, const Type* type, const Type* resu
          result->host->is_handle;
 }
 
+// What a program has to wait for: "`camera`" of the row "camera{}".
+std::string later_feature(const NativeFunction& function) {
+  if (!function.help.empty()) return std::string(function.help);
+  return '`' + std::string(function.name.substr(0, function.name.find_first_of("[{("))) + '`';
+}
+
 }  // namespace
 
 hir::Expr* Checker::call_native(std::string_view name,
@@ -109,7 +115,7 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
     }
   }
   if (function.pauses) note_pause(span);
-  if (function.later) note_later(callee, '`' + std::string(name) + '`');
+  if (function.later) note_later(callee, later_feature(function));
   auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function,
                                          seq(values), hir::CallSite{span, callee, seq(spans)});
   return run_rule(name, arguments, fit, call);

@@ -60,7 +60,9 @@ struct NativeFunction {
   // the arguments that are not written as literals, in their order.
   Thunk explain = nullptr;
   bool pauses = false;  // takes virtual time: not allowed in conditions
-  bool later = false;   // nothing stands behind it yet: its calls are checked, then refused (E0199)
+  // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what
+  // is missing, if that is not the whole function.
+  bool later = false;
 };
 
 // A named number of the library: PI, E.
