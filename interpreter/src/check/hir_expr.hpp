@@ -64,6 +64,7 @@ struct Function {
   Block* body = nullptr;
   std::uint32_t index = 0;    // in the program's functions
   bool is_condition = false;  // the condition of until, wait until, when: may not pause
+  bool expands = false;       // the compiler's: small enough to stand in place of its calls
 };
 
 // ---- expressions

@@ -20,6 +20,7 @@ bool calls_quietly(const CallNativeExpr& call) {
 bool is_loud(const Expr& e) {
   switch (e.kind) {
     case ExprKind::kCall:
+      return !e.as<CallExpr>().function->expands;
     case ExprKind::kCallValue:
     case ExprKind::kMutate:
     case ExprKind::kGuarded:
@@ -134,6 +135,9 @@ class Summariser {
       const Expr& e = *open.back();
       open.pop_back();
       if (is_loud(e)) out_.quiet = false;
+      if (e.kind == ExprKind::kCall && e.as<CallExpr>().function->expands) {
+        statement(*e.as<CallExpr>().function->body);
+      }
       if (e.kind == ExprKind::kMutate) place(e.as<MutateExpr>().place, true);
       if (e.kind == ExprKind::kVariable) use(e.as<VariableExpr>().variable).whole = true;
       const Expr* inner = container(e);
@@ -232,11 +236,6 @@ bool is_quiet(const Expr& expr) { return !any_part(expr, is_loud); }
 
 bool is_plain(const Expr& expr) {
   return !any_part(expr, [](const Expr& e) { return !is_plain_node(e); });
-}
-
-bool is_short(const Expr& expr) {
-  int parts = 0;
-  return !any_part(expr, [&](const Expr& e) { return !is_plain_node(e) || ++parts > 16; });
 }
 
 bool mutates(const Expr& expr) {

@@ -19,8 +19,6 @@ namespace armlet::lang {
 [[nodiscard]] bool is_quiet(const hir::Expr& expr);
 // Only arithmetic that cannot fail, on constants and variables of this function.
 [[nodiscard]] bool is_plain(const hir::Expr& expr);
-// A few instructions of plain arithmetic.
-[[nodiscard]] bool is_short(const hir::Expr& expr);
 // push, pop, insert or removeAt happens somewhere in it.
 [[nodiscard]] bool mutates(const hir::Expr& expr);
 [[nodiscard]] bool mentions(const hir::Expr& expr, const hir::Variable& variable);

@@ -59,6 +59,8 @@ std::string meaning(const CompiledProgram& program, const FunctionCode& function
                     const Instr& instr) {
   switch (instr.op) {
     case OpCode::CALL:
+    case OpCode::CALLPLAIN:
+    case OpCode::EXPANDED:
       return program.functions[instr.b].name;
     case OpCode::CLOSURE:
       return program.functions[instr.c].name;

@@ -28,6 +28,7 @@ bool ends_flow(OpCode op) {
     case OpCode::JUMP:
     case OpCode::LOOP:
     case OpCode::RET:
+    case OpCode::RETPLAIN:
     case OpCode::RETREF:
     case OpCode::RETTAKE:
     case OpCode::RETVOID:
@@ -176,6 +177,15 @@ void Emitter::jump(Label to) { branch(is_bound(to) ? OpCode::LOOP : OpCode::JUMP
 
 void Emitter::jump_if(OpCode op, Reg a, Label to) { branch(op, a.bits, to); }
 
+void Emitter::drop_jump(Label to) {
+  if (reachable_ || code_.empty() || last_target_ == position()) return;
+  const Wide& last = code_.back();
+  const bool guarded = code_.size() > 1 && is_compare_and_branch(code_[code_.size() - 2].op);
+  if (last.op != OpCode::JUMP || last.label != to.id || guarded) return;
+  code_.pop_back();
+  reachable_ = true;
+}
+
 void Emitter::branch(OpCode op, std::uint32_t a, Label to) {
   if (!reachable_) return;
   labels_[to.id].used = true;
@@ -273,6 +283,9 @@ void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
   into.types = types_;
   for (const Handler& h : handlers_) {
     into.handlers.push_back({h.begin + shift, h.end + shift, h.handler + shift, h.is_finally});
+  }
+  for (const ExpandedCall& call : expanded_) {
+    into.expanded.push_back({call.begin + shift, call.end + shift, call.function, call.call});
   }
   for (const WideLoop& l : loops_) {
     into.loops.push_back(

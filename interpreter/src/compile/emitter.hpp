@@ -93,6 +93,8 @@ class Emitter {
   void bind_loop(Label label, bool reachable);
   void jump(Label to);                       // LOOP if the label is already bound
   void jump_if(OpCode op, Reg a, Label to);  // JT, JF; forward only
+  // Takes back the last instruction if it jumps to the label, which is bound here next.
+  void drop_jump(Label to);
   [[nodiscard]] bool is_bound(Label label) const { return labels_[label.id].position != kUnbound; }
   [[nodiscard]] bool reachable() const { return reachable_; }
   [[nodiscard]] std::uint32_t position() const { return static_cast<std::uint32_t>(code_.size()); }
@@ -105,6 +107,10 @@ class Emitter {
   };
   void begin_handler(const std::vector<Range>& ranges, bool is_finally);
   void loop(Range range, Reg counter, std::int64_t first, std::int64_t step, std::uint32_t line);
+  // The body of a function that stands in place of its call.
+  void expanded(Range range, std::uint32_t function, Span call) {
+    expanded_.push_back({range.begin, range.end, function, call});
+  }
   std::uint32_t type(const Type* type);
   void shown(std::uint32_t assert_index, std::vector<Reg> registers);
 
@@ -150,6 +156,7 @@ class Emitter {
   std::map<std::int64_t, std::uint32_t> pinned_constants_;
   std::vector<Handler> handlers_;
   std::vector<WideLoop> loops_;
+  std::vector<ExpandedCall> expanded_;
   std::vector<const Type*> types_;
   std::vector<Slot> constants_;
   std::map<std::int64_t, std::uint32_t> constant_index_;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "compile/expand.hpp"
 #include "compile/lowering.hpp"
 
 namespace armlet::lang {
@@ -68,6 +69,21 @@ namespace {
 
 constexpr std::uint32_t kMostInstructions = 1U << 22U;
 
+// Frames without reference registers need no clearing and no releasing.
+void choose_plain_calls(CompiledProgram& program) {
+  const auto is_plain = [](const FunctionCode& f) {
+    return f.references_begin == f.references_end;
+  };
+  for (FunctionCode& function : program.functions) {
+    for (Instr& instr : function.code) {
+      if (instr.op == OpCode::CALL && is_plain(program.functions[instr.b])) {
+        instr.op = OpCode::CALLPLAIN;
+      }
+      if (instr.op == OpCode::RET && is_plain(function)) instr.op = OpCode::RETPLAIN;
+    }
+  }
+}
+
 void lower_all(CompiledProgram& program, LowerOptions options) {
   const Module& module = program.module;
   if (module.functions.size() >= UINT16_MAX) {
@@ -77,6 +93,7 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
     throw TooLarge{module.main->span, "variables of the program", UINT16_MAX};
   }
   Tables tables(program);
+  if (options.optimise) mark_expanding_functions(module);
   std::size_t instructions = 0;
   program.functions.resize(module.functions.size());
   for (const Function* function : module.functions) {
@@ -87,6 +104,7 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
       throw TooLarge{module.main->span, "instructions", kMostInstructions};
     }
   }
+  if (options.optimise) choose_plain_calls(program);
   for (const Variable* global : module.globals) {
     program.global_is_reference.push_back(global->type->is_reference());
   }

@@ -35,6 +35,10 @@ void Lowering::call_into(const Expr& e, Dest to) {
       call_direct(e.as<CallNativeExpr>(), to)) {
     return;
   }
+  if (e.kind == ExprKind::kCall && e.as<CallExpr>().function->expands) {
+    expand(e.as<CallExpr>(), to);
+    return;
+  }
   const Reg result = call(e, to);
   if (result != to.reg) code_.emit(OpCode::MOVE, to.reg, result);
 }
@@ -45,7 +49,8 @@ void Lowering::call_own(const Expr& e, Reg to) {
 
 void Lowering::effect(const Expr& e) {
   const Emitter::Mark mark = code_.mark();
-  switch (e.kind) {
+  const bool expands = e.kind == ExprKind::kCall && e.as<CallExpr>().function->expands;
+  switch (expands ? ExprKind::kBinary : e.kind) {
     case ExprKind::kMutate:
     case ExprKind::kCall:
     case ExprKind::kCallValue:

@@ -100,20 +100,13 @@ void Lowering::loop(const LoopStmt& s) {
 
 void Lowering::plain_loop(const LoopStmt& s) {
   const Label body = code_.label();
-  const Label test = code_.label();
-  const bool alive = code_.reachable();
   const bool endless = is_true(s.condition);
-  // A short test is made twice: before the first pass, and below with the counting just before it.
-  if (options_.optimise && s.test_first && !endless && is_short(*s.condition)) {
-    branch(*s.condition, false, exits_.back().leave);
-  } else if (s.test_first && !endless) {
-    code_.jump(test);
-  }
-  code_.bind_loop(body, alive);
+  // The test is made twice: before the first pass, and below with the counting just before it.
+  if (s.test_first && !endless) branch(*s.condition, false, exits_.back().leave);
+  code_.bind_loop(body, code_.reachable());
   scoped(*s.body);
   code_.bind(exits_.back().again);
   if (s.step != nullptr) scoped(*s.step);
-  code_.bind(test);
   code_.at(s.span);
   if (endless) {
     code_.jump(body);
@@ -135,7 +128,7 @@ bool Lowering::counted_loop(const LoopStmt& s, const Summary& body) {
       !loop_bound(*test.right, body, last)) {
     return false;
   }
-  count_up(s, reg_of(*counter), last, [&] { scoped(*s.body); });
+  count_up(s.condition->span, reg_of(*counter), last, [&] { scoped(*s.body); });
   return true;
 }
 
@@ -156,16 +149,16 @@ bool Lowering::loop_bound(const Expr& e, const Summary& body, Reg& out) {
 }
 
 // Passes while counter < last, counting by one. The loop's exits are the innermost ones.
-void Lowering::count_up(const Stmt& s, Reg counter, Reg last, const Pass& pass) {
+void Lowering::count_up(Span test, Reg counter, Reg last, const Pass& pass) {
   const Label body = code_.label();
   const bool alive = code_.reachable();
-  code_.at(s.span);
+  code_.at(test);
   code_.emit(OpCode::IFGEI, counter, last);
   code_.jump(exits_.back().leave);
   code_.bind_loop(body, alive);
   pass();
   code_.bind(exits_.back().again);
-  code_.at(s.span);
+  code_.at(test);
   code_.emit(OpCode::FORI, counter, last);
   code_.jump(body);
 }
@@ -192,7 +185,7 @@ void Lowering::range(const RangeStmt& s) {
   const std::uint32_t begin = code_.position();
   const auto pass = [&] { range_pass(s, counter); };
   if (options_.optimise && step.by == 1) {
-    count_up(s, counter, last, pass);
+    count_up(s.span, counter, last, pass);
   } else {
     count_by(s, counter, last, step, pass);
   }
@@ -232,14 +225,19 @@ void Lowering::count_by(const RangeStmt& s, Reg counter, Reg last, RangeStep ste
   const Label test = code_.label();
   const Exit exit = exits_.back();
   const bool alive = code_.reachable();
-  code_.jump(test);
+  if (step.by != 0) {
+    code_.at(s.span);
+    code_.emit(step.by > 0 ? OpCode::IFGEI : OpCode::IFLEI, counter, last);
+    code_.jump(exit.leave);
+  } else {
+    code_.jump(test);
+  }
   code_.bind_loop(body, alive);
   pass();
   code_.bind(exit.again);
   code_.at(s.span);
   if (step.by != 0) {
     code_.push(OpCode::ADDIK, counter.bits, counter.bits, static_cast<std::uint16_t>(step.by));
-    code_.bind(test);
     code_.emit(step.by > 0 ? OpCode::IFLTI : OpCode::IFGTI, counter, last);
     code_.jump(body);
     return;
@@ -275,7 +273,7 @@ void Lowering::for_list(const ForListStmt& s) {
   pin_globals(body);
   begin_loop(s);
   const std::uint32_t begin = code_.position();
-  count_up(s, counter, last, [&] {
+  count_up(s.span, counter, last, [&] {
     const Emitter::Mark pass = code_.mark();
     code_.emit(OpCode::LD, item, list, counter);
     // The list owns the item, so the variable only borrows it.

@@ -77,6 +77,15 @@ bool is_chain_link(const Expr& e) {
          !constant_slot(e, unused);
 }
 
+bool is_from_int(const Expr& e) {
+  return e.kind == ExprKind::kConvert && e.as<ConvertExpr>().conversion == Conversion::kIntToReal;
+}
+
+bool is_field_of_element(const Expr& e) {
+  return e.kind == ExprKind::kField && e.constant == nullptr && e.type->is(Kind::kReal) &&
+         e.as<FieldExpr>().object->kind == ExprKind::kElement;
+}
+
 }  // namespace
 
 bool is_product(const Expr& e) { return is_chain_link(e) && e.as<BinaryExpr>().op == Op::kMulR; }
@@ -199,6 +208,7 @@ void Lowering::unary_into(const UnaryExpr& e, Dest to) {
 
 // A chain such as a + b * c - d is a loop from its innermost left operand on.
 void Lowering::binary_into(const BinaryExpr& e, Dest to) {
+  if (turned(e, to.reg)) return;
   std::vector<const BinaryExpr*> chain{&e};
   const Expr* first = e.left;
   for (; is_chain_link(*first); first = first->as<BinaryExpr>().left) {
@@ -225,6 +235,7 @@ void Lowering::arithmetic(Site site, Op op, Reg left, const Expr& right, Reg to)
   if (options_.optimise) {
     if (multiply_add(site, op, left, right, to)) return;
     if (add_small(site, op, left, right, to)) return;
+    if (with_int(site, op, left, right, to) || with_field(site, op, left, right, to)) return;
     if (left == to && op == Op::kMulR && multiply_element(right, to)) return;
   }
   const Reg other = value(right);
@@ -248,6 +259,9 @@ bool Lowering::multiply_add(Site site, Op op, Reg left, const Expr& right, Reg t
   if (!is_product(right)) return false;
   const auto& product = right.as<BinaryExpr>();
   const Reg a = value(*product.left);
+  if (left == to && op == Op::kAddR && add_product_of_element(site, a, *product.right, to)) {
+    return true;
+  }
   const Reg b = value(*product.right);
   code_.at(site.span, site.expr);
   if (left == to) {
@@ -268,6 +282,66 @@ bool Lowering::add_to_product(const BinaryExpr& product, const BinaryExpr& sum, 
   code_.at(sum.span, &sum);
   code_.emit(OpCode::MULADD, to, left, factor);
   code_.emit(OpCode::WITH, added);
+  return true;
+}
+
+// x + i where the int i is converted: one instruction.
+bool Lowering::with_int(Site site, Op op, Reg left, const Expr& right, Reg to) {
+  Slot known;
+  if (op < Op::kAddR || op > Op::kDivR || !is_from_int(right) || constant_slot(right, known)) {
+    return false;
+  }
+  static constexpr OpCode kOps[] = {OpCode::ADDRI, OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI};
+  const Reg number = value(*right.as<ConvertExpr>().operand);
+  code_.at(site.span, site.expr);
+  code_.emit(kOps[static_cast<int>(op) - static_cast<int>(Op::kAddR)], to, left, number);
+  return true;
+}
+
+// x - xs[i].field
+bool Lowering::with_field(Site site, Op op, Reg left, const Expr& right, Reg to) {
+  if (op < Op::kAddR || op > Op::kMulR || !is_field_of_element(right)) return false;
+  static constexpr OpCode kOps[] = {OpCode::ADDLDF, OpCode::SUBLDF, OpCode::MULLDF};
+  const auto& element = right.as<FieldExpr>().object->as<ElementExpr>();
+  const Reg list = borrow(*element.object, hold_over(*element.index));
+  const Reg index = value(*element.index);
+  code_.at(element.span, &element);
+  code_.emit(kOps[static_cast<int>(op) - static_cast<int>(Op::kAddR)], to, list, index);
+  code_.at(site.span, site.expr);
+  code_.push(OpCode::FACTORS, left.bits, left.bits, right.as<FieldExpr>().field);
+  return true;
+}
+
+// i * x and xs[i].field * x with x in a register: the sides change places, the bits stay.
+bool Lowering::turned(const BinaryExpr& e, Reg to) {
+  Reg right;
+  if (!options_.optimise || (e.op != Op::kAddR && e.op != Op::kMulR)) return false;
+  if (!is_from_int(*e.left) && !is_field_of_element(*e.left)) return false;
+  Slot known;
+  if (constant_slot(*e.left, known) || !in_register(*e.right, right)) return false;
+  return with_int({e.span, &e}, e.op, right, *e.left, to) ||
+         with_field({e.span, &e}, e.op, right, *e.left, to);
+}
+
+// x += a * xs[i], x += a * rows[i][j]; a has been evaluated.
+bool Lowering::add_product_of_element(Site site, Reg a, const Expr& b, Reg to) {
+  if (b.kind != ExprKind::kElement || b.constant != nullptr) return false;
+  const auto& element = b.as<ElementExpr>();
+  const bool twice = element.object->kind == ExprKind::kElement && is_plain(*element.index);
+  const auto& inner = twice ? element.object->as<ElementExpr>() : element;
+  const Hold hold = hold_over(*inner.index);
+  const Reg list = borrow(*inner.object, hold);
+  const Reg i = value(*inner.index);
+  const Reg j = twice ? value(*element.index) : Reg{};
+  code_.at(inner.span, &inner);
+  code_.emit(twice ? OpCode::MADDLDLD : OpCode::MADDLD, to, list, i);
+  if (twice) {
+    code_.at(element.span, &element);
+    code_.emit(OpCode::PAIR, a, j);
+  } else {
+    code_.at(site.span, site.expr);
+    code_.emit(OpCode::WITH, a);
+  }
   return true;
 }
 

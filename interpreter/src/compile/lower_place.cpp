@@ -162,7 +162,7 @@ bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
   const auto& product = s.value->as<BinaryExpr>();
   const Reg a = value(*product.left);
   const Reg b = value(*product.right);
-  code_.at(s.place.span);
+  code_.at(steps[0].span);
   code_.emit(OpCode::MADDLF, list, indices[0]);
   code_.push(OpCode::FACTORS, a.bits, b.bits, steps[1].field);
   return true;
@@ -207,6 +207,7 @@ void Lowering::store_inside(const Place& place, const Indices& indices, Reg from
       return;
     }
     if (steps == 2 && last.is_field && !place.steps[0].is_field) {
+      code_.at(place.steps[0].span);
       code_.emit(OpCode::STLF, object, indices[0], from);
       code_.word(last.field);
       return;

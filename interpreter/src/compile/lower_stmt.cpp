@@ -196,7 +196,9 @@ void Lowering::jump(const JumpStmt& s) {
 
 void Lowering::give_back(const ReturnStmt& s) {
   const Emitter::Mark mark = code_.mark();
-  if (s.value == nullptr || s.value->type->is(Kind::kVoid)) {
+  if (!expansions_.empty()) {
+    give_back_here(*s.value);
+  } else if (s.value == nullptr || s.value->type->is(Kind::kVoid)) {
     if (s.value != nullptr) effect(*s.value);
     leave(0, [&] { code_.emit(is_program_ ? OpCode::HALT : OpCode::RETVOID); });
   } else if (s.value->type->is_reference()) {

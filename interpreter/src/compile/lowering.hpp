@@ -63,6 +63,11 @@ class Lowering {
     std::vector<Emitter::Range> caught;
     std::vector<Emitter::Range> finals;
   };
+  // A function that stands in place of its call.
+  struct Expansion {
+    Dest to;    // its result
+    Label end;  // where it returns to
+  };
   struct RangeStep {
     std::int64_t by = 1;  // 0: known only while running, in `reg`
     Reg reg;
@@ -88,6 +93,10 @@ class Lowering {
   bool add_small(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool multiply_add(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool add_to_product(const hir::BinaryExpr& product, const hir::BinaryExpr& sum, Reg left, Reg to);
+  bool with_int(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool with_field(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool turned(const hir::BinaryExpr& e, Reg to);
+  bool add_product_of_element(Site site, Reg a, const hir::Expr& b, Reg to);
   bool multiply_element(const hir::Expr& right, Reg accumulator);
   void truth_into(const hir::Expr& e, Dest to);
   void cond_into(const hir::CondExpr& e, Dest to);
@@ -128,6 +137,10 @@ class Lowering {
   Reg call_native(const hir::CallNativeExpr& e, Reg base);
   Reg call_guarded(const hir::GuardedExpr& e, Dest to);
   bool call_direct(const hir::CallNativeExpr& e, Dest to);
+
+  // ---- expand.cpp
+  void expand(const hir::CallExpr& e, Dest to);
+  void give_back_here(const hir::Expr& e);
 
   // ---- lower_branch.cpp
   void branch(const hir::Expr& e, bool when, Label to);
@@ -186,7 +199,7 @@ class Lowering {
   void plain_loop(const hir::LoopStmt& s);
   bool counted_loop(const hir::LoopStmt& s, const Summary& body);
   bool loop_bound(const hir::Expr& e, const Summary& body, Reg& out);
-  void count_up(const hir::Stmt& s, Reg counter, Reg last, const Pass& pass);
+  void count_up(Span test, Reg counter, Reg last, const Pass& pass);
   void range(const hir::RangeStmt& s);
   void range_pass(const hir::RangeStmt& s, Reg counter);
   Reg range_end(const hir::Expr& e, const Summary& body);
@@ -215,7 +228,8 @@ class Lowering {
   std::vector<Exit> exits_;
   std::vector<TryScope> tries_;
   std::vector<std::pair<const hir::Variable*, Reg>>
-      pinned_globals_;  // held in registers during a quiet loop
+      pinned_globals_;                 // held in registers during a quiet loop
+  std::vector<Expansion> expansions_;  // the innermost last
   int loop_depth_ = 0;
 };
 

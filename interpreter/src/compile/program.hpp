@@ -48,6 +48,14 @@ struct LoopInfo {
   std::uint32_t line = 0;
 };
 
+// A call whose function's body stands in its place.
+struct ExpandedCall {
+  std::uint32_t begin;
+  std::uint32_t end;
+  std::uint32_t function;
+  Span call;
+};
+
 // What an instruction belongs to in the text.
 struct CodeSpan {
   std::uint32_t pc;  // from here on
@@ -67,8 +75,9 @@ struct FunctionCode {
   std::uint16_t references_end = 0;  // Parameters are borrowed and lie before them.
   std::vector<Handler> handlers;
   std::vector<LoopInfo> loops;
-  std::vector<CodeSpan> spans;     // sorted by pc
-  std::vector<const Type*> types;  // for EQDEEP, NEWARRAY
+  std::vector<ExpandedCall> expanded;  // inner ones first
+  std::vector<CodeSpan> spans;         // sorted by pc
+  std::vector<const Type*> types;      // for EQDEEP, NEWARRAY
   // Captures of a closure: which are references (for release).
   std::vector<std::uint16_t> capture_references;
   std::uint16_t captures = 0;

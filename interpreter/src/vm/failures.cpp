@@ -29,8 +29,18 @@ std::string ordinal(std::int64_t n) {
   return std::to_string(n) + ending;
 }
 
+// The calls without a frame of their own that are running in a frame, inner ones first.
+std::vector<const ExpandedCall*> expanded_calls(const Frame& frame) {
+  std::vector<const ExpandedCall*> calls;
+  for (const ExpandedCall& call : frame.callee->function->expanded) {
+    if (call.begin <= frame.at() && frame.at() < call.end) calls.push_back(&call);
+  }
+  return calls;
+}
+
 // "in the 5th pass of the loop on line 7" for the innermost loop around the running instruction.
 std::string loop_note(const Frame& frame) {
+  if (!expanded_calls(frame).empty()) return {};
   const LoopInfo* innermost_loop = nullptr;
   for (const LoopInfo& loop : frame.callee->function->loops) {
     const bool inside = loop.begin <= frame.at() && frame.at() < loop.end;
@@ -51,7 +61,12 @@ std::vector<std::string> call_path(const VmState& state) {
   std::vector<std::string> calls;
   const Frame* frame = innermost(state);
   for (; frame != nullptr && frame > state.running->frames; --frame) {
-    if (frame->is_host() || frame->callee->function->name.empty()) continue;
+    if (frame->is_host()) continue;
+    for (const ExpandedCall* inner : expanded_calls(*frame)) {
+      calls.push_back(state.program.functions[inner->function].name + ", called on line " +
+                      std::to_string(line_of(state, inner->call)));
+    }
+    if (frame->callee->function->name.empty()) continue;
     const CodeSpan* site = frame[-1].is_host() ? nullptr : code_span(frame[-1]);
     std::string call = frame->callee->function->name;
     if (site != nullptr) call += ", called on line " + std::to_string(line_of(state, site->span));

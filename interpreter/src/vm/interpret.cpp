@@ -57,12 +57,12 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
     frame->pc = pc + 1; \
     task.top = frame;   \
   } while (false)
-#define STEP()                                  \
-  do {                                          \
-    if (state.steps.left-- == 0) [[unlikely]] { \
-      SAVE();                                   \
-      if (!count_slowly(state)) goto failed;    \
-    }                                           \
+#define STEP()                                 \
+  do {                                         \
+    if (--state.steps.left < 0) [[unlikely]] { \
+      SAVE();                                  \
+      if (!count_slowly(state)) goto failed;   \
+    }                                          \
   } while (false)
 #define FAIL(call) \
   do {             \

@@ -21,7 +21,7 @@ std::size_t slots_for(std::uint32_t call_depth) {
 // ---- steps ----------------------------------------------------------------------------------
 
 void StepMeter::settle() {
-  const std::uint64_t done = chunk - left;
+  const auto done = static_cast<std::uint64_t>(chunk - left);
   total += done;
   since_pause += done;
   chunk = left = 0;
@@ -29,7 +29,7 @@ void StepMeter::settle() {
 
 bool StepMeter::refill() {
   settle();
-  chunk = left = std::min(kChunk, limit - std::min(limit, since_pause));
+  chunk = left = static_cast<std::int64_t>(std::min(kChunk, limit - std::min(limit, since_pause)));
   return chunk > 0;
 }
 
@@ -157,7 +157,7 @@ bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& 
   if (host_calls >= kHostCalls) {
     return raise_too_deep(*this, callees[function->function], kHostCalls);
   }
-  if (steps.left-- == 0 && !count_slowly(*this)) return false;
+  if (--steps.left < 0 && !count_slowly(*this)) return false;
   if (!enter(function->function, function, arguments)) return false;
   ++host_calls;
   const Slot* base = running->top->base;

@@ -31,8 +31,8 @@ struct Fault {
 struct StepMeter {
   static constexpr std::uint64_t kChunk = 4096;
 
-  std::uint64_t left = 0;         // of the running chunk
-  std::uint64_t chunk = 0;        // size of the running chunk
+  std::int64_t left = 0;          // of the running chunk; below 0 it is used up
+  std::int64_t chunk = 0;         // size of the running chunk
   std::uint64_t total = 0;        // before the running chunk
   std::uint64_t since_pause = 0;  // likewise
   std::uint64_t limit = 0;        // between two pauses

@@ -7,8 +7,11 @@
 #include "random_program.hpp"
 #include "script_support.hpp"
 
+using armlet::RunLimits;
+using armlet::lang::compile_script;
 using armlet::lang::RandomProgram;
 using armlet::lang::run_script;
+using armlet::lang::trace_script;
 
 namespace {
 
@@ -240,12 +243,58 @@ TEST_CASE("plain functions of the library are called directly, and still say why
 
 TEST_CASE("random programs do the same with and without optimisation") {
   int failed_to_compile = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
     const std::string program = RandomProgram(seed).text();
     INFO(program);
-    const std::string plain = run_script(program, false);
-    if (plain[0] == 'E') ++failed_to_compile;
-    REQUIRE(run_script(program, true) == plain);
+    if (compile_script(program).program == nullptr) ++failed_to_compile;
+    REQUIRE(trace_script(program, true) == trace_script(program, false));
+    const RunLimits few = {.steps = 5 + seed % 40, .call_depth = 5};
+    REQUIRE(trace_script(program, true, few) == trace_script(program, false, few));
   }
   CHECK(failed_to_compile == 0);
+}
+
+namespace {
+
+// The same trace both ways, and it contains `part`.
+void traces(const std::string& program, const std::string& part, const RunLimits& limits = {}) {
+  const std::string trace = trace_script(program, true, limits);
+  INFO(program);
+  CHECK(trace == trace_script(program, false, limits));
+  CHECK_MESSAGE(trace.find(part) != std::string::npos, trace);
+}
+
+}  // namespace
+
+TEST_CASE("a function that stands in place of its calls is still a call") {
+  const std::string half = "fn half(x: int) -> int { return 10 / x }\n";
+  traces(half + "print(half(5))", "2\n1 steps\n");
+  traces(half + "var n = 3\nfor (i in range(4)) {\n n -= 1\n print(half(n)) }",
+         "half, called on line 5");
+  traces(half + "for (i in range(100)) { print(half(1)) }", "R0622", {.steps = 20});
+  traces(half +
+             "fn deep(n: int) -> int {\n if (n == 0) { return half(1) }\n return deep(n - 1)\n}\n"
+             "print(deep(8))",
+         "10\n", {.call_depth = 10});
+  traces(half +
+             "fn deep(n: int) -> int {\n if (n == 0) { return half(1) }\n return deep(n - 1)\n}\n"
+             "print(deep(9))",
+         "R0624 calls are nested more than 10 deep: `half`", {.call_depth = 10});
+  traces(half + "try { print(half(0)) } catch (e) { print(e.kind) }", "DivideByZero\n1 steps");
+}
+
+TEST_CASE("arguments of a function in place of its call are evaluated once and in order") {
+  traces(
+      "var n = 1\nfn up() -> int { n += 1\n return n }\nfn twice(a: int, b: int) -> int { return a "
+      "+ a + b }\nprint(twice(up(), up()), twice(n, up()))",
+      "7 10\n");
+  traces(
+      "fn pick(xs: double[], i: int) -> double { if (i < 0) { return xs[0] }\n return xs[i] }\n"
+      "var a = [1.5, 2.5]\nfn f() -> double { return pick(a, -1) + pick(a, 1) }\nprint(f())\n"
+      "print(pick([7.0], 0) + pick(a, 2))",
+      "4.0\n5 steps\nR0606");
+  traces(
+      "fn square(x: double) -> double { return x * x }\nvar x = 3.0\nx = square(x) - square(x + "
+      "square(x))\nprint(x, square(square(2.0)))",
+      "-135.0 16.0\n");
 }

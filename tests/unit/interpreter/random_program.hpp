@@ -18,6 +18,7 @@ class RandomProgram {
         "struct P { x: double; n: int; xs: double[] }\n"
         "var gi = 3\nvar gd = 1.5\nvar gl = [1.0, 2.0, 3.0]\nvar gm = [[1, 2], [3, 4, 5]]\n"
         "var gp = [P(x: 0.5, n: 1, xs: [1.0]), P(x: 2.5, n: 2, xs: [2.0, 3.0])]\nvar gs = \"s\"\n";
+    for (leaves_ = 0; leaves_ < 4;) out += leaf();
     for (functions_ = 0; functions_ < 3; ++functions_) out += function();
     in_function_ = false;
     ints_ = {"gi"};
@@ -34,6 +35,33 @@ class RandomProgram {
     return items[below(items.size())];
   }
   std::string fresh() { return "v" + std::to_string(++names_); }
+
+  // A small function that calls none, of ints or of doubles by turns.
+  std::string leaf() {
+    const bool whole = leaves_ % 2 == 0;
+    ints_ = {"gi", "a"};
+    reals_ = {"gd", "b"};
+    lists_ = {"gl", "c"};
+    calls_ = false;
+    std::string out = "fn g" + std::to_string(leaves_) + "(a: int, b: double, c: double[]) -> " +
+                      (whole ? "int" : "double") + " {\n";
+    const auto result = [&](int depth) { return whole ? integer(depth) : real(depth); };
+    if (below(2) == 0) {
+      out += std::string("var t = ") + result(1) + "\n";
+      if (below(2) == 0) out += "if (" + truth(1) + ") { t += " + result(1) + " }\n";
+      (whole ? ints_ : reals_).push_back("t");
+    }
+    if (below(3) == 0) out += "if (" + truth(1) + ") { return " + result(1) + " }\n";
+    if (below(3) == 0) {
+      out += "if (" + truth(1) + ") { return " + result(1) + " } else { return " + result(1) +
+             " }\n}\n";
+    } else {
+      out += "return " + result(2) + "\n}\n";
+    }
+    ++leaves_;
+    calls_ = true;
+    return out;
+  }
 
   std::string function() {
     in_function_ = true;
@@ -53,8 +81,9 @@ class RandomProgram {
     }
     const std::string a = integer(depth - 1);
     const std::string b = integer(depth - 1);
-    switch (below(8)) {
+    switch (below(9)) {
       case 0:
+        return call_leaf(0, a, b);
       case 1:
         return "(" + a + " + " + b + ")";
       case 2:
@@ -72,13 +101,25 @@ class RandomProgram {
     }
   }
 
+  std::string call_leaf(std::size_t kind, const std::string& whole, const std::string& number) {
+    if (!calls_) return kind == 0 ? "-(" + whole + ")" : number + " / 2.0";
+    return "g" + std::to_string(kind + 2 * below(2)) + "(" + whole + ", " + number + ", " +
+           one_of(lists_) + ")";
+  }
+
   std::string real(int depth) {
     if (depth == 0 || below(4) == 0) {
       return below(3) == 0 ? std::to_string(below(5)) + ".25" : one_of(reals_);
     }
     const std::string a = real(depth - 1);
     const std::string b = real(depth - 1);
-    switch (below(11)) {
+    switch (below(14)) {
+      case 11:
+        return call_leaf(1, integer(1), a);
+      case 12:
+        return "(" + integer(1) + " * " + one_of(reals_) + " - " + a + ")";
+      case 13:
+        return "(" + one_of(reals_) + " - gp[" + integer(1) + " % 2].x)";
       case 0:
         return a + " * " + b + " + " + real(depth - 1);
       case 1:
@@ -100,7 +141,7 @@ class RandomProgram {
       case 9:
         return "hypot(" + a + ", " + b + ")";
       default:
-        if (functions_ == 0) return "-(" + a + ")";
+        if (functions_ == 0 || !calls_) return "-(" + a + ")";
         return "f" + std::to_string(below(static_cast<std::size_t>(functions_))) + "(" +
                integer(1) + ", " + a + ", " + one_of(lists_) + ")";
     }
@@ -130,7 +171,8 @@ class RandomProgram {
       case 1:
         return "gd = " + real(3) + "\n";
       case 2:
-        return "gd += " + real(1) + " * " + real(1) + "\n";
+        return "gd += " + real(1) + " * " +
+               (below(2) == 0 ? real(1) : "gl[" + integer(1) + " % 3]") + "\n";
       case 3:
         return "gl[" + integer(1) + " % 3] " + one_of(kAssign_) + " " + real(2) + "\n";
       case 4:
@@ -226,6 +268,8 @@ class RandomProgram {
   std::vector<std::string> reals_;
   std::vector<std::string> lists_;
   int functions_ = 0;
+  int leaves_ = 0;
+  bool calls_ = true;
   int names_ = 0;
   bool in_function_ = false;
 };

@@ -79,6 +79,22 @@ inline Compilation compile_script(const std::string& text, bool optimise = true)
   return compile_text(script_engine().registry(), text, "test.rbt", {}, {.optimise = optimise});
 }
 
+// What a program prints and how it ends, as a text.
+struct ScriptRun {
+  std::string printed;
+  RunResult result;
+};
+
+inline ScriptRun run_compiled(std::shared_ptr<const Program> program, const RunLimits& limits) {
+  ScriptRun run;
+  VmOptions options;
+  options.limits = limits;
+  options.output = [&](std::string_view text) { run.printed += text; };
+  Vm vm(std::move(program), std::move(options));
+  run.result = vm.run();
+  return run;
+}
+
 // What a program prints; then, on a line of its own, the code and headline of the error that ended
 // it, or of the first mistake found before running.
 inline std::string run_script(const std::string& text, bool optimise = true) {
@@ -87,12 +103,29 @@ inline std::string run_script(const std::string& text, bool optimise = true) {
     const Diagnostic& first = compilation.diagnostics.at(0);
     return first.code + " " + first.message + "\n";
   }
-  std::string out;
-  VmOptions options;
-  options.output = [&](std::string_view printed) { out += printed; };
-  Vm vm(compilation.program, std::move(options));
-  const RunResult result = vm.run();
-  if (result.error.has_value()) out += result.error->code + " " + result.error->message + "\n";
+  ScriptRun run = run_compiled(compilation.program, {});
+  if (run.result.error.has_value()) {
+    run.printed += run.result.error->code + " " + run.result.error->message + "\n";
+  }
+  return run.printed;
+}
+
+// All that a program shows, together with its steps and where it failed: marks, calls and passes.
+inline std::string trace_script(const std::string& text, bool optimise,
+                                const RunLimits& limits = {}) {
+  const Compilation compilation = compile_script(text, optimise);
+  if (compilation.program == nullptr) return compilation.diagnostics.at(0).message;
+  ScriptRun run = run_compiled(compilation.program, limits);
+  std::string& out = run.printed;
+  out += std::to_string(run.result.steps) + " steps\n";
+  if (!run.result.error.has_value()) return out;
+  const Diagnostic& error = *run.result.error;
+  out += error.code + " " + error.message + " at " + std::to_string(error.mark.span.begin) +
+         " to " + std::to_string(error.mark.span.end) + " " + error.mark.label + "\n" + error.why +
+         "\n";
+  if (!error.when.has_value()) return out;
+  out += error.when->note + "\n";
+  for (const std::string& call : error.when->calls) out += call + "\n";
   return out;
 }
 
