@@ -16,7 +16,7 @@ int check(const ProgramOptions& options, const std::vector<std::string>& files) 
       exit = std::max<int>(exit, kNoFile);
       continue;
     }
-    Setup setup = make_setup(options);
+    Setup setup = make_setup(options, file);
     if (setup.exit != kDone) return setup.exit;
     Session session(engine(), std::move(setup.session));
     const bool good = session.compile(*std::move(text), file);
@@ -48,7 +48,7 @@ void run_one(Session& session, std::size_t index, const std::string& name, bool 
 int test_file(const ProgramOptions& options, const std::string& file, Count& count) {
   auto text = read_file(file, options.json);
   if (!text) return kNoFile;
-  Setup setup = make_setup(options);
+  Setup setup = make_setup(options, file);
   if (setup.exit != kDone) return setup.exit;
   const SourceSet* sources = nullptr;
   setup.session.advice = [&](const Diagnostic& d) { show(d, *sources, options.json); };

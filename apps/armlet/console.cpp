@@ -1,7 +1,6 @@
 #include "console.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -14,6 +13,8 @@
 #include "armlet/interpreter/render.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
+#include "files.hpp"
+#include "imports.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -40,32 +41,9 @@ void show_unreadable(const std::string& path, std::string_view reason, bool json
 }  // namespace
 
 std::optional<std::string> read_file(const std::string& path, bool json) {
-  struct stat info {};
-  if (stat(path.c_str(), &info) != 0) {
-    show_unreadable(path, errno == ENOENT ? "there is no such file" : std::strerror(errno), json);
-    return std::nullopt;
-  }
-  if (S_ISDIR(info.st_mode)) {
-    show_unreadable(path, "it is a folder", json);
-    return std::nullopt;
-  }
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) {
-    show_unreadable(path, std::strerror(errno), json);
-    return std::nullopt;
-  }
-  const std::size_t limit = ParseLimits{}.bytes;
-  std::string text;
-  char buffer[65536];
-  std::size_t got = 0;
-  while (text.size() <= limit && (got = std::fread(buffer, 1, sizeof buffer, file)) > 0)
-    text.append(buffer, got);
-  const bool failed = std::ferror(file) != 0;
-  std::fclose(file);
-  if (failed) {
-    show_unreadable(path, "reading failed", json);
-    return std::nullopt;
-  }
+  std::string reason;
+  std::optional<std::string> text = read_text(path, reason);
+  if (!text) show_unreadable(path, reason, json);
   return text;
 }
 
@@ -78,9 +56,10 @@ const Engine& engine() {
   return the_engine;
 }
 
-Setup make_setup(const ProgramOptions& options) {
+Setup make_setup(const ProgramOptions& options, const std::string& file) {
   Setup setup;
   SessionOptions& session = setup.session;
+  session.load = imports_of(file);
   session.robot = make_robot(options.robot);
   if (session.robot == nullptr) {
     const auto& names = catalog_names();

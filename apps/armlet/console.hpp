@@ -13,12 +13,13 @@ namespace armlet::cli {
 // The text of a file, or nothing after a message.
 std::optional<std::string> read_file(const std::string& path, bool json);
 
-// The options of a session for the robot and world asked for, or the exit status after a message.
+// The options of a session for a program, with the robot and world asked for, or the exit status
+// after a message.
 struct Setup {
   SessionOptions session;
   int exit = kDone;
 };
-Setup make_setup(const ProgramOptions& options);
+Setup make_setup(const ProgramOptions& options, const std::string& file);
 
 // One engine for the life of the process.
 const Engine& engine();

@@ -13,7 +13,7 @@ namespace armlet::cli {
 int disasm(const ProgramOptions& options, const std::string& file) {
   auto text = read_file(file, options.json);
   if (!text) return kNoFile;
-  Setup setup = make_setup(options);
+  Setup setup = make_setup(options, file);
   if (setup.exit != kDone) return setup.exit;
   Session session(engine(), std::move(setup.session));
   const bool good = session.compile(*std::move(text), file);

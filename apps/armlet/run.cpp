@@ -96,7 +96,7 @@ int run(const RunOptions& options) {
   const bool json = options.program.json;
   auto text = read_file(options.file, json);
   if (!text) return kNoFile;
-  Setup setup = make_setup(options.program);
+  Setup setup = make_setup(options.program, options.file);
   if (setup.exit != kDone) return setup.exit;
   Trace trace;
   if (const int exit = open_trace(options.trace, trace); exit != kDone) return exit;

@@ -59,6 +59,7 @@ bool Session::compile(std::string text, std::string name) {
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;
   compile_options.host = host.get();
+  compile_options.load = options_.load;
   compilation_ = engine_.compile(std::move(text), std::move(name), compile_options);
   for (const Diagnostic& d : compilation_.diagnostics)
     problems_.push_back({d, compilation_.sources});

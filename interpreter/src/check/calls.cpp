@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 #include "check/printf.hpp"
 
 namespace armlet::lang {
 
 bool Checker::waits(const ast::Expr& expr) {
-  if (expr.kind == ast::ExprKind::kLambda) return true;
+  if (expr.kind == ast::ExprKind::kLambda || is_imported_function(*this, expr)) return true;
   if (expr.kind != ast::ExprKind::kName) return false;
   FunctionContext* where = nullptr;
   const std::string_view name = expr.as<ast::NameExpr>().name;
@@ -99,6 +100,8 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   const std::string_view name = member.member.text;
   const Span callee = member.member.span;
   if (const std::string group = dotted_name(*member.object); !group.empty()) {
+    if (const Import* from = find_import(*this, group))
+      return call_imported(*this, *from, call, member);
     if (group == "System.out" && (name == "println" || name == "print"))
       return print_call(call, name == "println");
     if (group == "System.out" && name == "printf") return print_formatted(*this, call);
@@ -129,7 +132,10 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   const std::string method = type_name(type) + '.' + std::string(name);
   const auto methods = registry_.functions(method);
   std::vector<Argument> arguments = {Argument{.value = object}};
-  const bool exists = find_function(name) != nullptr || !registry_.functions(name).empty();
+  FunctionDecl* const elsewhere =
+      find_function(name) == nullptr ? method_of(*this, type, name) : nullptr;
+  const bool exists =
+      find_function(name) != nullptr || elsewhere != nullptr || !registry_.functions(name).empty();
   if (methods.empty() && !exists) {
     if (type->is(Kind::kRecord) && type->record->index_of(name) >= 0) {
       report(make_diagnostic("E0217", callee,
@@ -141,6 +147,7 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   std::ranges::copy(arguments_of(call.args, methods.empty() ? name : std::string_view(method)),
                     std::back_inserter(arguments));
   if (!methods.empty()) return call_native(name, methods, callee, call.span, std::move(arguments));
+  if (elsewhere != nullptr) return call_script(*elsewhere, callee, call.span, std::move(arguments));
   return call_function(name, callee, call.span, std::move(arguments));
 }
 
@@ -173,6 +180,10 @@ hir::Expr* Checker::check_new_object(const ast::NewObjectExpr& expr) {
   const Type* type = resolve(*expr.type);
   if (type->is(Kind::kAny)) return failed(expr.span);
   const std::string_view name = arena_.copy(type_name(type));
+  if (type->is(Kind::kRecord) && structs_.contains(type->record)) {
+    return construct(structs_[type->record], expr.type->span, expr.span,
+                     arguments_of(expr.args, name));
+  }
   if (!type->is(Kind::kRecord) && registry_.functions(name).empty()) {
     report(make_diagnostic("E0217", expr.type->span,
                            {std::string(name), "a type without a constructor"}));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 #include "check/look_ahead.hpp"
 
 namespace armlet::lang {
@@ -49,39 +50,41 @@ const HostType* Checker::ambient_type(const ast::TypeExpr* type, const ast::Expr
   return host != nullptr && host->is_ambient ? host : nullptr;
 }
 
-bool Checker::run() {
-  registry_.declare_records(types_);
-  error_type_ = types_.library_record("error");
-  main_.function = new_function("", program_.span);
+// What every part of the file may see from everywhere.
+void Checker::begin() {
   use_ = &use_of(main_.function);
+  bind_imports(*this);
   collect(program_);
+}
 
+void Checker::check_top_level() {
   std::vector<hir::Stmt*> body;
   open_block();
   check_into(program_.body, body);
   main_.function->body = make<hir::Block>(hir::StmtKind::kBlock, program_.span, seq(body));
-  check_waiting_tests();
-  check_functions();
-  close_block();
-  report_later();
-  if (errors_ == 0) finish_usage();
+}
 
-  hir::Module& module = into_.module;
+namespace {
+
+// What belongs to the program as a whole.
+void finish(SharedState& shared, CompiledProgram& into) {
   std::vector<hir::Variable*> globals;
-  for (const auto& [variable, init] : top_level_) {
+  for (const auto& [variable, init] : shared.top_level) {
     if (variable->storage == hir::Storage::kGlobal) globals.push_back(variable);
   }
-  for (hir::Variable* variable : inner_globals_) globals.push_back(variable);
+  for (hir::Variable* variable : shared.inner_globals) globals.push_back(variable);
   for (std::size_t i = 0; i < globals.size(); ++i)
     globals[i]->index = static_cast<std::uint32_t>(i);
-  module.main = main_.function;
-  module.functions = seq(all_functions_);
-  module.tests = seq(tests_);
-  module.globals = seq(globals);
+  hir::Module& module = into.module;
+  module.main = shared.files.back()->main_.function;
+  module.functions = into.arena->copy(shared.all_functions);
+  module.tests = into.arena->copy(shared.tests);
+  module.globals = into.arena->copy(globals);
   module.global_count = static_cast<std::uint32_t>(globals.size());
-  into_.mentioned.assign(mentioned_.begin(), mentioned_.end());
-  return !sink_.has_errors();
+  into.mentioned.assign(shared.mentioned.begin(), shared.mentioned.end());
 }
+
+}  // namespace
 
 // The bodies that could wait, and those of functions that nobody calls.
 void Checker::check_functions() {
@@ -89,7 +92,7 @@ void Checker::check_functions() {
     while (!queue_.empty()) {
       Instance* instance = queue_.back();
       queue_.pop_back();
-      check_body(*instance);
+      instance->declaration->file->check_body(*instance);
     }
   };
   std::ranges::reverse(queue_);
@@ -102,11 +105,33 @@ void Checker::check_functions() {
   }
 }
 
-bool check_program(const ast::Block& program, CompiledProgram& into, const Registry& registry,
+bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
                    const CompileOptions& options, DiagnosticSink& sink) {
   if (into.arena == nullptr) into.arena = std::make_unique<Arena>();
   if (into.types == nullptr) into.types = std::make_unique<TypePool>();
-  return Checker(program, into, registry, options, sink).run();
+  registry.declare_records(*into.types);
+  SharedState shared;
+  shared.error_type = into.types->library_record("error");
+  std::deque<Checker> checkers;
+  for (const FileTree& file : files)
+    shared.files.push_back(&checkers.emplace_back(file, shared, into, registry, options, sink));
+  Checker& main = checkers.back();
+  main.main_.function = main.new_function("", main.program_.span);  // the first of all functions
+  for (Checker& file : checkers) {
+    if (&file != &main)
+      file.main_.function = file.new_function(file_name(file), file.program_.span);
+    file.begin();
+  }
+  for (Checker& file : checkers) file.check_top_level();
+  main.check_waiting_tests();  // those of imported files are run by themselves
+  for (Checker& file : checkers) file.check_functions();
+  for (Checker& file : checkers) file.close_block();
+  for (Checker& file : checkers) refuse_active_statements(file);
+  main.report_later();
+  if (!sink.has_errors()) main.finish_usage();
+  run_imports_first(main);
+  finish(shared, into);
+  return !sink.has_errors();
 }
 
 }  // namespace armlet::lang

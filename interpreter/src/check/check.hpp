@@ -2,6 +2,9 @@
 // Checks a program: names, types, units, rules of the host. The result is the typed tree that the
 // compiler reads.
 
+#include <span>
+#include <vector>
+
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "compile/program.hpp"
@@ -10,13 +13,27 @@
 
 namespace armlet::lang {
 
+// One file of a program, as written.
+struct FileTree {
+  // An import and the number of the file that it names; -1: there is none, which was told.
+  struct Import {
+    const ast::ImportStmt* statement;
+    int file;
+  };
+  ast::Block program{};
+  bool ok = true;  // false: statements with mistakes are missing
+  std::vector<Import> imports{};
+};
+
 // Fills into.module, types, arena, facts and mentioned. Messages go to `sink`; the tree may be
 // compiled only if there were no errors.
 //
-// program  the syntax tree; it and its arena may be dropped afterwards.
-// into     into.sources must hold the program's texts and stay where they are: the tree points into
-// them. returns  whether there were no errors.
-bool check_program(const ast::Block& program, CompiledProgram& into, const Registry& registry,
+// files  imported ones before those that import them, the main file last; they and their arena may
+//        be dropped afterwards.
+// into   into.sources must hold the program's texts and stay where they are: the tree points into
+//        them.
+// returns  whether there were no errors.
+bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
                    const CompileOptions& options, DiagnosticSink& sink);
 
 }  // namespace armlet::lang

@@ -19,7 +19,10 @@ namespace armlet::lang {
 
 struct Checker : CheckerState {
   using CheckerState::CheckerState;
-  bool run();
+
+  // ---- check.cpp
+  void begin();
+  void check_top_level();
 
   // ---- messages.cpp
   void report(Diagnostic diagnostic);
@@ -31,6 +34,7 @@ struct Checker : CheckerState {
   void report_later();
   [[nodiscard]] std::string text_of(Span span) const;
   [[nodiscard]] int line_of(Span span) const;
+  [[nodiscard]] std::string line_name(Span span) const;
   // Reports E0201 with the best suggestion.
   hir::Expr* unknown_name(std::string_view name, Span span);
   [[nodiscard]] std::optional<Fix> did_you_mean(std::string_view name, Span span) const;
@@ -76,7 +80,7 @@ struct Checker : CheckerState {
   hir::Expr* to_text(hir::Expr* value);
 
   // ---- members.cpp
-  hir::Expr* check_member(const ast::MemberExpr& member);
+  hir::Expr* check_member(const ast::MemberExpr& member, const Type* expected = nullptr);
   hir::Expr* check_type_member(const ast::MemberExpr& member, std::string_view name);
   hir::Expr* field_of(hir::Expr* object, const ast::MemberExpr& member);
   hir::Expr* unknown_field(const hir::Expr& object, const ast::Name& field);
@@ -202,6 +206,7 @@ struct Checker : CheckerState {
 
   // ---- places.cpp
   std::optional<hir::Place> check_place(const ast::Expr& expr, Span statement, bool whole);
+  void refuse_place(const ast::Expr& root, const ast::Expr& expr, Span statement);
   std::optional<hir::Step> check_place_step(const ast::Expr& at, const Type* type, Span whole);
   bool may_change(Local& local, FunctionContext& where, Span statement, bool whole);
   void report_copy(const Local& local, Span statement);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 #include "check/look_ahead.hpp"
 
 namespace armlet::lang {
@@ -64,6 +65,10 @@ bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
       found = true;
     }
   }
+  if (const Import* import = found ? nullptr : find_import(*this, name.text)) {
+    first = import->span;
+    found = &here_->root() == &main_;
+  }
   if (!found) {
     if (here_->root().kind == FunctionContext::Kind::kNamed) advise_hidden(name);
     return true;
@@ -72,7 +77,8 @@ bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
   diagnostic.mark.label = "declared again";
   diagnostic.related.push_back({first, "first declared here"});
   diagnostic.fix = Fix{.text = "choose another name"};
-  if (value != nullptr && find_function(name.text) == nullptr) {
+  if (value != nullptr && find_function(name.text) == nullptr &&
+      find_import(*this, name.text) == nullptr) {
     diagnostic.fix->text += ", or write " + std::string(name.text) + " = " + text_of(value->span) +
                             " if you want to change it (then declare it with var)";
   }
@@ -175,7 +181,11 @@ void Checker::collect(const ast::Block& program) {
 
 void Checker::collect_types(const ast::Block& program) {
   const auto add = [&](const ast::Name& name, const Type* type) {
-    if (named_types_.emplace(name.text, type).second) return true;
+    if (named_types_.emplace(name.text, type).second) {
+      type_names_[name.text] = name.span;
+      shared_.homes[type] = this;
+      return true;
+    }
     sink_.begin_statement();
     report(make_diagnostic("E0204", name.span, {std::string(name.text)}));
     return false;
@@ -184,7 +194,7 @@ void Checker::collect_types(const ast::Block& program) {
     if (stmt->kind == ast::StmtKind::kStruct) {
       const auto& node = stmt->as<ast::StructStmt>();
       const Type* type = types_.new_record(std::string(node.name.text));
-      if (add(node.name, type)) structs_[type->record] = {&node, type};
+      if (add(node.name, type)) structs_[type->record] = {&node, this, type};
     } else if (stmt->kind == ast::StmtKind::kEnum) {
       const auto& node = stmt->as<ast::EnumStmt>();
       std::vector<std::string> values;
@@ -245,17 +255,21 @@ void Checker::collect_functions(const ast::Block& program) {
     if (stmt->kind != ast::StmtKind::kFunction) continue;
     const auto& node = stmt->as<ast::FunctionStmt>();
     sink_.begin_statement();
-    if (const FunctionDecl* first = find_function(node.name.text)) {
+    const FunctionDecl* first = find_function(node.name.text);
+    const Import* import = find_import(*this, node.name.text);
+    if (first != nullptr || import != nullptr) {
       Diagnostic diagnostic =
           make_diagnostic("E0204", node.name.span, {std::string(node.name.text)});
       diagnostic.mark.label = "declared again";
-      diagnostic.related.push_back({first->node->name.span, "first declared here"});
+      diagnostic.related.push_back(
+          {first != nullptr ? first->node->name.span : import->span, "first declared here"});
       diagnostic.fix = Fix{.text = "choose another name"};
       report(std::move(diagnostic));
       continue;
     }
     FunctionDecl& function = functions_[node.name.text];
     function.node = &node;
+    function.file = this;
     for (std::size_t i = 0; i < node.params.size(); ++i) {
       const ast::Param& param = node.params[i];
       function.parameters.push_back(param.type != nullptr ? resolve(*param.type) : nullptr);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -44,7 +45,7 @@ hir::Expr* Checker::check_any(const ast::Expr& expr, const Type* expected) {
     case ExprKind::kName:
       return check_name(expr.as<ast::NameExpr>(), expected);
     case ExprKind::kMember:
-      return check_member(expr.as<ast::MemberExpr>());
+      return check_member(expr.as<ast::MemberExpr>(), expected);
     case ExprKind::kIndex:
       return check_index(expr.as<ast::IndexExpr>());
     case ExprKind::kCall:
@@ -141,7 +142,8 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
                                constant->value);
   }
   const bool is_group = registry_.is_namespace(name.name) || name.name == "Math";
-  const char* what = is_group                                  ? "group of functions"
+  const char* what = find_import(*this, name.name) != nullptr  ? "module"
+                     : is_group                                ? "group of functions"
                      : type_called(name.name) != nullptr       ? "type"
                      : !registry_.functions(name.name).empty() ? "function of the library"
                                                                : nullptr;
@@ -154,9 +156,9 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
 hir::Expr* Checker::read(Local& local, FunctionContext& where, Span span) {
   local.used = true;
   hir::Variable* variable = local.variable;
-  if (&where == &main_ && use_ != &uses_[main_.function]) use_->add(variable);
-  const bool in_sequence = &where == here_ || (where.kind != FunctionContext::Kind::kProgram) ||
-                           &here_->root() == &main_;
+  const bool of_program = where.kind == FunctionContext::Kind::kProgram;
+  if (of_program && use_ != &uses_[main_.function]) use_->add(variable);
+  const bool in_sequence = &where == here_ || !of_program || &here_->root() == &main_;
   if (in_sequence && where.flow.is_unset(variable)) {
     Diagnostic diagnostic = make_diagnostic("E0211", span, {std::string(variable->name)});
     diagnostic.related.push_back({variable->declared, "declared without a value"});

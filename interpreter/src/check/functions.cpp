@@ -155,7 +155,7 @@ hir::Expr* Checker::function_value(FunctionDecl& function, const Type* expected,
     report(make_diagnostic("E0323", span, {"`" + std::string(function.node->name.text) + "`"}));
     return failed(span);
   }
-  Instance* instance = instance_of(function, types, span);
+  Instance* instance = function.file->instance_of(function, types, span);
   if (instance == nullptr) return failed(span);
   use_->add(instance->function);
   if (&here_->root() == &main_) main_calls_.emplace_back(instance->function, top_level_.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 
@@ -15,7 +16,8 @@ void Checker::make_global(hir::Variable& variable) {
 // The variable that `here` uses for a variable of `owner` outside of it.
 hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionContext& here) {
   if (&here == &owner) return local.variable;
-  if (&owner == &main_ && use_ != nullptr) use_->add(local.variable);
+  const bool of_program = owner.kind == FunctionContext::Kind::kProgram;
+  if (of_program && use_ != nullptr) use_->add(local.variable);
   const bool is_function =
       here.kind == FunctionContext::Kind::kNamed || here.kind == FunctionContext::Kind::kTest;
   if (is_function || here.outer == nullptr) {
@@ -87,8 +89,7 @@ hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expe
   FunctionContext context;
   context.kind = FunctionContext::Kind::kLambda;
   context.outer = here_;
-  context.function =
-      new_function("lambda on line " + std::to_string(line_of(lambda.span)), lambda.span);
+  context.function = new_function("lambda on " + line_name(lambda.span), lambda.span);
   if (lambda.result != nullptr) {
     context.result = resolve(*lambda.result);
   } else if (fits && !expected->result->is(Kind::kAny)) {
@@ -131,8 +132,7 @@ hir::Expr* Checker::check_guard(const ast::Expr& written) {
   FunctionContext context;
   context.kind = FunctionContext::Kind::kCondition;
   context.outer = here_;
-  context.function =
-      new_function("condition on line " + std::to_string(line_of(written.span)), written.span);
+  context.function = new_function("condition on " + line_name(written.span), written.span);
   context.function->is_condition = true;
   context.function->result = types_.boolean();
   FunctionContext* const before = std::exchange(here_, &context);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -37,8 +38,10 @@ std::string Checker::dotted_name(const ast::Expr& expr) {
   return object.empty() ? object : object + '.' + std::string(member.member.text);
 }
 
-hir::Expr* Checker::check_member(const ast::MemberExpr& member) {
+hir::Expr* Checker::check_member(const ast::MemberExpr& member, const Type* expected) {
   const std::string name = dotted_name(*member.object);
+  if (const Import* from = find_import(*this, name))
+    return imported_member(*this, *from, member, expected);
   if (!name.empty()) {
     if (hir::Expr* value = check_type_member(member, name)) return value;
   }
@@ -50,9 +53,7 @@ hir::Expr* Checker::check_member(const ast::MemberExpr& member) {
 // State.Idle, State.values, Math.PI, robots.something; null if `name` is none of these.
 hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string_view name) {
   const std::string_view field = member.member.text;
-  if (const auto found = named_types_.find(name);
-      found != named_types_.end() && found->second->is(Kind::kEnum)) {
-    const Type* type = found->second;
+  if (const Type* type = declared_type(*this, name); type != nullptr && type->is(Kind::kEnum)) {
     const EnumInfo& info = *type->enumeration;
     const auto value = [&](std::int64_t i) {
       return make<hir::IntExpr>(hir::ExprKind::kEnum, type, member.span, i);

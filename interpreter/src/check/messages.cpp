@@ -4,6 +4,7 @@
 #include <array>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -56,6 +57,12 @@ void Checker::report_later() {
 std::string Checker::text_of(Span span) const { return std::string(into_.sources->slice(span)); }
 
 int Checker::line_of(Span span) const { return into_.sources->position(span).line; }
+
+// For names of functions without one, which messages show while running.
+std::string Checker::line_name(Span span) const {
+  const std::string line = "line " + std::to_string(line_of(span));
+  return is_main_file(*this) ? line : line + " of " + file_name(*this);
+}
 
 std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
                                          const std::vector<std::string_view>& names) const {
@@ -112,6 +119,10 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
     report(std::move(diagnostic));
     return failed(span);
   }
+  if (find_import(*this, name) != nullptr) {
+    report(make_diagnostic("E0219", span, {std::string(name), "module"}));
+    return failed(span);
+  }
   if (registry_.is_planned(name)) return not_available(span, quoted(name));
   Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
   if (const ForeignName* foreign = foreign_name(name)) {
@@ -121,6 +132,9 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
                            .edits = {{span, std::string(foreign->here)}},
                            .confidence = Confidence::kMaybe};
     }
+  } else if (const std::string imported = imported_name(*this, name); !imported.empty()) {
+    diagnostic.fix = Fix{
+        .text = "write " + imported, .edits = {{span, imported}}, .confidence = Confidence::kSure};
   } else {
     diagnostic.fix = did_you_mean(name, span);
   }

@@ -149,12 +149,21 @@ Ambient Checker::find_ambient(const HostType& type) {
     look_in(*context, context->locals.size());
   }
   if (!out.names.empty()) return out;
-  const bool in_main = &here_->root() == &main_;
-  look_in(main_, in_main || main_.blocks.size() < 2 ? main_.locals.size() : main_.blocks[1]);
-  for (const std::string_view declared : ambient_names_[type.name]) out.names.push_back(declared);
-  std::ranges::sort(out.names);
-  const auto repeated = std::ranges::unique(out.names);
-  out.names.erase(repeated.begin(), repeated.end());
+  std::vector<std::string_view> all;
+  for (Checker* file : shared_.files) {
+    FunctionContext& top = file->main_;
+    const bool whole = &here_->root() == &top || top.blocks.size() < 2;
+    look_in(top, whole ? top.locals.size() : top.blocks[1]);
+    for (const std::string_view declared : file->ambient_names_[type.name])
+      out.names.push_back(declared);
+    std::ranges::sort(out.names);
+    const auto repeated = std::ranges::unique(out.names);
+    out.names.erase(repeated.begin(), repeated.end());
+    // Robots of two files may have the same name.
+    std::ranges::move(out.names, std::back_inserter(all));
+    out.names.clear();
+  }
+  out.names = std::move(all);
   return out;
 }
 

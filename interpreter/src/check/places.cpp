@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 
@@ -94,6 +95,29 @@ bool Checker::may_change(Local& local, FunctionContext& where, Span statement, b
   return false;
 }
 
+// `root` is the start of the place `expr`, and no variable.
+void Checker::refuse_place(const ast::Expr& root, const ast::Expr& expr, Span statement) {
+  if (root.kind == ast::ExprKind::kName &&
+      find_import(*this, root.as<ast::NameExpr>().name) != nullptr) {
+    refuse_change(*this, expr, statement);
+    return;
+  }
+  const std::string_view name =
+      root.kind == ast::ExprKind::kName ? root.as<ast::NameExpr>().name : std::string_view();
+  const bool is_type = !name.empty() && type_called(name) != nullptr;
+  if (!name.empty() && !is_type && find_function(name) == nullptr &&
+      registry_.functions(name).empty() && registry_.constant(name) == nullptr) {
+    unknown_name(name, root.span);
+    return;
+  }
+  Diagnostic diagnostic = make_diagnostic("E0328", expr.span);
+  if (is_type) {
+    diagnostic.why = '`' + std::string(name) + "` is a type; the name of the variable is missing";
+    syntax_failed_ = true;
+  }
+  report(std::move(diagnostic));
+}
+
 std::optional<hir::Place> Checker::check_place(const ast::Expr& expr, Span statement, bool whole) {
   std::vector<const ast::Expr*> chain;
   for (const ast::Expr* at = &expr; at != &root_of(expr);) {
@@ -107,20 +131,7 @@ std::optional<hir::Place> Checker::check_place(const ast::Expr& expr, Span state
                      ? find_local(root.as<ast::NameExpr>().name, where)
                      : nullptr;
   if (local == nullptr) {
-    const std::string_view name =
-        root.kind == ast::ExprKind::kName ? root.as<ast::NameExpr>().name : std::string_view();
-    const bool is_type = !name.empty() && type_called(name) != nullptr;
-    if (!name.empty() && !is_type && find_function(name) == nullptr &&
-        registry_.functions(name).empty() && registry_.constant(name) == nullptr) {
-      unknown_name(name, root.span);
-      return std::nullopt;
-    }
-    Diagnostic diagnostic = make_diagnostic("E0328", expr.span);
-    if (is_type) {
-      diagnostic.why = '`' + std::string(name) + "` is a type; the name of the variable is missing";
-      syntax_failed_ = true;
-    }
-    report(std::move(diagnostic));
+    refuse_place(root, expr, statement);
     return std::nullopt;
   }
   const bool is_whole = whole && chain.empty();

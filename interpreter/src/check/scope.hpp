@@ -63,6 +63,14 @@ struct Use {
   void add(const hir::Function* function);
 };
 
+struct Checker;
+
+// A file that another one imports, under the name that it has there.
+struct Import {
+  Span span{};              // of the import
+  Checker* file = nullptr;  // null: it could not be read, which was told
+};
+
 // A function of the text, and its forms for the types it was called with.
 struct FunctionDecl;
 
@@ -77,6 +85,7 @@ struct Instance {
 
 struct FunctionDecl {
   const ast::FunctionStmt* node = nullptr;
+  Checker* file = nullptr;                // where it is declared
   std::vector<const Type*> parameters{};  // null: generic by use
   const Type* result = nullptr;           // null: inferred
   std::vector<Instance*> instances{};
@@ -117,6 +126,7 @@ struct FunctionContext {
 
 struct StructDecl {
   const ast::StructStmt* node = nullptr;
+  Checker* file = nullptr;  // where it is declared
   const Type* type = nullptr;
 };
 

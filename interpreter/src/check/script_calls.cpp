@@ -96,7 +96,7 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
                                         : Span{callee.end, callee.end, callee.source});
     hir::Expr* value = nullptr;
     if (argument == nullptr) {
-      value = default_value(*node.params[p].default_value, target, "a default");
+      value = function.file->default_value(*node.params[p].default_value, target, "a default");
     } else {
       if (!argument->name.empty()) target.role = Target::Role::kSetting;
       target.position = static_cast<int>(argument - arguments.data()) + 1 - receiver;
@@ -111,7 +111,7 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
     values.push_back(value);
     types.push_back(value->type);
   }
-  Instance* instance = instance_of(function, std::move(types), span);
+  Instance* instance = function.file->instance_of(function, std::move(types), span);
   if (instance == nullptr) return failed(span);
   use_->add(instance->function);
   if (&here_->root() == &main_) main_calls_.emplace_back(instance->function, top_level_.size());
@@ -135,7 +135,8 @@ hir::Expr* Checker::construct(const StructDecl& structure, Span callee, Span spa
                   .function = name,
                   .call = span};
     if (argument == nullptr) {
-      values.push_back(default_value(*node.fields[i].default_value, target, "a default"));
+      values.push_back(
+          structure.file->default_value(*node.fields[i].default_value, target, "a default"));
     } else {
       if (argument->waits()) argument->value = check_value(*argument->written, target.type);
       values.push_back(require(argument->value, target));

@@ -17,17 +17,46 @@
 
 namespace armlet::lang {
 
+struct Checker;
+
+// What the files of one program have in common.
+struct SharedState {
+  std::vector<Checker*> files{};  // imported ones before those that import them
+  int depth = 0;                  // of nested checks, bodies of called functions included
+  std::deque<Instance> instances{};
+  std::vector<Instance*> queue{};  // bodies that can wait
+  std::map<const RecordInfo*, StructDecl> structs{};
+  std::map<const Type*, Checker*> homes{};  // of struct and enum types: the file that declares them
+  std::map<std::string, std::vector<std::string>> declared_names{};  // block declarations by type
+  std::unordered_map<const NativeFunction*, std::unique_ptr<Signature>> signatures{};
+  std::unordered_map<const hir::Function*, Use> uses{};
+  std::vector<hir::Function*> all_functions{};
+  std::vector<hir::Test> tests{};
+  std::vector<hir::Variable*> inner_globals{};  // of blocks of the top level, used by conditions
+  std::vector<std::pair<const hir::Function*, std::size_t>>
+      main_calls{};  // with the top-level variables declared then
+  std::vector<std::pair<const hir::Function*, Span>> conditions{};
+  std::vector<std::pair<hir::Variable*, hir::InitStmt*>> top_level{};  // in their order
+  std::unordered_map<const hir::Variable*, Use> init_uses{};
+  std::set<std::string> mentioned{};
+  std::map<std::string, Span> later{};  // what the program uses and nothing stands behind yet
+  const Type* error_type = nullptr;
+};
+
+// What is known of one file.
 struct CheckerState {
-  CheckerState(const ast::Block& program, CompiledProgram& into, const Registry& registry,
-               const CompileOptions& options, DiagnosticSink& sink)
-      : program_(program),
+  CheckerState(const FileTree& file, SharedState& shared, CompiledProgram& into,
+               const Registry& registry, const CompileOptions& options, DiagnosticSink& sink)
+      : file_(file),
+        program_(file.program),
+        shared_(shared),
         into_(into),
         registry_(registry),
         options_(options),
         sink_(sink),
         arena_(*into.arena),
         types_(*into.types),
-        syntax_failed_(sink.has_errors()) {}
+        syntax_failed_(!file.ok) {}
 
   template <class T, class... Rest>
   T* make(hir::ExprKind kind, const Type* type, Span span, Rest&&... rest) {
@@ -43,7 +72,9 @@ struct CheckerState {
     return arena_.copy(items);
   }
 
+  const FileTree& file_;
   const ast::Block& program_;
+  SharedState& shared_;
   CompiledProgram& into_;
   const Registry& registry_;
   const CompileOptions& options_;
@@ -62,32 +93,36 @@ struct CheckerState {
   int errors_ = 0;
   bool syntax_failed_ = false;  // statements are missing, so unknown names prove nothing
   std::set<std::string, std::less<>> told_;  // unknown names; each is told of once
-  int depth_ = 0;  // of nested checks, bodies of called functions included
-  std::deque<Instance> instances_;
-  std::vector<Instance*> queue_;  // bodies that can wait
+  std::map<std::string_view, Import> imports_;
   std::map<std::string_view, FunctionDecl> functions_;
   std::map<std::string_view, const Type*> named_types_;
-  std::map<const RecordInfo*, StructDecl> structs_;
+  std::map<std::string_view, Span> type_names_;  // where they are declared
   std::map<std::string_view, Span> top_level_names_;
   std::set<std::string_view> changed_names_;  // that some statement of the text changes
-  std::map<std::string, std::vector<std::string>> declared_names_;  // block declarations by type
   std::map<std::string_view, std::vector<std::string_view>>
-      ambient_names_;  // top-level robots by type
-  std::unordered_map<const NativeFunction*, std::unique_ptr<Signature>> signatures_;
-  std::unordered_map<const hir::Function*, Use> uses_;
+      ambient_names_;   // top-level robots by type
   Use* use_ = nullptr;  // what is being collected now
-  std::vector<hir::Function*> all_functions_;
-  std::vector<hir::Test> tests_;
   std::vector<const ast::TestStmt*> waiting_tests_;
-  std::vector<hir::Variable*> inner_globals_;  // of blocks of the top level, used by conditions
-  std::vector<std::pair<const hir::Function*, std::size_t>>
-      main_calls_;  // with the top-level variables declared then
-  std::vector<std::pair<const hir::Function*, Span>> conditions_;
-  std::vector<std::pair<hir::Variable*, hir::InitStmt*>> top_level_;  // in their order
-  std::unordered_map<const hir::Variable*, Use> init_uses_;
-  std::set<std::string> mentioned_;
-  std::map<std::string, Span> later_;  // what the program uses and nothing stands behind yet
-  const Type* error_type_ = nullptr;
+  std::vector<std::pair<Span, Use>> active_statements_;  // of an imported file's top level
+
+  int& depth_ = shared_.depth;
+  std::deque<Instance>& instances_ = shared_.instances;
+  std::vector<Instance*>& queue_ = shared_.queue;
+  std::map<const RecordInfo*, StructDecl>& structs_ = shared_.structs;
+  std::map<std::string, std::vector<std::string>>& declared_names_ = shared_.declared_names;
+  std::unordered_map<const NativeFunction*, std::unique_ptr<Signature>>& signatures_ =
+      shared_.signatures;
+  std::unordered_map<const hir::Function*, Use>& uses_ = shared_.uses;
+  std::vector<hir::Function*>& all_functions_ = shared_.all_functions;
+  std::vector<hir::Test>& tests_ = shared_.tests;
+  std::vector<hir::Variable*>& inner_globals_ = shared_.inner_globals;
+  std::vector<std::pair<const hir::Function*, std::size_t>>& main_calls_ = shared_.main_calls;
+  std::vector<std::pair<const hir::Function*, Span>>& conditions_ = shared_.conditions;
+  std::vector<std::pair<hir::Variable*, hir::InitStmt*>>& top_level_ = shared_.top_level;
+  std::unordered_map<const hir::Variable*, Use>& init_uses_ = shared_.init_uses;
+  std::set<std::string>& mentioned_ = shared_.mentioned;
+  std::map<std::string, Span>& later_ = shared_.later;
+  const Type*& error_type_ = shared_.error_type;
 };
 
 }  // namespace armlet::lang

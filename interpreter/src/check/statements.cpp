@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -61,7 +62,11 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
       report(std::move(advice));
     }
     sink_.begin_statement();
-    if (hir::Stmt* checked = check_statement(stmt)) out.push_back(checked);
+    if (is_active_statement(*this, stmt)) {
+      check_active_statement(*this, stmt);
+    } else if (hir::Stmt* checked = check_statement(stmt)) {
+      out.push_back(checked);
+    }
   }
 }
 
@@ -90,6 +95,7 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kFunction:
     case StmtKind::kStruct:
     case StmtKind::kEnum:
+    case StmtKind::kImport:
       return nullptr;  // collected before; refused elsewhere while the tree was built
     case StmtKind::kTest:
       return check_test(stmt.as<ast::TestStmt>());
@@ -104,7 +110,6 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
       return check_switch(stmt.as<ast::SwitchStmt>());
     case StmtKind::kTry:
       return check_try(stmt.as<ast::TryStmt>());
-    case StmtKind::kImport:
     case StmtKind::kParallel:
     case StmtKind::kWhen:
     case StmtKind::kEvery:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 
@@ -25,10 +26,7 @@ const Type* Checker::resolve_named(const ast::TypeExpr& type) {
   std::string name;
   for (const ast::Name& part : type.path)
     name += (name.empty() ? "" : ".") + std::string(part.text);
-  if (type.path.size() > 1) {
-    not_available(type.span, "a type of another file");
-    return types_.any();
-  }
+  if (type.path.size() > 1) return imported_type(*this, type);
   if (syntax_failed_ || !told_.emplace(name).second) return types_.any();
   if (registry_.is_planned(name)) {
     not_available(type.span, '`' + name + '`');

@@ -84,8 +84,9 @@ std::string line_text(const CompiledProgram& program, Span span) {
   const int line = source.position(span.begin).line;
   const std::string_view text = source.line(line);
   const std::size_t first = text.find_first_not_of(" \t");
-  return fmt::format("  line {}: {}\n", line,
-                     first == std::string_view::npos ? "" : text.substr(first));
+  const bool imported = span.source != 0;
+  return fmt::format("  {}{}line {}: {}\n", imported ? source.name() : "", imported ? " " : "",
+                     line, first == std::string_view::npos ? "" : text.substr(first));
 }
 
 void append_function(const CompiledProgram& program, std::size_t index, std::string& out) {
@@ -94,10 +95,10 @@ void append_function(const CompiledProgram& program, std::size_t index, std::str
                      f.name.empty() ? "(program)" : f.name, f.parameters, f.registers,
                      f.references_begin, f.references_end);
   auto next_span = f.spans.begin();
-  int shown_line = 0;
+  std::pair<std::uint32_t, int> shown_line;
   for (std::size_t pc = 0; pc < f.code.size(); ++pc) {
     for (; next_span != f.spans.end() && next_span->pc <= pc; ++next_span) {
-      const int line = program.sources->position(next_span->span).line;
+      const std::pair line(next_span->span.source, program.sources->position(next_span->span).line);
       if (line != shown_line) out += line_text(program, next_span->span);
       shown_line = line;
     }

@@ -6,25 +6,21 @@
 #include <utility>
 
 #include "check/check.hpp"
-#include "syntax/parse.hpp"
+#include "compile/load_files.hpp"
 
 namespace armlet::lang {
 
 namespace {
 
 // A program that passed all checks; null if there were errors.
-std::shared_ptr<const Program> build(const Registry& registry, const Source& source,
+std::shared_ptr<const Program> build(const Registry& registry,
                                      std::unique_ptr<CompiledProgram> compiled,
                                      const CompileOptions& options, LowerOptions lowering,
                                      DiagnosticSink& sink) {
   Arena tree;
-  Parsed parsed = parse(source, tree, sink, options.limits);
-  ast::Block program{};
-  program.span = {0, static_cast<std::uint32_t>(source.text().size()), source.id()};
-  program.body = tree.copy(parsed.statements);
+  const std::vector<FileTree> files = load_files(*compiled->sources, tree, options, sink);
   // Checked even after mistakes of syntax: other mistakes are worth telling too.
-  const bool checked = check_program(program, *compiled, registry, options, sink);
-  if (!parsed.ok || !checked || sink.has_errors()) return nullptr;
+  if (!check_program(files, *compiled, registry, options, sink) || !files.back().ok) return nullptr;
   if (std::optional<Diagnostic> too_large = lower(*compiled, lowering)) {
     sink.report(std::move(*too_large));
     return nullptr;
@@ -48,9 +44,9 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
   auto compiled = std::make_unique<CompiledProgram>();
   compiled->sources = std::make_shared<SourceSet>();
   result.sources = compiled->sources;
-  const Source& source = compiled->sources->add(std::move(name), std::move(text));
+  compiled->sources->add(std::move(name), std::move(text));
   try {
-    result.program = build(registry, source, std::move(compiled), options, lowering, sink);
+    result.program = build(registry, std::move(compiled), options, lowering, sink);
     result.diagnostics = sink.take_sorted();
   } catch (const std::bad_alloc&) {
     result.diagnostics.push_back(defect("the computer has no memory left"));

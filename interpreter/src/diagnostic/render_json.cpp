@@ -30,12 +30,14 @@ void add_mark(Json& out, const Mark& mark, const SourceSet& sources) {
   add_text(out, "label", mark.label);
 }
 
-Json fix_json(const Fix& fix, const SourceSet& sources) {
+// `main`: the file that the message is about.
+Json fix_json(const Fix& fix, std::uint32_t main, const SourceSet& sources) {
   Json out;
   out["text"] = fix.text;
   out["edits"] = Json::array();
   for (const Edit& edit : fix.edits) {
     Json item;
+    if (edit.span.source != main) item["file"] = sources[edit.span.source].name();
     add_range(item, edit.span, sources);
     item["text"] = edit.text;
     out["edits"].push_back(std::move(item));
@@ -72,7 +74,7 @@ std::string render_json(const Diagnostic& diagnostic, const SourceSet& sources) 
   }
   if (!related.empty()) out["related"] = std::move(related);
   add_text(out, "why", diagnostic.why);
-  if (diagnostic.fix) out["fix"] = fix_json(*diagnostic.fix, sources);
+  if (diagnostic.fix) out["fix"] = fix_json(*diagnostic.fix, diagnostic.mark.span.source, sources);
   if (tells_something(diagnostic.when)) out["when"] = when_json(*diagnostic.when);
   // Bytes that are no UTF-8 become U+FFFD: a message must not fail because of the text it is about.
   return out.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -69,7 +69,7 @@ std::vector<std::string> call_path(const VmState& state) {
     if (frame->callee->function->name.empty()) continue;
     const CodeSpan* site = frame[-1].is_host() ? nullptr : code_span(frame[-1]);
     std::string call = frame->callee->function->name;
-    if (site != nullptr) call += ", called on line " + std::to_string(line_of(state, site->span));
+    if (site != nullptr) call += ", called on " + line_name(state, site->span);
     calls.push_back(std::move(call));
   }
   if (calls.size() > kMost) {
@@ -136,6 +136,14 @@ std::string source_text(const VmState& state, Span span) {
 }
 
 int line_of(const VmState& state, Span span) { return state.program.sources->position(span).line; }
+
+std::string line_name(const VmState& state, Span span) {
+  const SourceSet& sources = *state.program.sources;
+  std::string out = "line " + std::to_string(line_of(state, span));
+  if (sources.size() == 1) return out;
+  const std::string& file = sources[span.source].name();
+  return out + " of " + file.substr(file.find_last_of('/') + 1);
+}
 
 When circumstances(const VmState& state) {
   When when;

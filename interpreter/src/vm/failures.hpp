@@ -23,6 +23,8 @@ namespace armlet::lang {
 [[nodiscard]] std::string source_text(const VmState& state, Span span);
 // Line of a span, from 1.
 [[nodiscard]] int line_of(const VmState& state, Span span);
+// "line 7", or "line 7 of grip.rbt" in a program of several files.
+[[nodiscard]] std::string line_name(const VmState& state, Span span);
 // Time, call path and loop pass of the running task.
 [[nodiscard]] When circumstances(const VmState& state);
 

@@ -82,7 +82,7 @@ std::optional<std::string> fix_of(const VmState& state, const Failure& failure,
   if (fix.find("{line}") != std::string::npos) {
     // What the mark shows needs no words.
     if (element.empty() || is_inside) return std::nullopt;
-    replace_all(fix, "{line}", std::to_string(line_of(state, element)));
+    replace_all(fix, "line {line}", line_name(state, element));
   }
   if (fix.find("{arg}") != std::string::npos) {
     const auto index = static_cast<std::size_t>(failure.mark_parameter);

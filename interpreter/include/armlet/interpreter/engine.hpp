@@ -35,14 +35,20 @@ struct ParseLimits {
   int errors = 10;
 };
 
-// Gives the text of an imported module, or nothing if there is no such file.
-using ModuleLoader =
-    std::function<std::optional<std::string>(const std::string& path, const std::string& from)>;
+// What a host answers to `import "path"`.
+struct ImportedText {
+  std::string name;                 // of the file in messages; one file has one name
+  std::optional<std::string> text;  // nothing: there is no such file, or it is not to be read
+  std::string why;                  // with no text: the reason, if there is more to say
+  std::vector<std::string> others;  // with no text: the paths that exist, for "did you mean"
+};
+// `path` is what the program says, `from` the name of the file that says it.
+using ModuleLoader = std::function<ImportedText(const std::string& path, const std::string& from)>;
 
 struct CompileOptions {
   ParseLimits limits;
   void* host = nullptr;  // handed to check rules
-  ModuleLoader load;     // no imports without it
+  ModuleLoader load;     // nothing can be imported without it
 };
 
 // A checked program. Shared by all who run it.

@@ -85,7 +85,7 @@ struct Failure {
   std::string element_label;  // label for the place where that element was written
   std::string label;
   std::string why;
-  // May contain {line}, the line where the marked element was written, and {arg}, the text of the
+  // May contain "line {line}", where the marked element was written, and {arg}, the text of the
   // marked argument.
   std::string fix;
   std::string robot;

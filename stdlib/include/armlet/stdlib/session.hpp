@@ -27,6 +27,7 @@ struct SessionOptions {
   std::optional<WorldText>
       default_world;  // used when a program names an object and no world is given
   ParseLimits parse_limits;
+  ModuleLoader load;  // files that the program imports; none without it
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions

@@ -1,0 +1,14 @@
+#pragma once
+// Files that a program imports.
+
+#include <string>
+
+#include "armlet/interpreter/engine.hpp"
+
+namespace armlet::cli {
+
+// Reads imported files, relative to the file that imports them. A program gets files of its own
+// folder and of the folders below it, wherever a path or a link leads.
+[[nodiscard]] ModuleLoader imports_of(const std::string& program);
+
+}  // namespace armlet::cli

@@ -1,0 +1,167 @@
+#include "compile/load_files.hpp"
+
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "check/suggest.hpp"
+#include "syntax/parse.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// Files import each other in a chain at most this long, and a program has at most so many.
+constexpr std::size_t kMostFiles = 200;
+
+std::string without_folders(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+
+// import robots.grip means the file robots/grip.rbt.
+std::string path_of(const ast::ImportStmt& stmt) {
+  std::string path(stmt.path);
+  if (stmt.is_file) return path;
+  for (char& c : path) {
+    if (c == '.') c = '/';
+  }
+  return path + ".rbt";
+}
+
+// What programs of other languages import and what needs no import here.
+std::string_view always_there(std::string_view path) {
+  const std::string_view first = path.substr(0, path.find('.'));
+  if (first == "math" || first == "Math" || first == "cmath" || first == "numpy")
+    return "the functions of mathematics are always there: sin, sqrt, PI";
+  if (first == "time" || first == "random" || first == "sys" || first == "java" || first == "std")
+    return "the library is always there: wait, now, random, print";
+  return {};
+}
+
+std::string files_there(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 6;
+  std::string out;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i)
+    out += (i == 0 ? "the files there are \"" : ", \"") + names[i] + '"';
+  return names.size() > kMost ? out + " and more" : out;
+}
+
+class Loader {
+ public:
+  Loader(SourceSet& sources, Arena& tree, const CompileOptions& options, DiagnosticSink& sink)
+      : sources_(sources), tree_(tree), options_(options), sink_(sink) {}
+
+  std::vector<FileTree> run() {
+    bytes_ = sources_[0].text().size();
+    numbers_[sources_[0].name()] = kBeingRead;
+    read(sources_[0]);
+    return std::move(files_);
+  }
+
+ private:
+  static constexpr int kBeingRead = -2;
+
+  struct Step {
+    const Source* file;
+    const ast::ImportStmt* import;
+  };
+
+  // Returns the number of the file.
+  int read(const Source& source) {
+    const Parsed parsed = parse(source, tree_, sink_, options_.limits);
+    FileTree file{.program = {}, .ok = parsed.ok};
+    file.program.span = {0, static_cast<std::uint32_t>(source.text().size()), source.id()};
+    file.program.body = tree_.copy(parsed.statements);
+    for (const ast::Stmt* stmt : file.program.body) {
+      if (stmt->kind != ast::StmtKind::kImport) continue;
+      const auto& import = stmt->as<ast::ImportStmt>();
+      sink_.begin_statement();
+      path_.push_back({&source, &import});
+      file.imports.push_back({&import, follow(source, import)});
+      path_.pop_back();
+    }
+    files_.push_back(std::move(file));
+    return numbers_[source.name()] = static_cast<int>(files_.size()) - 1;
+  }
+
+  // The number of the imported file; -1 after a message.
+  int follow(const Source& from, const ast::ImportStmt& import) {
+    const std::string path = path_of(import);
+    ImportedText found;
+    if (options_.load) found = options_.load(path, from.name());
+    const auto known = numbers_.find(found.name);
+    if (found.text && known != numbers_.end()) {
+      if (known->second == kBeingRead) return refuse_circle(import, found.name);
+      return known->second;
+    }
+    if (!found.text) return refuse_missing(import, path, found);
+    bytes_ += found.text->size();
+    const bool many = sources_.size() >= kMostFiles;
+    if (many || bytes_ > options_.limits.bytes) {
+      const std::string what =
+          many ? "more than " + std::to_string(kMostFiles) + " files"
+               : "its files have more than " + std::to_string(options_.limits.bytes) + " bytes";
+      sink_.report(make_diagnostic("E0124", import.path_span, {what}));
+      return -1;
+    }
+    numbers_[found.name] = kBeingRead;
+    return read(sources_.add(std::move(found.name), *std::move(found.text)));
+  }
+
+  int refuse_missing(const ast::ImportStmt& import, const std::string& path,
+                     const ImportedText& found) {
+    Diagnostic out = make_diagnostic("E0213", import.path_span, {path});
+    out.why = options_.load ? found.why : "the host of this program gives it no files to import";
+    const std::string_view there = always_there(import.path);
+    if (!import.is_file && !there.empty()) {
+      out.why = there;
+      out.fix = Fix{"delete this line", {{import.span, ""}}, Confidence::kMaybe};
+    } else {
+      const std::vector<std::string_view> names(found.others.begin(), found.others.end());
+      std::optional<std::string_view> meant;
+      for (const std::string_view name : names) {
+        if (name == path + ".rbt") meant = name;
+      }
+      if (!meant) meant = suggest(path, std::span<const std::string_view>(names));
+      if (!meant && out.why.empty()) out.why = files_there(found.others);
+      if (meant) {
+        const std::string better = '"' + std::string(*meant) + '"';
+        out.fix =
+            Fix{"did you mean " + better + "?", {{import.path_span, better}}, Confidence::kSure};
+      }
+    }
+    sink_.report(std::move(out));
+    return -1;
+  }
+
+  int refuse_circle(const ast::ImportStmt& import, const std::string& name) {
+    std::size_t first = 0;
+    while (path_[first].file->name() != name) ++first;
+    std::string circle;
+    for (std::size_t i = first; i < path_.size(); ++i)
+      circle += without_folders(path_[i].file->name()) + " -> ";
+    Diagnostic out = make_diagnostic("E0214", import.path_span, {circle + without_folders(name)});
+    for (std::size_t i = first; i + 1 < path_.size(); ++i)
+      out.related.push_back({path_[i].import->path_span, ""});
+    out.fix = Fix{"move what both need into a third file", {}, Confidence::kMaybe};
+    sink_.report(std::move(out));
+    return -1;
+  }
+
+  SourceSet& sources_;
+  Arena& tree_;
+  const CompileOptions& options_;
+  DiagnosticSink& sink_;
+  std::vector<FileTree> files_;
+  std::map<std::string, int> numbers_;  // of files by name
+  std::vector<Step> path_;              // from the main file to the one being read
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+std::vector<FileTree> load_files(SourceSet& sources, Arena& tree, const CompileOptions& options,
+                                 DiagnosticSink& sink) {
+  return Loader(sources, tree, options, sink).run();
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,20 @@
+#pragma once
+// The files of a program: the main one and all that it imports.
+
+#include <vector>
+
+#include "armlet/interpreter/engine.hpp"
+#include "check/check.hpp"
+#include "syntax/arena.hpp"
+
+namespace armlet::lang {
+
+// Reads and parses what the main file, which is sources[0], imports directly or through others.
+// Each file is read once, however often it is imported. A file that cannot be had and files that
+// import each other are told of in `sink`.
+//
+// returns  the trees in `tree`, imported files before those that import them, the main file last.
+[[nodiscard]] std::vector<FileTree> load_files(SourceSet& sources, Arena& tree,
+                                               const CompileOptions& options, DiagnosticSink& sink);
+
+}  // namespace armlet::lang
