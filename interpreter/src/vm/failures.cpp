@@ -63,8 +63,8 @@ std::vector<std::string> call_path(const VmState& state) {
   for (; frame != nullptr && frame > state.running->frames; --frame) {
     if (frame->is_host()) continue;
     for (const ExpandedCall* inner : expanded_calls(*frame)) {
-      calls.push_back(state.program.functions[inner->function].name + ", called on line " +
-                      std::to_string(line_of(state, inner->call)));
+      calls.push_back(state.program.functions[inner->function].name + ", called on " +
+                      line_name(state, inner->call));
     }
     if (frame->callee->function->name.empty()) continue;
     const CodeSpan* site = frame[-1].is_host() ? nullptr : code_span(frame[-1]);
