@@ -29,7 +29,6 @@ ELSEWHERE = {
 
 # Samples whose feature does not exist yet.
 LATER = {
-    "E0305": "matrices",
     "E0501": "parallel",
     "E0502": "path",
     "R0607": "the branches of parallel",

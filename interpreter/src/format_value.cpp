@@ -171,6 +171,7 @@ void Writer::matrix(const MatrixObj& matrix) {
     if (i > 0) out += i % matrix.cols == 0 ? "; " : ", ";
     real(matrix.data()[i], dims::kNone);
   }
+  if (matrix.rows == 1 && count > 0) out += ';';  // read back, it is a matrix again
   out += ']';
 }
 

@@ -15,6 +15,7 @@ namespace armlet::bind {
 // One table per chapter of the library reference.
 std::span<const NativeFunction> math_functions();
 std::span<const NativeFunction> list_functions();
+std::span<const NativeFunction> matrix_functions();
 std::span<const NativeFunction> text_functions();
 std::span<const NativeFunction> pose_functions();
 std::span<const NativeFunction> robot_functions();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bind.hpp"
+#include "matrices.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -293,8 +294,10 @@ constexpr NativeFunction kFunctions[] = {
      "The whole numbers from a up to but excluding b.", "range(2, 8, 2)", range_between},
     {"linspace", "(a: D, b: D, n: int) -> D[]", "n evenly spaced values from a to b.",
      "linspace(0s, 2s, 5)", linspace},
-    {"zeros", "(n: int) -> double[]", "A list of n zeros.", "zeros(3)", filled<0>},
-    {"ones", "(n: int) -> double[]", "A list of n ones.", "ones(3)", filled<1>},
+    {"zeros", "(n: int) -> double[]", "A list of n zeros.", "zeros(3)", filled<0>, nullptr, nullptr,
+     check_filled_list},
+    {"ones", "(n: int) -> double[]", "A list of n ones.", "ones(3)", filled<1>, nullptr, nullptr,
+     check_filled_list},
     {"sum", "(xs: int[]) -> int", "The sum of a list.", "sum([1, 2, 3])", sum_int},
     {"sum", "(xs: D[]) -> D", "The sum of a list.", "sum([1mm, 2mm])", sum_real},
     {"mean", "(xs: D[]) -> D", "The mean of a list.", "mean([1.0, 2.0])", mean},

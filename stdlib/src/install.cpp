@@ -16,12 +16,11 @@ constexpr NativeConstant kConstants[] = {
 
 // Names of the language reference without even a signature yet.
 constexpr std::string_view kPlanned[] = {
-    "halt",     "robots.arm7", "urdf",    "jacobian", "dhTable", "simulate", "mesh", "touching",
-    "table",    "explain",     "lab",     "matrix",   "map",     "filter",   "fold", "any",
-    "all",      "zip",         "flatten", "eye",      "diag",    "hcat",     "vcat", "outer",
-    "det",      "rank",        "trace",   "pinv",     "lu",      "qr",       "chol", "svd",
-    "eig",      "expm",        "polyfit", "polyval",  "roots",   "interp",   "ode",  "solve",
-    "minimise", "posC.R",      "posC.T"};
+    "halt",   "robots.arm7", "urdf",  "jacobian", "dhTable", "simulate", "mesh",    "touching",
+    "table",  "explain",     "lab",   "map",      "filter",  "fold",     "any",     "all",
+    "zip",    "hcat",        "vcat",  "det",      "rank",    "trace",    "pinv",    "lu",
+    "qr",     "chol",        "svd",   "eig",      "expm",    "polyfit",  "polyval", "roots",
+    "interp", "ode",         "solve", "minimise", "posC.R",  "posC.T"};
 
 }  // namespace
 
@@ -42,6 +41,7 @@ void install(Engine& engine) {
   const std::pair<std::string_view, std::span<const NativeFunction>> chapters[] = {
       {"Mathematics", bind::math_functions()},
       {"Lists", bind::list_functions()},
+      {"Matrices", bind::matrix_functions()},
       {"Text", bind::text_functions()},
       {"Positions and frames", bind::pose_functions()},
       {"Robots: models", bind::model_functions()},

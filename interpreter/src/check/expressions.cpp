@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/matrices.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -65,7 +66,7 @@ hir::Expr* Checker::check_any(const ast::Expr& expr, const Type* expected) {
     case ExprKind::kBrace:
       return check_list(expr, expr.as<ast::BraceExpr>().items, expected);
     case ExprKind::kMatrix:
-      return not_available(expr.span, "a matrix");
+      return check_matrix(*this, expr.as<ast::MatrixExpr>());
     case ExprKind::kNewObject:
       return check_new_object(expr.as<ast::NewObjectExpr>());
     case ExprKind::kNewArray:

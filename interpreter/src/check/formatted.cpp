@@ -33,6 +33,7 @@ hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
 
   const Type* number = value->type;
   while (number->is(Kind::kList)) number = number->element;
+  if (number->is(Kind::kMatrix)) number = types_.real();
   if (!number->is_number()) {
     report(make_diagnostic("E0314", value->span, {type_phrase(value->type)}));
     return failed(value->span);

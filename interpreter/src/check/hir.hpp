@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "check/hir_expr.hpp"
+#include "check/hir_matrix.hpp"
 
 namespace armlet::lang::hir {
 
@@ -34,7 +35,8 @@ enum class StmtKind : std::uint8_t {
   kWait,
   kWaitUntil,
   kAssert,
-  kAssertThrows
+  kAssertThrows,
+  kStorePart
 };
 
 struct Stmt {
@@ -60,6 +62,12 @@ struct AssignStmt : Stmt {
   bool compound;  // place = place op value, the place evaluated once
   Op op;  // for numbers; text and lists are written out by the checker as kConcat or natives
   Span op_span;
+};
+struct StorePartStmt : Stmt {  // xs[a:b] = value, A[a:b, j] = value
+  Place place;                 // the list or matrix
+  PartEnds rows;
+  PartEnds cols;  // unused for lists
+  Expr* value;    // a list or matrix of the size of the part
 };
 struct ExprStmt : Stmt {
   Expr* value;

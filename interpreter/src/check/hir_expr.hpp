@@ -1,6 +1,5 @@
 #pragma once
-// The variables and expressions of a checked program; hir.hpp has the statements and says what the
-// tree is.
+// The variables and expressions of a checked program; hir.hpp has the statements.
 
 #include <cstdint>
 #include <memory>
@@ -22,7 +21,6 @@ struct Block;
 struct Function;
 
 // ---- variables
-// ------------------------------------------------------------------------------------------------
 
 // Where a variable lives. The checker starts with kLocal and raises it when it sees a use from
 // elsewhere.
@@ -68,7 +66,6 @@ struct Function {
 };
 
 // ---- expressions
-// ----------------------------------------------------------------------------------------------
 
 enum class ExprKind : std::uint8_t {
   kBool,
@@ -101,7 +98,9 @@ enum class ExprKind : std::uint8_t {
   kToText,
   kError,
   kMutate,
-  kGuarded
+  kGuarded,
+  kMatrix,
+  kPart
 };
 
 enum class Op : std::uint8_t {
@@ -147,6 +146,7 @@ enum class Conversion : std::uint8_t {
   kIntToReal,
   kRealToInt,  // toward zero; fails when not finite or too large
   kListIntToReal,
+  kMatrixToRows,  // the rows as lists
 };
 
 struct Expr {
@@ -210,9 +210,10 @@ struct FieldExpr : Expr {
   Expr* object;
   std::uint32_t field;
 };
-struct ElementExpr : Expr {  // list[i]
+struct ElementExpr : Expr {  // list[i], matrix[i, j]
   Expr* object;
   Expr* index;
+  Expr* column;  // null for lists
 };
 struct SliceExpr : Expr {  // list[a:b]; text[a:b] too
   Expr* object;
@@ -276,6 +277,7 @@ struct Step {
   Expr* index;       // elements
   const Type* type;  // of the place after this step
   Span span;         // from the start of the place to the end of this step
+  Expr* column;      // elements of matrices
 };
 struct Place {
   Variable* variable;

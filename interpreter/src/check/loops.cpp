@@ -132,8 +132,11 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
   }
   const Type* wanted = stmt.type != nullptr ? resolve(*stmt.type) : nullptr;
   hir::Expr* items = check_value(*stmt.items, wanted != nullptr ? types_.list(wanted) : nullptr);
-  if (items->type->is(Kind::kMatrix))
-    items = not_available(items->span, "visiting the rows of a matrix");
+  if (items->type->is(Kind::kMatrix)) {
+    const Type* rows = types_.list(types_.list(types_.real()));
+    items = make<hir::ConvertExpr>(hir::ExprKind::kConvert, rows, items->span,
+                                   hir::Conversion::kMatrixToRows, items);
+  }
   if (!items->type->is(Kind::kList) && !items->type->is(Kind::kAny)) {
     Diagnostic diagnostic = make_diagnostic("E0331", items->span, {type_phrase(items->type)});
     if (items->type->is(Kind::kInt)) {

@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/matrices.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -133,7 +134,7 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
   const Type* type = object.type;
   if (type->is(Kind::kRecord)) {
     for (const RecordField& known : type->record->fields) names.push_back(known.name);
-  } else if (type->is(Kind::kHost)) {
+  } else if (type->is(Kind::kHost) || type->is(Kind::kMatrix)) {
     const std::string prefix = type_name(type) + '.';
     for (const std::string_view known : registry_.public_names()) {
       if (known.starts_with(prefix)) names.emplace_back(known.substr(prefix.size()));
@@ -176,12 +177,12 @@ hir::Expr* Checker::check_index(const ast::IndexExpr& index) {
   hir::Expr* object = check_value(*index.object);
   const Type* type = object->type;
   if (type->is(Kind::kAny)) return failed(index.span);
-  if (type->is(Kind::kMatrix) || index.items.size() > 1) {
-    if (type->is(Kind::kMatrix) || type->is(Kind::kHost))
-      return not_available(index.span, "indexing with several places");
+  if (type->is(Kind::kMatrix)) return check_matrix_index(*this, index, object);
+  if (index.items.size() > 1) {
     Diagnostic diagnostic =
         make_diagnostic("E0318", index.span, {"with a comma, " + type_phrase(type)});
-    diagnostic.fix = Fix{.text = "write one pair of brackets for each index: a[i][j]"};
+    if (type->is(Kind::kList))
+      diagnostic.fix = Fix{.text = "write one pair of brackets for each index: a[i][j]"};
     report(std::move(diagnostic));
     return failed(index.span);
   }

@@ -226,7 +226,14 @@ hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
     report(make_diagnostic("E0313", value.span,
                            {std::string(target.function), type_phrase(want), type_phrase(have)}));
   } else {
-    report(make_diagnostic("E0315", value.span, {type_phrase(want), type_phrase(have)}));
+    Diagnostic diagnostic =
+        make_diagnostic("E0315", value.span, {type_phrase(want), type_phrase(have)});
+    if (want->is(Kind::kMatrix) && have->is(Kind::kList)) {
+      diagnostic.fix = Fix{.text = have->element->is(Kind::kList)
+                                       ? "write matrix(" + text_of(value.span) + ")"
+                                       : "a matrix has `;` between its rows; [1, 2;] is one row"};
+    }
+    report(std::move(diagnostic));
   }
   return failed(value.span);
 }

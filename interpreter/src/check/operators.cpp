@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "check/checker.hpp"
+#include "check/matrices.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -322,6 +323,7 @@ hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& le
       make_diagnostic("E0316", node.op_span, {op, type_phrase(left.type), type_phrase(right.type)});
   diagnostic.related.push_back({left.span, type_name(left.type)});
   diagnostic.related.push_back({right.span, type_name(right.type)});
+  diagnostic.fix = matrix_operator_fix(*this, node, left, right);
   report(std::move(diagnostic));
   return failed(node.span);
 }

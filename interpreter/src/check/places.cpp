@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/matrices.hpp"
 
 namespace armlet::lang {
 
@@ -186,7 +187,8 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
     return step;
   }
   const auto& index = at.as<ast::IndexExpr>();
-  if (index.items.size() != 1 || index.items[0].is_range || type->is(Kind::kMatrix)) {
+  if (type->is(Kind::kMatrix)) return matrix_step(*this, index);
+  if (index.items.size() != 1 || index.items[0].is_range) {
     not_available(at.span, "storing into several places at once");
     return std::nullopt;
   }
@@ -208,6 +210,7 @@ hir::Stmt* Checker::check_assign(const ast::AssignStmt& assign) {
 }
 
 hir::Stmt* Checker::assign_one(const ast::Expr& target, const ast::AssignStmt& assign) {
+  if (is_part(target)) return assign_part(*this, target.as<ast::IndexExpr>(), assign);
   const auto place = check_place(target, assign.span, true);
   if (!place) {
     check(*assign.value);
@@ -253,8 +256,8 @@ hir::Expr* Checker::read_place(const hir::Place& place) {
     if (step.is_field) {
       value = make<hir::FieldExpr>(hir::ExprKind::kField, step.type, step.span, value, step.field);
     } else {
-      value =
-          make<hir::ElementExpr>(hir::ExprKind::kElement, step.type, step.span, value, step.index);
+      value = make<hir::ElementExpr>(hir::ExprKind::kElement, step.type, step.span, value,
+                                     step.index, step.column);
     }
   }
   return value;
@@ -262,6 +265,7 @@ hir::Expr* Checker::read_place(const hir::Place& place) {
 
 hir::Stmt* Checker::assign_compound(const ast::AssignStmt& assign) {
   const ast::Expr& target = *assign.targets[0];
+  if (is_part(target)) return assign_part(*this, target.as<ast::IndexExpr>(), assign);
   const auto place = check_place(target, assign.span, false);
   if (!place) {
     check(*assign.value);
@@ -272,13 +276,7 @@ hir::Stmt* Checker::assign_compound(const ast::AssignStmt& assign) {
   if (!numbers) {
     // The place is written twice, so what its indexes compute is kept.
     for (hir::Step& step : place->steps) {
-      if (step.is_field || step.index->kind == hir::ExprKind::kInt ||
-          step.index->kind == hir::ExprKind::kVariable)
-        continue;
-      hir::Variable* index = hidden(types_.integer(), step.index->span);
-      before.push_back(make<hir::InitStmt>(hir::StmtKind::kInit, assign.span, index, step.index));
-      step.index =
-          make<hir::VariableExpr>(hir::ExprKind::kVariable, index->type, index->declared, index);
+      evaluate_once(*this, step.index, before);
     }
   }
   hir::Expr* value = check_value(*assign.value);

@@ -107,6 +107,9 @@ class Summariser {
       case StmtKind::kAssign:
         place(s.as<AssignStmt>().place, false);
         break;
+      case StmtKind::kStorePart:
+        use(s.as<StorePartStmt>().place.variable).element = true;
+        break;
       case StmtKind::kInit:
         use(s.as<InitStmt>().variable).assigned = true;
         break;
@@ -153,6 +156,7 @@ class Summariser {
     if (e.kind == ExprKind::kElement) object = e.as<ElementExpr>().object;
     if (e.kind == ExprKind::kField) object = e.as<FieldExpr>().object;
     if (e.kind == ExprKind::kLength) object = e.as<LengthExpr>().object;
+    if (e.kind == ExprKind::kPart) object = e.as<PartExpr>().object;
     if (object == nullptr || object->kind != ExprKind::kVariable) return nullptr;
     (void)use(object->as<VariableExpr>().variable);
     return object;

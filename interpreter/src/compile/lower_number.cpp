@@ -348,6 +348,7 @@ bool Lowering::add_product_of_element(Site site, Reg a, const Expr& b, Reg to) {
 bool Lowering::multiply_element(const Expr& right, Reg accumulator) {
   if (right.kind != ExprKind::kElement || right.constant != nullptr) return false;
   const auto& element = right.as<ElementExpr>();
+  if (element.column != nullptr) return false;
   const Reg list = borrow(*element.object, hold_over(*element.index));
   const Reg index = value(*element.index);
   code_.at(right.span, &right);
@@ -436,6 +437,7 @@ bool Lowering::load_element_twice(const ElementExpr& e, Reg to, Hold hold) {
 }
 
 void Lowering::load_element(const ElementExpr& e, Reg to, Hold hold) {
+  if (e.column != nullptr) return load_matrix_element(e, to, hold);
   if (load_element_twice(e, to, hold)) return;
   const Reg list = borrow(*e.object, stronger(hold, hold_over(*e.index)));
   std::int64_t small = 0;

@@ -163,7 +163,7 @@ bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
   const Reg a = value(*product.left);
   const Reg b = value(*product.right);
   code_.at(steps[0].span);
-  code_.emit(OpCode::MADDLF, list, indices[0]);
+  code_.emit(OpCode::MADDLF, list, indices[0].index);
   code_.push(OpCode::FACTORS, a.bits, b.bits, steps[1].field);
   return true;
 }
@@ -171,7 +171,10 @@ bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
 Lowering::Indices Lowering::index_values(const Place& place) {
   Indices indices;
   for (const Step& step : place.steps) {
-    indices.push_back(step.is_field ? Reg{} : value(*step.index));
+    StepIndex at;
+    if (!step.is_field) at.index = value(*step.index);
+    if (step.column != nullptr) at.column = value(*step.column);
+    indices.push_back(at);
   }
   return indices;
 }
@@ -198,8 +201,13 @@ void Lowering::store_inside(const Place& place, const Indices& indices, Reg from
   const Step& last = place.steps.back();
   if (own_register(*place.variable, object)) {
     code_.at(last.span);
+    if (steps == 1 && last.column != nullptr) {
+      code_.emit(OpCode::STM, object, indices[0].index, from);
+      code_.emit(OpCode::WITH, indices[0].column);
+      return;
+    }
     if (steps == 1 && !last.is_field) {
-      code_.emit(OpCode::ST, object, indices[0], from);
+      code_.emit(OpCode::ST, object, indices[0].index, from);
       return;
     }
     if (steps == 1) {
@@ -208,7 +216,7 @@ void Lowering::store_inside(const Place& place, const Indices& indices, Reg from
     }
     if (steps == 2 && last.is_field && !place.steps[0].is_field) {
       code_.at(place.steps[0].span);
-      code_.emit(OpCode::STLF, object, indices[0], from);
+      code_.emit(OpCode::STLF, object, indices[0].index, from);
       code_.word(last.field);
       return;
     }
@@ -237,8 +245,11 @@ Reg Lowering::address(const Place& place, const Indices& indices) {
     code_.at(step.span);
     if (step.is_field) {
       code_.push(OpCode::ADDRF, to.bits, to.bits, step.field);
+    } else if (step.column != nullptr) {
+      code_.emit(OpCode::ADDRM, to, to, indices[i].index);
+      code_.emit(OpCode::WITH, indices[i].column);
     } else {
-      code_.emit(OpCode::ADDRE, to, to, indices[i]);
+      code_.emit(OpCode::ADDRE, to, to, indices[i].index);
     }
   }
   return to;
@@ -253,12 +264,15 @@ void Lowering::load_place(const Place& place, const Indices& indices, Reg to) {
     code_.at(step.span);
     if (step.is_field) {
       code_.push(OpCode::FLD, to.bits, object.bits, step.field);
+    } else if (step.column != nullptr) {
+      code_.emit(OpCode::LDM, to, object, indices[i].index);
+      code_.emit(OpCode::WITH, indices[i].column);
     } else if (options_.optimise && i + 2 == steps && place.steps[i + 1].is_field) {
-      code_.emit(OpCode::LDF, to, object, indices[i]);
+      code_.emit(OpCode::LDF, to, object, indices[i].index);
       code_.word(place.steps[i + 1].field);
       return;
     } else {
-      code_.emit(OpCode::LD, to, object, indices[i]);
+      code_.emit(OpCode::LD, to, object, indices[i].index);
     }
     object = to;
   }

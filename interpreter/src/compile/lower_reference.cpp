@@ -189,9 +189,10 @@ void Lowering::own_converted(const ConvertExpr& e, Reg to) {
     own_into(*e.operand, to);
     return;
   }
-  const Reg list = borrow(*e.operand, Hold::kNow);
+  const Reg from = borrow(*e.operand, Hold::kNow);
   code_.at(e.span, &e);
-  code_.emit(OpCode::LISTTOREAL, to, list);
+  const bool rows = e.conversion == Conversion::kMatrixToRows;
+  code_.emit(rows ? OpCode::ROWSOF : OpCode::LISTTOREAL, to, from);
 }
 
 // ---- making
@@ -211,6 +212,12 @@ void Lowering::make(const Expr& e, Reg to) {
       break;
     case ExprKind::kSlice:
       make_slice(e.as<SliceExpr>(), to);
+      break;
+    case ExprKind::kMatrix:
+      make_matrix(e.as<MatrixExpr>(), to);
+      break;
+    case ExprKind::kPart:
+      make_part(e.as<PartExpr>(), to);
       break;
     case ExprKind::kCharacter:
       make_character(e.as<CharacterExpr>(), to);

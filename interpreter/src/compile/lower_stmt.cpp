@@ -19,6 +19,9 @@ void Lowering::statement(const Stmt& s) {
     case StmtKind::kAssign:
       assign(s.as<AssignStmt>());
       break;
+    case StmtKind::kStorePart:
+      store_part(s.as<StorePartStmt>());
+      break;
     case StmtKind::kExpr:
       effect(*s.as<ExprStmt>().value);
       break;

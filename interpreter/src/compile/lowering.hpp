@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -72,7 +73,11 @@ class Lowering {
     std::int64_t by = 1;  // 0: known only while running, in `reg`
     Reg reg;
   };
-  using Indices = std::vector<Reg>;  // by step of a place; unused for fields
+  struct StepIndex {
+    Reg index;
+    Reg column;  // elements of matrices
+  };
+  using Indices = std::vector<StepIndex>;  // by step of a place; unused for fields
   using Pass = std::function<void()>;
 
   // ---- lower.cpp
@@ -126,6 +131,13 @@ class Lowering {
   void join(const hir::ConcatExpr& e, Reg to);
   static std::vector<hir::Expr*> joined_parts(const hir::ConcatExpr& e);
   void to_text(const hir::ToTextExpr& e, Reg to);
+
+  // ---- lower_matrix.cpp
+  void make_matrix(const hir::MatrixExpr& e, Reg to);
+  void make_part(const hir::PartExpr& e, Reg to);
+  Reg part_ends(std::span<const hir::PartEnds> ends);
+  void load_matrix_element(const hir::ElementExpr& e, Reg to, Hold hold);
+  void store_part(const hir::StorePartStmt& s);
 
   // ---- lower_call.cpp
   void window(hir::Seq<hir::Expr*> arguments, Reg base, Hold hold);

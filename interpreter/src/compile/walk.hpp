@@ -12,7 +12,14 @@ template <class F>
 void for_each_index(const hir::Place& place, F f) {
   for (const hir::Step& step : place.steps) {
     if (step.index != nullptr) f(*step.index);
+    if (step.column != nullptr) f(*step.column);
   }
+}
+
+template <class F>
+void for_each_end(const hir::PartEnds& ends, F f) {
+  if (ends.first != nullptr) f(*ends.first);
+  if (ends.last != nullptr) f(*ends.last);
 }
 
 // The operands of expressions that have any number of them, or may lack some.
@@ -39,6 +46,14 @@ void for_each_listed_operand(const hir::Expr& e, F f) {
       f(*e.as<hir::SliceExpr>().object);
       maybe(e.as<hir::SliceExpr>().first);
       maybe(e.as<hir::SliceExpr>().last);
+      break;
+    case ExprKind::kMatrix:
+      all(e.as<hir::MatrixExpr>().items);
+      break;
+    case ExprKind::kPart:
+      f(*e.as<hir::PartExpr>().object);
+      for_each_end(e.as<hir::PartExpr>().rows, f);
+      for_each_end(e.as<hir::PartExpr>().cols, f);
       break;
     case ExprKind::kCall:
       all(e.as<hir::CallExpr>().arguments);
@@ -96,6 +111,7 @@ void for_each_operand(const hir::Expr& e, F f) {
     case ExprKind::kElement:
       f(*e.as<hir::ElementExpr>().object);
       f(*e.as<hir::ElementExpr>().index);
+      if (e.as<hir::ElementExpr>().column != nullptr) f(*e.as<hir::ElementExpr>().column);
       break;
     case ExprKind::kLength:
       f(*e.as<hir::LengthExpr>().object);
@@ -193,6 +209,12 @@ void for_each_child(const hir::Stmt& s, E on_expr, S on_stmt) {
     case StmtKind::kAssign:
       for_each_index(s.as<hir::AssignStmt>().place, on_expr);
       expr(s.as<hir::AssignStmt>().value);
+      break;
+    case StmtKind::kStorePart:
+      for_each_index(s.as<hir::StorePartStmt>().place, on_expr);
+      for_each_end(s.as<hir::StorePartStmt>().rows, on_expr);
+      for_each_end(s.as<hir::StorePartStmt>().cols, on_expr);
+      expr(s.as<hir::StorePartStmt>().value);
       break;
     case StmtKind::kExpr:
       expr(s.as<hir::ExprStmt>().value);

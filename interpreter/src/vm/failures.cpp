@@ -207,44 +207,81 @@ bool raise_division_by_zero(VmState& state) {
   return raise(state, "R0611", {running_text(state, "this")});
 }
 
-// "0 to 3", or what is left to say when there is no valid index at all.
-bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::string_view what) {
-  const std::string last = std::to_string(size - 1);
-  const std::string name(what);
-  Diagnostic failure = start_failure(state, "R0606", {std::to_string(index), "0 to " + last});
-  if (size == 0)
-    failure.message = "there is no value " + std::to_string(index) + " in an empty " + name;
-  if (size != 0 && what != "list") failure.message.replace(0, 4, name);
+namespace {
+
+bool is_axis(std::string_view what) { return what == "row" || what == "column"; }
+
+// "the list has 4 values", "the text is empty", "the matrix has 1 row".
+std::string size_note(std::string_view what, std::uint64_t size) {
+  const std::string name = is_axis(what) ? "matrix" : std::string(what);
+  if (size == 0 && !is_axis(what)) return "the " + name + " is empty";
+  const std::string unit = what == "text"  ? "character"
+                           : is_axis(what) ? std::string(what)
+                                           : "value";
+  return "the " + name + " has " + std::to_string(size) + ' ' + unit + (size == 1 ? "" : "s");
+}
+
+Diagnostic index_failure(const VmState& state, std::int64_t index, std::uint64_t last,
+                         std::string_view what) {
+  Diagnostic failure =
+      start_failure(state, "R0606", {std::to_string(index), "0 to " + std::to_string(last)});
+  failure.message.replace(0, 4, what);
+  return failure;
+}
+
+// What was written between the brackets, if it is more than the number itself.
+std::string computed_index(const VmState& state, std::int64_t index, std::string_view what,
+                           bool& is_variable) {
   const CodeSpan* at = code_span(state);
   const hir::Expr* written = nullptr;
   if (at != nullptr && at->expr != nullptr) {
-    if (at->expr->kind == hir::ExprKind::kElement) written = at->expr->as<hir::ElementExpr>().index;
+    if (at->expr->kind == hir::ExprKind::kElement) {
+      const auto& element = at->expr->as<hir::ElementExpr>();
+      written = what == "column" ? element.column : element.index;
+    }
     if (at->expr->kind == hir::ExprKind::kCharacter)
       written = at->expr->as<hir::CharacterExpr>().index;
   }
-  const std::string has =
-      "the " + name +
-      (size == 0 ? " is empty"
-                 : " has " + std::to_string(size) + (what == "text" ? " character" : " value") +
-                       (size == 1 ? "" : "s"));
-  const bool is_computed =
-      written != nullptr && source_text(state, written->span) != std::to_string(index);
-  if (is_computed) {
-    failure.mark.label =
-        source_text(state, written->span) + " is " + std::to_string(index) + ", " + has;
-    const bool counts =
-        written->kind == hir::ExprKind::kVariable && index == static_cast<std::int64_t>(size);
-    if (counts && size > 0) {
-      const std::string loop =
-          "for (" + source_text(state, written->span) + " in range(" + std::to_string(size) + "))";
-      failure.fix = Fix{"the last index of a " + name + " of " + std::to_string(size) + " is " +
-                            last + ": " + loop,
-                        {},
-                        Confidence::kMaybe};
-    }
-  } else if (size != 0) {
-    failure.mark.label = has;
+  if (written == nullptr) return {};
+  is_variable = written->kind == hir::ExprKind::kVariable;
+  const std::string text = source_text(state, written->span);
+  return text == std::to_string(index) ? std::string() : text;
+}
+
+}  // namespace
+
+// Says which indices there are, or what is left to say when there is no valid index at all.
+bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::string_view what) {
+  const std::string last = std::to_string(size - 1);
+  const std::string name(what);
+  Diagnostic failure = index_failure(state, index, size - 1, what);
+  if (size == 0) {
+    failure.message = is_axis(what)
+                          ? "there is no " + name + ' ' + std::to_string(index) + " in this matrix"
+                          : "there is no value " + std::to_string(index) + " in an empty " + name;
   }
+  const std::string has = size_note(what, size);
+  bool is_variable = false;
+  const std::string written = computed_index(state, index, what, is_variable);
+  if (written.empty()) {
+    if (size != 0 || is_axis(what)) failure.mark.label = has;
+    return raise(state, std::move(failure));
+  }
+  failure.mark.label = written + " is " + std::to_string(index) + ", " + has;
+  if (is_variable && index == static_cast<std::int64_t>(size) && size > 0) {
+    const std::string loop = ": for (" + written + " in range(" + std::to_string(size) + "))";
+    const std::string where = is_axis(what) ? "the last " + name + " has index " + last
+                                            : "the last index of a " + name + " of " +
+                                                  std::to_string(size) + " is " + last;
+    failure.fix = Fix{where + loop, {}, Confidence::kMaybe};
+  }
+  return raise(state, std::move(failure));
+}
+
+bool raise_end(VmState& state, std::int64_t end, std::uint64_t most, std::uint64_t size,
+               std::string_view what) {
+  Diagnostic failure = index_failure(state, end, most, what);
+  failure.mark.label = size_note(what, size);
   return raise(state, std::move(failure));
 }
 

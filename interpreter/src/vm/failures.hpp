@@ -43,8 +43,12 @@ bool raise(VmState& state, const Failure& failure);
 bool raise_out_of_memory(VmState& state);
 bool raise_out_of_steps(VmState& state);
 bool raise_cancelled(VmState& state);
+// what: "list", "text", or "row" or "column" of a matrix.
 bool raise_index(VmState& state, std::int64_t index, std::uint64_t size,
                  std::string_view what = "list");
+// The end of a slice, or a place to insert: outside 0 to `most`.
+bool raise_end(VmState& state, std::int64_t end, std::uint64_t most, std::uint64_t size,
+               std::string_view what = "list");
 bool raise_too_deep(VmState& state, const Callee& called, std::uint32_t limit);
 bool raise_overflow(VmState& state);
 bool raise_division_by_zero(VmState& state);

@@ -74,6 +74,14 @@ void* Heap::take_slowly(std::size_t units) {
   return block;
 }
 
+bool Heap::charge(std::uint64_t bytes) {
+  if (refuse_from_ == 1) return false;
+  if (refuse_from_ > 1) --refuse_from_;
+  if (bytes > limit_ || used_ > limit_ - bytes) return false;
+  used_ += bytes;
+  return true;
+}
+
 void* Heap::carve(std::size_t units) {
   const std::size_t bytes = units * kUnit;
   if (static_cast<std::size_t>(chunk_end_ - chunk_at_) < bytes) {

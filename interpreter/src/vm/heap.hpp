@@ -48,6 +48,10 @@ class Heap {
   // The block with its first bytes kept, perhaps elsewhere; null leaves the old block as it was.
   [[nodiscard]] void* resize(void* block, std::size_t old_bytes, std::size_t new_bytes);
 
+  // Counts memory that is not the heap's own against its limit; false if it would pass it.
+  [[nodiscard]] bool charge(std::uint64_t bytes);
+  void discharge(std::uint64_t bytes) { used_ -= bytes; }
+
   void release(Obj* object) {
     if (object != nullptr && --object->refs == 0) destroy(object);
   }

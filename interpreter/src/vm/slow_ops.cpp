@@ -208,13 +208,12 @@ bool op_listtoreal(VmState& state, Slot* base, const Instr* pc) {
 
 // ---- lists ----------------------------------------------------------------------------------
 
-// The ends of a slice: both inside 0 to size, the second not before the first.
-static bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::string_view what,
-                       std::uint32_t& first, std::uint32_t& last) {
+bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::string_view what,
+                std::uint32_t& first, std::uint32_t& last) {
   const std::int64_t a = is_absent_scalar(ends[0]) ? 0 : ends[0].i;
   const std::int64_t b = is_absent_scalar(ends[1]) ? static_cast<std::int64_t>(size) : ends[1].i;
-  if (b < 0 || static_cast<std::uint64_t>(b) > size) return raise_index(state, b, size + 1, what);
-  if (a < 0 || a > b) return raise_index(state, a, static_cast<std::uint64_t>(b) + 1, what);
+  if (b < 0 || static_cast<std::uint64_t>(b) > size) return raise_end(state, b, size, size, what);
+  if (a < 0 || a > b) return raise_end(state, a, static_cast<std::uint64_t>(b), size, what);
   first = static_cast<std::uint32_t>(a);
   last = static_cast<std::uint32_t>(b);
   return true;
@@ -235,11 +234,39 @@ bool op_slice(VmState& state, Slot* base, const Instr* pc) {
   return true;
 }
 
+// The new elements are counted before the old ones are released, which may be the same.
+bool op_putslice(VmState& state, Slot* base, const Instr* pc) {
+  Slot& place = place_in(base[pc->a]);
+  if (!own(state.heap, place)) return raise_out_of_memory(state);
+  ListObj& list = list_in(place);
+  const ListObj& from = list_in(base[pc->c]);
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  if (!slice_ends(state, base + pc->b, list.size, "list", first, last)) return false;
+  const std::uint32_t count = last - first;
+  if (from.size != count) {
+    return raise(state, "R0613",
+                 {"a part of " + std::to_string(count) + " is given " + std::to_string(from.size) +
+                  (from.size == 1 ? " value" : " values")});
+  }
+  Slot* to = list.data + first;
+  if (!list.holds_references()) {
+    std::memmove(static_cast<void*>(to), from.data, count * sizeof(Slot));
+    return true;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Obj* object = from.data[i].o;
+    retain_object(object);
+    set_reference(state, to[i], object);
+  }
+  return true;
+}
+
 static bool insert_at(VmState& state, Slot& place, std::int64_t index, Slot value) {
   if (!own(state.heap, place)) return raise_out_of_memory(state);
   ListObj& list = list_in(place);
   if (static_cast<std::uint64_t>(index) > list.size) {
-    return raise_index(state, index, std::uint64_t{list.size} + 1);
+    return raise_end(state, index, list.size, list.size);
   }
   if (!reserve_list(state.heap, list, std::uint64_t{list.size} + 1))
     return raise_out_of_memory(state);

@@ -4,6 +4,8 @@
 // Each takes the registers of the running frame and its instruction, and returns false after
 // setting state.fault.
 
+#include <string_view>
+
 #include "vm/state.hpp"
 
 namespace armlet::lang {
@@ -12,7 +14,8 @@ using SlowOp = bool(VmState& state, Slot* base, const Instr* pc);
 
 SlowOp op_powi, op_powr, op_rtoi, op_cmptext, op_eqdeep;
 SlowOp op_box, op_closure, op_newlist, op_makelist, op_newarray, op_makerec, op_listtoreal;
-SlowOp op_slice, op_pushref, op_pop, op_insert, op_insertref;
+SlowOp op_slice, op_putslice, op_pushref, op_pop, op_insert, op_insertref;
+SlowOp op_makemat, op_part, op_putpart, op_rowsof;  // matrix_ops.cpp
 SlowOp op_lentext, op_slicetext, op_charat, op_totext, op_concat;
 SlowOp op_wait, op_waituntil;  // leave what is waited for in state.pending
 SlowOp op_makeerr, op_throw, op_rethrow, op_catch, op_hold, op_retry, op_assertfail, op_expecterr;
@@ -21,9 +24,15 @@ SlowOp op_makeerr, op_throw, op_rethrow, op_catch, op_hold, op_retry, op_assertf
 bool op_calld_again(VmState& state, Slot* base, const Instr* pc, int arguments);
 // The running chunk of steps is used up: looks at the limit and at the wish to cancel.
 bool count_slowly(VmState& state);
+// The ends of a slice, either of them absent or both inside 0 to size, the second not before the
+// first. `what` has them: "list", "text".
+bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::string_view what,
+                std::uint32_t& first, std::uint32_t& last);
 // The running task waits for state.pending from now on; `pc` is the instruction that made it wait.
 bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc);
 
+// The element with this row and column, one of which is outside.
+bool raise_cell(VmState& state, const MatrixObj& matrix, std::int64_t row, std::int64_t column);
 bool raise_unset(VmState& state, std::uint32_t global);
 // Time cannot pass inside a condition or a function that the library calls.
 bool raise_may_not_pause(VmState& state);

@@ -133,6 +133,9 @@ template <class T>
 [[nodiscard]] inline std::span<const double> reals_value(Slot s) {
   return static_cast<const ListObj*>(s.o)->reals();
 }
+[[nodiscard]] inline const MatrixObj& matrix_value(Slot s) {
+  return *static_cast<const MatrixObj*>(s.o);
+}
 [[nodiscard]] inline std::span<const Slot> items_value(Slot s) {
   const auto* list = static_cast<const ListObj*>(s.o);
   return {list->data, list->size};
@@ -142,8 +145,8 @@ template <class T>
 [[nodiscard]] Obj* new_text(Vm& vm, std::string_view text);
 [[nodiscard]] ListObj* new_list(Vm& vm, std::uint32_t size, bool references);  // elements zero
 [[nodiscard]] Obj* new_reals(Vm& vm, std::span<const double> values);
-[[nodiscard]] MatrixObj* new_matrix(Vm& vm, std::uint32_t rows,
-                                    std::uint32_t cols);               // elements zero
+[[nodiscard]] MatrixObj* new_matrix(Vm& vm, std::uint32_t rows, std::uint32_t cols);  // zero
+[[nodiscard]] MatrixObj* new_matrix_unset(Vm& vm, std::uint32_t rows, std::uint32_t cols);
 [[nodiscard]] RecordObj* new_record(Vm& vm, const Type* record);       // fields zero
 [[nodiscard]] HostObj* new_host_object(Vm& vm, const HostType& type);  // payload not constructed
 void retain(Obj* object);
@@ -172,6 +175,24 @@ template <class T>
   args[0].i = value ? 1 : 0;
   return Signal::kDone;
 }
+// Long work counts as steps, so that limits and the wish to cancel reach it. Ask before the work,
+// and again while it goes on; false means that the program has to stop and the failure is set.
+[[nodiscard]] bool charge_steps(Vm& vm, std::uint64_t steps);
+// Memory that a function needs for itself while it works, counted against the heap limit.
+class Scratch {
+ public:
+  Scratch(Vm& vm, std::uint64_t bytes);
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  // False: the limit was reached and the failure is set.
+  [[nodiscard]] bool granted() const { return granted_; }
+
+ private:
+  Vm& vm_;
+  std::uint64_t bytes_;
+  bool granted_;
+};
 [[nodiscard]] inline Signal give_nothing() { return Signal::kDone; }
 Signal fail(Vm& vm, Failure failure);
 Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting);
@@ -194,6 +215,17 @@ struct Constant {
 class Fact {
  public:
   virtual ~Fact() = default;
+};
+
+// The size of a matrix, or the length of a list (its rows).
+class SizeFact : public Fact {
+ public:
+  explicit SizeFact(std::int64_t length) : rows(length), is_list(true) {}
+  SizeFact(std::int64_t r, std::int64_t c) : rows(r), cols(c) {}
+
+  std::int64_t rows = 0;
+  std::int64_t cols = 1;
+  bool is_list = false;
 };
 
 // One call seen by a rule. Parameters are numbered as in the signature (the ambient first one

@@ -1,0 +1,32 @@
+#pragma once
+// Matrices while a program is checked: literals, indexing, assignment to parts, and the sizes that
+// the text shows.
+
+#include <optional>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+// [1, 2; 3, 4]: E0335 when the rows differ in length.
+hir::Expr* check_matrix(Checker& checker, const ast::MatrixExpr& matrix);
+// A[i, j], A[i, :], A[0:3, 0:3].
+hir::Expr* check_matrix_index(Checker& checker, const ast::IndexExpr& index, hir::Expr* matrix);
+// A[i, j] as the place that an assignment changes; empty after a message.
+std::optional<hir::Step> matrix_step(Checker& checker, const ast::IndexExpr& index);
+
+// Whether a range stands between the last brackets of what is assigned to.
+[[nodiscard]] bool is_part(const ast::Expr& target);
+// xs[1:4] = ..., A[i, :] = ..., A[0:3, 0:3] += ...
+hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
+                       const ast::AssignStmt& assign);
+
+// Where an index stands twice in what an assignment becomes, it is kept in a hidden variable.
+void evaluate_once(Checker& checker, hir::Expr*& index, std::vector<hir::Stmt*>& before);
+
+// v * A, A / B and their like: what to write instead.
+[[nodiscard]] std::optional<Fix> matrix_operator_fix(const Checker& checker,
+                                                     const ast::BinaryExpr& node,
+                                                     const hir::Expr& left, const hir::Expr& right);
+
+}  // namespace armlet::lang

@@ -1,0 +1,339 @@
+// Matrices: making them, and arithmetic (language reference, sections 8 and 19.2).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/matrix_product.hpp"
+#include "matrices.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// ---- making ------------------------------------------------------------------------------------
+
+Signal matrix_from(Vm& vm, Slot* args) {
+  const auto rows = items_value(args[0]);
+  const std::size_t cols = rows.empty() ? 0 : items_value(rows[0]).size();
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::size_t count = items_value(rows[i]).size();
+    if (count == cols) continue;
+    return sizes_differ(
+        vm,
+        fmt::format("row 0 has {}, row {} has {}", values_text(static_cast<std::int64_t>(cols)), i,
+                    values_text(static_cast<std::int64_t>(count))),
+        0);
+  }
+  if (!possible_size(vm, static_cast<std::int64_t>(rows.size()), static_cast<std::int64_t>(cols),
+                     0)) {
+    return Signal::kFail;
+  }
+  MatrixObj* A = new_matrix_unset(vm, static_cast<std::uint32_t>(rows.size()),
+                                  static_cast<std::uint32_t>(cols));
+  if (A == nullptr) return Signal::kFail;
+  double* to = A->data();
+  for (const Slot row : rows) to = std::ranges::copy(reals_value(row), to).out;
+  return give(args, A);
+}
+
+template <int kValue>
+Signal filled(Vm& vm, Slot* args) {
+  const std::int64_t rows = args[0].i;
+  const std::int64_t cols = args[1].i;
+  if (!possible_size(vm, rows, cols, rows < 0 ? 0 : 1)) return Signal::kFail;
+  MatrixObj* A =
+      new_matrix_unset(vm, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(cols));
+  if (A == nullptr) return Signal::kFail;
+  std::fill_n(A->data(), count_of(*A), kValue);
+  return give(args, A);
+}
+
+Signal identity(Vm& vm, Slot* args) {
+  if (!possible_size(vm, args[0].i, args[0].i, 0)) return Signal::kFail;
+  const auto n = static_cast<std::uint32_t>(args[0].i);
+  MatrixObj* A = new_matrix(vm, n, n);
+  if (A == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < n; ++i) A->data()[i * n + i] = 1.0;
+  return give(args, A);
+}
+
+Signal diagonal_matrix(Vm& vm, Slot* args) {
+  const auto v = reals_value(args[0]);
+  const auto n = static_cast<std::int64_t>(v.size());
+  if (!possible_size(vm, n, n, 0)) return Signal::kFail;
+  MatrixObj* A = new_matrix(vm, static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n));
+  if (A == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < v.size(); ++i) A->data()[i * v.size() + i] = v[i];
+  return give(args, A);
+}
+
+Signal diagonal_of(Vm& vm, Slot* args) {
+  const MatrixObj& A = matrix_value(args[0]);
+  ListObj* list = new_list(vm, std::min(A.rows, A.cols), false);
+  if (list == nullptr) return Signal::kFail;
+  for (std::uint32_t i = 0; i < list->size; ++i)
+    list->data[i].d = A.data()[std::size_t{i} * A.cols + i];
+  return give(args, list);
+}
+
+Signal outer(Vm& vm, Slot* args) {
+  const auto v = reals_value(args[0]);
+  const auto w = reals_value(args[1]);
+  if (!possible_size(vm, static_cast<std::int64_t>(v.size()), static_cast<std::int64_t>(w.size()),
+                     1)) {
+    return Signal::kFail;
+  }
+  MatrixObj* A = new_matrix_unset(vm, static_cast<std::uint32_t>(v.size()),
+                                  static_cast<std::uint32_t>(w.size()));
+  if (A == nullptr) return Signal::kFail;
+  double* to = A->data();
+  for (const double x : v) {
+    for (const double y : w) *to++ = x * y;
+  }
+  return give(args, A);
+}
+
+Signal rows(Vm&, Slot* args) {
+  return give(args, static_cast<std::int64_t>(matrix_value(args[0]).rows));
+}
+Signal cols(Vm&, Slot* args) {
+  return give(args, static_cast<std::int64_t>(matrix_value(args[0]).cols));
+}
+
+Signal transposed(Vm& vm, Slot* args) {
+  const MatrixObj& A = matrix_value(args[0]);
+  MatrixObj* B = new_matrix_unset(vm, A.cols, A.rows);
+  if (B == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < A.rows; ++i) {
+    for (std::size_t j = 0; j < A.cols; ++j) B->data()[j * A.rows + i] = A.data()[i * A.cols + j];
+  }
+  return give(args, B);
+}
+
+Signal flattened(Vm& vm, Slot* args) {
+  return give(args, new_reals(vm, elements(matrix_value(args[0]))));
+}
+
+// ---- element by element ------------------------------------------------------------------------
+
+template <class F>
+Signal map_elements(Vm& vm, Slot* args, const MatrixObj& A, F f) {
+  MatrixObj* B = new_matrix_unset(vm, A.rows, A.cols);
+  if (B == nullptr) return Signal::kFail;
+  std::ranges::transform(elements(A), B->data(), f);
+  return give(args, B);
+}
+bool same_size(Vm& vm, const Slot* args, std::string_view word) {
+  const MatrixObj& A = matrix_value(args[0]);
+  const MatrixObj& B = matrix_value(args[1]);
+  if (A.rows == B.rows && A.cols == B.cols) return true;
+  (void)sizes_differ(
+      vm, fmt::format("{} {} {}", size_text(A.rows, A.cols), word, size_text(B.rows, B.cols)), 1,
+      "both matrices need the same size");
+  return false;
+}
+template <class F>
+Signal zip_elements(Vm& vm, Slot* args, std::string_view word, F f) {
+  if (!same_size(vm, args, word)) return Signal::kFail;
+  const MatrixObj& A = matrix_value(args[0]);
+  MatrixObj* C = new_matrix_unset(vm, A.rows, A.cols);
+  if (C == nullptr) return Signal::kFail;
+  std::ranges::transform(elements(A), elements(matrix_value(args[1])), C->data(), f);
+  return give(args, C);
+}
+
+Signal add(Vm& vm, Slot* args) {
+  return zip_elements(vm, args, "plus", [](double a, double b) { return a + b; });
+}
+Signal subtract(Vm& vm, Slot* args) {
+  return zip_elements(vm, args, "minus", [](double a, double b) { return a - b; });
+}
+Signal times_elements(Vm& vm, Slot* args) {
+  return zip_elements(vm, args, ".*", [](double a, double b) { return a * b; });
+}
+Signal over_elements(Vm& vm, Slot* args) {
+  return zip_elements(vm, args, "./", [](double a, double b) { return a / b; });
+}
+Signal matrix_times(Vm& vm, Slot* args) {
+  const double k = args[1].d;
+  return map_elements(vm, args, matrix_value(args[0]), [k](double a) { return a * k; });
+}
+Signal times_matrix(Vm& vm, Slot* args) {
+  const double k = args[0].d;
+  return map_elements(vm, args, matrix_value(args[1]), [k](double a) { return k * a; });
+}
+Signal matrix_over(Vm& vm, Slot* args) {
+  const double k = args[1].d;
+  return map_elements(vm, args, matrix_value(args[0]), [k](double a) { return a / k; });
+}
+Signal negated(Vm& vm, Slot* args) {
+  return map_elements(vm, args, matrix_value(args[0]), [](double a) { return -a; });
+}
+
+// A negative number with a fraction above it has no power.
+template <class Exponent>
+Signal raise_elements(Vm& vm, Slot* args, const MatrixObj& A, Exponent exponent) {
+  MatrixObj* C = new_matrix_unset(vm, A.rows, A.cols);
+  if (C == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < count_of(A); ++i) {
+    const double a = A.data()[i];
+    const double k = exponent(i);
+    C->data()[i] = det::pow(a, k);
+    if (!std::isnan(C->data()[i]) || std::isnan(a) || std::isnan(k)) continue;
+    release(vm, C);
+    return failure(vm, "R0609",
+                   fmt::format("element [{}, {}] is {:.15g}, which has no power {:.15g}",
+                               i / A.cols, i % A.cols, a, k),
+                   0, "a negative number has only whole powers");
+  }
+  return give(args, C);
+}
+Signal powers_of_elements(Vm& vm, Slot* args) {
+  const MatrixObj& B = matrix_value(args[1]);
+  if (!same_size(vm, args, ".^")) return Signal::kFail;
+  return raise_elements(vm, args, matrix_value(args[0]),
+                        [&B](std::size_t i) { return B.data()[i]; });
+}
+Signal power_of_elements(Vm& vm, Slot* args) {
+  const double k = args[1].d;
+  return raise_elements(vm, args, matrix_value(args[0]), [k](std::size_t) { return k; });
+}
+
+// ---- products ----------------------------------------------------------------------------------
+
+// A band of rows at a time, so that a long product can be cancelled.
+bool multiply_charged(Vm& vm, const MatrixObj& A, const MatrixObj& B, MatrixObj& C) {
+  constexpr std::uint64_t kBand = 4'000'000;
+  const std::uint64_t per_row = std::uint64_t{A.cols} * B.cols;
+  const std::size_t band = std::max<std::uint64_t>(16, kBand / std::max<std::uint64_t>(1, per_row));
+  for (std::size_t i = 0; i < A.rows; i += band) {
+    const std::size_t count = std::min<std::size_t>(band, A.rows - i);
+    if (!charge_work(vm, count * per_row)) return false;
+    multiply(A.data() + i * A.cols, B.data(), C.data() + i * C.cols, count, A.cols, B.cols);
+  }
+  return true;
+}
+
+Signal product(Vm& vm, Slot* args) {
+  const MatrixObj& A = matrix_value(args[0]);
+  const MatrixObj& B = matrix_value(args[1]);
+  if (A.cols != B.rows) {
+    return sizes_differ(
+        vm, fmt::format("{} times {}", size_text(A.rows, A.cols), size_text(B.rows, B.cols)), 1,
+        "the first matrix needs as many columns as the second has rows");
+  }
+  if (!possible_size(vm, A.rows, B.cols, -1)) return Signal::kFail;
+  MatrixObj* C = new_matrix_unset(vm, A.rows, B.cols);
+  if (C == nullptr) return Signal::kFail;
+  if (multiply_charged(vm, A, B, *C)) return give(args, C);
+  release(vm, C);
+  return Signal::kFail;
+}
+
+Signal product_with_list(Vm& vm, Slot* args) {
+  const MatrixObj& A = matrix_value(args[0]);
+  const auto x = reals_value(args[1]);
+  if (A.cols != x.size()) {
+    return sizes_differ(vm, fmt::format("{} times {}", size_text(A.rows, A.cols), x.size()), 1,
+                        "the matrix needs as many columns as the list has values");
+  }
+  ListObj* y = new_list(vm, A.rows, false);
+  if (y == nullptr) return Signal::kFail;
+  if (!charge_work(vm, count_of(A))) {
+    release(vm, y);
+    return Signal::kFail;
+  }
+  multiply_vector(A.data(), x.data(), reinterpret_cast<double*>(y->data), A.rows, A.cols);
+  return give(args, y);
+}
+
+// ---- comparing ---------------------------------------------------------------------------------
+
+Signal near(Vm&, Slot* args) {
+  const MatrixObj& A = matrix_value(args[0]);
+  const MatrixObj& B = matrix_value(args[1]);
+  if (A.rows != B.rows || A.cols != B.cols) return give(args, false);
+  for (std::size_t i = 0; i < count_of(A); ++i) {
+    if (!(std::abs(A.data()[i] - B.data()[i]) <= args[2].d)) return give(args, false);
+  }
+  return give(args, true);
+}
+
+Signal explain_near(Vm& vm, Slot* args) {
+  const MatrixObj& A = matrix_value(args[0]);
+  const MatrixObj& B = matrix_value(args[1]);
+  if (A.rows != B.rows || A.cols != B.cols) {
+    return give(args, new_text(vm, fmt::format("the sizes are {} and {}", size_text(A.rows, A.cols),
+                                               size_text(B.rows, B.cols))));
+  }
+  std::size_t worst = 0;
+  double most = -1.0;
+  for (std::size_t i = 0; i < count_of(A); ++i) {
+    const double difference = std::abs(A.data()[i] - B.data()[i]);
+    if (difference <= most) continue;
+    worst = i;
+    most = difference;
+    if (std::isnan(difference)) break;
+  }
+  return give(args, new_text(vm, fmt::format("they differ by {:.3g} at [{}, {}]", most,
+                                             worst / A.cols, worst % A.cols)));
+}
+
+constexpr NativeFunction kFunctions[] = {
+    {"matrix", "(rows: double[][]) -> matrix", "A matrix from a list of rows.",
+     "matrix([[1.0, 2.0], [3.0, 4.0]])", matrix_from},
+    {"zeros", "(r: int, c: int) -> matrix", "A matrix of zeros.", "zeros(2, 3)", filled<0>, nullptr,
+     nullptr, check_filled},
+    {"ones", "(r: int, c: int) -> matrix", "A matrix of ones.", "ones(2, 3)", filled<1>, nullptr,
+     nullptr, check_filled},
+    {"eye", "(n: int) -> matrix", "The identity matrix.", "eye(3)", identity, nullptr, nullptr,
+     check_identity},
+    {"diag", "(v: double[]) -> matrix", "A square matrix with v on its diagonal.",
+     "diag([1.0, 2.0])", diagonal_matrix, nullptr, nullptr, check_diagonal},
+    {"diag", "(A: matrix) -> double[]", "The diagonal of a matrix.", "diag([1, 2; 3, 4])",
+     diagonal_of},
+    {"outer", "(v: double[], w: double[]) -> matrix", "The products of every pair of values.",
+     "outer([1.0, 2.0], [3.0, 4.0])", outer, nullptr, nullptr, check_outer},
+    {"matrix.rows", "(A: matrix) -> int", "How many rows there are.", "[1, 2; 3, 4].rows", rows},
+    {"matrix.cols", "(A: matrix) -> int", "How many columns there are.", "[1, 2; 3, 4].cols", cols},
+    {"matrix.T", "(A: matrix) -> matrix", "The transpose: rows become columns.", "[1, 2; 3, 4].T",
+     transposed, nullptr, nullptr, check_transposed},
+    {"flatten", "(A: matrix) -> double[]", "All values, row by row.", "flatten([1, 2; 3, 4])",
+     flattened},
+    {"operator*", "(A: matrix, B: matrix) -> matrix", "The matrix product.",
+     "[1, 2; 3, 4] * [0, 1; 1, 0]", product, nullptr, nullptr, check_product},
+    {"operator*", "(A: matrix, v: double[]) -> double[]", "A matrix times a column of values.",
+     "[1, 2; 3, 4] * [5.0, 6.0]", product_with_list, nullptr, nullptr, check_product},
+    {"operator*", "(A: matrix, k: double) -> matrix", "Every element times a number.",
+     "[1, 2; 3, 4] * 2.0", matrix_times, nullptr, nullptr, check_same_size},
+    {"operator*", "(k: double, A: matrix) -> matrix", "Every element times a number.",
+     "2.0 * [1, 2; 3, 4]", times_matrix, nullptr, nullptr, check_same_size},
+    {"operator/", "(A: matrix, k: double) -> matrix", "Every element divided by a number.",
+     "[1, 2; 3, 4] / 2.0", matrix_over, nullptr, nullptr, check_same_size},
+    {"operator+", "(A: matrix, B: matrix) -> matrix", "Adds element by element.",
+     "[1, 2; 3, 4] + eye(2)", add, nullptr, nullptr, check_sum},
+    {"operator-", "(A: matrix, B: matrix) -> matrix", "Subtracts element by element.",
+     "[1, 2; 3, 4] - eye(2)", subtract, nullptr, nullptr, check_sum},
+    {"operator-", "(A: matrix) -> matrix", "Every element with the other sign.", "-[1, 2; 3, 4]",
+     negated, nullptr, nullptr, check_same_size},
+    {"operator.*", "(A: matrix, B: matrix) -> matrix", "Multiplies element by element.",
+     "[1, 2; 3, 4] .* [5, 6; 7, 8]", times_elements, nullptr, nullptr, check_sum},
+    {"operator./", "(A: matrix, B: matrix) -> matrix", "Divides element by element.",
+     "[1, 2; 3, 4] ./ [5, 6; 7, 8]", over_elements, nullptr, nullptr, check_sum},
+    {"operator.^", "(A: matrix, B: matrix) -> matrix", "Powers element by element.",
+     "[1, 2; 3, 4] .^ [1, 2; 1, 2]", powers_of_elements, nullptr, nullptr, check_sum},
+    {"operator.^", "(A: matrix, k: double) -> matrix", "Every element to the power k.",
+     "[1, 2; 3, 4] .^ 2.0", power_of_elements, nullptr, nullptr, check_same_size},
+    {"near", "(a: matrix, b: matrix, tol: double) -> bool",
+     "Whether two matrices differ by at most tol in every element.",
+     "near([1, 2; 3, 4], [1, 2; 3, 4.01], tol: 0.1)", near, nullptr, nullptr, nullptr,
+     explain_near},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> matrix_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,49 @@
+#include "matrices.hpp"
+
+#include <fmt/format.h>
+
+namespace armlet::bind {
+
+std::string size_text(std::int64_t rows, std::int64_t cols) {
+  return fmt::format("{}x{}", rows, cols);
+}
+
+std::string values_text(std::int64_t count) {
+  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
+}
+
+Signal sizes_differ(Vm& vm, const std::string& sizes, int parameter, std::string fix) {
+  Failure f;
+  f.code = "R0613";
+  f.arguments = {sizes};
+  f.mark_parameter = parameter;
+  f.fix = std::move(fix);
+  return fail(vm, std::move(f));
+}
+
+Signal not_square(Vm& vm, std::string_view function, const MatrixObj& A) {
+  return failure(vm, "R0613",
+                 fmt::format("{} needs a square matrix, but this one is {}", function,
+                             size_text(A.rows, A.cols)),
+                 0);
+}
+
+bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter) {
+  constexpr std::int64_t kMost = 100'000'000;
+  if (rows >= 0 && cols >= 0 && rows <= kMost && cols <= kMost &&
+      (cols == 0 || rows <= kMost / cols)) {
+    return true;
+  }
+  const bool negative = rows < 0 || cols < 0;
+  (void)failure(vm, "R0613", fmt::format("a matrix cannot have {} rows and {} columns", rows, cols),
+                parameter, negative ? "" : fmt::format("a matrix has at most {} values", kMost));
+  return false;
+}
+
+bool charge_work(Vm& vm, std::uint64_t operations) {
+  // A step of the program, a call or one pass of a loop, takes about as long.
+  constexpr std::uint64_t kPerStep = 256;
+  return operations < kPerStep || charge_steps(vm, operations / kPerStep);
+}
+
+}  // namespace armlet::bind
