@@ -16,6 +16,8 @@ namespace armlet::bind {
 std::span<const NativeFunction> math_functions();
 std::span<const NativeFunction> list_functions();
 std::span<const NativeFunction> matrix_functions();
+std::span<const NativeFunction> matrix_part_functions();
+std::span<const NativeFunction> linalg_functions();
 std::span<const NativeFunction> text_functions();
 std::span<const NativeFunction> pose_functions();
 std::span<const NativeFunction> robot_functions();

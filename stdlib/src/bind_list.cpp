@@ -126,22 +126,7 @@ Signal cross(Vm& vm, Slot* args) {
                                    a[0] * b[1] - a[1] * b[0]};
   return give(args, new_reals(vm, c));
 }
-Signal norm(Vm&, Slot* args) {
-  // Scaled, so that neither large nor small values are lost.
-  double scale = 0.0;
-  double sum = 1.0;
-  for (const double x : reals_value(args[0])) {
-    const double size = std::abs(x);
-    if (size == 0.0) continue;
-    if (scale < size) {
-      sum = 1.0 + sum * (scale / size) * (scale / size);
-      scale = size;
-    } else {
-      sum += (size / scale) * (size / scale);
-    }
-  }
-  return give(args, scale * std::sqrt(sum));
-}
+Signal norm(Vm&, Slot* args) { return give(args, length_of(reals_value(args[0]))); }
 
 // ---- element by element
 // ----------------------------------------------------------------------------------------

@@ -16,11 +16,9 @@ constexpr NativeConstant kConstants[] = {
 
 // Names of the language reference without even a signature yet.
 constexpr std::string_view kPlanned[] = {
-    "halt",   "robots.arm7", "urdf",  "jacobian", "dhTable", "simulate", "mesh",    "touching",
-    "table",  "explain",     "lab",   "map",      "filter",  "fold",     "any",     "all",
-    "zip",    "hcat",        "vcat",  "det",      "rank",    "trace",    "pinv",    "lu",
-    "qr",     "chol",        "svd",   "eig",      "expm",    "polyfit",  "polyval", "roots",
-    "interp", "ode",         "solve", "minimise", "posC.R",  "posC.T"};
+    "halt",  "robots.arm7", "urdf",    "jacobian", "dhTable", "simulate", "mesh",  "touching",
+    "table", "explain",     "lab",     "map",      "filter",  "fold",     "any",   "all",
+    "zip",   "polyfit",     "polyval", "roots",    "interp",  "ode",      "solve", "minimise"};
 
 }  // namespace
 
@@ -30,6 +28,11 @@ void install(Engine& engine) {
         &bind::kJointRow, &bind::kCamera, &bind::kImage, &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }
+  engine.add_record("Lu", "L: matrix, U: matrix, P: matrix");
+  engine.add_record("Qr", "Q: matrix, R: matrix");
+  engine.add_record("Svd", "U: matrix, s: double[], V: matrix");
+  engine.add_record("Eig", "values: double[], vectors: matrix");
+  engine.add_record("Eigenvalues", "re: double[], im: double[]");
   engine.add_record("Move", "reached: bool, stopped: bool, time: time, length: length");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
   engine.add_record("GraspQuality",
@@ -42,6 +45,8 @@ void install(Engine& engine) {
       {"Mathematics", bind::math_functions()},
       {"Lists", bind::list_functions()},
       {"Matrices", bind::matrix_functions()},
+      {"Matrices: parts", bind::matrix_part_functions()},
+      {"Linear algebra", bind::linalg_functions()},
       {"Text", bind::text_functions()},
       {"Positions and frames", bind::pose_functions()},
       {"Robots: models", bind::model_functions()},

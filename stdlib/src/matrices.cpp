@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace armlet::bind {
 
 std::string size_text(std::int64_t rows, std::int64_t cols) {
@@ -38,6 +40,22 @@ bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter) 
   (void)failure(vm, "R0613", fmt::format("a matrix cannot have {} rows and {} columns", rows, cols),
                 parameter, negative ? "" : fmt::format("a matrix has at most {} values", kMost));
   return false;
+}
+
+double length_of(std::span<const double> values) {
+  double scale = 0.0;
+  double sum = 1.0;
+  for (const double x : values) {
+    const double size = std::abs(x);
+    if (size == 0.0) continue;
+    if (scale < size) {
+      sum = 1.0 + sum * (scale / size) * (scale / size);
+      scale = size;
+    } else {
+      sum += (size / scale) * (size / scale);
+    }
+  }
+  return scale * std::sqrt(sum);
 }
 
 bool charge_work(Vm& vm, std::uint64_t operations) {

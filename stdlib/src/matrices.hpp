@@ -27,6 +27,9 @@ Signal not_square(Vm& vm, std::string_view function, const MatrixObj& A);
 // Whether a matrix of this size can be made; fails with R0613 if not.
 [[nodiscard]] bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
 
+// The root of the sum of squares, scaled so that neither large nor small values are lost.
+[[nodiscard]] double length_of(std::span<const double> values);
+
 // Counts steps for so many multiplications and additions.
 [[nodiscard]] bool charge_work(Vm& vm, std::uint64_t operations);
 
