@@ -60,15 +60,16 @@ Heap::~Heap() {
 
 void* Heap::take_slowly(std::size_t units) {
   const std::uint64_t bytes = static_cast<std::uint64_t>(units) * kUnit;
-  if (refuse_from_ == 1) return nullptr;
-  if (refuse_from_ > 1) --refuse_from_;
+  if (refuse_from_ != 0 && ++attempts_ >= refuse_from_ && attempts_ - refuse_from_ < refused_) {
+    return nullptr;
+  }
   if (bytes > limit_ || used_ > limit_ - bytes) return nullptr;
   void* block = nullptr;
   if (units < kClasses && free_[units] != nullptr) {
     block = free_[units];
     free_[units] = free_[units]->next;
   } else {
-    block = units < kClasses ? carve(units) : std::malloc(bytes);
+    block = units < kClasses ? carve(units) : reserve(bytes);
   }
   if (block != nullptr) used_ += bytes;
   return block;
@@ -85,7 +86,7 @@ bool Heap::charge(std::uint64_t bytes) {
 void* Heap::carve(std::size_t units) {
   const std::size_t bytes = units * kUnit;
   if (static_cast<std::size_t>(chunk_end_ - chunk_at_) < bytes) {
-    auto* chunk = static_cast<std::byte*>(std::malloc(kChunk));
+    auto* chunk = static_cast<std::byte*>(reserve(kChunk));
     if (chunk == nullptr) return nullptr;
     chunks_.push_back(chunk);
     chunk_at_ = chunk;
@@ -96,7 +97,23 @@ void* Heap::carve(std::size_t units) {
   return block;
 }
 
-void Heap::free_large(void* block) { std::free(block); }
+// Whether so much more memory of the system keeps to the limit and its slack.
+bool Heap::has_room(std::size_t bytes) const {
+  const std::uint64_t most = limit_ + limit_ / 100 + kChunk;
+  return reserved_ <= most && bytes <= most - reserved_;
+}
+
+void* Heap::reserve(std::size_t bytes) {
+  if (!has_room(bytes)) return nullptr;
+  void* block = std::malloc(bytes);
+  if (block != nullptr) reserved_ += bytes;
+  return block;
+}
+
+void Heap::free_large(void* block, std::size_t units) {
+  reserved_ -= units * kUnit;
+  std::free(block);
+}
 
 void* Heap::resize(void* block, std::size_t old_bytes, std::size_t new_bytes) {
   const std::size_t old_units = units_of(old_bytes);
@@ -105,8 +122,11 @@ void* Heap::resize(void* block, std::size_t old_bytes, std::size_t new_bytes) {
   if (block != nullptr && old_units >= kClasses && new_units >= kClasses && refuse_from_ == 0) {
     const std::uint64_t others = used_ - old_units * kUnit;
     if (new_units * kUnit > limit_ || others > limit_ - new_units * kUnit) return nullptr;
+    if (new_units > old_units && !has_room((new_units - old_units) * kUnit)) return nullptr;
     void* moved = std::realloc(block, new_units * kUnit);
-    if (moved != nullptr) used_ = others + new_units * kUnit;
+    if (moved == nullptr) return nullptr;
+    used_ = others + new_units * kUnit;
+    reserved_ += (new_units - old_units) * kUnit;
     return moved;
   }
   void* fresh = take(new_bytes);

@@ -1,5 +1,7 @@
 #pragma once
 // The counted heap of one Vm: every block is charged against one exact limit, in units of 16 bytes.
+// What the heap has from the system stays within 1 % and one chunk of that limit, also when free
+// blocks of one size are of no use for another.
 //
 // Small blocks come from free lists, one per size; large ones from malloc. Destroying an object
 // never recurses: dead objects wait in a list threaded through their own headers.
@@ -42,7 +44,7 @@ class Heap {
       free->next = free_[units];
       free_[units] = free;
     } else {
-      free_large(block);
+      free_large(block, units);
     }
   }
   // The block with its first bytes kept, perhaps elsewhere; null leaves the old block as it was.
@@ -90,11 +92,19 @@ class Heap {
     Heap& heap_;
   };
 
-  // For tests: the n-th allocation from now (1: the next) and all after it are refused. 0: none.
-  void refuse_from(std::uint64_t allocation) {
+  // Bytes that the heap has from the system.
+  [[nodiscard]] std::uint64_t reserved() const { return reserved_; }
+
+  // For tests: the n-th allocation from now (1: the next) and `count - 1` after it are refused. 0:
+  // none.
+  void refuse_from(std::uint64_t allocation, std::uint64_t count = UINT64_MAX) {
     refuse_from_ = allocation;
+    refused_ = count;
+    attempts_ = 0;
     close_gate();
   }
+  // Allocations asked for since then.
+  [[nodiscard]] std::uint64_t attempts() const { return attempts_; }
 
  private:
   struct FreeBlock {
@@ -112,7 +122,9 @@ class Heap {
   void close_gate() { gate_ = refuse_from_ != 0 ? 0 : limit_; }
   void* take_slowly(std::size_t units);
   void* carve(std::size_t units);
-  static void free_large(void* block);
+  void free_large(void* block, std::size_t units);
+  [[nodiscard]] bool has_room(std::size_t bytes) const;
+  [[nodiscard]] void* reserve(std::size_t bytes);
   void destroy(Obj* object);
   Obj* bury(Obj* object, Obj* waiting);
   Obj* bury_children(const Slot* slots, std::uint32_t count, Obj* waiting);
@@ -125,7 +137,10 @@ class Heap {
   std::byte* chunk_at_ = nullptr;
   std::byte* chunk_end_ = nullptr;
   std::vector<std::byte*> chunks_;
+  std::uint64_t reserved_ = 0;
   std::uint64_t refuse_from_ = 0;
+  std::uint64_t refused_ = 0;
+  std::uint64_t attempts_ = 0;
 };
 
 inline void retain_object(Obj* object) {

@@ -138,34 +138,64 @@ bool VmState::take_cancellation() {
 
 // ---- calls by the host ----------------------------------------------------------------------
 
-bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const Slot> arguments) {
+namespace {
+
+// Arguments are few; a call of memmove would cost as much as the rest.
+inline void copy_arguments(std::span<const Slot> from, Slot* to) {
+  switch (from.size()) {
+    case 0:
+      return;
+    case 1:
+      to[0] = from[0];
+      return;
+    case 2:
+      to[0] = from[0];
+      to[1] = from[1];
+      return;
+    default:
+      std::copy(from.begin(), from.end(), to);
+  }
+}
+
+}  // namespace
+
+inline bool VmState::push_frames(const Callee& callee, ClosureObj* closure,
+                                 std::span<const Slot> arguments) {
   Task& task = *running;
-  const Callee& callee = callees[function];
-  const Frame& below = *task.top;
-  Slot* base = below.base + below.callee->registers + kScratch;
-  const bool fits = task.top + 2 < task.frames_end && base < task.slots_end;
-  if (!fits) return raise_too_deep(*this, callee, options.limits.call_depth);
-  task.top[1] = {kReturnToHost, base, task.frames->callee, nullptr};
-  task.top[2] = {callee.code, base, &callee, closure};
-  task.top += 2;
-  std::copy(arguments.begin(), arguments.end(), base);
+  Frame* below = task.top;
+  Slot* base = below->base + below->callee->registers + kScratch;
+  const bool fits = below + 2 < task.frames_end && base < task.slots_end;
+  if (!fits) [[unlikely]] {
+    return raise_too_deep(*this, callee, options.limits.call_depth);
+  }
+  below[1] = {kReturnToHost, base, task.frames->callee, nullptr};
+  below[2] = {callee.code, base, &callee, closure};
+  task.top = below + 2;
+  copy_arguments(arguments, base);
   for (unsigned i = 0; i < callee.references; ++i) base[callee.references_begin + i].o = nullptr;
   return true;
 }
 
+bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const Slot> arguments) {
+  return push_frames(callees[function], closure, arguments);
+}
+
 bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& result) {
-  if (host_calls >= kHostCalls) {
-    return raise_too_deep(*this, callees[function->function], kHostCalls);
+  const Callee& callee = callees[function->function];
+  if (host_calls >= kHostCalls) [[unlikely]] {
+    return raise_too_deep(*this, callee, kHostCalls);
   }
-  if (--steps.left < 0 && !count_slowly(*this)) return false;
-  if (!enter(function->function, function, arguments)) return false;
+  if (--steps.left < 0 && !count_slowly(*this)) [[unlikely]] {
+    return false;
+  }
+  if (!push_frames(callee, function, arguments)) return false;
   ++host_calls;
-  const Slot* base = running->top->base;
   const Exit exit = interpret(*this, *running);
   --host_calls;
   if (exit != Exit::kDone) return false;
-  result = base[0];
-  --running->top;
+  Frame*& top = running->top;  // the host's frame, with the result in its register 0
+  result = top->base[0];
+  --top;
   return true;
 }
 

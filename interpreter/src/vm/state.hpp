@@ -100,6 +100,7 @@ struct VmState {
   [[nodiscard]] Obj* character(unsigned char code);
 
  private:
+  bool push_frames(const Callee& callee, ClosureObj* closure, std::span<const Slot> arguments);
   void make_error_layout();
 };
 

@@ -45,6 +45,23 @@ TEST_CASE("the limit is exact") {
   CHECK(heap.used() == 0);
 }
 
+TEST_CASE("blocks that are free but of the wrong size do not let a heap outgrow its limit") {
+  constexpr std::uint64_t kLimit = 8'000'000;
+  Heap heap(kLimit);
+  std::vector<Obj*> texts;
+  for (const std::size_t size : {std::size_t{8}, std::size_t{40}, std::size_t{100'000}}) {
+    const std::string text(size, 'x');
+    for (Obj* object = heap.new_text(text); object != nullptr; object = heap.new_text(text)) {
+      texts.push_back(object);
+    }
+    CHECK(heap.reserved() <= kLimit * 101 / 100 + 64 * 1024);
+    if (size == 8) CHECK(heap.used() >= kLimit * 99 / 100);
+    for (Obj* object : texts) heap.release(object);
+    texts.clear();
+    CHECK(heap.used() == 0);
+  }
+}
+
 TEST_CASE("a list too long for the heap is refused, and leaves nothing behind") {
   Heap heap(1000);
   CHECK(heap.new_list(1000, false) == nullptr);

@@ -1,0 +1,51 @@
+#pragma once
+// Calls of a program's functions by host functions, with the types of C++.
+
+#include <cstdint>
+#include <type_traits>
+
+#include "armlet/interpreter/engine.hpp"
+
+namespace armlet {
+
+// A number as it lies in a slot: double, std::int64_t (int) or bool.
+template <class T>
+concept SlotNumber =
+    std::is_same_v<T, double> || std::is_same_v<T, std::int64_t> || std::is_same_v<T, bool>;
+
+template <SlotNumber T>
+[[nodiscard]] T number_in(Slot slot) {
+  if constexpr (std::is_same_v<T, double>) {
+    return slot.d;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return slot.i != 0;
+  } else {
+    return slot.i;
+  }
+}
+
+// The function value in an argument declared as, for example, fn(double, double) -> double, which
+// is ScriptFunction<double(double, double)>. It is borrowed from the argument, and may not pause.
+template <class Signature>
+class ScriptFunction;
+
+template <SlotNumber Result, SlotNumber... Arguments>
+class ScriptFunction<Result(Arguments...)> {
+ public:
+  ScriptFunction(Vm& vm, Slot function) : vm_(vm), function_(function.o) {}
+
+  // False: the call failed, and the failure is set in the Vm; the host function returns kFail then.
+  [[nodiscard]] bool call(Result& result, Arguments... arguments) const {
+    const Slot slots[sizeof...(Arguments) + 1] = {slot_of(arguments)...};
+    Slot slot;
+    if (!vm_.call(function_, {slots, sizeof...(Arguments)}, slot)) return false;
+    result = number_in<Result>(slot);
+    return true;
+  }
+
+ private:
+  Vm& vm_;
+  Obj* function_;
+};
+
+}  // namespace armlet

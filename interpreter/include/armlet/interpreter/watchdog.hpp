@@ -1,0 +1,34 @@
+#pragma once
+// A limit on the real time that a program may take.
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "armlet/interpreter/engine.hpp"
+
+namespace armlet {
+
+// Cancels the Vm's program when the time has passed, counted from now, as Vm::cancel does: the
+// program itself sees no clock, and its finally blocks run. Destroyed earlier, it does nothing.
+class Watchdog {
+ public:
+  Watchdog(Vm& vm, std::chrono::nanoseconds time);
+  ~Watchdog();
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+  // Whether the time passed.
+  [[nodiscard]] bool has_barked() const { return has_barked_.load(); }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool end_ = false;
+  std::atomic<bool> has_barked_{false};
+  std::thread thread_;
+};
+
+}  // namespace armlet
