@@ -2,7 +2,8 @@
 """Times the interpreter against Lua 5.4, LuaJIT and g++ on the programs of bench/programs.
 
 Prints CPU time in ms, the minimum of several interleaved runs, with each implementation's start-up taken off, and how
-many times faster than its peers Armlet is; then start-up by itself. Fails when two implementations print different things.
+many times faster than its peers Armlet is, beside the targets; then what counting steps costs, how fast programs are
+compiled, and start-up. Fails when two implementations print different things.
 """
 
 import argparse
@@ -14,6 +15,8 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+
+from make_program import program as long_program
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
@@ -32,11 +35,15 @@ def compile_cpp(folder):
 
 def commands(armlet, cpp_folder):
     """Implementation: function from a program's name to the command that runs it."""
-    lua = lambda tool: lambda name: [tool, str(HERE / "programs" / "lua" / f"{name}.lua")]
-    result = {"armlet": lambda name: [str(armlet), "run", str(HERE / "programs" / "rbt" / f"{name}.rbt")]}
-    result |= {tool: lua(tool) for tool in ("lua5.4", "luajit") if shutil.which(tool)}
+    lua = lambda tool: lambda name: [*tool.split(), str(HERE / "programs" / "lua" / f"{name}.lua")]
+    result = {"armlet": armlet_command(armlet)}
+    result |= {tool: lua(tool) for tool in ("lua5.4", "luajit -joff", "luajit") if shutil.which(tool.split()[0])}
     result["g++ -O2"] = lambda name: [str(cpp_folder / name)]
     return result
+
+
+def armlet_command(armlet):
+    return lambda name: [str(armlet), "run", str(HERE / "programs" / "rbt" / f"{name}.rbt")]
 
 
 def run(command):
@@ -48,6 +55,18 @@ def run(command):
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     return cpu, wall, " ".join(done.stdout.decode().split()) if done.returncode == 0 else None
+
+
+def resident_megabytes(command):
+    """Most memory of a program that runs for some milliseconds, looked at while it runs."""
+    child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL)
+    peak = 0
+    while child.poll() is None:
+        status = Path(f"/proc/{child.pid}/status").read_text()
+        lines = [line for line in status.splitlines() if line.startswith("VmHWM")]
+        peak = max([peak] + [int(line.split()[1]) for line in lines])
+        time.sleep(0.001)
+    return peak / 1024
 
 
 def measure(implementations, name, runs):
@@ -65,42 +84,77 @@ def geometric_mean(values):
     return math.exp(sum(map(math.log, values)) / len(values))
 
 
+# Peer: how many times faster than it Armlet has to be on every program, and in the geometric mean.
+TARGETS = {"lua5.4": (2.0, 3.0), "luajit -joff": (1.0, 1.0)}
+
+
 def print_times(implementations, names, runs):
     """Prints the table; returns whether all outputs agree."""
     tools = list(implementations)
     peers = [tool for tool in tools if tool != "armlet"]
     startup = {tool: cpu for tool, (cpu, _) in measure(implementations, EMPTY, runs).items()}
-    print(f"{'CPU ms':10}" + "".join(f"{t:>10}" for t in tools) + "".join(f"{'vs ' + t:>12}" for t in peers))
+    print(f"{'CPU ms':12}" + "".join(f"{t:>14}" for t in tools) + "".join(f"{'vs ' + t:>17}" for t in peers))
     ratios = {peer: [] for peer in peers}
     agree = True
     for name in names:
         best = measure(implementations, name, runs)
         times = {tool: max(best[tool][0] - startup[tool], 1e-4) for tool in tools}
-        row = f"{name:10}" + "".join(f"{times[t] * 1e3:10.1f}" for t in tools)
         outputs = {tool: output for tool, (_, output) in best.items()}
         if len(set(outputs.values())) != 1 or None in outputs.values():
             agree = False
-            print(f"{name:10} outputs differ: {outputs}")
+            print(f"{name:12} outputs differ: {outputs}")
             continue
         for peer in peers:
             ratios[peer].append(times[peer] / times["armlet"])
-            row += f"{ratios[peer][-1]:11.2f}x"
-        print(row, flush=True)
+        row = f"{name:12}" + "".join(f"{times[t] * 1e3:14.1f}" for t in tools)
+        print(row + "".join(f"{ratios[p][-1]:16.2f}x" for p in peers), flush=True)
     if all(ratios.values()):
-        means = "".join(f"{geometric_mean(ratios[p]):11.2f}x" for p in peers)
-        print(f"{'geom. mean':10}" + " " * 10 * len(tools) + means)
+        blank = " " * 14 * len(tools)
+        print(f"{'geom. mean':12}{blank}" + "".join(f"{geometric_mean(ratios[p]):16.2f}x" for p in peers))
+        goals = [f">= {TARGETS[p][0]:.0f}, mean {TARGETS[p][1]:.0f}" if p in TARGETS else "" for p in peers]
+        print(f"{'target':12}{blank}" + "".join(f"{goal:>17}" for goal in goals))
     return agree
 
 
+def print_step_cost(armlet, uncounted, names, runs):
+    """Compares with a command that differs only in not counting steps."""
+    if not uncounted.exists():
+        print(f"cost of counting steps: not measured, {uncounted} is not built")
+        return
+    both = {"counted": armlet_command(armlet), "uncounted": armlet_command(uncounted)}
+    startup = measure(both, EMPTY, runs)
+    ratios = []
+    for name in names:
+        best = measure(both, name, runs)
+        times = {tool: best[tool][0] - startup[tool][0] for tool in both}
+        ratios.append(times["counted"] / times["uncounted"])
+    listed = ", ".join(f"{name} {(ratio - 1) * 100:+.1f} %" for name, ratio in zip(names, ratios))
+    print(f"cost of counting steps: {(geometric_mean(ratios) - 1) * 100:+.1f} % in the mean (target 5 %): {listed}")
+
+
+def print_compile_speed(armlet, folder, runs):
+    """Reading, checking and compiling a program of a megabyte."""
+    path = folder / "long.rbt"
+    path.write_text(long_program(1_000_000))
+    check = {"long": lambda _: [str(armlet), "check", str(path)], "empty": armlet_command(armlet)}
+    best = measure(check, EMPTY, runs)
+    seconds = best["long"][0] - best["empty"][0]
+    megabytes = path.stat().st_size / 1e6
+    print(f"parse, check and compile: {megabytes / seconds:.2f} MB/s of {megabytes:.2f} MB (target 2 MB/s)")
+
+
 def print_startup(implementations, runs):
-    """Wall time of an almost empty program, median of interleaved runs."""
+    """Wall time of an almost empty program, median of interleaved runs, and memory of a small one."""
     walls = {tool: [] for tool in implementations}
     for _ in range(runs):
         for tool, command in implementations.items():
             walls[tool].append(run(command(EMPTY))[1] * 1e3)
     medians = {tool: statistics.median(values) for tool, values in walls.items()}
     print("start-up, wall ms, median: " + ", ".join(f"{tool} {ms:.2f}" for tool, ms in medians.items()))
-    print(f"armlet needs {medians['armlet'] - medians['g++ -O2']:.2f} ms more than an empty C++ program")
+    more = medians["armlet"] - medians["g++ -O2"]
+    memory = resident_megabytes(implementations["armlet"]("fib"))
+    print(f"armlet needs {more:.2f} ms more than an empty C++ program (target 3 ms), and {memory:.1f} MB of memory "
+          "(target 12 MB)")
 
 
 def main():
@@ -108,11 +162,15 @@ def main():
     parser.add_argument("programs", nargs="*", metavar="PROGRAM", help=f"of {' '.join(PROGRAMS)}; all without it")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--armlet", type=Path, default=ROOT / "build" / "bin" / "armlet")
+    parser.add_argument("--uncounted", type=Path, default=ROOT / "build" / "release" / "bench" / "armlet_uncounted")
     options = parser.parse_args()
     cpp_folder = ROOT / "build" / "bench"
     compile_cpp(cpp_folder)
     implementations = commands(options.armlet, cpp_folder)
-    agree = print_times(implementations, options.programs or PROGRAMS, options.runs)
+    names = options.programs or PROGRAMS
+    agree = print_times(implementations, names, options.runs)
+    print_step_cost(options.armlet, options.uncounted, names, options.runs)
+    print_compile_speed(options.armlet, cpp_folder, options.runs)
     print_startup(implementations, 20 * options.runs)
     return 0 if agree else 1
 

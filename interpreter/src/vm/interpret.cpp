@@ -58,6 +58,10 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
     frame->pc = pc + 1; \
     task.top = frame;   \
   } while (false)
+// A build that counts no steps shows what counting costs (bench/CMakeLists.txt).
+#ifdef ARMLET_UNCOUNTED
+#define STEP() static_cast<void>(0)
+#else
 #define STEP()                                 \
   do {                                         \
     if (--state.steps.left < 0) [[unlikely]] { \
@@ -65,6 +69,7 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
       if (!count_slowly(state)) goto failed;   \
     }                                          \
   } while (false)
+#endif
 #define FAIL(call) \
   do {             \
     SAVE();        \

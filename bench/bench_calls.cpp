@@ -1,0 +1,189 @@
+// What a call between host and script costs, in Armlet and through Lua's C interface: the time of
+// one pass of a loop that does nothing else.
+
+#include <chrono>
+#include <cstdlib>
+#include <lua.hpp>
+#include <string>
+
+#include "armlet/interpreter/script_function.hpp"
+#include "bench.hpp"
+
+namespace {
+
+using namespace armlet;
+
+constexpr std::int64_t kCalls = 1'000'000;
+
+double shrink(double x) { return 0.5 * x + 1.0; }
+double mix(double x, double y) { return 0.5 * (x + y); }
+double clamp(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+
+using Clock = std::chrono::steady_clock;
+
+template <class Work>
+double nanoseconds(Work work) {
+  const auto start = Clock::now();
+  work();
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / kCalls;
+}
+
+// ---- Armlet ---------------------------------------------------------------------------------
+
+// timeOf(loop): ns of one pass of loop(n).
+Signal time_of(Vm& vm, Slot* args) {
+  const ScriptFunction<double(std::int64_t)> loop(vm, args[0]);
+  double sum = 0.0;
+  bool done = true;
+  const double time = nanoseconds([&] { done = loop.call(sum, kCalls); });
+  return done ? give(args, time) : Signal::kFail;
+}
+
+// timeOfCalls(f): ns of one call of f by the host.
+Signal time_of_calls(Vm& vm, Slot* args) {
+  const ScriptFunction<double(double)> function(vm, args[0]);
+  double x = 0.5;
+  bool done = true;
+  const double time = nanoseconds([&] {
+    for (std::int64_t i = 0; done && i < kCalls; ++i) done = function.call(x, x);
+  });
+  return done ? give(args, time) : Signal::kFail;
+}
+
+const NativeFunction kFunctions[] = {
+    {.name = "shrink",
+     .signature = "(x: double) -> double",
+     .help = "x / 2 + 1.",
+     .example = "shrink(1.0)",
+     .thunk = [](Vm&, Slot* args) { return give(args, shrink(args[0].d)); },
+     .real1 = &shrink},
+    {.name = "mix",
+     .signature = "(x: double, y: double) -> double",
+     .help = "The mean.",
+     .example = "mix(1.0, 2.0)",
+     .thunk = [](Vm&, Slot* args) { return give(args, mix(args[0].d, args[1].d)); },
+     .real2 = &mix},
+    {.name = "limit",
+     .signature = "(x: double, low: double, high: double) -> double",
+     .help = "x, not below low and not above high.",
+     .example = "limit(1.0, 0.0, 2.0)",
+     .thunk = [](Vm&, Slot* args) { return give(args, clamp(args[0].d, args[1].d, args[2].d)); }},
+    {.name = "timeOf",
+     .signature = "(loop: fn(int) -> double) -> double",
+     .help = "Nanoseconds of a pass.",
+     .example = "timeOf(fn(n) => 0.0)",
+     .thunk = &time_of},
+    {.name = "timeOfCalls",
+     .signature = "(f: fn(double) -> double) -> double",
+     .help = "Nanoseconds of a call.",
+     .example = "timeOfCalls(fn(x) => x)",
+     .thunk = &time_of_calls},
+};
+
+constexpr const char* kProgram = R"(
+fn shrinking(n: int) -> double { var x = 0.5
+ for (i in range(n)) { x = shrink(x) }
+ return x }
+fn mixing(n: int) -> double { var x = 0.5
+ for (i in range(n)) { x = mix(x, 2.0) }
+ return x }
+fn limiting(n: int) -> double { var x = 0.5
+ for (i in range(n)) { x = limit(x, 0.0, 2.0) }
+ return x }
+fn next(x: double) -> double { return 0.5 * x + 1.0 }
+print(timeOf(shrinking), timeOf(mixing), timeOf(limiting), timeOfCalls(next))
+)";
+
+constexpr int kKinds = 4;
+constexpr const char* kNames[kKinds] = {"script calls f(x)", "script calls f(x, y)",
+                                        "script calls f(x, y, z)", "host calls f(x)"};
+
+void time_armlet(const Engine& engine, std::vector<double> (&times)[kKinds]) {
+  const Compilation compilation = engine.compile(kProgram, "calls.rbt");
+  std::string printed;
+  VmOptions options;
+  options.output = [&](std::string_view text) { printed += text; };
+  if (compilation.program == nullptr) std::abort();
+  Vm vm(compilation.program, std::move(options));
+  if (vm.run().status != RunStatus::kDone) std::abort();
+  const char* at = printed.c_str();
+  for (auto& kind : times) {
+    char* end = nullptr;
+    kind.push_back(std::strtod(at, &end));
+    at = end;
+  }
+}
+
+// ---- Lua ------------------------------------------------------------------------------------
+
+int lua_shrink(lua_State* lua) {
+  lua_pushnumber(lua, shrink(luaL_checknumber(lua, 1)));
+  return 1;
+}
+int lua_mix(lua_State* lua) {
+  lua_pushnumber(lua, mix(luaL_checknumber(lua, 1), luaL_checknumber(lua, 2)));
+  return 1;
+}
+int lua_limit(lua_State* lua) {
+  lua_pushnumber(
+      lua, clamp(luaL_checknumber(lua, 1), luaL_checknumber(lua, 2), luaL_checknumber(lua, 3)));
+  return 1;
+}
+
+constexpr const char* kLuaProgram = R"(
+local shrink, mix, limit = shrink, mix, limit
+function shrinking(n) local x = 0.5 for i = 1, n do x = shrink(x) end return x end
+function mixing(n) local x = 0.5 for i = 1, n do x = mix(x, 2.0) end return x end
+function limiting(n) local x = 0.5 for i = 1, n do x = limit(x, 0.0, 2.0) end return x end
+function following(x) return 0.5 * x + 1.0 end
+)";
+
+void time_lua(lua_State* lua, std::vector<double> (&times)[kKinds]) {
+  int kind = 0;
+  for (const char* loop : {"shrinking", "mixing", "limiting"}) {
+    times[kind++].push_back(nanoseconds([&] {
+      lua_getglobal(lua, loop);
+      lua_pushinteger(lua, kCalls);
+      lua_call(lua, 1, 1);
+      lua_pop(lua, 1);
+    }));
+  }
+  lua_getglobal(lua, "following");
+  double x = 0.5;
+  times[kind].push_back(nanoseconds([&] {
+    for (std::int64_t i = 0; i < kCalls; ++i) {
+      lua_pushvalue(lua, -1);
+      lua_pushnumber(lua, x);
+      lua_call(lua, 1, 1);
+      x = lua_tonumber(lua, -1);
+      lua_pop(lua, 1);
+    }
+  }));
+  asm volatile("" : : "g"(x));
+  lua_pop(lua, 1);
+}
+
+}  // namespace
+
+int main() {
+  Engine engine;
+  engine.add_functions(kFunctions);
+  lua_State* lua = luaL_newstate();
+  lua_register(lua, "shrink", &lua_shrink);
+  lua_register(lua, "mix", &lua_mix);
+  lua_register(lua, "limit", &lua_limit);
+  if (luaL_dostring(lua, kLuaProgram) != LUA_OK) std::abort();
+  std::vector<double> ours[kKinds];
+  std::vector<double> theirs[kKinds];
+  for (int round = 0; round < 15; ++round) {
+    time_armlet(engine, ours);
+    time_lua(lua, theirs);
+  }
+  lua_close(lua);
+  std::printf("%-26s %10s %10s %9s\n", "ns per call, minimum", "armlet", "lua", "ratio");
+  for (int i = 0; i < kKinds; ++i) {
+    const double a = *std::min_element(ours[i].begin(), ours[i].end());
+    const double b = *std::min_element(theirs[i].begin(), theirs[i].end());
+    std::printf("%-26s %10.1f %10.1f %8.1fx\n", kNames[i], a, b, b / a);
+  }
+}
