@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "compile/repeats.hpp"
+
 namespace armlet::lang {
 
 namespace {
@@ -18,11 +20,10 @@ constexpr std::string_view kOperands[] = {
 #undef OP
 };
 
-bool is_register(char operand) {
-  return operand == 'd' || operand == 'D' || operand == 'r' || operand == 'R';
-}
+}  // namespace
 
-// After these nothing follows.
+std::string_view operands_of(OpCode op) { return kOperands[static_cast<std::size_t>(op)]; }
+
 bool ends_flow(OpCode op) {
   switch (op) {
     case OpCode::JUMP:
@@ -41,11 +42,6 @@ bool ends_flow(OpCode op) {
       return false;
   }
 }
-
-// The next word is a jump that is taken or skipped.
-bool is_compare_and_branch(OpCode op) { return op >= OpCode::IFLTI && op <= OpCode::FORX; }
-
-}  // namespace
 
 Emitter::Emitter(Span span) : whole_(span), span_(span) {}
 
@@ -120,7 +116,7 @@ void Emitter::push(OpCode op, std::uint32_t a, std::uint32_t b, std::uint32_t c)
 
 bool Emitter::just_counted(Reg reg) const {
   if (!reachable_ || code_.empty() || last_target_ == position()) return false;
-  const Wide& last = code_.back();
+  const WideInstr& last = code_.back();
   return last.op == OpCode::ADDIK && last.a == reg.bits && last.b == reg.bits && last.c == 1;
 }
 
@@ -129,7 +125,7 @@ void Emitter::count_and_compare(bool less, Reg a, Reg b) {
     emit(less ? OpCode::IFLTI : OpCode::IFGEI, a, b);
     return;
   }
-  Wide& last = code_.back();
+  WideInstr& last = code_.back();
   last.op = less ? OpCode::FORI : OpCode::FORX;
   last.b = b.bits;
   last.c = 0;
@@ -179,7 +175,7 @@ void Emitter::jump_if(OpCode op, Reg a, Label to) { branch(op, a.bits, to); }
 
 void Emitter::drop_jump(Label to) {
   if (reachable_ || code_.empty() || last_target_ == position()) return;
-  const Wide& last = code_.back();
+  const WideInstr& last = code_.back();
   const bool guarded = code_.size() > 1 && is_compare_and_branch(code_[code_.size() - 2].op);
   if (last.op != OpCode::JUMP || last.label != to.id || guarded) return;
   code_.pop_back();
@@ -243,11 +239,10 @@ std::uint16_t Emitter::place(Reg reg) const {
   return static_cast<std::uint16_t>(at);
 }
 
-Instr Emitter::narrow(const Wide& wide, std::uint32_t pc) const {
-  const std::string_view operands = kOperands[static_cast<std::size_t>(wide.op)];
+Instr Emitter::narrow(const WideInstr& wide, std::uint32_t pc) const {
   const auto operand = [&](std::size_t i, std::uint32_t value) {
-    const bool is_reg = i < operands.size() && is_register(operands[i]);
-    return is_reg ? place(Reg{value}) : static_cast<std::uint16_t>(value);
+    return is_register(operand_of(wide.op, i)) ? place(Reg{value})
+                                               : static_cast<std::uint16_t>(value);
   };
   Instr instr{wide.op, operand(0, wide.a), operand(1, wide.b), operand(2, wide.c)};
   if (wide.label != kUnbound) {
@@ -260,9 +255,47 @@ Instr Emitter::narrow(const Wide& wide, std::uint32_t pc) const {
   return instr;
 }
 
+CodeShape Emitter::shape() const {
+  CodeShape shape;
+  shape.numbers = most_numbers_;
+  for (const LabelInfo& label : labels_) {
+    shape.labels.push_back(label.used ? label.position : kUnbound);
+  }
+  for (const Handler& h : handlers_) shape.handlers.push_back({h.begin, h.end, h.handler});
+  for (const WideLoop& l : loops_) shape.counters.push_back(l.counter);
+  return shape;
+}
+
+void Emitter::remove_repeats() {
+  const std::vector<bool> removed = find_repeats(code_, shape(), [this] { return pinned(); });
+  if (std::ranges::find(removed, true) != removed.end()) take_out(removed);
+}
+
+void Emitter::take_out(const std::vector<bool>& removed) {
+  std::vector<std::uint32_t> moved(code_.size() + 1);  // by old position
+  std::uint32_t kept = 0;
+  for (std::uint32_t at = 0; at < code_.size(); ++at) {
+    moved[at] = kept;
+    if (!removed[at]) code_[kept++] = code_[at];
+  }
+  moved[code_.size()] = kept;
+  code_.resize(kept);
+  for (LabelInfo& label : labels_) {
+    if (label.position != kUnbound) label.position = moved[label.position];
+  }
+  for (Handler& h : handlers_) {
+    h = {moved[h.begin], moved[h.end], moved[h.handler], h.is_finally};
+  }
+  for (WideLoop& l : loops_) l.range = {moved[l.range.begin], moved[l.range.end]};
+  for (ExpandedCall& call : expanded_) {
+    call.begin = moved[call.begin];
+    call.end = moved[call.end];
+  }
+}
+
 // Pinned constants are loaded before anything else.
 void Emitter::add_prologue() {
-  std::vector<Wide> body;
+  std::vector<WideInstr> body;
   std::swap(body, code_);
   reachable_ = true;
   at(whole_);
@@ -300,8 +333,8 @@ void Emitter::finish(FunctionCode& into, CompiledProgram& program) {
   add_prologue();
   const auto shift = static_cast<std::uint32_t>(prologue_.size());
   into.code.reserve(prologue_.size() + code_.size());
-  for (const std::vector<Wide>* part : {&std::as_const(prologue_), &std::as_const(code_)}) {
-    for (const Wide& wide : *part) {
+  for (const std::vector<WideInstr>* part : {&std::as_const(prologue_), &std::as_const(code_)}) {
+    for (const WideInstr& wide : *part) {
       const auto pc = static_cast<std::uint32_t>(into.code.size());
       into.code.push_back(narrow(wide, pc));
       if (into.spans.empty() || into.spans.back().span != wide.span ||

@@ -10,24 +10,10 @@
 #include <map>
 #include <vector>
 
-#include "compile/program.hpp"
+#include "compile/liveness.hpp"
+#include "compile/wide.hpp"
 
 namespace armlet::lang {
-
-enum class RegClass : std::uint8_t { kParameter, kReference, kPinned, kNumber };
-
-struct Reg {
-  std::uint32_t bits = 0;
-
-  static Reg make(RegClass c, std::uint32_t number) {
-    return {static_cast<std::uint32_t>(c) << 28U | number};
-  }
-  [[nodiscard]] RegClass reg_class() const { return static_cast<RegClass>(bits >> 28U); }
-  [[nodiscard]] std::uint32_t number() const { return bits & 0x0FFF'FFFFU; }
-  [[nodiscard]] bool is_reference() const { return reg_class() == RegClass::kReference; }
-  [[nodiscard]] Reg plus(std::uint32_t n) const { return {bits + n}; }
-  bool operator==(const Reg&) const = default;
-};
 
 struct Label {
   std::uint32_t id;
@@ -114,18 +100,13 @@ class Emitter {
   std::uint32_t type(const Type* type);
   void shown(std::uint32_t assert_index, std::vector<Reg> registers);
 
+  // Takes out what computes a value that a register holds already.
+  void remove_repeats();
   // Registers become numbers, labels offsets. Patches the registers of asserts.
   void finish(FunctionCode& into, CompiledProgram& program);
 
  private:
-  static constexpr std::uint32_t kUnbound = 0xFFFF'FFFFU;
-  struct Wide {
-    OpCode op;
-    std::uint32_t a, b, c;
-    std::uint32_t label;
-    const hir::Expr* expr;
-    Span span;
-  };
+  static constexpr std::uint32_t kUnbound = WideInstr::kNoLabel;
   struct LabelInfo {
     std::uint32_t position = kUnbound;
     bool used = false;
@@ -144,13 +125,15 @@ class Emitter {
 
   void branch(OpCode op, std::uint32_t a, Label to);
   [[nodiscard]] std::uint16_t place(Reg reg) const;
-  [[nodiscard]] Instr narrow(const Wide& wide, std::uint32_t pc) const;
+  [[nodiscard]] Instr narrow(const WideInstr& wide, std::uint32_t pc) const;
+  [[nodiscard]] CodeShape shape() const;
+  void take_out(const std::vector<bool>& removed);
   void add_prologue();
   void fill_tables(FunctionCode& into, std::uint32_t shift) const;
   void check_limits() const;
 
-  std::vector<Wide> code_;
-  std::vector<Wide> prologue_;
+  std::vector<WideInstr> code_;
+  std::vector<WideInstr> prologue_;
   std::vector<LabelInfo> labels_;
   std::vector<bool> owned_;  // by reference register: may hold a count now
   std::map<std::int64_t, std::uint32_t> pinned_constants_;

@@ -7,6 +7,7 @@
 #include "random_program.hpp"
 #include "script_support.hpp"
 
+using armlet::Compilation;
 using armlet::RunLimits;
 using armlet::lang::compile_script;
 using armlet::lang::RandomProgram;
@@ -297,4 +298,34 @@ TEST_CASE("arguments of a function in place of its call are evaluated once and i
       "fn square(x: double) -> double { return x * x }\nvar x = 3.0\nx = square(x) - square(x + "
       "square(x))\nprint(x, square(square(2.0)))",
       "-135.0 16.0\n");
+}
+
+TEST_CASE("what a register holds already is not computed again") {
+  const auto calls_in = [](const std::string& text) {
+    const Compilation compilation = compile_script(text);
+    REQUIRE(compilation.program != nullptr);
+    const std::string code = compilation.program->disassemble();
+    int calls = 0;
+    for (std::size_t at = code.find("CALLD2"); at != std::string::npos;
+         at = code.find("CALLD2", at + 1)) {
+      ++calls;
+    }
+    return calls;
+  };
+  const std::string set = "var x = 3.0\nvar y = 4.0\n";
+  const std::string sums = set +
+                           "let a = 2.0 * hypot(x, y) + x\nlet b = x - y * hypot(x, y)\n"
+                           "print(a, b, hypot(x, y))\n";
+  CHECK(calls_in(sums) == 1);
+  traces(sums, "13.0 -17.0 5.0\n");
+  const std::string changed = set + "let a = hypot(x, y)\nx = 0.0\nprint(a, hypot(x, y))\n";
+  CHECK(calls_in(changed) == 2);
+  traces(changed, "5.0 4.0\n");
+  const std::string element =
+      "var xs = [3.0, 4.0]\nlet a = xs[0] * xs[0]\nxs[0] = 5.0\nprint(a, xs[0] * xs[0])";
+  traces(element, "9.0 25.0\n");
+  traces(
+      "let xs = [1.0]\nvar i = 1\nvar t = 0.5\ntry { t = t * 2.0\n let u = xs[i] + t * 2.0\n t = "
+      "9.0\n print(u) } catch (e) { print(t) }",
+      "1.0\n");
 }

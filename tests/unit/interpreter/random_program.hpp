@@ -21,6 +21,7 @@ class RandomProgram {
     for (leaves_ = 0; leaves_ < 4;) out += leaf();
     for (functions_ = 0; functions_ < 3; ++functions_) out += function();
     in_function_ = false;
+    recent_.clear();
     ints_ = {"gi"};
     reals_ = {"gd"};
     lists_ = {"gl"};
@@ -39,6 +40,7 @@ class RandomProgram {
   // A small function that calls none, of ints or of doubles by turns.
   std::string leaf() {
     const bool whole = leaves_ % 2 == 0;
+    recent_.clear();
     ints_ = {"gi", "a"};
     reals_ = {"gd", "b"};
     lists_ = {"gl", "c"};
@@ -65,6 +67,7 @@ class RandomProgram {
 
   std::string function() {
     in_function_ = true;
+    recent_.clear();
     ints_ = {"gi", "a"};
     reals_ = {"gd", "b"};
     lists_ = {"gl"};
@@ -107,7 +110,16 @@ class RandomProgram {
            one_of(lists_) + ")";
   }
 
+  // Often the same expression again.
   std::string real(int depth) {
+    if (!recent_.empty() && below(5) == 0) return one_of(recent_);
+    std::string made = new_real(depth);
+    if (depth > 0) recent_.push_back(made);
+    if (recent_.size() > 4) recent_.erase(recent_.begin());
+    return made;
+  }
+
+  std::string new_real(int depth) {
     if (depth == 0 || below(4) == 0) {
       return below(3) == 0 ? std::to_string(below(5)) + ".25" : one_of(reals_);
     }
@@ -241,6 +253,7 @@ class RandomProgram {
     ints_.push_back(name);
     std::string out = head + " {\n" + leaving() + body(depth) + "}\n";
     ints_.pop_back();
+    recent_.clear();
     return out;
   }
 
@@ -250,6 +263,7 @@ class RandomProgram {
     reals_.push_back(name);
     std::string out = "for (" + name + " in " + list + ") {\n" + leaving() + body(depth) + "}\n";
     reals_.pop_back();
+    recent_.clear();
     return out;
   }
 
@@ -267,6 +281,7 @@ class RandomProgram {
   std::vector<std::string> ints_;
   std::vector<std::string> reals_;
   std::vector<std::string> lists_;
+  std::vector<std::string> recent_;  // good where they are now
   int functions_ = 0;
   int leaves_ = 0;
   bool calls_ = true;

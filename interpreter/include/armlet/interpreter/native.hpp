@@ -53,7 +53,9 @@ struct NativeFunction {
   std::string_view help;     // one or two sentences
   std::string_view example;  // one line that runs
   Thunk thunk = nullptr;
-  double (*real1)(double) = nullptr;  // the same function for a direct call, when it cannot fail
+  // The same function for a direct call, when it cannot fail and its result depends on nothing but
+  // its arguments: repeated calls may be left out.
+  double (*real1)(double) = nullptr;
   double (*real2)(double, double) = nullptr;
   void (*check)(CheckCall& call) = nullptr;  // rules checked before running
   // Same arguments -> text: why the result was false (for assert). Further lines are how to show

@@ -1,0 +1,105 @@
+#include "compile/effects.hpp"
+
+#include <array>
+#include <span>
+
+namespace armlet::lang {
+
+namespace {
+
+bool is_operand_word(OpCode op) {
+  return op == OpCode::TYPE || op == OpCode::WITH || op == OpCode::FACTORS || op == OpCode::PAIR;
+}
+
+// Their results depend on their operands alone.
+constexpr OpCode kPure[] = {
+    OpCode::INT,   OpCode::CONST, OpCode::ADDI,  OpCode::SUBI,  OpCode::MULI,   OpCode::DIVI,
+    OpCode::MODI,  OpCode::POWI,  OpCode::NEGI,  OpCode::ADDIK, OpCode::ADDR,   OpCode::SUBR,
+    OpCode::MULR,  OpCode::DIVR,  OpCode::MODR,  OpCode::POWR,  OpCode::NEGR,   OpCode::MULADD,
+    OpCode::ADDRI, OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI, OpCode::SQRT,   OpCode::NOT,
+    OpCode::ITOR,  OpCode::RTOI,  OpCode::LTI,   OpCode::LEI,   OpCode::EQI,    OpCode::NEI,
+    OpCode::LTR,   OpCode::LER,   OpCode::EQR,   OpCode::NER,   OpCode::CALLD1, OpCode::CALLD2,
+};
+// And on memory.
+constexpr OpCode kLoads[] = {
+    OpCode::GLOAD,  OpCode::BLOAD,  OpCode::CAPTURE, OpCode::LEN, OpCode::LENTEXT,
+    OpCode::LD,     OpCode::LDI,    OpCode::LDLD,    OpCode::LDF, OpCode::FLD,
+    OpCode::ADDLDF, OpCode::SUBLDF, OpCode::MULLDF,
+};
+// And on what the register held.
+constexpr OpCode kUpdates[] = {
+    OpCode::MADD,  OpCode::MSUB, OpCode::MADDLD, OpCode::MADDLDLD,
+    OpCode::LDMUL, OpCode::FORI, OpCode::FORX,
+};
+// Instructions that change more than a number register, but nothing that they do not name.
+constexpr OpCode kPlain[] = {
+    OpCode::MOVE,      OpCode::MOVEREF,   OpCode::TAKE,     OpCode::DROP,       OpCode::TEXT,
+    OpCode::TEXTREF,   OpCode::ZERO,      OpCode::GLOADREF, OpCode::GOWN,       OpCode::GSTORE,
+    OpCode::GSTOREREF, OpCode::GCHECK,    OpCode::GSET,     OpCode::BOX,        OpCode::BLOADREF,
+    OpCode::BSTORE,    OpCode::BSTOREREF, OpCode::CMPTEXT,  OpCode::NEWLIST,    OpCode::LDREF,
+    OpCode::FLDREF,    OpCode::CHARAT,    OpCode::ADDRL,    OpCode::ADDRG,      OpCode::ADDRB,
+    OpCode::ADDRE,     OpCode::ADDRF,     OpCode::PUT,      OpCode::PUTREF,     OpCode::GET,
+    OpCode::ST,        OpCode::STF,       OpCode::STLF,     OpCode::MADDLF,     OpCode::PUSH,
+    OpCode::PUSHREF,   OpCode::APPEND,    OpCode::TOTEXT,   OpCode::CAPTUREREF, OpCode::EXPANDED,
+    OpCode::CALL,      OpCode::CALLV,     OpCode::CALLN,    OpCode::CONCAT,     OpCode::MAKEREC,
+    OpCode::RET,       OpCode::RETREF,    OpCode::RETTAKE,  OpCode::RETVOID,    OpCode::HALT,
+    OpCode::JUMP,      OpCode::LOOP,      OpCode::JT,       OpCode::JF,
+};
+
+using EffectTable = std::array<Effect, static_cast<std::size_t>(OpCode::kCount)>;
+
+constexpr EffectTable kEffects = [] {
+  EffectTable table{};
+  table.fill(Effect::kUnknown);
+  const auto set = [&](std::span<const OpCode> ops, Effect effect) {
+    for (const OpCode op : ops) table[static_cast<std::size_t>(op)] = effect;
+  };
+  set(kPure, Effect::kPure);
+  set(kLoads, Effect::kLoad);
+  set(kUpdates, Effect::kUpdate);
+  set(kPlain, Effect::kPlain);
+  for (auto op = OpCode::IFLTI; op < OpCode::FORI;
+       op = static_cast<OpCode>(static_cast<int>(op) + 1)) {
+    table[static_cast<std::size_t>(op)] = Effect::kPlain;
+  }
+  return table;
+}();
+
+}  // namespace
+
+Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at) {
+  const WideInstr& instr = code[at];
+  Effects effects;
+  effects.effect = kEffects[static_cast<std::size_t>(instr.op)];
+  const char first = operand_of(instr.op, 0);
+  effects.defines = first == 'd' || first == 'D' || effects.effect == Effect::kUpdate;
+  effects.empties = instr.op == OpCode::TAKE;
+  const bool has_word = at + 1 < code.size() && is_operand_word(code[at + 1].op);
+  effects.words = has_word || is_compare_and_branch(instr.op) ? 2 : 1;
+  switch (instr.op) {
+    case OpCode::CALL:
+    case OpCode::CALLV:
+    case OpCode::CALLN:
+      effects.has_window = true;
+      effects.window = Reg{instr.a};
+      break;
+    case OpCode::CONCAT:
+    case OpCode::MAKEREC:
+      effects.has_window = true;
+      effects.window = Reg{instr.b};
+      break;
+    case OpCode::CALLD2:
+      effects.fixed = 2;
+      effects.first_fixed = Reg{instr.b};
+      break;
+    case OpCode::ADDRL:
+      effects.fixed = 1;
+      effects.first_fixed = Reg{instr.b};
+      break;
+    default:
+      break;
+  }
+  return effects;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,134 @@
+#include "compile/liveness.hpp"
+
+#include <algorithm>
+
+#include "compile/effects.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::size_t kMostInstructions = 20'000;
+constexpr std::size_t kMostWords = 1U << 18U;  // of all sets together
+
+bool test(const std::vector<std::uint64_t>& bits, std::uint32_t i) {
+  return (bits[i / 64] >> (i % 64) & 1U) != 0;
+}
+void set(std::vector<std::uint64_t>& bits, std::uint32_t i) { bits[i / 64] |= 1ULL << (i % 64); }
+
+bool is_number(Reg reg) { return reg.reg_class() == RegClass::kNumber; }
+
+}  // namespace
+
+Liveness::Liveness(const std::vector<WideInstr>& code, const CodeShape& shape)
+    : code_(code), numbers_(shape.numbers), words_((shape.numbers + 63) / 64) {
+  if (code.empty() || code.size() > kMostInstructions) return;
+  find_blocks(shape);
+  if (blocks_.size() * words_ > kMostWords) return;
+  link_blocks(shape);
+  solve();
+  known_ = true;
+}
+
+void Liveness::find_blocks(const CodeShape& shape) {
+  std::vector<bool> begins(code_.size() + 1, false);
+  begins[0] = true;
+  for (const std::uint32_t position : shape.labels) {
+    if (position <= code_.size()) begins[position] = true;
+  }
+  for (const auto& handler : shape.handlers) begins[handler.handler] = true;
+  for (std::uint32_t at = 0; at < code_.size();) {
+    const std::uint32_t next = at + effects_of(code_, at).words;
+    const OpCode op = code_[at].op;
+    const bool jumps =
+        ends_flow(op) || is_compare_and_branch(op) || op == OpCode::JT || op == OpCode::JF;
+    if (jumps) begins[next] = true;
+    at = next;
+  }
+  block_of_.assign(code_.size() + 1, 0);
+  for (std::uint32_t at = 0; at < code_.size(); ++at) {
+    if (begins[at]) {
+      if (!blocks_.empty()) blocks_.back().end = at;
+      blocks_.push_back({.begin = at, .end = static_cast<std::uint32_t>(code_.size())});
+    }
+    block_of_[at] = static_cast<std::uint32_t>(blocks_.size() - 1);
+  }
+}
+
+void Liveness::link_blocks(const CodeShape& shape) {
+  for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
+    CodeBlock& block = blocks_[i];
+    bool falls_through = true;
+    for (std::uint32_t at = block.begin; at < block.end;) {
+      const std::uint32_t words = effects_of(code_, at).words;
+      const bool branches = is_compare_and_branch(code_[at].op);
+      const WideInstr& jump = code_[branches ? at + 1 : at];
+      if (jump.label != WideInstr::kNoLabel)
+        block.next.push_back(block_at(shape.labels[jump.label]));
+      falls_through = branches || !ends_flow(code_[at].op);
+      at += words;
+    }
+    if (falls_through && i + 1 < blocks_.size()) block.next.push_back(i + 1);
+    for (const auto& handler : shape.handlers) {
+      if (handler.begin < block.end && block.begin < handler.end) {
+        block.handlers.push_back(block_at(handler.handler));
+      }
+    }
+  }
+}
+
+// Registers read before they are written, and registers written.
+void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) const {
+  const auto read = [&](Reg reg) {
+    if (is_number(reg) && !test(writes, reg.number())) set(reads, reg.number());
+  };
+  for (std::uint32_t at = block.begin; at < block.end;) {
+    const Effects effects = effects_of(code_, at);
+    for_each_read(code_, at, effects, [&](std::uint32_t bits) { read(Reg{bits}); });
+    if (effects.effect == Effect::kUpdate) read(Reg{code_[at].a});
+    for (int i = 0; i < effects.fixed; ++i)
+      read(effects.first_fixed.plus(static_cast<std::uint32_t>(i)));
+    const bool unknown = effects.effect == Effect::kUnknown;
+    if (unknown || (effects.has_window && is_number(effects.window))) {
+      for (std::uint32_t n = unknown ? 0 : effects.window.number(); n < numbers_; ++n) {
+        read(Reg::make(RegClass::kNumber, n));
+      }
+    }
+    if (effects.defines && !unknown && is_number(Reg{code_[at].a})) {
+      set(writes, Reg{code_[at].a}.number());
+    }
+    at += effects.words;
+  }
+}
+
+void Liveness::solve() {
+  live_in_.assign(blocks_.size(), Bits(words_, 0));
+  std::vector<Bits> writes(blocks_.size(), Bits(words_, 0));
+  for (std::size_t i = 0; i < blocks_.size(); ++i) read_block(blocks_[i], live_in_[i], writes[i]);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = blocks_.size(); i-- > 0;) {
+      for (std::size_t w = 0; w < words_; ++w) {
+        std::uint64_t live = live_in_[i][w];
+        for (const std::uint32_t next : blocks_[i].next) live |= live_in_[next][w] & ~writes[i][w];
+        for (const std::uint32_t handler : blocks_[i].handlers) live |= live_in_[handler][w];
+        changed = changed || live != live_in_[i][w];
+        live_in_[i][w] = live;
+      }
+    }
+  }
+}
+
+bool Liveness::is_live_after(std::uint32_t block, Reg number) const {
+  return std::ranges::any_of(blocks_[block].next, [&](std::uint32_t next) {
+    return test(live_in_[next], number.number());
+  });
+}
+
+bool Liveness::is_live_in_handler(std::uint32_t block, Reg number) const {
+  return std::ranges::any_of(blocks_[block].handlers, [&](std::uint32_t handler) {
+    return test(live_in_[handler], number.number());
+  });
+}
+
+}  // namespace armlet::lang

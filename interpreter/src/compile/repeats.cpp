@@ -1,0 +1,246 @@
+#include "compile/repeats.hpp"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "compile/effects.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::uint32_t kFarthest = 300;  // instructions between a value and its repetition
+
+bool is_number(Reg reg) { return reg.reg_class() == RegClass::kNumber; }
+
+bool changes_memory(const Effects& effects, OpCode op) {
+  if (effects.effect != Effect::kPlain) return effects.effect == Effect::kUnknown;
+  switch (op) {
+    case OpCode::MOVE:
+    case OpCode::ZERO:
+    case OpCode::TEXT:
+    case OpCode::GCHECK:
+    case OpCode::GSET:
+    case OpCode::CMPTEXT:
+    case OpCode::EXPANDED:
+      return false;
+    default:
+      return true;
+  }
+}
+
+class RepeatFinder {
+ public:
+  RepeatFinder(std::vector<WideInstr>& code, const CodeShape& shape, const Liveness& liveness,
+               const std::function<Reg()>& fresh)
+      : code_(code), shape_(shape), liveness_(liveness), fresh_(fresh), gone_(code.size(), false) {}
+
+  std::vector<bool> run() {
+    for (block_ = 0; block_ < liveness_.blocks().size(); ++block_) number_block();
+    return std::move(gone_);
+  }
+
+ private:
+  // The instruction, the values of its operands, the region, and for loads the state of memory.
+  using Key = std::array<std::uint64_t, 8>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::uint64_t hash = 0;
+      for (const std::uint64_t part : key) hash = (hash ^ part) * 0x9E37'79B9'7F4A'7C15ULL;
+      return static_cast<std::size_t>(hash ^ hash >> 32U);
+    }
+  };
+  struct Known {
+    std::uint32_t value;
+    std::uint32_t at;  // the instruction that computes it
+  };
+
+  const CodeBlock& block() const { return liveness_.blocks()[block_]; }
+
+  // Nothing is known of what registers hold.
+  void forget() {
+    ++region_;
+    first_value_ = last_value_ + 1;
+    top_number_ = 0;
+  }
+
+  void number_block() {
+    forget();
+    for (std::uint32_t at = block().begin; at < block().end;) {
+      const Effects effects = effects_of(code_, at);
+      number(at, effects);
+      at += effects.words;
+    }
+  }
+
+  void number(std::uint32_t at, const Effects& effects) {
+    const Reg to{code_[at].a};
+    if (effects.effect == Effect::kUnknown) {
+      forget();
+    } else if (effects.effect == Effect::kPure || effects.effect == Effect::kLoad) {
+      number_value(at, effects);
+      return;
+    }
+    if (changes_memory(effects, code_[at].op)) ++memory_;
+    if (effects.has_window) lose_window(effects.window);
+    if (effects.empties) set_value(Reg{code_[at].b}, ++last_value_);
+    if (effects.defines) {
+      const bool copies = code_[at].op == OpCode::MOVE;
+      set_value(to, copies ? value_of(Reg{code_[at].b}) : ++last_value_);
+    }
+  }
+
+  void number_value(std::uint32_t at, const Effects& effects) {
+    const Reg to{code_[at].a};
+    const auto [known, is_new] = known_.try_emplace(key_of(at, effects), Known{0, at});
+    Known& entry = known->second;
+    if (is_new) {
+      entry.value = ++last_value_;
+    } else if (value_of(to) == entry.value) {
+      remove(at, effects);  // it would write what is there
+      return;
+    } else if (is_number(to) && reuse(entry, at)) {
+      remove(at, effects);
+      return;
+    } else if (value_of(Reg{code_[entry.at].a}) != entry.value) {
+      entry.at = at;  // nearer, and still there
+    }
+    set_value(to, entry.value);
+  }
+
+  Key key_of(std::uint32_t at, const Effects& effects) {
+    Key key{};
+    key[0] = static_cast<std::uint64_t>(code_[at].op);
+    key[1] = std::uint64_t{region_} << 32U | (effects.effect == Effect::kLoad ? memory_ : 0);
+    std::size_t next = 2;
+    for (std::uint32_t word = at; word < at + effects.words; ++word) {
+      const std::uint32_t operands[] = {code_[word].a, code_[word].b, code_[word].c};
+      for (std::size_t i = word == at ? 1 : 0; i < 3; ++i) {
+        const bool reg = is_register(operand_of(code_[word].op, i));
+        key[next++] = reg ? std::uint64_t{1} << 32U | value_of(Reg{operands[i]}) : operands[i];
+      }
+    }
+    if (effects.fixed == 2) key[7] = value_of(effects.first_fixed.plus(1));
+    return key;
+  }
+
+  std::uint32_t& value_in(Reg reg) {
+    std::vector<std::uint32_t>& values = values_[static_cast<std::size_t>(reg.reg_class())];
+    if (reg.number() >= values.size()) values.resize(reg.number() + 16, 0);
+    if (is_number(reg)) top_number_ = std::max(top_number_, reg.number());
+    return values[reg.number()];
+  }
+  std::uint32_t value_of(Reg reg) {
+    std::uint32_t& value = value_in(reg);
+    if (value < first_value_) value = ++last_value_;
+    return value;
+  }
+  void set_value(Reg reg, std::uint32_t value) { value_in(reg) = value; }
+
+  void lose_window(Reg window) {
+    if (!is_number(window)) return;
+    for (std::uint32_t n = window.number(); n <= top_number_; ++n) {
+      set_value(Reg::make(RegClass::kNumber, n), ++last_value_);
+    }
+  }
+
+  void remove(std::uint32_t at, const Effects& effects) {
+    for (std::uint32_t word = at; word < at + effects.words; ++word) gone_[word] = true;
+  }
+
+  // The reads of register `reg` after `at` for as long as it keeps what it got there; false if they
+  // cannot be changed. `keeper`: the register to be read instead, which must keep its value so
+  // long.
+  bool collect_reads(Reg reg, std::uint32_t at, const Reg* keeper, bool may_outlive_block) {
+    reads_.clear();
+    if (is_counter(reg) || liveness_.is_live_in_handler(block_, reg)) return false;
+    bool kept = true;
+    const std::uint32_t end = std::min(block().end, at + kFarthest);
+    for (std::uint32_t i = at + effects_of(code_, at).words; i < end;) {
+      const Effects effects = effects_of(code_, i);
+      if (gone_[i]) {
+        i += effects.words;
+        continue;
+      }
+      const std::size_t before = reads_.size();
+      for_each_read(code_, i, effects, [&](std::uint32_t& bits) {
+        if (bits == reg.bits) reads_.push_back(&bits);
+      });
+      if (reads_.size() > before && (!kept || effects.empties)) return false;
+      if (!leaves_free(effects, i, reg)) return false;
+      if (effects.defines && code_[i].a == reg.bits) return true;
+      if (keeper != nullptr && changes(effects, i, *keeper)) kept = false;
+      i += effects.words;
+    }
+    return may_outlive_block ? false : end == block().end && !liveness_.is_live_after(block_, reg);
+  }
+
+  // Whether an instruction touches the register only where it names it.
+  bool leaves_free(const Effects& effects, std::uint32_t at, Reg reg) const {
+    if (effects.effect == Effect::kUnknown) return false;
+    if (effects.effect == Effect::kUpdate && code_[at].a == reg.bits) return false;
+    if (effects.has_window && reg.bits >= effects.window.bits) return false;
+    for (int i = 0; i < effects.fixed; ++i) {
+      if (effects.first_fixed.plus(static_cast<std::uint32_t>(i)) == reg) return false;
+    }
+    return true;
+  }
+
+  bool changes(const Effects& effects, std::uint32_t at, Reg reg) const {
+    if (effects.defines && code_[at].a == reg.bits) return true;
+    if (effects.empties && code_[at].b == reg.bits) return true;
+    return effects.has_window && is_number(reg) && reg.bits >= effects.window.bits;
+  }
+
+  bool is_counter(Reg reg) const {
+    return std::ranges::find(shape_.counters, reg) != shape_.counters.end();
+  }
+
+  // Lets the readers of the value computed again at `at` read the register that has it.
+  bool reuse(const Known& entry, std::uint32_t at) {
+    const Reg home{code_[entry.at].a};
+    const Reg again{code_[at].a};
+    if (value_of(home) == entry.value) {
+      if (!collect_reads(again, at, &home, false)) return false;
+      for (std::uint32_t* read : reads_) *read = home.bits;
+      return true;
+    }
+    // Its register has been used for something else: it gets one of its own.
+    if (!is_number(home) || !collect_reads(again, at, nullptr, false)) return false;
+    const std::vector<std::uint32_t*> late = reads_;
+    if (!collect_reads(home, entry.at, nullptr, true)) return false;
+    const Reg own = fresh_();
+    code_[entry.at].a = own.bits;
+    for (std::uint32_t* read : reads_) *read = own.bits;
+    for (std::uint32_t* read : late) *read = own.bits;
+    set_value(own, entry.value);
+    return true;
+  }
+
+  std::vector<WideInstr>& code_;
+  const CodeShape& shape_;
+  const Liveness& liveness_;
+  const std::function<Reg()>& fresh_;
+  std::vector<bool> gone_;
+  std::uint32_t block_ = 0;
+  std::unordered_map<Key, Known, Hash> known_;
+  std::array<std::vector<std::uint32_t>, 4> values_;  // by class and number of the register
+  std::uint32_t region_ = 0;
+  std::uint32_t first_value_ = 1;  // of this region; smaller ones are out of date
+  std::uint32_t last_value_ = 0;
+  std::uint32_t top_number_ = 0;  // the highest number register with a value
+  std::uint64_t memory_ = 0;
+  std::vector<std::uint32_t*> reads_;
+};
+
+}  // namespace
+
+std::vector<bool> find_repeats(std::vector<WideInstr>& code, const CodeShape& shape,
+                               const std::function<Reg()>& fresh) {
+  const Liveness liveness(code, shape);
+  if (!liveness.is_known()) return std::vector<bool>(code.size(), false);
+  return RepeatFinder(code, shape, liveness, fresh).run();
+}
+
+}  // namespace armlet::lang
