@@ -208,7 +208,6 @@ void Lowering::unary_into(const UnaryExpr& e, Dest to) {
 
 // A chain such as a + b * c - d is a loop from its innermost left operand on.
 void Lowering::binary_into(const BinaryExpr& e, Dest to) {
-  if (turned(e, to.reg)) return;
   std::vector<const BinaryExpr*> chain{&e};
   const Expr* first = e.left;
   for (; is_chain_link(*first); first = first->as<BinaryExpr>().left) {
@@ -216,8 +215,14 @@ void Lowering::binary_into(const BinaryExpr& e, Dest to) {
   }
   const bool needs_own = !to.early && chain.size() > 1;
   const Reg between = needs_own ? code_.number() : to.reg;
-  Reg result = value_near(*first, {between, to.early || needs_own});
-  for (std::size_t i = chain.size(); i-- > 0;) {
+  std::size_t links = chain.size();
+  Reg result = between;
+  if (turned(*chain.back(), between)) {
+    --links;
+  } else {
+    result = value_near(*first, {between, to.early || needs_own});
+  }
+  for (std::size_t i = links; i-- > 0;) {
     const Emitter::Mark mark = code_.mark();
     const BinaryExpr& link = *chain[i];
     if (i > 0 && add_to_product(link, *chain[i - 1], result, i == 1 ? to.reg : between)) {
