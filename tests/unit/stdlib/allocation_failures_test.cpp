@@ -77,7 +77,7 @@ std::shared_ptr<const Program> compiled(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("any allocation of any program may fail: a clean error, nothing left behind") {
-  constexpr std::uint64_t kEach = 60;  // of longer programs every so many-th
+  constexpr std::uint64_t kEach = 500;  // of longer programs every so many-th
   int programs_run = 0;
   int failed = 0;
   for (const std::filesystem::path& path : programs()) {
