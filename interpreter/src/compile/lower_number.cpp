@@ -332,6 +332,7 @@ bool Lowering::turned(const BinaryExpr& e, Reg to) {
 bool Lowering::add_product_of_element(Site site, Reg a, const Expr& b, Reg to) {
   if (b.kind != ExprKind::kElement || b.constant != nullptr) return false;
   const auto& element = b.as<ElementExpr>();
+  if (element.column != nullptr) return false;
   const bool twice = element.object->kind == ExprKind::kElement && is_plain(*element.index);
   const auto& inner = twice ? element.object->as<ElementExpr>() : element;
   const Hold hold = hold_over(*inner.index);

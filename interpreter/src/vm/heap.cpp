@@ -60,9 +60,7 @@ Heap::~Heap() {
 
 void* Heap::take_slowly(std::size_t units) {
   const std::uint64_t bytes = static_cast<std::uint64_t>(units) * kUnit;
-  if (refuse_from_ != 0 && ++attempts_ >= refuse_from_ && attempts_ - refuse_from_ < refused_) {
-    return nullptr;
-  }
+  if (is_refused()) return nullptr;
   if (bytes > limit_ || used_ > limit_ - bytes) return nullptr;
   void* block = nullptr;
   if (units < kClasses && free_[units] != nullptr) {
@@ -76,10 +74,9 @@ void* Heap::take_slowly(std::size_t units) {
 }
 
 bool Heap::charge(std::uint64_t bytes) {
-  if (refuse_from_ == 1) return false;
-  if (refuse_from_ > 1) --refuse_from_;
-  if (bytes > limit_ || used_ > limit_ - bytes) return false;
+  if (is_refused() || bytes > limit_ || used_ > limit_ - bytes || !has_room(bytes)) return false;
   used_ += bytes;
+  reserved_ += bytes;
   return true;
 }
 

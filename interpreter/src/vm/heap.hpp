@@ -52,7 +52,10 @@ class Heap {
 
   // Counts memory that is not the heap's own against its limit; false if it would pass it.
   [[nodiscard]] bool charge(std::uint64_t bytes);
-  void discharge(std::uint64_t bytes) { used_ -= bytes; }
+  void discharge(std::uint64_t bytes) {
+    used_ -= bytes;
+    reserved_ -= bytes;
+  }
 
   void release(Obj* object) {
     if (object != nullptr && --object->refs == 0) destroy(object);
@@ -120,6 +123,9 @@ class Heap {
   static std::size_t units_of(std::size_t bytes) { return (bytes + kUnit - 1) / kUnit; }
   // While allocations are counted for a test, the fast way is shut.
   void close_gate() { gate_ = refuse_from_ != 0 ? 0 : limit_; }
+  bool is_refused() {
+    return refuse_from_ != 0 && ++attempts_ >= refuse_from_ && attempts_ - refuse_from_ < refused_;
+  }
   void* take_slowly(std::size_t units);
   void* carve(std::size_t units);
   void free_large(void* block, std::size_t units);
