@@ -14,6 +14,7 @@ namespace {
 
 // ---- making ------------------------------------------------------------------------------------
 
+template <bool kInts>
 Signal matrix_from(Vm& vm, Slot* args) {
   const auto rows = items_value(args[0]);
   const std::size_t cols = rows.empty() ? 0 : items_value(rows[0]).size();
@@ -34,7 +35,9 @@ Signal matrix_from(Vm& vm, Slot* args) {
                                   static_cast<std::uint32_t>(cols));
   if (A == nullptr) return Signal::kFail;
   double* to = A->data();
-  for (const Slot row : rows) to = std::ranges::copy(reals_value(row), to).out;
+  for (const Slot row : rows) {
+    for (const Slot x : items_value(row)) *to++ = kInts ? static_cast<double>(x.i) : x.d;
+  }
   return give(args, A);
 }
 
@@ -283,7 +286,9 @@ Signal explain_near(Vm& vm, Slot* args) {
 
 constexpr NativeFunction kFunctions[] = {
     {"matrix", "(rows: double[][]) -> matrix", "A matrix from a list of rows.",
-     "matrix([[1.0, 2.0], [3.0, 4.0]])", matrix_from},
+     "matrix([[1.0, 2.0], [3.0, 4.0]])", matrix_from<false>},
+    {"matrix", "(rows: int[][]) -> matrix", "A matrix from a list of rows.",
+     "matrix([[1, 2], [3, 4]])", matrix_from<true>},
     {"zeros", "(r: int, c: int) -> matrix", "A matrix of zeros.", "zeros(2, 3)", filled<0>, nullptr,
      nullptr, check_filled},
     {"ones", "(r: int, c: int) -> matrix", "A matrix of ones.", "ones(2, 3)", filled<1>, nullptr,

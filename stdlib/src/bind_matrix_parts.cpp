@@ -263,6 +263,9 @@ constexpr NativeFunction kFunctions[] = {
      "xyz(1m, 2m, 3m).T", posc_transform},
     {"posC", "(R: matrix, p: length[]) -> posC", "An orientation as a rotation, and a place.",
      "posC(eye(3), [100mm, 0mm, 50mm])", posc_from_rotation},
+    {"posC", "(R: matrix, p: double[]) -> posC",
+     "An orientation as a rotation, and a place in metres.", "posC(eye(3), [0.1, 0.0, 0.05])",
+     posc_from_rotation},
 };
 
 }  // namespace
