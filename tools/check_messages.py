@@ -19,8 +19,6 @@ ELSEWHERE = {
     "E0198": None,  # a defect of Armlet, or no memory left
     "E0220": "tests/unit/interpreter/host_vocabulary_test.cpp",  # the command always supplies a robot
     "E0319": "tests/unit/interpreter/host_vocabulary_test.cpp",  # no functions of the library are a tie
-    "R0617": None,  # needs two tasks
-    "R0620": "tests/unit/interpreter/vm_test.cpp",  # needs watchers
     "R0628": "tests/hostile.py",  # fills a gigabyte
     "R0629": "tests/hostile.py",  # needs a signal
     "R0632": "tests/unit/interpreter/vm_test.cpp",  # no function of the library calls back yet
@@ -29,14 +27,13 @@ ELSEWHERE = {
 
 # Samples whose feature does not exist yet.
 LATER = {
-    "E0501": "parallel",
     "E0502": "path",
-    "R0607": "the branches of parallel",
 }
 
 # Where a script shows another text than the sample (docs/decisions/0006-samples-of-messages.md).
 CHANGED = {
     "R0604": {"163 deg": "130 deg"},
+    "R0607": {"since t = 0.00 s": "since t = 3.00 s"},
     "E0504": {"cell.rbt:14:1": "modules/grip.rbt:14:1", "cell.rbt": "E0504_import_moves.rbt"},
 }
 

@@ -30,6 +30,12 @@ std::span<const NativeFunction> time_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 
+// A function that acts on its first argument, a robot.
+[[nodiscard]] constexpr NativeFunction commanding(NativeFunction function) {
+  function.commands = true;
+  return function;
+}
+
 // R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
 Signal domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
                       std::string fix = {}, int parameter = 0);

@@ -6,6 +6,7 @@
 #include "armlet/core/format.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
+#include "moves.hpp"
 #include "values.hpp"
 
 namespace armlet::bind {
@@ -57,17 +58,20 @@ Signal fail_grasp(Vm& vm, int robot, const GraspResult& result) {
 
 Signal grasp_object(Vm& vm, Slot* args) {
   const int robot = robot_id(args[0]);
+  if (refuse_busy(vm, robot)) return Signal::kFail;
   const GraspResult result = grasp(Host::of(vm).cell(), robot, host_value<ObjectRef>(args[1]).name);
   return result.ok() ? give_nothing() : fail_grasp(vm, robot, result);
 }
 Signal grasp_nearest(Vm& vm, Slot* args) {
   const int robot = robot_id(args[0]);
+  if (refuse_busy(vm, robot)) return Signal::kFail;
   const GraspResult result = grasp(Host::of(vm).cell(), robot);
   return result.ok() ? give_nothing() : fail_grasp(vm, robot, result);
 }
 Signal release_object(Vm& vm, Slot* args) {
   Cell& cell = Host::of(vm).cell();
   const int robot = robot_id(args[0]);
+  if (refuse_busy(vm, robot)) return Signal::kFail;
   if (release(cell, robot)) return give_nothing();
   Failure f;
   f.code = "R0619";
@@ -85,16 +89,18 @@ Signal holding_this(Vm& vm, Slot* args) {
 }
 
 constexpr NativeFunction kFunctions[] = {
-    {"grasp", "(r: robot, o: object)",
-     "Closes the hand on an object whose centre or grasp point is within the grasp distance of the "
-     "tool point.",
-     "grasp(object(\"cube\"))", grasp_object},
-    {"grasp", "(r: robot)",
-     "Closes the hand on the nearest object within the grasp distance of the tool point.",
-     "grasp()", grasp_nearest},
-    {"release", "(r: robot)",
-     "Opens the hand; what it held falls straight down to the first surface.", "release()",
-     release_object},
+    commanding({"grasp", "(r: robot, o: object)",
+                "Closes the hand on an object whose centre or grasp point is within the grasp "
+                "distance of the "
+                "tool point.",
+                "grasp(object(\"cube\"))", grasp_object}),
+    commanding(
+        {"grasp", "(r: robot)",
+         "Closes the hand on the nearest object within the grasp distance of the tool point.",
+         "grasp()", grasp_nearest}),
+    commanding({"release", "(r: robot)",
+                "Opens the hand; what it held falls straight down to the first surface.",
+                "release()", release_object}),
     {"holding", "(r: robot) -> bool", "Whether the hand holds something.", "holding()",
      holding_any},
     {"holding", "(r: robot, o: object) -> bool", "Whether the hand holds this object.",

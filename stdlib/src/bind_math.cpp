@@ -193,12 +193,9 @@ Signal near_list(Vm&, Slot* args) {
   return give(args, true);
 }
 
-// ---- chance: one seeded generator per program
-// ------------------------------------------------------------------
+// ---- chance: seeded generators, one for the program and one for each branch of a parallel
 
-Random& generator(Vm& vm) { return Host::of(vm).random(); }
-
-Signal random_unit(Vm& vm, Slot* args) { return give(args, generator(vm).uniform()); }
+Signal random_unit(Vm& vm, Slot* args) { return give(args, vm.random().uniform()); }
 Signal random_between(Vm& vm, Slot* args) {
   const double lo = args[0].d;
   const double hi = args[1].d;
@@ -210,20 +207,20 @@ Signal random_between(Vm& vm, Slot* args) {
         fmt::format("random between {:.15g} and {:.15g}: the lower end is above the upper one", lo,
                     hi),
         0);
-  return give(args, generator(vm).uniform(lo, hi));
+  return give(args, vm.random().uniform(lo, hi));
 }
 Signal random_int(Vm& vm, Slot* args) {
   if (args[0].i <= 0)
     return failure(
         vm, "R0609",
         fmt::format("randomInt of {}: the number of choices must be greater than 0", args[0].i), 0);
-  return give(
-      args, static_cast<std::int64_t>(generator(vm).below(static_cast<std::uint64_t>(args[0].i))));
+  return give(args,
+              static_cast<std::int64_t>(vm.random().below(static_cast<std::uint64_t>(args[0].i))));
 }
 // Marsaglia's polar method; one value of the pair is used, so that the state is only the
 // generator's.
 Signal random_normal(Vm& vm, Slot* args) {
-  Random& random = generator(vm);
+  Random& random = vm.random();
   if (!(args[1].d >= 0.0))
     return domain_failure(vm, "randomNormal", args[1].d, "not be a negative deviation", {}, 1);
   double u = 0.0;
@@ -236,7 +233,7 @@ Signal random_normal(Vm& vm, Slot* args) {
   return give(args, args[0].d + args[1].d * u * std::sqrt(-2.0 * det::log(s) / s));
 }
 Signal set_seed(Vm& vm, Slot* args) {
-  generator(vm) = Random(static_cast<std::uint64_t>(args[0].i));
+  vm.seed(static_cast<std::uint64_t>(args[0].i));
   return give_nothing();
 }
 

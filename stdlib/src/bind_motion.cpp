@@ -49,7 +49,7 @@ Signal set_joints(Vm& vm, Slot* args) {
   const MoveCall call{.function = "setJoints", .robot = id};
   if (const auto outside = limit_violations(*robot.model, q); !outside.empty())
     return fail_outside(vm, call, q, outside.front());
-  if (robot.motion) return failure(vm, "R0617", "`" + robot.name + "` is already moving");
+  if (refuse_busy(vm, id)) return Signal::kFail;
   host.cell().set_joints(id, q);
   return give_nothing();
 }
@@ -75,8 +75,9 @@ constexpr NativeFunction kFunctions[] = {
      "Moves the hand along a straight line; the orientation turns evenly. time or speed, not both; "
      "neither means as fast as the joints allow.",
      "moveL(here(), speed: 80mm/s)", move_l, nullptr, nullptr, check_move_line, nullptr, true},
-    {"setJoints", "(r: robot, q: posJ)",
-     "Puts a simulated robot into a position without moving it.", "setJoints(home())", set_joints},
+    commanding({"setJoints", "(r: robot, q: posJ)",
+                "Puts a simulated robot into a position without moving it.", "setJoints(home())",
+                set_joints}),
 };
 
 }  // namespace

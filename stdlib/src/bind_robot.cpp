@@ -87,6 +87,7 @@ Signal limits(Vm& vm, Slot* args) {
 // ------------------------------------------------------------------------------------------
 
 Signal set_model(Vm& vm, Slot robot, Robot model) try {
+  if (refuse_busy(vm, robot_id(robot))) return Signal::kFail;
   Host::of(vm).cell().set_model(robot_id(robot), std::make_shared<const Robot>(std::move(model)));
   return give_nothing();
 } catch (const ArgumentError& error) {
@@ -181,11 +182,10 @@ Signal manipulability_of(Vm& vm, Slot* args) {
 }
 
 Signal random_joints(Vm& vm, Slot* args) {
-  Host& host = Host::of(vm);
   const Robot& robot = *state_of(vm, args[0]).model;
   Eigen::VectorXd q(robot.n());
   for (int i = 0; i < robot.n(); ++i)
-    q[i] = host.random().uniform(robot.lower()[i], robot.upper()[i]);
+    q[i] = vm.random().uniform(robot.lower()[i], robot.upper()[i]);
   return give(args, new_posj(vm, make_posj(robot, q)));
 }
 
@@ -209,9 +209,9 @@ constexpr NativeFunction kFunctions[] = {
     {"robot.types", "(r: robot) -> string", "One letter per joint: R turns, P slides.",
      "robots.scara().types", types},
     {"limits", "(r: robot) -> posJ[]", "The lower and the upper joint limits.", "limits()", limits},
-    {"setTool", "(r: robot, tcp: posC)",
-     "Moves the tool point, seen from the flange; the hand stays.", "setTool(xyz(z: 50mm))",
-     set_tool},
+    commanding({"setTool", "(r: robot, tcp: posC)",
+                "Moves the tool point, seen from the flange; the hand stays.",
+                "setTool(xyz(z: 50mm))", set_tool}),
     {"setHome", "(r: robot, q: posJ)", "Changes the home position.", "setHome(joints())", set_home},
     {"fkine", "(r: robot, q: posJ, joint: int?) -> posC",
      "Where the tool point is for these joint values; with joint: the frame after that joint, "

@@ -43,8 +43,9 @@ class MoveWaiting : public Waiting {
     if (!is_over()) host_.cell().stop(robot_);
   }
   [[nodiscard]] std::string what() const override {
-    return fmt::format("{} of {}", function_, host_.cell().robot(robot_).name);
+    return fmt::format("{} of {}", function_, robot());
   }
+  [[nodiscard]] std::string robot() const override { return host_.cell().robot(robot_).name; }
 
   Signal finish(Vm& vm, Slot& result) override {
     const MotionReport& done = report();
@@ -100,8 +101,10 @@ Signal start(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, do
   return waiting->finish(vm, args[0]);
 }
 
-bool refuse_busy(Vm& vm, const MoveCall& call) {
-  const CellRobot& robot = Host::of(vm).cell().robot(call.robot);
+}  // namespace
+
+bool refuse_busy(Vm& vm, int robot_id) {
+  const CellRobot& robot = Host::of(vm).cell().robot(robot_id);
   if (!robot.motion) return false;
   Failure f;
   f.code = "R0617";
@@ -112,8 +115,6 @@ bool refuse_busy(Vm& vm, const MoveCall& call) {
   static_cast<void>(fail(vm, std::move(f)));
   return true;
 }
-
-}  // namespace
 
 bool check_duration(Vm& vm, double seconds, int parameter) {
   if (std::isfinite(seconds) && seconds >= 0.0) return true;
@@ -159,7 +160,7 @@ Signal move_to_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vec
   Host& host = Host::of(vm);
   const CellRobot& state = host.cell().robot(call.robot);
   const Robot& robot = *state.model;
-  if (refuse_busy(vm, call)) return Signal::kFail;
+  if (refuse_busy(vm, call.robot)) return Signal::kFail;
   if (q.size() != robot.n()) return fail_joint_count(vm, call, static_cast<int>(q.size()));
   if (time && !check_duration(vm, *time, call.time)) return Signal::kFail;
   if (speed && !(*speed > 0.0 && *speed <= 1.0)) {
@@ -191,7 +192,7 @@ Signal move_on_line(Vm& vm, Slot* args, const MoveCall& call, const PosC& target
   Host& host = Host::of(vm);
   const CellRobot& state = host.cell().robot(call.robot);
   const Robot& robot = *state.model;
-  if (refuse_busy(vm, call)) return Signal::kFail;
+  if (refuse_busy(vm, call.robot)) return Signal::kFail;
   if (time && !check_duration(vm, *time, call.time)) return Signal::kFail;
   if (speed && !(std::isfinite(*speed) && *speed > 0.0)) {
     return failure(vm, "R0609",

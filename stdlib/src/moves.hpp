@@ -37,6 +37,9 @@ Signal move_to_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vec
 Signal move_on_line(Vm& vm, Slot* args, const MoveCall& call, const PosC& target,
                     std::optional<double> time, std::optional<double> speed);
 
+// A robot that another task is moving takes no commands: true, and the failure is set.
+[[nodiscard]] bool refuse_busy(Vm& vm, int robot);
+
 // Failures as messages.
 Signal fail_unreachable(Vm& vm, const MoveCall& call, const Eigen::Isometry3d& goal,
                         const IkResult& result);

@@ -5,6 +5,7 @@
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 #include "check/matrices.hpp"
+#include "check/tasks.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -160,7 +161,7 @@ hir::Expr* Checker::read(Local& local, FunctionContext& where, Span span) {
   const bool of_program = where.kind == FunctionContext::Kind::kProgram;
   if (of_program && use_ != &uses_[main_.function]) use_->add(variable);
   const bool in_sequence = &where == here_ || !of_program || &here_->root() == &main_;
-  if (in_sequence && where.flow.is_unset(variable)) {
+  if (in_sequence && flow_for(*this, where).is_unset(variable)) {
     Diagnostic diagnostic = make_diagnostic("E0211", span, {std::string(variable->name)});
     diagnostic.related.push_back({variable->declared, "declared without a value"});
     report(std::move(diagnostic));

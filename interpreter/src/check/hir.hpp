@@ -34,6 +34,9 @@ enum class StmtKind : std::uint8_t {
   kReturn,
   kWait,
   kWaitUntil,
+  kParallel,
+  kWhen,
+  kEvery,
   kAssert,
   kAssertThrows,
   kStorePart
@@ -132,6 +135,23 @@ struct WaitUntilStmt : Stmt {
   Expr* timeout;                    // seconds; null: none
   std::string_view condition_text;  // as written
   Span condition_span;
+};
+// Blocks that run as tasks are functions without parameters: closures, or function values.
+struct ParallelStmt : Stmt {
+  Seq<Expr*> branches;
+  Span word;  // `parallel`
+};
+// The body runs as a task on each change of the condition from false to true, until the block
+// around the statement ends.
+struct WhenStmt : Stmt {
+  Expr* condition;  // like that of `wait until`
+  Expr* body;
+  Span head;  // `when (c)`
+};
+struct EveryStmt : Stmt {
+  Expr* period;  // seconds
+  Expr* body;
+  Span head;
 };
 // assert(c, note): the parts of c are evaluated once into hidden variables, so that they can be
 // shown.

@@ -46,8 +46,8 @@ struct Variable {
   std::uint32_t index = 0;     // the compiler's: register or global number
 };
 
-// A variable of an enclosing function used inside a lambda (by copy) or a condition (by reference:
-// both boxed).
+// A variable of an enclosing function used inside a lambda (by copy), or inside a condition or task
+// (by reference: both boxed).
 struct Capture {
   Variable* outer;
   Variable* inner;
@@ -63,6 +63,7 @@ struct Function {
   std::uint32_t index = 0;    // in the program's functions
   bool is_condition = false;  // the condition of until, wait until, when: may not pause
   bool expands = false;       // the compiler's: small enough to stand in place of its calls
+  bool is_task = false;       // a block of parallel, when, every: `name` is what the task is called
 };
 
 // ---- expressions

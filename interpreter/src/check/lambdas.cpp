@@ -1,4 +1,5 @@
-// Functions inside functions: lambdas, which copy what they use, and conditions, which share it.
+// Functions inside functions: lambdas, which copy what they use, and conditions and tasks, which
+// share it.
 
 #include <algorithm>
 
@@ -25,7 +26,8 @@ hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionC
     return local.variable;
   }
   hir::Variable* outer = captured(local, owner, *here.outer);
-  const bool shares = here.kind == FunctionContext::Kind::kCondition;
+  const bool shares =
+      here.kind == FunctionContext::Kind::kCondition || here.kind == FunctionContext::Kind::kTask;
   if (shares && (outer->storage == hir::Storage::kGlobal || here.outer == &main_)) {
     make_global(*outer);
     return outer;

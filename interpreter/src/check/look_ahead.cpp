@@ -165,6 +165,14 @@ class Lookout {
         return body(at->as<Block>().body);
       case StmtKind::kTest:
         return stmt(at->as<TestStmt>().body);
+      case StmtKind::kParallel:
+        return stmt(at->as<ParallelStmt>().body);
+      case StmtKind::kWhen:
+        expr(at->as<WhenStmt>().condition);
+        return stmt(at->as<WhenStmt>().body);
+      case StmtKind::kEvery:
+        expr(at->as<EveryStmt>().period);
+        return stmt(at->as<EveryStmt>().body);
       case StmtKind::kIf:
         expr(at->as<IfStmt>().condition);
         stmt(at->as<IfStmt>().yes);

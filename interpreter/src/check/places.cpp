@@ -5,6 +5,7 @@
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 #include "check/matrices.hpp"
+#include "check/tasks.hpp"
 
 namespace armlet::lang {
 
@@ -217,7 +218,7 @@ hir::Stmt* Checker::assign_one(const ast::Expr& target, const ast::AssignStmt& a
     return nullptr;
   }
   hir::Expr* value = check_as(*assign.value, {.type = place->type, .name = place->variable->name});
-  if (place->steps.empty()) here_->flow.assign(place->variable);
+  if (place->steps.empty()) note_assigned(*here_, place->variable);
   return make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, value, false,
                                hir::Op::kAddI, assign.op_span);
 }
@@ -242,7 +243,7 @@ hir::Stmt* Checker::assign_many(const ast::AssignStmt& assign) {
                                       : make<hir::VariableExpr>(hir::ExprKind::kVariable,
                                                                 once->type, value->span, once);
     copy = require(copy, {.type = place->type, .name = place->variable->name});
-    if (place->steps.empty()) here_->flow.assign(place->variable);
+    if (place->steps.empty()) note_assigned(*here_, place->variable);
     body.push_back(make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, copy, false,
                                          hir::Op::kAddI, assign.op_span));
   }

@@ -44,9 +44,9 @@ struct Flow {
   [[nodiscard]] bool is_unset(const hir::Variable* variable) const;
 };
 
-// A statement that break, continue or retry can leave.
+// A statement that break, continue or retry can leave; kFinally: one that nothing can leave.
 struct JumpTarget {
-  enum class Kind : std::uint8_t { kLoop, kSwitch, kCatch } kind;
+  enum class Kind : std::uint8_t { kLoop, kSwitch, kCatch, kFinally } kind;
   const hir::Stmt* statement;
   std::vector<Flow> exits{};    // the states at each break
   std::vector<Flow> repeats{};  // the states at each continue
@@ -100,7 +100,8 @@ struct FunctionContext {
     kNamed,
     kTest,
     kLambda,
-    kCondition
+    kCondition,
+    kTask
   } kind = Kind::kProgram;
   hir::Function* function = nullptr;
   FunctionContext* outer = nullptr;     // lambdas and conditions: where they are written

@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/tasks.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -27,6 +28,15 @@ bool does_nothing(const hir::Expr& value) {
     default:
       return !value.type->is(Kind::kAny);
   }
+}
+
+// What is done finally is done on every way out, so it cannot choose another one: an error or a
+// cancellation would be lost.
+Diagnostic leaves_finally(const std::string& word, Span span) {
+  Diagnostic diagnostic = make_diagnostic("E0121", span, {word, "what it leaves"});
+  diagnostic.message = '`' + word + "` cannot leave a `finally` block";
+  diagnostic.why = "the block runs on the way out, perhaps of an error, which would be lost";
+  return diagnostic;
 }
 
 }  // namespace
@@ -113,6 +123,8 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kParallel:
     case StmtKind::kWhen:
     case StmtKind::kEvery:
+      return check_tasks(*this, stmt);
+    case StmtKind::kImport:
     case StmtKind::kWith:
     case StmtKind::kRecord:
       return not_there_yet(stmt);
@@ -254,6 +266,13 @@ hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
   const bool in_function = context.kind == FunctionContext::Kind::kNamed ||
                            context.kind == FunctionContext::Kind::kLambda;
   if (!in_function) return nullptr;  // refused while the tree was built
+  const auto in_finally = [](const JumpTarget& at) {
+    return at.kind == JumpTarget::Kind::kFinally;
+  };
+  if (std::ranges::any_of(context.targets, in_finally)) {
+    report(leaves_finally("return", stmt.span));
+    return nullptr;
+  }
   const bool is_void = context.result_is_declared && context.result->is(Kind::kVoid);
   const std::string name(context.function->name);
   if (stmt.value != nullptr && is_void) {
@@ -278,6 +297,7 @@ hir::Stmt* Checker::check_jump(const ast::Stmt& stmt) {
   const bool is_break = stmt.kind == ast::StmtKind::kBreak;
   const bool is_retry = stmt.kind == ast::StmtKind::kRetry;
   const auto leaves = [&](const JumpTarget& target) {
+    if (target.kind == To::kFinally) return true;
     if (is_retry) return target.kind == To::kCatch;
     return target.kind == To::kLoop || (is_break && target.kind == To::kSwitch);
   };
@@ -289,6 +309,10 @@ hir::Stmt* Checker::check_jump(const ast::Stmt& stmt) {
                            {word, is_retry   ? "`catch`"
                                   : is_break ? "a loop or a `switch`"
                                              : "a loop"}));
+    return nullptr;
+  }
+  if (found->kind == To::kFinally) {
+    report(leaves_finally(is_break ? "break" : is_retry ? "retry" : "continue", stmt.span));
     return nullptr;
   }
   if (is_break) found->exits.push_back(here_->flow);
@@ -383,7 +407,9 @@ hir::Stmt* Checker::check_try(const ast::TryStmt& stmt) {
   here_->flow = after;
   if (stmt.finally != nullptr) {
     here_->flow = before;
+    here_->targets.push_back({JumpTarget::Kind::kFinally, out});
     out->finally = check_block(stmt.finally->body, stmt.finally->span);
+    here_->targets.pop_back();
     // What finally stores is stored on every way on.
     std::erase_if(after.unset,
                   [&](const hir::Variable* variable) { return !here_->flow.is_unset(variable); });

@@ -121,6 +121,9 @@ class Summariser {
         break;
       case StmtKind::kWait:
       case StmtKind::kWaitUntil:
+      case StmtKind::kParallel:
+      case StmtKind::kWhen:
+      case StmtKind::kEvery:
         out_.quiet = false;
         break;
       default:

@@ -320,6 +320,9 @@ void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
   for (const ExpandedCall& call : expanded_) {
     into.expanded.push_back({call.begin + shift, call.end + shift, call.function, call.call});
   }
+  for (const WideFinally& f : finals_) {
+    into.finals.push_back({f.begin + shift, f.end + shift, place(f.held)});
+  }
   for (const WideLoop& l : loops_) {
     into.loops.push_back(
         {l.range.begin + shift, l.range.end + shift, place(l.counter), l.first, l.step, l.line});

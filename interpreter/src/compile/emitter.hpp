@@ -92,6 +92,8 @@ class Emitter {
     std::uint32_t end;
   };
   void begin_handler(const std::vector<Range>& ranges, bool is_finally);
+  // The code from `begin` to here runs on the way out with a failure, kept in `held`.
+  void finally_code(std::uint32_t begin, Reg held) { finals_.push_back({begin, position(), held}); }
   void loop(Range range, Reg counter, std::int64_t first, std::int64_t step, std::uint32_t line);
   // The body of a function that stands in place of its call.
   void expanded(Range range, std::uint32_t function, Span call) {
@@ -114,6 +116,11 @@ class Emitter {
   struct Shown {
     std::uint32_t assert_index;
     std::vector<Reg> registers;
+  };
+  struct WideFinally {
+    std::uint32_t begin;
+    std::uint32_t end;
+    Reg held;
   };
   struct WideLoop {
     Range range;
@@ -138,6 +145,7 @@ class Emitter {
   std::vector<bool> owned_;  // by reference register: may hold a count now
   std::map<std::int64_t, std::uint32_t> pinned_constants_;
   std::vector<Handler> handlers_;
+  std::vector<WideFinally> finals_;
   std::vector<WideLoop> loops_;
   std::vector<ExpandedCall> expanded_;
   std::vector<const Type*> types_;

@@ -1,10 +1,20 @@
 // Statements, apart from assignments, loops and try.
 
+#include <algorithm>
+
 #include "compile/lowering.hpp"
 
 namespace armlet::lang {
 
 using namespace hir;
+
+namespace {
+
+bool starts_watching(const Stmt* s) {
+  return s->kind == StmtKind::kWhen || s->kind == StmtKind::kEvery;
+}
+
+}  // namespace
 
 void Lowering::statement(const Stmt& s) {
   if (!code_.reachable()) return;
@@ -64,12 +74,19 @@ void Lowering::statement(const Stmt& s) {
     case StmtKind::kAssertThrows:
       check_throws(s.as<AssertThrowsStmt>());
       break;
+    default:
+      tasks(s);
+      break;
   }
 }
 
 void Lowering::block(const Block& b) {
   const Emitter::Mark mark = code_.mark();
-  for (const Stmt* s : b.body) statement(*s);
+  if (std::ranges::any_of(b.body, starts_watching)) {
+    watched_block(b.body);
+  } else {
+    for (const Stmt* s : b.body) statement(*s);
+  }
   code_.at({b.span.end, b.span.end, b.span.source});
   code_.release(mark);
 }
@@ -151,7 +168,12 @@ void Lowering::if_else(const IfStmt& s) {
 // A statement whose declarations, if it is one, end with it.
 void Lowering::scoped(const Stmt& s) {
   const Emitter::Mark mark = code_.mark();
-  statement(s);
+  Stmt* only = const_cast<Stmt*>(&s);
+  if (starts_watching(only)) {
+    watched_block({&only, 1});
+  } else {
+    statement(s);
+  }
   code_.release(mark);
 }
 

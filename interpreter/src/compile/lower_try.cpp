@@ -9,7 +9,7 @@ using namespace hir;
 void Lowering::close(TryScope& scope) {
   const Emitter::Range range{scope.begin, code_.position()};
   if (scope.catching) scope.caught.push_back(range);
-  if (scope.finally != nullptr) scope.finals.push_back(range);
+  if (scope.has_end()) scope.finals.push_back(range);
 }
 
 Lowering::TryScope Lowering::pop_try() {
@@ -21,7 +21,7 @@ Lowering::TryScope Lowering::pop_try() {
 
 bool Lowering::finally_runs() const {
   for (const TryScope& scope : tries_) {
-    if (scope.finally != nullptr) return true;
+    if (scope.has_end()) return true;
   }
   return false;
 }
@@ -33,6 +33,7 @@ void Lowering::leave(std::size_t depth, const std::function<void()>& go) {
   while (tries_.size() > depth) {
     TryScope scope = pop_try();
     if (scope.finally != nullptr) block(*scope.finally);
+    if (scope.is_watched()) code_.emit(OpCode::ENDWATCH, scope.watches);
     left.push_back(std::move(scope));
   }
   go();
@@ -54,7 +55,7 @@ void Lowering::try_catch(const TryStmt& s) {
   }
   const bool alive = code_.reachable();
   code_.bind_loop(again, alive);
-  tries_.push_back({s.finally, s.handler != nullptr, code_.position(), {}, {}});
+  tries_.push_back({s.finally, {}, s.handler != nullptr, code_.position(), {}, {}});
   block(*s.body);
   leave(tries_.size() - 1, [&] { code_.jump(end); });
   if (s.handler != nullptr) {
@@ -69,7 +70,9 @@ void Lowering::try_catch(const TryStmt& s) {
     const Reg failure = code_.reference();
     code_.at(s.finally->span);
     code_.emit(OpCode::HOLD, failure);
+    const std::uint32_t begin = code_.position();
     block(*s.finally);
+    code_.finally_code(begin, failure);
     code_.emit(OpCode::RETHROW, failure);
   }
   code_.bind(end);
@@ -101,7 +104,7 @@ void Lowering::check_throws(const AssertThrowsStmt& s) {
   const Reg error = code_.reference();
   const Label end = code_.label();
   code_.emit(OpCode::DROP, error);
-  tries_.push_back({nullptr, true, code_.position(), {}, {}});
+  tries_.push_back({nullptr, {}, true, code_.position(), {}, {}});
   effect(*s.call);
   const TryScope scope = pop_try();
   code_.jump(end);

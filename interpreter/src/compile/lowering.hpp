@@ -59,10 +59,13 @@ class Lowering {
   };
   struct TryScope {
     const hir::Block* finally;  // null: none
+    Reg watches;                // of a watched block; no bits: there are none
     bool catching;              // failures here go to a handler
     std::uint32_t begin;        // of the range that is open
     std::vector<Emitter::Range> caught;
     std::vector<Emitter::Range> finals;
+    [[nodiscard]] bool is_watched() const { return watches.bits != 0; }
+    [[nodiscard]] bool has_end() const { return finally != nullptr || is_watched(); }
   };
   // A function that stands in place of its call.
   struct Expansion {
@@ -229,6 +232,13 @@ class Lowering {
   void close(TryScope& scope);
   TryScope pop_try();
   [[nodiscard]] bool finally_runs() const;
+
+  // ---- lower_tasks.cpp
+  void watched_block(hir::Seq<hir::Stmt*> body);
+  void tasks(const hir::Stmt& s);
+  void parallel(const hir::ParallelStmt& s);
+  void when(const hir::WhenStmt& s);
+  void every(const hir::EveryStmt& s);
 
   [[nodiscard]] static Reg reg_of(const hir::Variable& variable) { return Reg{variable.index}; }
 

@@ -38,6 +38,14 @@ struct Handler {
   bool is_finally;  // also entered when the task is cancelled
 };
 
+// The code of a finally block, or of the end of a watched block after a failure, behind its HOLD.
+// While it runs the register holds the failure that goes on behind it.
+struct FinallyCode {
+  std::uint32_t begin;
+  std::uint32_t end;
+  std::uint16_t held;
+};
+
 // A loop whose passes can be counted: the hidden counter is in register `counter`.
 struct LoopInfo {
   std::uint32_t begin;
@@ -74,6 +82,7 @@ struct FunctionCode {
       0;  // reference registers [begin, end): null at entry, released at the end.
   std::uint16_t references_end = 0;  // Parameters are borrowed and lie before them.
   std::vector<Handler> handlers;
+  std::vector<FinallyCode> finals;
   std::vector<LoopInfo> loops;
   std::vector<ExpandedCall> expanded;  // inner ones first
   std::vector<CodeSpan> spans;         // sorted by pc

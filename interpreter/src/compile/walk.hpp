@@ -146,6 +146,27 @@ bool any_part(const hir::Expr& expr, F claim) {
   return false;
 }
 
+// The tasks that a statement starts, and what starts them.
+template <class E>
+void for_each_task(const hir::Stmt& s, E expr) {
+  using hir::StmtKind;
+  switch (s.kind) {
+    case StmtKind::kParallel:
+      for (const hir::Expr* branch : s.as<hir::ParallelStmt>().branches) expr(branch);
+      break;
+    case StmtKind::kWhen:
+      expr(s.as<hir::WhenStmt>().condition);
+      expr(s.as<hir::WhenStmt>().body);
+      break;
+    case StmtKind::kEvery:
+      expr(s.as<hir::EveryStmt>().period);
+      expr(s.as<hir::EveryStmt>().body);
+      break;
+    default:
+      break;
+  }
+}
+
 // The parts of statements that decide where to go on.
 template <class E, class S>
 void for_each_child_of_control(const hir::Stmt& s, E expr, S stmt) {
@@ -184,6 +205,7 @@ void for_each_child_of_control(const hir::Stmt& s, E expr, S stmt) {
       stmt(s.as<hir::TryStmt>().finally);
       break;
     default:
+      for_each_task(s, expr);
       break;
   }
 }

@@ -116,8 +116,12 @@ Obj* hold_fault(VmState& state) {
   return new_link(state, std::move(state.fault));
 }
 
-bool rethrow(VmState& state, const Obj* held) {
-  state.fault = *static_cast<const FaultLink*>(static_cast<const HostObj*>(held)->payload());
+FaultPtr& held_fault(Obj* held) {
+  return *static_cast<FaultLink*>(static_cast<HostObj*>(held)->payload());
+}
+
+bool rethrow(VmState& state, Obj* held) {
+  state.fault = held_fault(held);
   return false;
 }
 

@@ -13,11 +13,13 @@ namespace {
 // After cancelling or running out of steps, finally blocks get this many steps more.
 constexpr std::uint64_t kLeavingSteps = 1'000'000;
 
-const Frame* innermost(const VmState& state) {
-  if (state.running == nullptr) return nullptr;
-  const Frame* frame = state.running->top;
-  while (frame > state.running->frames && frame->is_host()) --frame;
+const Frame* innermost(const Task& task) {
+  const Frame* frame = task.top;
+  while (frame > task.frames && frame->is_host()) --frame;
   return frame->is_host() ? nullptr : frame;
+}
+const Frame* innermost(const VmState& state) {
+  return state.running == nullptr ? nullptr : innermost(*state.running);
 }
 
 std::string ordinal(std::int64_t n) {
@@ -67,6 +69,7 @@ std::vector<std::string> call_path(const VmState& state) {
                       line_name(state, inner->call));
     }
     if (frame->callee->function->name.empty()) continue;
+    if (frame->callee->function->function->is_task) continue;
     const CodeSpan* site = frame[-1].is_host() ? nullptr : code_span(frame[-1]);
     std::string call = frame->callee->function->name;
     if (site != nullptr) call += ", called on " + line_name(state, site->span);
@@ -110,7 +113,7 @@ void set_fault(VmState& state, Diagnostic diagnostic, std::string kind, Reach re
 // From here on only finally blocks run, and not for long.
 void begin_leaving(VmState& state) {
   state.fault->reach = state.is_leaving ? Reach::kNothing : Reach::kFinally;
-  state.is_leaving = true;
+  state.fault->is_leaving = state.is_leaving = true;
   state.steps.settle();
   state.steps.since_pause = 0;
   state.steps.limit = std::min(state.steps.limit, kLeavingSteps);
@@ -145,9 +148,22 @@ std::string line_name(const VmState& state, Span span) {
   return out + " of " + file.substr(file.find_last_of('/') + 1);
 }
 
+std::string task_name(const Task& task) {
+  return task.function == nullptr ? std::string() : std::string(task.function->name);
+}
+
+int task_line(const VmState& state, const Task& task) {
+  const Frame* frame = innermost(task);
+  const CodeSpan* at = frame == nullptr ? nullptr : code_span(*frame);
+  return at == nullptr ? 0 : line_of(state, at->span);
+}
+
 When circumstances(const VmState& state) {
   When when;
   when.time_ns = state.vm.timeline().now_ns();
+  const Task* task = state.running;
+  if (task != nullptr && task == state.condition_task.get()) task = task->parent;
+  if (task != nullptr) when.task = task_name(*task);
   if (const Frame* frame = innermost(state)) when.note = loop_note(*frame);
   when.calls = call_path(state);
   return when;
@@ -345,14 +361,47 @@ void leave_frame(VmState& state, Task& task) {
   --task.top;
 }
 
+// The cancellation that waits behind the innermost finally code around the running instruction, if
+// that code begins after `begin`; null if there is none. An error in a finally block does not end a
+// cancellation.
+static const FaultPtr* cancellation_behind(const Frame& frame, std::uint32_t begin) {
+  const FinallyCode* inner = nullptr;
+  for (const FinallyCode& code : frame.callee->function->finals) {
+    const bool covers = code.begin <= frame.at() && frame.at() < code.end && code.begin > begin;
+    if (covers && (inner == nullptr || code.begin > inner->begin)) inner = &code;
+  }
+  if (inner == nullptr || frame.base[inner->held].o == nullptr) return nullptr;
+  const FaultPtr& held = held_fault(frame.base[inner->held].o);
+  return held != nullptr && held->reach != Reach::kHandlers ? &held : nullptr;
+}
+
+// The handler in this frame; null if there is none. state.fault may become a cancellation.
+static const Handler* handler_in(VmState& state, const Frame& frame) {
+  const auto cancel = [&](std::uint32_t begin) {
+    if (state.fault->reach != Reach::kHandlers) return false;
+    const FaultPtr* held = cancellation_behind(frame, begin);
+    if (held == nullptr) return false;
+    state.fault = *held;
+    return true;
+  };
+  const std::vector<Handler>& handlers = frame.callee->function->handlers;
+  for (std::size_t i = 0; i < handlers.size(); ++i) {
+    const Handler& handler = handlers[i];
+    const bool covers = handler.begin <= frame.at() && frame.at() < handler.end;
+    if (!covers) continue;
+    (void)cancel(handler.begin);
+    if (handler.is_finally || state.fault->reach == Reach::kHandlers) return &handler;
+  }
+  (void)cancel(0);
+  return nullptr;
+}
+
 bool unwind(VmState& state, Task& task) {
   for (; !task.top->is_host(); leave_frame(state, task)) {
     Frame& frame = *task.top;
     if (state.fault->reach == Reach::kNothing) continue;
-    for (const Handler& handler : frame.callee->function->handlers) {
-      const bool covers = handler.begin <= frame.at() && frame.at() < handler.end;
-      if (!covers || (state.fault->reach == Reach::kFinally && !handler.is_finally)) continue;
-      frame.pc = frame.callee->code + handler.handler;
+    if (const Handler* handler = handler_in(state, frame)) {
+      frame.pc = frame.callee->code + handler->handler;
       return true;
     }
   }

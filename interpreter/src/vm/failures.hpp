@@ -25,7 +25,11 @@ namespace armlet::lang {
 [[nodiscard]] int line_of(const VmState& state, Span span);
 // "line 7", or "line 7 of grip.rbt" in a program of several files.
 [[nodiscard]] std::string line_name(const VmState& state, Span span);
-// Time, call path and loop pass of the running task.
+// What a task is called in messages: "branch 2 of parallel on line 9"; empty for the program.
+[[nodiscard]] std::string task_name(const Task& task);
+// The line at which a task is; 0 if it has not begun.
+[[nodiscard]] int task_line(const VmState& state, const Task& task);
+// Time, task, call path and loop pass of the running task.
 [[nodiscard]] When circumstances(const VmState& state);
 
 // ---- raising --------------------------------------------------------------------------------
@@ -74,6 +78,7 @@ void leave_frame(VmState& state, Task& task);
 bool throw_error(VmState& state, const RecordObj& error);
 // Keeps state.fault in an object for the time of a finally block, and brings it back.
 [[nodiscard]] Obj* hold_fault(VmState& state);
-bool rethrow(VmState& state, const Obj* held);
+[[nodiscard]] FaultPtr& held_fault(Obj* held);
+bool rethrow(VmState& state, Obj* held);
 
 }  // namespace armlet::lang

@@ -18,6 +18,9 @@ SlowOp op_slice, op_putslice, op_pushref, op_pop, op_insert, op_insertref;
 SlowOp op_makemat, op_part, op_putpart, op_rowsof;  // matrix_ops.cpp
 SlowOp op_lentext, op_slicetext, op_charat, op_totext, op_concat;
 SlowOp op_wait, op_waituntil;  // leave what is waited for in state.pending
+SlowOp op_spawn, op_openwatch, op_watchwhen, op_watchevery;
+SlowOp op_parallel, op_endwatch,
+    op_stopwatch;  // leave in state.pending what is waited for, if anything
 SlowOp op_makeerr, op_throw, op_rethrow, op_catch, op_hold, op_retry, op_assertfail, op_expecterr;
 
 // The direct call gave no number: the whole function is called, which may say why.

@@ -83,13 +83,9 @@ bool VmState::make_texts() {
 }
 
 void VmState::clear() {
+  tree.clear();
   for (Task* task : {&main, condition_task.get()}) {
-    if (task == nullptr) continue;
-    while (task->top > task->frames) leave_frame(*this, *task);
-    task->waiting.reset();
-    heap.release(task->condition);
-    task->condition = nullptr;
-    task->interrupted.reset();
+    while (task != nullptr && task->top > task->frames) leave_frame(*this, *task);
   }
   pending.reset();
   fault.reset();
@@ -199,15 +195,15 @@ bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& 
   return true;
 }
 
-bool VmState::evaluate(ClosureObj* condition, bool& result) {
+bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
   const std::uint32_t depth = options.limits.call_depth;
   if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, slots_for(depth));
   Task* before = running;
   running = condition_task.get();
+  running->parent = &owner;
   Slot value{.i = 0};
-  const bool done = call(condition, {}, value);
+  const bool done = call(static_cast<ClosureObj*>(condition), {}, value);
   running = before;
-  steps.paused();
   result = value.i != 0;
   return done;
 }

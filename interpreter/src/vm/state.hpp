@@ -9,10 +9,11 @@
 #include "armlet/interpreter/engine.hpp"
 #include "vm/heap.hpp"
 #include "vm/task.hpp"
+#include "vm/task_tree.hpp"
 
 namespace armlet::lang {
 
-// How far a failure goes.
+// How far a failure goes; what goes further outranks the other.
 enum class Reach : std::uint8_t {
   kHandlers,  // the nearest catch or finally
   kFinally,   // only through finally blocks: the program is being stopped
@@ -24,7 +25,10 @@ struct Fault {
   std::string kind;  // as e.kind shows it
   Reach reach = Reach::kHandlers;
   bool cancelled = false;
+  bool is_leaving = false;         // the whole program ends with it
+  std::size_t region = kNoRegion;  // kFinally: only as far as this watched block of its task
 };
+using FaultPtr = std::shared_ptr<Fault>;
 
 // Counts calls and backward jumps. The loop only counts `left` down; every chunk the limit and the
 // wish to cancel are looked at.
@@ -72,6 +76,7 @@ struct VmState {
   const RecordLayout* error_layout = nullptr;  // one slot more than the type says: the hidden fault
 
   Task main;
+  TaskTree tree{*this};
   std::unique_ptr<Task> condition_task;  // runs conditions; they never pause
   Task* running = nullptr;
   std::uint32_t host_calls = 0;      // nested calls of the program by native functions
@@ -92,8 +97,8 @@ struct VmState {
                            std::span<const Slot> arguments);
   // Calls a function to its end. False: it failed, and `fault` is set.
   [[nodiscard]] bool call(ClosureObj* function, std::span<const Slot> arguments, Slot& result);
-  // Evaluates a condition on a stack of its own.
-  [[nodiscard]] bool evaluate(ClosureObj* condition, bool& result);
+  // Evaluates a condition of a task on a stack of its own.
+  [[nodiscard]] bool evaluate(Task& owner, Obj* condition, bool& result);
   // Whether somebody asked to cancel since the last look.
   [[nodiscard]] bool take_cancellation();
   // The literal, or the one shared text of an ASCII character; null: the heap is full.

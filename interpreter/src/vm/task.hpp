@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
+#include "armlet/core/random.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "compile/program.hpp"
 
@@ -52,6 +54,26 @@ class AddressSpace {
 };
 
 struct Fault;
+struct Task;
+
+inline constexpr std::size_t kNoRegion = static_cast<std::size_t>(-1);
+
+// A `when` or `every` whose block has not ended.
+struct Watch {
+  Task* owner = nullptr;
+  Span head{};               // where it is written
+  std::size_t region = 0;    // of the owner
+  Obj* condition = nullptr;  // null: `every`; owned
+  Obj* body = nullptr;       // owned
+  std::uint64_t order = 0;   // of arming; 0: no longer armed
+  bool was_true = false;
+  std::int64_t period_ns = 0;
+  std::int64_t next_ns = 0;  // the next beat that has not been begun or skipped
+  Task* running = nullptr;   // the body, while it runs
+};
+
+// A block that holds watches.
+using Region = std::vector<std::unique_ptr<Watch>>;
 
 // A task waits while `waiting` is set.
 struct Task {
@@ -70,6 +92,32 @@ struct Task {
   Slot* result = nullptr;              // where the waiting call leaves its result
   Obj* condition = nullptr;            // armed: when it comes true, `waiting` is stopped; owned
   std::shared_ptr<Fault> interrupted;  // raised instead of going on when the wait is over
+  std::uint64_t armed = 0;             // the condition's place in the order of arming; 0: none
+
+  // ---- what it is: vm/task_tree.hpp
+  const hir::Function* function = nullptr;  // null: the program
+  Task* parent = nullptr;                   // who started it
+  Watch* watch = nullptr;                   // whose body it is
+  Obj* entry = nullptr;                     // the closure that it runs; owned
+  void* charge = nullptr;                   // what the heap counts for it
+  std::uint32_t depth = 0;                  // of tasks that started tasks
+  std::size_t place = 0;                    // among the branches of its parent
+  bool is_ready = false;                    // has not begun
+  bool has_ended = false;
+  bool is_cancelled = false;  // how it ends is nobody's business
+  Random random{0};
+  std::uint64_t parallels = 0;  // how many it has begun
+
+  // ---- what it has started
+  std::vector<Obj*> nursery;            // closures of branches, before they begin; owned
+  std::vector<Task*> branches;          // of the `parallel` it waits for; null: ended
+  std::size_t alive = 0;                // branches that have not ended
+  std::shared_ptr<Fault> branch_fault;  // the first error among them
+  bool joins = false;                   // it waits for its branches
+  std::vector<Region> regions;
+  std::size_t ending = kNoRegion;  // it waits for the tasks of this region and those inside
+
+  [[nodiscard]] bool waits_for_its_tasks() const { return joins || ending != kNoRegion; }
 };
 
 }  // namespace armlet::lang

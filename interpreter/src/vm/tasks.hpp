@@ -3,6 +3,7 @@
 // the next.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "vm/interpret.hpp"
@@ -11,7 +12,7 @@ namespace armlet::lang {
 
 class Scheduler {
  public:
-  explicit Scheduler(VmState& state) : state_(state), tasks_{&state.main} {}
+  explicit Scheduler(VmState& state) : state_(state), tree_(state.tree) {}
 
   // Runs a function without arguments as the main task until it has ended or failed (state.fault).
   [[nodiscard]] Exit run(std::uint32_t function);
@@ -20,18 +21,28 @@ class Scheduler {
   // Everything that happens at the present instant. kPaused: all tasks wait for a later one.
   Exit run_instant();
   void evaluate_conditions();
+  void evaluate(Task& task);
+  void evaluate(Watch& watch);
+  // What happened in one pass over the tasks.
+  struct Pass {
+    Exit exit = Exit::kPaused;  // of the program itself
+    bool progress = false;
+    bool changed = false;  // apart from tasks that began, or ended
+  };
+  Pass run_tasks();
   Exit resume(Task& task);
+  Exit begin(Task& task);
   // The next instant at which something can happen; kNever if there is none.
   [[nodiscard]] std::int64_t next_instant() const;
   Exit advance();
-  void interrupt(Task& task);
+  Exit stop();
   Exit abandon();
   void fail_everywhere(const char* code, const std::vector<std::string>& arguments,
                        std::string why);
   [[nodiscard]] std::string waited_for() const;
 
   VmState& state_;
-  std::vector<Task*> tasks_;  // in the order of their creation
+  TaskTree& tree_;
   std::int64_t resumed_ns_ = 0;
 };
 

@@ -81,6 +81,25 @@ bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
   return state_->call(static_cast<ClosureObj*>(function), arguments, result);
 }
 
+namespace {
+
+// What `when` and `every` start, and conditions, draw from the stream of the task around them.
+lang::Task& source_of_chance(const lang::VmState& state) {
+  lang::Task* task = state.running;
+  while (task->watch != nullptr || task == state.condition_task.get()) task = task->parent;
+  return *task;
+}
+
+}  // namespace
+
+Random& Vm::random() { return source_of_chance(*state_).random; }
+
+void Vm::seed(std::uint64_t seed) {
+  lang::Task& task = source_of_chance(*state_);
+  task.random = Random(seed);
+  task.parallels = 0;
+}
+
 void Vm::advise(const Failure& advice) {
   if (!options_.advice) return;
   Diagnostic diagnostic = lang::diagnostic_of(*state_, advice);

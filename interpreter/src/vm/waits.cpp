@@ -30,6 +30,30 @@ class Sleep final : public Waiting {
   std::int64_t due_ns_;
 };
 
+// What the other tasks are doing, one line each: why a condition may not have come true yet.
+std::string others(const VmState& state) {
+  constexpr int kMost = 3;
+  std::string text;
+  int lines = 0;
+  const auto add = [&](const Task& task) {
+    const bool waits = task.waiting != nullptr && !task.waits_for_its_tasks();
+    if (&task == state.running || task.has_ended || !waits || ++lines > kMost) return;
+    const std::string robot = task.waiting->robot();
+    const std::string name = task_name(task);
+    const std::string line = " is at line " + std::to_string(task_line(state, task));
+    if (!text.empty()) text += '\n';
+    if (!robot.empty()) {
+      text += (robot == "arm" ? "the arm" : "the " + robot + " arm") + line + ", still moving";
+    } else {
+      text +=
+          (name.empty() ? "the program" : name) + line + ", waiting for " + task.waiting->what();
+    }
+  };
+  add(state.main);
+  for (const auto& task : state.tree.all()) add(*task);
+  return text;
+}
+
 // The task's armed condition stops it when it comes true; a timeout is the other way out.
 class WaitUntil final : public Waiting {
  public:
@@ -59,6 +83,7 @@ class WaitUntil final : public Waiting {
     std::snprintf(since, sizeof since, "false since t = %.2f s",
                   static_cast<double>(armed_ns_) * 1e-9);
     failure.mark.label = since;
+    failure.why = others(state_);
     failure.fix = Fix{"use a longer timeout, or catch the error", {}, Confidence::kMaybe};
     raise(state_, std::move(failure));
     return Signal::kFail;
@@ -123,6 +148,7 @@ bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
   task.result = result;
   task.condition = condition;
   retain_object(condition);
+  if (condition != nullptr) state.tree.arm(task);
   state.steps.paused();
   return true;
 }

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "armlet/core/random.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/source.hpp"
@@ -159,6 +160,10 @@ class Vm {
   // Advice at the call that is running now.
   void advise(const Failure& advice);
   void print(std::string_view text);
+  // Chance for the running task: each branch of a `parallel` has a stream of its own.
+  [[nodiscard]] Random& random();
+  // Begins its stream anew, and those of the branches that it starts from here on.
+  void seed(std::uint64_t seed);
   [[nodiscard]] lang::VmState& state() { return *state_; }
 
  private:

@@ -65,6 +65,8 @@ struct NativeFunction {
   // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what
   // is missing, if that is not the whole function.
   bool later = false;
+  // Acts on its first argument, a robot, which no other task may be moving; what pauses does too.
+  bool commands = false;
 };
 
 // A named number of the library: PI, E.
@@ -109,6 +111,8 @@ class Waiting {
   virtual Signal finish(Vm& vm, Slot& result) = 0;
   // What the task waits for, for reports about stuck programs: "moveL of scara".
   [[nodiscard]] virtual std::string what() const = 0;
+  // The robot that moves meanwhile; empty if none does.
+  [[nodiscard]] virtual std::string robot() const { return {}; }
 };
 
 // The virtual clock that the host owns.

@@ -11,7 +11,6 @@
 
 #include "armlet/cell/cell.hpp"
 #include "armlet/core/error.hpp"
-#include "armlet/core/random.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/model/robot.hpp"
@@ -49,7 +48,6 @@ class Host : public Timeline {
 
   [[nodiscard]] Cell& cell() { return cell_; }
   [[nodiscard]] const Cell& cell() const { return cell_; }
-  [[nodiscard]] Random& random() { return random_; }
   [[nodiscard]] const PlannerSet& planners() const { return planners_; }
   [[nodiscard]] PlannerSet& planners() { return planners_; }
 
@@ -88,7 +86,6 @@ class Host : public Timeline {
  private:
   HostOptions options_;
   Cell cell_;
-  Random random_{0};
   PlannerSet planners_;
   int default_robot_ = -1;
   std::string world_name_;
