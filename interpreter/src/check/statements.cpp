@@ -124,7 +124,6 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kWhen:
     case StmtKind::kEvery:
       return check_tasks(*this, stmt);
-    case StmtKind::kImport:
     case StmtKind::kWith:
     case StmtKind::kRecord:
       return not_there_yet(stmt);

@@ -67,7 +67,7 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
   void* charge = state_.heap.take(kCharge);
   std::unique_ptr<Task> task;
   try {
-    tasks_.reserve(tasks_.size() + 1);
+    if (tasks_.size() == tasks_.capacity()) tasks_.reserve(2 * tasks_.size() + 8);
     const std::uint32_t depth = state_.options.limits.call_depth;
     if (charge != nullptr && spare_.empty()) {
       task = std::make_unique<Task>(depth, slots_for(depth));
