@@ -62,12 +62,6 @@ void Lowering::statement(const Stmt& s) {
     case StmtKind::kReturn:
       give_back(s.as<ReturnStmt>());
       break;
-    case StmtKind::kWait:
-      wait(s.as<WaitStmt>());
-      break;
-    case StmtKind::kWaitUntil:
-      wait_until(s.as<WaitUntilStmt>());
-      break;
     case StmtKind::kAssert:
       check(s.as<AssertStmt>());
       break;
@@ -75,7 +69,7 @@ void Lowering::statement(const Stmt& s) {
       check_throws(s.as<AssertThrowsStmt>());
       break;
     default:
-      tasks(s);
+      time_and_tasks(s);
       break;
   }
 }

@@ -14,13 +14,23 @@ Span head_of(const Stmt& s) {
 
 }  // namespace
 
-void Lowering::tasks(const Stmt& s) {
-  if (s.kind == StmtKind::kParallel) {
-    parallel(s.as<ParallelStmt>());
-  } else if (s.kind == StmtKind::kWhen) {
-    when(s.as<WhenStmt>());
-  } else {
-    every(s.as<EveryStmt>());
+void Lowering::time_and_tasks(const Stmt& s) {
+  switch (s.kind) {
+    case StmtKind::kWait:
+      wait(s.as<WaitStmt>());
+      break;
+    case StmtKind::kWaitUntil:
+      wait_until(s.as<WaitUntilStmt>());
+      break;
+    case StmtKind::kParallel:
+      parallel(s.as<ParallelStmt>());
+      break;
+    case StmtKind::kWhen:
+      when(s.as<WhenStmt>());
+      break;
+    default:
+      every(s.as<EveryStmt>());
+      break;
   }
 }
 

@@ -235,7 +235,7 @@ class Lowering {
 
   // ---- lower_tasks.cpp
   void watched_block(hir::Seq<hir::Stmt*> body);
-  void tasks(const hir::Stmt& s);
+  void time_and_tasks(const hir::Stmt& s);
   void parallel(const hir::ParallelStmt& s);
   void when(const hir::WhenStmt& s);
   void every(const hir::EveryStmt& s);
