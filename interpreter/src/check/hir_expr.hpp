@@ -26,8 +26,7 @@ struct Function;
 // elsewhere.
 enum class Storage : std::uint8_t {
   kLocal,   // a register of its function
-  kGlobal,  // a top-level variable that a function, test or condition uses: numbered in the
-            // program's globals
+  kGlobal,  // of the top level, and used by a function, test, condition or task: has a number
   kBoxed,   // a local shared by reference with a condition or task inside its function: a register
             // holding a box
 };
@@ -40,8 +39,7 @@ struct Variable {
   Storage storage = Storage::kLocal;
   bool fixed = false;  // let, final, parameters, loop variables
   bool is_parameter = false;
-  bool maybe_unset =
-      false;  // a global that may be read before its initialiser ran: reads are checked (R0623)
+  bool maybe_unset = false;    // a global that may be read too early: reads are checked (R0623)
   const Expr* init = nullptr;  // the initialiser, for messages
   std::uint32_t index = 0;     // the compiler's: register or global number
 };
