@@ -286,6 +286,7 @@ void Emitter::take_out(const std::vector<bool>& removed) {
   for (Handler& h : handlers_) {
     h = {moved[h.begin], moved[h.end], moved[h.handler], h.is_finally};
   }
+  for (WideFinally& f : finals_) f = {moved[f.begin], moved[f.end], f.held};
   for (WideLoop& l : loops_) l.range = {moved[l.range.begin], moved[l.range.end]};
   for (ExpandedCall& call : expanded_) {
     call.begin = moved[call.begin];

@@ -99,7 +99,6 @@ struct Task {
   Task* parent = nullptr;                   // who started it
   Watch* watch = nullptr;                   // whose body it is
   Obj* entry = nullptr;                     // the closure that it runs; owned
-  void* charge = nullptr;                   // what the heap counts for it
   std::uint32_t depth = 0;                  // of tasks that started tasks
   std::size_t place = 0;                    // among the branches of its parent
   bool is_ready = false;                    // has not begun

@@ -64,26 +64,25 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
     return too_many("more than " + std::to_string(kMostTasks) + " at the same time");
   if (parent.depth >= kDeepest)
     return too_many("tasks start tasks more than " + std::to_string(kDeepest) + " deep");
-  void* charge = state_.heap.take(kCharge);
+  const bool fits = state_.heap.charge(kCharge);
   std::unique_ptr<Task> task;
   try {
     if (tasks_.size() == tasks_.capacity()) tasks_.reserve(2 * tasks_.size() + 8);
     const std::uint32_t depth = state_.options.limits.call_depth;
-    if (charge != nullptr && spare_.empty()) {
+    if (fits && spare_.empty()) {
       task = std::make_unique<Task>(depth, slots_for(depth));
-    } else if (charge != nullptr) {
+    } else if (fits) {
       task = std::move(spare_.back());
       spare_.pop_back();
     }
   } catch (const std::bad_alloc&) {
-    state_.heap.give_back(charge, kCharge);
+    if (fits) state_.heap.discharge(kCharge);
   }
   if (task == nullptr) {
     raise_out_of_memory(state_);
     return nullptr;
   }
   make_new(*task);
-  task->charge = charge;
   task->entry = closure;
   retain_object(closure);
   task->function = state_.program.functions[static_cast<ClosureObj*>(closure)->function].function;
@@ -106,8 +105,7 @@ void TaskTree::end(Task& task, FaultPtr fault) {
   abandon(task);
   state_.heap.release(task.entry);
   task.entry = nullptr;
-  state_.heap.give_back(task.charge, kCharge);
-  task.charge = nullptr;
+  state_.heap.discharge(kCharge);
   const bool counts = fault != nullptr && (!task.is_cancelled || fault->is_leaving);
   if (Watch* watch = task.watch) {
     skip_beats(*watch);
