@@ -4,6 +4,8 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/recordings.hpp"
+#include "check/settings.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -64,6 +66,8 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
     sink_.begin_statement();
     if (is_active_statement(*this, stmt)) {
       check_active_statement(*this, stmt);
+    } else if (stmt.kind == ast::StmtKind::kRecord) {
+      return check_record(*this, stmt.as<ast::RecordStmt>(), body.subspan(i + 1), out);
     } else if (hir::Stmt* checked = check_statement(stmt)) {
       out.push_back(checked);
     }
@@ -113,11 +117,13 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kParallel:
     case StmtKind::kWhen:
     case StmtKind::kEvery:
-    case StmtKind::kWith:
-    case StmtKind::kRecord:
       return not_there_yet(stmt);
     case StmtKind::kPath:
       return check_path(stmt.as<ast::PathStmt>());
+    case StmtKind::kWith:
+      return check_with(*this, stmt.as<ast::WithStmt>());
+    case StmtKind::kRecord:
+      return check_lone_record(*this, stmt.as<ast::RecordStmt>());
     case StmtKind::kExpr:
       return check_expression_statement(stmt.as<ast::ExprStmt>());
     case StmtKind::kAssign:

@@ -5,6 +5,7 @@
 
 #include "vm/failures.hpp"
 #include "vm/interpret.hpp"
+#include "vm/recordings.hpp"
 #include "vm/slow_ops.hpp"
 
 namespace armlet::lang {
@@ -83,6 +84,7 @@ bool VmState::make_texts() {
 }
 
 void VmState::clear() {
+  recordings.reset();
   for (Task* task : {&main, condition_task.get()}) {
     if (task == nullptr) continue;
     while (task->top > task->frames) leave_frame(*this, *task);
@@ -118,8 +120,9 @@ const RecordLayout& VmState::layout_of(const Type* record) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].type->is_reference()) references->push_back(static_cast<std::uint16_t>(i));
   }
-  own_layouts.push_back(std::make_unique<RecordLayout>(
-      RecordLayout{record, static_cast<std::uint16_t>(fields.size()), *references}));
+  auto size = static_cast<std::uint16_t>(fields.size());
+  if (record->is_table()) references->push_back(size++);  // the rows; the columns are made of them
+  own_layouts.push_back(std::make_unique<RecordLayout>(RecordLayout{record, size, *references}));
   own_references.push_back(std::move(references));
   return *own_layouts.back();
 }
@@ -199,16 +202,14 @@ bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& 
   return true;
 }
 
-bool VmState::evaluate(ClosureObj* condition, bool& result) {
+bool VmState::evaluate(ClosureObj* function, Slot& result) {
   const std::uint32_t depth = options.limits.call_depth;
   if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, slots_for(depth));
   Task* before = running;
   running = condition_task.get();
-  Slot value{.i = 0};
-  const bool done = call(condition, {}, value);
+  const bool done = call(function, {}, result);
   running = before;
   steps.paused();
-  result = value.i != 0;
   return done;
 }
 

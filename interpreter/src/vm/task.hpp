@@ -67,9 +67,10 @@ struct Task {
   Frame* top;
 
   std::unique_ptr<Waiting> waiting;
-  Slot* result = nullptr;              // where the waiting call leaves its result
-  Obj* condition = nullptr;            // armed: when it comes true, `waiting` is stopped; owned
-  std::shared_ptr<Fault> interrupted;  // raised instead of going on when the wait is over
+  Slot* result = nullptr;                 // where the waiting call leaves its result
+  Obj* condition = nullptr;               // armed: when it comes true, `waiting` is stopped; owned
+  std::shared_ptr<Fault> interrupted;     // raised instead of going on when the wait is over
+  std::shared_ptr<const void> host_data;  // see Vm::task_data
 };
 
 }  // namespace armlet::lang

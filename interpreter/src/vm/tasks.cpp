@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vm/failures.hpp"
+#include "vm/recordings.hpp"
 
 namespace armlet::lang {
 
@@ -36,6 +37,8 @@ Exit Scheduler::run(std::uint32_t function) {
 }
 
 Exit Scheduler::run_instant() {
+  if (state_.recordings != nullptr)
+    state_.recordings->take_due([this](Task& task) { interrupt(task); });
   for (int round = 0; round < kMostRounds; ++round) {
     evaluate_conditions();
     bool progress = false;
@@ -55,11 +58,11 @@ Exit Scheduler::run_instant() {
 void Scheduler::evaluate_conditions() {
   for (Task* task : tasks_) {
     if (task->condition == nullptr) continue;
-    bool is_true = false;
+    Slot is_true{.i = 0};
     state_.running = task;
     if (!state_.evaluate(static_cast<ClosureObj*>(task->condition), is_true)) {
       interrupt(*task);
-    } else if (is_true) {
+    } else if (is_true.i != 0) {
       disarm(state_, *task);
       task->waiting->stop();
     }
@@ -97,6 +100,9 @@ std::int64_t Scheduler::next_instant() const {
   }
   if (armed && (next != kNever || now - resumed_ns_ < kPatience_ns))
     next = std::min(next, next_tick);
+  // Nothing can happen because of a recording alone.
+  if (next != kNever && state_.recordings != nullptr)
+    next = std::min(next, state_.recordings->next_ns());
   return next;
 }
 

@@ -81,6 +81,8 @@ bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
   return state_->call(static_cast<ClosureObj*>(function), arguments, result);
 }
 
+std::shared_ptr<const void>& Vm::task_data() { return state_->running->host_data; }
+
 void Vm::advise(const Failure& advice) {
   if (!options_.advice) return;
   Diagnostic diagnostic = lang::diagnostic_of(*state_, advice);

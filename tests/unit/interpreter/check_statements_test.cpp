@@ -141,9 +141,8 @@ TEST_CASE("advice is given for what is surely a slip") {
 }
 
 TEST_CASE("what is not there yet is refused by name") {
-  for (const char* text :
-       {"parallel { print(1) }", "when (true) { print(1) }", "every (1s) { print(1) }",
-        "with (speed: 0.5) { print(1) }", "path { print(1) }"}) {
+  for (const char* text : {"parallel { print(1) }", "when (true) { print(1) }",
+                           "every (1s) { print(1) }", "path { print(1) }"}) {
     CAPTURE(text);
     CHECK(check_text(text)->codes() == "E0199");
   }
