@@ -35,6 +35,10 @@ std::vector<std::string> cells_of(Slot value, const Type& type) {
     for (const Slot item : items_value(value)) {
       for (std::string& cell : cells_of(item, *type.element)) cells.push_back(std::move(cell));
     }
+  } else if (type.is(Kind::kMatrix)) {
+    const MatrixObj& matrix = matrix_value(value);
+    for (std::size_t i = 0; i < std::size_t{matrix.rows} * matrix.cols; ++i)
+      number(matrix.data()[i]);
   } else if (type.is(Kind::kHost) && type.host == &kPosJ) {
     for (const double q : posj(value).vector()) number(q);
   } else if (type.is(Kind::kHost) && type.host == &kPosC) {
