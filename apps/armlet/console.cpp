@@ -83,6 +83,9 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
     if (name.ends_with(".rbt")) name.resize(name.size() - 4);
     session.world = WorldText{std::move(name), *std::move(text)};
   }
+  // What a program may write lies below its own folder.
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  session.folder = folder.empty() ? std::filesystem::path(".") : folder;
   session.limits.steps = options.steps;
   session.output = print_out;
   return setup;

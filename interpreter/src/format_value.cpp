@@ -98,6 +98,7 @@ class Writer {
   void real(double value, Dim dim);
   void text(std::string_view text);
   void list(const ListObj& list, const Type& element);
+  void table(Slot s, const RecordInfo& info);
   void record(const RecordObj& record, const RecordInfo& info);
   void matrix(const MatrixObj& matrix);
   void reference(Slot s, const Type& type);
@@ -164,6 +165,17 @@ void Writer::record(const RecordObj& record, const RecordInfo& info) {
   out += ')';
 }
 
+// table(t, q, tau; 101 rows)
+void Writer::table(Slot s, const RecordInfo& info) {
+  out += info.name;
+  for (std::size_t i = 0; i < info.fields.size(); ++i) {
+    out += i == 0 ? "(" : ", ";
+    out += info.fields[i].name;
+  }
+  const std::size_t rows = table_rows(s).size();
+  out += "; " + std::to_string(rows) + (rows == 1 ? " row)" : " rows)");
+}
+
 void Writer::matrix(const MatrixObj& matrix) {
   out += '[';
   const std::size_t count = std::size_t{matrix.rows} * matrix.cols;
@@ -184,7 +196,11 @@ void Writer::reference(Slot s, const Type& type) {
   }
   ++level_;
   if (type.is(Kind::kList)) list(*static_cast<ListObj*>(s.o), *type.element);
-  if (type.is(Kind::kRecord)) record(*static_cast<RecordObj*>(s.o), *type.record);
+  if (type.is_table()) {
+    table(s, *type.record);
+  } else if (type.is(Kind::kRecord)) {
+    record(*static_cast<RecordObj*>(s.o), *type.record);
+  }
   if (type.is(Kind::kMatrix)) matrix(*static_cast<MatrixObj*>(s.o));
   if (type.is(Kind::kFunction)) out += type_name(&type);
   if (type.is(Kind::kHost)) {

@@ -23,10 +23,12 @@ std::span<const NativeFunction> pose_functions();
 std::span<const NativeFunction> robot_functions();
 std::span<const NativeFunction> model_functions();
 std::span<const NativeFunction> motion_functions();
+std::span<const NativeFunction> settings_functions();
 std::span<const NativeFunction> hand_functions();
 std::span<const NativeFunction> world_functions();
 std::span<const NativeFunction> classic_functions();
 std::span<const NativeFunction> time_functions();
+std::span<const NativeFunction> table_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 

@@ -49,7 +49,7 @@ Signal move_j(Vm& vm, Slot* args) {
                       .planner = 1,
                       .classic = true};
   return move_to_joints(vm, args, call, posj(args[2]).vector(), std::string(text_value(args[1])),
-                        args[3].d, std::nullopt);
+                        {.time = args[3].d});
 }
 Signal move_c(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveC",
@@ -59,11 +59,9 @@ Signal move_c(Vm& vm, Slot* args) {
                       .planner = 1,
                       .classic = true};
   const std::string_view planner = text_value(args[1]);
-  if (planner == "Lin") return move_on_line(vm, args, call, posc(args[2]), args[3].d, std::nullopt);
-  if (!check_duration(vm, args[3].d, call.time)) return Signal::kFail;
-  const auto q = solve_target(vm, call, posc(args[2]), Host::of(vm).cell().robot(call.robot).q);
-  if (!q) return Signal::kFail;
-  return move_to_joints(vm, args, call, *q, std::string(planner), args[3].d, std::nullopt);
+  if (planner == "Lin") return move_on_line(vm, args, call, posc(args[2]), {.time = args[3].d});
+  return move_to_place(vm, args, call, posc(args[2]), {}, std::string(planner),
+                       {.time = args[3].d});
 }
 // Calls that are only there to be explained before running.
 Signal never_run(Vm& vm, Slot*) {

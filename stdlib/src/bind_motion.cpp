@@ -16,27 +16,39 @@ std::optional<double> given(Slot s) {
 }
 
 // (r, target, time, speed, accel, traj, near)
+MoveSettings joint_settings(const Slot* args) {
+  return {.time = given(args[2]), .speed = given(args[3]), .accel = given(args[4])};
+}
 Signal move_j_joints(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveJ", .robot = host_value<RobotRef>(args[0]).id};
   return move_to_joints(vm, args, call, posj(args[1]).vector(), std::string(text_value(args[5])),
-                        given(args[2]), given(args[3]));
+                        joint_settings(args));
 }
-
 Signal move_j_place(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveJ", .robot = host_value<RobotRef>(args[0]).id};
-  const Eigen::VectorXd seed =
-      args[6].o != nullptr ? posj(args[6]).vector() : Host::of(vm).cell().robot(call.robot).q;
-  const auto q = solve_target(vm, call, posc(args[1]), seed);
-  if (!q) return Signal::kFail;
-  return move_to_joints(vm, args, call, *q, std::string(text_value(args[5])), given(args[2]),
-                        given(args[3]));
+  const Eigen::VectorXd near = args[6].o != nullptr ? posj(args[6]).vector() : Eigen::VectorXd();
+  if (args[6].o != nullptr && near.size() != model_of(vm, call).n())
+    return size_failure(vm, "near", static_cast<std::size_t>(near.size()),
+                        static_cast<std::size_t>(model_of(vm, call).n()));
+  return move_to_place(vm, args, call, posc(args[1]), near, std::string(text_value(args[5])),
+                       joint_settings(args));
 }
 
 // (r, target, time, speed, accel, tool, frame, blend)
+template <bool kInObject>
 Signal move_l(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveL", .robot = host_value<RobotRef>(args[0]).id};
-  return move_on_line(vm, args, call, posc(args[1]), given(args[2]), given(args[3]));
+  MoveSettings settings = joint_settings(args);
+  if (args[5].o != nullptr) settings.T_flange_tool = posc(args[5]).T;
+  if (kInObject) {
+    settings.frame = host_value<ObjectRef>(args[6]).name;
+  } else if (args[6].o != nullptr) {
+    settings.frame = posc(args[6]).T;
+  }
+  return move_on_line(vm, args, call, posc(args[1]), settings);
 }
+
+Signal halt(Vm& vm, Slot* args) { return halt_robot(vm, host_value<RobotRef>(args[0]).id); }
 
 Signal set_joints(Vm& vm, Slot* args) {
   Host& host = Host::of(vm);
@@ -56,25 +68,45 @@ Signal set_joints(Vm& vm, Slot* args) {
 
 constexpr std::string_view kMoveJHelp =
     "Moves all joints together; to a position in space, its inverse kinematics is solved first. "
-    "time or speed, not both; neither means as fast as the joints allow.";
+    "time or speed, a fraction of the joint limits, not both; neither means as fast as the joints "
+    "allow. accel is a fraction of their acceleration limits.";
+constexpr std::string_view kMoveLHelp =
+    "Moves the hand along a straight line; the orientation turns evenly. time or speed, not both; "
+    "neither means as fast as the joints allow. tool is the point that moves, seen from the "
+    "flange; frame is where the target is read.";
 
 constexpr NativeFunction kFunctions[] = {
     {"moveJ",
-     "(r: robot, target: posJ, time: time?, speed: double?, accel: accel?, traj: string = \"Syn\", "
+     "(r: robot, target: posJ, time: time?, speed: double?, accel: double?, traj: string = "
+     "\"Syn\", "
      "near: posJ?) -> Move",
      kMoveJHelp, "moveJ(home(), time: 2s)", move_j_joints, nullptr, nullptr, check_move_joints,
      nullptr, true},
     {"moveJ",
-     "(r: robot, target: posC, time: time?, speed: double?, accel: accel?, traj: string = \"Syn\", "
+     "(r: robot, target: posC, time: time?, speed: double?, accel: double?, traj: string = "
+     "\"Syn\", "
      "near: posJ?) -> Move",
      kMoveJHelp, "moveJ(here(), time: 1s)", move_j_place, nullptr, nullptr, check_move_place,
      nullptr, true},
     {"moveL",
      "(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, frame: "
      "posC?, blend: length?) -> Move",
-     "Moves the hand along a straight line; the orientation turns evenly. time or speed, not both; "
-     "neither means as fast as the joints allow.",
-     "moveL(here(), speed: 80mm/s)", move_l, nullptr, nullptr, check_move_line, nullptr, true},
+     kMoveLHelp, "moveL(here(), speed: 80mm/s)", move_l<false>, nullptr, nullptr, check_move_line,
+     nullptr, true},
+    {"moveL",
+     "(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, frame: "
+     "object, blend: length?) -> Move",
+     kMoveLHelp, "moveL(xyz(z: 80mm), speed: 80mm/s, frame: object(\"cube\"))", move_l<true>,
+     nullptr, nullptr, check_move_line, nullptr, true},
+    {.name = "halt",
+     .signature = "(r: robot)",
+     .help = "Stops the robot under control, along its path and within its acceleration limits, "
+             "and waits "
+             "until it stands; the move that is interrupted fails with the kind Halted.",
+     .example = "halt()",
+     .thunk = halt,
+     .pauses = true,
+     .interrupts = true},
     commanding({"setJoints", "(r: robot, q: posJ)",
                 "Puts a simulated robot into a position without moving it.", "setJoints(home())",
                 set_joints}),

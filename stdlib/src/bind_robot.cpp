@@ -181,6 +181,43 @@ Signal manipulability_of(Vm& vm, Slot* args) {
   return give(args, manipulability(robot, *q));
 }
 
+Signal give_matrix(Vm& vm, Slot* args, const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  MatrixObj* matrix = new_matrix(vm, static_cast<std::uint32_t>(values.rows()),
+                                 static_cast<std::uint32_t>(values.cols()));
+  if (matrix == nullptr) return Signal::kFail;
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    matrix->data()[i] = values(i / values.cols(), i % values.cols());
+  return give(args, matrix);
+}
+
+// (r, q, frame)
+template <bool kList>
+Signal jacobian_of(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  const auto q = joint_argument(vm, robot, args[1], kList, 1);
+  if (!q) return Signal::kFail;
+  const std::string_view name = text_value(args[2]);
+  const auto frame = name == "world"  ? std::optional(JacobianFrame::kWorld)
+                     : name == "base" ? std::optional(JacobianFrame::kBase)
+                     : name == "tool" ? std::optional(JacobianFrame::kTool)
+                                      : std::nullopt;
+  if (!frame) {
+    return failure(vm, "R0626", fmt::format("a Jacobian has no frame \"{}\"", name), 2,
+                   "its frames are \"world\", \"base\" and \"tool\"");
+  }
+  return give_matrix(vm, args, armlet::jacobian(robot, *q, *frame));
+}
+
+Signal dh_table(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  Eigen::MatrixXd table(robot.n(), 4);
+  for (int i = 0; i < robot.n(); ++i) {
+    const DhRow& row = robot.joint(i).dh;
+    table.row(i) << row.theta, row.d, row.a, row.alpha;
+  }
+  return give_matrix(vm, args, table);
+}
+
 Signal random_joints(Vm& vm, Slot* args) {
   const Robot& robot = *state_of(vm, args[0]).model;
   Eigen::VectorXd q(robot.n());
@@ -236,6 +273,19 @@ constexpr NativeFunction kFunctions[] = {
     {"manipulability", "(r: robot, q: double[]) -> double",
      "Yoshikawa's measure: zero where the arm is singular.", "manipulability([0.0, 0.5, 0.1, 0.0])",
      manipulability_of<true>},
+    {"jacobian", "(r: robot, q: posJ, frame: string = \"world\") -> matrix",
+     "Maps joint speeds to the velocity of the tool point: three rows in m/s, three in rad/s, "
+     "along "
+     "the axes of the frame \"world\", \"base\" or \"tool\".",
+     "jacobian(joints())", jacobian_of<false>},
+    {"jacobian", "(r: robot, q: double[], frame: string = \"world\") -> matrix",
+     "Maps joint speeds to the velocity of the tool point: three rows in m/s, three in rad/s, "
+     "along "
+     "the axes of the frame \"world\", \"base\" or \"tool\".",
+     "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")", jacobian_of<true>},
+    {"dhTable", "(r: robot) -> matrix",
+     "The Denavit-Hartenberg parameters, one row theta, d, a, alpha for each joint, in rad and m.",
+     "dhTable()", dh_table},
     {"randomJoints", "(r: robot) -> posJ",
      "Joint values drawn evenly within the limits; the same ones in every run.", "randomJoints()",
      random_joints},

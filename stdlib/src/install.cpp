@@ -15,10 +15,12 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {
-    "halt",  "robots.arm7", "urdf",    "jacobian", "dhTable", "simulate", "mesh",  "touching",
-    "table", "explain",     "lab",     "map",      "filter",  "fold",     "any",   "all",
-    "zip",   "polyfit",     "polyval", "roots",    "interp",  "ode",      "solve", "minimise"};
+constexpr std::string_view kPlanned[] = {"robots.arm7", "urdf", "simulate", "mesh", "touching",
+                                         "table", "explain", "lab", "map", "filter", "fold", "any",
+                                         "all", "zip", "polyfit", "polyval", "roots", "interp",
+                                         "ode", "solve", "minimise",
+                                         // settings of with
+                                         "with.collisions"};
 
 }  // namespace
 
@@ -52,10 +54,12 @@ void install(Engine& engine) {
       {"Robots: models", bind::model_functions()},
       {"Robots: state and kinematics", bind::robot_functions()},
       {"Robots: motion", bind::motion_functions()},
+      {"Robots: settings", bind::settings_functions()},
       {"Hands", bind::hand_functions()},
       {"World and signals", bind::world_functions()},
       {"The classic subset", bind::classic_functions()},
       {"Time", bind::time_functions()},
+      {"Tables", bind::table_functions()},
       {"Later", bind::later_functions()},
   };
   for (const auto& [title, functions] : chapters) engine.add_functions(functions, title);

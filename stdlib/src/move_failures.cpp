@@ -6,6 +6,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
+#include "armlet/kinematics/forward.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "bind.hpp"
@@ -15,10 +16,6 @@ namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-const Robot& model(Vm& vm, const MoveCall& call) {
-  return *Host::of(vm).cell().robot(call.robot).model;
-}
 
 Failure start(Vm& vm, const MoveCall& call, std::string_view code, int mark) {
   Failure f;
@@ -107,7 +104,7 @@ std::string rate(const Robot& robot, int joint, LimitKind kind, double value) {
 
 Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
                         const IkResult& result) {
-  const Robot& robot = model(vm, call);
+  const Robot& robot = model_of(vm, call);
   Failure f = start(vm, call, "R0601", call.target);
   const IkDiagnosis& d = result.diagnosis;
   switch (result.status) {
@@ -152,7 +149,7 @@ Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
 
 Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
                     const LimitViolation& outside) {
-  const Robot& robot = model(vm, call);
+  const Robot& robot = model_of(vm, call);
   const Joint& joint = robot.joint(outside.joint);
   const JointKind kind = joint.kind;
   Failure f = start(vm, call, "R0602", call.target);
@@ -169,7 +166,7 @@ Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
 }
 
 Signal fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
-  const Robot& robot = model(vm, call);
+  const Robot& robot = model_of(vm, call);
   const JointKind kind = robot.joint(fast.joint).kind;
   Failure f = start(vm, call, "R0604", call.time);
   f.moved.reset();
@@ -188,7 +185,7 @@ Signal fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
 }
 
 void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
-  const Robot& robot = model(vm, call);
+  const Robot& robot = model_of(vm, call);
   const double excess = fast.given > 0.0 ? fast.least_time / fast.given : 0.0;
   const double needed = fast.limit * (fast.kind == LimitKind::kSpeed ? excess : excess * excess);
   Failure f = start(vm, call, "W0707", call.time);
@@ -202,11 +199,11 @@ void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
 
 Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFault& fault) {
   if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
-  const Robot& robot = model(vm, call);
+  const Robot& robot = model_of(vm, call);
   Failure f = start(vm, call, "R0603", kMarkCallee);
   f.arguments = {fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)))};
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
-  const Vector3d start_point = Host::of(vm).cell().T_world_tool(call.robot).translation();
+  const Vector3d start_point = forward(robot, state.q).translation();
   const Vector3d closest = nearest_to_axis(robot, start_point, target.T.translation());
   if (is_inside_fold(robot, state.q, closest)) {
     f.why = fmt::format(
@@ -234,7 +231,7 @@ Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFau
 }
 
 Signal fail_joint_count(Vm& vm, const MoveCall& call, int count) {
-  const Robot& robot = model(vm, call);
+  const Robot& robot = model_of(vm, call);
   Failure f = start(vm, call, "R0613", call.target);
   f.message = fmt::format("{} joint value{} for a robot with {} joint{}", count,
                           count == 1 ? "" : "s", robot.n(), robot.n() == 1 ? "" : "s");

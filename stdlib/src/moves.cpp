@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "armlet/core/format.hpp"
+#include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/joint_move.hpp"
 #include "bind.hpp"
 #include "move_failures.hpp"
+#include "move_waiting.hpp"
+#include "objects.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -26,83 +29,6 @@ bool keeps_tilt(const Robot& robot) {
          chain.sin_alpha[0] == 0.0;
 }
 
-// A motion from its start to its end, and the Move it gives.
-class MoveWaiting : public Waiting {
- public:
-  MoveWaiting(Host& host, const MoveCall& call, int motion, double length)
-      : host_(host),
-        function_(call.function),
-        target_(call.target),
-        robot_(call.robot),
-        motion_(motion),
-        length_(length) {}
-
-  [[nodiscard]] std::int64_t due_ns() const override { return report().end_ns; }
-  [[nodiscard]] bool is_over() const override { return report().state != MotionState::kRunning; }
-  void stop() override {
-    if (!is_over()) host_.cell().stop(robot_);
-  }
-  [[nodiscard]] std::string what() const override {
-    return fmt::format("{} of {}", function_, robot());
-  }
-  [[nodiscard]] std::string robot() const override { return host_.cell().robot(robot_).name; }
-
-  Signal finish(Vm& vm, Slot& result) override {
-    const MotionReport& done = report();
-    const bool reached = done.state == MotionState::kReached;
-    const double duration = to_seconds(done.end_ns - done.start_ns);
-    host_.report_move({host_.cell().robot(robot_).name, function_, to_seconds(done.start_ns),
-                       duration, !reached, host_.cell().T_world_tool(robot_)});
-    tell_events(vm);
-    RecordObj* move = new_record(vm, vm.program().library_record("Move"));
-    if (move == nullptr) return Signal::kFail;
-    move->fields()[0] = slot_of(reached);
-    move->fields()[1] = slot_of(!reached);
-    move->fields()[2] = slot_of(duration);
-    move->fields()[3] = slot_of(length_);
-    result.o = move;
-    return Signal::kDone;
-  }
-
- private:
-  [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
-
-  // Contact picking says once that it happened.
-  void tell_events(Vm& vm) {
-    for (const CellEvent& event : host_.take_events()) {
-      if (event.kind != CellEventKind::kPicked || !host_.first_contact_pick()) continue;
-      Failure advice;
-      advice.code = "W0704";
-      advice.arguments = {event.object};
-      advice.mark_parameter = target_;
-      advice.why =
-          "this program never calls grasp or release, so objects named in insertObj are picked up "
-          "and put down by contact";
-      advice.fix = "call grasp and release to decide yourself";
-      vm.advise(advice);
-    }
-  }
-
-  Host& host_;
-  std::string function_;
-  int target_;
-  int robot_;
-  int motion_;
-  double length_;
-};
-
-Signal start(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, double length) {
-  Host& host = Host::of(vm);
-  const bool instant = trajectory.duration() <= 0.0;
-  const int motion = host.cell().start(call.robot, std::move(trajectory));
-  auto waiting = std::make_unique<MoveWaiting>(host, call, motion, length);
-  if (!instant) return pause(vm, std::move(waiting));
-  host.advance_to(host.now_ns());
-  return waiting->finish(vm, args[0]);
-}
-
-}  // namespace
-
 bool refuse_busy(Vm& vm, int robot_id) {
   const CellRobot& robot = Host::of(vm).cell().robot(robot_id);
   if (!robot.motion) return false;
@@ -114,6 +40,60 @@ bool refuse_busy(Vm& vm, int robot_id) {
   f.fix = "wait until its move has ended";
   static_cast<void>(fail(vm, std::move(f)));
   return true;
+}
+
+// The target as the world sees it: read in the frame of the call, or of the blocks around it.
+// Empty: the failure is set.
+std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
+                             const PosC& target) {
+  std::optional<Frame> frame = settings.frame ? settings.frame : settings_of(vm).frame;
+  if (!frame) return target;
+  if (const auto* name = std::get_if<std::string>(&*frame)) {
+    const Object* object = find_object(vm, *name);
+    if (object == nullptr) {
+      static_cast<void>(fail_unknown_object(vm, *name, call.target));
+      return std::nullopt;
+    }
+    frame = object->T_world_obj;
+  }
+  return PosC{std::get<Eigen::Isometry3d>(*frame) * target.T, target.has_orientation};
+}
+
+// The robot with the tool point and the accelerations of this move. `accel`: a fraction.
+void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double accel) {
+  const BlockSettings block = settings_of(vm);
+  const auto& tool = settings.T_flange_tool ? settings.T_flange_tool : block.T_flange_tool;
+  if (!tool && accel == 1.0) return;
+  Robot model = *Host::of(vm).cell().robot(call.robot).model;
+  if (tool) model = model.with_tool_point(*tool);
+  if (accel != 1.0) model = model.with_acceleration(accel);
+  call.model = std::make_shared<const Robot>(std::move(model));
+}
+
+// A fraction of the joint limits. False: the failure is set.
+bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
+  if (value > 0.0 && value <= 1.0) return true;
+  static_cast<void>(
+      failure(vm, "R0609",
+              fmt::format("{} of {}: a fraction of the joint limits lies above 0 and not above 1",
+                          what, format_number(value)),
+              parameter));
+  return false;
+}
+
+bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, int parameter) {
+  if (std::isfinite(value) && value > 0.0) return true;
+  static_cast<void>(failure(vm, "R0609",
+                            fmt::format("{} of {} {}: the hand needs one above 0", what,
+                                        format_number(value * 1000.0), unit),
+                            parameter));
+  return false;
+}
+
+}  // namespace
+
+const Robot& model_of(Vm& vm, const MoveCall& call) {
+  return call.model != nullptr ? *call.model : *Host::of(vm).cell().robot(call.robot).model;
 }
 
 bool check_duration(Vm& vm, double seconds, int parameter) {
@@ -137,7 +117,7 @@ std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {
 
 std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
                                             const Eigen::VectorXd& seed) {
-  const Robot& robot = *Host::of(vm).cell().robot(call.robot).model;
+  const Robot& robot = model_of(vm, call);
   const std::optional<IkTask> task = task_of(robot, target);
   if (!task) {
     static_cast<void>(fail_tilted(vm, call, target));
@@ -154,72 +134,101 @@ std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const 
   return std::move(result.q);
 }
 
-Signal move_to_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::VectorXd& q,
-                      std::string planner, std::optional<double> time,
-                      std::optional<double> speed) {
+namespace {
+
+// The part of a move of the joints that is the same for positions and places. The call has its
+// model.
+Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::VectorXd& q,
+                   std::string planner, const MoveSettings& settings) {
   Host& host = Host::of(vm);
   const CellRobot& state = host.cell().robot(call.robot);
-  const Robot& robot = *state.model;
-  if (refuse_busy(vm, call.robot)) return Signal::kFail;
+  const Robot& robot = model_of(vm, call);
   if (q.size() != robot.n()) return fail_joint_count(vm, call, static_cast<int>(q.size()));
-  if (time && !check_duration(vm, *time, call.time)) return Signal::kFail;
-  if (speed && !(*speed > 0.0 && *speed <= 1.0)) {
-    return failure(
-        vm, "R0609",
-        fmt::format("a speed of {}: a fraction of the joint limits lies above 0 and not above 1",
-                    format_number(*speed)),
-        call.time + 1);
-  }
+  if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
+    return Signal::kFail;
   if (host.planners().availability(planner) != Availability::kAvailable)
     return fail_planner(vm, call, planner);
-  const JointMove move{.q0 = state.q,
-                       .q1 = q,
-                       .planner = std::move(planner),
-                       .time = time,
-                       .speed = speed,
-                       .enforce_limits = !call.classic};
+  JointMove move{.q0 = state.q,
+                 .q1 = q,
+                 .planner = std::move(planner),
+                 .time = settings.time,
+                 .speed = settings.speed,
+                 .enforce_limits = !call.classic};
+  if (!move.time && !move.speed) move.speed = settings_of(vm).speed;
   MotionPlan plan = plan_joint_move(host.planners(), robot, move);
   if (!plan.outside.empty()) return fail_outside(vm, call, q, plan.outside.front());
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
   if (plan.too_fast) advise_too_fast(vm, call, *plan.too_fast);
-  const Eigen::Vector3d from = host.cell().T_world_tool(call.robot).translation();
+  const Eigen::Vector3d from = forward(robot, state.q).translation();
   const Eigen::Vector3d to = forward(robot, q).translation();
-  return start(vm, args, call, *std::move(plan.trajectory), (to - from).norm());
+  return start_motion(vm, args, call, *std::move(plan.trajectory), (to - from).norm());
 }
 
-Signal move_on_line(Vm& vm, Slot* args, const MoveCall& call, const PosC& target,
-                    std::optional<double> time, std::optional<double> speed) {
-  Host& host = Host::of(vm);
-  const CellRobot& state = host.cell().robot(call.robot);
-  const Robot& robot = *state.model;
+// What can be refused before anything is solved. False: the failure is set.
+bool prepare_joints(Vm& vm, MoveCall& call, const MoveSettings& settings) {
+  if (refuse_busy(vm, call.robot)) return false;
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return false;
+  const double accel = settings.accel.value_or(settings_of(vm).accel);
+  if (!check_fraction(vm, "an acceleration", accel, call.accel)) return false;
+  choose_model(vm, call, settings, accel);
+  return true;
+}
+
+}  // namespace
+
+Signal move_to_joints(Vm& vm, Slot* args, MoveCall call, const Eigen::VectorXd& q,
+                      std::string planner, const MoveSettings& settings) {
+  if (!prepare_joints(vm, call, settings)) return Signal::kFail;
+  return move_joints(vm, args, call, q, std::move(planner), settings);
+}
+
+Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
+                     const Eigen::VectorXd& near, std::string planner,
+                     const MoveSettings& settings) {
+  if (!prepare_joints(vm, call, settings)) return Signal::kFail;
+  const auto goal = in_world(vm, call, settings, target);
+  if (!goal) return Signal::kFail;
+  const Eigen::VectorXd& present = Host::of(vm).cell().robot(call.robot).q;
+  const auto q = solve_target(vm, call, *goal, near.size() > 0 ? near : present);
+  if (!q) return Signal::kFail;
+  return move_joints(vm, args, call, *q, std::move(planner), settings);
+}
+
+Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& written,
+                    const MoveSettings& settings) {
+  const CellRobot& state = Host::of(vm).cell().robot(call.robot);
   if (refuse_busy(vm, call.robot)) return Signal::kFail;
-  if (time && !check_duration(vm, *time, call.time)) return Signal::kFail;
-  if (speed && !(std::isfinite(*speed) && *speed > 0.0)) {
-    return failure(vm, "R0609",
-                   fmt::format("a speed of {} mm/s: the hand needs a speed above 0",
-                               format_number(*speed * 1000.0)),
-                   call.time + 1);
-  }
-  const std::optional<IkTask> task = task_of(robot, target);
-  if (!task) return fail_tilted(vm, call, target);
-  const double distance =
-      (target.T.translation() - host.cell().T_world_tool(call.robot).translation()).norm();
-  if (time && *time == 0.0 && distance > 0.0) {
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Signal::kFail;
+  if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
+    return Signal::kFail;
+  if (settings.accel &&
+      !check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel))
+    return Signal::kFail;
+  const BlockSettings block = settings_of(vm);
+  choose_model(vm, call, settings, block.accel);
+  const Robot& robot = model_of(vm, call);
+  const auto target = in_world(vm, call, settings, written);
+  if (!target) return Signal::kFail;
+  const std::optional<IkTask> task = task_of(robot, *target);
+  if (!task) return fail_tilted(vm, call, *target);
+  const double distance = (target->T.translation() - forward(robot, state.q).translation()).norm();
+  if (settings.time && *settings.time == 0.0 && distance > 0.0)
     return fail_no_time(vm, call, distance);
-  }
-  LineMove move{.q0 = state.q,
-                .T_world_goal = target.T,
-                .task = *task,
-                .time = time,
-                .tool_speed = speed,
-                .enforce_limits = !call.classic};
+  const LineMove move{.q0 = state.q,
+                      .T_world_goal = target->T,
+                      .task = *task,
+                      .time = settings.time,
+                      .tool_speed = settings.speed,
+                      .tool_accel = settings.accel,
+                      .speed = block.speed,
+                      .enforce_limits = !call.classic};
   LinePlan plan = plan_line(robot, move);
-  if (plan.fault) return fail_line(vm, call, target, *plan.fault);
+  if (plan.fault) return fail_line(vm, call, *target, *plan.fault);
   if (!plan.motion.outside.empty())
     return fail_outside(vm, call, state.q, plan.motion.outside.front());
   if (!plan.motion.trajectory) return fail_too_fast(vm, call, *plan.motion.too_fast);
   if (plan.motion.too_fast) advise_too_fast(vm, call, *plan.motion.too_fast);
-  return start(vm, args, call, *std::move(plan.motion.trajectory), plan.length);
+  return start_motion(vm, args, call, *std::move(plan.motion.trajectory), plan.length);
 }
 
 }  // namespace armlet::bind

@@ -1,6 +1,7 @@
 #pragma once
 // Starting motions from native calls, and turning what planning says into messages.
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/cartesian_line.hpp"
 #include "armlet/trajectory/verify.hpp"
+#include "settings.hpp"
 #include "values.hpp"
 
 namespace armlet::bind {
@@ -18,24 +20,50 @@ struct MoveCall {
   int robot = 0;              // in the cell
   int target = 1;
   int time = 2;
+  int speed = 3;
+  int accel = 4;
   int planner = 5;
   bool classic = false;  // too fast is advice, not an error
+  // The robot with the tool point and the limits of this move; null: as it is in the cell.
+  std::shared_ptr<const Robot> model{};
 };
+
+// How a move is to be made, as the call says it.
+//
+// speed, accel  fractions of the joint limits for moves of the joints, m/s and m/s^2 of the tool
+//               point for moves along a line.
+struct MoveSettings {
+  std::optional<double> time{};
+  std::optional<double> speed{};
+  std::optional<double> accel{};
+  std::optional<Eigen::Isometry3d> T_flange_tool{};
+  std::optional<Frame> frame{};
+};
+
+// The robot that a call plans with.
+[[nodiscard]] const Robot& model_of(Vm& vm, const MoveCall& call);
 
 // What of a target counts for this arm (ruling 14). Empty if its orientation cannot agree with the
 // arm at all.
 [[nodiscard]] std::optional<IkTask> task_of(const Robot& robot, const PosC& target);
 
-// Joint values for a target, near `seed`; empty: the failure is set.
+// Joint values for a target in the world, near `seed`; empty: the failure is set.
 [[nodiscard]] std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call,
                                                           const PosC& target,
                                                           const Eigen::VectorXd& seed);
 
-// Plans and starts; kPause when the robot is on its way.
-Signal move_to_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::VectorXd& q,
-                      std::string planner, std::optional<double> time, std::optional<double> speed);
-Signal move_on_line(Vm& vm, Slot* args, const MoveCall& call, const PosC& target,
-                    std::optional<double> time, std::optional<double> speed);
+// Plans and starts; kPause when the robot is on its way. Targets are read in the frame of the call
+// or of the blocks around it; `near` chooses among joint values, empty: the present ones.
+Signal move_to_joints(Vm& vm, Slot* args, MoveCall call, const Eigen::VectorXd& q,
+                      std::string planner, const MoveSettings& settings);
+Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
+                     const Eigen::VectorXd& near, std::string planner,
+                     const MoveSettings& settings);
+Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& target,
+                    const MoveSettings& settings);
+
+// Stops the robot under control; the move that it makes fails with R0618. kPause until it stands.
+Signal halt_robot(Vm& vm, int robot);
 
 // A robot that another task is moving takes no commands: true, and the failure is set.
 [[nodiscard]] bool refuse_busy(Vm& vm, int robot);

@@ -378,7 +378,6 @@ void check_move_joints(CheckCall& call) {
   check_joint_target(call, 1);
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
-  refuse_settings(call, {{4, "accel"}});
   if (!call.given(6)) return;
   Diagnostic d = make_diagnostic("E0207", call.setting_span(6), {"moveJ", "near"});
   d.why = "near chooses among the joint values that reach a place; a posJ is such values already";
@@ -388,11 +387,10 @@ void check_move_joints(CheckCall& call) {
 void check_move_place(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
-  refuse_settings(call, {{4, "accel"}});
 }
 void check_move_line(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
-  refuse_settings(call, {{4, "accel"}, {5, "tool"}, {6, "frame"}, {7, "blend"}});
+  refuse_settings(call, {{7, "blend"}});
 }
 
 void check_classic_joints(CheckCall& call) {

@@ -15,6 +15,7 @@ std::unique_ptr<Host> Session::make_host(bool with_world) {
   host_options.robot = options_.robot;
   host_options.on_move = options_.on_move;
   host_options.pace = options_.pace;
+  host_options.folder = options_.folder;
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
       fill_world(host, *options_.default_world);

@@ -15,8 +15,9 @@ using hir::StmtKind;
 
 bool commands_a_robot(const hir::CallNativeExpr& call) {
   if (call.arguments.empty() || !call.arguments[0]->type->is(Kind::kHost)) return false;
-  return call.arguments[0]->type->host->is_ambient &&
-         (call.function->pauses || call.function->commands);
+  const NativeFunction& function = *call.function;
+  return call.arguments[0]->type->host->is_ambient && !function.interrupts &&
+         (function.pauses || function.commands);
 }
 
 // What a branch begins with.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/recordings.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -137,6 +138,7 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
     items = make<hir::ConvertExpr>(hir::ExprKind::kConvert, rows, items->span,
                                    hir::Conversion::kMatrixToRows, items);
   }
+  if (items->type->is_table()) items = rows_of(*this, items);
   if (!items->type->is(Kind::kList) && !items->type->is(Kind::kAny)) {
     Diagnostic diagnostic = make_diagnostic("E0331", items->span, {type_phrase(items->type)});
     if (items->type->is(Kind::kInt)) {

@@ -5,6 +5,7 @@
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 #include "check/matrices.hpp"
+#include "check/recordings.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -92,6 +93,7 @@ hir::Expr* Checker::field_of(hir::Expr* object, const ast::MemberExpr& member) {
   }
   if (type->is(Kind::kList) && field == "last") return last_of(object, member.span);
   if (type->is(Kind::kEnum) && field == "name") return enum_name(object, member.span);
+  if (type->is_table()) return column_of(*this, object, member);
   if (type->is(Kind::kRecord)) {
     const int i = type->record->index_of(field);
     if (i < 0) return unknown_field(*object, member.member);
@@ -134,6 +136,7 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
   const Type* type = object.type;
   if (type->is(Kind::kRecord)) {
     for (const RecordField& known : type->record->fields) names.push_back(known.name);
+    if (type->is_table()) names.emplace_back("length");
   } else if (type->is(Kind::kHost) || type->is(Kind::kMatrix)) {
     const std::string prefix = type_name(type) + '.';
     for (const std::string_view known : registry_.public_names()) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "check/checker.hpp"
+#include "check/recordings.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -126,7 +127,7 @@ void Checker::note_pause(Span span) {
   if (use_ != nullptr) use_->pauses = true;
   for (const FunctionContext* context = here_; context != nullptr; context = context->outer) {
     if (context->kind != FunctionContext::Kind::kCondition) continue;
-    report(make_diagnostic("E0505", span));
+    report_pause(*this, *context->function, span);
     return;
   }
 }
@@ -135,6 +136,11 @@ void Checker::note_pause(Span span) {
 
 Ambient Checker::find_ambient(const HostType& type) {
   Ambient out;
+  for (FunctionContext* context = here_; context != nullptr; context = context->outer) {
+    for (auto with = context->ambients.rbegin(); with != context->ambients.rend(); ++with) {
+      if (with->type == &type) return {&with->local, context, {with->local.variable->name}};
+    }
+  }
   const auto look_in = [&](FunctionContext& context, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       Local& local = context.locals[i];

@@ -174,6 +174,13 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
   step.span = at.span;
   if (at.kind == ast::ExprKind::kMember) {
     const ast::Name& field = at.as<ast::MemberExpr>().member;
+    if (type->is_table()) {
+      Diagnostic diagnostic = make_diagnostic("E0328", whole);
+      diagnostic.why = "a table holds what was recorded";
+      diagnostic.fix = Fix{.text = "copy the column: var copy = " + text_of(at.span)};
+      report(std::move(diagnostic));
+      return std::nullopt;
+    }
     const int i = type->is(Kind::kRecord) ? type->record->index_of(field.text) : -1;
     if (i < 0 && type->is(Kind::kRecord)) {
       unknown_field(hir::Expr{.kind = hir::ExprKind::kVariable, .type = type, .span = at.span},

@@ -94,6 +94,12 @@ struct FunctionDecl {
 };
 
 // One function, lambda, condition or test while its body is being checked.
+// A value that calls inside a `with` block mean when they leave it out: its robot.
+struct WithAmbient {
+  const HostType* type = nullptr;
+  Local local;
+};
+
 struct FunctionContext {
   enum class Kind : std::uint8_t {
     kProgram,
@@ -109,7 +115,8 @@ struct FunctionContext {
   Instance* instance = nullptr;         // kNamed
   std::vector<Local> locals{};          // all that can be seen, innermost last
   std::unordered_map<std::string_view, std::size_t> places{};  // of names in locals
-  std::vector<std::size_t> blocks{};  // where each open block begins in locals
+  std::vector<std::size_t> blocks{};    // where each open block begins in locals
+  std::vector<WithAmbient> ambients{};  // innermost last
   std::vector<hir::Capture> captures{};
   std::vector<JumpTarget> targets{};
   Flow flow{};

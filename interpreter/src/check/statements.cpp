@@ -4,6 +4,8 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/recordings.hpp"
+#include "check/settings.hpp"
 #include "check/tasks.hpp"
 
 namespace armlet::lang {
@@ -74,6 +76,8 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
     sink_.begin_statement();
     if (is_active_statement(*this, stmt)) {
       check_active_statement(*this, stmt);
+    } else if (stmt.kind == ast::StmtKind::kRecord) {
+      return check_record(*this, stmt.as<ast::RecordStmt>(), body.subspan(i + 1), out);
     } else if (hir::Stmt* checked = check_statement(stmt)) {
       out.push_back(checked);
     }
@@ -124,11 +128,12 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kWhen:
     case StmtKind::kEvery:
       return check_tasks(*this, stmt);
-    case StmtKind::kWith:
-    case StmtKind::kRecord:
-      return not_there_yet(stmt);
     case StmtKind::kPath:
       return check_path(stmt.as<ast::PathStmt>());
+    case StmtKind::kWith:
+      return check_with(*this, stmt.as<ast::WithStmt>());
+    case StmtKind::kRecord:
+      return check_lone_record(*this, stmt.as<ast::RecordStmt>());
     case StmtKind::kExpr:
       return check_expression_statement(stmt.as<ast::ExprStmt>());
     case StmtKind::kAssign:
@@ -148,15 +153,6 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kThrow:
       return check_throw(stmt.as<ast::ThrowStmt>());
   }
-  return nullptr;
-}
-
-// Statements that begin with a word of their own, which names them.
-hir::Stmt* Checker::not_there_yet(const ast::Stmt& stmt) {
-  const std::string text = text_of(stmt.span);
-  const std::string word = text.substr(0, text.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
-  const auto length = static_cast<std::uint32_t>(word.size());
-  not_available({stmt.span.begin, stmt.span.begin + length, stmt.span.source}, '`' + word + '`');
   return nullptr;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/recordings.hpp"
 
 namespace armlet::lang {
 
@@ -69,7 +70,7 @@ void Checker::check_conditions() {
   for (const auto& [function, span] : conditions_) {
     if (!closure_of(uses_[function]).pauses) continue;
     sink_.begin_statement();
-    report(make_diagnostic("E0505", span));
+    report_pause(*this, *function, span);
   }
 }
 

@@ -11,6 +11,8 @@
 namespace armlet {
 namespace {
 
+constexpr std::string_view kWith = "with.";  // settings of `with`
+
 // Everything called by one name.
 struct Page {
   std::string name;
@@ -78,6 +80,7 @@ std::string written_call(const lang::Registry& registry, const NativeFunction& f
   if (name.ends_with("{}"))
     return fmt::format("{} NAME {{ {} }}", name.substr(0, name.size() - 2),
                        parameters_of(signature));
+  if (name.starts_with(kWith)) return fmt::format("with {} {{ ... }}", signature);
   const std::size_t dot = name.find('.');
   if (dot == std::string_view::npos || registry.type(name.substr(0, dot)) == nullptr)
     return fmt::format("{}{}", name, signature);
@@ -93,6 +96,7 @@ std::string heading(std::string_view name) {
   if (name.starts_with("operator")) return std::string(name.substr(8));
   if (name.ends_with("[]") || name.ends_with("{}"))
     return std::string(name.substr(0, name.size() - 2));
+  if (name.starts_with(kWith)) return fmt::format("with ({}:)", name.substr(kWith.size()));
   return std::string(name);
 }
 

@@ -184,6 +184,7 @@ class SignatureReader {
     if (name == "D") return {.form = Form::kDimension, .d = 1};
     if (name == "E") return {.form = Form::kDimension, .e = 1};
     if (name == "fn") return function();
+    if (name == "table") return {.form = Form::kTable};
     return {.type = named(name)};
   }
 
@@ -385,6 +386,8 @@ int match(const TypePattern& pattern, const Type* actual, bool zero, Bindings& b
                                      : -1;
     case Form::kFunction:
       return match_function(pattern, actual, bindings);
+    case Form::kTable:
+      return actual->is_table() ? 0 : -1;
   }
   return -1;
 }
@@ -422,11 +425,14 @@ const Type* instantiate(const TypePattern& pattern, const Bindings& bindings, Ty
       parts.pop_back();
       return types.function(std::move(parts), result);
     }
+    case Form::kTable:
+      return nullptr;  // any of many
   }
   return nullptr;
 }
 
 std::string pattern_name(const TypePattern& pattern, const Bindings& bindings, TypePool& types) {
+  if (pattern.form == Form::kTable) return "table";
   if (const Type* type = instantiate(pattern, bindings, types)) return type_name(type);
   switch (pattern.form) {
     case Form::kDimension:

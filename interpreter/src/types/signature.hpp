@@ -18,7 +18,7 @@ namespace armlet::lang {
 
 // A type that may contain variables.
 struct TypePattern {
-  enum class Form : std::uint8_t { kType, kVariable, kDimension, kList, kFunction };
+  enum class Form : std::uint8_t { kType, kVariable, kDimension, kList, kFunction, kTable };
   Form form = Form::kType;
   const Type* type = nullptr;  // kType
   int variable = 0;            // kVariable: 0 is T, 1 is U

@@ -132,6 +132,28 @@ const Type* TypePool::new_record(std::string name) {
   return &types_.emplace_back(Type{.kind = Kind::kRecord, .record = &info});
 }
 
+const Type* TypePool::table(std::vector<RecordField> row) {
+  for (const Type& known : types_) {
+    if (!known.is_table()) continue;
+    const std::vector<RecordField>& fields = known.record->row->record->fields;
+    const auto same_field = [](const RecordField& a, const RecordField& b) {
+      return a.name == b.name && a.type == b.type;
+    };
+    if (std::ranges::equal(fields, row, same_field)) return &known;
+  }
+  const Type* table = new_record("table");
+  const Type* row_type = new_record("row");
+  for (const RecordField& field : row) {
+    const bool is_numbers = field.type->is(Kind::kList) && field.type->element->is_number();
+    table->record->fields.push_back(
+        {.name = field.name, .type = is_numbers ? matrix() : list(field.type)});
+  }
+  row_type->record->fields = std::move(row);
+  row_type->record->table = table;
+  table->record->row = row_type;
+  return table;
+}
+
 const Type* TypePool::new_enum(std::string name, std::vector<std::string> values) {
   const EnumInfo& info = enums_.emplace_back(EnumInfo{std::move(name), std::move(values)});
   return &types_.emplace_back(Type{.kind = Kind::kEnum, .enumeration = &info});

@@ -54,6 +54,7 @@ bool equal_so_far(const Pair& pair, std::vector<Pair>& open) {
       return true;
     }
     case Kind::kRecord:
+      if (type->is_table()) return a.o == b.o;  // a handle
       open_fields(*static_cast<RecordObj*>(a.o), *static_cast<RecordObj*>(b.o), *type->record,
                   open);
       return true;

@@ -5,6 +5,7 @@
 
 #include "vm/failures.hpp"
 #include "vm/interpret.hpp"
+#include "vm/recordings.hpp"
 #include "vm/slow_ops.hpp"
 
 namespace armlet::lang {
@@ -84,6 +85,7 @@ bool VmState::make_texts() {
 
 void VmState::clear() {
   tree.clear();
+  recordings.reset();
   for (Task* task : {&main, condition_task.get()}) {
     while (task != nullptr && task->top > task->frames) leave_frame(*this, *task);
   }
@@ -114,8 +116,9 @@ const RecordLayout& VmState::layout_of(const Type* record) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].type->is_reference()) references->push_back(static_cast<std::uint16_t>(i));
   }
-  own_layouts.push_back(std::make_unique<RecordLayout>(
-      RecordLayout{record, static_cast<std::uint16_t>(fields.size()), *references}));
+  auto size = static_cast<std::uint16_t>(fields.size());
+  if (record->is_table()) references->push_back(size++);  // the rows; the columns are made of them
+  own_layouts.push_back(std::make_unique<RecordLayout>(RecordLayout{record, size, *references}));
   own_references.push_back(std::move(references));
   return *own_layouts.back();
 }
@@ -195,15 +198,21 @@ bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& 
   return true;
 }
 
-bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
+bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
   const std::uint32_t depth = options.limits.call_depth;
   if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, slots_for(depth));
   Task* before = running;
   running = condition_task.get();
   running->parent = &owner;
-  Slot value{.i = 0};
-  const bool done = call(static_cast<ClosureObj*>(condition), {}, value);
+  running->host_data = owner.host_data;
+  const bool done = call(static_cast<ClosureObj*>(function), {}, result);
   running = before;
+  return done;
+}
+
+bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
+  Slot value{.i = 0};
+  const bool done = evaluate(owner, condition, value);
   result = value.i != 0;
   return done;
 }

@@ -51,6 +51,8 @@ struct StepMeter {
   }
 };
 
+class Recordings;
+
 struct VmState {
   VmState(Vm& vm, const CompiledProgram& program, const VmOptions& options);
   ~VmState();
@@ -79,10 +81,11 @@ struct VmState {
   TaskTree tree{*this};
   std::unique_ptr<Task> condition_task;  // runs conditions; they never pause
   Task* running = nullptr;
-  std::uint32_t host_calls = 0;      // nested calls of the program by native functions
-  std::unique_ptr<Waiting> pending;  // left by a native function that pauses
-  std::shared_ptr<Fault> fault;      // the failure under way
-  bool is_leaving = false;           // cancelled or out of steps: only finally blocks run
+  std::unique_ptr<Recordings> recordings;  // under way; null before the first one
+  std::uint32_t host_calls = 0;            // nested calls of the program by native functions
+  std::unique_ptr<Waiting> pending;        // left by a native function that pauses
+  std::shared_ptr<Fault> fault;            // the failure under way
+  bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
   bool has_run = false;
   std::uint64_t output_left;
 
@@ -97,7 +100,8 @@ struct VmState {
                            std::span<const Slot> arguments);
   // Calls a function to its end. False: it failed, and `fault` is set.
   [[nodiscard]] bool call(ClosureObj* function, std::span<const Slot> arguments, Slot& result);
-  // Evaluates a condition of a task on a stack of its own.
+  // Evaluates what may not pause, such as a condition of a task, on a stack of its own.
+  [[nodiscard]] bool evaluate(Task& owner, Obj* function, Slot& result);
   [[nodiscard]] bool evaluate(Task& owner, Obj* condition, bool& result);
   // Whether somebody asked to cancel since the last look.
   [[nodiscard]] bool take_cancellation();

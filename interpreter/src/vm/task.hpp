@@ -68,8 +68,9 @@ struct Watch {
   std::uint64_t order = 0;   // of arming; 0: no longer armed
   bool was_true = false;
   std::int64_t period_ns = 0;
-  std::int64_t next_ns = 0;  // the next beat that has not been begun or skipped
-  Task* running = nullptr;   // the body, while it runs
+  std::int64_t next_ns = 0;               // the next beat that has not been begun or skipped
+  Task* running = nullptr;                // the body, while it runs
+  std::shared_ptr<const void> host_data;  // of the owner when it was armed: see Vm::task_data
 };
 
 // A block that holds watches.
@@ -93,6 +94,8 @@ struct Task {
   Obj* condition = nullptr;            // armed: when it comes true, `waiting` is stopped; owned
   std::shared_ptr<Fault> interrupted;  // raised instead of going on when the wait is over
   std::uint64_t armed = 0;             // the condition's place in the order of arming; 0: none
+
+  std::shared_ptr<const void> host_data;  // see Vm::task_data
 
   // ---- what it is: vm/task_tree.hpp
   const hir::Function* function = nullptr;  // null: the program

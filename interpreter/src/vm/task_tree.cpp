@@ -87,6 +87,7 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
   retain_object(closure);
   task->function = state_.program.functions[static_cast<ClosureObj*>(closure)->function].function;
   task->parent = &parent;
+  task->host_data = parent.host_data;
   task->depth = parent.depth + 1;
   task->is_ready = true;
   ++alive_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vm/failures.hpp"
+#include "vm/recordings.hpp"
 
 namespace armlet::lang {
 
@@ -46,6 +47,10 @@ Exit Scheduler::run(std::uint32_t function) {
 }
 
 Exit Scheduler::run_instant() {
+  if (state_.recordings != nullptr) {
+    state_.recordings->take_due(
+        [this](Task& task) { tree_.interrupt(task, std::move(state_.fault)); });
+  }
   int rounds = 0;
   for (int quiet = 0, failures = 0;;) {
     evaluate_conditions();
@@ -170,6 +175,9 @@ std::int64_t Scheduler::next_instant() const {
   }
   if (armed && (next != kNever || now - resumed_ns_ < kPatience_ns))
     next = std::min(next, next_tick);
+  // Nothing can happen because of a recording alone.
+  if (next != kNever && state_.recordings != nullptr)
+    next = std::min(next, state_.recordings->next_ns());
   return next;
 }
 

@@ -99,6 +99,7 @@ void Vm::seed(std::uint64_t seed) {
   task.random = Random(seed);
   task.parallels = 0;
 }
+std::shared_ptr<const void>& Vm::task_data() { return state_->running->host_data; }
 
 void Vm::advise(const Failure& advice) {
   if (!options_.advice) return;

@@ -32,6 +32,7 @@ Watch& TaskTree::watch(Task& owner, Obj* condition, Obj* body) {
   watch.region = owner.regions.size() - 1;
   watch.condition = condition;
   watch.body = body;
+  watch.host_data = owner.host_data;
   retain_object(condition);
   retain_object(body);
   watch.order = ++last_order_;
@@ -44,6 +45,7 @@ bool TaskTree::start(Watch& watch) {
   Task* body = create(*watch.owner, watch.body);
   if (body == nullptr) return false;
   body->watch = &watch;
+  body->host_data = watch.host_data;
   watch.running = body;
   return true;
 }

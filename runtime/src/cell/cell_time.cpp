@@ -33,6 +33,12 @@ void Cell::stop(int index) {
   if (!arm.motion) return;
   arm.motion->stop(now_ns(), arm.model->max_accel());
   reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
+  end_due_motions();  // it may have stood
+}
+
+void Cell::halt(int index) {
+  stop(index);
+  if (robot(index).motion) reports_[static_cast<std::size_t>(robot(index).motion_id)].halted = true;
 }
 
 const MotionReport& Cell::report(int motion) const {
@@ -99,7 +105,7 @@ void Cell::end_due_motions() {
 void Cell::end_motion(int index) {
   CellRobot& arm = state(index);
   MotionReport& report = reports_[static_cast<std::size_t>(arm.motion_id)];
-  report.state = arm.motion->reaches_end() ? MotionState::kReached : MotionState::kStopped;
+  report.state = arm.motion->is_stopped() ? MotionState::kStopped : MotionState::kReached;
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
   arm.motion.reset();
   if (!arm.held.empty()) world_.move_carried(index, T_world_flange(index));

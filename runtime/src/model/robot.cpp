@@ -125,6 +125,17 @@ Robot Robot::with_home(const Eigen::VectorXd& home) const {
   return Robot(std::move(spec));
 }
 
+Robot Robot::with_acceleration(double fraction) const {
+  if (!(fraction > 0.0 && fraction <= 1.0)) {
+    throw ArgumentError(fmt::format(
+        "The acceleration is {}; expected a fraction of the joint limits, above 0 and at most 1.",
+        fraction));
+  }
+  RobotSpec spec = spec_;
+  for (Joint& joint : spec.joints) joint.max_accel *= fraction;
+  return Robot(std::move(spec));
+}
+
 std::vector<Joint> joints_from_table(const std::vector<std::vector<double>>& rows,
                                      std::string_view kinds) {
   if (kinds.size() != rows.size()) {

@@ -13,7 +13,9 @@
 namespace armlet {
 namespace {
 
-constexpr double kQuinticPeak = 1.875;    // highest speed of the quintic law, times T / length
+constexpr double kQuinticPeak = 1.875;  // highest speed of the quintic law, times T / length
+// The same of its acceleration, times T^2 / length: 10 / sqrt(3).
+constexpr double kQuinticAccelPeak = 5.773502691896258;
 constexpr double kShortest = 1e-9;        // s, resolution of the clock
 constexpr double kGoalTolerance = 1e-10;  // m and rad, tried before the solver's usual ones
 
@@ -26,6 +28,13 @@ void check_move(const Robot& robot, const LineMove& move) {
         fmt::format("The time of a move is {} s; expected 0 s or more.", *move.time));
   }
   if (move.tool_speed) check_positive("tool_speed", *move.tool_speed);
+  if (move.tool_accel) check_positive("tool_accel", *move.tool_accel);
+  if (!(move.speed > 0.0 && move.speed <= 1.0)) {
+    throw ArgumentError(
+        fmt::format("The speed of a move is {}; expected a fraction of the joint limits, above 0 "
+                    "and at most 1.",
+                    move.speed));
+  }
   if (move.time && move.tool_speed) {
     throw ArgumentError("A move was given both a time and a speed; give one of them.");
   }
@@ -54,12 +63,15 @@ bool nothing_to_do(const Robot& robot, const LineMove& move, const Eigen::Isomet
          (!oriented || angle_between(T_world_start, T_world_end) < 1e-9);
 }
 
-// The duration asked for, or the shortest that the tool's and the joints' speeds allow.
+// The duration asked for, or the shortest that the limits of the tool and of the joints allow.
 double duration(const Robot& robot, const LineMove& move, const Trajectory& unit, double length) {
   if (move.time) return *move.time;
   const double by_joints = least_time(robot, unit).least_time;
-  if (!move.tool_speed) return by_joints;
-  const double by_tool = kQuinticPeak * length / *move.tool_speed;
+  double by_tool = 0.0;
+  if (move.tool_speed) by_tool = kQuinticPeak * length / *move.tool_speed;
+  if (move.tool_accel)
+    by_tool = std::max(by_tool, std::sqrt(kQuinticAccelPeak * length / *move.tool_accel));
+  if (!move.tool_speed) return std::max(by_tool, by_joints / move.speed);
   return std::max(by_tool, move.enforce_limits || length == 0.0 ? by_joints : 0.0);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "armlet/cell/clock.hpp"
+#include "armlet/core/random.hpp"
 #include "armlet/trajectory/profile.hpp"
 
 using namespace armlet;
@@ -43,7 +44,7 @@ TEST_CASE("a motion ends exactly on its target, at rest") {
   CHECK(end.q == Eigen::Vector2d(1.0, -2.0));
   CHECK(end.qd.isZero(0.0));
   CHECK(end.qdd.isZero(0.0));
-  CHECK(motion.reaches_end());
+  CHECK_FALSE(motion.is_stopped());
 }
 
 TEST_CASE("stopping stays on the path, is continuous, and respects the accelerations") {
@@ -53,7 +54,7 @@ TEST_CASE("stopping stays on the path, is continuous, and respects the accelerat
     const std::int64_t stop_ns = kStart + to_ns(when);
     const State before = state_at(motion, stop_ns);
     motion.stop(stop_ns, kMaxAccel);
-    REQUIRE_FALSE(motion.reaches_end());
+    REQUIRE(motion.is_stopped());
     CHECK(state_at(motion, stop_ns).q == before.q);
     CHECK(motion.end_ns() < kStart + 2'000'000'000);
     State last = before;
@@ -74,7 +75,8 @@ TEST_CASE("stopping stays on the path, is continuous, and respects the accelerat
 TEST_CASE("speed is the slope of position while slowing down") {
   Motion motion(line(), 0);
   motion.stop(700'000'000, kMaxAccel);
-  for (std::int64_t t = 710'000'000; t < motion.end_ns() - 2'000'000; t += 7'000'000) {
+  // In between the instants, a millisecond apart, at which the acceleration is adjusted.
+  for (std::int64_t t = 710'500'000; t < motion.end_ns() - 2'000'000; t += 7'000'000) {
     const State a = state_at(motion, t - 10'000);
     const State b = state_at(motion, t + 10'000);
     const State now = state_at(motion, t);
@@ -83,11 +85,89 @@ TEST_CASE("speed is the slope of position while slowing down") {
   }
 }
 
-TEST_CASE("just before its end a motion arrives rather than stops") {
+TEST_CASE("just before its end a stop comes to rest where the motion would") {
   Motion motion(line(), 0);
   motion.stop(1'999'900'000, kMaxAccel);
-  CHECK(motion.reaches_end());
-  CHECK(motion.end_ns() == 2'000'000'000);
+  CHECK(motion.is_stopped());
+  CHECK(motion.end_ns() <= 2'000'000'000);
+  CHECK((state_at(motion, motion.end_ns()).q - Eigen::Vector2d(1.0, -2.0)).norm() < 1e-9);
+}
+
+TEST_CASE("a motion that is stopped before it has begun does not move at all") {
+  Motion motion(line(), kStart);
+  motion.stop(kStart, kMaxAccel);
+  CHECK(motion.is_stopped());
+  CHECK(motion.end_ns() == kStart);
+  CHECK(state_at(motion, kStart).q.isZero(0.0));
+  CHECK(state_at(motion, kStart + 1'000'000).q.isZero(0.0));
+}
+
+// Constant speed v, deceleration a: the distance v^2 / (2 a) in v / a (Galilei).
+TEST_CASE("from constant speed a stop takes v / a and covers v^2 / (2 a)") {
+  const Trapezoid shape = trapezoid_with_ramp(4.0, 4.0, 1.0);
+  Motion motion({{{trapezoid_segments(0.0, 4.0, shape), 4.0}}, 4.0}, 0);
+  const Eigen::VectorXd max_accel = Eigen::VectorXd::Constant(1, 5.0);
+  motion.stop(2'000'000'000, max_accel);
+  Eigen::VectorXd q(1), qd(1), qdd(1);
+  motion.sample(2'000'000'000, q, qd, qdd);
+  const double from = q[0];
+  const double speed = qd[0];
+  CHECK(speed == doctest::Approx(shape.speed));
+  motion.sample(motion.end_ns(), q, qd, qdd);
+  CHECK(to_seconds(motion.end_ns()) - 2.0 == doctest::Approx(speed / 5.0).epsilon(1e-6));
+  CHECK(q[0] - from == doctest::Approx(speed * speed / 10.0).epsilon(1e-6));
+}
+
+// One joint may slow down at its limit already while another has a long way to go.
+TEST_CASE("one joint at its limit does not keep the others from stopping") {
+  const Trapezoid quick = trapezoid_with_ramp(1.0, 1.0, 0.5);
+  const Trapezoid slow = trapezoid_with_ramp(10.0, 10.0, 0.5);
+  Motion motion(
+      {{{trapezoid_segments(0.0, 1.0, quick), 1.0}, {trapezoid_segments(0.0, 10.0, slow), 10.0}},
+       10.0},
+      0);
+  motion.stop(600'000'000, Eigen::Vector2d(4.0, 4.0));
+  CHECK(motion.end_ns() < 1'600'000'000);
+}
+
+TEST_CASE("over random motions and instants no stop exceeds a limit or goes back") {
+  Random random(7);
+  for (int trial = 0; trial < 300; ++trial) {
+    CAPTURE(trial);
+    const double T = random.uniform(0.2, 3.0);
+    std::vector<JointPath> joints;
+    for (int i = 0; i < 3; ++i) {
+      const double travel = random.uniform(-2.0, 2.0);
+      const double own = T * random.uniform(0.3, 1.0);
+      if (trial % 2 == 0) {
+        joints.push_back({{quintic_segment({}, {.q = travel}, T)}, travel});
+      } else {
+        joints.push_back(
+            {trapezoid_segments(0.0, travel, trapezoid_with_ramp(travel, own, own / 3)), travel});
+      }
+    }
+    const Trajectory trajectory(std::move(joints), T);
+    Eigen::VectorXd limits(3);
+    for (int i = 0; i < 3; ++i)
+      limits[i] = std::max(trajectory.peak(i, 2), 1e-3) * random.uniform(1.0, 2.0);
+    Motion motion(trajectory, 0);
+    const std::int64_t stop_ns = to_ns(T * random.uniform(0.0, 1.0));
+    motion.stop(stop_ns, limits);
+    CHECK(motion.end_ns() <= to_ns(T));
+    Eigen::VectorXd q(3), qd(3), qdd(3), last(3);
+    motion.sample(stop_ns, last, qd, qdd);
+    const Eigen::VectorXd heading = trajectory.end() - last;
+    constexpr int kSamples = 4000;
+    for (int k = 1; k < kSamples; ++k) {
+      motion.sample(stop_ns + (motion.end_ns() - stop_ns) * k / kSamples, q, qd, qdd);
+      for (int i = 0; i < 3; ++i) {
+        // Between the places where a piece is looked at, a little more is possible.
+        CHECK(std::abs(qdd[i]) <= limits[i] * (1.0 + 1e-4));
+        CHECK((q[i] - last[i]) * heading[i] >= -1e-15);  // rounding
+      }
+      last = q;
+    }
+  }
 }
 
 TEST_CASE("a second stop changes nothing") {

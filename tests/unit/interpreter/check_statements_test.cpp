@@ -141,7 +141,7 @@ TEST_CASE("advice is given for what is surely a slip") {
 }
 
 TEST_CASE("what is not there yet is refused by name") {
-  for (const char* text : {"with (speed: 0.5) { print(1) }", "path { print(1) }"}) {
+  for (const char* text : {"path { print(1) }", "path (blend: 3mm) { print(1) }"}) {
     CAPTURE(text);
     CHECK(check_text(text)->codes() == "E0199");
   }

@@ -55,6 +55,24 @@ TEST_CASE("fields and values are found by name") {
   CHECK(state->enumeration->index_of("done") == -1);
 }
 
+TEST_CASE("tables with the same columns are one type; lists of numbers become a matrix") {
+  TypePool types;
+  const Type* time = types.quantity(dims::kTime);
+  const Type* rates = types.list(types.real());
+  const Type* table = types.table({{"t", time}, {"v", rates}, {"name", types.text()}});
+  CHECK(table->is_table());
+  CHECK_FALSE(table->record->row->is_table());
+  CHECK(table->record->row->record->table == table);
+  CHECK(type_phrase(table) == "a table");
+  CHECK(table->record->fields[0].type == types.list(time));
+  CHECK(table->record->fields[1].type == types.matrix());
+  CHECK(table->record->fields[2].type == types.list(types.text()));
+  CHECK(table->record->row->record->fields[1].type == rates);
+  CHECK(types.table({{"t", time}, {"v", rates}, {"name", types.text()}}) == table);
+  CHECK(types.table({{"t", time}, {"w", rates}, {"name", types.text()}}) != table);
+  CHECK(types.table({{"t", time}, {"v", rates}}) != table);
+}
+
 TEST_CASE("library records are found by name") {
   TypePool types;
   const Type* move = types.new_record("Move");

@@ -119,6 +119,16 @@ TEST_CASE("rates that are not given have the default values") {
   CHECK(Robot(spec).max_speed()[0] == 0.5);
 }
 
+TEST_CASE("a fraction of the acceleration leaves everything else") {
+  const Robot robot(two_links());
+  const Robot gentle = robot.with_acceleration(0.25);
+  CHECK((gentle.max_accel() - 0.25 * robot.max_accel()).norm() == 0.0);
+  CHECK(gentle.max_speed() == robot.max_speed());
+  CHECK(gentle.max_jerk() == robot.max_jerk());
+  CHECK_THROWS_AS((void)robot.with_acceleration(0.0), ArgumentError);
+  CHECK_THROWS_AS((void)robot.with_acceleration(1.5), ArgumentError);
+}
+
 TEST_CASE("home is zero or the nearest value within the limits") {
   RobotSpec spec = two_links();
   spec.joints[1].lower = 0.5;

@@ -112,6 +112,26 @@ TEST_CASE("a world given by the user is used, and its mistakes are reported in i
             .line == 1);
 }
 
+TEST_CASE("a trace tells of every robot of the program") {
+  const std::string program =
+      "robot left = robots.scara(base: xyz(0mm, -1m, 0mm))\n"
+      "robot right = robots.planar3(base: xyz(0mm, 1m, 0mm))\n"
+      "left.moveJ(posJ(10deg, 0deg, 0mm, 0deg))\n"
+      "right.moveJ(posJ(0deg, 0deg, 20deg))\n";
+  const std::string trace = trace_of(program);
+  CHECK(trace.find("\"left\"") != std::string::npos);
+  CHECK(trace.find("\"right\"") != std::string::npos);
+  std::ostringstream out;
+  CsvBackend backend(out);
+  SessionOptions made = options();
+  made.backends = {&backend};
+  Session session(engine(), std::move(made));
+  REQUIRE(session.compile(program, "two.rbt"));
+  REQUIRE(session.run().status == RunStatus::kDone);
+  CHECK(out.str().find("robot,left,") != std::string::npos);
+  CHECK(out.str().find("robot,right,") != std::string::npos);
+}
+
 TEST_CASE("a program's own objects take the place of those of the default world") {
   Session session(engine(), options());
   REQUIRE(

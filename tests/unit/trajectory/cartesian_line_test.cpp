@@ -196,3 +196,25 @@ TEST_CASE("broken poses, times and speeds are refused") {
   refused([](LineMove& m) { m.tool_speed = 0.0; });
   refused([](LineMove& m) { m.time = 1.0, m.tool_speed = 1.0; });
 }
+
+// The quintic law over a length s has its highest speed 1.875 s / T and its highest acceleration
+// 10 / sqrt(3) s / T^2 (Biagiotti and Melchiorri, Trajectory Planning (2008), table 3.2).
+TEST_CASE("a line takes as long as the limits of the tool and the asked fraction say") {
+  const Robot robot = make_scara();
+  LineMove move{.q0 = Eigen::Vector4d(0.4, 1.0, 0.1, 0.2)};
+  move.T_world_goal = forward(robot, move.q0);
+  move.T_world_goal.translation().y() -= 0.1;
+  const double fastest = plan_line(robot, move).motion.trajectory->duration();
+  move.speed = 0.25;
+  CHECK(plan_line(robot, move).motion.trajectory->duration() ==
+        doctest::Approx(4.0 * fastest).epsilon(1e-9));
+  move.speed = 1.0;
+  move.tool_accel = 0.01;
+  CHECK(plan_line(robot, move).motion.trajectory->duration() ==
+        doctest::Approx(std::sqrt(10.0 / std::sqrt(3.0) * 0.1 / 0.01)).epsilon(1e-9));
+  move.tool_speed = 0.001;
+  CHECK(plan_line(robot, move).motion.trajectory->duration() ==
+        doctest::Approx(1.875 * 0.1 / 0.001).epsilon(1e-9));
+  move.tool_accel = -1.0;
+  CHECK_THROWS_AS((void)plan_line(robot, move), ArgumentError);
+}

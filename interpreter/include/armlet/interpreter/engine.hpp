@@ -155,6 +155,9 @@ class Vm {
   [[nodiscard]] Timeline& timeline() { return *timeline_; }
   [[nodiscard]] const Program& program() const { return *program_; }
   [[nodiscard]] const VmOptions& options() const { return options_; }
+  // What the host keeps for the running task, such as the settings of `with`; a task begins with
+  // what the task had that started it.
+  [[nodiscard]] std::shared_ptr<const void>& task_data();
   // Calls a function value; it may not pause. False: it failed, and the failure is set.
   [[nodiscard]] bool call(Obj* function, std::span<const Slot> arguments, Slot& result);
   // Advice at the call that is running now.

@@ -9,6 +9,7 @@
 //   name: type            required;   name: type = literal   default;   name: type?   may be left
 //   out (absent) values: number...     any number of trailing numbers, handed over as one double[]
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
+//   table                 any table, whatever its columns
 //   T, U                  any type; fn(T) -> U;  joints: a posJ or a double[] may be declared as
 //   two overloads
 //
@@ -17,7 +18,8 @@
 // declaration of type robot calls, whose parameter `name` receives the declared name, and a
 // parameter `joint: jointRow[]` the rows `joint revolute(...)`, each made by
 // "robot.joint.revolute"; "robot()" gives the ambient robot of the host; "Math.sqrt" style names
-// live in a namespace.
+// live in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
+// settings of the block and before "with}" restores those from before on every way out of it.
 
 #include <cstdint>
 #include <functional>
@@ -67,6 +69,8 @@ struct NativeFunction {
   bool later = false;
   // Acts on its first argument, a robot, which no other task may be moving; what pauses does too.
   bool commands = false;
+  // Pauses, but is meant for a robot that another task moves.
+  bool interrupts = false;
 };
 
 // A named number of the library: PI, E.
@@ -145,6 +149,12 @@ template <class T>
 [[nodiscard]] inline std::span<const Slot> items_value(Slot s) {
   const auto* list = static_cast<const ListObj*>(s.o);
   return {list->data, list->size};
+}
+// The rows of a table in the order of time. Each is a record of the type that the table's type
+// names as its row: the time, then one field per column.
+[[nodiscard]] inline std::span<const Slot> table_rows(Slot table) {
+  const auto* record = static_cast<const RecordObj*>(table.o);
+  return items_value(record->fields()[record->layout->type->record->fields.size()]);
 }
 // Objects are counted and limited; nullptr means that the heap limit was reached and the failure is
 // set in the Vm.

@@ -41,6 +41,8 @@ struct RecordField {
 struct RecordInfo {
   std::string name;
   std::vector<RecordField> fields;
+  const Type* row = nullptr;    // a table, whose fields are its columns: the type of its rows
+  const Type* table = nullptr;  // a row: the type of its table
   [[nodiscard]] int index_of(std::string_view field) const;  // -1 if absent
 };
 
@@ -62,6 +64,7 @@ struct Type {
 
   [[nodiscard]] bool is(Kind k) const { return kind == k; }
   [[nodiscard]] bool is_double() const { return kind == Kind::kReal && dim.is_none(); }
+  [[nodiscard]] bool is_table() const { return kind == Kind::kRecord && record->row != nullptr; }
   [[nodiscard]] bool is_quantity() const { return kind == Kind::kReal && !dim.is_none(); }
   [[nodiscard]] bool is_number() const { return kind == Kind::kReal || kind == Kind::kInt; }
   // Held in a slot as a counted reference (text, lists, records ...), not as bits.
@@ -96,6 +99,9 @@ class TypePool {
   // A new record or enum type each time: these are compared by identity.
   const Type* new_record(std::string name);
   const Type* new_enum(std::string name, std::vector<std::string> values);
+  // The table whose rows have these fields: equal fields give the same type. A column is a list; one
+  // of lists of numbers is a matrix with one row for each sample.
+  const Type* table(std::vector<RecordField> row);
   // The library's records are one type per name.
   const Type* library_record(std::string_view name) const;
   void register_library_record(const Type* record);

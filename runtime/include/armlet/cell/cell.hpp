@@ -42,13 +42,17 @@ struct CellRobot {
   Eigen::Vector3d p_picked = Eigen::Vector3d::Zero();
 };
 
-// How a motion went; also while it is under way.
+// How a motion went; also while it is under way. One that was stopped before its end counts as
+// stopped, wherever it came to rest.
+//
+// halted  stopped because somebody asked the robot to halt, not for its own reason.
 enum class MotionState { kRunning, kReached, kStopped };
 struct MotionReport {
   MotionState state = MotionState::kRunning;
   int robot = 0;
   std::int64_t start_ns = 0;
   std::int64_t end_ns = 0;  // of a running motion: when it will end
+  bool halted = false;
 };
 
 // What happened without being asked for.
@@ -119,8 +123,11 @@ class Cell {
   int start(int robot, Trajectory trajectory);
   [[nodiscard]] bool is_moving(int robot) const { return this->robot(robot).motion.has_value(); }
 
-  // Brings a robot to rest on its path as fast as its acceleration limits allow.
+  // Brings a robot to rest on its path as fast as its acceleration limits allow: see motion.hpp.
   void stop(int robot);
+
+  // The same from outside of the motion, which is told so.
+  void halt(int robot);
   [[nodiscard]] const MotionReport& report(int motion) const;
 
   // --- objects --------------------------------------------------------------------------------

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "armlet/trajectory/trajectory.hpp"
 
@@ -8,8 +10,9 @@ namespace armlet {
 
 // A trajectory being executed from an instant of the clock on, which can be stopped under control.
 //
-// Stopping runs the same path ever more slowly until it stands: the path is never left, and no
-// acceleration exceeds the larger of the joint's limit and what the trajectory itself has.
+// Stopping runs the same path ever more slowly until it stands, at every moment as fast as the
+// accelerations allow: the path is never left, and no acceleration exceeds the larger of the
+// joint's limit and what the trajectory itself has.
 class Motion {
  public:
   Motion(Trajectory trajectory, std::int64_t start_ns);
@@ -20,11 +23,12 @@ class Motion {
   // The instant at which the robot will stand still.
   [[nodiscard]] std::int64_t end_ns() const { return end_ns_; }
 
-  // True if the end of the trajectory will be reached: always, unless it was stopped in time.
-  [[nodiscard]] bool reaches_end() const { return stop_ns_ == kNever; }
+  // Whether it was stopped before its end. Stopped so late that the path cannot be left out any
+  // more, it still runs to the end of the path.
+  [[nodiscard]] bool is_stopped() const { return stop_ns_ != kNever; }
 
-  // Begins to slow down at t_ns; nothing happens if that would take longer than arriving, or if it
-  // is stopping already.
+  // Begins to slow down at t_ns; a robot that stands at that instant stays where it is. Nothing
+  // happens if the motion is over or stopping already.
   //
   // max_accel  acceleration limits of the joints, > 0.
   void stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel);
@@ -36,21 +40,30 @@ class Motion {
 
  private:
   static constexpr std::int64_t kNever = -1;
-  // Path time, its rate and the rate's derivative at a clock time while slowing down.
-  struct Pace {
+  // While slowing down, path time u runs at `rate` times the clock; a piece has a constant slope of
+  // the rate.
+  struct Piece {
+    double t;  // since the stop, s
     double u;
     double rate;
-    double slope;
+    double slope;  // 1/s, <= 0
+    double duration;
+    [[nodiscard]] double u_at(double dt) const { return u + dt * (rate + 0.5 * slope * dt); }
+    [[nodiscard]] double rate_at(double dt) const { return rate + slope * dt; }
   };
-  [[nodiscard]] Pace pace(double since_stop) const;
-  [[nodiscard]] double overload(double slowing, const Eigen::VectorXd& max_accel) const;
+  [[nodiscard]] bool stands_at(double u) const;
+  [[nodiscard]] Eigen::VectorXd allowed(const Eigen::VectorXd& max_accel) const;
+  [[nodiscard]] double steepest(const Piece& at, const Eigen::VectorXd& allowed) const;
+  [[nodiscard]] bool fits(const Piece& piece, const Eigen::VectorXd& allowed) const;
+  [[nodiscard]] std::optional<Piece> next_piece(const Piece& at, double longest,
+                                                const Eigen::VectorXd& allowed) const;
 
   Trajectory trajectory_;
   std::int64_t start_ns_;
   std::int64_t end_ns_;
   std::int64_t stop_ns_ = kNever;
-  double u_stop_ = 0.0;   // path time at which slowing down began, s
-  double slowing_ = 0.0;  // how long it lasts, s
+  std::vector<Piece> slowing_;  // empty although stopped: runs to the end of the path
+  double u_end_;                // path time at which the robot comes to rest, s
 };
 
 }  // namespace armlet

@@ -76,6 +76,8 @@ class Robot {
   Robot with_tool(const Tool& tool) const;
   Robot with_tool_point(const Eigen::Isometry3d& T_flange_tool) const;
   Robot with_home(const Eigen::VectorXd& home) const;
+  // The acceleration limits multiplied by `fraction`, above 0 and at most 1.
+  Robot with_acceleration(double fraction) const;
 
  private:
   RobotSpec spec_;

@@ -17,6 +17,9 @@ namespace armlet {
 // tool_speed      highest speed of the tool point, m/s. The move takes longer if the joints need
 // it.
 //                 With neither, the move is as fast as the joints allow.
+// tool_accel      highest acceleration of the tool point along the line, m/s^2; not with time.
+// speed           fraction of the joint limits for a move with neither time nor tool_speed, above 0
+//                 and at most 1: the move as fast as the joints allow, run 1/speed times slower.
 // enforce_limits  false: joint speeds and accelerations that are too high are only reported.
 struct LineMove {
   Eigen::VectorXd q0{};
@@ -24,6 +27,8 @@ struct LineMove {
   IkTask task = IkTask::kPose;
   std::optional<double> time{};
   std::optional<double> tool_speed{};
+  std::optional<double> tool_accel{};
+  double speed = 1.0;
   bool enforce_limits = true;
 };
 
@@ -63,8 +68,8 @@ struct LinePlan {
 // line in between; the joints follow cubic splines through them in time. Distance runs as the
 // quintic 10 x^3 - 15 x^4 + 6 x^5 of time.
 //
-// throws  ArgumentError unless q0 has n finite elements, the goal is a pose, and time or speed is
-//         positive (time may be 0 if there is nothing to travel), not both.
+// throws  ArgumentError unless q0 has n finite elements, the goal is a pose, and time or tool_speed
+//         is positive (time may be 0 if there is nothing to travel), not both.
 LinePlan plan_line(const Robot& robot, const LineMove& move);
 
 }  // namespace armlet

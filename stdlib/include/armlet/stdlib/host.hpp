@@ -3,6 +3,7 @@
 // about it.
 
 #include <Eigen/Geometry>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -34,6 +35,8 @@ struct HostOptions {
   // Called before time passes to t; may sleep. False asks the program to stop. Null: time costs no
   // time.
   std::function<bool(std::int64_t t_ns)> pace;
+  // The folder below which the program may write files; empty: none.
+  std::filesystem::path folder{};
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
@@ -74,6 +77,11 @@ class Host : public Timeline {
   // told of.
   [[nodiscard]] std::vector<CellEvent> take_events();
   [[nodiscard]] bool first_contact_pick();
+
+  // Writes a file of the program: `name` is relative to the folder that was granted and stays below
+  // it. Fails with the reason.
+  [[nodiscard]] Result<std::filesystem::path> save_file(const std::string& name,
+                                                        std::string_view content) const;
 
   void report_move(const MoveReport& report);
   [[nodiscard]] int move_count() const { return moves_; }

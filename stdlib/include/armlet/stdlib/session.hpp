@@ -2,6 +2,7 @@
 // One program with its cell: what the command, the tests and embedding tools use.
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -25,7 +26,8 @@ struct SessionOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
   std::optional<WorldText> world;      // given by the user
   std::optional<WorldText>
-      default_world;  // used when a program names an object and no world is given
+      default_world;             // used when a program names an object and no world is given
+  std::filesystem::path folder;  // below which the program may write files; empty: none
   ParseLimits parse_limits;
   ModuleLoader load;  // files that the program imports; none without it
   RunLimits limits;

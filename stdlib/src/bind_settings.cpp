@@ -1,0 +1,111 @@
+// Settings of `with` (language reference, section 9). The checker calls "with{" before the block,
+// one function for each setting, and "with}" on every way out.
+
+#include <fmt/format.h>
+
+#include "armlet/core/format.hpp"
+#include "bind.hpp"
+#include "settings.hpp"
+#include "values.hpp"
+
+namespace armlet::bind {
+
+BlockSettings settings_of(Vm& vm) {
+  const auto* settings = static_cast<const BlockSettings*>(vm.task_data().get());
+  return settings != nullptr ? *settings : BlockSettings{};
+}
+
+namespace {
+
+void replace(Vm& vm, BlockSettings settings) {
+  vm.task_data() = std::make_shared<const BlockSettings>(std::move(settings));
+}
+
+Signal enter(Vm& vm, Slot*) {
+  BlockSettings inner = settings_of(vm);
+  inner.outer = std::static_pointer_cast<const BlockSettings>(vm.task_data());
+  replace(vm, std::move(inner));
+  return give_nothing();
+}
+
+Signal leave(Vm& vm, Slot*) {
+  const auto inner = std::static_pointer_cast<const BlockSettings>(vm.task_data());
+  vm.task_data() = inner->outer;
+  return give_nothing();
+}
+
+template <double BlockSettings::*kMember>
+Signal set_fraction(Vm& vm, Slot* args) {
+  const double value = args[0].d;
+  if (!(value > 0.0 && value <= 1.0)) {
+    return failure(vm, "R0609",
+                   fmt::format("{} is no fraction of the joint limits: it must lie above 0 and not "
+                               "above 1",
+                               format_number(value)),
+                   0);
+  }
+  BlockSettings settings = settings_of(vm);
+  settings.*kMember = value;
+  replace(vm, std::move(settings));
+  return give_nothing();
+}
+
+Signal set_tool(Vm& vm, Slot* args) {
+  BlockSettings settings = settings_of(vm);
+  settings.T_flange_tool = posc(args[0]).T;
+  replace(vm, std::move(settings));
+  return give_nothing();
+}
+
+Signal set_frame(Vm& vm, Frame frame) {
+  BlockSettings settings = settings_of(vm);
+  settings.frame = std::move(frame);
+  replace(vm, std::move(settings));
+  return give_nothing();
+}
+Signal set_frame_place(Vm& vm, Slot* args) { return set_frame(vm, posc(args[0]).T); }
+Signal set_frame_object(Vm& vm, Slot* args) {
+  return set_frame(vm, host_value<ObjectRef>(args[0]).name);
+}
+
+// E0513.
+void check_fraction(CheckCall& call, std::string_view what) {
+  const auto constant = call.constant(0);
+  if (!constant || (constant->real > 0.0 && constant->real <= 1.0)) return;
+  Diagnostic d = make_diagnostic(
+      "E0513", call.span(0),
+      {std::string(what), "above 0 and at most 1", format_number(constant->real, 6)});
+  d.why = "inside `with` it is a fraction of what the joints can do";
+  call.report(std::move(d));
+}
+void check_speed_setting(CheckCall& call) { check_fraction(call, "the speed"); }
+void check_accel_setting(CheckCall& call) { check_fraction(call, "the acceleration"); }
+
+constexpr NativeFunction kFunctions[] = {
+    {"with{", "()", "", "", enter},
+    {"with}", "()", "", "", leave},
+    {"with.speed", "(speed: double)",
+     "Moves inside the block that give neither time nor speed run at this fraction of the joint "
+     "limits.",
+     "with (speed: 0.5) { moveJ(home()) }", set_fraction<&BlockSettings::speed>, nullptr, nullptr,
+     check_speed_setting},
+    {"with.accel", "(accel: double)",
+     "Moves inside the block keep to this fraction of the acceleration limits of the joints.",
+     "with (accel: 0.5) { moveJ(home()) }", set_fraction<&BlockSettings::accel>, nullptr, nullptr,
+     check_accel_setting},
+    {"with.tool", "(tool: posC)",
+     "Moves inside the block bring this point, seen from the flange, to their targets.",
+     "with (tool: xyz(z: 20mm)) { moveJ(xyz(300mm, 200mm, 200mm)) }", set_tool},
+    {"with.frame", "(frame: posC)", "Targets in space inside the block are read in this frame.",
+     "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", set_frame_place},
+    {"with.frame", "(frame: object)",
+     "Targets in space inside the block are read in the frame of this object, wherever it is when "
+     "the move begins.",
+     "with (frame: object(\"cube\")) { moveJ(xyz(z: 60mm)) }", set_frame_object},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> settings_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,121 @@
+// Tables that `record` makes (language reference, 16 and 19.5).
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "armlet/stdlib/host.hpp"
+#include "bind.hpp"
+#include "values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// A field of a comma-separated file, in quotes if it needs them (RFC 4180).
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + '"';
+}
+
+// What one value becomes: one cell, or one for each of its numbers.
+std::vector<std::string> cells_of(Slot value, const Type& type) {
+  std::vector<std::string> cells;
+  const auto number = [&](double x) { cells.push_back(fmt::format("{}", x)); };
+  if (type.is(Kind::kReal)) {
+    number(value.d);
+  } else if (type.is(Kind::kInt) || type.is(Kind::kEnum)) {
+    cells.push_back(std::to_string(value.i));
+  } else if (type.is(Kind::kBool)) {
+    cells.emplace_back(value.i != 0 ? "true" : "false");
+  } else if (type.is(Kind::kText)) {
+    cells.push_back(csv_field(text_value(value)));
+  } else if (type.is(Kind::kList)) {
+    for (const Slot item : items_value(value)) {
+      for (std::string& cell : cells_of(item, *type.element)) cells.push_back(std::move(cell));
+    }
+  } else if (type.is(Kind::kMatrix)) {
+    const MatrixObj& matrix = matrix_value(value);
+    for (std::size_t i = 0; i < std::size_t{matrix.rows} * matrix.cols; ++i)
+      number(matrix.data()[i]);
+  } else if (type.is(Kind::kHost) && type.host == &kPosJ) {
+    for (const double q : posj(value).vector()) number(q);
+  } else if (type.is(Kind::kHost) && type.host == &kPosC) {
+    const Eigen::Isometry3d& T = posc(value).T;
+    const Eigen::Quaterniond r(T.linear());
+    const double sign = r.w() < 0.0 ? -1.0 : 1.0;
+    for (const double x : T.translation()) number(x);
+    for (const double x : {r.w(), r.x(), r.y(), r.z()}) number(sign * x);
+  } else if (type.is(Kind::kHost) && type.host->text != nullptr) {
+    std::string text;
+    type.host->text(static_cast<const HostObj*>(value.o)->payload(), text);
+    cells.push_back(csv_field(text));
+  } else if (type.is(Kind::kRecord) && !type.is_table()) {
+    const auto& record = *static_cast<const RecordObj*>(value.o);
+    for (std::size_t i = 0; i < type.record->fields.size(); ++i) {
+      for (std::string& cell : cells_of(record.fields()[i], *type.record->fields[i].type))
+        cells.push_back(std::move(cell));
+    }
+  } else {
+    cells.push_back(type_name(&type));
+  }
+  return cells;
+}
+
+// "t", "q1", "q2": a column of several cells numbers them.
+std::string header_of(const std::string& name, std::size_t width) {
+  if (width == 1) return name;
+  std::string out;
+  for (std::size_t i = 1; i <= width; ++i) out += fmt::format("{}{}{}", i > 1 ? "," : "", name, i);
+  return out;
+}
+
+// (t: table, file: string)
+Signal save(Vm& vm, Slot* args) {
+  const auto& info = *static_cast<const RecordObj*>(args[0].o)->layout->type->record;
+  const std::vector<RecordField>& columns = info.row->record->fields;
+  std::vector<std::size_t> widths;
+  std::string header;
+  std::string body;
+  const auto rows = table_rows(args[0]);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const Slot* fields = static_cast<const RecordObj*>(rows[row].o)->fields();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::vector<std::string> cells = cells_of(fields[i], *columns[i].type);
+      if (row == 0) {
+        widths.push_back(cells.size());
+        header += (i > 0 ? "," : "") + header_of(columns[i].name, cells.size());
+      } else if (cells.size() != widths[i]) {
+        return failure(vm, "R0613",
+                       fmt::format("the column `{}` has {} values in row {} and {} in row 0",
+                                   columns[i].name, cells.size(), row, widths[i]),
+                       0, "a file has equally long rows");
+      }
+      for (std::size_t k = 0; k < cells.size(); ++k) body += (i + k > 0 ? "," : "") + cells[k];
+    }
+    body += '\n';
+  }
+  const std::string file(text_value(args[1]));
+  const auto saved = Host::of(vm).save_file(file, header + '\n' + body);
+  if (saved.ok()) return give_nothing();
+  Failure f;
+  f.code = "R0626";
+  f.message = fmt::format("`{}` cannot be saved", file);
+  f.mark_parameter = 1;
+  f.why = saved.error().message;
+  return fail(vm, std::move(f));
+}
+
+constexpr NativeFunction kFunctions[] = {
+    {"save", "(t: table, file: string)",
+     "Writes a table into a file of comma-separated values, in SI units: a line with the names of "
+     "the columns, then one line for each row. A list, a posJ and a posC become several columns.",
+     "record run every (10ms) { q: joints() }; run.save(\"run.csv\")", save},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> table_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

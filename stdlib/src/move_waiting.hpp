@@ -1,0 +1,15 @@
+#pragma once
+// A motion from the call that starts it to the Move it gives.
+
+#include "armlet/trajectory/trajectory.hpp"
+#include "moves.hpp"
+
+namespace armlet::bind {
+
+// Starts a planned trajectory; kPause unless it takes no time.
+//
+// length  of the whole move, m. A move that is stopped on the way tells how far the point that it
+//         moves got instead.
+Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, double length);
+
+}  // namespace armlet::bind
