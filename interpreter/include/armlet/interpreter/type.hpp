@@ -96,6 +96,8 @@ class TypePool {
   // A new record or enum type each time: these are compared by identity.
   const Type* new_record(std::string name);
   const Type* new_enum(std::string name, std::vector<std::string> values);
+  // The one record type with this name and these fields.
+  const Type* record_of(std::string_view name, std::vector<RecordField> fields);
   // The library's records are one type per name.
   const Type* library_record(std::string_view name) const;
   void register_library_record(const Type* record);
@@ -107,6 +109,7 @@ class TypePool {
   std::deque<RecordInfo> records_;
   std::deque<EnumInfo> enums_;
   std::vector<const Type*> library_records_;
+  std::vector<const Type*> made_records_;  // by record_of
   const Type *any_, *void_, *bool_, *int_, *real_, *text_, *matrix_;
 };
 
