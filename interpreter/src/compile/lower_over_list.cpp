@@ -97,12 +97,20 @@ void Lowering::each(const OverListExpr& e, Reg last, const Element& pass) {
 
 // The arguments are in the window at `base`, where the result comes.
 void Lowering::call_each(const OverListExpr& e, Reg function, Reg base) {
-  const Expr& called = *e.operands[e.verb == ListVerb::kFold ? 2 : 1];
+  const bool folds = e.verb == ListVerb::kFold;
+  const Expr& called = *e.operands[folds ? 2 : 1];
   code_.at(e.span, &e);
-  if (called.kind == ExprKind::kFunctionValue) {
-    code_.push(OpCode::CALL, base.bits, called.as<FunctionValueExpr>().function->index, 0);
-  } else {
+  if (called.kind != ExprKind::kFunctionValue) {
     code_.emit(OpCode::CALLV, base, function);
+    return;
+  }
+  const Function& known = *called.as<FunctionValueExpr>().function;
+  if (known.expands) {
+    std::vector<Reg> arguments = {base};
+    if (folds) arguments.push_back(base.plus(1));
+    expand_body({e.span, &e}, known, arguments, {base, false});
+  } else {
+    code_.push(OpCode::CALL, base.bits, known.index, 0);
   }
 }
 

@@ -152,6 +152,8 @@ class Lowering {
 
   // ---- expand.cpp
   void expand(const hir::CallExpr& e, Dest to);
+  void expand_body(Site site, const hir::Function& function, const std::vector<Reg>& arguments,
+                   Dest to);
   void give_back_here(const hir::Expr& e);
 
   // ---- lower_over_list.cpp: map, filter, fold ...
