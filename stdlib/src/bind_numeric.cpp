@@ -12,6 +12,7 @@
 #include "armlet/math/ode.hpp"
 #include "armlet/math/real_roots.hpp"
 #include "bind.hpp"
+#include "matrices.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -47,6 +48,9 @@ Signal polyfit(Vm& vm, Slot* args) {
   const std::int64_t degree = args[2].i;
   if (degree < 0 || degree > 50)
     return failure(vm, "R0609", fmt::format("polyfit of degree {}: it must be 0 to 50", degree), 2);
+  const auto columns = static_cast<std::uint64_t>(degree + 1);
+  if (!charge_work(vm, static_cast<std::uint64_t>(x.size()) * columns * columns))
+    return Signal::kFail;
   try {
     return give(args, list_of(vm, fit_polynomial(x, y, static_cast<int>(degree)).reverse()));
   } catch (const ArgumentError& error) {

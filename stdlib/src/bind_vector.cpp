@@ -8,6 +8,7 @@
 
 #include "armlet/math/det_math.hpp"
 #include "bind.hpp"
+#include "matrices.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -31,21 +32,9 @@ Signal cross(Vm& vm, Slot* args) {
   return give(args, new_reals(vm, c));
 }
 Signal norm(Vm& vm, Slot* args) {
-  // Scaled, so that neither large nor small values are lost.
-  double scale = 0.0;
-  double sum = 1.0;
-  for (const double x : reals_value(args[0])) {
-    const double size = std::abs(x);
-    if (!std::isfinite(size)) return not_finite(vm, "an element of the list", x, 0);
-    if (size == 0.0) continue;
-    if (scale < size) {
-      sum = 1.0 + sum * (scale / size) * (scale / size);
-      scale = size;
-    } else {
-      sum += (size / scale) * (size / scale);
-    }
-  }
-  return give(args, scale * std::sqrt(sum));
+  const double length = length_of(reals_value(args[0]));
+  if (std::isnan(length)) return not_finite(vm, "an element of the list", length, 0);
+  return give(args, length);
 }
 
 // ---- element by element -------------------------------------------------------------------------
