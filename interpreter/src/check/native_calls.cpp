@@ -120,7 +120,7 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
   auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function,
                                          seq(values), hir::CallSite{span, callee, seq(spans)});
   if (hir::Expr* loop = over_list(function, *call)) return loop;
-  note_callbacks(name, signature, values);
+  note_callbacks(function.name, signature, values);
   return run_rule(name, arguments, fit, call);
 }
 
