@@ -33,7 +33,7 @@ Signal cross(Vm& vm, Slot* args) {
 }
 Signal norm(Vm& vm, Slot* args) {
   const double length = length_of(reals_value(args[0]));
-  if (std::isnan(length)) return not_finite(vm, "an element of the list", length, 0);
+  if (std::isnan(length)) return not_finite(vm, "the length of the list", length, 0);
   return give(args, length);
 }
 
