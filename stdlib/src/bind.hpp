@@ -12,12 +12,21 @@
 
 namespace armlet::bind {
 
-// One table per chapter of the library reference.
+// The chapters of the library reference: one table each, or a few.
+struct Chapter {
+  std::string_view title;
+  std::span<const NativeFunction> functions;
+};
+[[nodiscard]] std::span<const Chapter> chapters();
+
 std::span<const NativeFunction> math_functions();
 std::span<const NativeFunction> list_functions();
 std::span<const NativeFunction> matrix_functions();
 std::span<const NativeFunction> matrix_part_functions();
 std::span<const NativeFunction> linalg_functions();
+std::span<const NativeFunction> vector_functions();
+std::span<const NativeFunction> numeric_functions();
+std::span<const NativeFunction> ode_functions();
 std::span<const NativeFunction> text_functions();
 std::span<const NativeFunction> pose_functions();
 std::span<const NativeFunction> robot_functions();

@@ -1,5 +1,5 @@
-// Lists of numbers as vectors, and what else lists can do (language reference, sections 8
-// and 19.2).
+// Lists: making, statistics, order, and the functions that visit every element (language reference,
+// 19.2).
 
 #include <fmt/format.h>
 
@@ -39,6 +39,9 @@ Signal linspace(Vm& vm, Slot* args) {
   const double a = args[0].d;
   const double b = args[1].d;
   const std::int64_t n = args[2].i;
+  for (int i = 0; i < 2; ++i) {
+    if (!std::isfinite(args[i].d)) return not_finite(vm, "an end given to linspace", args[i].d, i);
+  }
   if (n < 2 || n > kLongestRange)
     return failure(vm, "R0609", fmt::format("linspace with {} values: it needs at least 2", n), 2);
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(n), false);
@@ -74,11 +77,21 @@ double total(std::span<const double> xs) {
   for (const double x : xs) sum += x;
   return sum;
 }
-Signal sum_real(Vm&, Slot* args) { return give(args, total(reals_value(args[0]))); }
+// The result, unless it is undefined: then the first element that is not finite is to blame.
+Signal give_defined(Vm& vm, Slot* args, double result, std::string_view what) {
+  if (!std::isnan(result)) return give(args, result);
+  const auto xs = reals_value(args[0]);
+  const auto bad = std::ranges::find_if(xs, [](double x) { return !std::isfinite(x); });
+  if (bad == xs.end()) return not_finite(vm, what, result, 0);
+  return not_finite(vm, fmt::format("element {} of the list", bad - xs.begin()), *bad, 0);
+}
+Signal sum_real(Vm& vm, Slot* args) {
+  return give_defined(vm, args, total(reals_value(args[0])), "the sum");
+}
 Signal mean(Vm& vm, Slot* args) {
   const auto xs = reals_value(args[0]);
   if (xs.empty()) return failure(vm, "R0613", "an empty list has no mean", 0);
-  return give(args, total(xs) / static_cast<double>(xs.size()));
+  return give_defined(vm, args, total(xs) / static_cast<double>(xs.size()), "the mean");
 }
 // The sample deviation: divided by n - 1.
 Signal deviation(Vm& vm, Slot* args) {
@@ -91,7 +104,8 @@ Signal deviation(Vm& vm, Slot* args) {
   const double m = total(xs) / static_cast<double>(xs.size());
   double squares = 0.0;
   for (const double x : xs) squares += (x - m) * (x - m);
-  return give(args, std::sqrt(squares / static_cast<double>(xs.size() - 1)));
+  return give_defined(vm, args, std::sqrt(squares / static_cast<double>(xs.size() - 1)),
+                      "the deviation");
 }
 Signal differences(Vm& vm, Slot* args) {
   const auto xs = reals_value(args[0]);
@@ -106,101 +120,13 @@ Signal trapezoids(Vm& vm, Slot* args) {
   if (y.size() != x.size()) return size_failure(vm, "trapz", y.size(), x.size());
   double area = 0.0;
   for (std::size_t i = 1; i < y.size(); ++i) area += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
-  return give(args, area);
-}
-
-Signal dot(Vm& vm, Slot* args) {
-  const auto a = reals_value(args[0]);
-  const auto b = reals_value(args[1]);
-  if (a.size() != b.size()) return size_failure(vm, "dot", a.size(), b.size());
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return give(args, sum);
-}
-Signal cross(Vm& vm, Slot* args) {
-  const auto a = reals_value(args[0]);
-  const auto b = reals_value(args[1]);
-  if (a.size() != 3 || b.size() != 3)
-    return size_failure(vm, "cross needs two lists of 3 values", a.size(), b.size());
-  const std::array<double, 3> c = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                   a[0] * b[1] - a[1] * b[0]};
-  return give(args, new_reals(vm, c));
-}
-Signal norm(Vm&, Slot* args) { return give(args, length_of(reals_value(args[0]))); }
-
-// ---- element by element
-// ----------------------------------------------------------------------------------------
-
-template <class F>
-Signal zip_reals(Vm& vm, Slot* args, std::string_view what, F f) {
-  const auto a = reals_value(args[0]);
-  const auto b = reals_value(args[1]);
-  if (a.size() != b.size()) return size_failure(vm, what, a.size(), b.size());
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(a.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < a.size(); ++i) list->data[i].d = f(a[i], b[i]);
-  return give(args, list);
-}
-template <class F>
-Signal map_reals(Vm& vm, Slot* args, std::span<const double> xs, F f) {
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) list->data[i].d = f(xs[i]);
-  return give(args, list);
-}
-Signal add(Vm& vm, Slot* args) {
-  return zip_reals(vm, args, "adding lists", [](double a, double b) { return a + b; });
-}
-Signal subtract(Vm& vm, Slot* args) {
-  return zip_reals(vm, args, "subtracting lists", [](double a, double b) { return a - b; });
-}
-Signal times_elements(Vm& vm, Slot* args) {
-  return zip_reals(vm, args, "multiplying element by element",
-                   [](double a, double b) { return a * b; });
-}
-Signal over_elements(Vm& vm, Slot* args) {
-  return zip_reals(vm, args, "dividing element by element",
-                   [](double a, double b) { return a / b; });
-}
-Signal list_times(Vm& vm, Slot* args) {
-  const double k = args[1].d;
-  return map_reals(vm, args, reals_value(args[0]), [k](double x) { return x * k; });
-}
-Signal times_list(Vm& vm, Slot* args) {
-  const double k = args[0].d;
-  return map_reals(vm, args, reals_value(args[1]), [k](double x) { return k * x; });
-}
-Signal list_over(Vm& vm, Slot* args) {
-  const double k = args[1].d;
-  return map_reals(vm, args, reals_value(args[0]), [k](double x) { return x / k; });
-}
-Signal negate(Vm& vm, Slot* args) {
-  return map_reals(vm, args, reals_value(args[0]), [](double x) { return -x; });
-}
-
-template <char kOperator>
-Signal zip_ints(Vm& vm, Slot* args) {
-  const auto a = items_value(args[0]);
-  const auto b = items_value(args[1]);
-  if (a.size() != b.size()) return size_failure(vm, "lists of int", a.size(), b.size());
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(a.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::int64_t& out = list->data[i].i;
-    const bool overflow = kOperator == '+'   ? __builtin_add_overflow(a[i].i, b[i].i, &out)
-                          : kOperator == '-' ? __builtin_sub_overflow(a[i].i, b[i].i, &out)
-                                             : __builtin_mul_overflow(a[i].i, b[i].i, &out);
-    if (overflow) {
-      release(vm, list);
-      return failure(vm, "R0610", fmt::format("element {} is too large for an int", i));
-    }
-  }
-  return give(args, list);
+  return give_defined(vm, args, area, "the area");
 }
 
 // ---- order and search
 // ------------------------------------------------------------------------------------------
 
+// Of these two, equals cannot be told apart.
 Signal sort_int(Vm& vm, Slot* args) {
   const auto xs = items_value(args[0]);
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
@@ -247,31 +173,6 @@ Signal reverse(Vm& vm, Slot* args) {
   return give(args, list);
 }
 
-std::int64_t find_int(Slot list, Slot x) {
-  const auto xs = items_value(list);
-  const auto it = std::find_if(xs.begin(), xs.end(), [x](Slot y) { return y.i == x.i; });
-  return it == xs.end() ? -1 : it - xs.begin();
-}
-std::int64_t find_real(Slot list, Slot x) {
-  const auto xs = items_value(list);
-  const auto it = std::find_if(xs.begin(), xs.end(), [x](Slot y) { return y.d == x.d; });
-  return it == xs.end() ? -1 : it - xs.begin();
-}
-std::int64_t find_text(Slot list, Slot x) {
-  const auto xs = items_value(list);
-  const auto it =
-      std::find_if(xs.begin(), xs.end(), [x](Slot y) { return text_value(y) == text_value(x); });
-  return it == xs.end() ? -1 : it - xs.begin();
-}
-template <std::int64_t (*kFind)(Slot, Slot)>
-Signal index_of(Vm&, Slot* args) {
-  return give(args, kFind(args[0], args[1]));
-}
-template <std::int64_t (*kFind)(Slot, Slot)>
-Signal contains(Vm&, Slot* args) {
-  return give(args, kFind(args[0], args[1]) >= 0);
-}
-
 constexpr NativeFunction kFunctions[] = {
     {"range", "(b: int) -> int[]", "The whole numbers from 0 up to but excluding b.", "range(3)",
      range_to},
@@ -292,50 +193,35 @@ constexpr NativeFunction kFunctions[] = {
      differences},
     {"trapz", "(y: D[], x: E[]) -> D*E", "The area under y over x, by trapezoids.",
      "trapz([1.0, 2.0], [0.0, 1.0])", trapezoids},
-    {"dot", "(a: D[], b: E[]) -> D*E", "The inner product.", "dot([1.0, 2.0], [3.0, 4.0])", dot},
-    {"cross", "(a: D[], b: E[]) -> (D*E)[]", "The vector product of two lists of three.",
-     "cross([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])", cross},
-    {"norm", "(v: D[]) -> D", "The length of a vector.", "norm([3mm, 4mm])", norm},
-    {"operator+", "(a: int[], b: int[]) -> int[]", "Adds element by element.", "[1, 2] + [3, 4]",
-     zip_ints<'+'>},
-    {"operator-", "(a: int[], b: int[]) -> int[]", "Subtracts element by element.",
-     "[1, 2] - [3, 4]", zip_ints<'-'>},
-    {"operator.*", "(a: int[], b: int[]) -> int[]", "Multiplies element by element.",
-     "[1, 2] .* [3, 4]", zip_ints<'*'>},
-    {"operator+", "(a: D[], b: D[]) -> D[]", "Adds element by element.", "[1.0, 2.0] + [3.0, 4.0]",
-     add},
-    {"operator-", "(a: D[], b: D[]) -> D[]", "Subtracts element by element.",
-     "[1.0, 2.0] - [3.0, 4.0]", subtract},
-    {"operator.*", "(a: D[], b: E[]) -> (D*E)[]", "Multiplies element by element.",
-     "[1.0, 2.0] .* [3.0, 4.0]", times_elements},
-    {"operator./", "(a: D[], b: E[]) -> (D/E)[]", "Divides element by element.",
-     "[1.0, 2.0] ./ [3.0, 4.0]", over_elements},
-    {"operator*", "(a: D[], k: E) -> (D*E)[]", "Every element times a number.", "[1.0, 2.0] * 3.0",
-     list_times},
-    {"operator*", "(k: D, a: E[]) -> (D*E)[]", "Every element times a number.", "3.0 * [1.0, 2.0]",
-     times_list},
-    {"operator/", "(a: D[], k: E) -> (D/E)[]", "Every element divided by a number.",
-     "[1.0, 2.0] / 2.0", list_over},
-    {"operator-", "(a: D[]) -> D[]", "Every element with the other sign.", "-[1.0, 2.0]", negate},
     {"sort", "(xs: int[]) -> int[]", "A new list in ascending order.", "sort([3, 1, 2])", sort_int},
     {"sort", "(xs: D[]) -> D[]", "A new list in ascending order.", "sort([3mm, 1mm])", sort_real},
     {"sort", "(xs: string[]) -> string[]", "A new list in the order of the letters.",
      "sort([\"b\", \"a\"])", sort_text},
     {"reverse", "(xs: T[]) -> T[]", "A new list in the opposite order.", "reverse([1, 2, 3])",
      reverse},
-    {"contains", "(xs: int[], x: int) -> bool", "Whether x is in the list.", "contains([1, 2], 2)",
-     contains<find_int>},
-    {"contains", "(xs: D[], x: D) -> bool", "Whether x is in the list.",
-     "contains([1.0, 2.0], 2.0)", contains<find_real>},
-    {"contains", "(xs: string[], x: string) -> bool", "Whether x is in the list.",
-     "contains([\"a\"], \"a\")", contains<find_text>},
-    {"indexOf", "(xs: int[], x: int) -> int", "Where x stands in the list; -1 if it does not.",
-     "indexOf([1, 2], 2)", index_of<find_int>},
-    {"indexOf", "(xs: D[], x: D) -> int", "Where x stands in the list; -1 if it does not.",
-     "indexOf([1.0, 2.0], 2.0)", index_of<find_real>},
-    {"indexOf", "(xs: string[], x: string) -> int",
-     "Where x stands in the list; -1 if it does not.", "indexOf([\"a\"], \"a\")",
-     index_of<find_text>},
+    {"contains", "(xs: T[], x: T) -> bool", "Whether x is in the list.", "contains([1, 2], 2)"},
+    {"indexOf", "(xs: T[], x: T) -> int",
+     "Where x stands in the list for the first time; -1 if it does not.", "indexOf([1, 2], 2)"},
+    {"map", "(xs: T[], f: fn(T) -> U) -> U[]", "What f gives for each element.",
+     "[1, 2, 3].map(fn(x) => x^2)"},
+    {"filter", "(xs: T[], f: fn(T) -> bool) -> T[]", "The elements for which f is true.",
+     "[1, 2, 3].filter(fn(x) => x > 1)"},
+    {"fold", "(xs: T[], start: U, f: fn(U, T) -> U) -> U",
+     "Everything in one: f(f(f(start, xs[0]), xs[1]), xs[2]) ...",
+     "[1, 2, 3].fold(1, fn(product, x) => product * x)"},
+    {"any", "(xs: T[], f: fn(T) -> bool) -> bool",
+     "Whether f is true for some element; looks no further than the first one.",
+     "[1, 2, 3].any(fn(x) => x > 2)"},
+    {"all", "(xs: T[], f: fn(T) -> bool) -> bool",
+     "Whether f is true for every element; looks no further than the first that is not.",
+     "[1, 2, 3].all(fn(x) => x > 0)"},
+    {"sort", "(xs: T[], by: fn(T) -> U) -> T[]",
+     "A new list in ascending order of what `by` gives, a number or a text; equals keep their "
+     "order.",
+     "[\"ccc\", \"a\", \"bb\"].sort(by: fn(s) => s.length)"},
+    {"zip", "(xs: T[], ys: U[]) -> Pair{first: T, second: U}[]",
+     "The elements of two lists of one length side by side.",
+     "zip([1, 2], [\"a\", \"b\"])[0].second"},
 };
 
 }  // namespace

@@ -14,6 +14,12 @@ namespace armlet::bind {
 namespace {
 
 using Real1 = double (*)(double);
+using Real2 = double (*)(double, double);
+
+bool fits_int(double x) {
+  constexpr double kLimit = 9223372036854775808.0;
+  return x >= -kLimit && x < kLimit;
+}
 
 // A function that is defined everywhere, except that an infinite angle has no sine.
 template <Real1 kFunction>
@@ -44,12 +50,45 @@ Signal each(Vm& vm, Slot* args) {
   return give(args, result);
 }
 
+// The same with whole numbers as the result.
+template <Real1 kRound>
+Signal each_to_int(Vm& vm, Slot* args) {
+  const std::span<const double> xs = reals_value(args[0]);
+  ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
+  if (result == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    const double x = kRound(xs[i]);
+    if (fits_int(x)) {
+      result->data[i].i = static_cast<std::int64_t>(x);
+      continue;
+    }
+    release(vm, result);
+    if (!std::isfinite(x)) return not_finite(vm, fmt::format("element {} of the list", i), x, 0);
+    return failure(vm, "R0610",
+                   fmt::format("element {} of the list is {:.15g}, too large for an int", i, x), 0);
+  }
+  return give(args, result);
+}
+template <Signal (*kFunction)(Vm&, Slot*)>
+Signal each_int(Vm& vm, Slot* args) {
+  const std::span<const Slot> xs = items_value(args[0]);
+  ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
+  if (result == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    result->data[i] = xs[i];
+    if (kFunction(vm, &result->data[i]) == Signal::kDone) continue;
+    release(vm, result);
+    return Signal::kFail;
+  }
+  return give(args, result);
+}
+
 double square_root(double x) { return x >= 0.0 ? std::sqrt(x) : std::nan(""); }
 double to_radians(double x) { return x * (std::numbers::pi / 180.0); }
 double to_degrees(double x) { return x * (180.0 / std::numbers::pi); }
 double log_10(double x) { return det::log(x) / std::numbers::ln10; }
 double absolute(double x) { return std::abs(x); }
-double sign_of(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
+double sign_of(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x == 0.0 ? 0.0 : x; }
 double round_down(double x) { return std::floor(x); }
 double round_up(double x) { return std::ceil(x); }
 
@@ -112,8 +151,7 @@ template <double (*kRound)(double)>
 Signal to_int(Vm& vm, Slot* args) {
   const double x = kRound(args[0].d);
   if (!std::isfinite(x)) return not_finite(vm, "the value", x, 0);
-  constexpr double kLimit = 9223372036854775808.0;
-  if (x >= kLimit || x < -kLimit)
+  if (!fits_int(x))
     return failure(vm, "R0610", fmt::format("{:.15g} is too large for an int", x), 0);
   return give(args, static_cast<std::int64_t>(x));
 }
@@ -137,8 +175,15 @@ Signal min_int(Vm&, Slot* args) { return give(args, std::min(args[0].i, args[1].
 Signal max_int(Vm&, Slot* args) { return give(args, std::max(args[0].i, args[1].i)); }
 double smaller(double a, double b) { return std::isnan(a) || a < b ? a : b; }
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
-Signal min_real(Vm&, Slot* args) { return give(args, smaller(args[0].d, args[1].d)); }
-Signal max_real(Vm&, Slot* args) { return give(args, larger(args[0].d, args[1].d)); }
+// One of the two is not a number, or the direct call would have done it.
+template <Real2 kFunction>
+Signal extreme_of_two(Vm& vm, Slot* args) {
+  for (int i = 0; i < 2; ++i) {
+    if (std::isnan(args[i].d))
+      return not_finite(vm, i == 0 ? "the first value" : "the second value", args[i].d, i);
+  }
+  return give(args, kFunction(args[0].d, args[1].d));
+}
 
 template <bool kMax, bool kInt>
 Signal extreme(Vm& vm, Slot* args) {
@@ -146,6 +191,11 @@ Signal extreme(Vm& vm, Slot* args) {
   if (xs.empty())
     return failure(vm, "R0613",
                    fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
+  if (!kInt) {
+    const auto bad = std::ranges::find_if(xs, [](Slot x) { return std::isnan(x.d); });
+    if (bad != xs.end())
+      return not_finite(vm, fmt::format("element {} of the list", bad - xs.begin()), bad->d, 0);
+  }
   Slot best = xs[0];
   for (const Slot x : xs.subspan(1)) {
     const bool less = kInt ? x.i < best.i : x.d < best.d;
@@ -176,8 +226,22 @@ Signal clamp_real(Vm& vm, Slot* args) {
   return give(args, args[0].d < lo ? lo : args[0].d > hi ? hi : args[0].d);
 }
 
-Signal lerp_real(Vm&, Slot* args) {
+Signal lerp_real(Vm& vm, Slot* args) {
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(args[i].d)) return not_finite(vm, "a value given to lerp", args[i].d, i);
+  }
   return give(args, args[0].d + (args[1].d - args[0].d) * args[2].d);
+}
+Signal lerp_list(Vm& vm, Slot* args) {
+  const auto a = reals_value(args[0]);
+  const auto b = reals_value(args[1]);
+  const double s = args[2].d;
+  if (a.size() != b.size()) return size_failure(vm, "lerp", a.size(), b.size());
+  if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, 2);
+  ListObj* list = new_list(vm, static_cast<std::uint32_t>(a.size()), false);
+  if (list == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < a.size(); ++i) list->data[i].d = a[i] + (b[i] - a[i]) * s;
+  return give(args, list);
 }
 
 Signal near_real(Vm&, Slot* args) {
@@ -221,7 +285,8 @@ Signal random_int(Vm& vm, Slot* args) {
 // generator's.
 Signal random_normal(Vm& vm, Slot* args) {
   Random& random = vm.random();
-  if (!(args[1].d >= 0.0))
+  if (!std::isfinite(args[0].d)) return not_finite(vm, "the mean", args[0].d, 0);
+  if (!(args[1].d >= 0.0 && std::isfinite(args[1].d)))
     return domain_failure(vm, "randomNormal", args[1].d, "not be a negative deviation", {}, 1);
   double u = 0.0;
   double s = 0.0;
@@ -256,6 +321,12 @@ constexpr NativeFunction kFunctions[] = {
      inverse_of_sine<det::acos, true>},
     {"atan", "(x: double) -> angle", "Angle whose tangent is x.", "atan(1.0)", real1<det::atan>,
      det::atan},
+    {"asin", "(xs: double[]) -> angle[]", "Angle of each sine.", "asin([0.0, 0.5])",
+     each<det::asin>},
+    {"acos", "(xs: double[]) -> angle[]", "Angle of each cosine.", "acos([0.0, 0.5])",
+     each<det::acos>},
+    {"atan", "(xs: double[]) -> angle[]", "Angle of each tangent.", "atan([0.0, 1.0])",
+     each<det::atan>},
     {"atan2", "(y: D, x: D) -> angle",
      "Angle of the point (x, y) seen from the origin, in all four quadrants.", "atan2(1.0, -1.0)",
      atan_2},
@@ -263,7 +334,7 @@ constexpr NativeFunction kFunctions[] = {
      hypotenuse},
     {"sqrt", "(x: D^2) -> D", "Square root; the root of an area is a length.", "sqrt(2.0)",
      sqrt_checked},
-    {"sqrt", "(xs: double[]) -> double[]", "Square root of each element.", "sqrt([1.0, 4.0])",
+    {"sqrt", "(xs: (D^2)[]) -> D[]", "Square root of each element.", "sqrt([1.0, 4.0])",
      each<square_root>},
     {"pow", "(x: double, y: double) -> double", "x to the power y.", "pow(2.0, 0.5)", power},
     {"exp", "(x: double) -> double", "e to the power x.", "exp(1.0)", exponential, det::exp},
@@ -274,12 +345,20 @@ constexpr NativeFunction kFunctions[] = {
      each<det::log>},
     {"log10", "(x: double) -> double", "Logarithm to base 10.", "log10(1000.0)",
      logarithm<log_10, true>},
+    {"log10", "(xs: double[]) -> double[]", "Logarithm to base 10 of each element.",
+     "log10([1.0, 10.0])", each<log_10>},
     {"abs", "(x: int) -> int", "Absolute value.", "abs(-3)", abs_int},
     {"abs", "(x: D) -> D", "Absolute value.", "abs(-20mm)", real1<absolute>, absolute},
+    {"abs", "(xs: int[]) -> int[]", "Absolute value of each element.", "abs([-1, 2])",
+     each_int<abs_int>},
     {"abs", "(xs: D[]) -> D[]", "Absolute value of each element.", "abs([-1.0, 2.0])",
      each<absolute>},
     {"sign", "(x: int) -> int", "-1, 0 or 1.", "sign(-3)", sign_int},
     {"sign", "(x: D) -> double", "-1, 0 or 1.", "sign(-20mm)", real1<sign_of>, sign_of},
+    {"sign", "(xs: int[]) -> int[]", "-1, 0 or 1 for each element.", "sign([-3, 0])",
+     each_int<sign_int>},
+    {"sign", "(xs: D[]) -> double[]", "-1, 0 or 1 for each element.", "sign([-2mm, 0mm])",
+     each<sign_of>},
     {"floor", "(x: double) -> double", "The whole number at or below x.", "floor(2.7)",
      real1<round_down>, round_down},
     {"ceil", "(x: double) -> double", "The whole number at or above x.", "ceil(2.1)",
@@ -291,11 +370,16 @@ constexpr NativeFunction kFunctions[] = {
     {"round", "(x: double) -> int", "The nearest whole number; halves go up.", "round(2.5)",
      to_int<half_up>},
     {"trunc", "(x: double) -> int", "x without its fraction.", "trunc(-2.7)", to_int<toward_zero>},
+    {"round", "(xs: double[]) -> int[]", "The nearest whole number to each element.",
+     "round([1.5, 2.4])", each_to_int<half_up>},
+    {"trunc", "(xs: double[]) -> int[]", "Each element without its fraction.", "trunc([1.5, -2.4])",
+     each_to_int<toward_zero>},
     {"min", "(a: int, b: int) -> int", "The smaller of two.", "min(2, 3)", min_int},
     {"max", "(a: int, b: int) -> int", "The larger of two.", "max(2, 3)", max_int},
-    {"min", "(a: D, b: D) -> D", "The smaller of two.", "min(2mm, 3mm)", min_real, nullptr,
-     smaller},
-    {"max", "(a: D, b: D) -> D", "The larger of two.", "max(2mm, 3mm)", max_real, nullptr, larger},
+    {"min", "(a: D, b: D) -> D", "The smaller of two.", "min(2mm, 3mm)", extreme_of_two<smaller>,
+     nullptr, smaller},
+    {"max", "(a: D, b: D) -> D", "The larger of two.", "max(2mm, 3mm)", extreme_of_two<larger>,
+     nullptr, larger},
     {"min", "(xs: int[]) -> int", "The smallest of a list.", "min([3, 1, 2])",
      extreme<false, true>},
     {"max", "(xs: int[]) -> int", "The largest of a list.", "max([3, 1, 2])", extreme<true, true>},
@@ -307,10 +391,17 @@ constexpr NativeFunction kFunctions[] = {
      "clamp(1.2, -1.0, 1.0)", clamp_real},
     {"lerp", "(a: D, b: D, s: double) -> D", "The value the fraction s of the way from a to b.",
      "lerp(0mm, 10mm, 0.5)", lerp_real},
+    {"lerp", "(a: D[], b: D[], s: double) -> D[]",
+     "The values the fraction s of the way from a to b.", "lerp([0.0, 1.0], [1.0, 3.0], 0.5)",
+     lerp_list},
     {"toRadians", "(x: double) -> angle", "The angle of x degrees.", "toRadians(180.0)",
      real1<to_radians>, to_radians},
     {"toDegrees", "(x: double) -> double", "An angle in radians as a number of degrees.",
      "toDegrees(3.14)", real1<to_degrees>, to_degrees},
+    {"toRadians", "(xs: double[]) -> angle[]", "The angles of some degrees.",
+     "toRadians([90.0, 180.0])", each<to_radians>},
+    {"toDegrees", "(xs: double[]) -> double[]", "Angles in radians as numbers of degrees.",
+     "toDegrees([0.5, 3.14])", each<to_degrees>},
     {"near", "(a: D, b: D, tol: D) -> bool", "Whether a and b differ by at most tol.",
      "near(1mm, 1.01mm, tol: 0.1mm)", near_real},
     {"near", "(a: D[], b: D[], tol: D) -> bool",
@@ -322,7 +413,7 @@ constexpr NativeFunction kFunctions[] = {
      random_between},
     {"randomInt", "(n: int) -> int", "A whole number from 0 up to but excluding n.", "randomInt(6)",
      random_int},
-    {"randomNormal", "(mean: D, sd: D) -> D", "A normally distributed number.",
+    {"randomNormal", "(mean: D = 0.0, sd: D) -> D", "A normally distributed number.",
      "randomNormal(0mm, 1mm)", random_normal},
     {"seed", "(n: int)", "Starts the numbers of random anew from n.", "seed(7)", set_seed},
 };

@@ -2,59 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "armlet/interpreter/unit.hpp"
 #include "bind.hpp"
+#include "letters.hpp"
 
 namespace armlet::bind {
 namespace {
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
-// Byte offset of character `index`, or npos when the text is shorter.
-std::size_t offset_of(std::string_view text, std::int64_t index) {
-  std::int64_t seen = -1;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (!is_continuation(text[i]) && ++seen == index) return i;
-  }
-  return seen + 1 == index ? text.size() : std::string_view::npos;
-}
-std::int64_t characters(std::string_view text) {
-  return std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); });
-}
-
-// Upper or lower case of the letters that identifiers may have: ASCII, Latin-1 and Greek.
 template <bool kUpper>
 Signal change_case(Vm& vm, Slot* args) {
-  std::string out(text_value(args[0]));
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const auto c = static_cast<unsigned char>(out[i]);
-    if (kUpper ? (c >= 'a' && c <= 'z') : (c >= 'A' && c <= 'Z'))
-      out[i] = static_cast<char>(c ^ 0x20U);
-    if (c == 0xC3U &&
-        i + 1 < out.size()) {  // U+00C0 .. U+00FF; the division and multiplication signs stay
-      const auto d = static_cast<unsigned char>(out[i + 1]);
-      const bool lower = d >= 0xA0U && d <= 0xBEU && d != 0xB7U;
-      const bool upper = d >= 0x80U && d <= 0x9EU && d != 0x97U;
-      if (kUpper ? lower : upper) out[i + 1] = static_cast<char>(d ^ 0x20U);
-    }
-  }
-  return give(args, new_text(vm, out));
+  return give(args, new_text(vm, with_case(text_value(args[0]), kUpper)));
 }
 
-Signal trim(Vm& vm, Slot* args) {
-  std::string_view s = text_value(args[0]);
-  const std::string_view blanks = " \t\r\n";
-  const std::size_t first = s.find_first_not_of(blanks);
-  s = first == std::string_view::npos ? std::string_view()
-                                      : s.substr(first, s.find_last_not_of(blanks) - first + 1);
-  return give(args, new_text(vm, s));
+constexpr std::string_view kBlanks = " \t\r\n";
+
+// Without blanks at its ends; of nothing else nothing is left.
+std::string_view trimmed(std::string_view s) {
+  const std::size_t first = s.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return s.substr(first, s.find_last_not_of(kBlanks) - first + 1);
 }
+
+Signal trim(Vm& vm, Slot* args) { return give(args, new_text(vm, trimmed(text_value(args[0])))); }
 
 Signal split(Vm& vm, Slot* args) {
   const std::string_view s = text_value(args[0]);
@@ -101,6 +74,14 @@ Signal replace(Vm& vm, Slot* args) {
 Signal starts_with(Vm&, Slot* args) {
   return give(args, text_value(args[0]).starts_with(text_value(args[1])));
 }
+Signal ends_with(Vm&, Slot* args) {
+  return give(args, text_value(args[0]).ends_with(text_value(args[1])));
+}
+Signal index_of_text(Vm&, Slot* args) {
+  const std::string_view s = text_value(args[0]);
+  const std::size_t at = s.find(text_value(args[1]));
+  return give(args, at == std::string_view::npos ? std::int64_t{-1} : characters(s.substr(0, at)));
+}
 Signal contains_text(Vm&, Slot* args) {
   return give(args, text_value(args[0]).find(text_value(args[1])) != std::string_view::npos);
 }
@@ -112,6 +93,9 @@ Signal substring(Vm& vm, Slot* args) {
   const std::int64_t b = is_absent(args[2]) ? characters(s) : args[2].i;
   const std::size_t begin = a < 0 ? std::string_view::npos : offset_of(s, a);
   const std::size_t end = b < a ? std::string_view::npos : offset_of(s, b);
+  if (begin != std::string_view::npos && b < a) {
+    return failure(vm, "R0606", fmt::format("the characters from {} to {} run backwards", a, b));
+  }
   if (begin == std::string_view::npos || end == std::string_view::npos) {
     return failure(vm, "R0606",
                    fmt::format("characters {} to {} are outside a text of {} characters", a, b,
@@ -128,35 +112,60 @@ Signal join(Vm& vm, Slot* args) {
     if (!first) out.append(separator);
     out.append(text_value(part));
     first = false;
+    if (out.size() > vm.options().limits.heap_bytes) break;  // new_text reports the limit
   }
   return give(args, new_text(vm, out));
 }
 
-std::string_view trimmed(std::string_view s) {
-  const std::size_t first = s.find_first_not_of(" \t\r\n");
-  return first == std::string_view::npos
-             ? std::string_view()
-             : s.substr(first, s.find_last_not_of(" \t\r\n") - first + 1);
-}
-Signal parse_double(Vm& vm, Slot* args) {
-  const std::string_view s = trimmed(text_value(args[0]));
-  double value = 0.0;
-  const char* begin = s.data() + (s.starts_with('+') ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, s.data() + s.size(), value);
-  if (error != std::errc() || end != s.data() + s.size() || !std::isfinite(value)) {
-    return failure(vm, "R0609", fmt::format("\"{}\" is not a number", s), 0);
+// "2.5x" is not a number, with the place where it stops being one. `end` points into `whole`.
+Signal not_a_number(Vm& vm, std::string_view whole, const char* end, std::string_view what) {
+  const std::string_view s = trimmed(whole);
+  std::string why;
+  const auto at = static_cast<std::size_t>(end - whole.data());
+  if (s.empty()) {
+    why = "there is nothing to read in it";
+  } else if (end == s.data() + s.size()) {
+    why = "it ends too early";
+  } else {
+    std::size_t behind = at;
+    std::string character;
+    append_character(character, next_character(whole, behind));
+    why = fmt::format("`{}`, character {}, does not belong to {}", character,
+                      characters(whole.substr(0, at)) + 1, what);
   }
+  return failure(vm, "R0609", fmt::format("\"{}\" is not {}", whole, what), 0, std::move(why));
+}
+
+// The text without blanks and without a plus sign in front of a digit or point.
+std::string_view number_in(std::string_view whole) {
+  std::string_view s = trimmed(whole);
+  if (s.size() > 1 && s[0] == '+' && s[1] != '-') s.remove_prefix(1);
+  return s;
+}
+
+Signal parse_double(Vm& vm, Slot* args) {
+  const std::string_view whole = text_value(args[0]);
+  const std::string_view s = number_in(whole);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
+  if (error == std::errc::result_out_of_range && end == s.data() + s.size())
+    return failure(vm, "R0610", fmt::format("{} is too large or too small for a double", s), 0);
+  // "inf" and "nan" are read by the C++ library, but are no numbers here.
+  if (error == std::errc() && !std::isfinite(value))
+    return not_a_number(vm, whole, s.data() + (s[0] == '-' ? 1 : 0), "a number");
+  if (error != std::errc() || end != s.data() + s.size())
+    return not_a_number(vm, whole, end, "a number");
   return give(args, value);
 }
 Signal parse_int(Vm& vm, Slot* args) {
-  const std::string_view s = trimmed(text_value(args[0]));
+  const std::string_view whole = text_value(args[0]);
+  const std::string_view s = number_in(whole);
   std::int64_t value = 0;
-  const char* begin = s.data() + (s.starts_with('+') ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, s.data() + s.size(), value);
-  if (error == std::errc::result_out_of_range)
+  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
+  if (error == std::errc::result_out_of_range && end == s.data() + s.size())
     return failure(vm, "R0610", fmt::format("{} is too large for an int", s), 0);
   if (error != std::errc() || end != s.data() + s.size())
-    return failure(vm, "R0609", fmt::format("\"{}\" is not a whole number", s), 0);
+    return not_a_number(vm, whole, end, "a whole number");
   return give(args, value);
 }
 
@@ -166,29 +175,15 @@ Signal code_of(Vm& vm, Slot* args) {
     return failure(vm, "R0613",
                    fmt::format("codeOf needs one character, and this text has {}", characters(s)),
                    0);
-  const auto lead = static_cast<unsigned char>(s[0]);
-  std::int64_t code = lead < 0x80U   ? lead
-                      : lead < 0xE0U ? lead & 0x1FU
-                      : lead < 0xF0U ? lead & 0x0FU
-                                     : lead & 0x07U;
-  for (const char c : s.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3FU);
-  return give(args, code);
+  std::size_t at = 0;
+  return give(args, static_cast<std::int64_t>(next_character(s, at)));
 }
 Signal char_of(Vm& vm, Slot* args) {
   const std::int64_t n = args[0].i;
   if (n < 0 || n > 0x10FFFF || (n >= 0xD800 && n <= 0xDFFF))
     return failure(vm, "R0609", fmt::format("there is no character number {}", n), 0);
   std::string out;
-  const auto part = [&](int shift) { return static_cast<char>(0x80 | (n >> shift & 0x3F)); };
-  if (n < 0x80) {
-    out = {static_cast<char>(n)};
-  } else if (n < 0x800) {
-    out = {static_cast<char>(0xC0 | n >> 6), part(0)};
-  } else if (n < 0x10000) {
-    out = {static_cast<char>(0xE0 | n >> 12), part(6), part(0)};
-  } else {
-    out = {static_cast<char>(0xF0 | n >> 18), part(12), part(6), part(0)};
-  }
+  append_character(out, static_cast<char32_t>(n));
   return give(args, new_text(vm, out));
 }
 
@@ -205,6 +200,11 @@ constexpr NativeFunction kFunctions[] = {
      "The text with every a replaced by b.", "\"a-b\".replace(\"-\", \"+\")", replace},
     {"startsWith", "(s: string, t: string) -> bool", "Whether s begins with t.",
      "\"armlet\".startsWith(\"arm\")", starts_with},
+    {"endsWith", "(s: string, t: string) -> bool", "Whether s ends with t.",
+     "\"armlet\".endsWith(\"let\")", ends_with},
+    {"indexOf", "(s: string, t: string) -> int",
+     "At which character t begins for the first time; -1 if it does not.",
+     "\"armlet\".indexOf(\"let\")", index_of_text},
     {"contains", "(s: string, t: string) -> bool", "Whether t stands somewhere in s.",
      "\"armlet\".contains(\"let\")", contains_text},
     {"equals", "(s: string, t: string) -> bool",

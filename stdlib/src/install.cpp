@@ -15,14 +15,42 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"robots.arm7", "urdf", "simulate", "mesh", "touching",
-                                         "table", "explain", "lab", "map", "filter", "fold", "any",
-                                         "all", "zip", "polyfit", "polyval", "roots", "interp",
-                                         "ode", "solve", "minimise",
+constexpr std::string_view kPlanned[] = {"robots.arm7", "urdf",    "simulate", "mesh",
+                                         "touching",    "explain", "lab",
                                          // settings of with
                                          "with.collisions"};
 
 }  // namespace
+
+namespace bind {
+
+std::span<const Chapter> chapters() {
+  static const Chapter all[] = {
+      {"Mathematics", math_functions()},
+      {"Lists", list_functions()},
+      {"Vectors", vector_functions()},
+      {"Matrices", matrix_functions()},
+      {"Matrices: parts", matrix_part_functions()},
+      {"Linear algebra", linalg_functions()},
+      {"Fits, roots and equations", numeric_functions()},
+      {"Differential equations", ode_functions()},
+      {"Text", text_functions()},
+      {"Positions and frames", pose_functions()},
+      {"Robots: models", model_functions()},
+      {"Robots: state and kinematics", robot_functions()},
+      {"Robots: motion", motion_functions()},
+      {"Robots: settings", settings_functions()},
+      {"Hands", hand_functions()},
+      {"World and signals", world_functions()},
+      {"The classic subset", classic_functions()},
+      {"Time", time_functions()},
+      {"Tables", table_functions()},
+      {"Later", later_functions()},
+  };
+  return all;
+}
+
+}  // namespace bind
 
 void install(Engine& engine) {
   for (const HostType* type :
@@ -41,28 +69,11 @@ void install(Engine& engine) {
                     "contacts: int, minSingular: double, volume: double, forceClosure: bool");
   engine.add_record("Blob", "x: double, y: double, area: double");
   engine.add_record("Match", "x: double, y: double, score: double");
+  engine.add_record("OdeSolution", "t: time[], y: matrix");
   engine.add_constants(kConstants, "Mathematics");
   engine.add_planned(kPlanned);
-  const std::pair<std::string_view, std::span<const NativeFunction>> chapters[] = {
-      {"Mathematics", bind::math_functions()},
-      {"Lists", bind::list_functions()},
-      {"Matrices", bind::matrix_functions()},
-      {"Matrices: parts", bind::matrix_part_functions()},
-      {"Linear algebra", bind::linalg_functions()},
-      {"Text", bind::text_functions()},
-      {"Positions and frames", bind::pose_functions()},
-      {"Robots: models", bind::model_functions()},
-      {"Robots: state and kinematics", bind::robot_functions()},
-      {"Robots: motion", bind::motion_functions()},
-      {"Robots: settings", bind::settings_functions()},
-      {"Hands", bind::hand_functions()},
-      {"World and signals", bind::world_functions()},
-      {"The classic subset", bind::classic_functions()},
-      {"Time", bind::time_functions()},
-      {"Tables", bind::table_functions()},
-      {"Later", bind::later_functions()},
-  };
-  for (const auto& [title, functions] : chapters) engine.add_functions(functions, title);
+  for (const bind::Chapter& chapter : bind::chapters())
+    engine.add_functions(chapter.functions, chapter.title);
 }
 
 }  // namespace armlet

@@ -70,6 +70,11 @@ void Checker::split_condition(hir::AssertStmt& stmt, hir::Expr* test) {
     auto* comparison = static_cast<hir::BinaryExpr*>(test);
     keep(comparison->left, comparison->left->span);
     keep(comparison->right, comparison->right->span);
+  } else if (test->kind == hir::ExprKind::kOverList) {
+    auto* loop = static_cast<hir::OverListExpr*>(test);
+    std::vector<hir::Expr*> operands(loop->operands.begin(), loop->operands.end());
+    for (hir::Expr*& operand : operands) keep(operand, operand->span);
+    loop->operands = seq(operands);
   } else if (test->kind == hir::ExprKind::kCallNative) {
     auto* call = static_cast<hir::CallNativeExpr*>(test);
     std::vector<hir::Expr*> arguments(call->arguments.begin(), call->arguments.end());

@@ -66,6 +66,9 @@ struct Ambient {
   std::vector<std::string_view> names;  // sorted
 };
 
+// Whether == compares values of this type by their contents.
+[[nodiscard]] bool has_deep_equality(const Type* type);
+
 // The literal 0 or 0.0, which is any quantity.
 [[nodiscard]] bool is_zero(const hir::Expr& value);
 

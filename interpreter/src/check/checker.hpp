@@ -95,6 +95,8 @@ struct Checker : CheckerState {
   hir::Expr* combine(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   hir::Expr* arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   hir::Expr* raise(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
+  const Type* power_of(const Type* quantity, const hir::Expr& exponent, Span whole);
+  hir::Expr* raise_elements(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   hir::Expr* compare(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   hir::Expr* operator_native(std::string_view op, Span op_span, Span span,
                              std::vector<hir::Expr*> operands);
@@ -169,6 +171,12 @@ struct Checker : CheckerState {
                               const TypePattern& pattern, Bindings& bindings);
   hir::Expr* ambient_value(const HostType& type, Span callee);
   [[nodiscard]] const Fact* ambient_fact(std::string_view type);
+  // over_list.cpp: functions that are loops of the program.
+  void settle_start(std::span<const NativeFunction* const> candidates,
+                    std::vector<Argument>& arguments);
+  hir::Expr* over_list(const NativeFunction& function, hir::CallNativeExpr& call);
+  void note_callbacks(std::string_view name, const Signature& signature,
+                      const std::vector<hir::Expr*>& values);
   // The variables that a call without a robot may mean, and the names of all that it could mean.
   Ambient find_ambient(const HostType& type);
   void note_pause(Span span);
@@ -286,6 +294,7 @@ struct Checker : CheckerState {
   void mark_unset_globals();
   void prepare_tests();
   void check_conditions();
+  void check_callbacks();
   [[nodiscard]] Use closure_of(Use seed);
 
   // ---- names

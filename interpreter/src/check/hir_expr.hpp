@@ -99,7 +99,8 @@ enum class ExprKind : std::uint8_t {
   kMutate,
   kGuarded,
   kMatrix,
-  kPart
+  kPart,
+  kOverList
 };
 
 enum class Op : std::uint8_t {
@@ -246,6 +247,24 @@ struct CallValueExpr : Expr {
 struct CallNativeExpr : Expr {
   const NativeFunction* function;
   Seq<Expr*> arguments;  // one per parameter
+  CallSite site;
+};
+// Functions of the library that are loops of the program: what they call is called like any other
+// function.
+enum class ListVerb : std::uint8_t {
+  kMap,       // list, function
+  kFilter,    // list, function -> bool
+  kFold,      // list, start, function
+  kAny,       // list, function -> bool
+  kAll,       // list, function -> bool
+  kSort,      // list, function -> int, real or text
+  kZip,       // list, list -> records of two fields
+  kContains,  // list, value
+  kIndexOf,   // list, value
+};
+struct OverListExpr : Expr {
+  ListVerb verb;
+  Seq<Expr*> operands;  // as above
   CallSite site;
 };
 struct FunctionValueExpr : Expr {

@@ -68,6 +68,8 @@ bool is_sum(BinaryOp op) {
 bool is_equality(BinaryOp op) { return op == BinaryOp::kEq || op == BinaryOp::kNe; }
 bool is_int_literal(const hir::Expr& expr) { return expr.kind == hir::ExprKind::kInt; }
 
+}  // namespace
+
 bool has_deep_equality(const Type* type) {
   switch (type->kind) {
     case Kind::kList:
@@ -81,8 +83,6 @@ bool has_deep_equality(const Type* type) {
       return true;
   }
 }
-
-}  // namespace
 
 hir::Expr* Checker::check_unary(const ast::UnaryExpr& unary, const Type* expected) {
   if (unary.op == ast::UnaryOp::kMinus && unary.operand->kind == ast::ExprKind::kInt &&
@@ -128,9 +128,9 @@ hir::Expr* Checker::check_binary(const ast::BinaryExpr& binary, const Type* expe
   while (chain.back()->left->kind == ast::ExprKind::kBinary) {
     chain.push_back(&chain.back()->left->as<ast::BinaryExpr>());
   }
-  const bool logical = binary.op == BinaryOp::kAnd || binary.op == BinaryOp::kOr;
-  hir::Expr* left =
-      check_value(*chain.back()->left, chain.size() == 1 && !logical ? expected : nullptr);
+  // The sides of a sum are what the sum is; those of a product need not be.
+  const bool is_alone = chain.size() == 1 && is_sum(binary.op);
+  hir::Expr* left = check_value(*chain.back()->left, is_alone ? expected : nullptr);
   std::vector<hir::Expr*> texts;
   for (auto node = chain.rbegin(); node != chain.rend(); ++node) {
     const ast::BinaryExpr& at = **node;
@@ -175,6 +175,9 @@ hir::Expr* Checker::combine(const ast::BinaryExpr& node, hir::Expr* left, hir::E
     if (node.op == BinaryOp::kPow) return raise(node, left, right);
     if (arithmetic_op(node.op)) return arithmetic(node, left, right);
   }
+  const bool quantities = left->type->is(Kind::kList) && left->type->element->is_quantity();
+  if (node.op == BinaryOp::kElemPow && quantities && right->type->is_number())
+    return raise_elements(node, left, right);
   hir::Expr* result =
       operator_native(operator_text(node.op), node.op_span, node.span, {left, right});
   return result != nullptr ? result : no_operator(node, *left, *right);
@@ -239,18 +242,38 @@ hir::Expr* Checker::raise(const ast::BinaryExpr& node, hir::Expr* left, hir::Exp
   if (!left->type->is_quantity()) {
     return binary(types_.real(), Op::kPowR, convert(left, types_.real()), exponent);
   }
-  const auto constant = constant_of(*exponent);
+  const Type* type = power_of(left->type, *exponent, node.span);
+  return type == nullptr ? failed(node.span) : binary(type, Op::kPowR, left, exponent);
+}
+
+// A quantity to a power that the text tells; null after a message.
+const Type* Checker::power_of(const Type* quantity, const hir::Expr& exponent, Span whole) {
+  const auto constant = constant_of(exponent);
   const double halves = constant ? constant->real * 2.0 : 0.5;
   if (halves != std::round(halves) || std::abs(halves) > 1000.0) {
-    report(make_diagnostic("E0408", right->span));
-    return failed(node.span);
+    report(make_diagnostic("E0408", exponent.span));
+    return nullptr;
   }
-  const auto dim = power(left->type->dim, static_cast<int>(halves));
+  const auto dim = power(quantity->dim, static_cast<int>(halves));
   if (!dim) {
-    report(make_diagnostic("E0409", node.span));
-    return failed(node.span);
+    report(make_diagnostic("E0409", whole));
+    return nullptr;
   }
-  return binary(types_.quantity(*dim), Op::kPowR, left, exponent);
+  return types_.quantity(*dim);
+}
+
+// lengths .^ 2: computed on plain numbers, because no signature can say what the exponent does.
+hir::Expr* Checker::raise_elements(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right) {
+  const Type* element = power_of(left->type->element, *right, node.span);
+  if (element == nullptr) return failed(node.span);
+  const auto as = [&](const Type* type, hir::Expr* value) {
+    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span,
+                                  hir::Conversion::kSame, value);
+  };
+  hir::Expr* result =
+      operator_native(".^", node.op_span, node.span, {as(types_.list(types_.real()), left), right});
+  if (result == nullptr) return no_operator(node, *left, *right);
+  return as(types_.list(element), result);
 }
 
 hir::Expr* Checker::compare(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right) {

@@ -19,6 +19,13 @@ namespace armlet::lang {
 
 struct Checker;
 
+// A function of the program handed to one of the library, which calls it.
+struct Callback {
+  std::string_view called_by;
+  const hir::Function* function;
+  Span span;
+};
+
 // What the files of one program have in common.
 struct SharedState {
   std::vector<Checker*> files{};  // imported ones before those that import them
@@ -36,6 +43,7 @@ struct SharedState {
   std::vector<std::pair<const hir::Function*, std::size_t>>
       main_calls{};  // with the top-level variables declared then
   std::vector<std::pair<const hir::Function*, Span>> conditions{};
+  std::vector<Callback> callbacks{};
   std::vector<std::pair<hir::Variable*, hir::InitStmt*>> top_level{};  // in their order
   std::unordered_map<const hir::Variable*, Use> init_uses{};
   std::set<std::string> mentioned{};
@@ -118,6 +126,7 @@ struct CheckerState {
   std::vector<hir::Variable*>& inner_globals_ = shared_.inner_globals;
   std::vector<std::pair<const hir::Function*, std::size_t>>& main_calls_ = shared_.main_calls;
   std::vector<std::pair<const hir::Function*, Span>>& conditions_ = shared_.conditions;
+  std::vector<Callback>& callbacks_ = shared_.callbacks;
   std::vector<std::pair<hir::Variable*, hir::InitStmt*>>& top_level_ = shared_.top_level;
   std::unordered_map<const hir::Variable*, Use>& init_uses_ = shared_.init_uses;
   std::set<std::string>& mentioned_ = shared_.mentioned;

@@ -24,6 +24,7 @@ bool is_loud(const Expr& e) {
     case ExprKind::kCallValue:
     case ExprKind::kMutate:
     case ExprKind::kGuarded:
+    case ExprKind::kOverList:
       return true;
     case ExprKind::kCallNative:
       return !calls_quietly(e.as<CallNativeExpr>());

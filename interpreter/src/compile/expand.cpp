@@ -141,18 +141,23 @@ void Lowering::expand(const CallExpr& e, Dest to) {
     arguments.push_back(reference ? borrow(argument, holds[i]) : value(argument));
     if (arguments.back() == to.reg) to.early = false;
   }
+  expand_body({e.span, &e}, *e.function, arguments, to);
+}
+
+void Lowering::expand_body(Site site, const Function& function, const std::vector<Reg>& arguments,
+                           Dest to) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    e.function->parameters[i]->index = arguments[i].bits;
+    function.parameters[i]->index = arguments[i].bits;
   }
-  code_.at(e.span, &e);
-  code_.push(OpCode::EXPANDED, 0, e.function->index, 0);
+  code_.at(site.span, site.expr);
+  code_.push(OpCode::EXPANDED, 0, function.index, 0);
   const std::uint32_t begin = code_.position();
   const Label end = code_.label();
   expansions_.push_back({to, end});
-  block(*e.function->body);
+  block(*function.body);
   expansions_.pop_back();
   code_.drop_jump(end);
-  code_.expanded({begin, code_.position()}, e.function->index, e.span);
+  code_.expanded({begin, code_.position()}, function.index, site.span);
   code_.bind(end);
 }
 

@@ -186,6 +186,9 @@ void Lowering::compute(const Expr& e, Dest to) {
     case ExprKind::kMutate:
       code_.emit(OpCode::MOVE, to.reg, mutate(e.as<MutateExpr>()));
       break;
+    case ExprKind::kOverList:
+      over_list(e.as<OverListExpr>(), to.reg);
+      break;
     default:
       call_into(e, to);
       break;

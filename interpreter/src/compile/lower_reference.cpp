@@ -241,6 +241,9 @@ void Lowering::make(const Expr& e, Reg to) {
     case ExprKind::kMutate:
       code_.emit(OpCode::TAKE, to, mutate(e.as<MutateExpr>()));
       break;
+    case ExprKind::kOverList:
+      over_list(e.as<OverListExpr>(), to);
+      break;
     default:
       call_own(e, to);
       break;

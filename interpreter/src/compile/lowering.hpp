@@ -155,7 +155,27 @@ class Lowering {
 
   // ---- expand.cpp
   void expand(const hir::CallExpr& e, Dest to);
+  void expand_body(Site site, const hir::Function& function, const std::vector<Reg>& arguments,
+                   Dest to);
   void give_back_here(const hir::Expr& e);
+
+  // ---- lower_over_list.cpp: map, filter, fold ...
+  using Element = std::function<void(Reg counter)>;
+  void over_list(const hir::OverListExpr& e, Reg to);
+  Reg held(const hir::OverListExpr& e, std::size_t operand);
+  void each(const hir::OverListExpr& e, Reg last, const Element& pass);
+  void call_each(const hir::OverListExpr& e, Reg function, Reg base);
+  Reg length_of(const hir::OverListExpr& e, Reg list);
+  Reg new_list(const hir::OverListExpr& e, const Type* element);
+  void add_to(const hir::OverListExpr& e, Reg list, Reg item, const Type* element);
+  Reg map_list(const hir::OverListExpr& e, Reg list, const Type* element);
+  Reg filter_list(const hir::OverListExpr& e);
+  Reg fold_list(const hir::OverListExpr& e);
+  Reg test_list(const hir::OverListExpr& e);
+  Reg sort_list(const hir::OverListExpr& e);
+  Reg zip_lists(const hir::OverListExpr& e);
+  Reg find_in_list(const hir::OverListExpr& e);
+  void branch_equal(const hir::OverListExpr& e, Reg a, Reg b, Label to);
 
   // ---- lower_branch.cpp
   void branch(const hir::Expr& e, bool when, Label to);

@@ -65,6 +65,9 @@ void for_each_listed_operand(const hir::Expr& e, F f) {
     case ExprKind::kCallNative:
       all(e.as<hir::CallNativeExpr>().arguments);
       break;
+    case ExprKind::kOverList:
+      all(e.as<hir::OverListExpr>().operands);
+      break;
     case ExprKind::kConcat:
       all(e.as<hir::ConcatExpr>().parts);
       break;

@@ -185,6 +185,7 @@ class SignatureReader {
     if (name == "E") return {.form = Form::kDimension, .e = 1};
     if (name == "fn") return function();
     if (name == "table") return {.form = Form::kTable};
+    if (accept("{")) return record(name);
     return {.type = named(name)};
   }
 
@@ -203,6 +204,17 @@ class SignatureReader {
     } else {
       out.parts.push_back({.type = types_.void_type()});
     }
+    return out;
+  }
+
+  TypePattern record(std::string_view name) {
+    TypePattern out{.form = Form::kRecord, .names = {std::string(name)}};
+    do {
+      out.names.emplace_back(word());
+      expect(":");
+      out.parts.push_back(type());
+    } while (ok() && accept(","));
+    expect("}");
     return out;
   }
 
@@ -388,6 +400,8 @@ int match(const TypePattern& pattern, const Type* actual, bool zero, Bindings& b
       return match_function(pattern, actual, bindings);
     case Form::kTable:
       return actual->is_table() ? 0 : -1;
+    case Form::kRecord:  // results only
+      return -1;
   }
   return -1;
 }
@@ -427,6 +441,14 @@ const Type* instantiate(const TypePattern& pattern, const Bindings& bindings, Ty
     }
     case Form::kTable:
       return nullptr;  // any of many
+    case Form::kRecord: {
+      std::vector<RecordField> fields;
+      for (std::size_t i = 0; i < pattern.parts.size(); ++i) {
+        fields.push_back({pattern.names[i + 1], instantiate(pattern.parts[i], bindings, types)});
+        if (fields.back().type == nullptr) return nullptr;
+      }
+      return types.record_of(pattern.names[0], std::move(fields));
+    }
   }
   return nullptr;
 }

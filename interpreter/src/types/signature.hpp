@@ -18,14 +18,16 @@ namespace armlet::lang {
 
 // A type that may contain variables.
 struct TypePattern {
-  enum class Form : std::uint8_t { kType, kVariable, kDimension, kList, kFunction, kTable };
+  enum class Form : std::uint8_t { kType, kVariable, kDimension, kList, kFunction, kTable, kRecord };
   Form form = Form::kType;
   const Type* type = nullptr;  // kType
   int variable = 0;            // kVariable: 0 is T, 1 is U
   Dim dim{};                   // kDimension: dim * D^d * E^e
   int d = 0;
   int e = 0;
-  std::vector<TypePattern> parts{};  // kList: the element; kFunction: parameters, then the result
+  // kList: the element; kFunction: parameters, then the result; kRecord: the fields.
+  std::vector<TypePattern> parts{};
+  std::vector<std::string> names{};  // kRecord: its own, then those of its fields
 };
 
 struct Parameter {

@@ -159,6 +159,20 @@ const Type* TypePool::new_enum(std::string name, std::vector<std::string> values
   return &types_.emplace_back(Type{.kind = Kind::kEnum, .enumeration = &info});
 }
 
+const Type* TypePool::record_of(std::string_view name, std::vector<RecordField> fields) {
+  const auto same_field = [](const RecordField& a, const RecordField& b) {
+    return a.name == b.name && a.type == b.type;
+  };
+  for (const Type* known : made_records_) {
+    if (known->record->name == name &&
+        std::ranges::equal(known->record->fields, fields, same_field))
+      return known;
+  }
+  made_records_.push_back(new_record(std::string(name)));
+  made_records_.back()->record->fields = std::move(fields);
+  return made_records_.back();
+}
+
 const Type* TypePool::library_record(std::string_view name) const {
   const auto found = std::ranges::find_if(
       library_records_, [name](const Type* type) { return type->record->name == name; });

@@ -272,9 +272,10 @@ bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::st
   const std::string name(what);
   Diagnostic failure = index_failure(state, index, size - 1, what);
   if (size == 0) {
-    failure.message = is_axis(what)
-                          ? "there is no " + name + ' ' + std::to_string(index) + " in this matrix"
-                          : "there is no value " + std::to_string(index) + " in an empty " + name;
+    failure.message =
+        is_axis(what) ? "there is no " + name + ' ' + std::to_string(index) + " in this matrix"
+        : index == -1 ? "an empty " + name + " has no last value"
+                      : "there is no value " + std::to_string(index) + " in an empty " + name;
   }
   const std::string has = size_note(what, size);
   bool is_variable = false;

@@ -54,6 +54,10 @@ NativeCall running_call(const VmState& state) {
   const Expr* expr = at == nullptr ? nullptr : at->expr;
   if (expr != nullptr && expr->kind == ExprKind::kGuarded)
     expr = expr->as<hir::GuardedExpr>().motion;
+  if (expr != nullptr && expr->kind == ExprKind::kOverList) {
+    const auto& loop = expr->as<hir::OverListExpr>();
+    return {&loop.site, loop.operands};
+  }
   if (expr == nullptr || expr->kind != ExprKind::kCallNative) return {};
   const auto& call = expr->as<hir::CallNativeExpr>();
   return {&call.site, call.arguments};

@@ -10,8 +10,8 @@
 //   out (absent) values: number...     any number of trailing numbers, handed over as one double[]
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
 //   table                 any table, whatever its columns
-//   T, U                  any type; fn(T) -> U;  joints: a posJ or a double[] may be declared as
-//   two overloads
+//   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U};  joints: a
+//   posJ or a double[] may be declared as two overloads
 //
 // Names with a meaning of their own: "posC.x" is the field x of a posC; "posJ[]" indexing;
 // "operator*" and its like operators between host types or lists; "robot{}" what a block
@@ -54,7 +54,7 @@ struct NativeFunction {
   std::string_view signature;
   std::string_view help;     // one or two sentences
   std::string_view example;  // one line that runs
-  Thunk thunk = nullptr;
+  Thunk thunk = nullptr;     // null for map, filter ...: the program itself runs these, as loops
   // The same function for a direct call, when it cannot fail and its result depends on nothing but
   // its arguments: repeated calls may be left out.
   double (*real1)(double) = nullptr;

@@ -102,6 +102,8 @@ class TypePool {
   // The table whose rows have these fields: equal fields give the same type. A column is a list; one
   // of lists of numbers is a matrix with one row for each sample.
   const Type* table(std::vector<RecordField> row);
+  // The one record type with this name and these fields.
+  const Type* record_of(std::string_view name, std::vector<RecordField> fields);
   // The library's records are one type per name.
   const Type* library_record(std::string_view name) const;
   void register_library_record(const Type* record);
@@ -113,6 +115,7 @@ class TypePool {
   std::deque<RecordInfo> records_;
   std::deque<EnumInfo> enums_;
   std::vector<const Type*> library_records_;
+  std::vector<const Type*> made_records_;  // by record_of
   const Type *any_, *void_, *bool_, *int_, *real_, *text_, *matrix_;
 };
 

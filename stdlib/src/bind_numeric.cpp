@@ -1,0 +1,263 @@
+// Fits, roots, equations and their relatives (language reference, 19.2).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "armlet/math/find_root.hpp"
+#include "armlet/math/fit.hpp"
+#include "armlet/math/minimise.hpp"
+#include "armlet/math/ode.hpp"
+#include "armlet/math/real_roots.hpp"
+#include "bind.hpp"
+#include "matrices.hpp"
+
+namespace armlet::bind {
+namespace {
+
+using Eigen::Map;
+using Eigen::VectorXd;
+
+Map<const VectorXd> vector_of(Slot list) {
+  const auto values = reals_value(list);
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+Obj* list_of(Vm& vm, const VectorXd& values) {
+  return new_reals(vm, {values.data(), static_cast<std::size_t>(values.size())});
+}
+
+// R0612 for the first element that is infinite or undefined; false if there is one.
+bool all_finite(Vm& vm, Slot list, std::string_view what, int parameter) {
+  const auto values = reals_value(list);
+  const auto bad = std::ranges::find_if(values, [](double x) { return !std::isfinite(x); });
+  if (bad == values.end()) return true;
+  static_cast<void>(
+      not_finite(vm, fmt::format("element {} of {}", bad - values.begin(), what), *bad, parameter));
+  return false;
+}
+
+// ---- polynomials: the language writes the highest power first, the runtime the constant term ----
+
+Signal polyfit(Vm& vm, Slot* args) {
+  const auto x = vector_of(args[0]);
+  const auto y = vector_of(args[1]);
+  if (x.size() != y.size()) return size_failure(vm, "polyfit", x.size(), y.size());
+  if (!all_finite(vm, args[0], "x", 0) || !all_finite(vm, args[1], "y", 1)) return Signal::kFail;
+  const std::int64_t degree = args[2].i;
+  if (degree < 0 || degree > 50)
+    return failure(vm, "R0609", fmt::format("polyfit of degree {}: it must be 0 to 50", degree), 2);
+  const auto columns = static_cast<std::uint64_t>(degree + 1);
+  if (!charge_work(vm, static_cast<std::uint64_t>(x.size()) * columns * columns))
+    return Signal::kFail;
+  try {
+    return give(args, list_of(vm, fit_polynomial(x, y, static_cast<int>(degree)).reverse()));
+  } catch (const ArgumentError& error) {
+    std::string why = error.what();
+    why.pop_back();
+    return failure(vm, "R0609", "these points do not decide a polynomial of that degree", 0,
+                   std::move(why));
+  }
+}
+
+double horner(std::span<const double> c, double x) {
+  double value = 0.0;
+  for (const double coefficient : c) value = value * x + coefficient;
+  return value;
+}
+Signal polyval(Vm& vm, Slot* args) {
+  const double value = horner(reals_value(args[0]), args[1].d);
+  if (std::isnan(value)) return not_finite(vm, "the polynomial's value", value, -1);
+  return give(args, value);
+}
+Signal polyval_list(Vm& vm, Slot* args) {
+  const auto xs = reals_value(args[1]);
+  ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
+  if (list == nullptr) return Signal::kFail;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    list->data[i].d = horner(reals_value(args[0]), xs[i]);
+    if (!std::isnan(list->data[i].d)) continue;
+    release(vm, list);
+    return not_finite(vm, fmt::format("the polynomial's value at element {}", i), std::nan(""), -1);
+  }
+  return give(args, list);
+}
+
+Signal roots(Vm& vm, Slot* args) {
+  if (!all_finite(vm, args[0], "the coefficients", 0)) return Signal::kFail;
+  try {
+    return give(args, new_reals(vm, real_roots(vector_of(args[0]).reverse())));
+  } catch (const ArgumentError& error) {
+    std::string why = error.what();
+    why.pop_back();
+    return failure(vm, "R0609", "the roots of this polynomial cannot be told", 0, std::move(why));
+  }
+}
+
+// ---- between points -------------------------------------------------------------------------
+
+Signal interpolate(Vm& vm, Slot* args) {
+  const auto x = reals_value(args[0]);
+  const auto y = reals_value(args[1]);
+  const double at = args[2].d;
+  if (x.size() != y.size()) return size_failure(vm, "interp", x.size(), y.size());
+  if (x.empty()) return failure(vm, "R0613", "interp needs at least one point", 0);
+  if (!all_finite(vm, args[0], "x", 0) || !all_finite(vm, args[1], "y", 1)) return Signal::kFail;
+  if (!std::isfinite(at)) return not_finite(vm, "the place", at, 2);
+  const auto turn = std::ranges::adjacent_find(x, [](double a, double b) { return !(a < b); });
+  if (turn != x.end()) {
+    const auto i = turn - x.begin();
+    return failure(vm, "R0609",
+                   fmt::format("interp needs x in rising order: element {} is {:.15g} and element "
+                               "{} is {:.15g}",
+                               i, turn[0], i + 1, turn[1]),
+                   0, {}, "sort the points by x first");
+  }
+  if (at < x.front() || at > x.back()) {
+    const double gap = at < x.front() ? x.front() - at : at - x.back();
+    return failure(vm, "R0609",
+                   fmt::format("interp at {:.15g}: the points reach from {:.15g} to {:.15g}", at,
+                               x.front(), x.back()),
+                   2,
+                   fmt::format("the place is {:.15g} outside, and interp does not go beyond its "
+                               "points",
+                               gap));
+  }
+  return give(args, value_between(vector_of(args[0]), vector_of(args[1]), at));
+}
+
+// ---- functions of the program ---------------------------------------------------------------
+
+// A list handed to a function of the program again and again: new only if the program kept it.
+class ListArgument {
+ public:
+  explicit ListArgument(Vm& vm) : vm_(vm) {}
+  ~ListArgument() { release(vm_, list_); }
+  ListArgument(const ListArgument&) = delete;
+  ListArgument& operator=(const ListArgument&) = delete;
+
+  // Null: the heap is full.
+  ListObj* with(std::span<const double> values) {
+    if (list_ == nullptr || list_->refs != 1) {
+      release(vm_, list_);
+      list_ = new_list(vm_, static_cast<std::uint32_t>(values.size()), false);
+      if (list_ == nullptr) return nullptr;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) list_->data[i].d = values[i];
+    return list_;
+  }
+
+ private:
+  Vm& vm_;
+  ListObj* list_ = nullptr;
+};
+
+Signal cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
+  // What is left of halving around zero says nothing.
+  const double x = std::abs(found.x) < 1e-15 * std::abs(hi - lo) ? 0.0 : found.x;
+  switch (found.status) {
+    case RootSearch::Status::kSameSign:
+      return failure(
+          vm, "R0609",
+          fmt::format("solve needs a change of sign between {:.15g} and {:.15g}", lo, hi), 1,
+          fmt::format("the function is {:.6g} at the one end and {:.6g} at the other", found.at_lo,
+                      found.at_hi),
+          "choose ends where the function has different signs");
+    case RootSearch::Status::kJump:
+      return failure(vm, "R0609",
+                     fmt::format("solve found no root: the function jumps at {:.15g}", x), 0,
+                     fmt::format("its sign changes there while its size stays at {:.6g}",
+                                 std::abs(found.value)));
+    default:
+      return not_finite(vm, fmt::format("the function at {:.15g}", x), found.value, 0);
+  }
+}
+
+Signal solve(Vm& vm, Slot* args) {
+  const Slot f = args[0];
+  const double lo = args[1].d;
+  const double hi = args[2].d;
+  if (!std::isfinite(lo)) return not_finite(vm, "the lower end", lo, 1);
+  if (!std::isfinite(hi)) return not_finite(vm, "the upper end", hi, 2);
+  const auto call = [&](double x, double& value) {
+    const Slot argument{.d = x};
+    Slot result;
+    if (!vm.call(f.o, {&argument, 1}, result)) return false;
+    value = result.d;
+    return true;
+  };
+  const RootSearch found = find_root(call, lo, hi);
+  if (found.status == RootSearch::Status::kFound) return give(args, found.x);
+  if (found.status == RootSearch::Status::kStopped) return Signal::kFail;
+  return cannot_solve(vm, found, lo, hi);
+}
+
+Signal cannot_minimise(Vm& vm, const Minimum& found) {
+  std::string place;
+  for (const double x : found.x) place += fmt::format("{}{:.6g}", place.empty() ? "" : ", ", x);
+  place = "[" + place + "]";
+  switch (found.status) {
+    case Minimum::Status::kTooMany:
+      return failure(vm, "R0609",
+                     fmt::format("minimise did not settle within {} calls", found.evaluations), 0,
+                     fmt::format("the best so far is {:.6g} at {}", found.value, place),
+                     "start nearer to the minimum, or scale the variables to about the same size");
+    case Minimum::Status::kBottomless:
+      return failure(vm, "R0609", "minimise found no bottom: the function falls without end", 0,
+                     fmt::format("it is -inf at {}", place));
+    default:
+      return failure(vm, "R0612", fmt::format("the function is not a number at {}", place), 0);
+  }
+}
+
+Signal minimum(Vm& vm, Slot* args) {
+  const Slot f = args[0];
+  if (reals_value(args[1]).empty())
+    return failure(vm, "R0613", "minimise needs a start of at least one value", 1);
+  if (!all_finite(vm, args[1], "the start", 1)) return Signal::kFail;
+  ListArgument argument(vm);
+  const auto call = [&](const VectorXd& x, double& value) {
+    const Slot list{.o = argument.with({x.data(), static_cast<std::size_t>(x.size())})};
+    Slot result;
+    if (list.o == nullptr || !vm.call(f.o, {&list, 1}, result)) return false;
+    value = result.d;
+    return true;
+  };
+  const Minimum found = minimise(call, vector_of(args[1]));
+  if (found.status == Minimum::Status::kFound) return give(args, list_of(vm, found.x));
+  if (found.status == Minimum::Status::kStopped) return Signal::kFail;
+  return cannot_minimise(vm, found);
+}
+
+constexpr NativeFunction kFunctions[] = {
+    {"polyfit", "(x: double[], y: double[], n: int) -> double[]",
+     "The polynomial of degree n that fits the points best by least squares: its coefficients, the "
+     "one of the highest power first.",
+     "polyfit([0.0, 1.0, 2.0], [1.0, 2.0, 4.0], 1)", polyfit},
+    {"polyval", "(c: double[], x: double) -> double",
+     "The value at x of the polynomial with coefficients c, the one of the highest power first.",
+     "polyval([1.0, 0.0, -2.0], 3.0)", polyval},
+    {"polyval", "(c: double[], xs: double[]) -> double[]", "The polynomial's value at each x.",
+     "polyval([1.0, 0.0, -2.0], [1.0, 2.0])", polyval_list},
+    {"roots", "(c: double[]) -> double[]",
+     "The real roots of the polynomial with coefficients c, the one of the highest power first: "
+     "smallest first, a multiple root once, complex ones left out.",
+     "roots([1.0, 0.0, -2.0])", roots},
+    {"interp", "(x: D[], y: E[], at: D) -> E",
+     "The value at a place between points, on the straight line through its neighbours; x rises.",
+     "interp([0s, 1s, 3s], [0mm, 20mm, 30mm], 2s)", interpolate},
+    {"solve", "(f: fn(double) -> double, lo: double, hi: double) -> double",
+     "Where f is zero between lo and hi, at which it has different signs; exact to the last "
+     "digits.",
+     "solve(fn(x) => x^2 - 2.0, 0.0, 2.0)", solve},
+    {"minimise", "(f: fn(double[]) -> double, start: double[]) -> double[]",
+     "Where f is smallest, looked for downhill from the start without derivatives.",
+     "minimise(fn(v) => (v[0] - 1.0)^2 + (v[1] - 2.0)^2, [0.0, 0.0])", minimum},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> numeric_functions() { return kFunctions; }
+
+}  // namespace armlet::bind
