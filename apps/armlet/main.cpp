@@ -1,11 +1,13 @@
 // The command: reads the command line and calls the sub-command.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
 
+#include "armlet/core/similar.hpp"
 #include "commands.hpp"
 
 namespace {
@@ -26,6 +28,25 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
                   "how many calls and loop passes a program may take (default: 10 billion)")
       ->type_name("N");
   command.add_flag("--json", options.json, "messages as JSON, one object per line");
+}
+
+// Whether the first word is a command; says so if not.
+bool knows_command(const CLI::App& app, std::string_view word) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) known.push_back(command->get_name());
+  if (word.starts_with('-') || std::ranges::find(known, word) != known.end()) return true;
+  std::string list;
+  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  const std::string asked(word);
+  std::fprintf(stderr, "armlet: there is no command \"%s\"; there are %s\n", asked.c_str(),
+               list.c_str());
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  if (word.ends_with(".rbt")) {
+    std::fprintf(stderr, "to run a program, write armlet run %s\n", asked.c_str());
+  } else if (const auto meant = armlet::most_similar(word, names)) {
+    std::fprintf(stderr, "did you mean \"%s\"?\n", std::string(*meant).c_str());
+  }
+  return false;
 }
 
 int dispatch(int argc, char** argv) {
@@ -74,6 +95,7 @@ int dispatch(int argc, char** argv) {
                            "for example moveL, or a word to look for; without it, all names");
   help_command->add_flag("--markdown", markdown, "the whole reference, as in docs/stdlib.md");
 
+  if (argc > 1 && !knows_command(app, argv[1])) return kUsage;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

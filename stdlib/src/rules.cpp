@@ -60,6 +60,10 @@ void report_count(CheckCall& call, const RobotFact& robot, int count, Span whole
     d.fix = Fix{.text = count == joints + 1
                             ? fmt::format("remove the {} value", ordinal(joints))
                             : fmt::format("remove the values after the {}", ordinal(joints - 1))};
+    const Span last_good = joints > 0 ? item_span(joints - 1) : Span{};
+    const Span last = item_span(count - 1);
+    if (!last_good.empty() && !last.empty())
+      d.fix->edits.push_back({{last_good.end, last.end, last.source}, ""});
   } else {
     d.mark.label = missing == 1 ? "one too few" : fmt::format("{} too few", missing);
     d.fix = Fix{.text = fmt::format(
@@ -110,8 +114,9 @@ void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const 
        robot.turns[item] ? "an angle" : "a length", std::string(type_phrase(type))});
   d.mark.label = fmt::format("{} value", ordinal(item));
   d.why = joint_list(robot);
-  d.fix = Fix{.text = robot.turns[item] ? "write an angle such as 30deg"
-                                        : "write a length such as 30mm"};
+  d.fix = Fix{
+      .text = robot.turns[item] ? "write an angle such as 30deg" : "write a length such as 30mm",
+      .edits = {{call.item_span(0, item), robot.turns[item] ? "30deg" : "30mm"}}};
   call.report(std::move(d));
 }
 
@@ -158,6 +163,7 @@ constexpr double kManyTurns = 4.0 * std::numbers::pi;
 void advise_degrees(CheckCall& call, const std::vector<Constant>& items, const RobotFact* robot) {
   int first = -1;
   std::string rewritten;
+  std::vector<Edit> edits;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const bool turns = robot == nullptr || i >= robot->turns.size() || robot->turns[i];
     const bool many = turns && std::abs(items[i].real) > kManyTurns;
@@ -165,6 +171,7 @@ void advise_degrees(CheckCall& call, const std::vector<Constant>& items, const R
     const Span origin = call.origin(0, static_cast<int>(i));
     if (origin.empty()) return;
     rewritten += fmt::format("{}{}{}", i > 0 ? ", " : "", call.text_of(origin), many ? "deg" : "");
+    if (many) edits.push_back({{origin.end, origin.end, origin.source}, "deg"});
   }
   if (first < 0) return;
   const Span origin = call.origin(0, first);
@@ -175,7 +182,7 @@ void advise_degrees(CheckCall& call, const std::vector<Constant>& items, const R
        std::to_string(static_cast<int>(std::abs(value) / (2.0 * std::numbers::pi)))});
   d.mark.label = "plain numbers count as radians and metres";
   d.related.push_back({origin, ""});
-  d.fix = Fix{.text = fmt::format("write {{{}}}", rewritten)};
+  d.fix = Fix{.text = fmt::format("write {{{}}}", rewritten), .edits = std::move(edits)};
   call.report(std::move(d));
 }
 

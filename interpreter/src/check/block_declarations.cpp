@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/imports.hpp"
 
 namespace armlet::lang {
 
@@ -16,6 +17,7 @@ hir::Stmt* Checker::check_object(const ast::ObjectStmt& stmt) {
   hir::Expr* value = type->is(Kind::kAny) ? failed(stmt.span) : block_value(stmt, type);
   use_ = use_before;
   const bool fresh = is_free(stmt.name);
+  if (fresh && top_level) refuse_second_owner(*this, stmt, type);
   hir::Variable* variable = new_variable(stmt.name.text, type, stmt.name.span);
   variable->fixed = true;
   variable->init = value;

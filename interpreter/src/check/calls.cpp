@@ -5,6 +5,7 @@
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 #include "check/printf.hpp"
+#include "check/unknown_names.hpp"
 
 namespace armlet::lang {
 
@@ -72,10 +73,9 @@ hir::Expr* Checker::call_by_name(const ast::CallExpr& call, std::string_view nam
   const bool exists = find_function(name) != nullptr || named_types_.contains(name) ||
                       !registry_.functions(name).empty();
   if (!exists) {
-    if (local == nullptr) return unknown_name(name, callee);
-    report(
-        make_diagnostic("E0217", callee, {std::string(name), type_phrase(local->variable->type)}));
-    return failed(call.span);
+    if (local != nullptr) return not_a_function(*this, call, name, local->variable->type);
+    if (hir::Expr* told = foreign_call(*this, call, name)) return told;
+    return unknown_name(name, callee);
   }
   return call_function(name, callee, call.span, arguments_of(call.args, name));
 }
@@ -112,6 +112,7 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
       return call_native(arena_.copy(shown), functions, member.span, call.span,
                          arguments_of(call.args, shown));
     }
+    if (hir::Expr* told = foreign_method(*this, call, member, full)) return told;
     if (registry_.is_namespace(group) || group == "Math" || group == "System.out" ||
         group == "System") {
       return unknown_name(full, member.span);

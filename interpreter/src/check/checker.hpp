@@ -36,8 +36,9 @@ struct Checker : CheckerState {
   [[nodiscard]] int line_of(Span span) const;
   [[nodiscard]] std::string line_name(Span span) const;
   // Reports E0201 with the best suggestion.
-  hir::Expr* unknown_name(std::string_view name, Span span);
-  [[nodiscard]] std::optional<Fix> did_you_mean(std::string_view name, Span span) const;
+  hir::Expr* unknown_name(std::string_view name, Span span, const Type* expected = nullptr);
+  [[nodiscard]] std::optional<Fix> did_you_mean(std::string_view name, Span span,
+                                                const Type* wanted) const;
   [[nodiscard]] std::optional<Fix> did_you_mean(std::string_view name, Span span,
                                                 const std::vector<std::string_view>& names) const;
   hir::Expr* mismatch(const hir::Expr& value, const Target& target);
@@ -284,7 +285,7 @@ struct Checker : CheckerState {
   hir::Variable* new_variable(std::string_view name, const Type* type, Span span);
   hir::Variable* hidden(const Type* type, Span span);
   Local* add_local(hir::Variable* variable, Declared how, Span keyword);
-  bool is_free(const ast::Name& name, const ast::Expr* value = nullptr);
+  bool is_free(const ast::Name& name, const ast::Expr* value = nullptr, Span keyword = {});
   void advise_hidden(const ast::Name& name);
   void open_block() { here_->blocks.push_back(here_->locals.size()); }
   void close_block();

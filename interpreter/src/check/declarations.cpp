@@ -50,12 +50,14 @@ void Checker::close_block() {
 }
 
 // Whether a name can be declared here; says so if not.
-bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
+bool Checker::is_free(const ast::Name& name, const ast::Expr* value, Span keyword) {
   Span first{};
+  std::vector<Edit> changed;  // that make the first declaration a variable
   bool found = false;
   for (FunctionContext* context = here_; context != nullptr && !found; context = context->outer) {
     if (const Local* local = context->find(name.text)) {
       first = local->variable->declared;
+      if (local->how == Declared::kLet) changed.push_back({local->keyword, "var"});
       found = true;
     }
   }
@@ -81,6 +83,10 @@ bool Checker::is_free(const ast::Name& name, const ast::Expr* value) {
       find_import(*this, name.text) == nullptr) {
     diagnostic.fix->text += ", or write " + std::string(name.text) + " = " + text_of(value->span) +
                             " if you want to change it (then declare it with var)";
+    if (!keyword.empty()) {
+      changed.push_back({{keyword.begin, name.span.begin, keyword.source}, ""});
+      diagnostic.fix->edits = std::move(changed);
+    }
   }
   report(std::move(diagnostic));
   return false;
@@ -149,7 +155,8 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
     report(make_diagnostic("E0315", declarator.type->span, {"a type with values", "void"}));
     type = types_.any();
   }
-  const bool fresh = is_free(name, declarator.init);
+  const bool alone = stmt.declarators.size() == 1;
+  const bool fresh = is_free(name, declarator.init, alone ? stmt.keyword : Span{});
   hir::Variable* variable = new_variable(name.text, type, name.span);
   variable->fixed = stmt.fixed;
   const Declared how = !stmt.fixed    ? (stmt.classic ? Declared::kClassic : Declared::kVar)

@@ -149,7 +149,7 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
                      : type_called(name.name) != nullptr       ? "type"
                      : !registry_.functions(name.name).empty() ? "function of the library"
                                                                : nullptr;
-  if (what == nullptr) return unknown_name(name.name, name.span);
+  if (what == nullptr) return unknown_name(name.name, name.span, expected);
   if (!syntax_failed_ && told_.emplace(name.name).second)
     report(make_diagnostic("E0219", name.span, {std::string(name.name), what}));
   return failed(name.span);

@@ -47,7 +47,11 @@ hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
       for (const Unit& known : all_units()) names.push_back(known.name);
       Diagnostic diagnostic = make_diagnostic("E0209", format.span, {std::string(format.unit)});
       if (const auto near = suggest(format.unit, std::span<const std::string_view>(names))) {
-        diagnostic.fix = Fix{.text = "did you mean " + std::string(*near) + "?"};
+        Span word = format.span;
+        const std::size_t at = text_of(word).rfind(format.unit);
+        if (at != std::string::npos) word.begin += static_cast<std::uint32_t>(at);
+        diagnostic.fix = Fix{.text = "did you mean " + std::string(*near) + "?",
+                             .edits = {{word, std::string(*near)}}};
       }
       report(std::move(diagnostic));
       return failed(value->span);

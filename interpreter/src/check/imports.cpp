@@ -248,6 +248,23 @@ void refuse_change(Checker& checker, const ast::Expr& place, Span statement) {
   checker.report(std::move(diagnostic));
 }
 
+void refuse_second_owner(Checker& checker, const ast::ObjectStmt& stmt, const Type* type) {
+  if (!type->is(Kind::kHost)) return;
+  const std::string name(stmt.name.text);
+  for (Checker* file : checker.shared_.files) {
+    if (file == &checker) return;
+    const Local* other = file->main_.find(stmt.name.text);
+    if (other == nullptr || other->how != Declared::kBlock || other->variable->type != type)
+      continue;
+    Diagnostic diagnostic = make_diagnostic("E0512", stmt.name.span, {type_phrase(type), name});
+    diagnostic.mark.label = "declared again";
+    diagnostic.related.push_back({other->variable->declared, "first declared here"});
+    diagnostic.fix = Fix{.text = "choose another name"};
+    checker.report(std::move(diagnostic));
+    return;
+  }
+}
+
 // ---- what an imported file may contain ----------------------------------------------------------
 
 bool is_active_statement(const Checker& checker, const ast::Stmt& stmt) {

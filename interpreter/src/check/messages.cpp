@@ -5,6 +5,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/unknown_names.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -73,12 +74,13 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
              .confidence = Confidence::kMaybe};
 }
 
-std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span) const {
-  std::vector<std::string_view> own;
+std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
+                                         const Type* wanted) const {
+  std::vector<Candidate> own;
   std::map<std::string_view, Span> declared;
   const auto add = [&](const Local& local) {
     if (local.variable->name.empty()) return;
-    own.push_back(local.variable->name);
+    own.push_back({local.variable->name, local.variable->type});
     declared[local.variable->name] = local.variable->declared;
   };
   for (const FunctionContext* context = here_; context != nullptr; context = context->outer) {
@@ -86,30 +88,34 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span) const
   }
   if (&here_->root() != &main_) std::ranges::for_each(main_.locals, add);
   for (const auto& [function, declaration] : functions_) {
-    own.push_back(function);
+    own.push_back({function, wanted});
     declared[function] = declaration.node->name.span;
   }
-  const auto found = suggest(name, std::span<const std::string_view>(own));
-  if (found) {
-    const int line = line_of(declared[*found]);
-    return Fix{.text = "did you mean " + quoted(*found) + ", declared on line " +
+  if (const auto found = suggest(name, std::span<const Candidate>(own), wanted)) {
+    const int line = line_of(declared[found->name]);
+    return Fix{.text = "did you mean " + quoted(found->name) + ", declared on line " +
                        std::to_string(line) + "?",
-               .edits = {{span, std::string(*found)}},
+               .edits = {{span, std::string(found->name)}},
                .confidence = Confidence::kMaybe};
   }
   std::vector<std::string_view> library = registry_.public_names();
-  for (const std::string_view word : {"print", "error", "assert", "assertThrows"}) {
+  for (const std::string_view word : {"print", "error", "assert", "assertThrows", "push", "pop",
+                                      "insert", "removeAt", "length"}) {
     library.push_back(word);
   }
   for (const auto& [type, unused] : named_types_) library.push_back(type);
   return did_you_mean(name, span, library);
 }
 
-hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
+hir::Expr* Checker::unknown_name(std::string_view name, Span span, const Type* expected) {
   if (syntax_failed_ || !told_.emplace(name).second) return failed(span);
-  if (name == "null") {
+  constexpr std::array<std::string_view, 6> kNothings = {"null", "None",      "nil",
+                                                         "NULL", "undefined", "nullptr"};
+  if (std::ranges::find(kNothings, name) != kNothings.end()) {
     Diagnostic diagnostic = make_diagnostic("E0310", span, {std::string(name)});
     diagnostic.why = "every variable has a value of its type from the start";
+    if (const std::string empty(expected != nullptr ? empty_value(*expected) : ""); !empty.empty())
+      diagnostic.fix = Fix{.text = "write " + empty, .edits = {{span, empty}}};
     report(std::move(diagnostic));
     return failed(span);
   }
@@ -136,7 +142,7 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span) {
     diagnostic.fix = Fix{
         .text = "write " + imported, .edits = {{span, imported}}, .confidence = Confidence::kSure};
   } else {
-    diagnostic.fix = did_you_mean(name, span);
+    diagnostic.fix = did_you_mean(name, span, expected);
   }
   report(std::move(diagnostic));
   return failed(span);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/unknown_names.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -42,6 +43,7 @@ int receivers(const std::vector<Argument>& arguments) {
 
 void Checker::report_misfit(std::string_view name, const Signature& signature, Span callee,
                             Span span, const std::vector<Argument>& arguments, const Fit& fit) {
+  if (refuse_decimal_comma(*this, arguments)) return;
   switch (fit.problem) {
     case Fit::Problem::kUnknownName:
       return report_unknown_setting(name, signature, arguments[fit.argument], fit.ambient);

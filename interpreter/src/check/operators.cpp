@@ -328,10 +328,12 @@ hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& le
     const std::string a = text_of(left.span);
     const std::string b = text_of(right.span);
     const std::string element_wise = a + " ." + op + ' ' + b + " for element by element";
-    diagnostic.fix = node.op == BinaryOp::kMul
-                         ? Fix{.text = "write dot(" + a + ", " + b + ") for the inner product or " +
-                                       element_wise}
-                         : Fix{.text = "write " + element_wise};
+    diagnostic.fix =
+        node.op == BinaryOp::kMul
+            ? Fix{.text =
+                      "write dot(" + a + ", " + b + ") for the inner product or " + element_wise,
+                  .edits = {{node.span, "dot(" + a + ", " + b + ")"}}}
+            : Fix{.text = "write " + element_wise, .edits = {{node.span, a + " ." + op + ' ' + b}}};
     report(std::move(diagnostic));
     return failed(node.span);
   }

@@ -6,6 +6,7 @@
 #include "check/imports.hpp"
 #include "check/matrices.hpp"
 #include "check/tasks.hpp"
+#include "check/unknown_names.hpp"
 
 namespace armlet::lang {
 
@@ -109,13 +110,22 @@ void Checker::refuse_place(const ast::Expr& root, const ast::Expr& expr, Span st
   const bool is_type = !name.empty() && type_called(name) != nullptr;
   if (!name.empty() && !is_type && find_function(name) == nullptr &&
       registry_.functions(name).empty() && registry_.constant(name) == nullptr) {
-    unknown_name(name, root.span);
+    unknown_variable(*this, root, expr, statement);
     return;
   }
   Diagnostic diagnostic = make_diagnostic("E0328", expr.span);
   if (is_type) {
     diagnostic.why = '`' + std::string(name) + "` is a type; the name of the variable is missing";
     syntax_failed_ = true;
+  } else if (!name.empty() && &root == &expr) {
+    if (!told_.emplace(name).second) return;
+    const Span begin{statement.begin, statement.begin, statement.source};
+    const bool own = find_function(name) != nullptr;
+    const bool stores = text_of(statement).find("+=") == std::string::npos;
+    diagnostic.why = '`' + std::string(name) +
+                     (own ? "` is a function" : "` is a name of the library; no variable has it");
+    if (stores && !own)
+      diagnostic.fix = Fix{.text = "write var " + text_of(statement), .edits = {{begin, "var "}}};
   }
   report(std::move(diagnostic));
 }

@@ -67,7 +67,8 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
       Diagnostic advice = make_diagnostic(lone_return ? "W0705" : "W0710", stmt.span);
       if (lone_return) {
         advice.related.push_back({before->span, "ends here"});
-        advice.fix = Fix{.text = "write the value behind return, on the same line"};
+        advice.fix = Fix{.text = "write the value behind return, on the same line",
+                         .edits = {{{before->span.end, stmt.span.begin, stmt.span.source}, " "}}};
         report(std::move(advice));
         continue;
       }
@@ -357,6 +358,7 @@ hir::Stmt* Checker::check_wait_until(const ast::WaitUntilStmt& stmt) {
       const Span mark = arg.name.text.empty() ? arg.span : arg.name.span;
       Diagnostic diagnostic = make_diagnostic("E0207", mark, {"wait until", text_of(mark)});
       diagnostic.why = "wait until accepts timeout";
+      if (!arg.name.text.empty()) diagnostic.fix = did_you_mean(arg.name.text, mark, {"timeout"});
       report(std::move(diagnostic));
       return nullptr;
     }

@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/unknown_names.hpp"
 
 namespace armlet::lang {
 
@@ -32,15 +33,7 @@ const Type* Checker::resolve_named(const ast::TypeExpr& type) {
     not_available(type.span, '`' + name + '`');
     return types_.any();
   }
-  if (const ForeignName* foreign = foreign_name(name);
-      foreign != nullptr && foreign->here == "fn") {
-    // def f(x) { ... }
-    Diagnostic diagnostic = make_diagnostic("E0130", type.span, {name, "fn"});
-    diagnostic.fix =
-        Fix{.text = "write fn", .edits = {{type.span, "fn"}}, .confidence = Confidence::kSure};
-    report(std::move(diagnostic));
-    return types_.any();
-  }
+  if (refuse_foreign_type(*this, name, type.span)) return types_.any();
   std::vector<std::string_view> names = {"int", "double", "bool", "string", "matrix", "void"};
   std::ranges::copy(dimension_names(), std::back_inserter(names));
   for (const auto& [known, unused] : named_types_) names.push_back(known);

@@ -103,6 +103,11 @@ class BracketCheck {
       if (!outside) continue;
       if (tokens_[i].type == RbtLexer::SEMI && !in_for && tokens_[opener].type == RbtLexer::LPAREN)
         return i;
+      // The rows of a matrix may end with `;`, but then the lines below are indented.
+      if (tokens_[i].type == RbtLexer::SEMI && tokens_[opener].type == RbtLexer::LBRACK &&
+          starts_line(tokens_, i + 1) && indent(i + 1) <= indent(opener) &&
+          !is_closer(tokens_[i + 1].type))
+        return i;
       if (starts_line(tokens_, i) && indent(i) <= indent(opener) &&
           can_end_statement(tokens_[i - 1].type) && !is_closer(tokens_[i].type)) {
         return i;

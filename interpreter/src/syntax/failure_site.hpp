@@ -1,6 +1,7 @@
 #pragma once
 // The place where the parser could not go on, with the questions that messages ask about it.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,16 @@ class FailureSite {
   [[nodiscard]] std::uint16_t before() const { return at == 0 ? kEndOfText : tokens_[at - 1].type; }
   [[nodiscard]] bool inserted(std::size_t i) const { return tokens_[i].inserted; }
   [[nodiscard]] bool starts_line(std::size_t i) const { return tokens_[i].line_break_before; }
+
+  // Characters before the first one of the line that token `i` stands on.
+  [[nodiscard]] std::size_t line_indent(std::size_t i) const {
+    const std::string_view line = source_.line(source_.position(tokens_[i].begin).line);
+    return std::min(line.find_first_not_of(" \t"), line.size());
+  }
+  // Characters before token `i` on its line.
+  [[nodiscard]] std::size_t column(std::size_t i) const {
+    return static_cast<std::size_t>(source_.position(tokens_[i].begin).column) - 1;
+  }
 
   // From token `first` to token `last`.
   [[nodiscard]] Span span(std::size_t first, std::size_t last) const {
@@ -47,6 +58,15 @@ class FailureSite {
       if (tokens_[i].line_break_before) return false;
     }
     return true;
+  }
+
+  // Whether a token in front of token `i` has the same text.
+  [[nodiscard]] bool occurs_before(std::size_t i) const {
+    const std::string name = text(i);
+    for (std::size_t k = 0; k < i; ++k) {
+      if (type(k) == type(i) && text(k) == name) return true;
+    }
+    return false;
   }
 
   // The innermost bracket of the statement that is open at token `i`.
@@ -96,7 +116,8 @@ class FailureSite {
   const Tokens& tokens_;
 };
 
-// Habits from other languages: each gives its message, or nothing if it is not the cause.
+// Habits from other languages, words and marks: the message, or nothing if none is the cause.
 [[nodiscard]] std::optional<Diagnostic> explain_habit(const FailureSite& site);
+[[nodiscard]] std::optional<Diagnostic> explain_sign(const FailureSite& site);
 
 }  // namespace armlet::lang

@@ -108,6 +108,9 @@ Answer foreign_word(const FailureSite& site) {
     const std::string word = site.text(i);
     if (i == site.statement) {
       const auto found = std::ranges::find(kAtStart, word, &Meant::found);
+      const bool typed = is_primitive_type(site.type(i + 1)) ||
+                         (is_name(site.type(i + 1)) && is_name(site.type(i + 2)));
+      if (word == "const" && typed) return written_as(site, i, "final", Confidence::kSure);
       if (found != kAtStart.end()) return written_as(site, i, found->meant, Confidence::kMaybe);
     }
     const auto found = std::ranges::find(kInside, word, &Meant::found);
@@ -169,6 +172,12 @@ Answer colon_equals(const FailureSite& site) {
   }
   Diagnostic out = make_diagnostic("E0119", site.span(colon, colon + 1));
   out.fix = Fix{"write =", {{out.mark.span, "="}}, Confidence::kSure};
+  // A name that the text has not used before is declared here.
+  const bool alone = colon == site.statement + 1 && is_name(site.type(site.statement));
+  if (!alone || site.occurs_before(site.statement)) return out;
+  const std::uint32_t begin = site.span(site.statement).begin;
+  out.fix->text = "write var " + site.text(site.statement) + " = ...";
+  out.fix->edits.insert(out.fix->edits.begin(), {{begin, begin, out.mark.span.source}, "var "});
   return out;
 }
 

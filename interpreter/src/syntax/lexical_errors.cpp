@@ -42,10 +42,29 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
+struct Nickname {
+  std::string_view said;
+  std::string_view unit;
+};
+
+constexpr auto kNicknames = std::to_array<Nickname>({
+    {"sec", "s"},          {"secs", "s"},        {"second", "s"},       {"seconds", "s"},
+    {"msec", "ms"},        {"mins", "min"},      {"minute", "min"},     {"minutes", "min"},
+    {"hr", "h"},           {"hour", "h"},        {"hours", "h"},        {"meter", "m"},
+    {"meters", "m"},       {"metre", "m"},       {"metres", "m"},       {"millimeter", "mm"},
+    {"millimeters", "mm"}, {"centimeter", "cm"}, {"centimeters", "cm"}, {"micron", "um"},
+    {"in", "inch"},        {"inches", "inch"},   {"degree", "deg"},     {"degrees", "deg"},
+    {"degs", "deg"},       {"radian", "rad"},    {"radians", "rad"},    {"turn", "rev"},
+    {"turns", "rev"},      {"kilo", "kg"},       {"gram", "g"},         {"grams", "g"},
+    {"newton", "N"},       {"hertz", "Hz"},
+});
+
 // Units that differ by one letter or by capitals. One letter alone is near to everything: rather a
 // product.
 std::vector<std::string> units_near(std::string_view word) {
   std::vector<std::string> near;
+  const auto nickname = std::ranges::find(kNicknames, word, &Nickname::said);
+  if (nickname != kNicknames.end()) return {std::string(nickname->unit)};
   for (const Unit& unit : all_units()) {
     const bool one_letter =
         word.size() >= 2 && word.size() < 6 && edit_distance(word, unit.name) == 1;

@@ -68,7 +68,7 @@ class Front {
       parser.removeErrorListeners();
       parser.setErrorHandler(std::make_shared<StatementRecovery>(
           front.tokens_, [&front](std::size_t statement, std::size_t at) {
-            front.report_failure(statement, at);
+            return front.report_failure(statement, at);
           }));
       // The grammar never needs more: a test looks for full-context decisions in random programs.
       parser.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(
@@ -133,11 +133,12 @@ class Front {
     return out;
   }
 
-  void report_failure(std::size_t statement, std::size_t at) {
+  std::size_t report_failure(std::size_t statement, std::size_t at) {
     ok_ = false;
     statement_ok_ = false;
     sink_.begin_statement();
     sink_.report(explain_failure(source_, tokens_, statement, at));
+    return end_of_python_function(source_, tokens_, statement, at);
   }
 
   void report_depth(Span span, std::size_t limit, const char* what) {

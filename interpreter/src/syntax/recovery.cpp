@@ -50,7 +50,7 @@ void StatementRecovery::reportError(antlr4::Parser* parser,
   }
   const std::size_t at = error.getOffendingToken()->getTokenIndex();
   const auto* statement = static_cast<antlr4::ParserRuleContext*>(ctx);
-  report_(statement == nullptr ? 0 : statement->start->getTokenIndex(), at);
+  resume_ = report_(statement == nullptr ? 0 : statement->start->getTokenIndex(), at);
 }
 
 // Every rule between the mistake and its statement gives up; the statement skips what is left of
@@ -66,7 +66,7 @@ void StatementRecovery::recover(antlr4::Parser* parser, std::exception_ptr error
   } catch (const antlr4::RecognitionException& cause) {
     at = std::max(at, cause.getOffendingToken()->getTokenIndex());
   }
-  input->seek(next_statement(ctx->start->getTokenIndex(), at));
+  input->seek(std::max(next_statement(ctx->start->getTokenIndex(), at), resume_));
 }
 
 // Called before every turn of a loop: what starts no statement of a block is reported and skipped.

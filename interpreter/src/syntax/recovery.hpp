@@ -11,8 +11,8 @@ namespace armlet::lang {
 class StatementRecovery : public antlr4::ANTLRErrorStrategy {
  public:
   // `report(statement, at)`: the statement that starts at the first token cannot go on at the
-  // second.
-  using Report = std::function<void(std::size_t statement, std::size_t at)>;
+  // second. Gives the token before which reading should not go on, 0 if any will do.
+  using Report = std::function<std::size_t(std::size_t statement, std::size_t at)>;
 
   StatementRecovery(const Tokens& tokens, Report report)
       : tokens_(tokens), report_(std::move(report)) {}
@@ -32,6 +32,7 @@ class StatementRecovery : public antlr4::ANTLRErrorStrategy {
   const Tokens& tokens_;
   Report report_;
   bool reported_ = false;
+  std::size_t resume_ = 0;
 };
 
 }  // namespace armlet::lang

@@ -66,14 +66,17 @@ Answer bare_condition(const FailureSite& site) {
     end = is_opener(site.type(end)) ? site.closer(end) + 1 : end + 1;
   }
   if (end == word + 1) return std::nullopt;
+  if (site.text(end - 1) == "then" && end > word + 2) --end;
   const Span condition = site.span(word + 1, end - 1);
-  const bool has_block = site.type(end) == RbtLexer::LBRACE;
+  const bool has_then = site.text(end) == "then";
+  const bool has_block = site.type(has_then ? end + 1 : end) == RbtLexer::LBRACE;
   Diagnostic out = make_diagnostic("E0112", condition, {with_article(site.text(word))});
   if (has_block) {
     out.fix = Fix{
         "write " + site.text(word) + " (" + site.text(word + 1, end - 1) + ") { ... }",
         {{{condition.begin, condition.begin, condition.source}, "("}, {site.after(end - 1), ")"}},
         Confidence::kSure};
+    if (has_then) out.fix->edits.push_back({site.span(end), ""});
   } else {
     out.fix = Fix{"write " + site.text(word) + " (...) { ... }", {}, Confidence::kMaybe};
   }
@@ -130,6 +133,24 @@ std::size_t value_start(const FailureSite& site, std::size_t last) {
   }
 }
 
+// Puts a step of its own before or behind the statement, and its variable where it was. Headers of
+// loops and the like run more than once or end elsewhere, so they have no such edits.
+std::vector<Edit> moved_out(const FailureSite& site, std::size_t first, std::size_t last,
+                            const std::string& variable, const std::string& step, bool behind) {
+  if (is_compound(site.type(site.statement)) && site.type(site.statement) != RbtLexer::LET &&
+      site.type(site.statement) != RbtLexer::VAR) {
+    return {};
+  }
+  const std::string indent(site.line_indent(site.statement), ' ');
+  std::size_t end = last + 1;
+  while (site.type(end) != RbtLexer::SEMI && site.type(end) != kEndOfText) ++end;
+  const std::uint32_t begin = site.span(site.statement).begin;
+  const Edit use{site.span(first, last), variable};
+  if (!behind) return {{{begin, begin, use.span.source}, step + '\n' + indent}, use};
+  if (site.type(end) == kEndOfText) --end;
+  return {use, {site.after(end), '\n' + indent + step}};
+}
+
 // moveJ(p[i++], time: 1s)
 Answer step_as_value(const FailureSite& site) {
   if (site.type(site.at) != RbtLexer::INC && site.type(site.at) != RbtLexer::DEC)
@@ -151,11 +172,9 @@ Answer step_as_value(const FailureSite& site) {
                         site.type(last + 1) == RbtLexer::RBRACK && *open > site.statement;
   if (is_index) use = site.text(value_start(site, *open - 1), *open) + variable + ']';
   out.fix = behind ? Fix{"use " + use + " here and write " + step + " on the next line",
-                         {},
-                         Confidence::kMaybe}
+                         moved_out(site, first, last, variable, step, true), Confidence::kMaybe}
                    : Fix{"write " + step + " on the line before and use " + use + " here",
-                         {},
-                         Confidence::kMaybe};
+                         moved_out(site, first, last, variable, step, false), Confidence::kMaybe};
   return out;
 }
 
@@ -337,9 +356,9 @@ Diagnostic does_not_fit(const FailureSite& site) {
 Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size_t statement,
                            std::size_t at) {
   const FailureSite site(source, tokens, statement, at);
-  for (const auto explain : {assignment_as_test, explain_habit, bare_condition, unbraced_body,
-                             step_as_value, assignment_as_value, block_after_arrow, orphan,
-                             word_as_name, missing_separator, something_missing}) {
+  for (const auto explain : {explain_sign, assignment_as_test, explain_habit, bare_condition,
+                             unbraced_body, step_as_value, assignment_as_value, block_after_arrow,
+                             orphan, word_as_name, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }
   return does_not_fit(site);

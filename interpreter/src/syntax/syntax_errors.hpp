@@ -12,4 +12,9 @@ namespace armlet::lang {
 [[nodiscard]] Diagnostic explain_failure(const Source& source, const Tokens& tokens,
                                          std::size_t statement, std::size_t at);
 
+// The token behind the indented lines of `def f(x):`, which cannot be read without their head; 0 if
+// the statement is no such function.
+[[nodiscard]] std::size_t end_of_python_function(const Source& source, const Tokens& tokens,
+                                                 std::size_t statement, std::size_t at);
+
 }  // namespace armlet::lang

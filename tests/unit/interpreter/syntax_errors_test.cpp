@@ -142,7 +142,7 @@ TEST_CASE("braces inside a call become a list") {
 
 TEST_CASE("arrows and colons of other languages are explained") {
   CHECK(brief("let f = fn(x) => { return x }") == "E0118 `=>` delete the =>");
-  CHECK(brief("x := 3\nlet y := 4\n") == "E0119 `:=` write =; E0119 `:=` write =");
+  CHECK(brief("x := 3\nlet y := 4\n") == "E0119 `:=` write var x = ...; E0119 `:=` write =");
 }
 
 TEST_CASE("missing separators are found where they belong") {

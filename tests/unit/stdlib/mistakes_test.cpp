@@ -1,0 +1,140 @@
+// Typical mistakes of students, and single missing tokens: what the messages are worth.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "armlet/interpreter/render.hpp"
+#include "armlet/model/catalog.hpp"
+#include "armlet/stdlib/install.hpp"
+#include "armlet/stdlib/session.hpp"
+#include "deletions.hpp"
+
+using namespace armlet;
+
+namespace {
+
+struct Mistake {
+  std::string title;
+  int line = 0;
+  std::string text;
+};
+
+std::vector<Mistake> mistakes() {
+  std::ifstream file(std::string(ARMLET_ROOT) + "/tests/mistakes/mistakes.txt");
+  std::vector<Mistake> out;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("=== ")) {
+      const std::size_t number = line.rfind("(line ");
+      out.push_back({line.substr(4, number - 5), std::stoi(line.substr(number + 6)), ""});
+    } else if (!out.empty()) {
+      out.back().text += line + '\n';
+    }
+  }
+  return out;
+}
+
+// The messages of a text in the form that editors get.
+std::vector<nlohmann::json> json_messages(const std::string& text) {
+  static const Engine engine = [] {
+    Engine made;
+    install(made);
+    return made;
+  }();
+  SessionOptions options;
+  options.robot = make_robot("scara");
+  options.default_world = table_world();
+  Session session(engine, std::move(options));
+  (void)session.compile(text, "cell.rbt");
+  std::vector<nlohmann::json> out;
+  for (const Problem& problem : session.problems())
+    out.push_back(nlohmann::json::parse(render_json(problem.diagnostic, *problem.sources)));
+  return out;
+}
+
+// The byte at a line and a column in characters, both from 1.
+std::size_t offset_of(const std::string& text, int line, int column) {
+  std::size_t at = 0;
+  for (; line > 1; --line) at = text.find('\n', at) + 1;
+  for (; column > 1; --column) {
+    ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) ++at;
+  }
+  return at;
+}
+
+// The text with the edits of a fix; nothing without edits.
+std::string applied(std::string text, const nlohmann::json& message) {
+  if (!message.contains("fix") || message["fix"]["edits"].empty()) return {};
+  struct Change {
+    std::size_t begin, end;
+    std::string text;
+  };
+  std::vector<Change> changes;
+  for (const auto& edit : message["fix"]["edits"]) {
+    changes.push_back({offset_of(text, edit["line"], edit["column"]),
+                       offset_of(text, edit["endLine"], edit["endColumn"]), edit["text"]});
+  }
+  std::ranges::stable_sort(changes, std::greater<>(), &Change::begin);
+  for (const Change& change : changes)
+    text.replace(change.begin, change.end - change.begin, change.text);
+  return text;
+}
+
+bool works(const std::string& text, const nlohmann::json& repaired) {
+  const auto left = json_messages(text);
+  return !text.empty() && std::ranges::none_of(left, [&](const nlohmann::json& message) {
+    return message["severity"] == "error" || message["code"] == repaired["code"];
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the first message about a student's mistake marks its line, and its fix works") {
+  const std::vector<Mistake> all = mistakes();
+  REQUIRE(all.size() == 60);
+  int right_line = 0, working = 0, single = 0;
+  std::string missed;
+  for (const Mistake& mistake : all) {
+    const auto messages = json_messages(mistake.text);
+    CAPTURE(mistake.title);
+    CHECK_FALSE(messages.empty());
+    if (messages.empty()) continue;
+    const bool in_line = messages[0]["line"] == mistake.line;
+    const bool fixed = works(applied(mistake.text, messages[0]), messages[0]);
+    right_line += in_line;
+    working += fixed;
+    single += messages.size() == 1;
+    if (!in_line) missed += "\n  line: " + mistake.title + ": " + messages[0].dump();
+    if (!fixed) missed += "\n  fix: " + mistake.title + ": " + messages[0].dump();
+    if (messages.size() > 1) missed += "\n  more: " + mistake.title + ": " + messages[1].dump();
+  }
+  CAPTURE(missed);
+  // What is reached now; it must not become less.
+  CHECK(right_line >= 60);
+  CHECK(working >= 59);
+  CHECK(single >= 60);
+}
+
+TEST_CASE("a missing token seldom gives more than two messages") {
+  // A part of what the program token_deletions tries: every 7th token of the examples.
+  test::Distribution result;
+  for (const auto& [path, text] : test::programs_below(std::string(ARMLET_ROOT) + "/examples"))
+    result.add(test::delete_tokens(text, 3, 7));
+  CAPTURE(result.text());
+  CHECK(result.all() > 100);
+  CHECK(result.above(2) <= 0.10);
+}
+
+TEST_CASE("tokens are what a reader would cross out") {
+  std::string joined;
+  const std::string text = "x+=2.5mm/s*3 // no\nf(\"a b\", 'c')/* no */ .. 1e-3 9.81m/s^2 f\"{x}\"";
+  for (const Span token : test::tokens_of(text))
+    joined += text.substr(token.begin, token.end - token.begin) + '|';
+  CHECK(joined == "x|+=|2.5mm/s|*|3|f|(|\"a b\"|,|'c'|)|.|.|1e-3|9.81m/s^2|f\"{x}\"|");
+}
