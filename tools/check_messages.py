@@ -30,13 +30,10 @@ ELSEWHERE = {
 
 # Codes of the catalogue that nothing can raise yet, and what they wait for.
 RESERVED = {
-    "E0305": "matrices",
-    "E0335": "matrices",
     "E0501": "parallel",
     "E0502": "path",
     "E0507": "parallel",
     "R0614": "collisions of robots",
-    "R0616": "matrices",
     "R0618": "halt",
     "W0706": "every",
     "W0711": "collisions of robots",
