@@ -2,7 +2,7 @@
 # armlet_add_script_tests(FOLDER) adds one test for every .rbt file below it, except those in folders called modules.
 
 function(armlet_add_unit_tests layer library)
-  file(GLOB sources CONFIGURE_DEPENDS unit/${layer}/*_test.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/unit/${layer}/*_test.cpp)
   if(NOT sources)
     return()
   endif()

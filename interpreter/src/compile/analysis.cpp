@@ -147,6 +147,10 @@ class Summariser {
       }
       if (e.kind == ExprKind::kMutate) place(e.as<MutateExpr>().place, true);
       if (e.kind == ExprKind::kVariable) use(e.as<VariableExpr>().variable).whole = true;
+      if (e.kind == ExprKind::kClosure) {
+        for (const Capture& capture : e.as<ClosureExpr>().function->captures)
+          use(capture.outer).whole = true;
+      }
       const Expr* inner = container(e);
       for_each_operand(e, [&](const Expr& operand) {
         if (&operand != inner) open.push_back(&operand);

@@ -175,7 +175,7 @@ void Lowering::range(const RangeStmt& s) {
   value_into(*s.first, {counter, true});
   const Reg last = range_end(*s.last, body);
   RangeStep step;
-  if (s.step != nullptr && !small_int(*s.step, step.by)) {
+  if (s.step != nullptr && (!small_int(*s.step, step.by) || step.by == 0)) {
     step.reg = code_.number();
     value_into(*s.step, {step.reg, true});
     step.by = 0;
@@ -226,6 +226,8 @@ void Lowering::count_by(const RangeStmt& s, Reg counter, Reg last, RangeStep ste
   const Exit exit = exits_.back();
   const bool alive = code_.reachable();
   if (step.by != 0) {
+    step.reg = code_.number();
+    code_.constant(step.reg, slot_of(step.by));
     code_.at(s.span);
     code_.emit(step.by > 0 ? OpCode::IFGEI : OpCode::IFLEI, counter, last);
     code_.jump(exit.leave);
@@ -236,13 +238,12 @@ void Lowering::count_by(const RangeStmt& s, Reg counter, Reg last, RangeStep ste
   pass();
   code_.bind(exit.again);
   code_.at(s.span);
+  code_.emit(OpCode::STRIDE, counter, counter, step.reg);
   if (step.by != 0) {
-    code_.push(OpCode::ADDIK, counter.bits, counter.bits, static_cast<std::uint16_t>(step.by));
     code_.emit(step.by > 0 ? OpCode::IFLTI : OpCode::IFGTI, counter, last);
     code_.jump(body);
     return;
   }
-  code_.emit(OpCode::ADDI, counter, counter, step.reg);
   code_.bind(test);
   const Label down = code_.label();
   code_.push(OpCode::IFLEIK, step.reg.bits, 0, 0);

@@ -292,14 +292,21 @@ void Lowering::make_record(const RecordExpr& e, Reg to) {
   code_.push(OpCode::MAKEREC, to.bits, base.bits, tables_.layout(e.type));
 }
 
+// Lambdas copy what the variables hold; conditions share their boxes.
 void Lowering::make_closure(const ClosureExpr& e, Reg to) {
   Reg base;
+  code_.at(e.span, &e);
   for (std::size_t i = 0; i < e.function->captures.size(); ++i) {
+    const auto& [outer, inner] = e.function->captures[i];
     const Reg slot = code_.number();
     if (i == 0) base = slot;
-    code_.emit(OpCode::MOVE, slot, reg_of(*e.function->captures[i].outer));
+    if (outer->storage == Storage::kLocal || inner->storage == Storage::kBoxed) {
+      code_.emit(OpCode::MOVE, slot, reg_of(*outer));
+    } else {
+      check_set(*outer);
+      load_variable(*outer, slot);
+    }
   }
-  code_.at(e.span, &e);
   code_.push(OpCode::CLOSURE, to.bits, base.bits, e.function->index);
 }
 

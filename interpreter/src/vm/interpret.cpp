@@ -35,13 +35,21 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
 
 }  // namespace
 
+#ifndef ARMLET_NOTE_EXECUTED  // tests count which instructions they reach
+#define ARMLET_NOTE_EXECUTED(op)
+#endif
+
 // Registers of the machine that live in registers of the processor: pc, base and frame. pc is the
 // running instruction.
 #define RA base[pc->a]
 #define RB base[pc->b]
 #define RC base[pc->c]
 #define CASE(name) L_##name:
-#define GO goto* labels[static_cast<unsigned>(pc->op)]
+#define GO                                       \
+  do {                                           \
+    ARMLET_NOTE_EXECUTED(pc->op);                \
+    goto* labels[static_cast<unsigned>(pc->op)]; \
+  } while (false)
 #define NEXT \
   do {       \
     ++pc;    \

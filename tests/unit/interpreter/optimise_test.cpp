@@ -4,13 +4,11 @@
 
 #include <string>
 
-#include "random_program.hpp"
 #include "script_support.hpp"
 
 using armlet::Compilation;
 using armlet::RunLimits;
 using armlet::lang::compile_script;
-using armlet::lang::RandomProgram;
 using armlet::lang::run_script;
 using armlet::lang::trace_script;
 
@@ -239,19 +237,6 @@ TEST_CASE("plain functions of the library are called directly, and still say why
          "3.0 5.0 10.0\n");
   prints("var x = -1.0\nprint(sqrt(x))", "R0609 the root of a negative number\n");
   prints("print(sum([1.0, 2.0]), sum([1, 2]))", "3.0 3.0\n");
-}
-
-TEST_CASE("random programs do the same with and without optimisation") {
-  int failed_to_compile = 0;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    const std::string program = RandomProgram(seed).text();
-    INFO(program);
-    if (compile_script(program).program == nullptr) ++failed_to_compile;
-    REQUIRE(trace_script(program, true) == trace_script(program, false));
-    const RunLimits few = {.steps = 5 + seed % 40, .call_depth = 5};
-    REQUIRE(trace_script(program, true, few) == trace_script(program, false, few));
-  }
-  CHECK(failed_to_compile == 0);
 }
 
 namespace {

@@ -1,0 +1,261 @@
+// Statements, each executed as the reference (sections 9 and 11) describes it.
+
+#include <cmath>
+
+#include "evaluator.hpp"
+#include "show.hpp"
+
+namespace armlet::oracle {
+
+using namespace lang::hir;
+using How = Completion::How;
+
+Completion Evaluator::execute(const Stmt& s) {
+  switch (s.kind) {
+    case StmtKind::kBlock:
+      return block(s.as<Block>());
+    case StmtKind::kInit: {
+      const auto& init = s.as<InitStmt>();
+      if (init.value != nullptr) {
+        Value value = evaluate(*init.value);
+        home(*init.variable)[init.variable] = std::move(value);
+      }
+      return {};
+    }
+    case StmtKind::kAssign:
+      assign(s.as<AssignStmt>());
+      return {};
+    case StmtKind::kExpr:
+      (void)evaluate(*s.as<ExprStmt>().value);
+      return {};
+    case StmtKind::kIf: {
+      const auto& choice = s.as<IfStmt>();
+      if (evaluate(*choice.condition).truth()) return execute(*choice.yes);
+      return choice.no == nullptr ? Completion{} : execute(*choice.no);
+    }
+    case StmtKind::kLoop:
+      return loop(s.as<LoopStmt>());
+    case StmtKind::kRange:
+      return range(s.as<RangeStmt>());
+    case StmtKind::kForList:
+      return for_list(s.as<ForListStmt>());
+    case StmtKind::kSwitch:
+      return switch_case(s.as<SwitchStmt>());
+    case StmtKind::kTry:
+      return try_catch(s.as<TryStmt>());
+    case StmtKind::kStorePart:
+      store_part(s.as<StorePartStmt>());
+      return {};
+    case StmtKind::kThrow:
+      throw_error(s.as<ThrowStmt>());
+      return {};
+    case StmtKind::kJump:
+      return {How::kJump, s.as<JumpStmt>().jump, s.as<JumpStmt>().target, s.span, {}};
+    case StmtKind::kReturn: {
+      const Expr* value = s.as<ReturnStmt>().value;
+      return {How::kReturn, {}, nullptr, s.span, value == nullptr ? Value{} : evaluate(*value)};
+    }
+    case StmtKind::kWait:
+      wait(s.as<WaitStmt>());
+      return {};
+    case StmtKind::kAssert:
+      check(s.as<AssertStmt>());
+      return {};
+    case StmtKind::kAssertThrows:
+      check_throws(s.as<AssertThrowsStmt>());
+      return {};
+    default:
+      throw std::logic_error("the oracle has no such statement: " + text(s.span));
+  }
+}
+
+Completion Evaluator::block(const Block& s) {
+  for (const Stmt* inner : s.body) {
+    Completion completion = execute(*inner);
+    if (!completion.is_normal()) return completion;
+  }
+  return {};
+}
+
+// ---- loops
+
+Completion Evaluator::loop(const LoopStmt& s) {
+  const auto goes_on = [&] { return s.condition == nullptr || evaluate(*s.condition).truth(); };
+  if (s.test_first && !goes_on()) return {};
+  do {
+    Completion completion = execute(*s.body);
+    if (completion.is(Jump::kBreak, s)) return {};
+    if (!completion.is_normal() && !completion.is(Jump::kContinue, s)) return completion;
+    if (s.step != nullptr) (void)execute(*s.step);
+  } while (goes_on());
+  return {};
+}
+
+Completion Evaluator::range(const RangeStmt& s) {
+  __extension__ using Wide = __int128;
+  const std::int64_t first = evaluate(*s.first).integer();
+  const std::int64_t last = evaluate(*s.last).integer();
+  const std::int64_t step = s.step == nullptr ? 1 : evaluate(*s.step).integer();
+  if (step == 0) fail_calculation(Trouble::kDivisionByZero, s.step->span, nullptr, nullptr);
+  for (Wide i = first; step > 0 ? i < last : i > last; i += step) {
+    home(*s.variable)[s.variable] = {static_cast<std::int64_t>(i)};
+    Completion completion = execute(*s.body);
+    if (completion.is(Jump::kBreak, s)) return {};
+    if (!completion.is_normal() && !completion.is(Jump::kContinue, s)) return completion;
+  }
+  return {};
+}
+
+Completion Evaluator::for_list(const ForListStmt& s) {
+  const Value items = evaluate(*s.items);
+  for (const Value& item : items.list().items) {
+    home(*s.variable)[s.variable] = item;
+    Completion completion = execute(*s.body);
+    if (completion.is(Jump::kBreak, s)) return {};
+    if (!completion.is_normal() && !completion.is(Jump::kContinue, s)) return completion;
+  }
+  return {};
+}
+
+Completion Evaluator::switch_case(const SwitchStmt& s) {
+  home(*s.subject)[s.subject] = evaluate(*s.value);
+  const SwitchCase* taken = nullptr;
+  const SwitchCase* otherwise = nullptr;
+  for (const SwitchCase& c : s.cases) {
+    if (c.is_default) otherwise = &c;
+    for (const Expr* test : c.tests) {
+      if (taken == nullptr && evaluate(*test).truth()) taken = &c;
+    }
+  }
+  if (taken == nullptr) taken = otherwise;
+  if (taken == nullptr || taken->body == nullptr) return {};
+  Completion completion = block(*taken->body);
+  return completion.is(Jump::kBreak, s) ? Completion{} : completion;
+}
+
+// ---- failures and their handling
+
+// Anything that `finally` does instead of coming to its end replaces what was under way.
+Completion Evaluator::try_catch(const TryStmt& s) {
+  if (s.finally == nullptr) return attempt(s);
+  const std::uint32_t calls = calls_;
+  Variables* const locals = locals_;
+  Completion completion;
+  std::optional<Failure> failure;
+  try {
+    completion = attempt(s);
+  } catch (const Failure& thrown) {
+    failure = thrown;
+    calls_ = calls;
+    locals_ = locals;
+  }
+  Completion last = block(*s.finally);
+  if (!last.is_normal()) return last;
+  if (failure) throw Failure(*failure);
+  return completion;
+}
+
+Completion Evaluator::attempt(const TryStmt& s) {
+  const std::uint32_t calls = calls_;
+  Variables* const locals = locals_;
+  int retries = 0;
+  std::int64_t instant = now_ns_;
+  for (;;) {
+    std::optional<Failure> failure;
+    try {
+      return block(*s.body);
+    } catch (const Failure& thrown) {
+      if (s.handler == nullptr) throw;
+      failure = thrown;
+    }
+    calls_ = calls;
+    locals_ = locals;
+    if (s.error != nullptr) home(*s.error)[s.error] = caught(*failure);
+    Completion completion = block(*s.handler);
+    if (!completion.is(Jump::kRetry, s)) return completion;
+    if (now_ns_ != instant) retries = 0;
+    instant = now_ns_;
+    if (++retries > 1000) fail("R0615", completion.where, {"1000"});
+  }
+}
+
+void Evaluator::wait(const WaitStmt& s) {
+  const double seconds = evaluate(*s.duration).real();
+  if (host_calls_ > 0) {
+    const std::string written = text(s.duration->span);
+    fail("R0632", s.duration->span, {written.size() <= 40 ? "`" + written + "`" : "this"});
+  }
+  if (!std::isfinite(seconds)) {
+    fail("R0612", s.duration->span, {"the time to wait", show_number(seconds)});
+  }
+  now_ns_ += std::llround(std::min(std::max(seconds, 0.0), 4e9) * 1e9);
+}
+
+// ---- places
+
+Evaluator::Variables& Evaluator::home(const Variable& v) {
+  if (v.storage == Storage::kBoxed) throw std::logic_error("the oracle has no conditions");
+  return v.storage == Storage::kGlobal ? globals_ : *locals_;
+}
+
+// A function may run before the variable of the program that it uses has its first value.
+void Evaluator::check_set(const Variable& v, Span where) {
+  const bool may_be_unset = v.storage == Storage::kGlobal && v.maybe_unset;
+  if (may_be_unset && !globals_.contains(&v)) fail("R0623", where, {std::string(v.name)});
+}
+
+Evaluator::Indices Evaluator::indices(const Place& place) {
+  Indices out;
+  for (const Step& step : place.steps) {
+    Index index;
+    if (step.index != nullptr) index.row = evaluate(*step.index).integer();
+    if (step.column != nullptr) index.column = evaluate(*step.column).integer();
+    out.push_back(index);
+  }
+  return out;
+}
+
+Value& Evaluator::walk(const Place& place, const Indices& indices) {
+  Value* at = &home(*place.variable).at(place.variable);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const Step& step = place.steps[i];
+    if (step.is_field) {
+      at = &at->record().fields[step.field];
+      continue;
+    }
+    if (step.column != nullptr) {
+      at = &cell(*at, indices[i], step.span);
+      continue;
+    }
+    std::vector<Value>& items = at->list().items;
+    const std::int64_t index = indices[i].row;
+    const bool inside = index >= 0 && static_cast<std::size_t>(index) < items.size();
+    if (!inside) fail_index(index, items.size(), step.span);
+    at = &items[index];
+  }
+  return *at;
+}
+
+// Indexes first, then the old value if it is needed, then the new one; then the place is sought
+// once more, because the new value may have changed what it is in.
+void Evaluator::assign(const AssignStmt& s) {
+  const Variable& variable = *s.place.variable;
+  const bool is_first = s.place.steps.empty() && !s.compound && variable.init == nullptr;
+  if (!is_first) check_set(variable, s.span);
+  const Indices where = indices(s.place);
+  Value value;
+  if (s.compound) {
+    const Value old = walk(s.place, where);
+    value = evaluate(*s.value);
+    value = calculate_at(s.op, old, value, s.span);
+  } else {
+    value = evaluate(*s.value);
+  }
+  if (s.place.steps.empty()) {
+    home(variable)[&variable] = std::move(value);
+  } else {
+    walk(s.place, where) = std::move(value);
+  }
+}
+
+}  // namespace armlet::oracle

@@ -1,0 +1,91 @@
+// Every instruction of the machine is executed by a program of the tests.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "armlet/model/catalog.hpp"
+#include "armlet/stdlib/install.hpp"
+#include "armlet/stdlib/session.hpp"
+#include "compile/pipeline.hpp"
+#include "executed.hpp"
+#include "random_program.hpp"
+
+namespace fs = std::filesystem;
+using namespace armlet;
+
+namespace {
+
+struct Row {
+  std::string name;
+  bool is_operand;  // of the instruction before
+};
+
+const std::vector<Row> kRows = {
+#define OP(name, operands, text) \
+  {#name, std::string_view(text).find("never executed") != std::string_view::npos},
+#include "compile/bytecode.def"
+#undef OP
+};
+
+const Engine& engine() {
+  static const Engine made = [] {
+    Engine e;
+    install(e);
+    return e;
+  }();
+  return made;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// As the command does it.
+void run_script(const fs::path& path) {
+  SessionOptions options;
+  options.robot = std::make_shared<const Robot>(make_scara());
+  options.default_world = table_world();
+  options.limits.heap_bytes = 1U << 26U;
+  options.limits.steps = 1'000'000;
+  Session session(engine(), options);
+  if (!session.compile(read(path), path.string())) return;
+  (void)session.run();
+  for (std::size_t i = 0; i < session.program()->test_names().size(); ++i)
+    (void)session.run_test(i);
+}
+
+void run_random(std::uint64_t number, bool optimise) {
+  const std::string text = oracle::RandomProgram(number).text();
+  const Compilation compilation =
+      lang::compile_text(engine().registry(), text, "random.rbt", {}, {.optimise = optimise});
+  REQUIRE(compilation.program != nullptr);
+  VmOptions options;
+  options.limits.call_depth = 100;
+  Vm vm(compilation.program, std::move(options));
+  (void)vm.run();
+}
+
+}  // namespace
+
+TEST_CASE("every instruction is executed by a script, an example or a random program") {
+  for (const char* folder : {"tests/scripts", "examples"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ARMLET_ROOT) / folder)) {
+      if (entry.path().extension() == ".rbt") run_script(entry.path());
+    }
+  }
+  for (std::uint64_t number = 1; number <= 300; ++number) run_random(number, number % 2 == 0);
+  const std::set<lang::OpCode>& executed = lang::executed_opcodes();
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    if (kRows[i].is_operand) continue;
+    CHECK_MESSAGE(executed.contains(static_cast<lang::OpCode>(i)),
+                  kRows[i].name << " is never executed");
+  }
+}
