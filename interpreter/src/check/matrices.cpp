@@ -82,6 +82,10 @@ bool has_two_places(Checker& checker, const ast::IndexExpr& index) {
   return false;
 }
 
+bool is_block(const hir::Expr& value) {
+  return value.type->is(Kind::kList) || value.type->is(Kind::kMatrix);
+}
+
 const Type* part_type(Checker& checker, const hir::PartEnds& rows, const hir::PartEnds& cols) {
   return rows.is_range && cols.is_range ? checker.types_.matrix()
                                         : checker.types_.list(checker.types_.real());
@@ -127,6 +131,13 @@ hir::Expr* check_matrix(Checker& checker, const ast::MatrixExpr& matrix) {
     }
     for (const ast::Expr* item : row) {
       hir::Expr* value = checker.check_value(*item, real);
+      if (is_block(*value)) {
+        Diagnostic diagnostic =
+            make_diagnostic("E0315", value->span, {type_phrase(real), type_phrase(value->type)});
+        diagnostic.fix = Fix{.text = "put lists and matrices together with hcat and vcat"};
+        checker.report(std::move(diagnostic));
+        return checker.failed(matrix.span);
+      }
       items.push_back(checker.require(value, {.role = Target::Role::kElement, .type = real}));
       if (items.back()->type->is(Kind::kAny)) return checker.failed(matrix.span);
     }
@@ -262,10 +273,37 @@ hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
   return checker.make<hir::Block>(hir::StmtKind::kBlock, assign.span, checker.seq(before));
 }
 
+// ---- what to write instead ----------------------------------------------------------------------
+
+std::optional<Fix> matrix_from_list_fix(const Checker& checker, const hir::Expr& list) {
+  if (!list.type->is(Kind::kList)) return std::nullopt;
+  const bool nested = list.type->element->is(Kind::kList);
+  if (!nested) return Fix{.text = "a matrix has `;` between its rows; [1, 2;] is one row"};
+  std::string text = "matrix(" + checker.text_of(list.span) + ')';
+  if (list.kind == ExprKind::kList) {
+    std::string rows;
+    bool written = true;
+    for (const hir::Expr* row : list.as<hir::ListExpr>().items) {
+      const std::string inside = checker.text_of(row->span);
+      written = written && row->kind == ExprKind::kList && inside.size() > 2;
+      if (written) rows += (rows.empty() ? "" : "; ") + inside.substr(1, inside.size() - 2);
+    }
+    if (written && !rows.empty()) text = '[' + rows + ']';
+  }
+  return Fix{.text = "write " + text, .edits = {{list.span, text}}};
+}
+
 // ---- operators that do not exist ---------------------------------------------------------------
 
 std::optional<Fix> matrix_operator_fix(const Checker& checker, const ast::BinaryExpr& node,
                                        const hir::Expr& left, const hir::Expr& right) {
+  const bool sum = node.op == ast::BinaryOp::kAdd || node.op == ast::BinaryOp::kSub;
+  if (sum && left.type->is(Kind::kMatrix) && right.type->is_number() &&
+      left.kind == ExprKind::kVariable) {
+    const std::string A = checker.text_of(left.span);
+    const std::string all = "ones(" + A + ".rows, " + A + ".cols)";
+    return Fix{.text = "to every element: " + checker.text_of(right.span) + " * " + all};
+  }
   if (!right.type->is(Kind::kMatrix)) return std::nullopt;
   const std::string a = checker.text_of(left.span);
   const std::string b = checker.text_of(right.span);

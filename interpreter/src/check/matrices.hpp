@@ -24,6 +24,9 @@ hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
 // Where an index stands twice in what an assignment becomes, it is kept in a hidden variable.
 void evaluate_once(Checker& checker, hir::Expr*& index, std::vector<hir::Stmt*>& before);
 
+// A list where a matrix is needed: how a matrix with these rows is written.
+[[nodiscard]] std::optional<Fix> matrix_from_list_fix(const Checker& checker,
+                                                      const hir::Expr& list);
 // v * A, A / B and their like: what to write instead.
 [[nodiscard]] std::optional<Fix> matrix_operator_fix(const Checker& checker,
                                                      const ast::BinaryExpr& node,

@@ -5,6 +5,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/matrices.hpp"
 #include "check/unknown_names.hpp"
 
 namespace armlet::lang {
@@ -234,11 +235,7 @@ hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
   } else {
     Diagnostic diagnostic =
         make_diagnostic("E0315", value.span, {type_phrase(want), type_phrase(have)});
-    if (want->is(Kind::kMatrix) && have->is(Kind::kList)) {
-      diagnostic.fix = Fix{.text = have->element->is(Kind::kList)
-                                       ? "write matrix(" + text_of(value.span) + ")"
-                                       : "a matrix has `;` between its rows; [1, 2;] is one row"};
-    }
+    if (want->is(Kind::kMatrix)) diagnostic.fix = matrix_from_list_fix(*this, value);
     report(std::move(diagnostic));
   }
   return failed(value.span);

@@ -53,6 +53,8 @@ bool is_fixed_value(const hir::Expr& value) {
              is_fixed_value(*value.as<hir::BinaryExpr>().right);
     case hir::ExprKind::kList:
       return all(value.as<hir::ListExpr>().items);
+    case hir::ExprKind::kMatrix:
+      return all(value.as<hir::MatrixExpr>().items);
     case hir::ExprKind::kRecord:
       return all(value.as<hir::RecordExpr>().fields);
     case hir::ExprKind::kCallNative:

@@ -24,7 +24,7 @@ constexpr OpCode kPure[] = {
 constexpr OpCode kLoads[] = {
     OpCode::GLOAD,  OpCode::BLOAD,  OpCode::CAPTURE, OpCode::LEN, OpCode::LENTEXT,
     OpCode::LD,     OpCode::LDI,    OpCode::LDLD,    OpCode::LDF, OpCode::FLD,
-    OpCode::ADDLDF, OpCode::SUBLDF, OpCode::MULLDF,
+    OpCode::ADDLDF, OpCode::SUBLDF, OpCode::MULLDF,  OpCode::LDM,
 };
 // And on what the register held.
 constexpr OpCode kUpdates[] = {
@@ -43,7 +43,8 @@ constexpr OpCode kPlain[] = {
     OpCode::PUSHREF,   OpCode::APPEND,    OpCode::TOTEXT,   OpCode::CAPTUREREF, OpCode::EXPANDED,
     OpCode::CALL,      OpCode::CALLV,     OpCode::CALLN,    OpCode::CONCAT,     OpCode::MAKEREC,
     OpCode::RET,       OpCode::RETREF,    OpCode::RETTAKE,  OpCode::RETVOID,    OpCode::HALT,
-    OpCode::JUMP,      OpCode::LOOP,      OpCode::JT,       OpCode::JF,
+    OpCode::JUMP,      OpCode::LOOP,      OpCode::JT,       OpCode::JF,         OpCode::STM,
+    OpCode::ADDRM,
 };
 
 using EffectTable = std::array<Effect, static_cast<std::size_t>(OpCode::kCount)>;
