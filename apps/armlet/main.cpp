@@ -33,7 +33,8 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Examples:\n  armlet run examples/01_pick_and_place.rbt\n  armlet explain E0401\n\n"
-      "Exit status: 0 ran, 64 wrong usage, 65 program rejected, 66 file not read, 70 program "
+      "Exit status: 0 ran, 1 to be laid out (fmt --check), 64 wrong usage, 65 program rejected, 66 "
+      "file not read, 70 program "
       "failed, 130 stopped.");
 
   RunOptions run_options;
@@ -61,6 +62,14 @@ int dispatch(int argc, char** argv) {
       app.add_subcommand("disasm", "show the instructions that a program is compiled to");
   disasm_command->add_option("FILE", file, "the program")->required();
   add_program_options(*disasm_command, options);
+  FormatOptions format_options;
+  CLI::App* format_command =
+      app.add_subcommand("fmt", "lay programs out; each file is replaced by the result");
+  format_command->add_option("FILE", format_options.files, "the programs; - reads standard input")
+      ->required();
+  format_command->add_flag("--check", format_options.check,
+                           "change nothing; name the files that would change and exit with 1");
+  format_command->add_flag("--json", format_options.json, "messages as JSON, one object per line");
   std::string code;
   CLI::App* explain_command =
       app.add_subcommand("explain", "say what a message means, with a wrong and a right program");
@@ -83,6 +92,7 @@ int dispatch(int argc, char** argv) {
   if (test_command->parsed()) return test(options, files);
   if (disasm_command->parsed()) return disasm(options, file);
   if (help_command->parsed()) return help(name, markdown);
+  if (format_command->parsed()) return format(format_options);
   return explain_command->parsed() ? explain(code) : kUsage;
 }
 
