@@ -13,9 +13,11 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
+#include "entry.hpp"
 #include "mutator.hpp"
-#include "target.hpp"
 
 namespace {
 

@@ -1,14 +1,10 @@
 #pragma once
-// What the fuzzing targets share. Each target defines LLVMFuzzerTestOneInput, which libFuzzer or
-// replay.cpp calls with one input after the other.
+// What the fuzzing targets share.
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include "armlet/stdlib/session.hpp"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#include "entry.hpp"
 
 namespace armlet::fuzz {
 
