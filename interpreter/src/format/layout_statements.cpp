@@ -56,7 +56,10 @@ Doc Layout::braces(const ShapeNode& node, std::size_t open, Lead lead, Braces st
   const bool is_empty = inner.parts.empty() && gaps_[closer].comments.empty();
   if (inner.parts.empty() && flat && !is_empty) inner.add(line(" "));
   inner.add(comments_at_end(closer, !inner.parts.empty()));
-  if (is_empty) return out.add(token(closer, Lead::kTight)), out;
+  if (is_empty) {
+    out.add(token(closer, Lead::kTight));
+    return out;
+  }
   Doc lines;
   lines.add(indent(std::move(inner)));
   lines.add(token_without_comments(closer, flat ? Lead::kLine : Lead::kFirstBreak));

@@ -100,8 +100,10 @@ Doc Layout::brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is
   }
   Doc out;
   out.add(token(node.parts[open].token, lead));
-  if (items.empty() && gaps_[closer].comments.empty())
-    return out.add(token(closer, Lead::kTight)), out;
+  if (items.empty() && gaps_[closer].comments.empty()) {
+    out.add(token(closer, Lead::kTight));
+    return out;
+  }
 
   const int before = chain_indent_;
   chain_indent_ = kIndentWidth;
