@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 UGLY = "let  a=1 // one\nif(a>0){print( a )}\n"
-NEAT = "let a = 1       // one\nif (a > 0) { print(a) }\n"
+NEAT = "let a = 1  // one\nif (a > 0) { print(a) }\n"
 BROKEN = "let = 3\n"
 
 

@@ -123,7 +123,7 @@ Doc Layout::comments_at_end(std::uint32_t closer, bool with_blanks) const {
       out.add(comment_break(Lead::kBreak, comment.breaks_before > 1 && (with_blanks || i > 0)));
       out.add(text(comment.text));
     } else {
-      if (i > 0 || !opens(text_of(closer - 1))) out.add(text(" "));
+      if (i > 0 || (closer > 0 && !opens(text_of(closer - 1)))) out.add(text(" "));
       out.add(text(comment.text));
     }
   }

@@ -100,8 +100,9 @@ Doc Layout::brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is
   }
   Doc out;
   out.add(token(node.parts[open].token, lead));
-  if (items.empty() && gaps_[closer].comments.empty()) {
-    out.add(token(closer, Lead::kTight));
+  if (items.empty() && !gaps_[closer].has_break()) {
+    out.add(comments_at_end(closer, false));
+    out.add(text(text_of(closer)));
     return out;
   }
 
