@@ -175,7 +175,7 @@ Doc Layout::node(const ShapeNode& node, Lead lead, bool is_value) {
 
 // Whether part `i` is all that a line says behind its `=` or `:`.
 bool Layout::holds_value(const ShapeNode& node, std::size_t i) const {
-  if (i == 0) return false;
+  if (i == 0 || in_header_) return false;
   if (node.rule == Rule::kBlockItem) return is(node.parts[i - 1], ":");
   return is(node.parts[i - 1], "=") && node.rule != Rule::kParam;
 }

@@ -72,6 +72,10 @@ class Layout {
   Doc try_statement(const ShapeNode& node, Lead lead);
   Doc switch_case(const ShapeNode& node, Lead lead);
 
+  // Columns more for the lines of a broken chain; twice in a header, so that its lines and its
+  // body differ.
+  [[nodiscard]] int chain_indent() const { return in_header_ ? 2 * kIndentWidth : kIndentWidth; }
+
   // layout_values.cpp
   Doc expression(const ShapeNode& node, Lead lead);
   Doc chain(const ShapeNode& node, Lead lead);
@@ -83,7 +87,7 @@ class Layout {
   const Source& source_;
   const Shape& shape_;
   std::vector<Gap> gaps_;
-  int chain_indent_ = kIndentWidth;  // of the lines of a broken chain of operators
+  bool in_header_ = false;  // in parentheses behind `if`, `for` ..., but not in brackets in those
 };
 
 }  // namespace armlet::lang

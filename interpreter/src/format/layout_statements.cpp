@@ -1,14 +1,10 @@
 // Statements: braces, headers, and what may stay on one line.
 
+#include <utility>
+
 #include "format/layout.hpp"
 
 namespace armlet::lang {
-namespace {
-
-constexpr int kHeaderIndent = 2 * kIndentWidth;  // so that a broken header and its body differ
-
-}  // namespace
-
 Doc Layout::program() {
   Doc out = statements(shape_.program, 0, shape_.program.parts.size(), Lead::kBreak);
   out.add(comments_at_end(static_cast<std::uint32_t>(shape_.tokens.size() - 1), true));
@@ -52,9 +48,14 @@ Doc Layout::braces(const ShapeNode& node, std::size_t open, Lead lead, Braces st
   const bool flat = style != Braces::kOpen && !moved && on_one_line(opener, closer);
   Doc out;
   out.add(token(opener, lead));
+  const bool before = std::exchange(in_header_, false);
   Doc inner = statements(node, open + 1, close, flat ? Lead::kLine : Lead::kBreak);
+  in_header_ = before;
   const bool is_empty = inner.parts.empty() && gaps_[closer].comments.empty();
-  if (inner.parts.empty() && flat && !is_empty) inner.add(line(" "));
+  if (inner.parts.empty() && !is_empty && gaps_[closer].at_end == 0 &&
+      gaps_[closer].comments[0].breaks_before == 0) {
+    inner.add(flat ? line(" ") : hard_break());
+  }
   inner.add(comments_at_end(closer, !inner.parts.empty()));
   if (is_empty) {
     out.add(token(closer, Lead::kTight));
@@ -75,8 +76,7 @@ Doc Layout::braces(const ShapeNode& node, std::size_t open, Lead lead, Braces st
 // The parentheses behind `if`, `while` and so on.
 Doc Layout::header(const ShapeNode& node, std::size_t open, Lead lead) {
   const std::size_t close = closing_part(node, open);
-  const int before = chain_indent_;
-  chain_indent_ = kHeaderIndent;
+  const bool before = std::exchange(in_header_, true);
   Doc inner;
   for (std::size_t i = open + 1; i < close; ++i) {
     const ShapeNode& part = node.parts[i];
@@ -86,7 +86,7 @@ Doc Layout::header(const ShapeNode& node, std::size_t open, Lead lead) {
       inner.add(this->node(part, Lead::kTight));
     }
   }
-  chain_indent_ = before;
+  in_header_ = before;
   Doc out;
   out.add(token(node.parts[open].token, lead));
   out.add(std::move(inner));
@@ -102,7 +102,7 @@ Doc Layout::for_header(const ShapeNode& node) {
     if (i > 0 && is(node.parts[i - 1], ";") && !is(node.parts[i], ";")) lead = Lead::kLine;
     out.add(this->node(node.parts[i], lead));
   }
-  return group(indent(std::move(out), kHeaderIndent));
+  return group(indent(std::move(out), chain_indent()));
 }
 
 // What follows a header or an `else`.
@@ -124,6 +124,7 @@ Doc Layout::if_statement(const ShapeNode& node, Lead lead) {
                              : has_else ? Braces::kOpen
                                         : Braces::kAsWritten);
   out.add(flat ? body(std::move(parts), true) : std::move(parts));
+  out.body = out.body || has_else;  // on several lines too, so that what is around stays the same
   return out;
 }
 

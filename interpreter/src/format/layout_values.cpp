@@ -1,6 +1,7 @@
 // Values: chains of operators, and lists in brackets.
 
 #include <algorithm>
+#include <utility>
 
 #include "format/layout.hpp"
 
@@ -40,18 +41,18 @@ Doc Layout::chain(const ShapeNode& node, Lead lead) {
   std::vector<const ShapeNode*> links;  // the last one first
   const ShapeNode* first = &node;
   for (; level_of(*first) == level; first = &first->parts[0]) links.push_back(first);
-  const int before = chain_indent_;
+  const int columns = chain_indent();
   Doc head = this->node(*first, Lead::kDone);
-  chain_indent_ = kIndentWidth;
+  const bool before = std::exchange(in_header_, false);
   Doc rest;
   for (auto link = links.rbegin(); link != links.rend(); ++link) {
     rest.add(token((*link)->parts[1].token, Lead::kLine));
     rest.add(this->node((*link)->parts[2], Lead::kSpace));
   }
-  chain_indent_ = before;
+  in_header_ = before;
   Doc inner;
   inner.add(std::move(head));
-  inner.add(indent(std::move(rest), before));
+  inner.add(indent(std::move(rest), columns));
   return behind_lead(node, lead, std::move(inner));
 }
 
@@ -64,7 +65,7 @@ Doc Layout::choice(const ShapeNode& node, Lead lead) {
     rest.add(token(node.parts[i].token, Lead::kLine));
     rest.add(this->node(node.parts[i + 1], Lead::kSpace));
   }
-  inner.add(indent(std::move(rest), chain_indent_));
+  inner.add(indent(std::move(rest), chain_indent()));
   return behind_lead(node, lead, std::move(inner));
 }
 
@@ -106,8 +107,7 @@ Doc Layout::brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is
     return out;
   }
 
-  const int before = chain_indent_;
-  chain_indent_ = kIndentWidth;
+  const bool before = std::exchange(in_header_, false);
   const bool is_matrix = std::ranges::any_of(items, [&](auto* item) { return is(*item, ";"); });
   const bool fills = is_matrix || std::ranges::all_of(items, [&](auto* i) { return is_short(*i); });
   const bool can_open = is_value && !is(node.parts[open], "(");
@@ -126,7 +126,7 @@ Doc Layout::brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is
     inner.add(this->node(*items[i], here));
   }
   inner.add(comments_at_end(closer, false));
-  chain_indent_ = before;
+  in_header_ = before;
   Doc lines;
   const bool hugs = inner.body && !opened;  // statements inside indent themselves
   lines.add(indent(std::move(inner), hugs ? 0 : kIndentWidth));
