@@ -8,8 +8,10 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace armlet::oracle {
@@ -46,7 +48,10 @@ struct Ty {
 
 class RandomProgram {
  public:
-  explicit RandomProgram(std::uint64_t number) : random_(number * 0x9E3779B97F4A7C15ULL + 1) {}
+  explicit RandomProgram(std::uint64_t number)
+      : random_(std::mt19937_64(number * 0x9E3779B97F4A7C15ULL + 1)) {}
+  // Choices taken from elsewhere.
+  explicit RandomProgram(std::function<std::uint64_t()> random) : random_(std::move(random)) {}
 
   std::string text();
 
@@ -167,7 +172,7 @@ class RandomProgram {
   std::string place(const Ty* type);
   void keep_short(const std::string& text_name);
 
-  std::mt19937_64 random_;
+  std::function<std::uint64_t()> random_;
   std::string out_;
   std::deque<Ty> types_;
   const Ty *int_ = nullptr, *real_ = nullptr, *bool_ = nullptr, *text_ = nullptr,
