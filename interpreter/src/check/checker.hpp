@@ -172,12 +172,6 @@ struct Checker : CheckerState {
                               const TypePattern& pattern, Bindings& bindings);
   hir::Expr* ambient_value(const HostType& type, Span callee);
   [[nodiscard]] const Fact* ambient_fact(std::string_view type);
-  // over_list.cpp: functions that are loops of the program.
-  void settle_start(std::span<const NativeFunction* const> candidates,
-                    std::vector<Argument>& arguments);
-  hir::Expr* over_list(const NativeFunction& function, hir::CallNativeExpr& call);
-  void note_callbacks(std::string_view name, const Signature& signature,
-                      const std::vector<hir::Expr*>& values);
   // The variables that a call without a robot may mean, and the names of all that it could mean.
   Ambient find_ambient(const HostType& type);
   void note_pause(Span span);
@@ -295,7 +289,6 @@ struct Checker : CheckerState {
   void mark_unset_globals();
   void prepare_tests();
   void check_conditions();
-  void check_callbacks();
   [[nodiscard]] Use closure_of(Use seed);
 
   // ---- names

@@ -12,6 +12,7 @@
 
 #include "check/hir_expr.hpp"
 #include "check/hir_matrix.hpp"
+#include "check/hir_over_list.hpp"
 
 namespace armlet::lang::hir {
 

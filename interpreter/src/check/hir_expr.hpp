@@ -65,7 +65,6 @@ struct Function {
 };
 
 // ---- expressions
-
 enum class ExprKind : std::uint8_t {
   kBool,
   kInt,
@@ -247,24 +246,6 @@ struct CallValueExpr : Expr {
 struct CallNativeExpr : Expr {
   const NativeFunction* function;
   Seq<Expr*> arguments;  // one per parameter
-  CallSite site;
-};
-// Functions of the library that are loops of the program: what they call is called like any other
-// function.
-enum class ListVerb : std::uint8_t {
-  kMap,       // list, function
-  kFilter,    // list, function -> bool
-  kFold,      // list, start, function
-  kAny,       // list, function -> bool
-  kAll,       // list, function -> bool
-  kSort,      // list, function -> int, real or text
-  kZip,       // list, list -> records of two fields
-  kContains,  // list, value
-  kIndexOf,   // list, value
-};
-struct OverListExpr : Expr {
-  ListVerb verb;
-  Seq<Expr*> operands;  // as above
   CallSite site;
 };
 struct FunctionValueExpr : Expr {

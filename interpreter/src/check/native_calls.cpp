@@ -4,6 +4,7 @@
 #include <array>
 
 #include "check/checker.hpp"
+#include "check/over_list.hpp"
 #include "check/recordings.hpp"
 
 namespace armlet::lang {
@@ -31,7 +32,7 @@ hir::Expr* Checker::call_native(std::string_view name,
   for (const Argument& argument : arguments) {
     if (!argument.waits() && argument.value->type->is(Kind::kAny)) return failed(span);
   }
-  settle_start(candidates, arguments);
+  settle_start(*this, candidates, arguments);
   Fit best;
   const NativeFunction* function = choose(name, candidates, callee, span, arguments, best);
   if (function == nullptr) return failed(span);
@@ -120,8 +121,8 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
   if (function.later) note_later(callee, later_feature(function));
   auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function,
                                          seq(values), hir::CallSite{span, callee, seq(spans)});
-  if (hir::Expr* loop = over_list(function, *call)) return loop;
-  note_callbacks(function.name, signature, values);
+  if (hir::Expr* loop = over_list(*this, function, *call)) return loop;
+  note_callbacks(*this, function, values);
   return run_rule(name, arguments, fit, call);
 }
 

@@ -2,11 +2,11 @@
 // declares them without a thunk; the program runs them as loops, so that the function they are
 // given may fail, wait or be stopped like any other.
 
+#include "check/over_list.hpp"
+
 #include <array>
 #include <optional>
 #include <utility>
-
-#include "check/checker.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -37,10 +37,8 @@ bool is_key(const Type* type) { return type->is_number() || type->is(Kind::kText
 
 }  // namespace
 
-// fold(xs, 0, f): a whole number written as the start becomes what the elements are, because what f
-// gives does. 0 becomes any quantity, other numbers a double.
-void Checker::settle_start(std::span<const NativeFunction* const> candidates,
-                           std::vector<Argument>& arguments) {
+void settle_start(Checker& checker, std::span<const NativeFunction* const> candidates,
+                  std::vector<Argument>& arguments) {
   const bool is_fold = verb_of(*candidates.front()) == ListVerb::kFold;
   if (!is_fold || arguments.size() < 2 || arguments[0].waits() || arguments[1].waits()) return;
   const Type* list = arguments[0].value->type;
@@ -48,46 +46,48 @@ void Checker::settle_start(std::span<const NativeFunction* const> candidates,
   const bool written = start->kind == hir::ExprKind::kInt || is_zero(*start);
   if (!written || !list->is(Kind::kList) || !list->element->is(Kind::kReal)) return;
   if (is_zero(*start) || list->element->is_double()) {
-    start = make<hir::RealExpr>(hir::ExprKind::kReal, list->element, start->span,
-                                constant_of(*start)->real);
+    const double value = checker.constant_of(*start)->real;
+    start = checker.make<hir::RealExpr>(hir::ExprKind::kReal, list->element, start->span, value);
   }
 }
 
-// The call as a loop, if it is one. The key of sort and what is looked for must be comparable.
-hir::Expr* Checker::over_list(const NativeFunction& function, hir::CallNativeExpr& call) {
+hir::Expr* over_list(Checker& checker, const NativeFunction& function, hir::CallNativeExpr& call) {
   const std::optional<ListVerb> verb = verb_of(function);
   if (!verb) return nullptr;
   const auto refuse = [&](const hir::Expr& value, std::string need, const Type* type) {
-    report(make_diagnostic("E0313", value.span,
-                           {std::string(function.name), std::move(need), type_phrase(type)}));
-    return failed(call.span);
+    checker.report(make_diagnostic(
+        "E0313", value.span, {std::string(function.name), std::move(need), type_phrase(type)}));
+    return checker.failed(call.span);
   };
   for (const hir::Expr* value : call.arguments) {
-    if (value->type->is(Kind::kAny)) return failed(call.span);
+    if (value->type->is(Kind::kAny)) return checker.failed(call.span);
   }
-  hir::Expr* last = call.arguments.back();
-  if (verb == ListVerb::kSort && !is_key(last->type->result))
+  const hir::Expr* last = call.arguments.back();
+  if (*verb == ListVerb::kSort && !is_key(last->type->result))
     return refuse(*last, "a function that gives a number or a text", last->type->result);
-  const bool searches = verb == ListVerb::kContains || verb == ListVerb::kIndexOf;
+  const bool searches = *verb == ListVerb::kContains || *verb == ListVerb::kIndexOf;
   if (searches && !has_deep_equality(last->type))
     return refuse(*last, "a value that == can compare", last->type);
-  return make<hir::OverListExpr>(hir::ExprKind::kOverList, call.type, call.span, *verb,
-                                 call.arguments, call.site);
+  return checker.make<hir::OverListExpr>(hir::ExprKind::kOverList, call.type, call.span, *verb,
+                                         call.arguments, call.site);
 }
 
-// Functions handed to the library itself: it calls them while time stands still.
-void Checker::note_callbacks(std::string_view name, const Signature& signature,
-                             const std::vector<hir::Expr*>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (signature.parameters[i].type.form != TypePattern::Form::kFunction &&
-        !values[i]->type->is(Kind::kFunction))
-      continue;
-    const hir::Function* function = nullptr;
-    if (values[i]->kind == hir::ExprKind::kFunctionValue)
-      function = values[i]->as<hir::FunctionValueExpr>().function;
-    if (values[i]->kind == hir::ExprKind::kClosure)
-      function = values[i]->as<hir::ClosureExpr>().function;
-    if (function != nullptr) callbacks_.push_back({name, function, values[i]->span});
+void note_callbacks(Checker& checker, const NativeFunction& function,
+                    const std::vector<hir::Expr*>& values) {
+  for (const hir::Expr* value : values) {
+    const hir::Function* given = nullptr;
+    if (value->kind == hir::ExprKind::kFunctionValue)
+      given = value->as<hir::FunctionValueExpr>().function;
+    if (value->kind == hir::ExprKind::kClosure) given = value->as<hir::ClosureExpr>().function;
+    if (given != nullptr) checker.callbacks_.push_back({function.name, given, value->span});
+  }
+}
+
+void check_callbacks(Checker& checker) {
+  for (const Callback& callback : checker.callbacks_) {
+    if (!checker.closure_of(checker.uses_[callback.function]).pauses) continue;
+    checker.sink_.begin_statement();
+    checker.report(make_diagnostic("E0520", callback.span, {std::string(callback.called_by)}));
   }
 }
 

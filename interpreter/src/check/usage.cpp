@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/over_list.hpp"
 #include "check/recordings.hpp"
 
 namespace armlet::lang {
@@ -74,18 +75,9 @@ void Checker::check_conditions() {
   }
 }
 
-// What the library calls in the middle of a computation cannot take time.
-void Checker::check_callbacks() {
-  for (const Callback& callback : callbacks_) {
-    if (!closure_of(uses_[callback.function]).pauses) continue;
-    sink_.begin_statement();
-    report(make_diagnostic("E0520", callback.span, {std::string(callback.called_by)}));
-  }
-}
-
 void Checker::finish_usage() {
   check_conditions();
-  check_callbacks();
+  check_callbacks(*this);
   prepare_tests();
   mark_unset_globals();
 }
