@@ -150,8 +150,23 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
                      : !registry_.functions(name.name).empty() ? "function of the library"
                                                                : nullptr;
   if (what == nullptr) return unknown_name(name.name, name.span, expected);
-  if (!syntax_failed_ && told_.emplace(name.name).second)
-    report(make_diagnostic("E0219", name.span, {std::string(name.name), what}));
+  if (syntax_failed_ || !told_.emplace(name.name).second) return failed(name.span);
+  Diagnostic diagnostic = make_diagnostic("E0219", name.span, {std::string(name.name), what});
+  const auto works_alone = [&](const NativeFunction* function) {
+    const auto& parameters = signature_of(*function).parameters;
+    return std::ranges::all_of(parameters, [&](const Parameter& parameter) {
+      const bool ambient = &parameter == parameters.data() && parameter.type.type != nullptr &&
+                           parameter.type.type->is(Kind::kHost) &&
+                           parameter.type.type->host->is_ambient;
+      return ambient || parameter.may_be_left_out();
+    });
+  };
+  if (std::ranges::any_of(registry_.functions(name.name), works_alone)) {
+    const Span behind{name.span.end, name.span.end, name.span.source};
+    diagnostic.fix =
+        Fix{.text = "write " + std::string(name.name) + "()", .edits = {{behind, "()"}}};
+  }
+  report(std::move(diagnostic));
   return failed(name.span);
 }
 

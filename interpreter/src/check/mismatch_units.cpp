@@ -61,8 +61,12 @@ void Checker::plain_number_for_quantity(const hir::Expr& value, const Target& ta
     const std::string written = in_parentheses(text) + " * 1" + unit;
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
   } else {
-    out.fix = Fix{.text = "write " + text + unit, .edits = {{value.span, text + unit}}};
     const auto constant = constant_of(value);
+    // 0.3 for a length hardly means a third of a millimetre.
+    const bool metres =
+        target.type->dim == dims::kLength && constant && std::abs(constant->real) < 1.0;
+    const std::string written = text + (metres ? "m" : unit);
+    out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
     const double turns = constant ? std::abs(constant->real) / (2.0 * std::numbers::pi) : 0.0;
     if (target.type->dim == dims::kAngle && turns >= 1.0) {
       out.fix->text += " (or " + text + "rad, which is more than " +

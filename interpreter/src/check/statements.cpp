@@ -41,6 +41,24 @@ Diagnostic leaves_finally(const std::string& word, Span span) {
   return diagnostic;
 }
 
+// A value alone on its line: a call without its parentheses, or the result of a function that other
+// languages return by itself.
+void refuse_idle_statement(Checker& checker, const ast::ExprStmt& stmt, const hir::Expr& value) {
+  Diagnostic diagnostic = make_diagnostic("E0332", stmt.value->span);
+  const FunctionContext& here = *checker.here_;
+  const std::string text = checker.text_of(stmt.value->span);
+  const Span begin{stmt.span.begin, stmt.span.begin, stmt.span.source};
+  const Span end{stmt.value->span.end, stmt.value->span.end, stmt.value->span.source};
+  if (value.kind == hir::ExprKind::kFunctionValue) {
+    diagnostic.fix = Fix{.text = "write " + text + "()", .edits = {{end, "()"}}};
+  } else if (here.result_is_declared && here.result == value.type) {
+    diagnostic.why = "a value is given back by `return`";
+    diagnostic.fix = Fix{.text = "write return " + text, .edits = {{begin, "return "}}};
+    checker.here_->flow.reachable = false;  // no second message about the missing return
+  }
+  checker.report(std::move(diagnostic));
+}
+
 }  // namespace
 
 hir::Block* Checker::check_block(ast::Seq<ast::Stmt*> body, Span span) {
@@ -209,7 +227,7 @@ hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {
   }
   hir::Expr* value = check(*stmt.value);
   if (does_nothing(*value)) {
-    report(make_diagnostic("E0332", stmt.value->span));
+    refuse_idle_statement(*this, stmt, *value);
     return nullptr;
   }
   return make<hir::ExprStmt>(hir::StmtKind::kExpr, stmt.span, value);

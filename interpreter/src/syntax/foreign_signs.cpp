@@ -132,6 +132,19 @@ Answer array_without_new(const FailureSite& site) {
   return out;
 }
 
+// for (i in 0..5): the second point belongs to .5
+Answer range_with_points(const FailureSite& site) {
+  if (site.at <= site.statement || site.type(site.at) != RbtLexer::FLOAT) return std::nullopt;
+  const std::string last = site.text(site.at);
+  if (!last.starts_with('.') || !site.touch(site.at - 1, site.at)) return std::nullopt;
+  std::string first = site.text(site.at - 1);
+  if (site.before() != RbtLexer::FLOAT || !first.ends_with('.')) return std::nullopt;
+  first.pop_back();
+  const Span mark = site.span(site.at - 1, site.at);
+  const std::string meant = "range(" + first + ", " + last.substr(1) + ')';
+  return written_as(mark, site.text(site.at - 1, site.at), meant, {{mark, meant}});
+}
+
 // int a[3];
 Answer array_as_in_c(const FailureSite& site) {
   const std::size_t first = site.statement;
@@ -250,7 +263,7 @@ std::size_t end_of_python_function(const Source& source, const Tokens& tokens,
 std::optional<Diagnostic> explain_sign(const FailureSite& site) {
   for (const auto explain :
        {doubled_sign, arrow_compares, lambda_without_fn, python_block, commas_in_loop,
-        result_behind_colon, array_without_new, array_as_in_c, needless_then}) {
+        result_behind_colon, array_without_new, array_as_in_c, range_with_points, needless_then}) {
     if (Answer out = explain(site)) return out;
   }
   return std::nullopt;

@@ -225,6 +225,8 @@ Answer orphan(const FailureSite& site) {
   }
   Diagnostic out = make_diagnostic("E0128", site.span(site.at), {site.text(site.at)});
   out.why = owner;
+  if (site.type(site.at) == RbtLexer::ELSE && site.type(site.at + 1) == RbtLexer::COLON)
+    out.fix = Fix{"write default", {{site.span(site.at), "default"}}, Confidence::kSure};
   return out;
 }
 
