@@ -29,19 +29,6 @@ bool keeps_tilt(const Robot& robot) {
          chain.sin_alpha[0] == 0.0;
 }
 
-bool refuse_busy(Vm& vm, int robot_id) {
-  const CellRobot& robot = Host::of(vm).cell().robot(robot_id);
-  if (!robot.motion) return false;
-  Failure f;
-  f.code = "R0617";
-  f.arguments = {robot.name};
-  f.mark_parameter = kMarkCallee;
-  f.robot = robot.name;
-  f.fix = "wait until its move has ended";
-  static_cast<void>(fail(vm, std::move(f)));
-  return true;
-}
-
 // The target as the world sees it: read in the frame of the call, or of the blocks around it.
 // Empty: the failure is set.
 std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
@@ -91,6 +78,19 @@ bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, 
 }
 
 }  // namespace
+
+bool refuse_busy(Vm& vm, int robot_id) {
+  const CellRobot& robot = Host::of(vm).cell().robot(robot_id);
+  if (!robot.motion) return false;
+  Failure f;
+  f.code = "R0617";
+  f.arguments = {robot.name};
+  f.mark_parameter = kMarkCallee;
+  f.robot = robot.name;
+  f.fix = "wait until its move has ended";
+  static_cast<void>(fail(vm, std::move(f)));
+  return true;
+}
 
 const Robot& model_of(Vm& vm, const MoveCall& call) {
   return call.model != nullptr ? *call.model : *Host::of(vm).cell().robot(call.robot).model;

@@ -33,18 +33,17 @@ constexpr OpCode kUpdates[] = {
 };
 // Instructions that change more than a number register, but nothing that they do not name.
 constexpr OpCode kPlain[] = {
-    OpCode::MOVE,      OpCode::MOVEREF,   OpCode::TAKE,     OpCode::DROP,       OpCode::TEXT,
-    OpCode::TEXTREF,   OpCode::ZERO,      OpCode::GLOADREF, OpCode::GOWN,       OpCode::GSTORE,
-    OpCode::GSTOREREF, OpCode::GCHECK,    OpCode::GSET,     OpCode::BOX,        OpCode::BLOADREF,
-    OpCode::BSTORE,    OpCode::BSTOREREF, OpCode::CMPTEXT,  OpCode::NEWLIST,    OpCode::LDREF,
-    OpCode::FLDREF,    OpCode::CHARAT,    OpCode::ADDRL,    OpCode::ADDRG,      OpCode::ADDRB,
-    OpCode::ADDRE,     OpCode::ADDRF,     OpCode::PUT,      OpCode::PUTREF,     OpCode::GET,
-    OpCode::ST,        OpCode::STF,       OpCode::STLF,     OpCode::MADDLF,     OpCode::PUSH,
-    OpCode::PUSHREF,   OpCode::APPEND,    OpCode::TOTEXT,   OpCode::CAPTUREREF, OpCode::EXPANDED,
-    OpCode::CALL,      OpCode::CALLV,     OpCode::CALLN,    OpCode::CONCAT,     OpCode::MAKEREC,
-    OpCode::RET,       OpCode::RETREF,    OpCode::RETTAKE,  OpCode::RETVOID,    OpCode::HALT,
-    OpCode::JUMP,      OpCode::LOOP,      OpCode::JT,       OpCode::JF,         OpCode::STM,
-    OpCode::ADDRM,
+    OpCode::MOVE,      OpCode::MOVEREF,   OpCode::TAKE,     OpCode::DROP,    OpCode::TEXT,
+    OpCode::TEXTREF,   OpCode::ZERO,      OpCode::GLOADREF, OpCode::GOWN,    OpCode::GSTORE,
+    OpCode::GSTOREREF, OpCode::GCHECK,    OpCode::GSET,     OpCode::BOX,     OpCode::BLOADREF,
+    OpCode::BSTORE,    OpCode::BSTOREREF, OpCode::CMPTEXT,  OpCode::NEWLIST, OpCode::CHARAT,
+    OpCode::ADDRL,     OpCode::ADDRG,     OpCode::ADDRB,    OpCode::ADDRE,   OpCode::ADDRF,
+    OpCode::PUT,       OpCode::PUTREF,    OpCode::ST,       OpCode::STF,     OpCode::STLF,
+    OpCode::MADDLF,    OpCode::PUSH,      OpCode::PUSHREF,  OpCode::APPEND,  OpCode::TOTEXT,
+    OpCode::EXPANDED,  OpCode::CALL,      OpCode::CALLV,    OpCode::CALLN,   OpCode::CONCAT,
+    OpCode::MAKEREC,   OpCode::RET,       OpCode::RETREF,   OpCode::RETTAKE, OpCode::RETVOID,
+    OpCode::HALT,      OpCode::JUMP,      OpCode::LOOP,     OpCode::JT,      OpCode::JF,
+    OpCode::STM,       OpCode::ADDRM,
 };
 
 using EffectTable = std::array<Effect, static_cast<std::size_t>(OpCode::kCount)>;
