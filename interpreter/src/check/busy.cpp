@@ -97,7 +97,8 @@ std::string in_short(const Checker& checker, const hir::CallNativeExpr& call) {
 
 }  // namespace
 
-void refuse_busy_robots(Checker& checker, const std::vector<const hir::Function*>& branches) {
+void refuse_busy_robots(Checker& checker, Span word,
+                        const std::vector<const hir::Function*>& branches) {
   struct Command {
     const hir::CallNativeExpr* call;
     const hir::Variable* robot;
@@ -123,6 +124,7 @@ void refuse_busy_robots(Checker& checker, const std::vector<const hir::Function*
     const std::string name(variable != nullptr ? variable->name : std::string_view("robot"));
     Diagnostic diagnostic = make_diagnostic("E0501", command_span(*beginning.command), {name});
     diagnostic.mark.label = branch;
+    diagnostic.related.push_back({{word.begin, word.begin, word.source}, {}});  // shows its line
     diagnostic.related.push_back({command_span(*same->call), same->branch});
     diagnostic.why =
         "each statement directly inside `parallel` runs at the same time as the others";
