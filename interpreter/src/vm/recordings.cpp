@@ -174,7 +174,10 @@ RecordObj* Recordings::start(ClosureObj* sample, std::int64_t period_ns) {
   for (std::uint16_t i = 0; i < layout.size; ++i) table->fields()[i].o = nullptr;
   rows_of(*table).o = state_.heap.new_list(0, true);
   const std::int64_t now = state_.vm.timeline().now_ns();
-  Recording recording{sample, table, state_.running, period_ns, now + period_ns, now, false};
+  // What a condition records belongs to the task whose condition it is.
+  const bool in_condition = state_.running == state_.condition_task.get();
+  Task* owner = in_condition ? state_.running->parent : state_.running;
+  Recording recording{sample, table, owner, period_ns, now + period_ns, now, false};
   if (rows_of(*table).o == nullptr) raise_out_of_memory(state_);
   if (rows_of(*table).o == nullptr || !take(recording)) {
     state_.heap.release(table);
