@@ -45,10 +45,21 @@ public:
     }
 
     void trimQuantity() {
+      const size_t whole = _input->index();
       while (continuesWord(_input->LA(1))) {
         size_t end = _input->index();
-        do { _input->seek(--end); } while (!startsUnitPart(_input->LA(1)));
+        do {
+          if (end == tokenStartCharIndex) return takeWord(whole);
+          _input->seek(--end);
+        } while (!startsUnitPart(_input->LA(1)));
       }
+    }
+
+    // A number with a degree sign and letters can give back nothing: the sign of degrees is no letter, so it is not a BADNUM by itself.
+    void takeWord(size_t end) {
+      _input->seek(end);
+      while (continuesWord(_input->LA(1))) _input->consume();
+      type = BADNUM;
     }
 
     static bool startsUnitPart(size_t c) { return c == '*' || c == '/' || c == '^'; }
