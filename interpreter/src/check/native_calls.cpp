@@ -157,8 +157,7 @@ Ambient Checker::find_ambient(const HostType& type) {
     for (const std::string_view declared : file->ambient_names_[type.name])
       out.names.push_back(declared);
     std::ranges::sort(out.names);
-    const auto repeated = std::ranges::unique(out.names);
-    out.names.erase(repeated.begin(), repeated.end());
+    out.names.erase(std::unique(out.names.begin(), out.names.end()), out.names.end());
     // Robots of two files may have the same name.
     std::ranges::move(out.names, std::back_inserter(all));
     out.names.clear();

@@ -26,7 +26,7 @@ hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value,
   if (wanted->type->is(Kind::kAny)) return wanted;
   std::string shown = text_of(value.span);
   if (wanted->kind == hir::ExprKind::kEnum) {
-    shown = subject->type->enumeration
+    shown = wanted->type->enumeration
                 ->values[static_cast<std::size_t>(wanted->as<hir::IntExpr>().value)];
   } else if (const auto constant = constant_of(*wanted)) {
     if (constant->kind == Constant::Kind::kInt) shown = std::to_string(constant->integer);
