@@ -18,8 +18,7 @@ constexpr int kStall = 7;               // iterations without progress
 }  // namespace
 
 IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
-    : robot_(robot),
-      chain_(robot.chain()),
+    : chain_(robot.chain()),
       goal_(goal),
       n_(static_cast<std::size_t>(robot.n())),
       lower_(to_array(robot.lower())),

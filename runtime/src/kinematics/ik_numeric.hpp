@@ -63,7 +63,6 @@ class IkSolver {
   Step step_in_box(const JointArray& q, double damping) const;
   void clamp(JointArray& q) const;
 
-  const Robot& robot_;
   const Chain& chain_;
   IkGoal goal_;
   std::size_t n_;
