@@ -147,7 +147,10 @@ ast::Stmt* AstBuilder::import_decl(RbtParser::ImportDeclContext* ctx) {
     out->path = decoded({out->path_span.begin + 1, out->path_span.end - 1, out->path_span.source});
   } else {
     out->path_span = span_of(ctx->typeName());
-    out->path = text(out->path_span);
+    std::string path;  // without the blanks and comments that may stand between its names
+    for (RbtParser::NameContext* part : ctx->typeName()->name())
+      path.append(path.empty() ? "" : ".").append(name(part).text);
+    out->path = in_.arena.copy(path);
   }
   if (ctx->name() != nullptr) out->alias = name(ctx->name());
   return out;

@@ -25,14 +25,19 @@ std::mutex& parser_mutex() {
 // One text, or the value inside a formatted text.
 class Front {
  public:
-  Front(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits)
-      : source_(source), arena_(arena), sink_(sink), limits_(limits) {}
+  Front(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits,
+        Shape* shape = nullptr)
+      : source_(source), arena_(arena), sink_(sink), limits_(limits), shape_(shape) {}
 
   Parsed program() {
     Parsed out;
     if (!check_text(source_, sink_, limits_) || !read(program_range(source_))) return out;
     tokens_ = insert_line_ends(tokens_);
     out.statements = statements();
+    if (shape_ != nullptr) {
+      shape_->tokens = std::move(tokens_);
+      shape_->comments = comments_;
+    }
     out.comments = std::move(comments_);
     out.ok = ok_;
     return out;
@@ -120,6 +125,7 @@ class Front {
         if (machine.feed.index() == first) machine.feed.consume();
         ast::Stmt* made = statement_ok_ ? builder.statement(ctx) : nullptr;
         if (builder.take_incomplete()) made = nullptr;
+        if (shape_ != nullptr && statement_ok_) shape_->program.parts.push_back(shape_of(ctx));
         if (made != nullptr) out.push_back(made);
         machine.parser.getTreeTracker().reset();
       }
@@ -158,6 +164,7 @@ class Front {
   Arena& arena_;
   DiagnosticSink& sink_;
   const ParseLimits& limits_;
+  Shape* shape_;
   Tokens tokens_;
   std::vector<Span> comments_;
   bool ok_ = true;
@@ -166,9 +173,10 @@ class Front {
 
 }  // namespace
 
-Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits) {
+Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits,
+             Shape* shape) {
   const std::lock_guard lock(parser_mutex());
-  return Front(source, arena, sink, limits).program();
+  return Front(source, arena, sink, limits, shape).program();
 }
 
 bool is_complete(const Source& source, const ParseLimits& limits) {

@@ -7,6 +7,7 @@
 #include "armlet/interpreter/engine.hpp"
 #include "syntax/arena.hpp"
 #include "syntax/ast.hpp"
+#include "syntax/shape.hpp"
 
 namespace armlet::lang {
 
@@ -19,9 +20,9 @@ struct Parsed {
 // Reads a program. The tree lives in `arena` and refers to the text of `source`; both must outlive
 // it. Text of any kind ends with a tree or with messages in `sink`, after a time in proportion to
 // its length. Safe to call from any thread; ANTLR's caches are shared, so calls wait for each
-// other.
+// other. If `shape` is given, it is filled too; it is whole if the result is ok.
 [[nodiscard]] Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink,
-                           const ParseLimits& limits = {});
+                           const ParseLimits& limits = {}, Shape* shape = nullptr);
 
 // Whether the prompt should read the text now, or wait for more lines: a bracket is open, or the
 // last line goes on.

@@ -3,15 +3,19 @@
 // and their handling.
 
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace armlet::lang {
 
 class RandomProgram {
  public:
-  explicit RandomProgram(std::uint64_t seed) : random_(seed) {}
+  explicit RandomProgram(std::uint64_t seed) : random_(std::mt19937_64(seed)) {}
+  // Choices taken from elsewhere.
+  explicit RandomProgram(std::function<std::uint64_t()> random) : random_(std::move(random)) {}
 
   std::string text() {
     std::string out =
@@ -276,7 +280,7 @@ class RandomProgram {
     return out + "\n";
   }
 
-  std::mt19937_64 random_;
+  std::function<std::uint64_t()> random_;
   std::vector<std::string> kAssign_ = {"=", "+=", "-=", "*="};
   std::vector<std::string> ints_;
   std::vector<std::string> reals_;

@@ -205,6 +205,23 @@ class TreeDump {
     });
   }
 
+  // Blanks at the ends of its lines say nothing.
+  void doc(std::string_view text) {
+    if (text.empty()) return;
+    add(" \"");
+    std::size_t blanks = 0;
+    for (const char c : text) {
+      if (c == ' ' || c == '\t') {
+        ++blanks;
+        continue;
+      }
+      if (c != '\n') out_.append(blanks, ' ');
+      blanks = 0;
+      out_ += c;
+    }
+    add("\"");
+  }
+
   void statements(const char* head, ast::Seq<ast::Stmt*> list_of) {
     list(head, list_of, [&](const ast::Stmt* one) { statement(one); });
   }
@@ -269,8 +286,8 @@ void TreeDump::declaration(const ast::Stmt* stmt) {
   using K = ast::StmtKind;
   switch (stmt->kind) {
     case K::kVar:
-      add(stmt->as<ast::VarStmt>().fixed ? "let" : "var",
-          stmt->as<ast::VarStmt>().doc.empty() ? "" : " doc");
+      add(stmt->as<ast::VarStmt>().fixed ? "let" : "var");
+      doc(stmt->as<ast::VarStmt>().doc);
       return list("", stmt->as<ast::VarStmt>().declarators, [&](const ast::Declarator& one) {
         add(one.name.text, ":");
         type(one.type);
@@ -280,19 +297,23 @@ void TreeDump::declaration(const ast::Stmt* stmt) {
     case K::kObject:
       type(stmt->as<ast::ObjectStmt>().type);
       add(" ", stmt->as<ast::ObjectStmt>().name.text);
+      doc(stmt->as<ast::ObjectStmt>().doc);
       return items(stmt->as<ast::ObjectStmt>().items);
     case K::kFunction: {
       const auto& function = stmt->as<ast::FunctionStmt>();
       add(function.name.text);
+      doc(function.doc);
       params("", function.params);
       type(function.result);
       return function.body != nullptr ? statement(function.body) : value(function.value);
     }
     case K::kStruct:
       add(stmt->as<ast::StructStmt>().name.text);
+      doc(stmt->as<ast::StructStmt>().doc);
       return params("fields", stmt->as<ast::StructStmt>().fields);
     case K::kEnum:
       add(stmt->as<ast::EnumStmt>().name.text);
+      doc(stmt->as<ast::EnumStmt>().doc);
       return list("", stmt->as<ast::EnumStmt>().values,
                   [&](const ast::Name& name) { add(name.text); });
     case K::kImport:

@@ -1,0 +1,87 @@
+#include "armlet/interpreter/format.hpp"
+
+#include <algorithm>
+
+#include "format/columns.hpp"
+#include "format/lay_out.hpp"
+#include "format/layout.hpp"
+#include "syntax/lex.hpp"
+#include "syntax/parse.hpp"
+
+namespace armlet {
+namespace lang {
+namespace {
+
+struct Reading {
+  Shape shape;
+  bool ok = false;
+};
+
+Reading read(const Source& source, DiagnosticSink& sink) {
+  Reading out;
+  Arena arena;
+  out.ok = parse(source, arena, sink, {}, &out.shape).ok;
+  return out;
+}
+
+// As most of the text does it: by what ends its first line.
+std::string_view line_end_of(std::string_view text) {
+  const std::size_t at = text.find_first_of("\r\n");
+  return at != std::string_view::npos && text.substr(at).starts_with("\r\n") ? "\r\n" : "\n";
+}
+
+// Two comments say the same, however their lines end.
+std::string bare_comment(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+    out += text[i] == '\r' ? '\n' : text[i];
+  }
+  return out.substr(0, out.find_last_not_of(" \t\f\v\n") + 1);
+}
+
+}  // namespace
+
+std::string lay_out(const Source& source, const Shape& shape) {
+  const std::uint32_t begin = program_range(source).begin;
+  const std::string_view line_end = line_end_of(source.text());
+  const Doc doc = Layout(source, shape, begin).program();
+  std::vector<OutLine> lines = print(doc);
+  const auto is_empty = [](const OutLine& line) {
+    return line.text.empty() && line.remark.empty();
+  };
+  // The first line ends where the program begins: after a line with #!, or before everything.
+  std::string out(source.text().substr(0, begin));
+  while (out.ends_with('\r')) out.pop_back();
+  if (out.find("#!") != std::string::npos) {
+    out += line_end;
+    lines.erase(lines.begin());
+  } else {
+    while (!lines.empty() && is_empty(lines.front())) lines.erase(lines.begin());
+  }
+  while (!lines.empty() && is_empty(lines.back())) lines.pop_back();
+  return out + aligned(std::move(lines), line_end);
+}
+
+bool same_comments(const Shape& a, const Source& a_text, const Shape& b, const Source& b_text) {
+  return std::ranges::equal(a.comments, b.comments, [&](Span one, Span other) {
+    return bare_comment(a_text.slice(one)) == bare_comment(b_text.slice(other));
+  });
+}
+
+}  // namespace lang
+
+Formatted format_program(const Source& source) {
+  DiagnosticSink sink(ParseLimits{}.errors);
+  const lang::Reading before = lang::read(source, sink);
+  if (!before.ok) return {.problems = sink.take_sorted()};
+  const Source result(source.name(), lang::lay_out(source, before.shape));
+  DiagnosticSink none;
+  const lang::Reading after = lang::read(result, none);
+  const bool same = after.ok && lang::same_shape(before.shape, source, after.shape, result) &&
+                    lang::same_comments(before.shape, source, after.shape, result);
+  if (!same) return {.text = std::string(source.text()), .changed_meaning = true};
+  return {.text = std::string(result.text())};
+}
+
+}  // namespace armlet

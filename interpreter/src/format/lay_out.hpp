@@ -1,0 +1,18 @@
+#pragma once
+// A program laid out, and what must be the same before and after.
+
+#include <string>
+
+#include "syntax/shape.hpp"
+
+namespace armlet::lang {
+
+// The text of a program in the layout of docs/formatting.md.
+[[nodiscard]] std::string lay_out(const Source& source, const Shape& shape);
+
+// Whether two programs have the same comments in the same order; blanks at the ends of their lines
+// do not count.
+[[nodiscard]] bool same_comments(const Shape& a, const Source& a_text, const Shape& b,
+                                 const Source& b_text);
+
+}  // namespace armlet::lang

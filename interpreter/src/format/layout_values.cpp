@@ -1,0 +1,138 @@
+// Values: chains of operators, and lists in brackets.
+
+#include <algorithm>
+#include <utility>
+
+#include "format/layout.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// Operators of one chain: 1 + 2 - 3. Zero: no operator whose chain is broken over lines.
+int chain_level(std::string_view op) {
+  if (op == "*" || op == "/" || op == "%" || op == "\\" || op == ".*" || op == "./") return 6;
+  if (op == "+" || op == "-") return 5;
+  if (op == "<" || op == "<=" || op == ">" || op == ">=") return 4;
+  if (op == "==" || op == "!=") return 3;
+  if (op == "&&") return 2;
+  if (op == "||") return 1;
+  return 0;
+}
+
+}  // namespace
+
+Doc Layout::expression(const ShapeNode& node, Lead lead) {
+  if (node.parts.size() == 3 && node.parts[1].rule == Rule::kToken) {
+    if (chain_level(text_of(node.parts[1].token)) > 0) return chain(node, lead);
+    if (is(node.parts[1], "until")) return choice(node, lead);
+  }
+  if (node.parts.size() == 5 && is(node.parts[1], "?")) return choice(node, lead);
+  return sequence(node, lead, false);
+}
+
+// A broken chain has each operator at the start of a line.
+Doc Layout::chain(const ShapeNode& node, Lead lead) {
+  const auto level_of = [&](const ShapeNode& at) {
+    const bool is_binary =
+        at.rule == Rule::kExpr && at.parts.size() == 3 && at.parts[1].rule == Rule::kToken;
+    return is_binary ? chain_level(text_of(at.parts[1].token)) : 0;
+  };
+  const int level = level_of(node);
+  std::vector<const ShapeNode*> links;  // the last one first
+  const ShapeNode* first = &node;
+  for (; level_of(*first) == level; first = &first->parts[0]) links.push_back(first);
+  const int columns = chain_indent();
+  Doc head = this->node(*first, Lead::kDone);
+  const bool before = std::exchange(in_header_, false);
+  Doc rest;
+  for (auto link = links.rbegin(); link != links.rend(); ++link) {
+    rest.add(token((*link)->parts[1].token, Lead::kLine));
+    rest.add(this->node((*link)->parts[2], Lead::kSpace));
+  }
+  in_header_ = before;
+  Doc inner;
+  inner.add(std::move(head));
+  inner.add(indent(std::move(rest), columns));
+  return behind_lead(node, lead, std::move(inner));
+}
+
+// a ? b : c, and motion until condition
+Doc Layout::choice(const ShapeNode& node, Lead lead) {
+  Doc inner;
+  inner.add(this->node(node.parts[0], Lead::kDone));
+  Doc rest;
+  for (std::size_t i = 1; i + 1 < node.parts.size(); i += 2) {
+    rest.add(token(node.parts[i].token, Lead::kLine));
+    rest.add(this->node(node.parts[i + 1], Lead::kSpace));
+  }
+  inner.add(indent(std::move(rest), chain_indent()));
+  return behind_lead(node, lead, std::move(inner));
+}
+
+// A group, without what stands in front of it: that belongs to what is around.
+Doc Layout::behind_lead(const ShapeNode& node, Lead lead, Doc inner) const {
+  Doc out;
+  out.add(lead_of(node.token, lead));
+  out.add(group(std::move(inner)));
+  return out;
+}
+
+// A value of one word, such as -0.5: many of them share a line.
+bool Layout::is_short(const ShapeNode& node) const {
+  return node.rule == Rule::kToken ||
+         (node.rule == Rule::kExpr && node.parts.size() == 2 &&
+          node.parts[0].rule == Rule::kToken && node.parts[1].rule == Rule::kToken);
+}
+
+// From the bracket at part `open` to the one that closes it: on one line if it fits, otherwise an
+// item to a line; plain numbers fill their lines, and rows of a matrix have a line each. If it is
+// all that a statement assigns, it stays open where the author opened it.
+Doc Layout::brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is_value) {
+  const std::size_t close = closing_part(node, open);
+  const std::uint32_t closer = node.parts[close].token;
+  std::vector<const ShapeNode*> items;
+  for (std::size_t i = open + 1; i < close; ++i) {
+    const ShapeNode& part = node.parts[i];
+    if (part.rule != Rule::kParams && part.rule != Rule::kRow) {
+      items.push_back(&part);
+      continue;
+    }
+    for (const ShapeNode& inner : part.parts) items.push_back(&inner);
+  }
+  Doc out;
+  out.add(token(node.parts[open].token, lead));
+  if (items.empty() && !gaps_[closer].has_break()) {
+    out.add(comments_at_end(closer, false));
+    out.add(text(text_of(closer)));
+    return out;
+  }
+
+  const bool before = std::exchange(in_header_, false);
+  const bool is_matrix = std::ranges::any_of(items, [&](auto* item) { return is(*item, ";"); });
+  const bool fills = is_matrix || std::ranges::all_of(items, [&](auto* i) { return is_short(*i); });
+  const bool can_open = is_value && !is(node.parts[open], "(");
+  bool opened = can_open && gaps_[node.parts[open].token + 1].has_break();
+  Doc inner;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Lead here = Lead::kTight;
+    if (i == 0) {
+      here = Lead::kSoft;
+    } else if (is(*items[i - 1], ";")) {
+      here = Lead::kLine;
+      opened = opened || (can_open && gaps_[items[i]->token].has_break());
+    } else if (is(*items[i - 1], ",")) {
+      here = fills ? Lead::kFill : Lead::kLine;
+    }
+    inner.add(this->node(*items[i], here));
+  }
+  inner.add(comments_at_end(closer, false));
+  in_header_ = before;
+  Doc lines;
+  const bool hugs = inner.body && !opened;  // statements inside indent themselves
+  lines.add(indent(std::move(inner), hugs ? 0 : kIndentWidth));
+  lines.add(token_without_comments(closer, Lead::kSoft));
+  out.add(opened ? body(std::move(lines), false) : group(std::move(lines)));
+  return out;
+}
+
+}  // namespace armlet::lang

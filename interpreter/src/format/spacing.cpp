@@ -1,0 +1,79 @@
+// Which tokens touch.
+
+#include <algorithm>
+
+#include "format/layout.hpp"
+
+namespace armlet::lang {
+namespace {
+
+bool is_plain_number(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || c == '_'; });
+}
+
+bool is_quantity(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (text.empty() || !(is_digit(text[0]) || text[0] == '.')) return false;
+  const char last = text.back();
+  return !is_digit(last) && last != '.' && last != '_';
+}
+
+// Rules whose tokens all touch: pal.Pallet, force/length^2, double[], 1:4.
+bool is_tight(Rule rule) {
+  return rule == Rule::kTypeName || rule == Rule::kDimType || rule == Rule::kDimFactor ||
+         rule == Rule::kType || rule == Rule::kIndexItem || rule == Rule::kNewDim;
+}
+
+}  // namespace
+
+// What stands in front of part `part`, which is not the first one.
+Lead Layout::between(const ShapeNode& node, std::size_t part) const {
+  const ShapeNode& right = node.parts[part];
+  if (shape_.tokens[right.token].inserted || is(right, ",") || is(right, ";")) return Lead::kTight;
+  if (is_tight(node.rule)) return Lead::kTight;
+  switch (node.rule) {
+    case Rule::kExpr:
+      return between_operands(node, part);
+    case Rule::kExprStmt: {  // i++
+      const bool is_step =
+          is(node.parts[0], "++") || is(node.parts[0], "--") || is(right, "++") || is(right, "--");
+      return is_step ? Lead::kTight : Lead::kSpace;
+    }
+    case Rule::kWaitStmt:  // wait(2s), wait 2s
+      return node.parts.size() == 2 && text_of(right.token) == "(" ? Lead::kTight : Lead::kSpace;
+    case Rule::kPrimary:
+    case Rule::kBlockItem:
+      return right.rule == Rule::kArgs || is(right, ":") ? Lead::kTight : Lead::kSpace;
+    case Rule::kFnDecl:
+    case Rule::kLambda:
+    case Rule::kFnType:
+      return is(right, "(") ? Lead::kTight : Lead::kSpace;
+    case Rule::kForHeader:
+      return Lead::kSpace;
+    case Rule::kNewArray:
+      if (right.rule == Rule::kNewDim) return Lead::kTight;
+      [[fallthrough]];
+    default:
+      return is(right, "[") || is(right, ":") ? Lead::kTight : Lead::kSpace;
+  }
+}
+
+// Operators with one operand touch it, `^` touches both if they are words.
+Lead Layout::between_operands(const ShapeNode& node, std::size_t part) const {
+  const ShapeNode& left = node.parts[part - 1];
+  const ShapeNode& right = node.parts[part];
+  const std::string_view before = text_of(last_token(left));
+  if (right.rule == Rule::kArgs || is(right, "[") || is(left, ".")) return Lead::kTight;
+  if (is(right, ".")) return is_plain_number(before) ? Lead::kSpace : Lead::kTight;
+  if (node.parts.size() == 2) {  // -x, but - -x
+    return text_of(right.token)[0] == before[0] && before != "!" ? Lead::kSpace : Lead::kTight;
+  }
+  if (is(left, "^") || is(right, "^")) {  // l^2, but (a + b) ^ 2, and never 2m^2 for 2m ^ 2
+    const bool touch = is_short(node.parts[0]) && is_short(node.parts[2]) &&
+                       !is_quantity(text_of(last_token(node.parts[0])));
+    return touch ? Lead::kTight : Lead::kSpace;
+  }
+  return Lead::kSpace;
+}
+
+}  // namespace armlet::lang
