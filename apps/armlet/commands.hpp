@@ -10,6 +10,7 @@ namespace armlet::cli {
 
 enum Exit : int {
   kDone = 0,
+  kUnformatted = 1,
   kUsage = 64,
   kRejected = 65,
   kNoFile = 66,
@@ -33,10 +34,17 @@ struct RunOptions {
   bool quiet = false;  // no progress, no summary
 };
 
+struct FormatOptions {
+  std::vector<std::string> files;  // "-" is standard input
+  bool check = false;              // name what would change, change nothing
+  bool json = false;
+};
+
 int run(const RunOptions& options);
 int check(const ProgramOptions& options, const std::vector<std::string>& files);
 int test(const ProgramOptions& options, const std::vector<std::string>& files);
 int disasm(const ProgramOptions& options, const std::string& file);
+int format(const FormatOptions& options);
 int explain(const std::string& code);
 int help(const std::string& name, bool markdown);
 

@@ -28,26 +28,40 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
   command.add_flag("--json", options.json, "messages as JSON, one object per line");
 }
 
+CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
+  CLI::App* command = app.add_subcommand("run", "check a program and run it");
+  command->add_option("FILE", options.file, "the program")->required();
+  add_program_options(*command, options.program);
+  command
+      ->add_option("--trace", options.trace,
+                   "write joints, hand and objects over time to a .csv or .jsonl file")
+      ->type_name("FILE");
+  command->add_flag("--realtime", options.realtime, "run no faster than the wall clock");
+  command->add_flag("--quiet", options.quiet, "show no moves and no summary");
+  return command;
+}
+
+CLI::App* add_format_command(CLI::App& app, FormatOptions& options) {
+  CLI::App* command = app.add_subcommand("fmt", "lay programs out, each in its file");
+  command->add_option("FILE", options.files, "the programs; - for standard input and output")
+      ->required();
+  command->add_flag("--check", options.check,
+                    "change nothing; name the files that would change and exit with 1");
+  command->add_flag("--json", options.json, "messages as JSON, one object per line");
+  return command;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app("Armlet: a small language for robot arms.");
   app.set_version_flag("--version", "armlet " ARMLET_VERSION);
   app.require_subcommand(1);
   app.footer(
       "Examples:\n  armlet run examples/01_pick_and_place.rbt\n  armlet explain E0401\n\n"
-      "Exit status: 0 ran, 64 wrong usage, 65 program rejected, 66 file not read, 70 program "
-      "failed, 130 stopped.");
+      "Exit status: 0 ran, 1 to be laid out (fmt --check), 64 wrong usage, 65 program rejected, "
+      "66 file not read, 70 program failed, 130 stopped.");
 
   RunOptions run_options;
-  CLI::App* run_command = app.add_subcommand("run", "check a program and run it");
-  run_command->add_option("FILE", run_options.file, "the program")->required();
-  add_program_options(*run_command, run_options.program);
-  run_command
-      ->add_option("--trace", run_options.trace,
-                   "write joints, hand and objects over time to a .csv or .jsonl file")
-      ->type_name("FILE");
-  run_command->add_flag("--realtime", run_options.realtime, "run no faster than the wall clock");
-  run_command->add_flag("--quiet", run_options.quiet, "show no moves and no summary");
-
+  CLI::App* run_command = add_run_command(app, run_options);
   ProgramOptions options;
   std::vector<std::string> files;
   CLI::App* check_command = app.add_subcommand("check", "look for mistakes without running");
@@ -62,6 +76,8 @@ int dispatch(int argc, char** argv) {
       app.add_subcommand("disasm", "show the instructions that a program is compiled to");
   disasm_command->add_option("FILE", file, "the program")->required();
   add_program_options(*disasm_command, options);
+  FormatOptions format_options;
+  CLI::App* format_command = add_format_command(app, format_options);
   std::string code;
   CLI::App* explain_command =
       app.add_subcommand("explain", "say what a message means, with a wrong and a right program");
@@ -84,6 +100,7 @@ int dispatch(int argc, char** argv) {
   if (test_command->parsed()) return test(options, files);
   if (disasm_command->parsed()) return disasm(options, file);
   if (help_command->parsed()) return help(name, markdown);
+  if (format_command->parsed()) return format(format_options);
   return explain_command->parsed() ? explain(code) : kUsage;
 }
 
