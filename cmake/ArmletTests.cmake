@@ -24,6 +24,14 @@ function(armlet_add_script_tests folder)
   endforeach()
 endfunction()
 
+# The examples are laid out, and the command does to files what it says.
+function(armlet_add_format_tests)
+  file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.rbt)
+  add_test(NAME source.examples COMMAND armlet fmt --check ${examples})
+  add_test(NAME fmt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fmt_command.py
+           $<TARGET_FILE:armlet>)
+endfunction()
+
 # Installs this build into a folder of its own, then builds and runs the program in tests/embed against it.
 function(armlet_add_embed_test)
   set(prefix ${CMAKE_CURRENT_BINARY_DIR}/installed)

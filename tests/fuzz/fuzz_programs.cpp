@@ -1,0 +1,20 @@
+// Compiler and machine: programs that the bytes generate pass the checker and end within their
+// limits.
+
+#include "../unit/interpreter/random_program.hpp"
+#include "target.hpp"
+
+using namespace armlet;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::size_t at = 0;
+  lang::RandomProgram program([&]() -> std::uint64_t { return at < size ? data[at++] : 0U; });
+  Session session(fuzz::engine(), fuzz::small_session());
+  const bool good = session.compile(program.text(), "fuzz.rbt");
+  fuzz::show_all(session);
+  fuzz::demand(good, "a generated program passes the checker");
+  const RunResult result = session.run();
+  fuzz::demand(result.status != RunStatus::kCancelled,
+               "a program that does not wait is not stopped");
+  return 0;
+}
