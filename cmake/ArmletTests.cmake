@@ -49,3 +49,23 @@ function(armlet_add_embed_test)
   set_tests_properties(embed.install PROPERTIES FIXTURES_SETUP installed_package)
   set_tests_properties(embed.host PROPERTIES FIXTURES_REQUIRED installed_package)
 endfunction()
+
+# What the sources must be like, what the documents say, and input that nobody would mean.
+function(armlet_add_source_tests)
+  foreach(source layers messages sizes)
+    add_test(NAME source.${source} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${source}.py)
+  endforeach()
+  add_test(NAME docs.stdlib
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py $<TARGET_FILE:armlet>)
+  add_test(NAME docs.programs
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/snippets.py $<TARGET_FILE:armlet> ${PROJECT_SOURCE_DIR})
+  add_test(NAME hostile COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/hostile.py $<TARGET_FILE:armlet>)
+endfunction()
+
+# Programs with a token missing: a part of them in test_stdlib, all of them by a program of its own.
+function(armlet_add_deletions)
+  target_sources(test_stdlib PRIVATE support/deletions.cpp)
+  add_executable(token_deletions EXCLUDE_FROM_ALL support/token_deletions.cpp support/deletions.cpp)
+  armlet_compile_options(token_deletions)
+  target_link_libraries(token_deletions PRIVATE armlet::stdlib fmt::fmt)
+endfunction()

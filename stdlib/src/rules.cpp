@@ -159,6 +159,7 @@ namespace {
 
 // W0702: radians that look like degrees.
 constexpr double kManyTurns = 4.0 * std::numbers::pi;
+constexpr double kNoAngle = 1e6;  // from here on, infinity included, it is no angle in degrees
 
 void advise_degrees(CheckCall& call, const std::vector<Constant>& items, const RobotFact* robot) {
   int first = -1;
@@ -166,7 +167,8 @@ void advise_degrees(CheckCall& call, const std::vector<Constant>& items, const R
   std::vector<Edit> edits;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const bool turns = robot == nullptr || i >= robot->turns.size() || robot->turns[i];
-    const bool many = turns && std::abs(items[i].real) > kManyTurns;
+    const double size = std::abs(items[i].real);
+    const bool many = turns && size > kManyTurns && size < kNoAngle;
     if (many && first < 0) first = static_cast<int>(i);
     const Span origin = call.origin(0, static_cast<int>(i));
     if (origin.empty()) return;

@@ -167,11 +167,10 @@ class Printer {
 
 }  // namespace
 
-Doc& Doc::add(Doc part) {
+void Doc::add(Doc part) {
   forced = forced || part.forced;
   body = body || part.body;
   parts.push_back(std::move(part));
-  return *this;
 }
 
 Doc text(std::string_view text) { return {.kind = DocKind::kText, .text = text}; }
@@ -182,13 +181,15 @@ Doc hard_break(bool blank) { return {.kind = DocKind::kBreak, .blank = blank}; }
 
 Doc indent(Doc inner, int columns) {
   Doc out{.kind = DocKind::kIndent, .number = columns};
-  return out.add(std::move(inner));
+  out.add(std::move(inner));
+  return out;
 }
 
 Doc group(Doc inner) {
   Doc out{.kind = DocKind::kGroup};
   out.hugs = inner.body;
-  return out.add(std::move(inner));
+  out.add(std::move(inner));
+  return out;
 }
 
 Doc body(Doc inner, bool may_be_flat) {

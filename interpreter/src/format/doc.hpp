@@ -37,7 +37,7 @@ struct Doc {
   bool hugs = false;    // kGroup: its lines are flat, whatever the groups inside decide
   std::vector<Doc> parts = {};
 
-  Doc& add(Doc part);
+  void add(Doc part);
 };
 
 [[nodiscard]] Doc text(std::string_view text);

@@ -5,6 +5,8 @@
 namespace armlet::lang {
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // takes no column
+
 int count_breaks(std::string_view text) {
   int count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -32,6 +34,8 @@ int display_column(const Source& source, std::uint32_t offset) {
   std::string_view before = source.text().substr(0, offset);
   if (const std::size_t at = before.find_last_of("\r\n"); at != std::string_view::npos)
     before.remove_prefix(at + 1);
+  if (before.data() == source.text().data() && before.starts_with(kByteOrderMark))
+    before.remove_prefix(kByteOrderMark.size());
   return text_width(before);
 }
 

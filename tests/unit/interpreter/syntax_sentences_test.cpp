@@ -267,9 +267,14 @@ class Roughener {
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
       if (!needed[i - 1]) tokens_[i].line_break_before = below(4) == 0;
     }
-    const std::vector<bool> now = ends_behind(tokens_);
-    for (std::size_t i = 1; i < tokens_.size(); ++i) {
-      if (now[i - 1] && !needed[i - 1]) tokens_[i].line_break_before = false;
+    for (bool changed = true; changed;) {  // where one statement ends decides about later ones
+      changed = false;
+      const std::vector<bool> now = ends_behind(tokens_);
+      for (std::size_t i = 1; i < tokens_.size(); ++i) {
+        if (!now[i - 1] || needed[i - 1] || !tokens_[i].line_break_before) continue;
+        tokens_[i].line_break_before = false;
+        changed = true;
+      }
     }
   }
 
