@@ -20,7 +20,6 @@ ELSEWHERE = {
     "E0198": None,  # a defect of Armlet, or no memory left
     "E0220": "tests/unit/interpreter/host_vocabulary_test.cpp",  # the command always supplies a robot
     "E0319": "tests/unit/interpreter/host_vocabulary_test.cpp",  # no functions of the library are a tie
-    "R0618": "tests/unit/stdlib/host_test.cpp",  # needs two tasks
     "R0628": "tests/hostile.py",  # fills a gigabyte
     "R0629": "tests/hostile.py",  # needs a signal
     "R0632": "tests/unit/interpreter/vm_test.cpp",  # no function of the library calls back yet
