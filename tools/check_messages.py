@@ -20,7 +20,6 @@ ELSEWHERE = {
     "E0198": None,  # a defect of Armlet, or no memory left
     "E0220": "tests/unit/interpreter/host_vocabulary_test.cpp",  # the command always supplies a robot
     "E0319": "tests/unit/interpreter/host_vocabulary_test.cpp",  # no functions of the library are a tie
-    "R0618": "tests/unit/stdlib/host_test.cpp",  # needs two tasks
     "R0628": "tests/hostile.py",  # fills a gigabyte
     "R0629": "tests/hostile.py",  # needs a signal
     "R0632": "tests/unit/interpreter/vm_test.cpp",  # no function of the library calls back yet
@@ -29,12 +28,8 @@ ELSEWHERE = {
 
 # Codes of the catalogue that nothing can raise yet, and what they wait for.
 RESERVED = {
-    "E0501": "parallel",
     "E0502": "path",
-    "E0507": "parallel",
     "R0614": "collisions of robots",
-    "R0618": "halt",
-    "W0706": "every",
     "W0711": "collisions of robots",
 }
 

@@ -94,6 +94,8 @@ class Evaluator {
   [[nodiscard]] Value& cell(Value& matrix, Index at, Span where) const;
 
   // ---- calls
+  [[nodiscard]] Value over_list(const lang::hir::OverListExpr& e);
+  [[nodiscard]] Value look_up(const lang::hir::OverListExpr& e, const Values& operands);
   [[nodiscard]] Value call_native(const lang::hir::CallNativeExpr& e);
   // depth  how much deeper the calls are nested afterwards.
   [[nodiscard]] Value call(const lang::hir::Function& function, Values arguments,

@@ -87,6 +87,8 @@ Value Evaluator::evaluate_made(const Expr& e) {
     }
     case ExprKind::kCallNative:
       return call_native(e.as<CallNativeExpr>());
+    case ExprKind::kOverList:
+      return over_list(e.as<OverListExpr>());
     case ExprKind::kMatrix:
       return matrix(e.as<MatrixExpr>());
     case ExprKind::kPart:

@@ -123,6 +123,12 @@ std::string RandomProgram::integer(int depth) {
     case 14:
       return "sum(" + expr(list_of(int_), depth - 1) + ")";
     case 15:
+      if (one_in(2)) return "indexOf(" + expr(list_of(int_), 0) + ", " + a + ")";
+      if (one_in(2)) {
+        const Ty* element = scalar();
+        return "fold(" + expr(list_of(element), 0) + ", " + a + ", " +
+               lambda(function_type({int_, element}, int_)) + ")";
+      }
       return "clamp(" + a + ", 0, 9)";
     default:
       return "(" + a + " + " + b() + " - 1)";
@@ -227,6 +233,11 @@ std::string RandomProgram::truth(int depth) {
       return "(" + expr(type, depth - 1) + one_of(kSame) + expr(type, depth - 1) + ")";
     }
     case 6:
+      if (one_in(2)) {
+        const Ty* element = scalar();
+        return std::string(one_in(2) ? "any(" : "all(") + expr(list_of(element), 0) + ", " +
+               visitor(element, bool_) + ")";
+      }
       return "startsWith(" + expr(text_, depth - 1) + ", " + expr(text_, depth - 1) + ")";
     default:
       return "(" + expr(int_, depth - 1) + one_of(kOrder) + expr(int_, depth - 1) + ")";
@@ -291,6 +302,14 @@ std::string RandomProgram::list(const Ty* type, int depth) {
     return one_in(2) ? "grid[" + leaf(int_) + ", " + stretch() + "]"
                      : "grid[:, " + leaf(int_) + "]";
   }
+  if (one_in(8)) {
+    const Ty* element = scalar();
+    return "map(" + expr(list_of(element), 0) + ", " + visitor(element, type->element) + ")";
+  }
+  if (one_in(12))
+    return "filter(" + expr(type, depth - 1) + ", " + visitor(type->element, bool_) + ")";
+  if (one_in(16))
+    return "sort(" + expr(type, depth - 1) + ", by: " + visitor(type->element, int_) + ")";
   const bool numbers = type->element->is(Sort::kInt) || type->element->is(Sort::kReal);
   switch (below(10)) {
     case 0: {
@@ -356,6 +375,11 @@ std::string RandomProgram::function_value(const Ty* type) {
     }
   }
   return lambda(type);
+}
+
+// What map, filter and their like call.
+std::string RandomProgram::visitor(const Ty* element, const Ty* result) {
+  return lambda(function_type({element}, result));
 }
 
 // It sees what is in sight, but cannot change it.

@@ -153,6 +153,7 @@ class RandomProgram {
   void mutation();
   void grid_assignment();
   std::string stretch();
+  std::string visitor(const Ty* element, const Ty* result);
   void aliasing();
   void show();
   void conditional();

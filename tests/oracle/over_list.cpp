@@ -1,0 +1,82 @@
+// Functions of lists that visit every element: plain loops.
+
+#include <algorithm>
+
+#include "evaluator.hpp"
+
+namespace armlet::oracle {
+
+using namespace lang::hir;
+
+namespace {
+
+bool comes_before(const Value& a, const Value& b) {
+  if (std::holds_alternative<std::int64_t>(a.is)) return a.integer() < b.integer();
+  if (std::holds_alternative<double>(a.is)) return a.real() < b.real();
+  return a.text() < b.text();
+}
+
+}  // namespace
+
+Value Evaluator::over_list(const OverListExpr& e) {
+  const Values operands = evaluate_all(e.operands);
+  const Values& items = operands[0].list().items;
+  const auto run = [&](Values arguments) {
+    const Closure& function = operands.back().closure();
+    return call(*function.function, std::move(arguments), function.captures, e.span);
+  };
+  List out;
+  switch (e.verb) {
+    case ListVerb::kMap:
+      for (const Value& item : items) out.items.push_back(run({item}));
+      return {std::move(out)};
+    case ListVerb::kFilter:
+      for (const Value& item : items) {
+        if (run({item}).truth()) out.items.push_back(item);
+      }
+      return {std::move(out)};
+    case ListVerb::kFold: {
+      Value all = operands[1];
+      for (const Value& item : items) all = run({all, item});
+      return all;
+    }
+    case ListVerb::kAny:
+    case ListVerb::kAll:
+      for (const Value& item : items) {
+        if (run({item}).truth() == (e.verb == ListVerb::kAny)) return {e.verb == ListVerb::kAny};
+      }
+      return {e.verb == ListVerb::kAll};
+    case ListVerb::kSort: {
+      std::vector<std::pair<Value, Value>> keyed;
+      for (const Value& item : items) keyed.emplace_back(run({item}), item);
+      std::ranges::stable_sort(keyed, comes_before,
+                               [](const auto& pair) -> const Value& { return pair.first; });
+      for (auto& [key, item] : keyed) out.items.push_back(std::move(item));
+      return {std::move(out)};
+    }
+    default:
+      return look_up(e, operands);
+  }
+}
+
+// zip, contains, indexOf.
+Value Evaluator::look_up(const OverListExpr& e, const Values& operands) {
+  const Values& items = operands[0].list().items;
+  if (e.verb == ListVerb::kZip) {
+    const Values& others = operands[1].list().items;
+    if (items.size() != others.size())
+      fail("R0613", e.span,
+           {std::to_string(items.size()) + " and " + std::to_string(others.size()) + " values"});
+    List out;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      out.items.push_back({Record{{items[i], others[i]}, nullptr}});
+    return {std::move(out)};
+  }
+  const auto found =
+      std::ranges::find_if(items, [&](const Value& item) { return equal(item, operands[1]); });
+  if (e.verb == ListVerb::kContains) return {found != items.end()};
+  return {found == items.end() ? std::int64_t{-1}
+                               : static_cast<std::int64_t>(found - items.begin())};
+}
+
+}  // namespace armlet::oracle
