@@ -107,6 +107,7 @@ Report compare(const Engine& engine, const std::string& program) {
   if (first.program == nullptr) {
     for (const Diagnostic& d : first.diagnostics) {
       if (d.severity != Severity::kError) continue;
+      if (d.code == "E0305") break;  // sizes that the text happens to show: both refuse them
       report.not_compiled =
           ending(*first.sources, d.code, d.message, d.mark.span) +
           std::string((*first.sources)[0].line(first.sources->position(d.mark.span).line)) + "\n";

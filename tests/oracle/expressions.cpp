@@ -260,7 +260,10 @@ Value Evaluator::mutate(const MutateExpr& e) {
   Values& items = walk(e.place, where).list().items;
   const auto size = static_cast<std::int64_t>(items.size());
   std::int64_t at = index.absent() ? size : index.integer();
-  if (e.mutation == Mutation::kPop) at = size - 1;
+  if (e.mutation == Mutation::kPop) {
+    if (size == 0) throw Failure{"R0606", "an empty list has no last value", "IndexError", e.span};
+    at = size - 1;
+  }
   if (e.mutation == Mutation::kPush || e.mutation == Mutation::kInsert) {
     if (at < 0 || at > size) fail_index(at, items.size() + 1, e.span);
     items.insert(items.begin() + at, added);

@@ -36,6 +36,8 @@ void Evaluator::fail_index(std::int64_t index, std::size_t size, Span where,
     throw Failure{"R0606", "there is no " + what + " " + number + " in this matrix", "IndexError",
                   where};
   }
+  if (size == 0 && index == -1 && (what == "list" || what == "text"))
+    throw Failure{"R0606", "an empty " + what + " has no last value", "IndexError", where};
   if (size == 0) message = "there is no value " + number + " in an empty " + what;
   throw Failure{"R0606", message, "IndexError", where};
 }

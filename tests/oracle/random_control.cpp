@@ -1,5 +1,7 @@
 // Statements that decide where to go on.
 
+#include <utility>
+
 #include "random_program.hpp"
 
 namespace armlet::oracle {
@@ -167,8 +169,13 @@ void RandomProgram::guarded() {
   }
   if (!catches || one_in(3)) {
     close(" finally {");
+    // It may not be left on any other way than by an error.
+    const auto result = std::exchange(result_, nullptr);
+    const auto loops = std::exchange(loops_, 0);
     body(1);
     if (one_in(4)) leaving();
+    result_ = result;
+    loops_ = loops;
   }
   close();
 }

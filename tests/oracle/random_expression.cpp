@@ -125,7 +125,9 @@ std::string RandomProgram::integer(int depth) {
     case 15:
       if (one_in(2)) return "indexOf(" + expr(list_of(int_), 0) + ", " + a + ")";
       if (one_in(2)) {
-        const Ty* element = scalar();
+        // An int to start from becomes a number of the list's own kind.
+        const Ty* any = scalar();
+        const Ty* element = any->is_floating() ? int_ : any;
         return "fold(" + expr(list_of(element), 0) + ", " + a + ", " +
                lambda(function_type({int_, element}, int_)) + ")";
       }

@@ -146,8 +146,9 @@ void RandomProgram::declare_globals() {
   line("var counter = 0");
   line("var pile = [5, 6, 7, 8]");
   vars_ = {{"counter", int_, true}, {"pile", list_of(int_), true}};
-  has_grid_ = one_in(4);
-  if (has_grid_) line("var grid = [1, 2, 3; 4.5, " + real(1) + ", 6]");
+  const bool with_grid = one_in(4);
+  if (with_grid) line("var grid = [1, 2, 3; 4.5, " + real(1) + ", 6]");
+  has_grid_ = with_grid;
   const std::size_t count = 2 + below(4);
   for (std::size_t i = 0; i < count; ++i) {
     const Ty* type = storable();
@@ -227,7 +228,7 @@ void RandomProgram::declare_generic() {
 // A small function that calls none.
 void RandomProgram::declare_leaf() {
   const bool whole = one_in(2);
-  Function made{"g" + std::to_string(functions_.size()),
+  Function made{"generic" + std::to_string(functions_.size()),
                 {{"a", int_, ""}, {"b", real_, ""}, {"xs", list_of(real_), ""}},
                 whole ? int_ : real_};
   const std::size_t globals = vars_.size();

@@ -399,7 +399,7 @@ hir::Stmt* Checker::check_try(const ast::TryStmt& stmt) {
   for (std::size_t i = 0; i < stmt.catches.size(); ++i) {
     const ast::CatchClause& clause = stmt.catches[i];
     if (i > 0) {
-      Diagnostic diagnostic = make_diagnostic("E0133", clause.body->span);
+      Diagnostic diagnostic = make_diagnostic("E0337", clause.body->span);
       diagnostic.related.push_back({stmt.catches[0].body->span, "this one takes every error"});
       diagnostic.fix = Fix{.text = "use one catch with switch (e.kind) { ... } inside it"};
       report(std::move(diagnostic));

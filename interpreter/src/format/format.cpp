@@ -40,9 +40,7 @@ std::string bare_comment(std::string_view text) {
   return out.substr(0, out.find_last_not_of(" \t\f\v\n") + 1);
 }
 
-}  // namespace
-
-std::string lay_out(const Source& source, const Shape& shape) {
+std::string lay_out_once(const Source& source, const Shape& shape) {
   const std::uint32_t begin = program_range(source).begin;
   const std::string_view line_end = line_end_of(source.text());
   const Doc doc = Layout(source, shape, begin).program();
@@ -61,6 +59,24 @@ std::string lay_out(const Source& source, const Shape& shape) {
   }
   while (!lines.empty() && is_empty(lines.back())) lines.pop_back();
   return out + aligned(std::move(lines), line_end);
+}
+
+constexpr int kMostPasses = 8;
+
+}  // namespace
+
+// A comment in the middle of things may find its place only when the rest stands.
+std::string lay_out(const Source& source, const Shape& shape) {
+  std::string text = lay_out_once(source, shape);
+  for (int pass = 1; pass < kMostPasses; ++pass) {
+    const Source again(source.name(), text);
+    DiagnosticSink none;
+    const Reading reading = read(again, none);
+    std::string next = reading.ok ? lay_out_once(again, reading.shape) : text;
+    if (next == text) break;
+    text = std::move(next);
+  }
+  return text;
 }
 
 bool same_comments(const Shape& a, const Source& a_text, const Shape& b, const Source& b_text) {
