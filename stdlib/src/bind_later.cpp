@@ -13,6 +13,12 @@ constexpr NativeFunction later(std::string_view name, std::string_view signature
   return {.name = name, .signature = signature, .help = feature, .later = true};
 }
 
+constexpr NativeFunction later_motion(std::string_view name, std::string_view signature) {
+  NativeFunction function = later(name, signature);
+  function.pauses = true;
+  return function;
+}
+
 constexpr NativeFunction kFunctions[] = {
     // trajectories and motion
     later("trajectory",
@@ -29,25 +35,26 @@ constexpr NativeFunction kFunctions[] = {
     later("trajectory.duration", "(tr: trajectory) -> time"),
     later("plan", "(r: robot, to: posJ, avoid: bool = true) -> trajectory"),
     later("plan", "(r: robot, to: posC, avoid: bool = true) -> trajectory"),
-    later("follow", "(r: robot, tr: trajectory) -> Move"),
-    later("moveCirc", "(r: robot, via: posC, target: posC, time: time?, speed: speed?) -> Move"),
-    later("moveSpline",
-          "(r: robot, points: posC[], time: time?, traj: string = \"Spline3\") -> Move"),
-    later("moveSpline",
-          "(r: robot, points: posJ[], time: time?, traj: string = \"Spline3\") -> Move"),
-    later("speedJ", "(r: robot, rates: double[], during: time)"),
-    later("speedC", "(r: robot, v: double[], during: time)"),
-    later("speedC", "(r: robot, v: double[], frame: posC, during: time)"),
-    later("speedC", "(r: robot, v: double[], frame: object, during: time)"),
-    later("speedC", "(r: robot, v: double[], frame: camera, during: time)"),
+    later_motion("follow", "(r: robot, tr: trajectory) -> Move"),
+    later_motion("moveCirc",
+                 "(r: robot, via: posC, target: posC, time: time?, speed: speed?) -> Move"),
+    later_motion("moveSpline",
+                 "(r: robot, points: posC[], time: time?, traj: string = \"Spline3\") -> Move"),
+    later_motion("moveSpline",
+                 "(r: robot, points: posJ[], time: time?, traj: string = \"Spline3\") -> Move"),
+    later_motion("speedJ", "(r: robot, rates: double[], during: time)"),
+    later_motion("speedC", "(r: robot, v: double[], during: time)"),
+    later_motion("speedC", "(r: robot, v: double[], frame: posC, during: time)"),
+    later_motion("speedC", "(r: robot, v: double[], frame: object, during: time)"),
+    later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)"),
     // hands with fingers
     later("robots.barrettHand", "(name: string?, on: robot) -> robot"),
     later("finger", "(h: robot, i: int) -> finger"),
-    later("moveJ", "(f: finger, target: posJ, time: time?, speed: double?) -> Move"),
+    later_motion("moveJ", "(f: finger, target: posJ, time: time?, speed: double?) -> Move"),
     later("force", "(f: finger) -> force"),
     later("graspQuality", "(h: robot, o: object) -> GraspQuality"),
-    later("closeHand", "(h: robot, force: force?)"),
-    later("openHand", "(h: robot)"),
+    later_motion("closeHand", "(h: robot, force: force?)"),
+    later_motion("openHand", "(h: robot)"),
     // kinematics and dynamics
     later("ikineAll", "(r: robot, p: posC, limits: bool = true) -> posJ[]"),
     later("setPayload", "(r: robot, m: mass, at: posC?)"),

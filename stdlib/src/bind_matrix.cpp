@@ -8,6 +8,7 @@
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/matrix_product.hpp"
 #include "matrices.hpp"
+#include "values.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -235,9 +236,8 @@ Signal product(Vm& vm, Slot* args) {
   return Signal::kFail;
 }
 
-Signal product_with_list(Vm& vm, Slot* args) {
+Signal product_with(Vm& vm, Slot* args, std::span<const double> x) {
   const MatrixObj& A = matrix_value(args[0]);
-  const auto x = reals_value(args[1]);
   if (A.cols != x.size()) {
     return sizes_differ(vm, fmt::format("{} times {}", size_text(A.rows, A.cols), x.size()), 1,
                         "the matrix needs as many columns as the list has values");
@@ -250,6 +250,13 @@ Signal product_with_list(Vm& vm, Slot* args) {
   }
   multiply_vector(A.data(), x.data(), reinterpret_cast<double*>(y->data), A.rows, A.cols);
   return give(args, y);
+}
+Signal product_with_list(Vm& vm, Slot* args) {
+  return product_with(vm, args, reals_value(args[1]));
+}
+Signal product_with_joints(Vm& vm, Slot* args) {
+  const PosJ& q = posj(args[1]);
+  return product_with(vm, args, {q.q.data(), q.n});
 }
 
 // ---- comparing ---------------------------------------------------------------------------------
@@ -311,6 +318,8 @@ constexpr NativeFunction kFunctions[] = {
      "[1, 2; 3, 4] * [0, 1; 1, 0]", product, nullptr, nullptr, check_product},
     {"operator*", "(A: matrix, v: double[]) -> double[]", "A matrix times a column of values.",
      "[1, 2; 3, 4] * [5.0, 6.0]", product_with_list, nullptr, nullptr, check_product},
+    {"operator*", "(A: matrix, q: posJ) -> double[]", "A matrix times joint values.",
+     "eye(4) * joints()", product_with_joints},
     {"operator*", "(A: matrix, k: double) -> matrix", "Every element times a number.",
      "[1, 2; 3, 4] * 2.0", matrix_times, nullptr, nullptr, check_same_size},
     {"operator*", "(k: double, A: matrix) -> matrix", "Every element times a number.",

@@ -14,11 +14,12 @@ Doc Layout::program() {
 // The parts from `from` to before `to`, each behind `between`; ends of statements touch.
 Doc Layout::statements(const ShapeNode& node, std::size_t from, std::size_t to, Lead between) {
   Doc out;
-  bool first = node.rule != Rule::kProgram;
+  const bool in_braces = node.rule != Rule::kProgram;
+  bool first = true;
   for (std::size_t i = from; i < to; ++i) {
     const ShapeNode& part = node.parts[i];
     if (part.rule == Rule::kToken && shape_.tokens[part.token].inserted) continue;
-    Lead lead = first && between == Lead::kBreak ? Lead::kFirstBreak : between;
+    Lead lead = first && in_braces && between == Lead::kBreak ? Lead::kFirstBreak : between;
     if (!first && (is(part, ";") || is(part, ","))) lead = Lead::kTight;
     out.add(this->node(part, lead));
     first = false;

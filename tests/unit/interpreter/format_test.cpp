@@ -178,6 +178,7 @@ TEST_CASE("byte-order marks and the line breaks of other systems stay") {
   check_laws(
       "\xEF\xBB\xBF"
       "f()      // a comment in a column");
+  CHECK(formatted("#!run\n;f()") == "#!run\n;\nf()\n");
   CHECK(formatted("// only a comment") == "// only a comment\n");
   CHECK(formatted("").empty());
   CHECK(formatted("\n\n").empty());
