@@ -1,0 +1,92 @@
+#include "branches.hpp"
+
+namespace armlet {
+
+Elbow solve_elbow(double lx, double ly, double mx, double my, double X, double Y) {
+  Elbow out;
+  const double l = std::sqrt(lx * lx + ly * ly);
+  const double m = std::sqrt(mx * mx + my * my);
+  const double R = std::sqrt(X * X + Y * Y);
+  const double size = l + m;
+  if (l < 1e-12 || m < 1e-12) return out;
+  // (1 - c)(1 + c) as a product of lengths keeps all digits where the arm is stretched or folded.
+  double h2 = (size - R) * (size + R) * (R - (l - m)) * (R + (l - m));
+  if (h2 < 0.0) {
+    out.miss = R > size ? R - size : std::abs(l - m) - R;
+    if (out.miss > kSlack * (size + R)) return out;
+    h2 = 0.0;
+  }
+  const double scale = 1.0 / (2.0 * l * m);
+  const double c = std::fmax(-1.0, std::fmin(1.0, (R * R - l * l - m * m) * scale));
+  const double s = std::sqrt(h2) * scale;
+  out.count = h2 == 0.0 ? 1 : 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double si = i == 0 ? s : -s;
+    // The angle from the direction of l to that of m turned by x2 has cosine c and sine si.
+    const double ux = (lx * c - ly * si) / l;
+    const double uy = (ly * c + lx * si) / l;
+    bool whole = true;
+    out.x2[i] = turn_between(mx, my, ux, uy, whole);
+    out.x1[i] = turn_between(lx + m * ux, ly + m * uy, X, Y, whole);
+  }
+  return out;
+}
+
+Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
+                  const Turn& x1_if_free) {
+  Euler out;
+  const double ss = alpha.s * beta.s;
+  double c = (alpha.c * beta.c - M(2, 2)) / ss;
+  if (std::abs(c) > 1.0 + kSlack) return out;
+  double s = 0.0;
+  if (alpha.c == 0.0 && beta.c == 0.0) {
+    // sin x2 itself is in the matrix: no digits are lost next to the singularity.
+    s = 0.5 * (std::sqrt(M(0, 2) * M(0, 2) + M(1, 2) * M(1, 2)) +
+               std::sqrt(M(2, 0) * M(2, 0) + M(2, 1) * M(2, 1)));
+    const double r = std::sqrt(c * c + s * s);
+    c /= r;
+    s /= r;
+  } else {
+    c = std::fmax(-1.0, std::fmin(1.0, c));
+    s = std::sqrt((1.0 - c) * (1.0 + c));
+  }
+  out.count = 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double si = i == 0 ? s : -s;
+    out.x2[i] = {c, si};
+    bool whole1 = true;
+    bool whole3 = true;
+    const double ux = beta.s * si;
+    const double uy = -alpha.c * beta.s * c - alpha.s * beta.c;
+    const double vx = alpha.s * si;
+    const double vy = alpha.s * c * beta.c + alpha.c * beta.s;
+    const double near1 = ux * ux + uy * uy;
+    if (near1 < 1e-20) {
+      out.singular = true;
+      out.count = 1;
+      out.x1[i] = x1_if_free;
+      // Rz(x3) = (Rz(x1) Rx(alpha) Rz(x2) Rx(beta))^T M; its first column says it.
+      const Eigen::Vector3d m =
+          unturned(out.x2[i], beta, unturned(out.x1[i], alpha, Eigen::Vector3d(M.col(0))));
+      out.x3[i] = turn_between(1.0, 0.0, m.x(), m.y(), whole3);
+      break;
+    }
+    out.x1[i] = turn_between(ux, uy, M(0, 2), M(1, 2), whole1);
+    out.x3[i] = turn_between(M(2, 0), M(2, 1), vx, vy, whole3);
+  }
+  return out;
+}
+
+Eigen::Vector3d unturned(const Turn& x, const Turn& alpha, const Eigen::Vector3d& v) {
+  const double vx = x.c * v.x() + x.s * v.y();
+  const double vy = x.c * v.y() - x.s * v.x();
+  return {vx, alpha.c * vy + alpha.s * v.z(), alpha.c * v.z() - alpha.s * vy};
+}
+
+Eigen::Matrix3d unturned(const Turn& x, const Turn& alpha, const Eigen::Matrix3d& M) {
+  Eigen::Matrix3d out;
+  for (int i = 0; i < 3; ++i) out.col(i) = unturned(x, alpha, Eigen::Vector3d(M.col(i)));
+  return out;
+}
+
+}  // namespace armlet

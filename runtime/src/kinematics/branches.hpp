@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "canonical_rows.hpp"
+
+namespace armlet {
+
+// The parts that the closed forms are put together from. Angles are kept as sine and cosine; no
+// inverse function is called before a branch is complete.
+
+inline constexpr int kMaxBranches = 16;
+
+// One configuration: a turn or a height per joint, in the terms of CanonicalRows.
+struct Branch {
+  std::array<Turn, kMaxJoints> phi{};
+  std::array<double, kMaxJoints> height{};
+};
+
+struct Branches {
+  std::array<Branch, kMaxBranches> at;
+  int count = 0;
+  // How far the goal misses what the arm's geometry allows, in metres, where a length tells it; 0
+  // if it does not.
+  double gap = 0.0;
+
+  Branch& add(const Branch& b) {
+    return at[static_cast<std::size_t>(count < kMaxBranches ? count++ : count - 1)] = b;
+  }
+  void missed(double by) { gap = gap == 0.0 ? by : std::fmin(gap, by); }
+};
+
+// A value that a sine or a length may exceed by rounding alone. Branches are verified afterwards,
+// so it may be generous.
+inline constexpr double kSlack = 1e-9;
+
+// Turns x with A cos x + B sin x = C: two, one (twice the same), or none. Returns how many; -1 if
+// every turn will do. `miss` is set to |C| - hypot(A, B) when there is none.
+struct TurnPair {
+  int count = 0;
+  double miss = 0.0;
+  std::array<Turn, 2> x{};
+};
+inline TurnPair circle_meets_plane(double A, double B, double C) {
+  TurnPair out;
+  const double r2 = A * A + B * B;
+  const double r = std::sqrt(r2);
+  const double size = r + std::abs(C);
+  if (r <= 1e-12) {
+    out.count = std::abs(C) <= 1e-12 ? -1 : 0;
+    out.miss = std::abs(C);
+    return out;
+  }
+  double h2 = (r - C) * (r + C);
+  if (h2 < 0.0) {
+    out.miss = std::abs(C) - r;
+    if (out.miss > kSlack * size) return out;
+    h2 = 0.0;
+    C = C > 0.0 ? r : -r;
+  }
+  const double h = std::sqrt(h2);
+  out.count = h2 == 0.0 ? 1 : 2;
+  out.x[0] = {(A * C - B * h) / r2, (B * C + A * h) / r2};
+  out.x[1] = {(A * C + B * h) / r2, (B * C - A * h) / r2};
+  return out;
+}
+
+// The turn that takes the direction (x, y) to the direction (u, v); whole is false where either has
+// no length.
+inline Turn turn_between(double x, double y, double u, double v, bool& whole) {
+  const double c = x * u + y * v;
+  const double s = x * v - y * u;
+  const double r = std::sqrt(c * c + s * s);
+  whole = r > 1e-24;
+  return whole ? Turn{c / r, s / r} : Turn{};
+}
+
+// Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows.
+struct Elbow {
+  int count = 0;
+  double miss = 0.0;
+  std::array<Turn, 2> x1{}, x2{};
+};
+Elbow solve_elbow(double lx, double ly, double mx, double my, double X, double Y);
+
+// Rz(x1) Rx(alpha) Rz(x2) Rx(beta) Rz(x3) = M: both ways. Where x1 and x3 turn about one line, x1
+// is taken as given.
+struct Euler {
+  int count = 0;
+  bool singular = false;
+  std::array<Turn, 2> x1{}, x2{}, x3{};
+};
+Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
+                  const Turn& x1_if_free);
+
+// Rx(-alpha) Rz(-x) M
+Eigen::Matrix3d unturned(const Turn& x, const Turn& alpha, const Eigen::Matrix3d& M);
+Eigen::Vector3d unturned(const Turn& x, const Turn& alpha, const Eigen::Vector3d& v);
+
+}  // namespace armlet

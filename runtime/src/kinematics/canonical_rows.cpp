@@ -1,0 +1,79 @@
+#include "canonical_rows.hpp"
+
+#include <cmath>
+
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/pose.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr double kSame = 1e-9;  // m, and sines of angles
+
+Eigen::Isometry3d placement(double a, const Turn& alpha) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() << 1, 0, 0, 0, alpha.c, -alpha.s, 0, alpha.s, alpha.c;
+  T.translation().x() = a;
+  return T;
+}
+
+double snapped(double length) { return std::abs(length) < kSame ? 0.0 : length; }
+
+}  // namespace
+
+CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
+  CanonicalRows rows;
+  rows.n = chain.n;
+  rows.reversed = reversed;
+  const std::size_t n = static_cast<std::size_t>(chain.n);
+  const auto x = [&](std::size_t i) {
+    return placement(chain.a[i], Turn{chain.cos_alpha[i], chain.sin_alpha[i]});
+  };
+  rows.before = (chain.T_world_base * x(0)).inverse(Eigen::Isometry);
+  rows.after = (x(n) * chain.T_flange_tool).inverse(Eigen::Isometry);
+  const double way = reversed ? -1.0 : 1.0;
+  double sign = way;  // of the z axis, relative to the chain's own
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = reversed ? n - 1 - i : i;
+    if (i > 0) {
+      const std::size_t k = reversed ? n - i : i;
+      Turn alpha{chain.cos_alpha[k], way * chain.sin_alpha[k]};
+      if (sign != way) alpha = {-alpha.c, -alpha.s};  // what is left of half a turn about x
+      if (std::abs(alpha.s) < kSame) {
+        sign = alpha.c > 0.0 ? way : -way;
+        alpha = Turn{};
+      } else {
+        sign = way;
+      }
+      rows.alpha[i] = alpha;
+      rows.a[i] = snapped(way * chain.a[k]);
+    }
+    rows.revolute[i] = chain.revolute[j];
+    rows.sign[i] = sign;
+    if (chain.revolute[j]) {
+      rows.offset[i] = chain.theta[j];
+      rows.h[i] = snapped(sign * chain.d[j]);
+    } else {
+      const det::SinCos turn = det::sincos(sign * chain.theta[j]);
+      rows.offset[i] = chain.d[j];
+      rows.phi[i] = {turn.cos, turn.sin};
+    }
+  }
+  rows.flipped = sign != way;
+  const Eigen::Isometry3d T_last_tool = x(n) * chain.T_flange_tool;
+  if (!reversed) rows.tool_point = T_last_tool.translation();
+  if (rows.flipped) rows.tool_point.tail<2>() *= -1.0;
+  return rows;
+}
+
+Eigen::Isometry3d CanonicalRows::goal(const Eigen::Isometry3d& T_world_tool) const {
+  Eigen::Isometry3d G = before * T_world_tool * after;
+  if (reversed) G = G.inverse(Eigen::Isometry);
+  if (flipped) {
+    G.matrix().col(1) = -G.matrix().col(1);
+    G.matrix().col(2) = -G.matrix().col(2);
+  }
+  return G;
+}
+
+}  // namespace armlet

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "armlet/model/chain.hpp"
+
+namespace armlet {
+
+// The cosine and sine of an angle.
+struct Turn {
+  double c = 1.0;
+  double s = 0.0;
+};
+
+inline Turn operator*(const Turn& a, const Turn& b) {
+  return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
+}
+inline Turn inverse(const Turn& a) { return {a.c, -a.s}; }
+
+// An arm as the closed forms read it:
+//
+//   G = Z_0 X_1 Z_1 ... X_{n-1} Z_{n-1},   Z_i = Rz(phi_i) Tz(h_i),   X_i = Rx(alpha_i) Tx(a_i)
+//
+// Parallel axes always point the same way (alpha = 0, never pi): phi_i = sign_i (q_i + theta_i) for
+// a joint that turns, h_i = sign_i (q_i + d_i) for one that slides. The placement before the first
+// and after the last joint is taken off the goal. Read backwards (G^-1), an arm is again of this
+// form.
+struct CanonicalRows {
+  int n = 0;
+  std::array<bool, kMaxJoints> revolute{};
+  std::array<double, kMaxJoints> sign{};    // +1 or -1
+  std::array<double, kMaxJoints> offset{};  // theta of a joint that turns, d of one that slides
+  std::array<double, kMaxJoints> h{};       // constant height along z of a joint that turns
+  std::array<Turn, kMaxJoints> phi{};       // constant turn of a joint that slides
+  std::array<double, kMaxJoints>
+      a{};  // a[i] and alpha[i] stand before joint i; those of 0 are taken off
+  std::array<Turn, kMaxJoints> alpha{};
+  bool reversed = false;  // joint i is joint n-1-i of the arm
+  bool flipped = false;   // half a turn about x is left at the end
+  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d after = Eigen::Isometry3d::Identity();
+
+  Eigen::Vector3d tool_point = Eigen::Vector3d::Zero();  // in the frame of G
+
+  // G of a goal.
+  Eigen::Isometry3d goal(const Eigen::Isometry3d& T_world_tool) const;
+
+  // Axes i-1 and i: parallel; meeting in a point.
+  bool parallel(int i) const { return alpha[static_cast<std::size_t>(i)].s == 0.0; }
+  bool meet(int i) const {
+    return a[static_cast<std::size_t>(i)] == 0.0 && alpha[static_cast<std::size_t>(i)].s != 0.0;
+  }
+};
+
+CanonicalRows canonical_rows(const Chain& chain, bool reversed);
+
+}  // namespace armlet

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "armlet/kinematics/closed_form.hpp"
+#include "branches.hpp"
+
+namespace armlet {
+
+// One function per family; `near` holds a turn or height per joint for what the goal leaves free.
+using FamilySolver = void (*)(const CanonicalRows& rows, const Eigen::Isometry3d& G,
+                              const Branch& near, Branches& out);
+
+void solve_plane(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                 Branches& out);
+void solve_scara(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                 Branches& out);
+void solve_shoulder(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                    Branches& out);
+void solve_planar_arm_twist(const CanonicalRows& rows, const Eigen::Isometry3d& G,
+                            const Branch& near, Branches& out);
+void solve_spherical_wrist(const CanonicalRows& rows, const Eigen::Isometry3d& G,
+                           const Branch& near, Branches& out);
+void solve_three_parallel(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                          Branches& out);
+void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Eigen::Isometry3d& G,
+                                const Branch& near, Branches& out);
+
+// The first three turns that bring the point w, fixed after joint 3, to the place u; added to `out`
+// with the rest of `near`. Axes 2 and 3 are parallel, or axes 1 and 2 meet.
+void reach_place(const CanonicalRows& rows, const Eigen::Vector3d& u, const Eigen::Vector3d& w,
+                 const Branch& near, Branches& out);
+// The first turn of an arm whose axes 2, 3 (and 4) are parallel: the place u lies at `height` along
+// them. For each turn the place in the plane of these axes, (X, Y).
+struct PlaneView {
+  Turn turn;
+  double X = 0.0;
+  double Y = 0.0;
+};
+int turn_into_plane(const CanonicalRows& rows, const Eigen::Vector3d& u, double height,
+                    const Turn& near, std::array<PlaneView, 2>& out, Branches& branches);
+
+}  // namespace armlet
