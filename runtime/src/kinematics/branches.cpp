@@ -12,8 +12,8 @@ Elbow solve_elbow(double lx, double ly, double mx, double my, double X, double Y
   // (1 - c)(1 + c) as a product of lengths keeps all digits where the arm is stretched or folded.
   double h2 = (size - R) * (size + R) * (R - (l - m)) * (R + (l - m));
   if (h2 < 0.0) {
-    out.miss = R > size ? R - size : std::abs(l - m) - R;
-    if (out.miss > kSlack * (size + R)) return out;
+    const double miss = R > size ? R - size : std::abs(l - m) - R;
+    if (miss > kSlack * (size + R)) return out;
     h2 = 0.0;
   }
   const double scale = 1.0 / (2.0 * l * m);

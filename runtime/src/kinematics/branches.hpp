@@ -22,25 +22,20 @@ struct Branch {
 struct Branches {
   std::array<Branch, kMaxBranches> at;
   int count = 0;
-  // How far the goal misses what the arm's geometry allows, in metres, where a length tells it; 0
-  // if it does not.
-  double gap = 0.0;
 
   Branch& add(const Branch& b) {
     return at[static_cast<std::size_t>(count < kMaxBranches ? count++ : count - 1)] = b;
   }
-  void missed(double by) { gap = gap == 0.0 ? by : std::fmin(gap, by); }
 };
 
 // A value that a sine or a length may exceed by rounding alone. Branches are verified afterwards,
 // so it may be generous.
 inline constexpr double kSlack = 1e-9;
 
-// Turns x with A cos x + B sin x = C: two, one (twice the same), or none. Returns how many; -1 if
-// every turn will do. `miss` is set to |C| - hypot(A, B) when there is none.
+// Turns x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if
+// every turn will do.
 struct TurnPair {
   int count = 0;
-  double miss = 0.0;
   std::array<Turn, 2> x{};
 };
 inline TurnPair circle_meets_plane(double A, double B, double C) {
@@ -50,13 +45,11 @@ inline TurnPair circle_meets_plane(double A, double B, double C) {
   const double size = r + std::abs(C);
   if (r <= 1e-12) {
     out.count = std::abs(C) <= 1e-12 ? -1 : 0;
-    out.miss = std::abs(C);
     return out;
   }
   double h2 = (r - C) * (r + C);
   if (h2 < 0.0) {
-    out.miss = std::abs(C) - r;
-    if (out.miss > kSlack * size) return out;
+    if (std::abs(C) - r > kSlack * size) return out;
     h2 = 0.0;
     C = C > 0.0 ? r : -r;
   }
@@ -80,7 +73,6 @@ inline Turn turn_between(double x, double y, double u, double v, bool& whole) {
 // Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows.
 struct Elbow {
   int count = 0;
-  double miss = 0.0;
   std::array<Turn, 2> x1{}, x2{};
 };
 Elbow solve_elbow(double lx, double ly, double mx, double my, double X, double Y);

@@ -17,11 +17,19 @@ Vector3d turned(const Turn& x, const Vector3d& v) {
   return {x.c * v.x() - x.s * v.y(), x.s * v.x() + x.c * v.y(), v.z()};
 }
 
+// Three joints with parallel axes from `first` on: an elbow, and what is left of the sum of their
+// turns.
+void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, const Turn& sum) {
+  const std::size_t i = static_cast<std::size_t>(which);
+  branch.phi[first] = elbow.x1[i];
+  branch.phi[first + 1] = elbow.x2[i];
+  branch.phi[first + 2] = inverse(elbow.x1[i] * elbow.x2[i]) * sum;
+}
+
 // Joint 3 where axes 1 and 2 meet: its turn, or its height, from the distance of the place to their
 // common point.
 struct Third {
   int count = 0;
-  double miss = 0.0;
   std::array<Turn, 2> x{};
   std::array<double, 2> z{};
 };
@@ -36,11 +44,7 @@ Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w)
   const double A = 2.0 * (a * w.x() + h * alpha.s * w.y());
   const double B = 2.0 * (h * alpha.s * w.x() - a * w.y());
   const TurnPair pair = circle_meets_plane(A, B, distance2 - fixed);
-  const double distance = std::sqrt(distance2);
-  return {pair.count,
-          std::abs(std::sqrt(std::fmax(distance2 - pair.miss, 0.0)) - distance),
-          pair.x,
-          {rows.h[2], rows.h[2]}};
+  return {pair.count, pair.x, {rows.h[2], rows.h[2]}};
 }
 
 Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w) {
@@ -51,11 +55,10 @@ Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w
   // (z + h cos alpha)^2 = distance^2 - what does not change with z
   const double rest = x * x + v.y() * v.y() + 2.0 * h * alpha.s * v.y() + h * h * alpha.s * alpha.s;
   const double square = distance2 - rest;
-  if (square < -kSlack * (distance2 + rest))
-    return {0, std::sqrt(rest) - std::sqrt(distance2), {}, {}};
+  if (square < -kSlack * (distance2 + rest)) return {};
   const double root = std::sqrt(std::fmax(square, 0.0));
   const double middle = -h * alpha.c - v.z();
-  return {root == 0.0 ? 1 : 2, 0.0, {rows.phi[2], rows.phi[2]}, {middle + root, middle - root}};
+  return {root == 0.0 ? 1 : 2, {rows.phi[2], rows.phi[2]}, {middle + root, middle - root}};
 }
 
 // Axes 1 and 2 meet: the distance from their common point gives joint 3.
@@ -64,7 +67,6 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
   const Vector3d u = u_base - Vector3d(0, 0, rows.h[0]);
   const Third third = rows.revolute[2] ? third_turn(rows, u.squaredNorm(), w)
                                        : third_slide(rows, u.squaredNorm(), w);
-  if (third.count == 0) out.missed(third.miss);
   for (int i = 0; i < third.count; ++i) {
     const Turn x3 = third.x[static_cast<std::size_t>(i)];
     const double z3 = third.z[static_cast<std::size_t>(i)];
@@ -73,7 +75,6 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
     // Height above the plane of axis 1: alpha1.s (x2 t)_y + alpha1.c t_z = u_z.
     const Turn& alpha1 = rows.alpha[1];
     const TurnPair second = circle_meets_plane(t.y(), t.x(), (u.z() - alpha1.c * t.z()) / alpha1.s);
-    if (second.count == 0) out.missed(second.miss);
     const int count = second.count < 0 ? 1 : second.count;
     for (int j = 0; j < count; ++j) {
       const Turn x2 = second.count < 0 ? near.phi[1] : second.x[static_cast<std::size_t>(j)];
@@ -93,7 +94,7 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
 }  // namespace
 
 int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height, const Turn& near,
-                    std::array<PlaneView, 2>& out, Branches& branches) {
+                    std::array<PlaneView, 2>& out) {
   const Turn& alpha = rows.alpha[1];
   const double z = u.z() - rows.h[0];
   // Along the parallel axes: -alpha.s r_y + alpha.c z = height, with r = Rz(-x) u.
@@ -104,19 +105,13 @@ int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height,
     return PlaneView{x, along - rows.a[1], alpha.c * m + alpha.s * z};
   };
   if (rho < 1e-10) {
-    if (std::abs(m) > 1e-9) {
-      branches.missed(std::abs(m));
-      return 0;
-    }
+    if (std::abs(m) > 1e-9) return 0;
     out[0] = view(near, 0.0);
     out[1] = view({-near.c, -near.s}, 0.0);
-    return 1;
+    return 2;
   }
   const double h2 = (rho - m) * (rho + m);
-  if (h2 < -kSlack * rho2) {
-    branches.missed(std::abs(m) - rho);
-    return 0;
-  }
+  if (h2 < -kSlack * rho2) return 0;
   const double h = std::sqrt(std::fmax(h2, 0.0));
   const double r2 = h * h + m * m;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -131,12 +126,10 @@ void reach_place(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w
                  const Branch& near, Branches& out) {
   if (!rows.parallel(2) || !rows.revolute[2]) return reach_meeting(rows, u, w, near, out);
   std::array<PlaneView, 2> views;
-  const int count =
-      turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views, out);
+  const int count = turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views);
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Elbow elbow = solve_elbow(rows.a[2], 0.0, w.x(), w.y(), view.X, view.Y);
-    if (elbow.count == 0) out.missed(elbow.miss);
     for (int j = 0; j < elbow.count; ++j) {
       Branch& branch = out.add(near);
       branch.phi[0] = view.turn;
@@ -159,7 +152,6 @@ void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
   Branches arms;
   reach_place(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
-  out.gap = arms.gap;
   const Turn still;
   for (int i = 0; i < arms.count; ++i) {
     Branch branch = arms.at[static_cast<std::size_t>(i)];
@@ -183,7 +175,7 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
   const Vector3d last = placed(rows, 4, Vector3d(0, 0, rows.h[4]));
   std::array<PlaneView, 2> views;
   const double height = rows.h[1] + rows.h[2] + rows.h[3] + last.z();
-  const int count = turn_into_plane(rows, centre, height, near.phi[0], views, out);
+  const int count = turn_into_plane(rows, centre, height, near.phi[0], views);
   const Turn near_sum = near.phi[1] * near.phi[2] * near.phi[3];
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
@@ -195,14 +187,10 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
       const Vector3d hand = turned(sum, last);
       const Elbow elbow =
           solve_elbow(rows.a[2], 0.0, rows.a[3], 0.0, view.X - hand.x(), view.Y - hand.y());
-      if (elbow.count == 0) out.missed(elbow.miss);
       for (int e = 0; e < elbow.count; ++e) {
-        const std::size_t f = static_cast<std::size_t>(e);
         Branch& branch = out.add(near);
         branch.phi[0] = view.turn;
-        branch.phi[1] = elbow.x1[f];
-        branch.phi[2] = elbow.x2[f];
-        branch.phi[3] = inverse(elbow.x1[f] * elbow.x2[f]) * sum;
+        bend(branch, 1, elbow, e, sum);
         branch.phi[4] = wrist.x2[k];
         branch.phi[5] = wrist.x3[k];
       }
@@ -223,9 +211,8 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
                                           rows.alpha[4].c - rows.alpha[1].c * z.z());
     if (x.count > 0) heading = x.x[0];
   }
-  const int count = turn_into_plane(rows, w, height, heading, views, out);
-  const bool on_axis = w.head<2>().norm() < 1e-9;
-  for (int i = 0; i < (on_axis && count == 1 ? 2 : count); ++i) {
+  const int count = turn_into_plane(rows, w, height, heading, views);
+  for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Matrix3d M = unturned(view.turn, rows.alpha[1], Matrix3d(G.linear()));
     bool whole = true;
@@ -235,14 +222,10 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
     const double X = view.X - sum.c * rows.a[4];
     const double Y = view.Y - sum.s * rows.a[4];
     const Elbow elbow = solve_elbow(rows.a[2], 0.0, rows.a[3], 0.0, X, Y);
-    if (elbow.count == 0) out.missed(elbow.miss);
     for (int e = 0; e < elbow.count; ++e) {
-      const std::size_t f = static_cast<std::size_t>(e);
       Branch& branch = out.add(near);
       branch.phi[0] = view.turn;
-      branch.phi[1] = elbow.x1[f];
-      branch.phi[2] = elbow.x2[f];
-      branch.phi[3] = inverse(elbow.x1[f] * elbow.x2[f]) * sum;
+      bend(branch, 1, elbow, e, sum);
       branch.phi[4] = twist;
     }
   }
@@ -254,13 +237,8 @@ void solve_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
   const Turn sum{G.linear()(0, 0), G.linear()(1, 0)};
   const Elbow elbow =
       solve_elbow(rows.a[1], 0.0, rows.a[2], 0.0, G.translation().x(), G.translation().y());
-  if (elbow.count == 0) out.missed(elbow.miss);
   for (int e = 0; e < elbow.count; ++e) {
-    const std::size_t f = static_cast<std::size_t>(e);
-    Branch& branch = out.add(near);
-    branch.phi[0] = elbow.x1[f];
-    branch.phi[1] = elbow.x2[f];
-    branch.phi[2] = inverse(elbow.x1[f] * elbow.x2[f]) * sum;
+    bend(out.add(near), 0, elbow, e, sum);
   }
 }
 
@@ -290,7 +268,6 @@ void solve_scara(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
                             Eigen::Vector2d(heading.c * last.x() - heading.s * last.y(),
                                             heading.s * last.x() + heading.c * last.y());
   const Elbow elbow = solve_elbow(link[1].x(), link[1].y(), link[2].x(), link[2].y(), p.x(), p.y());
-  if (elbow.count == 0) out.missed(elbow.miss);
   for (int e = 0; e < elbow.count; ++e) {
     const std::size_t f = static_cast<std::size_t>(e);
     Branch& branch = out.add(near);
@@ -371,7 +348,6 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Isometry3d& G, 
   const TurnPair elbow =
       circle_meets_plane(2.0 * (a3 * m.x() + h2 * alpha3.s * m.y()),
                          2.0 * (h2 * alpha3.s * m.x() - a3 * m.y()), L * L - fixed);
-  if (elbow.count == 0) out.missed(std::abs(std::sqrt(std::fmax(L * L - elbow.miss, 0.0)) - L));
   const Turn psi = arm_angle(rows, near);
   const Matrix3d base = F * about_z(psi);
   for (int i = 0; i < elbow.count; ++i) {

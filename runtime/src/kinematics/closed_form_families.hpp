@@ -36,6 +36,6 @@ struct PlaneView {
   double Y = 0.0;
 };
 int turn_into_plane(const CanonicalRows& rows, const Eigen::Vector3d& u, double height,
-                    const Turn& near, std::array<PlaneView, 2>& out, Branches& branches);
+                    const Turn& near, std::array<PlaneView, 2>& out);
 
 }  // namespace armlet

@@ -36,6 +36,7 @@ struct CanonicalRows;
 //         2025.
 class ClosedForm {
  public:
+  // The robot must outlive it.
   explicit ClosedForm(const Robot& robot);
   ~ClosedForm();
   ClosedForm(ClosedForm&&) noexcept;
