@@ -726,7 +726,9 @@ RbtLexer::Initializer::Initializer() {
     0x2, 0x3, 0x2, 0x2, 0x4, 0x2, 0x8, 0x2, 0x2, 
   };
 
-  atn::ATNDeserializer deserializer;
+  atn::ATNDeserializationOptions options;
+  options.setVerifyATN(false);
+  atn::ATNDeserializer deserializer(options);
   _atn = deserializer.deserialize(_serializedATN);
 
   size_t count = _atn.getNumberOfDecisions();

@@ -7429,7 +7429,9 @@ RbtParser::Initializer::Initializer() {
     0x340, 0x342, 0x346, 0x348, 0x350, 0x354, 0x356, 0x35d, 
   };
 
-  atn::ATNDeserializer deserializer;
+  atn::ATNDeserializationOptions options;
+  options.setVerifyATN(false);
+  atn::ATNDeserializer deserializer(options);
   _atn = deserializer.deserialize(_serializedATN);
 
   size_t count = _atn.getNumberOfDecisions();
