@@ -40,12 +40,18 @@ struct FormatOptions {
   bool json = false;
 };
 
+struct RobotOptions {
+  std::string name;  // of the catalogue; empty: all of them, one line each
+  bool json = false;
+};
+
 int run(const RunOptions& options);
 int check(const ProgramOptions& options, const std::vector<std::string>& files);
 int test(const ProgramOptions& options, const std::vector<std::string>& files);
 int disasm(const ProgramOptions& options, const std::string& file);
 int format(const FormatOptions& options);
 int explain(const std::string& code);
+int robot(const RobotOptions& options);
 int help(const std::string& name, bool markdown);
 
 }  // namespace armlet::cli

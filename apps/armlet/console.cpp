@@ -9,9 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "armlet/core/similar.hpp"
 #include "armlet/interpreter/render.hpp"
-#include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "files.hpp"
 #include "imports.hpp"
@@ -60,14 +58,8 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
   Setup setup;
   SessionOptions& session = setup.session;
   session.load = imports_of(file);
-  session.robot = make_robot(options.robot);
+  session.robot = find_robot(options.robot);
   if (session.robot == nullptr) {
-    const auto& names = catalog_names();
-    std::string message = fmt::format("armlet: there is no robot called \"{}\"; there are {}\n",
-                                      options.robot, fmt::join(names, ", "));
-    if (const auto meant = most_similar(options.robot, names))
-      message += fmt::format("did you mean \"{}\"?\n", *meant);
-    write_error(message);
     setup.exit = kUsage;
     return setup;
   }

@@ -1,10 +1,12 @@
 #pragma once
 // Files, messages and interrupts, for all sub-commands.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "armlet/model/robot.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "commands.hpp"
 
@@ -20,6 +22,9 @@ struct Setup {
   int exit = kDone;
 };
 Setup make_setup(const ProgramOptions& options, const std::string& file);
+
+// The robot of that name of the catalogue, or null after a message.
+std::shared_ptr<const Robot> find_robot(const std::string& name);
 
 // One engine for the life of the process.
 const Engine& engine();

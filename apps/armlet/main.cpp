@@ -72,12 +72,21 @@ CLI::App* add_format_command(CLI::App& app, FormatOptions& options) {
   return command;
 }
 
+CLI::App* add_robot_command(CLI::App& app, RobotOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "robot", "show the table of a ready robot: rows, limits, reach, kinematics");
+  command->add_option("NAME", options.name, "for example puma560; without it, all robots");
+  command->add_flag("--json", options.json, "as JSON, in metres and radians");
+  return command;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app("Armlet: a small language for robot arms.");
   app.set_version_flag("--version", "armlet " ARMLET_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Examples:\n  armlet run examples/01_pick_and_place.rbt\n  armlet explain E0401\n\n"
+      "Examples:\n  armlet run examples/01_pick_and_place.rbt\n  armlet explain E0401\n  armlet "
+      "robot puma560\n\n"
       "Exit status: 0 ran, 1 to be laid out (fmt --check), 64 wrong usage, 65 program rejected, "
       "66 file not read, 70 program failed, 130 stopped.");
 
@@ -99,6 +108,8 @@ int dispatch(int argc, char** argv) {
   add_program_options(*disasm_command, options);
   FormatOptions format_options;
   CLI::App* format_command = add_format_command(app, format_options);
+  RobotOptions robot_options;
+  CLI::App* robot_command = add_robot_command(app, robot_options);
   std::string code;
   CLI::App* explain_command =
       app.add_subcommand("explain", "say what a message means, with a wrong and a right program");
@@ -122,6 +133,7 @@ int dispatch(int argc, char** argv) {
   if (test_command->parsed()) return test(options, files);
   if (disasm_command->parsed()) return disasm(options, file);
   if (help_command->parsed()) return help(name, markdown);
+  if (robot_command->parsed()) return robot(robot_options);
   if (format_command->parsed()) return format(format_options);
   return explain_command->parsed() ? explain(code) : kUsage;
 }

@@ -55,31 +55,32 @@ void check_joint(const RobotSpec& spec, std::size_t i) {
 }
 
 // Principal moments of a rigid body are not negative and none exceeds the sum of the other two.
-void check_inertia(const RobotSpec& spec, std::size_t i) {
-  const Eigen::Matrix3d& inertia = spec.links[i].inertia;
+std::string inertia_fault(const Eigen::Matrix3d& inertia, InertiaCheck check) {
   const double scale = inertia.cwiseAbs().maxCoeff();
   const double tolerance = 1e-9 * scale;
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > tolerance) {
-    fail(spec, "Link", i, "has an inertia that is not symmetric");
+    return "has an inertia that is not symmetric";
   }
   const Eigen::Vector3d moments =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+  if (!moments.allFinite()) return "has an inertia whose principal moments are not finite";
   if (moments[0] < -tolerance) {
-    fail(
-        spec, "Link", i,
-        fmt::format("has an inertia with the negative principal moment {:.4g} kg m^2", moments[0]));
+    return fmt::format("has an inertia with the negative principal moment {:.4g} kg m^2",
+                       moments[0]);
   }
-  if (spec.inertia_check == InertiaCheck::kRigidBody &&
+  if (check == InertiaCheck::kRigidBody &&
       moments[2] > (moments[0] + moments[1]) * (1.0 + 1e-9) + tolerance) {
-    fail(spec, "Link", i,
-         fmt::format("has principal moments {:.4g}, {:.4g}, {:.4g} kg m^2; in a rigid body none "
-                     "exceeds the sum of the other two",
-                     moments[0], moments[1], moments[2]));
+    return fmt::format(
+        "has principal moments {:.4g}, {:.4g}, {:.4g} kg m^2; in a rigid body none exceeds the sum "
+        "of the other two",
+        moments[0], moments[1], moments[2]);
   }
+  return {};
 }
 
-void check_link(const RobotSpec& spec, std::size_t i) {
-  const Link& link = spec.links[i];
+}  // namespace
+
+std::string link_fault(const Link& link, InertiaCheck check) {
   const std::pair<const char*, double> numbers[] = {
       {"mass", link.mass},
       {"motorInertia", link.motor_inertia},
@@ -89,12 +90,11 @@ void check_link(const RobotSpec& spec, std::size_t i) {
       {"negative Coulomb friction", link.friction.coulomb_minus}};
   for (const auto& [name, value] : numbers) {
     if (!std::isfinite(value)) {
-      fail(spec, "Link", i,
-           fmt::format("has {} = {}; expected a finite number", name, format_number(value, 6)));
+      return fmt::format("has {} = {}; expected a finite number", name, format_number(value, 6));
     }
   }
   if (!link.com.allFinite() || !link.inertia.allFinite()) {
-    fail(spec, "Link", i, "has a centre of mass or an inertia that is not finite");
+    return "has a centre of mass or an inertia that is not finite";
   }
   const std::pair<const char*, double> not_negative[] = {
       {"mass", link.mass},
@@ -103,18 +103,15 @@ void check_link(const RobotSpec& spec, std::size_t i) {
       {"positive Coulomb friction", link.friction.coulomb_plus}};
   for (const auto& [name, value] : not_negative) {
     if (value < 0.0) {
-      fail(spec, "Link", i, fmt::format("has {} = {}; it must be zero or more", name, value));
+      return fmt::format("has {} = {}; it must be zero or more", name, value);
     }
   }
   if (link.friction.coulomb_minus > 0.0) {
-    fail(spec, "Link", i,
-         fmt::format("has the Coulomb friction {} for negative speed; it must be zero or less",
-                     link.friction.coulomb_minus));
+    return fmt::format("has the Coulomb friction {} for negative speed; it must be zero or less",
+                       link.friction.coulomb_minus);
   }
-  check_inertia(spec, i);
+  return inertia_fault(link.inertia, check);
 }
-
-}  // namespace
 
 void check_joints(const RobotSpec& spec) {
   const std::size_t n = spec.joints.size();
@@ -134,7 +131,10 @@ void check_links(const RobotSpec& spec) {
     throw ArgumentError(fmt::format("Robot `{}` has {} links for {} joints; expected one each.",
                                     spec.name, spec.links.size(), spec.joints.size()));
   }
-  for (std::size_t i = 0; i < spec.links.size(); ++i) check_link(spec, i);
+  for (std::size_t i = 0; i < spec.links.size(); ++i) {
+    const std::string fault = link_fault(spec.links[i], spec.inertia_check);
+    if (!fault.empty()) fail(spec, "Link", i, fault);
+  }
 }
 
 void check_home(const RobotSpec& spec) {

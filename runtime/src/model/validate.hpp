@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "armlet/model/robot.hpp"
 
 namespace armlet {
@@ -8,5 +10,9 @@ namespace armlet {
 void check_joints(const RobotSpec& spec);
 void check_links(const RobotSpec& spec);  // one link per joint
 void check_home(const RobotSpec& spec);
+
+// What is wrong with the mass, the inertia or the motor of a link, as the end of a sentence that
+// begins with its name; empty if nothing is.
+std::string link_fault(const Link& link, InertiaCheck check);
 
 }  // namespace armlet

@@ -69,7 +69,8 @@ TEST_CASE("every arm names its source and starts away from its limits and singul
 }
 
 TEST_CASE("arms with a wrist start with the tool pointing down") {
-  for (const char* name : {"scara", "puma560", "stanford", "pa10_6", "pa10", "ur5", "panda"}) {
+  for (const char* name : {"scara", "puma560", "stanford", "pa10_6", "pa10", "irb120", "ur3", "ur5",
+                           "ur10", "panda", "iiwa14", "arm7"}) {
     CAPTURE(name);
     const Robot robot = *make_robot(name);
     const Eigen::Isometry3d T = forward(robot, robot.home());
@@ -81,4 +82,5 @@ TEST_CASE("arms with a wrist start with the tool pointing down") {
 TEST_CASE("an unknown name gives no arm") {
   CHECK(make_robot("r2d2") == nullptr);
   CHECK(make_robot("anthropomorphic")->name() == "rrr3");
+  CHECK(make_robot("iiwa")->name() == "iiwa14");
 }

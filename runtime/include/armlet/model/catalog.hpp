@@ -20,13 +20,19 @@ Robot make_puma560();   // with its 0.67183 m pedestal
 Robot make_stanford();  // RRPRRR
 Robot make_pa10_6();    // Mitsubishi PA-10, six joints
 Robot make_pa10();      // Mitsubishi PA-10, seven joints
+Robot make_irb120();    // ABB IRB 120-3/0.6
+Robot make_ur3();       // Universal Robots
 Robot make_ur5();
-Robot make_panda();
+Robot make_ur10();
+Robot make_panda();   // Franka Emika
+Robot make_iiwa14();  // KUKA LBR iiwa 14 R820
+Robot make_arm7();    // a generic arm of seven joints
 
 // Names that make_robot knows, in the order above.
 const std::vector<std::string_view>& catalog_names();
 
-// The arm of that name, or null if there is none; "anthropomorphic" is another name of rrr3.
+// The arm of that name, or null if there is none. Some have a second name: "anthropomorphic" is
+// rrr3, "iiwa" is iiwa14.
 // Shared, because cells, planners and recorders may hold the same immutable arm.
 std::shared_ptr<const Robot> make_robot(std::string_view name);
 

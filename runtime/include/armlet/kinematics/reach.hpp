@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+
+#include "armlet/kinematics/forward.hpp"
+
+namespace armlet {
+
+// How far the tool point gets within the joint limits, m. Robot::reach() is a bound that needs no
+// search; these are attained.
+//
+// from_base   distance from the origin of the base.
+// from_axis   distance from the axis of the first turning joint that stands still in the base; the
+//             same as from_base if the first joint slides.
+// q_base, q_axis  joint values that get there.
+struct Reach {
+  double from_base = 0.0;
+  double from_axis = 0.0;
+  Eigen::VectorXd q_base, q_axis;
+};
+Reach find_reach(const Robot& robot);
+
+// The joint values within the limits that make a function largest: one joint after another, from
+// evenly spread starts, the same ones every time.
+//
+// starts  how many; the first is the home position.
+Eigen::VectorXd maximise_over_joints(const Robot& robot,
+                                     const std::function<double(JointsIn)>& function,
+                                     int starts = 16);
+
+}  // namespace armlet

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "armlet/model/robot.hpp"
+
+// How the catalogue writes its arms down.
+namespace armlet::catalog {
+
+inline constexpr double kDeg = std::numbers::pi / 180.0;
+inline constexpr JointKind R = JointKind::kRevolute;
+inline constexpr JointKind P = JointKind::kPrismatic;
+
+struct Rates {
+  double accel = 0.0, jerk = 0.0;
+};
+
+// A joint and its link. The inertia is about the centre of mass: xx, yy, zz, xy, xz, yz. A speed,
+// effort, acceleration or jerk of 0 is one that the source does not give.
+struct Row {
+  JointKind kind = R;
+  DhRow dh{};
+  double lower = 0.0, upper = 0.0, max_speed = 0.0;
+  double mass = 0.0;
+  std::array<double, 3> com{};
+  std::array<double, 6> inertia{};
+  double motor_inertia = 0.0, gear = 1.0;
+  Friction friction{};
+  double max_effort = 0.0;
+  Rates rates{};
+};
+
+struct Description {
+  const char* name;
+  const char* source;
+  DhConvention convention = DhConvention::kStandard;
+  InertiaCheck inertia_check = InertiaCheck::kRigidBody;
+  std::vector<double> home;  // deg for turning joints, m for sliding ones
+  double stroke = 0.0;       // of the gripper, m; 0: no hand
+  Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
+};
+
+Robot make_arm(std::span<const Row> rows, const Description& description);
+
+}  // namespace armlet::catalog

@@ -1,0 +1,122 @@
+// The arms of the catalogue that the reference files do not hold, against the frames that their
+// makers and their users publish, which are written in another way than DH rows.
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/math/angles.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+#include "armlet/model/catalog.hpp"
+
+using namespace armlet;
+
+namespace {
+
+// A joint as in a robot description: where it is in the frame before it, and its axis.
+struct Origin {
+  Eigen::Vector3d xyz, rpy, axis;
+};
+constexpr double kHalf = kPi / 2;
+
+Eigen::Isometry3d product(const std::vector<Origin>& origins, const Eigen::VectorXd& q,
+                          const Eigen::Isometry3d& T_last_tool) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    T = T * make_pose(R_from_rpy(origins[i].rpy), origins[i].xyz) *
+        make_pose(R_from_axis_angle(origins[i].axis, q[static_cast<Eigen::Index>(i)]),
+                  Eigen::Vector3d::Zero());
+  }
+  return T * T_last_tool;
+}
+
+void check_against(const Robot& robot, const std::vector<Origin>& origins,
+                   const Eigen::Isometry3d& T_last_tool) {
+  CAPTURE(robot.name());
+  REQUIRE(robot.n() == static_cast<int>(origins.size()));
+  Random random(3);
+  for (int k = 0; k < 1000; ++k) {
+    Eigen::VectorXd q(robot.n());
+    for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
+    CHECK((forward(robot, q).matrix() - product(origins, q, T_last_tool).matrix())
+              .cwiseAbs()
+              .maxCoeff() < 1e-10);
+  }
+}
+
+// ur_description/config/*/default_kinematics.yaml of ROS-Industrial, its angles without rounding.
+std::vector<Origin> ur_origins(double d1, double a2, double a3, double d4, double d5, double d6) {
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  return {{{0, 0, d1}, {0, 0, 0}, z},      {{0, 0, 0}, {kHalf, 0, 0}, z},
+          {{a2, 0, 0}, {0, 0, 0}, z},      {{a3, 0, d4}, {0, 0, 0}, z},
+          {{0, -d5, 0}, {kHalf, 0, 0}, z}, {{0, d6, 0}, {kHalf, kPi, kPi}, z}};
+}
+
+}  // namespace
+
+TEST_CASE("UR3, UR5 and UR10 are the arms of the ROS-Industrial descriptions") {
+  const Eigen::Isometry3d none = Eigen::Isometry3d::Identity();
+  check_against(make_ur3(), ur_origins(.1519, -.24365, -.21325, .11235, .08535, .0819), none);
+  check_against(make_ur5(), ur_origins(.089159, -.425, -.39225, .10915, .09465, .0823), none);
+  check_against(make_ur10(), ur_origins(.1273, -.612, -.5723, .163941, .1157, .0922), none);
+}
+
+TEST_CASE("the LBR iiwa is the arm of iiwa_stack") {
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  check_against(make_iiwa14(),
+                {{{0, 0, .1575}, {0, 0, 0}, z},
+                 {{0, 0, .2025}, {kHalf, 0, kPi}, z},
+                 {{0, .2045, 0}, {kHalf, 0, kPi}, z},
+                 {{0, 0, .2155}, {kHalf, 0, 0}, z},
+                 {{0, .1845, 0}, {-kHalf, kPi, 0}, z},
+                 {{0, 0, .2155}, {kHalf, 0, 0}, z},
+                 {{0, .081, 0}, {-kHalf, kPi, 0}, z}},
+                make_translation({0, 0, .045}));
+}
+
+TEST_CASE("the IRB 120 is the arm of the ROS-Industrial description, its tool frame included") {
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                        z = Eigen::Vector3d::UnitZ(), o = Eigen::Vector3d::Zero();
+  check_against(make_irb120(),
+                {{{0, 0, 0}, o, z},
+                 {{0, 0, .29}, o, y},
+                 {{0, 0, .27}, o, y},
+                 {{0, 0, .07}, o, x},
+                 {{.302, 0, 0}, o, y},
+                 {{.072, 0, 0}, o, x}},
+                make_pose(rot_y(kHalf), Eigen::Vector3d::Zero()));
+}
+
+TEST_CASE("planar arms and the elbow arm are where plane geometry puts them") {
+  Random random(4);
+  const Robot planar = make_planar3(), elbow = make_rrr3();
+  for (int k = 0; k < 1000; ++k) {
+    const double a = random.uniform(-3, 3), b = random.uniform(-2, 2), c = random.uniform(-2, 2);
+    const Eigen::Vector3d q(a, b, c);
+    const auto arm = [](double length, double angle) {
+      return Eigen::Vector2d(length * std::cos(angle), length * std::sin(angle));
+    };
+    const Eigen::Vector3d p = forward(planar, q).translation();
+    CHECK((p.head<2>() - arm(.4, a) - arm(.3, a + b) - arm(.2, a + b + c)).norm() < 1e-12);
+    const Eigen::Vector2d upright = arm(.45, b) + arm(.35, b + c);
+    const Eigen::Vector3d expected(upright.x() * std::cos(a), upright.x() * std::sin(a),
+                                   .4 + upright.y());
+    CHECK((forward(elbow, q).translation() - expected).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("the arm of seven joints hangs its wrist between a shoulder and an elbow") {
+  const Robot arm = make_arm7();
+  Random random(5);
+  for (int k = 0; k < 1000; ++k) {
+    Eigen::VectorXd q(7);
+    for (int i = 0; i < 7; ++i) q[i] = random.uniform(arm.lower()[i], arm.upper()[i]);
+    const Eigen::Isometry3d T = forward(arm, q);
+    const Eigen::Vector3d wrist = T * Eigen::Vector3d(0, 0, -.126), shoulder(0, 0, .34);
+    const double squared = .4 * .4 * 2 * (1 + std::cos(q[3]));
+    CHECK(std::abs((wrist - shoulder).squaredNorm() - squared) < 1e-12);
+  }
+}
