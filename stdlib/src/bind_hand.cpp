@@ -91,8 +91,8 @@ Signal holding_this(Vm& vm, Slot* args) {
 constexpr NativeFunction kFunctions[] = {
     commanding({"grasp", "(r: robot, o: object)",
                 "Closes the hand on an object whose centre or grasp point is within the grasp "
-                "distance of the "
-                "tool point.",
+                "distance of the tool point; "
+                "a long object can be taken along its length.",
                 "grasp(object(\"cube\"))", grasp_object}),
     commanding(
         {"grasp", "(r: robot)",

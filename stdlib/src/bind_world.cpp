@@ -184,7 +184,7 @@ Signal top_grasp(Vm& vm, Slot* args) {
   const Vector3d axis = std::hypot(R(0, 0), R(1, 0)) > 1e-6 ? R.col(0) : R.col(1);
   const double heading = det::atan2(axis.y(), axis.x());
   const Eigen::Matrix3d R_tool = rot_z(heading + args[1].d) * rot_x(std::numbers::pi);
-  const Vector3d p = object->T_world_obj * object->p_obj_grasp;
+  const Vector3d p = grasp_from_above(*object);
   return give(args, new_posc(vm, {make_pose(renormalised(R_tool), p), true}));
 }
 
@@ -223,7 +223,8 @@ constexpr NativeFunction kFunctions[] = {
      "The object that is not fixed and has its centre nearest to p.",
      "nearestObject(poseOf(object(\"cube\")))", nearest_object},
     {"topGrasp", "(o: object, yaw: angle = 0rad) -> posC",
-     "The pose for grasping an object from above.", "topGrasp(object(\"cube\"))", top_grasp},
+     "The pose for grasping an object from above, at the upper end of what is long and stands.",
+     "topGrasp(object(\"cube\"))", top_grasp},
 };
 
 }  // namespace

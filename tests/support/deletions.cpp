@@ -9,9 +9,8 @@
 #include <iterator>
 #include <numeric>
 
-#include "armlet/model/catalog.hpp"
-#include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "library.hpp"
 
 namespace fs = std::filesystem;
 
@@ -61,19 +60,8 @@ std::size_t end_of_mark(std::string_view text, std::size_t at) {
   return at + (std::ranges::find(kLong, two) != kLong.end() ? 2 : 1);
 }
 
-const Engine& engine() {
-  static const Engine made = [] {
-    Engine e;
-    install(e);
-    return e;
-  }();
-  return made;
-}
-
 SessionOptions options() {
-  SessionOptions made;
-  made.robot = make_robot("scara");
-  made.default_world = table_world();
+  SessionOptions made = at_the_table();
   return made;
 }
 
@@ -112,7 +100,7 @@ std::vector<Span> tokens_of(std::string_view text) {
 }
 
 std::vector<std::string> messages_of(const std::string& text) {
-  Session session(engine(), options());
+  Session session(library_engine(), options());
   (void)session.compile(text, "program.rbt");
   std::vector<std::string> out;
   for (const Problem& problem : session.problems())
@@ -121,7 +109,7 @@ std::vector<std::string> messages_of(const std::string& text) {
 }
 
 bool compiles(const std::string& text) {
-  Session session(engine(), options());
+  Session session(library_engine(), options());
   return session.compile(text, "program.rbt");
 }
 

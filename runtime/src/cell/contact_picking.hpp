@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-// Distance from the tool point to an object's centre or grasp point, whichever is nearer, m.
+// Distance from the tool point to where a hand may take an object, m.
 double grasp_distance(const Cell& cell, int robot, const Object& object);
 
 // To be asked when a move of this robot ends. An empty hand closes on the nearest object of the

@@ -1,7 +1,5 @@
 #include "armlet/cell/gripper.hpp"
 
-#include <algorithm>
-
 #include "cell/contact_picking.hpp"
 
 namespace armlet {
@@ -39,9 +37,7 @@ std::optional<GraspResult> hand_is_useless(const Cell& cell, int robot) {
 }  // namespace
 
 double grasp_distance(const Cell& cell, int robot, const Object& object) {
-  const Eigen::Vector3d p_world_tool = cell.T_world_tool(robot).translation();
-  return std::min((object.T_world_obj.translation() - p_world_tool).norm(),
-                  (object.T_world_obj * object.p_obj_grasp - p_world_tool).norm());
+  return grasp_distance(object, cell.T_world_tool(robot).translation());
 }
 
 GraspResult grasp(Cell& cell, int robot, std::string_view name) {

@@ -70,6 +70,19 @@ struct GraspWidth {
   double operator()(const Sphere& sphere) const { return 2.0 * sphere.radius; }
 };
 
+struct GraspLine {
+  Eigen::Vector3d operator()(const Box& box) const {
+    int longest = 0;
+    const double length = box.size.maxCoeff(&longest);
+    const double next = std::max(box.size[(longest + 1) % 3], box.size[(longest + 2) % 3]);
+    return 0.5 * (length - next) * Eigen::Vector3d::Unit(longest);
+  }
+  Eigen::Vector3d operator()(const Cylinder& cylinder) const {
+    return {0.0, 0.0, std::max(0.5 * cylinder.height - cylinder.radius, 0.0)};
+  }
+  Eigen::Vector3d operator()(const Sphere&) const { return Eigen::Vector3d::Zero(); }
+};
+
 }  // namespace
 
 void check_object(const Object& object) {
@@ -87,6 +100,26 @@ Eigen::Matrix3d inertia(const Object& object) {
 
 double grasp_width(const Object& object, const Eigen::Vector3d& approach) {
   return std::visit(GraspWidth{object.T_world_obj.linear().transpose() * approach}, object.shape);
+}
+
+Eigen::Vector3d grasp_line(const Object& object) { return std::visit(GraspLine{}, object.shape); }
+
+double grasp_distance(const Object& object, const Eigen::Vector3d& p_world) {
+  const Eigen::Vector3d p = object.T_world_obj.inverse() * p_world;
+  const Eigen::Vector3d half = grasp_line(object);
+  const double length = half.norm();
+  const double along = length > 0.0 ? std::clamp(p.dot(half) / length, -length, length) : 0.0;
+  const Eigen::Vector3d nearest =
+      length > 0.0 ? Eigen::Vector3d(along / length * half) : Eigen::Vector3d::Zero();
+  return std::min((p - nearest).norm(), (p - object.p_obj_grasp).norm());
+}
+
+Eigen::Vector3d grasp_from_above(const Object& object) {
+  if (!object.p_obj_grasp.isZero(0.0)) return object.T_world_obj * object.p_obj_grasp;
+  const Eigen::Vector3d half = object.T_world_obj.linear() * grasp_line(object);
+  const double length = half.norm();
+  if (length == 0.0) return object.T_world_obj.translation();
+  return object.T_world_obj.translation() + half.z() / length * half;
 }
 
 std::string shape_name(const Shape& shape) {

@@ -10,11 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "armlet/model/catalog.hpp"
-#include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "compile/pipeline.hpp"
 #include "executed.hpp"
+#include "library.hpp"
 #include "random_program.hpp"
 
 namespace fs = std::filesystem;
@@ -34,15 +33,6 @@ const std::vector<Row> kRows = {
 #undef OP
 };
 
-const Engine& engine() {
-  static const Engine made = [] {
-    Engine e;
-    install(e);
-    return e;
-  }();
-  return made;
-}
-
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -50,12 +40,10 @@ std::string read(const fs::path& path) {
 
 // As the command does it.
 void run_script(const fs::path& path) {
-  SessionOptions options;
-  options.robot = std::make_shared<const Robot>(make_scara());
-  options.default_world = table_world();
+  SessionOptions options = at_the_table();
   options.limits.heap_bytes = 1U << 26U;
   options.limits.steps = 1'000'000;
-  Session session(engine(), options);
+  Session session(library_engine(), options);
   if (!session.compile(read(path), path.string())) return;
   (void)session.run();
   for (std::size_t i = 0; i < session.program()->test_names().size(); ++i)
@@ -64,8 +52,8 @@ void run_script(const fs::path& path) {
 
 void run_random(std::uint64_t number, bool optimise) {
   const std::string text = oracle::RandomProgram(number).text();
-  const Compilation compilation =
-      lang::compile_text(engine().registry(), text, "random.rbt", {}, {.optimise = optimise});
+  const Compilation compilation = lang::compile_text(library_engine().registry(), text,
+                                                     "random.rbt", {}, {.optimise = optimise});
   REQUIRE(compilation.program != nullptr);
   VmOptions options;
   options.limits.call_depth = 100;

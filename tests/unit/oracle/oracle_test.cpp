@@ -6,23 +6,14 @@
 #include <cstdlib>
 #include <string>
 
-#include "armlet/stdlib/install.hpp"
 #include "comparison.hpp"
+#include "library.hpp"
 #include "random_program.hpp"
 
 using namespace armlet;
 using namespace armlet::oracle;
 
 namespace {
-
-const Engine& engine() {
-  static const Engine made = [] {
-    Engine e;
-    install(e);
-    return e;
-  }();
-  return made;
-}
 
 // ARMLET_ORACLE=first,last compares other programs than the usual ones.
 std::uint64_t number_from(const char* name, std::uint64_t otherwise) {
@@ -42,14 +33,16 @@ TEST_CASE("10,000 random programs print and fail alike in the oracle and on the 
       std::puts(program.c_str());
       continue;
     }
-    const Report report = compare(engine(), program);
+    const Report report = compare(library_engine(), program);
     if (report.agrees()) continue;
     if (!report.not_compiled.empty() && std::getenv("ARMLET_SHORT")) {
       MESSAGE(number << " " << report.not_compiled);
       continue;
     }
     ++wrong;
-    const std::string reduced = report.not_compiled.empty() ? reduce(engine(), program) : program;
-    FAIL_CHECK("program " << number << "\n" << reduced << compare(engine(), reduced).text());
+    const std::string reduced =
+        report.not_compiled.empty() ? reduce(library_engine(), program) : program;
+    FAIL_CHECK("program " << number << "\n"
+                          << reduced << compare(library_engine(), reduced).text());
   }
 }

@@ -12,7 +12,7 @@
 
 #include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "armlet/stdlib/install.hpp"
+#include "library.hpp"
 #include "vm/state.hpp"
 
 using namespace armlet;
@@ -31,15 +31,6 @@ std::vector<std::filesystem::path> programs() {
   }
   std::sort(found.begin(), found.end());
   return found;
-}
-
-const Engine& engine() {
-  static const Engine made = [] {
-    Engine e;
-    install(e);
-    return e;
-  }();
-  return made;
 }
 
 struct Run {
@@ -72,7 +63,7 @@ std::shared_ptr<const Program> compiled(const std::filesystem::path& path) {
   Host host({.robot = make_robot("scara")});
   CompileOptions options;
   options.host = &host;
-  return engine().compile(std::move(text), path.filename().string(), options).program;
+  return library_engine().compile(std::move(text), path.filename().string(), options).program;
 }
 
 }  // namespace

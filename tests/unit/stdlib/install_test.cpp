@@ -4,27 +4,16 @@
 
 #include <string>
 
-#include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "bind.hpp"
+#include "library.hpp"
 
 using namespace armlet;
 
 namespace {
 
-const Engine& engine() {
-  static const Engine made = [] {
-    Engine e;
-    install(e);
-    return e;
-  }();
-  return made;
-}
-
 SessionOptions options(std::string& printed) {
-  SessionOptions made;
-  made.robot = std::make_shared<const Robot>(make_scara());
-  made.default_world = table_world();
+  SessionOptions made = at_the_table();
   made.output = [&printed](std::string_view text) { printed += text; };
   return made;
 }
@@ -40,7 +29,7 @@ void check_example(const NativeFunction& function) {
   std::string text(function.example);
   if (function.name.starts_with("robot.joint.")) text = "robot one { " + text + " }";
   std::string printed;
-  Session session(engine(), options(printed));
+  Session session(library_engine(), options(printed));
   bool compiled = session.compile(before(function.name) + text, "example.rbt");
   // A value alone is no statement.
   if (!compiled && session.problems().front().diagnostic.code == "E0332") {
@@ -58,7 +47,7 @@ void check_example(const NativeFunction& function) {
 }  // namespace
 
 TEST_CASE("every signature of the library can be read") {
-  for (const std::string& wrong : engine().check_signatures()) FAIL_CHECK(wrong);
+  for (const std::string& wrong : library_engine().check_signatures()) FAIL_CHECK(wrong);
 }
 
 TEST_CASE("every function that people see has one line of help and an example that runs") {

@@ -4,22 +4,17 @@
 
 #include <string>
 
-#include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "library.hpp"
 
 using namespace armlet;
 
 namespace {
 
 std::string code_of(const std::string& text, std::uint64_t heap_bytes) {
-  static const Engine engine = [] {
-    Engine made;
-    install(made);
-    return made;
-  }();
   SessionOptions options;
   options.limits.heap_bytes = heap_bytes;
-  Session session(engine, std::move(options));
+  Session session(library_engine(), std::move(options));
   REQUIRE(session.compile(text, "test.rbt"));
   const RunResult result = session.run();
   return result.error ? result.error->code : "";

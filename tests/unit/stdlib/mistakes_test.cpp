@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "armlet/interpreter/render.hpp"
-#include "armlet/model/catalog.hpp"
-#include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "deletions.hpp"
+#include "library.hpp"
 
 using namespace armlet;
 
@@ -41,15 +40,8 @@ std::vector<Mistake> mistakes() {
 
 // The messages of a text in the form that editors get.
 std::vector<nlohmann::json> json_messages(const std::string& text) {
-  static const Engine engine = [] {
-    Engine made;
-    install(made);
-    return made;
-  }();
-  SessionOptions options;
-  options.robot = make_robot("scara");
-  options.default_world = table_world();
-  Session session(engine, std::move(options));
+  SessionOptions options = at_the_table();
+  Session session(library_engine(), std::move(options));
   (void)session.compile(text, "cell.rbt");
   std::vector<nlohmann::json> out;
   for (const Problem& problem : session.problems())

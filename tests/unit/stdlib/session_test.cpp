@@ -10,28 +10,11 @@
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
 #include "armlet/backend/recorder.hpp"
-#include "armlet/model/catalog.hpp"
-#include "armlet/stdlib/install.hpp"
+#include "library.hpp"
 
 using namespace armlet;
 
 namespace {
-
-const Engine& engine() {
-  static const Engine made = [] {
-    Engine e;
-    install(e);
-    return e;
-  }();
-  return made;
-}
-
-SessionOptions options() {
-  SessionOptions made;
-  made.robot = make_robot("scara");
-  made.default_world = table_world();
-  return made;
-}
 
 // The classic program of the language reference, A.1, shortened.
 const std::string kClassic = R"(
@@ -50,9 +33,9 @@ moveJ('Syn', new posJ(over), 1.0);
 std::string trace_of(const std::string& program) {
   std::ostringstream out;
   JsonlBackend backend(out);
-  SessionOptions made = options();
+  SessionOptions made = at_the_table();
   made.backends = {&backend};
-  Session session(engine(), std::move(made));
+  Session session(library_engine(), std::move(made));
   REQUIRE(session.compile(program, "classic.rbt"));
   REQUIRE(session.run().status == RunStatus::kDone);
   return out.str();
@@ -61,7 +44,7 @@ std::string trace_of(const std::string& program) {
 }  // namespace
 
 TEST_CASE("a classic program really carries the cube from its place to the other") {
-  Session session(engine(), options());
+  Session session(library_engine(), at_the_table());
   REQUIRE(session.compile(kClassic, "classic.rbt"));
   const RunResult result = session.run();
   REQUIRE(result.status == RunStatus::kDone);
@@ -82,7 +65,7 @@ TEST_CASE("the same program gives the same trace, byte for byte") {
 }
 
 TEST_CASE("a failed move leaves everything where it was") {
-  Session session(engine(), options());
+  Session session(library_engine(), at_the_table());
   REQUIRE(
       session.compile("let before = joints()\n"
                       "try { moveL(xyz(3m, 0m, 0m), time: 1s) } catch (e) { print(e.kind) }\n"
@@ -92,18 +75,18 @@ TEST_CASE("a failed move leaves everything where it was") {
 }
 
 TEST_CASE("a world given by the user is used, and its mistakes are reported in its own text") {
-  SessionOptions made = options();
+  SessionOptions made = at_the_table();
   made.world = WorldText{"lab", "object ball { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }"};
-  Session session(engine(), std::move(made));
+  Session session(library_engine(), std::move(made));
   REQUIRE(session.compile("assert(poseOf(object(\"ball\")).x == 300mm)", "p.rbt"));
   CHECK(session.run().status == RunStatus::kDone);
   CHECK_FALSE(session.compile("insertObj(\"cube\")", "p.rbt"));
   REQUIRE_FALSE(session.problems().empty());
   CHECK(session.problems().front().diagnostic.code == "E0203");
 
-  SessionOptions broken = options();
+  SessionOptions broken = at_the_table();
   broken.world = WorldText{"lab", "object ball { shape: sphere(15); at: xyz(300mm, 0mm, 300mm) }"};
-  Session other(engine(), std::move(broken));
+  Session other(library_engine(), std::move(broken));
   CHECK_FALSE(other.compile("print(1)", "p.rbt"));
   REQUIRE_FALSE(other.problems().empty());
   CHECK(other.problems()
@@ -123,9 +106,9 @@ TEST_CASE("a trace tells of every robot of the program") {
   CHECK(trace.find("\"right\"") != std::string::npos);
   std::ostringstream out;
   CsvBackend backend(out);
-  SessionOptions made = options();
+  SessionOptions made = at_the_table();
   made.backends = {&backend};
-  Session session(engine(), std::move(made));
+  Session session(library_engine(), std::move(made));
   REQUIRE(session.compile(program, "two.rbt"));
   REQUIRE(session.run().status == RunStatus::kDone);
   CHECK(out.str().find("robot,left,") != std::string::npos);
@@ -133,7 +116,7 @@ TEST_CASE("a trace tells of every robot of the program") {
 }
 
 TEST_CASE("a program's own objects take the place of those of the default world") {
-  Session session(engine(), options());
+  Session session(library_engine(), at_the_table());
   REQUIRE(
       session.compile("object cube { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }\n"
                       "insertObj(\"cylinder\")\nassert(poseOf(cube).z == 300mm)\n",
@@ -143,20 +126,20 @@ TEST_CASE("a program's own objects take the place of those of the default world"
 }
 
 TEST_CASE("without any world insertObj makes a stand-in and says so") {
-  SessionOptions made = options();
+  SessionOptions made = at_the_table();
   made.default_world.reset();
   int advice = 0;
   made.advice = [&](const Diagnostic& d) { advice += d.code == "W0712" ? 1 : 0; };
-  Session session(engine(), std::move(made));
+  Session session(library_engine(), std::move(made));
   REQUIRE(session.compile("insertObj(\"thing\")\nassert(getNumberObj() == 1)\n", "p.rbt"));
   CHECK(session.run().status == RunStatus::kDone);
   CHECK(advice == 1);
 }
 
 TEST_CASE("cancelling from another thread stops an endless program") {
-  SessionOptions made = options();
+  SessionOptions made = at_the_table();
   made.limits.steps = ~std::uint64_t{0};
-  Session session(engine(), std::move(made));
+  Session session(library_engine(), std::move(made));
   REQUIRE(session.compile("var i = 0\nwhile (true) { i = 1 - i }\n", "p.rbt"));
   std::jthread other([&session] {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
@@ -166,7 +149,7 @@ TEST_CASE("cancelling from another thread stops an endless program") {
 }
 
 TEST_CASE("each test runs in a fresh world at time 0") {
-  Session session(engine(), options());
+  Session session(library_engine(), at_the_table());
   REQUIRE(session.compile(
       "test \"one\" { insertObj(\"cube\"); moveJ(home(), time: 1s); assert(now() == 1s) }\n"
       "test \"two\" { assert(now() == 0s); assert(getNumberObj() == 0) }\n"

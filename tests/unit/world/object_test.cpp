@@ -34,6 +34,44 @@ TEST_CASE("the grasp width is the smallest width across the approach") {
   CHECK(grasp_width({.name = "s", .shape = Sphere{0.02}}, side) == 0.04);
 }
 
+TEST_CASE("a long body can be taken along its longest side, a rod up to its radius from the end") {
+  using Eigen::Vector3d;
+  CHECK(grasp_line({.name = "r", .shape = Cylinder{0.015, 0.240}}) == Vector3d(0, 0, 0.105));
+  CHECK(grasp_line({.name = "d", .shape = Cylinder{0.05, 0.02}}) == Vector3d::Zero());
+  CHECK(grasp_line({.name = "c", .shape = Box{{0.04, 0.04, 0.04}}}) == Vector3d::Zero());
+  CHECK(grasp_line({.name = "s", .shape = Sphere{0.1}}) == Vector3d::Zero());
+  const Object bar{.name = "b", .shape = Box{{0.02, 0.30, 0.10}}};
+  CHECK(grasp_line(bar).isApprox(Vector3d(0.0, 0.1, 0.0), 1e-15));
+
+  Object rod{.name = "r", .shape = Cylinder{0.015, 0.240}};
+  rod.T_world_obj.translation() = Vector3d(0.4, 0.1, 0.12);
+  CHECK(grasp_distance(rod, {0.4, 0.1, 0.20}) == doctest::Approx(0.0));
+  CHECK(grasp_distance(rod, {0.4, 0.103, 0.03}) == doctest::Approx(0.003));
+  CHECK(grasp_distance(rod, {0.4, 0.1, 0.235}) == doctest::Approx(0.010));
+  rod.p_obj_grasp = Vector3d(0.0, 0.0, 0.120);
+  CHECK(grasp_distance(rod, {0.4, 0.1, 0.239}) == doctest::Approx(0.001));
+}
+
+TEST_CASE("from above a hand takes the upper end of what stands and the middle of what lies") {
+  using Eigen::Vector3d;
+  Object rod{.name = "r", .shape = Cylinder{0.015, 0.240}};
+  rod.T_world_obj.translation() = Vector3d(0.4, 0.1, 0.12);
+  CHECK(grasp_from_above(rod).isApprox(Vector3d(0.4, 0.1, 0.225), 1e-15));
+  rod.T_world_obj.linear() = Eigen::AngleAxisd(M_PI, Vector3d::UnitX()).matrix();
+  CHECK(grasp_from_above(rod).isApprox(Vector3d(0.4, 0.1, 0.225), 1e-15));
+  for (const double tilt : {0.3, -0.9, 1.2}) {
+    rod.T_world_obj.linear() = Eigen::AngleAxisd(tilt, Vector3d::UnitY()).matrix();
+    const Vector3d p = grasp_from_above(rod);
+    CHECK(grasp_distance(rod, p) < 1e-15);
+    CHECK(p.z() == doctest::Approx(0.12 + 0.105 * std::cos(tilt) * std::cos(tilt)));
+  }
+  rod.T_world_obj.linear() = Eigen::AngleAxisd(0.5 * M_PI, Vector3d::UnitY()).matrix();
+  CHECK(grasp_from_above(rod).isApprox(Vector3d(0.4, 0.1, 0.12), 1e-15));
+  rod.T_world_obj.linear().setIdentity();
+  rod.p_obj_grasp = Vector3d(0.0, 0.0, -0.05);
+  CHECK(grasp_from_above(rod).isApprox(Vector3d(0.4, 0.1, 0.07), 1e-15));
+}
+
 TEST_CASE("objects without name, size or a proper pose are refused") {
   const auto refused = [](auto change) {
     Object object{.name = "cube", .shape = Box{}};

@@ -18,7 +18,7 @@ enum class GraspStatus { kGrasped, kNothing, kTooWide, kFixed, kNoHand, kHolding
 
 // object    what was grasped or is meant; with kNothing the nearest one, empty if there is none;
 //           with kHolding what is held.
-// distance  from the tool point to its centre or grasp point, whichever is nearer, m.
+// distance  from the tool point to where a hand may take it (armlet/world/object.hpp), m.
 // allowed   how near the tool point must be, m.
 // width     of the object across the approach, and stroke of the gripper, m; for kTooWide.
 struct GraspResult {

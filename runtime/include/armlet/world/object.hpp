@@ -54,6 +54,20 @@ Eigen::Matrix3d inertia(const Object& object);
 // approach  direction in which the hand comes, in world axes (the z axis of the tool).
 double grasp_width(const Object& object, const Eigen::Vector3d& approach);
 
+// Where a hand may take a long body besides its grasp point: on the line through its centre along
+// its longest side, to both sides as far as half of what that side is longer than the next one. The
+// returned vector leads from the centre to the end of that line, in the object's frame; zero for a
+// cube, a sphere, a flat disc.
+Eigen::Vector3d grasp_line(const Object& object);
+
+// Distance from a point of the world to where a hand may take the object: its grasp point, its
+// centre or its grasp line, whichever is nearest, m.
+double grasp_distance(const Object& object, const Eigen::Vector3d& p_world);
+
+// Where a hand that comes from above takes the object, in the world: its grasp point if it has one,
+// otherwise its centre, or for a long body that does not lie the upper part of its grasp line.
+Eigen::Vector3d grasp_from_above(const Object& object);
+
 // "box", "cylinder" or "sphere".
 std::string shape_name(const Shape& shape);
 
