@@ -19,7 +19,7 @@ constexpr int kHighestDegree = 50;
 Index count_different(const VectorXd& x) {
   std::vector<double> sorted(x.begin(), x.end());
   std::ranges::sort(sorted);
-  return std::ranges::unique(sorted).begin() - sorted.begin();
+  return std::unique(sorted.begin(), sorted.end()) - sorted.begin();
 }
 
 // p((x - middle) / half) as a polynomial in x, by Horner's scheme on polynomials.
