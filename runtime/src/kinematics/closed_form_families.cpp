@@ -152,7 +152,6 @@ void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
   Branches arms;
   reach_place(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
-  const Turn still;
   for (int i = 0; i < arms.count; ++i) {
     Branch branch = arms.at[static_cast<std::size_t>(i)];
     Matrix3d M = G.linear();
