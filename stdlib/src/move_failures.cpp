@@ -241,6 +241,15 @@ Signal fail_joint_count(Vm& vm, const MoveCall& call, int count) {
   return fail(vm, std::move(f));
 }
 
+Signal fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner) {
+  Failure f = start(vm, call, "R0604", call.planner);
+  f.message =
+      fmt::format("\"{}\" makes the joints jump to their speed, which no drive can do", planner);
+  f.why = "its acceleration has no bound at the ends; it is there to be studied";
+  f.fix = "use \"Lin\", which has ramps at both ends";
+  return fail(vm, std::move(f));
+}
+
 Signal fail_planner(Vm& vm, const MoveCall& call, std::string_view planner) {
   const std::vector<std::string> names = Host::of(vm).planners().names();
   const std::vector<std::string_view> candidates(names.begin(), names.end());

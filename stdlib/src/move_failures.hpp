@@ -13,6 +13,8 @@ Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target);
 Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFault& fault);
 Signal fail_joint_count(Vm& vm, const MoveCall& call, int count);
 Signal fail_planner(Vm& vm, const MoveCall& call, std::string_view planner);
+// The planner gives the joints a speed from one moment to the next.
+Signal fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner);
 Signal fail_no_time(Vm& vm, const MoveCall& call, double distance);
 // W0707: classic moves are planned all the same.
 void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);

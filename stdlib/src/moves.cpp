@@ -136,6 +136,14 @@ std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const 
 
 namespace {
 
+// Whether every joint speeds up from rest and slows down to rest, without a step in its speed.
+bool starts_and_stops(const Trajectory& motion) {
+  for (int i = 0; i < motion.n(); ++i) {
+    if (motion.continuity(i, 1e-6) < 1) return false;
+  }
+  return true;
+}
+
 // The part of a move of the joints that is the same for positions and places. The call has its
 // model.
 Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::VectorXd& q,
@@ -146,8 +154,7 @@ Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vector
   if (q.size() != robot.n()) return fail_joint_count(vm, call, static_cast<int>(q.size()));
   if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
     return Signal::kFail;
-  if (host.planners().availability(planner) != Availability::kAvailable)
-    return fail_planner(vm, call, planner);
+  if (!host.planners().has(planner)) return fail_planner(vm, call, planner);
   JointMove move{.q0 = state.q,
                  .q1 = q,
                  .planner = std::move(planner),
@@ -159,6 +166,7 @@ Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vector
   if (!plan.outside.empty()) return fail_outside(vm, call, q, plan.outside.front());
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
   if (plan.too_fast) advise_too_fast(vm, call, *plan.too_fast);
+  if (!starts_and_stops(*plan.trajectory)) return fail_no_ramps(vm, call, move.planner);
   const Eigen::Vector3d from = forward(robot, state.q).translation();
   const Eigen::Vector3d to = forward(robot, q).translation();
   return start_motion(vm, args, call, *std::move(plan.trajectory), (to - from).norm());

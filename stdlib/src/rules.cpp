@@ -318,16 +318,13 @@ void check_planner(CheckCall& call, int parameter) {
   if (!constant || constant->kind != Constant::Kind::kText) return;
   const PlannerSet planners;
   const std::string& name = constant->text;
-  if (planners.availability(name) == Availability::kAvailable) return;
+  if (planners.has(name)) return;
+  const std::vector<std::string> names = planners.names();
+  const std::vector<std::string_view> all(names.begin(), names.end());
   const Span span = call.span(parameter);
-  if (planners.availability(name) == Availability::kNotYet) {
-    return call.report(make_diagnostic("E0199", span, {fmt::format("the planner \"{}\"", name)}));
-  }
-  constexpr std::array<std::string_view, 9> kAll = {"Syn",     "Asyn",    "Lin", "Cubic", "Spline3",
-                                                    "Spline4", "Spline5", "434", "Trap"};
   Diagnostic d = make_diagnostic("E0202", span, {name});
   d.why = "the planners are Syn, Asyn, Lin, Cubic, Spline3, Spline4, Spline5, 434 and Trap";
-  if (const auto meant = most_similar(name, kAll)) {
+  if (const auto meant = most_similar(name, all)) {
     d.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
                 .edits = {{span, fmt::format("\"{}\"", *meant)}},
                 .confidence = Confidence::kSure};

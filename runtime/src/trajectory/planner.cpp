@@ -3,23 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "trajectory/planning.hpp"
 
 namespace armlet {
 namespace {
-
-// Shorter motions than one nanosecond do not exist on the clock.
-constexpr double kShortest = 1e-9;
-// A time computed from a limit may be given back as a time: rounding must not make it too short.
-constexpr double kTimeSlack = 1e-9;
-// Travel below this is rounding; the joint stands still and ends exactly on its target.
-constexpr double kNoTravel = 1e-12;
-
-constexpr std::array<std::string_view, 6> kPlannedNames = {"Spline3", "Spline4", "Spline5",
-                                                           "434",     "353",     "Lin0"};
 
 using LeastTimeLaw = LeastTime (*)(double travel, const AxisLimits& limits);
 using PathLaw = std::vector<Segment> (*)(double q0, double q1, double T, const AxisLimits& limits);
@@ -30,25 +20,16 @@ struct AxisLaw {
   PathLaw pieces;
 };
 
-double travel_of(const MoveRequest& request, int i) {
-  const double D = request.q1[i] - request.q0[i];
-  return std::abs(D) < kNoTravel ? 0.0 : D;
-}
-
-const AxisLimits& limits_of(const MoveRequest& request, int i) {
-  return request.limits[static_cast<size_t>(i)];
-}
-
-double limit_value(const AxisLimits& limits, LimitKind kind) {
-  switch (kind) {
-    case LimitKind::kSpeed:
-      return limits.speed;
-    case LimitKind::kAcceleration:
-      return limits.acceleration;
-    case LimitKind::kJerk:
-      return limits.jerk;
+void check_durations(const MoveRequest& request) {
+  check_size("durations", static_cast<Eigen::Index>(request.durations.size()),
+             static_cast<Eigen::Index>(request.via.size() + 1));
+  for (const double T : request.durations) {
+    if (std::isfinite(T) && T >= kShortestMotion) continue;
+    throw ArgumentError(fmt::format("A leg of {} s cannot be made; expected more than 0 s.", T));
   }
-  return 0.0;
+  if (request.time || request.speed) {
+    throw ArgumentError("A move was given durations together with a time or a speed.");
+  }
 }
 
 void check_request(const MoveRequest& request) {
@@ -74,6 +55,11 @@ void check_request(const MoveRequest& request) {
   if (request.time && request.speed) {
     throw ArgumentError("A move was given both a time and a speed; give one of them.");
   }
+  for (const Eigen::VectorXd& point : request.via) {
+    check_size("via", point.size(), request.q0.size());
+    check_finite("via", point);
+  }
+  if (!request.durations.empty()) check_durations(request);
 }
 
 // The joint that needs longest, and why.
@@ -90,36 +76,6 @@ TooFast slowest_joint(const MoveRequest& request, const AxisLaw& law) {
                .limit = limit_value(limits_of(request, i), least.limit)};
   }
   return slowest;
-}
-
-bool stands_still(const MoveRequest& request) {
-  for (int i = 0; i < request.q0.size(); ++i) {
-    if (travel_of(request, i) != 0.0) return false;
-  }
-  return true;
-}
-
-// The duration of the whole motion, and what is exceeded by it.
-struct Duration {
-  double T = 0.0;
-  std::optional<TooFast> too_fast{};
-  bool possible = true;
-};
-
-Duration choose_duration(const MoveRequest& request, TooFast slowest) {
-  if (!request.time) {
-    const double T = slowest.least_time / request.speed.value_or(1.0);
-    if (T < kShortest) {
-      throw ArgumentError("The joints have no limits, so the move needs a time.");
-    }
-    return {.T = T};
-  }
-  slowest.given = *request.time;
-  const bool too_fast = slowest.given < slowest.least_time * (1.0 - kTimeSlack);
-  const bool possible = slowest.given >= kShortest && !(too_fast && request.enforce_limits);
-  return {.T = slowest.given,
-          .too_fast = too_fast || !possible ? std::optional(slowest) : std::nullopt,
-          .possible = possible};
 }
 
 // Plans every joint with `law`. Synchronous: all take the whole time. Otherwise each takes the time
@@ -140,7 +96,7 @@ Plan plan_by_law(const MoveRequest& request, const AxisLaw& law, bool synchronou
     // A joint without limits needs no time of its own; it takes the whole.
     if (!synchronous && slowest.least_time > 0.0) {
       const double own = law.least_time(travel, limits).time;
-      if (own > 0.0) T = std::max(chosen.T * (own / slowest.least_time), kShortest);
+      if (own > 0.0) T = std::max(chosen.T * (own / slowest.least_time), kShortestMotion);
     }
     if (travel != 0.0) path.segments = law.pieces(request.q0[i], request.q1[i], T, limits);
     joints.push_back(std::move(path));
@@ -156,6 +112,14 @@ std::vector<Segment> cubic_path(double q0, double q1, double T, const AxisLimits
   return {cubic_segment({.q = q0}, {.q = q1}, T)};
 }
 
+std::vector<Segment> septic_path(double q0, double q1, double T, const AxisLimits&) {
+  return {septic_segment(q0, q1, T)};
+}
+
+std::vector<Segment> cycloid_path(double q0, double q1, double T, const AxisLimits&) {
+  return cycloid_segments(q0, q1, T);
+}
+
 std::vector<Segment> trapezoid_path(double q0, double q1, double T, const AxisLimits& limits) {
   const Trapezoid quarter = trapezoid_with_ramp(q1 - q0, T, 0.25 * T);
   const bool allowed =
@@ -167,6 +131,8 @@ std::vector<Segment> trapezoid_path(double q0, double q1, double T, const AxisLi
 constexpr AxisLaw kQuintic{quintic_least_time, quintic_path};
 constexpr AxisLaw kCubic{cubic_least_time, cubic_path};
 constexpr AxisLaw kTrapezoid{trapezoid_least_time, trapezoid_path};
+constexpr AxisLaw kSeptic{septic_least_time, septic_path};
+constexpr AxisLaw kCycloid{cycloid_least_time, cycloid_path};
 
 // Limits of the scalar s in q = q0 + s (q1 - q0): what the most demanding joint leaves.
 AxisLimits scalar_limits(const MoveRequest& request) {
@@ -218,47 +184,67 @@ Plan plan_lin(const MoveRequest& request) {
 }  // namespace
 
 PlannerSet::PlannerSet() {
-  add("Syn", [](const MoveRequest& request) { return plan_by_law(request, kQuintic, true); });
-  add("Asyn", [](const MoveRequest& request) { return plan_by_law(request, kQuintic, false); });
+  const auto by_law = [this](const char* name, const AxisLaw& law, bool synchronous) {
+    add(name, [&law, synchronous](const MoveRequest& request) {
+      return plan_by_law(request, law, synchronous);
+    });
+  };
+  by_law("Syn", kQuintic, true);
+  by_law("Asyn", kQuintic, false);
   add("Lin", plan_lin);
-  add("Cubic", [](const MoveRequest& request) { return plan_by_law(request, kCubic, true); });
-  add("Trap", [](const MoveRequest& request) { return plan_by_law(request, kTrapezoid, true); });
+  add(
+      "Cubic",
+      [](const MoveRequest& request) {
+        return request.via.empty() ? plan_by_law(request, kCubic, true)
+                                   : plan_cubic_interpolator(request);
+      },
+      Through::kAllPoints);
+  add("Spline3", plan_spline_3, Through::kAllPoints);
+  add("Spline4", plan_spline_4, Through::kAllPoints);
+  add("Spline5", plan_spline_5, Through::kAllPoints);
+  add("434", plan_434, Through::kAllPoints);
+  by_law("Trap", kTrapezoid, true);
+  add("353", plan_353, Through::kAllPoints);
+  add("FiveCubic", plan_five_cubics, Through::kAllPoints);
+  add("SCurve", plan_limited_jerk);
+  by_law("Septic", kSeptic, true);
+  by_law("Cycloid", kCycloid, true);
+  add("Seq", plan_one_by_one);
+  add("Lin0", plan_without_ramps);
 }
 
-void PlannerSet::add(std::string name, Planner planner) {
-  const auto same = std::ranges::find(planners_, name, &std::pair<std::string, Planner>::first);
+void PlannerSet::add(std::string name, Planner planner, Through through) {
+  const auto same = std::ranges::find(planners_, name, &Entry::name);
   if (same != planners_.end()) {
-    same->second = std::move(planner);
+    *same = {std::move(name), std::move(planner), through};
   } else {
-    planners_.emplace_back(std::move(name), std::move(planner));
+    planners_.push_back({std::move(name), std::move(planner), through});
   }
 }
 
-const Planner* PlannerSet::find(std::string_view name) const {
-  const auto found = std::ranges::find(planners_, name, &std::pair<std::string, Planner>::first);
-  return found == planners_.end() ? nullptr : &found->second;
+const PlannerSet::Entry* PlannerSet::find(std::string_view name) const {
+  const auto found = std::ranges::find(planners_, name, &Entry::name);
+  return found == planners_.end() ? nullptr : &*found;
 }
 
-Availability PlannerSet::availability(std::string_view name) const {
-  if (find(name) != nullptr) return Availability::kAvailable;
-  return std::ranges::find(kPlannedNames, name) == kPlannedNames.end() ? Availability::kUnknown
-                                                                       : Availability::kNotYet;
-}
+bool PlannerSet::has(std::string_view name) const { return find(name) != nullptr; }
 
 std::vector<std::string> PlannerSet::names() const {
   std::vector<std::string> names;
-  for (const auto& [name, planner] : planners_) names.push_back(name);
+  for (const Entry& entry : planners_) names.push_back(entry.name);
   return names;
 }
 
 Plan PlannerSet::plan(std::string_view name, const MoveRequest& request) const {
-  const Planner* planner = find(name);
-  if (planner == nullptr) {
+  const Entry* entry = find(name);
+  if (entry == nullptr) {
     throw ArgumentError(
         fmt::format("No planner is called '{}'; there are {}.", name, fmt::join(names(), ", ")));
   }
   check_request(request);
-  return (*planner)(request);
+  if (entry->through == Through::kAllPoints) return entry->plan(request);
+  if (request.via.empty() && request.durations.empty()) return entry->plan(request);
+  return plan_legs(entry->plan, request);
 }
 
 }  // namespace armlet

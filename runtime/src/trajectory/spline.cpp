@@ -6,9 +6,9 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/profile.hpp"
+#include "trajectory/spline_points.hpp"
 
 namespace armlet {
-namespace {
 
 void check_points(std::span<const double> t, std::span<const double> q) {
   check_size("q", static_cast<Eigen::Index>(q.size()), static_cast<Eigen::Index>(t.size()));
@@ -23,6 +23,8 @@ void check_points(std::span<const double> t, std::span<const double> q) {
     }
   }
 }
+
+namespace {
 
 // Speeds at the points from continuity of acceleration: a tridiagonal system, diagonally dominant,
 // so elimination needs no pivots.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/trajectory/profile.hpp"
 #include "trajectory/roots.hpp"
 
 namespace armlet {
@@ -177,6 +178,71 @@ Trajectory Trajectory::stretched(double factor) const {
     }
   }
   return {std::move(joints), duration_ * factor};
+}
+
+namespace {
+
+// A joint that arrives early waits in a piece of its own.
+void wait_until(JointPath& path, double T) {
+  const double end = path.segments.empty() ? 0.0 : path.segments.back().end();
+  if (T - end <= kTimeTolerance) return;
+  path.segments.push_back({.start = end, .duration = T - end, .degree = 0, .c = {path.q_end}});
+}
+
+}  // namespace
+
+Trajectory Trajectory::then(const Trajectory& next) const {
+  check_size("next", next.n(), n());
+  std::vector<JointPath> joints = joints_;
+  for (int i = 0; i < n(); ++i) {
+    JointPath& path = joints[static_cast<size_t>(i)];
+    const double there = next.value(i, 0.0);
+    if (!(std::abs(there - path.q_end) <= 1e-9)) {
+      throw ArgumentError(fmt::format(
+          "Joint {} ends at {} and would go on from {}; a motion continues where the one before "
+          "it ended.",
+          i + 1, path.q_end, there));
+    }
+    if (!next.joint(i).segments.empty()) wait_until(path, duration_);
+    for (Segment piece : next.joint(i).segments) {
+      piece.start += duration_;
+      path.segments.push_back(piece);
+    }
+    path.q_end = next.joint(i).q_end;
+  }
+  return {std::move(joints), duration_ + next.duration_};
+}
+
+Trajectory Trajectory::reversed() const {
+  std::vector<JointPath> joints;
+  for (const JointPath& path : joints_) {
+    JointPath forth = path;
+    if (!forth.segments.empty()) wait_until(forth, duration_);
+    JointPath back{.q_end = forth.segments.empty() ? forth.q_end : forth.segments.front().c[0]};
+    double start = 0.0;
+    for (auto piece = forth.segments.rbegin(); piece != forth.segments.rend(); ++piece) {
+      back.segments.push_back(armlet::reversed(*piece, start));
+      start += piece->duration;
+    }
+    joints.push_back(std::move(back));
+  }
+  return {std::move(joints), duration_};
+}
+
+int Trajectory::continuity(int i, double tolerance) const {
+  const JointPath& path = joint(i);
+  for (int order = 0; order <= Segment::kMaxDegree; ++order) {
+    const double allowed = tolerance * std::max(peak(i, order), order == 0 ? 1.0 : 0.0);
+    // Standing still before and after.
+    double before = order == 0 ? value(i, 0.0) : 0.0;
+    for (const Segment& piece : path.segments) {
+      if (std::abs(piece.value(0.0, order) - before) > allowed) return order - 1;
+      before = piece.value(piece.duration, order);
+    }
+    const double last = order == 0 ? path.q_end : 0.0;
+    if (std::abs(last - before) > allowed) return order - 1;
+  }
+  return Segment::kMaxDegree;
 }
 
 }  // namespace armlet

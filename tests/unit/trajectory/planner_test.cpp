@@ -33,12 +33,13 @@ const PlannerSet kPlanners;
 
 }  // namespace
 
-TEST_CASE("names are available, known for later, or unknown") {
-  CHECK(kPlanners.availability("Syn") == Availability::kAvailable);
-  CHECK(kPlanners.availability("Spline3") == Availability::kNotYet);
-  CHECK(kPlanners.availability("434") == Availability::kNotYet);
-  CHECK(kPlanners.availability("Sin") == Availability::kUnknown);
-  CHECK(kPlanners.names() == std::vector<std::string>{"Syn", "Asyn", "Lin", "Cubic", "Trap"});
+TEST_CASE("every planner of the language has its name") {
+  CHECK(kPlanners.names() == std::vector<std::string>{"Syn", "Asyn", "Lin", "Cubic", "Spline3",
+                                                      "Spline4", "Spline5", "434", "Trap", "353",
+                                                      "FiveCubic", "SCurve", "Septic", "Cycloid",
+                                                      "Seq", "Lin0"});
+  CHECK(kPlanners.has("434"));
+  CHECK_FALSE(kPlanners.has("Sin"));
   CHECK_THROWS_AS((void)kPlanners.plan("Sin", {}), ArgumentError);
 }
 
@@ -52,7 +53,7 @@ TEST_CASE("a registered planner is found by its name and can replace another") {
   });
   CHECK(planners.plan("Jump", {}).trajectory->duration() == 1.0);
   CHECK(planners.plan("Syn", {}).trajectory->duration() == 7.0);
-  CHECK(planners.names().size() == 6);
+  CHECK(planners.names().size() == kPlanners.names().size() + 1);
 }
 
 TEST_CASE("every planner starts and ends at rest on the exact targets, within every limit") {
@@ -71,7 +72,7 @@ TEST_CASE("every planner starts and ends at rest on the exact targets, within ev
         const AxisLimits& limits = request.limits[static_cast<size_t>(i)];
         CHECK(motion.peak(i, 1) <= limits.speed * (1.0 + 1e-9));
         CHECK(motion.peak(i, 2) <= limits.acceleration * (1.0 + 1e-9));
-        CHECK(std::abs(motion.value(i, motion.duration(), 1)) < 1e-9);
+        if (name != "Lin0") CHECK(std::abs(motion.value(i, motion.duration(), 1)) < 1e-9);
         // Positions meet at the knots, the last of them on the target.
         for (const Segment& piece : motion.joint(i).segments) {
           CHECK(piece.value(piece.duration) ==
@@ -134,13 +135,14 @@ TEST_CASE("Trap with a time speeds up for a quarter of it") {
 
 TEST_CASE("running the move backwards is the same motion with time reversed") {
   std::mt19937_64 generator(13);
-  for (const char* name : {"Syn", "Lin", "Cubic", "Trap"}) {
+  for (const std::string& name : kPlanners.names()) {
     CAPTURE(name);
+    if (name == "Seq") continue;  // backwards, the first joint would have to come last
     MoveRequest request = random_request(generator, 3);
     const Trajectory there = *kPlanners.plan(name, request).trajectory;
     std::swap(request.q0, request.q1);
     const Trajectory back = *kPlanners.plan(name, request).trajectory;
-    CHECK(there.duration() == back.duration());
+    CHECK(there.duration() == doctest::Approx(back.duration()).epsilon(1e-12));
     for (double t = 0.0; t <= there.duration(); t += there.duration() / 50.0) {
       for (int i = 0; i < 3; ++i) {
         CHECK(there.value(i, t) ==
@@ -236,4 +238,80 @@ TEST_CASE("wrong sizes, times, speeds and limits are refused") {
   refused([](MoveRequest& r) { r.time = 1.0, r.speed = 0.5; });
   refused([](MoveRequest& r) { r.limits[0].speed = 0.0; });
   refused([](MoveRequest& r) { r.limits[0] = {}; });
+}
+
+TEST_CASE("planners are as smooth at every knot as their law promises") {
+  std::mt19937_64 generator(15);
+  const std::vector<std::pair<std::string, int>> promised = {
+      {"Syn", 2},     {"Asyn", 2},    {"Lin", 1},  {"Cubic", 1}, {"Spline3", 1},   {"Spline4", 2},
+      {"Spline5", 2}, {"434", 2},     {"Trap", 1}, {"353", 2},   {"FiveCubic", 2}, {"SCurve", 2},
+      {"Septic", 3},  {"Cycloid", 2}, {"Seq", 2},  {"Lin0", 0}};
+  CHECK(promised.size() == kPlanners.names().size());
+  for (const auto& [name, smooth] : promised) {
+    CAPTURE(name);
+    for (int k = 0; k < 50; ++k) {
+      const MoveRequest request = random_request(generator, 3);
+      const Trajectory motion = *kPlanners.plan(name, request).trajectory;
+      for (int i = 0; i < 3; ++i) {
+        if (request.q0[i] == request.q1[i]) continue;
+        CHECK(motion.continuity(i, 1e-7) == smooth);
+      }
+    }
+  }
+}
+
+TEST_CASE("through several points every planner passes them, within every limit") {
+  std::mt19937_64 generator(16);
+  for (const std::string& name : kPlanners.names()) {
+    CAPTURE(name);
+    for (int k = 0; k < 50; ++k) {
+      MoveRequest request = random_request(generator, 3);
+      request.via = {random_request(generator, 3).q0, random_request(generator, 3).q0};
+      const Trajectory motion = *kPlanners.plan(name, request).trajectory;
+      for (int i = 0; i < 3; ++i) {
+        const AxisLimits& limits = request.limits[static_cast<size_t>(i)];
+        CHECK(motion.peak(i, 1) <= limits.speed * (1.0 + 1e-9));
+        CHECK(motion.peak(i, 2) <= limits.acceleration * (1.0 + 1e-9));
+      }
+      CHECK(motion.end() == request.q1);
+      // Each point is passed somewhere: the joint curves come within rounding of it together.
+      request.durations = {2.0, 3.0, 4.0};
+      request.enforce_limits = false;
+      const Trajectory timed = *kPlanners.plan(name, request).trajectory;
+      CHECK(timed.duration() == 9.0);
+      for (int i = 0; i < 3; ++i) {
+        CHECK(std::abs(timed.value(i, 2.0) - request.via[0][i]) < 1e-9);
+        CHECK(std::abs(timed.value(i, 5.0) - request.via[1][i]) < 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("Seq moves one joint at a time") {
+  MoveRequest request{.q0 = Eigen::Vector3d(0.0, 0.0, 0.0), .q1 = Eigen::Vector3d(1.0, 0.0, 2.0)};
+  request.limits = {{.speed = 1.0}, {.speed = 1.0}, {.speed = 1.0}};
+  const Trajectory motion = *kPlanners.plan("Seq", request).trajectory;
+  CHECK(motion.duration() == doctest::Approx(3.0 * 1.875));
+  for (double t = 0.0; t < motion.duration(); t += 0.1) {
+    CHECK(motion.value(0, t, 1) * motion.value(2, t, 1) == 0.0);
+  }
+  request.time = 1.0;
+  const Plan fast = kPlanners.plan("Seq", request);
+  REQUIRE(fast.too_fast);
+  CHECK(fast.too_fast->joint == 2);
+  CHECK(fast.too_fast->least_time == doctest::Approx(5.625));
+}
+
+TEST_CASE("434 through two points lifts off and sets down by a tenth in a quarter of the time") {
+  MoveRequest request{.q0 = Eigen::VectorXd::Zero(1), .q1 = Eigen::VectorXd::Ones(1)};
+  request.limits = {{.speed = 10.0}};
+  request.time = 2.0;
+  const Trajectory motion = *kPlanners.plan("434", request).trajectory;
+  CHECK(motion.knots() == std::vector<double>{0.0, 0.5, 1.5, 2.0});
+  CHECK(motion.value(0, 0.5) == doctest::Approx(0.1).epsilon(1e-14));
+  CHECK(motion.value(0, 1.0, 1) == doctest::Approx(14.0 / 15.0).epsilon(1e-14));
+  request.via = {Eigen::VectorXd::Ones(1) * 0.5};
+  CHECK_THROWS_AS((void)kPlanners.plan("434", request), ArgumentError);
+  request.durations = {1.0};
+  CHECK_THROWS_AS((void)kPlanners.plan("Syn", request), ArgumentError);
 }

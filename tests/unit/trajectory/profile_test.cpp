@@ -35,6 +35,53 @@ TEST_CASE("cubic and quintic have their published peaks") {
   CHECK(quintic.peak(0, 3) == doctest::Approx(60.0).epsilon(1e-14));
 }
 
+// The same table: septic 35/16, 7.5132 and 52.5; cycloid 2, 2 pi and 4 pi^2.
+TEST_CASE("septic and cycloid have their published peaks") {
+  const Trajectory septic = one_joint({septic_segment(0.0, 1.0, 1.0)}, 1.0);
+  CHECK(septic.peak(0, 1) == doctest::Approx(2.1875).epsilon(1e-13));
+  CHECK(septic.peak(0, 2) == doctest::Approx(7.5131884).epsilon(1e-7));
+  CHECK(septic.peak(0, 3) == doctest::Approx(52.5).epsilon(1e-12));
+  CHECK(septic.continuity(0) == 3);
+  const Trajectory cycloid = one_joint(cycloid_segments(0.0, 1.0, 1.0), 1.0);
+  CHECK(cycloid.peak(0, 1) == doctest::Approx(2.0).epsilon(1e-12));
+  CHECK(cycloid.peak(0, 2) == doctest::Approx(6.283185307179586).epsilon(1e-10));
+  CHECK(cycloid.peak(0, 3) == doctest::Approx(39.47841760435743).epsilon(1e-8));
+  CHECK(cycloid.continuity(0, 1e-8) == 2);
+  for (double x = 0.0; x <= 1.0; x += 0.0037) {
+    const double exact = x - std::sin(2.0 * 3.14159265358979323846 * x) / 6.283185307179586;
+    CHECK(std::abs(cycloid.value(0, x) - exact) < 1e-13);
+  }
+}
+
+TEST_CASE("least times give exactly the limit that decides") {
+  const AxisLimits limits{.speed = 1.1, .acceleration = 2.3, .jerk = 17.0};
+  for (const double D : {0.01, 0.3, 5.0}) {
+    const LeastTime septic = septic_least_time(D, limits);
+    const LeastTime cycloid = cycloid_least_time(D, limits);
+    const Trajectory a = one_joint({septic_segment(0.0, D, septic.time)}, D);
+    const Trajectory b = one_joint(cycloid_segments(0.0, D, cycloid.time), D);
+    for (const Trajectory& law : {a, b}) {
+      const double load =
+          std::max({law.peak(0, 1) / limits.speed, law.peak(0, 2) / limits.acceleration,
+                    law.peak(0, 3) / limits.jerk});
+      CHECK(load == doctest::Approx(1.0).epsilon(1e-8));
+    }
+  }
+}
+
+TEST_CASE("a quartic starts with its acceleration, and reversed ends with it") {
+  const AxisState from{0.3, -0.4, 1.5}, to{1.2, 0.6, 0.0};
+  const Segment quartic = quartic_segment(from, to, 1.7);
+  CHECK(quartic.value(0.0, 2) == doctest::Approx(1.5));
+  CHECK(quartic.value(1.7) == doctest::Approx(1.2).epsilon(1e-13));
+  CHECK(quartic.value(1.7, 1) == doctest::Approx(0.6).epsilon(1e-13));
+  const Segment back = reversed(quartic, 2.0);
+  CHECK(back.start == 2.0);
+  CHECK(back.value(1.7, 2) == doctest::Approx(1.5).epsilon(1e-12));
+  CHECK(back.value(0.5) == doctest::Approx(quartic.value(1.2)).epsilon(1e-13));
+  CHECK(back.value(0.5, 1) == doctest::Approx(-quartic.value(1.2, 1)).epsilon(1e-12));
+}
+
 TEST_CASE("polynomials meet every condition at both ends") {
   std::mt19937_64 generator(1);
   const auto number = [&] { return uniform(generator, -2.0, 2.0); };

@@ -118,3 +118,30 @@ TEST_CASE("gaps, late starts, wrong durations and infinite coefficients are refu
   CHECK_THROWS_AS(Trajectory({}, -1.0), ArgumentError);
   CHECK_THROWS_AS(Trajectory({}, std::nan("")), ArgumentError);
 }
+
+TEST_CASE("motions join where one ends and the next starts, and nowhere else") {
+  const Trajectory motion = three_joints();
+  const Trajectory there_and_back = motion.then(motion.reversed());
+  CHECK(there_and_back.duration() == 3.0);
+  CHECK(there_and_back.start() == there_and_back.end());
+  for (double t = 0.0; t <= 1.5; t += 0.05) {
+    for (int i = 0; i < 3; ++i) {
+      CHECK(there_and_back.value(i, t) == motion.value(i, t));
+      CHECK(there_and_back.value(i, 3.0 - t) ==
+            doctest::Approx(motion.value(i, t)).epsilon(1e-12).scale(1.0));
+    }
+  }
+  CHECK_THROWS_AS((void)motion.then(motion), ArgumentError);
+  CHECK_THROWS_AS((void)motion.then(Trajectory({}, 1.0)), ArgumentError);
+}
+
+TEST_CASE("continuity counts the derivatives that are the same on both sides of every knot") {
+  const auto smooth = [](const Segment& piece) {
+    return Trajectory({{{piece}, piece.value(piece.duration)}}, piece.duration).continuity(0);
+  };
+  CHECK(smooth({.duration = 1.0, .degree = 1, .c = {0.0, 1.0}}) == 0);
+  CHECK(smooth(cubic_segment({}, {.q = 1.0}, 1.0)) == 1);
+  CHECK(smooth(quintic_segment({}, {.q = 1.0}, 1.0)) == 2);
+  const Trajectory jump({{{{.duration = 1.0, .degree = 0, .c = {0.0}}}, 1.0}}, 1.0);
+  CHECK(jump.continuity(0) == -1);
+}

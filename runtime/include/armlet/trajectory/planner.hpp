@@ -1,4 +1,4 @@
-// Point-to-point planners by name: 'Syn', 'Asyn', 'Lin', 'Cubic', 'Trap', open to registration.
+// Planners of joint motions by name, through two or more points; open to registration.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,6 +23,9 @@ namespace armlet {
 // times
 //                 slower. Not together with time.
 // enforce_limits  false: a move that is too fast is planned all the same and only reported.
+// via             points between q0 and q1, in order. Planners that know only two points stop at
+//                 each.
+// durations       s, one per leg; not together with time or speed. Empty: the planner divides.
 struct MoveRequest {
   Eigen::VectorXd q0{};
   Eigen::VectorXd q1{};
@@ -30,6 +33,8 @@ struct MoveRequest {
   std::optional<double> time{};
   std::optional<double> speed{};
   bool enforce_limits = true;
+  std::vector<Eigen::VectorXd> via{};
+  std::vector<double> durations{};
 };
 
 // The asked time is shorter than the move needs. `joint` counts from 0 and is the one that decides.
@@ -53,9 +58,11 @@ struct Plan {
 
 using Planner = std::function<Plan(const MoveRequest&)>;
 
-enum class Availability { kAvailable, kNotYet, kUnknown };
+// What a planner does with points in between: stops at each (it is called once per leg), or gets
+// them all.
+enum class Through { kStops, kAllPoints };
 
-// The planners a program can name. All but Lin are described by one law per joint:
+// The planners a program can name. Point to point, one law per joint:
 //
 //   Syn    all joints start and end together; quintic, speed and acceleration zero at both ends.
 //   Cubic  the same with a cubic; the acceleration jumps at the ends.
@@ -66,15 +73,31 @@ enum class Availability { kAvailable, kNotYet, kUnknown };
 //          belongs to the slowest joint and all joints run at the same fraction of their limits.
 //   Lin    one scalar law for all joints, so a straight line in joint space, at constant speed. The
 //          ramps at the ends are as short as the acceleration limits allow; a drive cannot jump.
+//   Lin0   constant speed from the first moment to the last, for study: no drive can do that.
+//   Seq    one joint after another, each with a quintic.
+//   Septic, Cycloid  like Syn with those laws; also the jerk is zero at the ends (Septic) or the
+//          acceleration is a sine (Cycloid).
+//   SCurve limited jerk: every joint as fast as its limits on speed, acceleration and jerk allow,
+//          then slowed down to the duration of the slowest.
+//
+// Through several points, without stopping; from two points where that makes sense:
+//
+//   Cubic    cubic interpolator: once continuously differentiable, without overshoot.
+//   Spline3, Spline4, Spline5  see spline.hpp.
+//   434, 353, FiveCubic  lift-off, travel and set-down through four points. From two points the
+//          joints lift off and set down by a tenth of the way. Without durations 1:2:1.
+//
+// These keep their shape in time, so a lower speed or a longer time only slows them down. Without
+// durations the legs of the others are divided by how long the slowest joint needs for each.
 class PlannerSet {
  public:
-  // The five planners above; other names of the language are known but not available yet.
+  // The planners above.
   PlannerSet();
 
   // Adds a planner, or replaces the one of that name.
-  void add(std::string name, Planner planner);
+  void add(std::string name, Planner planner, Through through = Through::kStops);
 
-  [[nodiscard]] Availability availability(std::string_view name) const;
+  [[nodiscard]] bool has(std::string_view name) const;
 
   // Names that can be used, in the order in which they were added.
   [[nodiscard]] std::vector<std::string> names() const;
@@ -85,8 +108,13 @@ class PlannerSet {
   [[nodiscard]] Plan plan(std::string_view name, const MoveRequest& request) const;
 
  private:
-  [[nodiscard]] const Planner* find(std::string_view name) const;
-  std::vector<std::pair<std::string, Planner>> planners_;
+  struct Entry {
+    std::string name;
+    Planner plan;
+    Through through;
+  };
+  [[nodiscard]] const Entry* find(std::string_view name) const;
+  std::vector<Entry> planners_;
 };
 
 }  // namespace armlet

@@ -42,12 +42,36 @@ Segment cubic_segment(const AxisState& from, const AxisState& to, double T);
 // source  Craig, Introduction to Robotics (2005), eq. 7.18.
 Segment quintic_segment(const AxisState& from, const AxisState& to, double T);
 
+// Quartic with given position, speed and acceleration at the start, position and speed at the end;
+// `to.a` is not used.
+// T       duration, s, > 0.
+Segment quartic_segment(const AxisState& from, const AxisState& to, double T);
+
+// From rest to rest with speed, acceleration and jerk zero at both ends:
+// D (35 x^4 - 84 x^5 + 70 x^6 - 20 x^7) with x = t / T.
+// T       duration, s, > 0.
+Segment septic_segment(double q0, double q1, double T);
+
+// The cycloid D (x - sin(2 pi x) / 2 pi) with x = t / T as 32 pieces of degree 7 that have its
+// position, speed, acceleration and jerk at their ends; in between they stray by 1e-13 D at most.
+// T       duration, s, > 0.
+std::vector<Segment> cycloid_segments(double q0, double q1, double T);
+
+// The same polynomial written from its other end: q(T - t), starting at `start`.
+Segment reversed(const Segment& piece, double start);
+
 // Least time from rest to rest over `travel`. Cubic: max(1.5 D/V, sqrt(6 D/A)); its jerk is
 // unbounded at the ends, so a jerk limit is not considered.
 LeastTime cubic_least_time(double travel, const AxisLimits& limits);
 
 // Quintic: max(1.875 D/V, sqrt(10/sqrt(3) D/A), cbrt(60 D/J)).
 LeastTime quintic_least_time(double travel, const AxisLimits& limits);
+
+// Septic: max(35/16 D/V, sqrt(84 sqrt(5)/25 D/A), cbrt(52.5 D/J)).
+LeastTime septic_least_time(double travel, const AxisLimits& limits);
+
+// Cycloid: max(2 D/V, sqrt(2 pi D/A), cbrt(4 pi^2 D/J)).
+LeastTime cycloid_least_time(double travel, const AxisLimits& limits);
 
 // Speed rises evenly for `ramp` seconds to `speed`, stays, and falls evenly for `ramp` seconds.
 struct Trapezoid {

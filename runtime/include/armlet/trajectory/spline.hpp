@@ -18,4 +18,47 @@ namespace armlet {
 std::vector<Segment> cubic_spline(std::span<const double> t, std::span<const double> q,
                                   double v_start = 0.0, double v_end = 0.0);
 
+// Speeds and accelerations prescribed at the two ends of a path.
+struct PathEnds {
+  double v_start = 0.0;
+  double v_end = 0.0;
+  double a_start = 0.0;
+  double a_end = 0.0;
+};
+
+// The functions below take times and positions as cubic_spline does and throw as it does.
+
+// Cubics from point to point. The speed at a point is the mean of the slopes on both sides, zero
+// where the motion turns back: no overshoot, and a point acts only on its neighbours. Once
+// continuously differentiable; the accelerations in `ends` are not used.
+// source  L. Biagiotti, C. Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008,
+//         section 4.3.1.
+std::vector<Segment> cubic_interpolator(std::span<const double> t, std::span<const double> q,
+                                        const PathEnds& ends = {});
+
+// Cubics with a quartic at either end, which take the accelerations prescribed there; twice
+// continuously differentiable. Through four points it is the 4-3-4. Two points alone are joined by
+// two quartics that meet halfway with equal jerk.
+// source  K. S. Fu, R. C. Gonzalez, C. S. G. Lee, Robotics, 1987, section 4.3.
+std::vector<Segment> quartic_spline(std::span<const double> t, std::span<const double> q,
+                                    const PathEnds& ends = {});
+
+// Quintics, four times continuously differentiable: of all curves through the points with these
+// ends the one with the least integral of squared jerk.
+std::vector<Segment> quintic_spline(std::span<const double> t, std::span<const double> q,
+                                    const PathEnds& ends = {});
+
+// Lift-off, travel and set-down through exactly four points: a cubic, a quintic, a cubic; twice
+// continuously differentiable.
+// source  Fu, Gonzalez, Lee 1987, section 4.3.
+std::vector<Segment> path_353(std::span<const double> t, std::span<const double> q,
+                              const PathEnds& ends = {});
+
+// Five cubics through exactly four points, twice continuously differentiable with speed and
+// acceleration prescribed at both ends. The first and the last leg are halved; where the halves
+// meet follows from the conditions.
+// source  Fu, Gonzalez, Lee 1987, section 4.3.
+std::vector<Segment> path_five_cubics(std::span<const double> t, std::span<const double> q,
+                                      const PathEnds& ends = {});
+
 }  // namespace armlet

@@ -74,6 +74,18 @@ class Trajectory {
   // The same path run `factor` times slower (factor > 0): duration and knots are multiplied by it.
   [[nodiscard]] Trajectory stretched(double factor) const;
 
+  // This motion and then the next, which starts where this one ends.
+  // throws  ArgumentError if the numbers of joints differ or a joint would jump more than 1e-9.
+  [[nodiscard]] Trajectory then(const Trajectory& next) const;
+
+  // The same path run backwards, with the same duration.
+  [[nodiscard]] Trajectory reversed() const;
+
+  // How smoothly joint i moves from standing still at its start to standing still at its end: the
+  // highest order of derivative that is continuous at every knot and zero at both ends, -1 if the
+  // position jumps. Differences count if above `tolerance` times the peak of that derivative.
+  [[nodiscard]] int continuity(int i, double tolerance = 1e-9) const;
+
  private:
   std::vector<JointPath> joints_;
   double duration_ = 0.0;

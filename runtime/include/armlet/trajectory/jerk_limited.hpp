@@ -1,0 +1,81 @@
+// The fastest motion of an axis under limits on speed, acceleration and jerk, from any state to
+// rest.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "armlet/trajectory/profile.hpp"
+
+namespace armlet {
+
+// Constant jerk for a while.
+struct JerkStep {
+  double duration = 0.0;  // s, > 0
+  double jerk = 0.0;      // rad/s^3 or m/s^3
+};
+
+// Motion of one axis as a sequence of constant jerks. It needs no memory of its own.
+class JerkProfile {
+ public:
+  // One to bring an acceleration back to its limit, three up, a cruise, three down.
+  static constexpr int kMostSteps = 8;
+
+  [[nodiscard]] std::span<const JerkStep> steps() const {
+    return {steps_.data(), static_cast<std::size_t>(count_)};
+  }
+  [[nodiscard]] double duration() const { return duration_; }
+  // The highest or lowest speed, with sign, that it passes with no acceleration before it stops;
+  // 0 if it slows down all the way.
+  [[nodiscard]] double turning_speed() const { return turning_speed_; }
+
+  // Adds a step; one that is too short to matter is left out.
+  void add(double duration, double jerk);
+  void set_turning_speed(double v) { turning_speed_ = v; }
+
+ private:
+  std::array<JerkStep, kMostSteps> steps_{};
+  int count_ = 0;
+  double duration_ = 0.0;
+  double turning_speed_ = 0.0;
+};
+
+// The fastest motion from `from` to rest at `to`. All three limits are finite and above zero. A
+// start that is faster or accelerates more than allowed is first brought back within the limits; a
+// start that cannot avoid to exceed the speed limit exceeds it as little as possible.
+//
+// The axis is accelerated towards a speed limit up to some moment and then stopped as fast as can
+// be; where it stops depends on that moment monotonically, so the moment is found by bracketing.
+//
+// source  L. Berscheid, T. Kroeger, Jerk-limited real-time trajectory generation with arbitrary
+//         target states, RSS 2021, for targets at rest.
+JerkProfile fastest_jerk_limited(const AxisState& from, double to, const AxisLimits& limits);
+
+// The same motion in exactly T seconds, with a lower speed between the same accelerations and
+// jerks; nothing if there is none (T too short, or a start that must first slow down).
+//
+// fastest  of the same from, to and limits.
+std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to,
+                                                const AxisLimits& limits, double T,
+                                                const JerkProfile& fastest);
+
+// All axes to rest together: each as fast as it can, then those that are earlier are slowed down to
+// the duration of the slowest. An axis that cannot be slowed down waits at its end.
+//
+// profiles  receives one profile per axis.
+// returns   the duration, s.
+// throws    ArgumentError for sizes that differ, numbers or limits that are not finite, or limits
+//           that are not above zero.
+double plan_jerk_limited(std::span<const AxisState> from, std::span<const double> to,
+                         std::span<const AxisLimits> limits, std::span<JerkProfile> profiles);
+
+// The cubic pieces of a profile that starts in the given state at t = 0.
+std::vector<Segment> jerk_segments(const AxisState& from, const JerkProfile& profile);
+
+// The motion of several axes; `from` and `to` as in plan_jerk_limited.
+Trajectory jerk_trajectory(std::span<const AxisState> from, std::span<const double> to,
+                           std::span<const JerkProfile> profiles, double duration);
+
+}  // namespace armlet
