@@ -1,6 +1,11 @@
 # armlet_add_unit_tests(LAYER LIBRARY [INCLUDE...]) adds the program test_LAYER from tests/unit/LAYER.
 # armlet_add_script_tests(FOLDER) adds one test for every .rbt file below it, except those in folders called modules.
 
+# What tests are made of need not be fast; what they test is compiled as it is shipped.
+function(armlet_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 function(armlet_add_unit_tests layer library)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/unit/${layer}/*_test.cpp)
   if(NOT sources)
@@ -8,6 +13,7 @@ function(armlet_add_unit_tests layer library)
   endif()
   add_executable(test_${layer} ${sources})
   armlet_compile_options(test_${layer})
+  armlet_compile_quickly(test_${layer})
   target_link_libraries(test_${layer} PRIVATE armlet_test_main ${library})
   target_include_directories(test_${layer} PRIVATE ${ARGN})
   target_precompile_headers(test_${layer} REUSE_FROM armlet_test_main)
