@@ -9,6 +9,7 @@
 #include "armlet/model/joint.hpp"
 #include "armlet/model/link.hpp"
 #include "armlet/model/tool.hpp"
+#include "armlet/model/walk_plan.hpp"
 
 namespace armlet {
 
@@ -68,6 +69,7 @@ class Robot {
 
   // Constants for the kinematic recursions.
   const Chain& chain() const { return chain_; }
+  const WalkPlan& walk_plan() const { return walk_plan_; }
 
   // Copies with one thing changed. with_tool puts the tool point at the hand's length along the
   // flange's z axis; with_tool_point moves the point and keeps the hand.
@@ -82,6 +84,7 @@ class Robot {
  private:
   RobotSpec spec_;
   Chain chain_;
+  WalkPlan walk_plan_;
   Eigen::VectorXd lower_, upper_, max_speed_, max_accel_, max_jerk_;
   double length_ = 0.0;
   double reach_ = 0.0;
