@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include "armlet/core/error.hpp"
-#include "walk.hpp"
+#include "kernels.hpp"
 
 namespace armlet {
 
 Eigen::Isometry3d forward(const Robot& robot, JointsIn q) {
   check_size("q", q.size(), robot.n());
-  Frame frame = walk(robot.chain(), q.data());
-  frame.step(robot.chain().T_flange_tool);
-  return frame.pose();
+  Eigen::Isometry3d T_world_tool;
+  kernel_for(kPoseKernels, robot.n())(robot.walk_plan(), q.data(), T_world_tool.data());
+  return T_world_tool;
 }
 
 Eigen::Isometry3d link_frame(const Robot& robot, JointsIn q, int k) {
@@ -35,18 +35,10 @@ std::vector<Eigen::Isometry3d> link_frames(const Robot& robot, JointsIn q) {
 Eigen::Isometry3d link_frames(const Robot& robot, JointsIn q, std::span<Eigen::Isometry3d> frames) {
   check_size("q", q.size(), robot.n());
   check_size("frames", static_cast<Eigen::Index>(frames.size()), robot.n());
-  const Chain& chain = robot.chain();
-  const bool standard = chain.standard;
-  Frame frame = walk(
-      chain, q.data(),
-      [&](std::size_t i, const Frame& f) {
-        if (!standard) frames[i] = f.pose();
-      },
-      [&](std::size_t i, const Frame& f) {
-        if (standard) frames[i] = f.pose();
-      });
-  frame.step(chain.T_flange_tool);
-  return frame.pose();
+  Eigen::Isometry3d T_world_tool;
+  kernel_for(kFramesKernels, robot.n())(robot.walk_plan(), q.data(), frames.data()->data(),
+                                        T_world_tool.data());
+  return T_world_tool;
 }
 
 }  // namespace armlet

@@ -1,36 +1,39 @@
 #include "armlet/kinematics/jacobian.hpp"
 
 #include "armlet/core/error.hpp"
+#include "kernels.hpp"
 #include "walk.hpp"
 
 namespace armlet {
+namespace {
+
+// The same columns in other axes.
+void turn_twists(const Eigen::Matrix3d& R, Jacobian& J) {
+  for (Eigen::Index i = 0; i < J.cols(); ++i) J.col(i) = rotate_twist(R, J.col(i));
+}
+
+}  // namespace
 
 Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian& J) {
   check_size("q", q.size(), robot.n());
-  const Chain& chain = robot.chain();
-  J.resize(6, chain.n);
-  std::array<Vec3, kMaxJoints> axis, point;
-  Frame frame = walk(chain, q.data(), [&](std::size_t i, const Frame& f) {
-    axis[i] = f.z;
-    point[i] = f.p;
-  });
-  frame.step(chain.T_flange_tool);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(chain.n); ++i) {
-    const Vec3 v = chain.revolute[i] ? cross(axis[i], frame.p - point[i]) : axis[i];
-    const Vec3 w = chain.turns[i] * axis[i];
-    J.col(static_cast<Eigen::Index>(i)) << v.xy[0], v.xy[1], v.z, w.xy[0], w.xy[1], w.z;
-  }
-  return frame.pose();
+  J.resize(6, robot.n());
+  Eigen::Isometry3d T_world_tool;
+  kernel_for(kPoseAndJacobianKernels, robot.n())(robot.walk_plan(), q.data(), J.data(),
+                                                 T_world_tool.data());
+  return T_world_tool;
 }
 
 Jacobian jacobian(const Robot& robot, JointsIn q, JacobianFrame frame) {
   Jacobian J;
-  const Eigen::Isometry3d T_world_tool = forward_and_jacobian(robot, q, J);
-  if (frame == JacobianFrame::kWorld) return J;
-  const Eigen::Matrix3d R_axes_world = frame == JacobianFrame::kTool
-                                           ? T_world_tool.linear().transpose()
-                                           : robot.T_world_base().linear().transpose();
-  for (Eigen::Index i = 0; i < J.cols(); ++i) J.col(i) = rotate_twist(R_axes_world, J.col(i));
+  if (frame == JacobianFrame::kTool) {
+    const Eigen::Isometry3d T_world_tool = forward_and_jacobian(robot, q, J);
+    turn_twists(T_world_tool.linear().transpose(), J);
+    return J;
+  }
+  check_size("q", q.size(), robot.n());
+  J.resize(6, robot.n());
+  kernel_for(kJacobianKernels, robot.n())(robot.walk_plan(), q.data(), J.data());
+  if (frame == JacobianFrame::kBase) turn_twists(robot.T_world_base().linear().transpose(), J);
   return J;
 }
 

@@ -96,7 +96,7 @@ struct Turns {
     for (std::size_t i = 0; i < n; ++i) angle[i] = chain.theta[i] + q[i] * chain.turns[i];
     angle[n] = 0.0;
     for (std::size_t i = 0; i < n; i += 2) {
-      det::sincos_lanes(angle.data() + i, sine.data() + i, cosine.data() + i);
+      det::sincos_pair(angle.data() + i, sine.data() + i, cosine.data() + i);
     }
   }
 };

@@ -126,7 +126,7 @@ double cos(double x) { return sincos_inline(x).cos; }
 
 void sincos(const double* x, double* s, double* c, int n) {
   int i = 0;
-  for (; i + 1 < n; i += 2) sincos_lanes(x + i, s + i, c + i);
+  for (; i + 1 < n; i += 2) sincos_pair(x + i, s + i, c + i);
   if (i < n) {
     const SinCos last = sincos_inline(x[i]);
     s[i] = last.sin;

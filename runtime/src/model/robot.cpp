@@ -86,6 +86,7 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)), derived_(std::make_shared
   max_accel_ = gather(spec_.joints, &Joint::max_accel);
   max_jerk_ = gather(spec_.joints, &Joint::max_jerk);
   chain_ = make_chain(spec_);
+  walk_plan_ = plan_walk(chain_);
 
   if (spec_.home.size() == 0) {
     spec_.home = Eigen::VectorXd::Zero(n()).cwiseMax(lower_).cwiseMin(upper_);

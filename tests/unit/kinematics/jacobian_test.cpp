@@ -90,11 +90,12 @@ TEST_CASE("the frames differ by rotations of both halves") {
   CHECK((jacobian(robot, q, JacobianFrame::kBase) - jacobian(plain, q)).norm() < 1e-14);
 }
 
+// forward() walks from the tool to the base, where other roundings happen.
 TEST_CASE("pose and Jacobian in one pass are those of two passes") {
   const Robot robot = make_panda();
   Jacobian J;
   const Eigen::Isometry3d T = forward_and_jacobian(robot, robot.home(), J);
-  CHECK(T.matrix() == forward(robot, robot.home()).matrix());
+  CHECK((T.matrix() - forward(robot, robot.home()).matrix()).norm() < 1e-15);
   CHECK(J == jacobian(robot, robot.home()));
 }
 

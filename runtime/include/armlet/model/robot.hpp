@@ -10,6 +10,7 @@
 #include "armlet/model/joint.hpp"
 #include "armlet/model/link.hpp"
 #include "armlet/model/tool.hpp"
+#include "armlet/model/walk_plan.hpp"
 
 namespace armlet {
 
@@ -69,6 +70,7 @@ class Robot {
 
   // Constants for the kinematic recursions.
   const Chain& chain() const { return chain_; }
+  const WalkPlan& walk_plan() const { return walk_plan_; }
 
   // What another layer works out once for this arm and keeps with it, such as its closed form.
   // `make` runs at the first call, in whichever thread comes first; copies of the robot share the
@@ -89,6 +91,7 @@ class Robot {
  private:
   RobotSpec spec_;
   Chain chain_;
+  WalkPlan walk_plan_;
   Eigen::VectorXd lower_, upper_, max_speed_, max_accel_, max_jerk_;
   double length_ = 0.0;
   double reach_ = 0.0;

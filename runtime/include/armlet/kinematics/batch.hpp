@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+
+#include "armlet/model/robot.hpp"
+
+namespace armlet {
+
+// What the processor's vector registers hold: 2, 4 or 8 numbers.
+enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
+
+// Whether this machine has it, and the largest that it has.
+bool is_supported(InstructionSet set);
+InstructionSet best_instruction_set();
+
+// Tool poses of many configurations, several at once.
+//
+// q        structure of arrays: joint i of configuration k of `count` is q[i * count + k], rad or
+// m;
+//          count is its size over n and may be 0.
+// poses    12 count numbers: entry e is poses[e * count + k]; 0-2, 3-5 and 6-8 are the axes x, y, z
+//          of the tool in the world and 9-11 its origin.
+// set      results have the same bits for every set, and the bits of forward().
+// throws   ArgumentError on a wrong size, on a joint value that is not finite, and on a set that
+//          this machine lacks.
+void forward_batch(const Robot& robot, std::span<const double> q, std::span<double> poses,
+                   InstructionSet set = best_instruction_set());
+
+// World Jacobians of the tool point, with the bits of jacobian().
+//
+// jacobians  6 n count numbers: row r of column i is jacobians[(6 * i + r) * count + k].
+void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<double> jacobians,
+                    InstructionSet set = best_instruction_set());
+
+}  // namespace armlet

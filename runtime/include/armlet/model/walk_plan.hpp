@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "armlet/model/chain.hpp"
+
+namespace armlet {
+
+// Twists that need no arithmetic, and the others.
+enum class Twist : std::uint8_t { kNone, kRightAngle, kAny };
+
+// A chain prepared for walking along it. With B = T_world_base X_0 and T = X_n T_flange_tool,
+//
+//   T_world_tool(q) = B Z_0 X_1 Z_1 ... X_{n-1} Z_{n-1} T,
+//
+// and wherever the twist of an X is negative or half a turn, all frames behind it are turned half a
+// turn about x, which makes it positive or none. Only signs change, so nothing is rounded.
+struct WalkPlan {
+  int n = 0;
+  bool standard = true;       // frames after X_{i+1}, else after Z_i
+  bool base_is_none = false;  // B is the identity
+  bool tool_is_flip = false;  // T turns nothing, or half a turn about x
+
+  // Z_i = Rz(theta_i + turn_i q_i) Tz(d_i + slide_i q_i); turn and slide are 0, 1 or -1.
+  std::array<double, kMaxJoints> theta{}, turn{}, d{}, slide{};
+  std::array<bool, kMaxJoints> has_d{};  // d is not zero, or the joint slides
+
+  // X_i = Rx(alpha_i) Tx(a_i) before joint i > 0, and as it was for i = n.
+  std::array<double, kMaxJoints + 1> a{}, sin_alpha{}, cos_alpha{};
+  std::array<bool, kMaxJoints + 1> has_a{};
+  std::array<Twist, kMaxJoints + 1> twist{};
+
+  // 1, or -1 where the frames at joint i are turned: their y and z axes are those of the chain
+  // times this.
+  std::array<double, kMaxJoints> flip{};
+
+  std::array<double, 12> base{};  // B by columns: axes x, y, z, then the origin
+  std::array<double, 12> tool{};  // T by rows: parts of x, y, z and the origin
+};
+
+WalkPlan plan_walk(const Chain& chain);
+
+}  // namespace armlet

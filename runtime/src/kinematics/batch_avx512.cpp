@@ -1,0 +1,12 @@
+#include "batch_kernels.hpp"
+
+namespace armlet {
+namespace {
+
+using Numbers = double __attribute__((vector_size(64)));
+
+}  // namespace
+
+const BatchKernels kAvx512Batch = {8, batch_poses<Numbers>, batch_jacobians<Numbers>};
+
+}  // namespace armlet

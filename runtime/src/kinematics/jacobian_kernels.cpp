@@ -1,0 +1,72 @@
+#include "kernels.hpp"
+#include "walk_out.hpp"
+
+namespace armlet {
+namespace {
+
+// v and w of a joint that turns about `axis` through a point at -r from the tool.
+[[gnu::always_inline]] inline void store_turning(double* column, const Axis& axis, const Axis& r) {
+  const Lanes axis_yx = {axis.xy[1], axis.xy[0]};
+  const Lanes r_yx = {r.xy[1], r.xy[0]};
+  const Lanes v = axis_yx * both(r.z) - both(axis.z) * r_yx;
+  const Lanes products = axis.xy * r_yx;
+  store_pair(column, Lanes{v[0], -v[1]});
+  store_pair(column + 2, Lanes{products[0] - products[1], axis.xy[0]});
+  store_pair(column + 4, Lanes{axis.xy[1], axis.z});
+}
+
+[[gnu::always_inline]] inline void store_sliding(double* column, const Axis& axis) {
+  axis.store(column, 0.0);
+  store_pair(column + 4, both(0.0));
+}
+
+// Axis and origin of each joint are kept on the way out; one cross product each finishes them.
+template <int N>
+[[gnu::always_inline]] inline WalkFrame walk_jacobian(const WalkPlan& plan, const double* q,
+                                                      double* J) {
+  constexpr std::size_t kCapacity = N == kAnyCount ? kMaxJoints : N;
+  std::array<Axis, kCapacity> axis, point;
+  WalkFrame frame = walk_out<N>(
+      plan, q,
+      [&](std::size_t i, const WalkFrame& f) {
+        axis[i] = f.z;
+        point[i] = f.p;
+      },
+      [](std::size_t, const WalkFrame&) {});
+  frame.step_tool(plan);
+  const std::size_t n = static_cast<std::size_t>(joint_count<N>(plan));
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < n; ++i) {
+    if (plan.turn[i] != 0.0) {
+      store_turning(J + 6 * i, both(plan.turn[i]) * axis[i], frame.p - point[i]);
+    } else {
+      store_sliding(J + 6 * i, both(plan.slide[i]) * axis[i]);
+    }
+  }
+  return frame;
+}
+
+template <int N>
+void jacobian_kernel(const WalkPlan& plan, const double* q, double* J) {
+  walk_jacobian<N>(plan, q, J);
+}
+
+template <int N>
+void pose_and_jacobian_kernel(const WalkPlan& plan, const double* q, double* J,
+                              double* T_world_tool) {
+  walk_jacobian<N>(plan, q, J).store(T_world_tool, 1.0);
+}
+
+}  // namespace
+
+const KernelTable<JacobianKernel> kJacobianKernels = {
+    jacobian_kernel<kAnyCount>, jacobian_kernel<1>, jacobian_kernel<2>,
+    jacobian_kernel<3>,         jacobian_kernel<4>, jacobian_kernel<5>,
+    jacobian_kernel<6>,         jacobian_kernel<7>, jacobian_kernel<8>};
+
+const KernelTable<PoseAndJacobianKernel> kPoseAndJacobianKernels = {
+    pose_and_jacobian_kernel<kAnyCount>, pose_and_jacobian_kernel<1>, pose_and_jacobian_kernel<2>,
+    pose_and_jacobian_kernel<3>,         pose_and_jacobian_kernel<4>, pose_and_jacobian_kernel<5>,
+    pose_and_jacobian_kernel<6>,         pose_and_jacobian_kernel<7>, pose_and_jacobian_kernel<8>};
+
+}  // namespace armlet

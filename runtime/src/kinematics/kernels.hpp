@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+
+#include "armlet/model/walk_plan.hpp"
+
+namespace armlet {
+
+// The kernels of kinematics. The caller sees functions of plain arrays; behind each stands one
+// instance per number of joints. Sizes are not checked.
+//
+// q        n joint values.
+// T, J     4x4 and 6xn matrices by columns.
+// throws   ArgumentError if a joint value is not finite.
+using PoseKernel = void(const WalkPlan& plan, const double* q, double* T_world_tool);
+using FramesKernel = void(const WalkPlan& plan, const double* q, double* frames,
+                          double* T_world_tool);
+using JacobianKernel = void(const WalkPlan& plan, const double* q, double* J);
+using PoseAndJacobianKernel = void(const WalkPlan& plan, const double* q, double* J,
+                                   double* T_world_tool);
+
+// One instance for 1 to 8 joints each; [0] is for any number.
+template <class Kernel>
+using KernelTable = std::array<Kernel*, 9>;
+extern const KernelTable<PoseKernel> kPoseKernels;
+extern const KernelTable<FramesKernel> kFramesKernels;
+extern const KernelTable<JacobianKernel> kJacobianKernels;
+extern const KernelTable<PoseAndJacobianKernel> kPoseAndJacobianKernels;
+
+template <class Kernel>
+inline Kernel* kernel_for(const KernelTable<Kernel>& table, int n) {
+  return table[n < 9 ? static_cast<std::size_t>(n) : 0];
+}
+
+}  // namespace armlet

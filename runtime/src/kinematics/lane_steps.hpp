@@ -1,0 +1,57 @@
+#pragma once
+
+#include "../math/det_lanes.hpp"
+
+// Steps along the chain on vectors of any width. Like det_lanes.hpp this is all inlined by force
+// and needs nothing from the standard library: sources for larger instruction sets include it.
+namespace armlet {
+
+// Vectors that need not be aligned.
+template <class V>
+[[gnu::always_inline]] inline V load_lanes(const double* p) {
+  V v;
+  __builtin_memcpy(&v, p, sizeof v);
+  return v;
+}
+template <class V>
+[[gnu::always_inline]] inline void store_lanes(double* p, V v) {
+  __builtin_memcpy(p, &v, sizeof v);
+}
+
+// A vector of three parts, one arm per lane, or one part of two columns side by side.
+template <class V>
+struct Parts {
+  V x, y, z;
+
+  // X of twist alpha, applied to the parts.
+  [[gnu::always_inline]] void turn_x(V sin_alpha, V cos_alpha) {
+    const V y_before = y;
+    y = cos_alpha * y_before - sin_alpha * z;
+    z = sin_alpha * y_before + cos_alpha * z;
+  }
+
+  // Z of angle theta, applied to the parts.
+  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
+    const V x_before = x;
+    x = cosine * x_before - sine * y;
+    y = sine * x_before + cosine * y;
+  }
+
+  // Z behind an X of a right angle, which only changes roles.
+  [[gnu::always_inline]] void turn_right_z(V sine, V cosine) {
+    const V x_before = x, y_before = y;
+    x = cosine * x_before + sine * z;
+    y = sine * x_before - cosine * z;
+    z = y_before;
+  }
+
+  // The rotation of a column-major frame B, applied to the parts.
+  [[gnu::always_inline]] void turn_base(const double* B) {
+    const V x_before = x, y_before = y, z_before = z;
+    x = B[0] * x_before + B[3] * y_before + B[6] * z_before;
+    y = B[1] * x_before + B[4] * y_before + B[7] * z_before;
+    z = B[2] * x_before + B[5] * y_before + B[8] * z_before;
+  }
+};
+
+}  // namespace armlet

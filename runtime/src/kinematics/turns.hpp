@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "armlet/model/walk_plan.hpp"
+#include "lane_steps.hpp"
+
+namespace armlet {
+
+using Lanes = det::Lanes;
+
+// A kernel for any number of joints; the others are told the number when they are compiled, so that
+// their loops unroll and everything stays in registers.
+inline constexpr int kAnyCount = 0;
+inline constexpr int kLargestKernel = 8;
+
+template <int N>
+inline int joint_count(const WalkPlan& plan) {
+  return N == kAnyCount ? plan.n : N;
+}
+
+inline Lanes both(double value) { return Lanes{value, value}; }
+
+inline Lanes load_pair(const double* p) { return load_lanes<Lanes>(p); }
+inline void store_pair(double* p, Lanes v) { store_lanes(p, v); }
+
+// The same for angles that the lanes leave open, one by one.
+//
+// throws  ArgumentError if a joint value is not finite.
+void careful_turns(const WalkPlan& plan, const double* q, double* sine, double* cosine);
+
+// Sines and cosines of all joints, two at a time. Of an odd number the last pair overlaps the one
+// before, which is faster than padding.
+template <int N>
+class Turns {
+ public:
+  [[gnu::always_inline]] Turns(const WalkPlan& plan, const double* q) : n_(joint_count<N>(plan)) {
+    det::LaneBits<Lanes> settled = {-1, -1};
+    const int pairs = (n_ + 1) / 2;
+#pragma GCC unroll 8
+    for (int pair = 0; pair < pairs; ++pair) {
+      const int i = first(pair);
+      const Lanes values = n_ == 1 ? both(q[0]) : load_pair(q + i);
+      const Lanes angles =
+          load_pair(plan.theta.data() + i) + values * load_pair(plan.turn.data() + i);
+      const auto turn = det::sincos_lanes(angles);
+      sine_[pair] = turn.sin;
+      cosine_[pair] = turn.cos;
+      settled &= turn.settled;
+    }
+    if ((settled[0] & settled[1]) == 0) [[unlikely]] {
+      std::array<double, kMaxJoints> s{}, c{};
+      careful_turns(plan, q, s.data(), c.data());
+#pragma GCC unroll 8
+      for (int pair = 0; pair < pairs; ++pair) {
+        sine_[pair] = load_pair(s.data() + first(pair));
+        cosine_[pair] = load_pair(c.data() + first(pair));
+      }
+    }
+  }
+
+  Lanes sine(int i) const { return both(sine_[i / 2][i - first(i / 2)]); }
+  Lanes cosine(int i) const { return both(cosine_[i / 2][i - first(i / 2)]); }
+
+ private:
+  static constexpr int kPairs = ((N == kAnyCount ? kMaxJoints : N) + 1) / 2;
+  int first(int pair) const { return std::max(0, std::min(2 * pair, n_ - 2)); }
+
+  int n_;
+  Lanes sine_[kPairs], cosine_[kPairs];
+};
+
+}  // namespace armlet

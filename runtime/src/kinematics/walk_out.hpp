@@ -1,0 +1,102 @@
+#pragma once
+
+#include "turns.hpp"
+
+namespace armlet {
+
+// A vector of which two elements are worked on at once.
+struct Axis {
+  Lanes xy;
+  double z;
+
+  static Axis load(const double* p) { return {load_pair(p), p[2]}; }
+  // Followed by `last`, as a column of a 4x4 matrix.
+  void store(double* p, double last) const {
+    store_pair(p, xy);
+    store_pair(p + 2, Lanes{z, last});
+  }
+  friend Axis operator+(const Axis& a, const Axis& b) { return {a.xy + b.xy, a.z + b.z}; }
+  friend Axis operator-(const Axis& a, const Axis& b) { return {a.xy - b.xy, a.z - b.z}; }
+  friend Axis operator*(Lanes s, const Axis& a) { return {s * a.xy, s[0] * a.z}; }
+  friend Axis operator-(const Axis& a) { return {-a.xy, -a.z}; }
+};
+
+// A frame as four vectors: its axes and its origin in the world.
+struct WalkFrame {
+  Axis x, y, z, p;
+
+  // A column-major 4x4 matrix; flip is the sign of the y and z axes.
+  void store(double* T, double flip) const {
+    x.store(T, 0.0);
+    (both(flip) * y).store(T + 4, 0.0);
+    (both(flip) * z).store(T + 8, 0.0);
+    p.store(T + 12, 1.0);
+  }
+
+  // X_i
+  [[gnu::always_inline]] void step_x(const WalkPlan& plan, std::size_t i) {
+    if (plan.has_a[i]) p = p + both(plan.a[i]) * x;
+    const Axis y_before = y;
+    if (plan.twist[i] == Twist::kRightAngle) {
+      y = z;
+      z = -y_before;
+    } else if (plan.twist[i] == Twist::kAny) {
+      const Lanes s = both(plan.sin_alpha[i]);
+      const Lanes c = both(plan.cos_alpha[i]);
+      y = c * y_before + s * z;
+      z = c * z - s * y_before;
+    }
+  }
+
+  // T of the plan.
+  [[gnu::always_inline]] void step_tool(const WalkPlan& plan) {
+    const double* T = plan.tool.data();
+    const auto sum = [T](int column, const Axis& a, const Axis& b, const Axis& c) {
+      return both(T[column]) * a + both(T[4 + column]) * b + both(T[8 + column]) * c;
+    };
+    p = p + sum(3, x, y, z);
+    if (plan.tool_is_flip) {
+      y = both(T[5]) * y;
+      z = both(T[10]) * z;
+      return;
+    }
+    const Axis x0 = x, y0 = y, z0 = z;
+    x = sum(0, x0, y0, z0);
+    y = sum(1, x0, y0, z0);
+    z = sum(2, x0, y0, z0);
+  }
+};
+
+// Walks from the base to the last joint: a step is two plane rotations, of which that of a right
+// angle or none costs nothing, and a multiply-add for each length that is not zero.
+//
+// at_axis(i, frame)  after Z_i: frame.z is the axis of joint i up to its flip, frame.p a point on
+//                    it; the link frame of the modified convention.
+// at_link(i, frame)  after X_{i+1} for i + 1 < n: the link frame of the standard convention.
+// returns            the frame before T.
+template <int N, class AtAxis, class AtLink>
+[[gnu::always_inline]] inline WalkFrame walk_out(const WalkPlan& plan, const double* q,
+                                                 const AtAxis& at_axis, const AtLink& at_link) {
+  const Turns<N> turns(plan, q);
+  const double* B = plan.base.data();
+  WalkFrame frame = {Axis::load(B), Axis::load(B + 3), Axis::load(B + 6), Axis::load(B + 9)};
+  const int n = joint_count<N>(plan);
+#pragma GCC unroll 8
+  for (int joint = 0; joint < n; ++joint) {
+    const std::size_t i = static_cast<std::size_t>(joint);
+    if (i > 0) {
+      frame.step_x(plan, i);
+      at_link(i - 1, frame);
+    }
+    if (plan.has_d[i]) frame.p = frame.p + both(plan.d[i] + q[i] * plan.slide[i]) * frame.z;
+    const Lanes s = turns.sine(joint);
+    const Lanes c = turns.cosine(joint);
+    const Axis x_before = frame.x;
+    frame.x = c * x_before + s * frame.y;
+    frame.y = c * frame.y - s * x_before;
+    at_axis(i, frame);
+  }
+  return frame;
+}
+
+}  // namespace armlet
