@@ -6,7 +6,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/det_math.hpp"
-#include "batch_kernels.hpp"
+#include "batch_arm.hpp"
 #include "kernels.hpp"
 
 namespace armlet {
