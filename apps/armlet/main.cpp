@@ -49,36 +49,88 @@ bool knows_command(const CLI::App& app, std::string_view word) {
   return false;
 }
 
-CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
-  CLI::App* command = app.add_subcommand("run", "check a program and run it");
-  command->add_option("FILE", options.file, "the program")->required();
-  add_program_options(*command, options.program);
+// What the command line asked for.
+struct Asked {
+  ProgramOptions options;
+  RunOptions run;
+  FormatOptions format;
+  RobotOptions robot;
+  std::vector<std::string> files;
+  std::string file;
+  std::string code;
+  std::string name;
+  bool markdown = false;
+};
+
+void add_run_options(CLI::App& command, Asked& asked) {
+  command.add_option("FILE", asked.run.file, "the program")->required();
+  add_program_options(command, asked.run.program);
   command
-      ->add_option("--trace", options.trace,
-                   "write joints, hand and objects over time to a .csv or .jsonl file")
+      .add_option("--trace", asked.run.trace,
+                  "write joints, hand and objects over time to a .csv or .jsonl file")
       ->type_name("FILE");
-  command->add_flag("--realtime", options.realtime, "run no faster than the wall clock");
-  command->add_flag("--quiet", options.quiet, "show no moves and no summary");
-  return command;
+  command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock");
+  command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary");
 }
 
-CLI::App* add_format_command(CLI::App& app, FormatOptions& options) {
-  CLI::App* command = app.add_subcommand("fmt", "lay programs out, each in its file");
-  command->add_option("FILE", options.files, "the programs; - for standard input and output")
+void add_files_options(CLI::App& command, Asked& asked) {
+  command.add_option("FILE", asked.files, "the programs")->required();
+  add_program_options(command, asked.options);
+}
+
+void add_disasm_options(CLI::App& command, Asked& asked) {
+  command.add_option("FILE", asked.file, "the program")->required();
+  add_program_options(command, asked.options);
+}
+
+void add_format_options(CLI::App& command, Asked& asked) {
+  command.add_option("FILE", asked.format.files, "the programs; - for standard input and output")
       ->required();
-  command->add_flag("--check", options.check,
-                    "change nothing; name the files that would change and exit with 1");
-  command->add_flag("--json", options.json, "messages as JSON, one object per line");
-  return command;
+  command.add_flag("--check", asked.format.check,
+                   "change nothing; name the files that would change and exit with 1");
+  command.add_flag("--json", asked.format.json, "messages as JSON, one object per line");
 }
 
-CLI::App* add_robot_command(CLI::App& app, RobotOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "robot", "show the table of a ready robot: rows, limits, reach, kinematics");
-  command->add_option("NAME", options.name, "for example puma560; without it, all robots");
-  command->add_flag("--json", options.json, "as JSON, in metres and radians");
-  return command;
+void add_robot_options(CLI::App& command, Asked& asked) {
+  command.add_option("NAME", asked.robot.name, "for example puma560; without it, all robots");
+  command.add_flag("--json", asked.robot.json, "as JSON, in metres and radians");
 }
+
+void add_explain_options(CLI::App& command, Asked& asked) {
+  command.add_option("CODE", asked.code, "for example E0401; without it, all messages are listed");
+}
+
+void add_help_options(CLI::App& command, Asked& asked) {
+  command.add_option("NAME", asked.name,
+                     "for example moveL, or a word to look for; without it, all names");
+  command.add_flag("--markdown", asked.markdown, "the whole reference, as in docs/stdlib.md");
+}
+
+struct Command {
+  const char* name;
+  const char* help;
+  void (*add_options)(CLI::App& command, Asked& asked);
+  int (*run)(const Asked& asked);
+};
+
+constexpr Command kCommands[] = {
+    {"run", "check a program and run it", add_run_options,
+     [](const Asked& asked) { return run(asked.run); }},
+    {"check", "look for mistakes without running", add_files_options,
+     [](const Asked& asked) { return check(asked.options, asked.files); }},
+    {"test", "run the tests in programs, each in a fresh world", add_files_options,
+     [](const Asked& asked) { return test(asked.options, asked.files); }},
+    {"disasm", "show the instructions that a program is compiled to", add_disasm_options,
+     [](const Asked& asked) { return disasm(asked.options, asked.file); }},
+    {"fmt", "lay programs out, each in its file", add_format_options,
+     [](const Asked& asked) { return format(asked.format); }},
+    {"robot", "show the table of a ready robot: rows, limits, reach, kinematics", add_robot_options,
+     [](const Asked& asked) { return robot(asked.robot); }},
+    {"explain", "say what a message means, with a wrong and a right program", add_explain_options,
+     [](const Asked& asked) { return explain(asked.code); }},
+    {"help", "say what a function does, with an example", add_help_options,
+     [](const Asked& asked) { return help(asked.name, asked.markdown); }},
+};
 
 int dispatch(int argc, char** argv) {
   CLI::App app("Armlet: a small language for robot arms.");
@@ -90,52 +142,21 @@ int dispatch(int argc, char** argv) {
       "Exit status: 0 ran, 1 to be laid out (fmt --check), 64 wrong usage, 65 program rejected, "
       "66 file not read, 70 program failed, 130 stopped.");
 
-  RunOptions run_options;
-  CLI::App* run_command = add_run_command(app, run_options);
-  ProgramOptions options;
-  std::vector<std::string> files;
-  CLI::App* check_command = app.add_subcommand("check", "look for mistakes without running");
-  check_command->add_option("FILE", files, "the programs")->required();
-  add_program_options(*check_command, options);
-  CLI::App* test_command =
-      app.add_subcommand("test", "run the tests in programs, each in a fresh world");
-  test_command->add_option("FILE", files, "the programs")->required();
-  add_program_options(*test_command, options);
-  std::string file;
-  CLI::App* disasm_command =
-      app.add_subcommand("disasm", "show the instructions that a program is compiled to");
-  disasm_command->add_option("FILE", file, "the program")->required();
-  add_program_options(*disasm_command, options);
-  FormatOptions format_options;
-  CLI::App* format_command = add_format_command(app, format_options);
-  RobotOptions robot_options;
-  CLI::App* robot_command = add_robot_command(app, robot_options);
-  std::string code;
-  CLI::App* explain_command =
-      app.add_subcommand("explain", "say what a message means, with a wrong and a right program");
-  explain_command->add_option("CODE", code,
-                              "for example E0401; without it, all messages are listed");
-  std::string name;
-  bool markdown = false;
-  CLI::App* help_command = app.add_subcommand("help", "say what a function does, with an example");
-  help_command->add_option("NAME", name,
-                           "for example moveL, or a word to look for; without it, all names");
-  help_command->add_flag("--markdown", markdown, "the whole reference, as in docs/stdlib.md");
-
+  Asked asked;
+  const Command* wanted = nullptr;
+  for (const Command& command : kCommands) {
+    CLI::App* known = app.add_subcommand(command.name, command.help);
+    if (argc < 2 || command.name != std::string_view(argv[1])) continue;
+    command.add_options(*known, asked);  // only those, to start sooner
+    wanted = &command;
+  }
   if (argc > 1 && !knows_command(app, argv[1])) return kUsage;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }
-  if (run_command->parsed()) return run(run_options);
-  if (check_command->parsed()) return check(options, files);
-  if (test_command->parsed()) return test(options, files);
-  if (disasm_command->parsed()) return disasm(options, file);
-  if (help_command->parsed()) return help(name, markdown);
-  if (robot_command->parsed()) return robot(robot_options);
-  if (format_command->parsed()) return format(format_options);
-  return explain_command->parsed() ? explain(code) : kUsage;
+  return wanted == nullptr ? kUsage : wanted->run(asked);
 }
 
 // Ends without taking down the tables of the parser, which the system reclaims at once.

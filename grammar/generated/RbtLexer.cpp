@@ -3,6 +3,7 @@
 
 
 #include "RbtLexer.h"
+#include "table_reader.hpp"
 
 
 using namespace antlr4;
@@ -726,9 +727,7 @@ RbtLexer::Initializer::Initializer() {
     0x2, 0x3, 0x2, 0x2, 0x4, 0x2, 0x8, 0x2, 0x2, 
   };
 
-  atn::ATNDeserializationOptions options;
-  options.setVerifyATN(false);
-  atn::ATNDeserializer deserializer(options);
+  TableReader deserializer;
   _atn = deserializer.deserialize(_serializedATN);
 
   size_t count = _atn.getNumberOfDecisions();

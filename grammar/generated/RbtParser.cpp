@@ -4,6 +4,7 @@
 
 
 #include "RbtParser.h"
+#include "table_reader.hpp"
 
 
 #include "guarded_parser.hpp"
@@ -7429,9 +7430,7 @@ RbtParser::Initializer::Initializer() {
     0x340, 0x342, 0x346, 0x348, 0x350, 0x354, 0x356, 0x35d, 
   };
 
-  atn::ATNDeserializationOptions options;
-  options.setVerifyATN(false);
-  atn::ATNDeserializer deserializer(options);
+  TableReader deserializer;
   _atn = deserializer.deserialize(_serializedATN);
 
   size_t count = _atn.getNumberOfDecisions();

@@ -22,20 +22,12 @@ Registry::Registry() {
   add_record("error", "message: string, kind: string, line: int, robot: string, time: time");
 }
 
-void Registry::add_public_name(std::string_view name) {
-  if (!is_written(name)) return;
-  const auto at = std::ranges::lower_bound(names_, name);
-  if (at == names_.end() || *at != name) names_.insert(at, name);
-}
-
 void Registry::add_function(const NativeFunction& function) {
-  functions_[std::string(function.name)].push_back(&function);
-  add_public_name(function.name);
+  functions_[function.name].push_back(&function);
 }
 
 void Registry::add_constant(const NativeConstant& constant) {
-  constants_[std::string(constant.name)] = &constant;
-  add_public_name(constant.name);
+  constants_[constant.name] = &constant;
 }
 
 void Registry::add_type(const HostType& type) { types_[std::string(type.name)] = &type; }
@@ -56,6 +48,19 @@ const NativeConstant* Registry::constant(std::string_view name) const {
 
 const HostType* Registry::type(std::string_view name) const {
   return find_or(types_, name, nullptr);
+}
+
+std::vector<std::string_view> Registry::public_names() const {
+  std::vector<std::string_view> names;
+  const auto add = [&names](const auto& entry) {
+    if (is_written(entry.first)) names.push_back(entry.first);
+  };
+  std::ranges::for_each(functions_, add);
+  std::ranges::for_each(constants_, add);
+  std::ranges::sort(names);
+  const auto repeated = std::ranges::unique(names);
+  names.erase(repeated.begin(), repeated.end());
+  return names;
 }
 
 bool Registry::is_namespace(std::string_view name) const {
@@ -103,7 +108,7 @@ std::vector<std::string> Registry::check_signatures() const {
   for (const auto& [name, overloads] : functions_) {
     for (const NativeFunction* function : overloads) {
       if (parse_signature(function->signature, types, names, error)) continue;
-      problems.push_back(name + std::string(function->signature) + ": " + error);
+      problems.push_back(std::string(name) + std::string(function->signature) + ": " + error);
     }
   }
   return problems;

@@ -53,7 +53,7 @@ class Registry {
   }
   [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
   // Names a program can write, sorted: for suggestions.
-  [[nodiscard]] const std::vector<std::string_view>& public_names() const { return names_; }
+  [[nodiscard]] std::vector<std::string_view> public_names() const;
 
   // Makes the types of the library's records known to a program.
   void declare_records(TypePool& types) const;
@@ -63,13 +63,11 @@ class Registry {
   [[nodiscard]] std::vector<std::string> check_signatures() const;
 
  private:
-  void add_public_name(std::string_view name);
-
-  std::map<std::string, std::vector<const NativeFunction*>, std::less<>> functions_;
-  std::map<std::string, const NativeConstant*, std::less<>> constants_;
+  // The names are those of the functions and constants, which outlive the engine.
+  std::map<std::string_view, std::vector<const NativeFunction*>> functions_;
+  std::map<std::string_view, const NativeConstant*> constants_;
   std::map<std::string, const HostType*, std::less<>> types_;
   std::map<std::string, std::string, std::less<>> records_;
-  std::vector<std::string_view> names_;
   std::set<std::string_view> planned_;
   std::vector<Chapter> chapters_;
 };
