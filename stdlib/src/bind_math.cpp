@@ -120,6 +120,10 @@ Signal atan_2(Vm& vm, Slot* args) {
   return give(args, det::atan2(y, x));
 }
 
+double angle_of(double y, double x) {
+  return std::isfinite(y) && std::isfinite(x) ? det::atan2(y, x) : std::nan("");
+}
+
 Signal hypotenuse(Vm&, Slot* args) { return give(args, det::hypot(args[0].d, args[1].d)); }
 
 Signal exponential(Vm& vm, Slot* args) {
@@ -225,12 +229,20 @@ Signal clamp_real(Vm& vm, Slot* args) {
         1);
   return give(args, args[0].d < lo ? lo : args[0].d > hi ? hi : args[0].d);
 }
+double between(double x, double lo, double hi) {
+  if (!(lo <= hi)) return std::nan("");
+  return x < lo ? lo : x > hi ? hi : x;
+}
 
 Signal lerp_real(Vm& vm, Slot* args) {
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(args[i].d)) return not_finite(vm, "a value given to lerp", args[i].d, i);
   }
   return give(args, args[0].d + (args[1].d - args[0].d) * args[2].d);
+}
+double part_of_way(double a, double b, double s) {
+  const bool finite = std::isfinite(a) && std::isfinite(b) && std::isfinite(s);
+  return finite ? a + (b - a) * s : std::nan("");
 }
 Signal lerp_list(Vm& vm, Slot* args) {
   const auto a = reals_value(args[0]);
@@ -329,14 +341,15 @@ constexpr NativeFunction kFunctions[] = {
      each<det::atan>},
     {"atan2", "(y: D, x: D) -> angle",
      "Angle of the point (x, y) seen from the origin, in all four quadrants.", "atan2(1.0, -1.0)",
-     atan_2},
+     atan_2, nullptr, angle_of},
     {"hypot", "(a: D, b: D) -> D", "Length of the diagonal with sides a and b.", "hypot(3.0, 4.0)",
-     hypotenuse},
+     hypotenuse, nullptr, det::hypot},
     {"sqrt", "(x: D^2) -> D", "Square root; the root of an area is a length.", "sqrt(2.0)",
      sqrt_checked},
     {"sqrt", "(xs: (D^2)[]) -> D[]", "Square root of each element.", "sqrt([1.0, 4.0])",
      each<square_root>},
-    {"pow", "(x: double, y: double) -> double", "x to the power y.", "pow(2.0, 0.5)", power},
+    {"pow", "(x: double, y: double) -> double", "x to the power y.", "pow(2.0, 0.5)", power,
+     nullptr, det::pow},
     {"exp", "(x: double) -> double", "e to the power x.", "exp(1.0)", exponential, det::exp},
     {"exp", "(xs: double[]) -> double[]", "e to the power of each element.", "exp([0.0, 1.0])",
      each<det::exp>},
@@ -387,10 +400,18 @@ constexpr NativeFunction kFunctions[] = {
     {"max", "(xs: D[]) -> D", "The largest of a list.", "max([3mm, 1mm])", extreme<true, false>},
     {"clamp", "(x: int, lo: int, hi: int) -> int", "x, but not below lo and not above hi.",
      "clamp(7, 0, 5)", clamp_int},
-    {"clamp", "(x: D, lo: D, hi: D) -> D", "x, but not below lo and not above hi.",
-     "clamp(1.2, -1.0, 1.0)", clamp_real},
-    {"lerp", "(a: D, b: D, s: double) -> D", "The value the fraction s of the way from a to b.",
-     "lerp(0mm, 10mm, 0.5)", lerp_real},
+    {.name = "clamp",
+     .signature = "(x: D, lo: D, hi: D) -> D",
+     .help = "x, but not below lo and not above hi.",
+     .example = "clamp(1.2, -1.0, 1.0)",
+     .thunk = clamp_real,
+     .real3 = between},
+    {.name = "lerp",
+     .signature = "(a: D, b: D, s: double) -> D",
+     .help = "The value the fraction s of the way from a to b.",
+     .example = "lerp(0mm, 10mm, 0.5)",
+     .thunk = lerp_real,
+     .real3 = part_of_way},
     {"lerp", "(a: D[], b: D[], s: double) -> D[]",
      "The values the fraction s of the way from a to b.", "lerp([0.0, 1.0], [1.0, 3.0], 0.5)",
      lerp_list},

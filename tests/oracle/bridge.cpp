@@ -19,8 +19,10 @@ VmOptions options_for(void* host) {
 
 Signal Bridge::run(const NativeFunction& function, Slot* window) {
   if (function.thunk != nullptr) return function.thunk(vm_, window);
-  window[0].d = function.real1 != nullptr ? function.real1(window[0].d)
-                                          : function.real2(window[0].d, window[1].d);
+  const double x = window[0].d;
+  if (function.real1 != nullptr) window[0].d = function.real1(x);
+  if (function.real2 != nullptr) window[0].d = function.real2(x, window[1].d);
+  if (function.real3 != nullptr) window[0].d = function.real3(x, window[1].d, window[2].d);
   return Signal::kDone;
 }
 

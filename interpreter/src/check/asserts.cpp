@@ -87,6 +87,7 @@ void Checker::split_condition(hir::AssertStmt& stmt, hir::Expr* test) {
       why.thunk = why.explain;
       why.real1 = nullptr;
       why.real2 = nullptr;
+      why.real3 = nullptr;
       const auto* function = arena_.make<NativeFunction>(why);
       stmt.explain = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, types_.text(),
                                                call->span, function, call->arguments, call->site);

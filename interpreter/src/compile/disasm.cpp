@@ -68,6 +68,7 @@ std::string meaning(const CompiledProgram& program, const FunctionCode& function
       return std::string(program.natives[instr.b]->name);
     case OpCode::CALLD1:
     case OpCode::CALLD2:
+    case OpCode::CALLD3:
       return std::string(program.natives[instr.c]->name);
     case OpCode::TEXT:
     case OpCode::TEXTREF:

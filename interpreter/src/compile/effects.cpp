@@ -13,12 +13,13 @@ bool is_operand_word(OpCode op) {
 
 // Their results depend on their operands alone.
 constexpr OpCode kPure[] = {
-    OpCode::INT,   OpCode::CONST, OpCode::ADDI,  OpCode::SUBI,  OpCode::MULI,   OpCode::DIVI,
-    OpCode::MODI,  OpCode::POWI,  OpCode::NEGI,  OpCode::ADDIK, OpCode::ADDR,   OpCode::SUBR,
-    OpCode::MULR,  OpCode::DIVR,  OpCode::MODR,  OpCode::POWR,  OpCode::NEGR,   OpCode::MULADD,
-    OpCode::ADDRI, OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI, OpCode::SQRT,   OpCode::NOT,
-    OpCode::ITOR,  OpCode::RTOI,  OpCode::LTI,   OpCode::LEI,   OpCode::EQI,    OpCode::NEI,
-    OpCode::LTR,   OpCode::LER,   OpCode::EQR,   OpCode::NER,   OpCode::CALLD1, OpCode::CALLD2,
+    OpCode::INT,    OpCode::CONST, OpCode::ADDI,  OpCode::SUBI,  OpCode::MULI,   OpCode::DIVI,
+    OpCode::MODI,   OpCode::POWI,  OpCode::NEGI,  OpCode::ADDIK, OpCode::ADDR,   OpCode::SUBR,
+    OpCode::MULR,   OpCode::DIVR,  OpCode::MODR,  OpCode::POWR,  OpCode::NEGR,   OpCode::MULADD,
+    OpCode::ADDRI,  OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI, OpCode::SQRT,   OpCode::NOT,
+    OpCode::ITOR,   OpCode::RTOI,  OpCode::LTI,   OpCode::LEI,   OpCode::EQI,    OpCode::NEI,
+    OpCode::LTR,    OpCode::LER,   OpCode::EQR,   OpCode::NER,   OpCode::CALLD1, OpCode::CALLD2,
+    OpCode::CALLD3,
 };
 // And on memory.
 constexpr OpCode kLoads[] = {
@@ -88,13 +89,9 @@ Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at) {
       effects.has_window = true;
       effects.window = Reg{instr.b};
       break;
-    case OpCode::CALLD2:
-      effects.fixed = 2;
-      effects.first_fixed = Reg{instr.b};
-      break;
     case OpCode::ADDRL:
-      effects.fixed = 1;
-      effects.first_fixed = Reg{instr.b};
+      effects.has_fixed = true;
+      effects.fixed = Reg{instr.b};
       break;
     default:
       break;

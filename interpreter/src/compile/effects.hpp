@@ -23,9 +23,9 @@ struct Effects {
   // Number registers from here on are read and then lost.
   bool has_window = false;
   Reg window;
-  // One or two registers read that must stay where they are.
-  int fixed = 0;
-  Reg first_fixed;
+  // A register that must stay where it is.
+  bool has_fixed = false;
+  Reg fixed;
 };
 
 // Of the instruction at `at`, which is not an operand word.

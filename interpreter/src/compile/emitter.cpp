@@ -330,6 +330,17 @@ void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
   }
 }
 
+// Branches that jump backward count steps; which ones do is known now.
+static void tell_loops_apart(std::vector<Instr>& code) {
+  constexpr int kFurther = static_cast<int>(OpCode::IFLTI_LOOP) - static_cast<int>(OpCode::IFLTI);
+  for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+    OpCode& op = code[i].op;
+    if (is_compare_and_branch(op) && code[i + 1].op == OpCode::LOOP) {
+      op = static_cast<OpCode>(static_cast<int>(op) + kFurther);
+    }
+  }
+}
+
 void Emitter::finish(FunctionCode& into, CompiledProgram& program) {
   if (parameters_ + most_references_ + pinned_ + most_numbers_ >= kMostIndices) {
     throw TooLarge{whole_, "variables and temporaries in one function", kMostIndices};
@@ -347,6 +358,7 @@ void Emitter::finish(FunctionCode& into, CompiledProgram& program) {
       }
     }
   }
+  tell_loops_apart(into.code);
   fill_tables(into, shift);
   for (const Shown& shown : shown_) {
     for (const Reg reg : shown.registers) {

@@ -86,8 +86,7 @@ void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) con
     const Effects effects = effects_of(code_, at);
     for_each_read(code_, at, effects, [&](std::uint32_t bits) { read(Reg{bits}); });
     if (effects.effect == Effect::kUpdate) read(Reg{code_[at].a});
-    for (int i = 0; i < effects.fixed; ++i)
-      read(effects.first_fixed.plus(static_cast<std::uint32_t>(i)));
+    if (effects.has_fixed) read(effects.fixed);
     const bool unknown = effects.effect == Effect::kUnknown;
     if (unknown || (effects.has_window && is_number(effects.window))) {
       for (std::uint32_t n = unknown ? 0 : effects.window.number(); n < numbers_; ++n) {

@@ -1,5 +1,7 @@
 // Calls of functions of the program, of function values and of the library.
 
+#include <array>
+
 #include "compile/lowering.hpp"
 
 namespace armlet::lang {
@@ -120,29 +122,27 @@ Reg Lowering::call_guarded(const GuardedExpr& e, Dest to) {
   return base;
 }
 
-// Functions of one or two doubles need no window.
+// Functions of one to three doubles need no window.
 bool Lowering::call_direct(const CallNativeExpr& e, Dest to) {
   const NativeFunction& f = *e.function;
+  const std::size_t count = e.arguments.size();
+  const bool is_root = count == 1 && f.name == "sqrt";
+  const bool is_direct = is_root || (count == 1 && f.real1 != nullptr) ||
+                         (count == 2 && f.real2 != nullptr) || (count == 3 && f.real3 != nullptr);
+  if (!is_direct || !e.type->is(Kind::kReal)) return false;
   for (const Expr* argument : e.arguments) {
     if (!argument->type->is(Kind::kReal) || argument->kind == ExprKind::kAbsent) return false;
   }
-  if (!e.type->is(Kind::kReal)) return false;
-  const bool is_root = f.name == "sqrt";
-  if (e.arguments.size() == 1 && (is_root || f.real1 != nullptr)) {
-    const Reg argument = value_near(*e.arguments[0], to);
-    code_.at(e.span, &e);
-    code_.push(is_root ? OpCode::SQRT : OpCode::CALLD1, to.reg.bits, argument.bits,
-               tables_.native(&f));
-    return true;
-  }
-  if (e.arguments.size() == 2 && f.real2 != nullptr) {
-    const Reg base = base_for(to);
-    window(e.arguments, base, Hold::kNow);
-    code_.at(e.span, &e);
-    code_.push(OpCode::CALLD2, to.reg.bits, base.bits, tables_.native(&f));
-    return true;
-  }
-  return false;
+  std::array<Reg, 3> operands;
+  operands[0] = value_near(*e.arguments[0], to);
+  for (std::size_t i = 1; i < count; ++i) operands[i] = value(*e.arguments[i]);
+  code_.at(e.span, &e);
+  constexpr std::array kCalls = {OpCode::CALLD1, OpCode::CALLD2, OpCode::CALLD3};
+  code_.push(is_root ? OpCode::SQRT : kCalls[count - 1], to.reg.bits, operands[0].bits,
+             tables_.native(&f));
+  if (count == 2) code_.emit(OpCode::WITH, operands[1]);
+  if (count == 3) code_.emit(OpCode::PAIR, operands[1], operands[2]);
+  return true;
 }
 
 }  // namespace armlet::lang

@@ -121,7 +121,6 @@ class RepeatFinder {
         key[next++] = reg ? std::uint64_t{1} << 32U | value_of(Reg{operands[i]}) : operands[i];
       }
     }
-    if (effects.fixed == 2) key[7] = value_of(effects.first_fixed.plus(1));
     return key;
   }
 
@@ -181,10 +180,7 @@ class RepeatFinder {
     if (effects.effect == Effect::kUnknown) return false;
     if (effects.effect == Effect::kUpdate && code_[at].a == reg.bits) return false;
     if (effects.has_window && reg.bits >= effects.window.bits) return false;
-    for (int i = 0; i < effects.fixed; ++i) {
-      if (effects.first_fixed.plus(static_cast<std::uint32_t>(i)) == reg) return false;
-    }
-    return true;
+    return !effects.has_fixed || effects.fixed != reg;
   }
 
   bool changes(const Effects& effects, std::uint32_t at, Reg reg) const {

@@ -92,10 +92,12 @@ bool op_eqdeep(VmState& state, Slot* base, const Instr* pc) {
   return true;
 }
 
-bool op_calld_again(VmState& state, Slot* base, const Instr* pc, int arguments) {
+bool op_calld_again(VmState& state, Slot* base, const Instr* pc) {
   const NativeFunction& native = *state.program.natives[pc->c];
   Slot* scratch = base + state.running->top->callee->registers;
-  for (int i = 0; i < arguments; ++i) scratch[i] = base[pc->b + i];
+  scratch[0] = base[pc->b];
+  if (pc->op == OpCode::CALLD2 || pc->op == OpCode::CALLD3) scratch[1] = base[pc[1].a];
+  if (pc->op == OpCode::CALLD3) scratch[2] = base[pc[1].b];
   if (native.thunk == nullptr) {
     scratch[0].d = std::nan("");
   } else if (native.thunk(state.vm, scratch) != Signal::kDone) {

@@ -24,7 +24,7 @@ SlowOp op_parallel, op_endwatch,
 SlowOp op_makeerr, op_throw, op_rethrow, op_catch, op_hold, op_retry, op_assertfail, op_expecterr;
 
 // The direct call gave no number: the whole function is called, which may say why.
-bool op_calld_again(VmState& state, Slot* base, const Instr* pc, int arguments);
+bool op_calld_again(VmState& state, Slot* base, const Instr* pc);
 // The running chunk of steps is used up: looks at the limit and at the wish to cancel.
 bool count_slowly(VmState& state);
 // The ends of a slice, either of them absent or both inside 0 to size, the second not before the

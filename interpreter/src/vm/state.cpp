@@ -4,20 +4,10 @@
 #include <string_view>
 
 #include "vm/failures.hpp"
-#include "vm/interpret.hpp"
 #include "vm/recordings.hpp"
 #include "vm/slow_ops.hpp"
 
 namespace armlet::lang {
-
-namespace {
-
-// Room for frames of usual size at full depth, and for a few very large ones.
-std::size_t slots_for(std::uint32_t call_depth) {
-  return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64;
-}
-
-}  // namespace
 
 // ---- steps ----------------------------------------------------------------------------------
 
@@ -41,7 +31,7 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
       program(compiled),
       options(vm_options),
       heap(vm_options.limits.heap_bytes),
-      main(vm_options.limits.call_depth, slots_for(vm_options.limits.call_depth)),
+      main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)),
       output_left(vm_options.limits.output_bytes) {
   steps.limit = options.limits.steps;
   callees.reserve(program.functions.size());
@@ -133,88 +123,6 @@ Obj* VmState::character(unsigned char code) {
 
 bool VmState::take_cancellation() {
   return vm.cancelled_.exchange(false, std::memory_order_relaxed);
-}
-
-// ---- calls by the host ----------------------------------------------------------------------
-
-namespace {
-
-// Arguments are few; a call of memmove would cost as much as the rest.
-inline void copy_arguments(std::span<const Slot> from, Slot* to) {
-  switch (from.size()) {
-    case 0:
-      return;
-    case 1:
-      to[0] = from[0];
-      return;
-    case 2:
-      to[0] = from[0];
-      to[1] = from[1];
-      return;
-    default:
-      std::copy(from.begin(), from.end(), to);
-  }
-}
-
-}  // namespace
-
-inline bool VmState::push_frames(const Callee& callee, ClosureObj* closure,
-                                 std::span<const Slot> arguments) {
-  Task& task = *running;
-  Frame* below = task.top;
-  Slot* base = below->base + below->callee->registers + kScratch;
-  const bool fits = below + 2 < task.frames_end && base < task.slots_end;
-  if (!fits) [[unlikely]] {
-    return raise_too_deep(*this, callee, options.limits.call_depth);
-  }
-  below[1] = {kReturnToHost, base, task.frames->callee, nullptr};
-  below[2] = {callee.code, base, &callee, closure};
-  task.top = below + 2;
-  copy_arguments(arguments, base);
-  for (unsigned i = 0; i < callee.references; ++i) base[callee.references_begin + i].o = nullptr;
-  return true;
-}
-
-bool VmState::enter(std::uint32_t function, ClosureObj* closure, std::span<const Slot> arguments) {
-  return push_frames(callees[function], closure, arguments);
-}
-
-bool VmState::call(ClosureObj* function, std::span<const Slot> arguments, Slot& result) {
-  const Callee& callee = callees[function->function];
-  if (host_calls >= kHostCalls) [[unlikely]] {
-    return raise_too_deep(*this, callee, kHostCalls);
-  }
-  if (--steps.left < 0 && !count_slowly(*this)) [[unlikely]] {
-    return false;
-  }
-  if (!push_frames(callee, function, arguments)) return false;
-  ++host_calls;
-  const Exit exit = interpret(*this, *running);
-  --host_calls;
-  if (exit != Exit::kDone) return false;
-  Frame*& top = running->top;  // the host's frame, with the result in its register 0
-  result = top->base[0];
-  --top;
-  return true;
-}
-
-bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
-  const std::uint32_t depth = options.limits.call_depth;
-  if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, slots_for(depth));
-  Task* before = running;
-  running = condition_task.get();
-  running->parent = &owner;
-  running->host_data = owner.host_data;
-  const bool done = call(static_cast<ClosureObj*>(function), {}, result);
-  running = before;
-  return done;
-}
-
-bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
-  Slot value{.i = 0};
-  const bool done = evaluate(owner, condition, value);
-  result = value.i != 0;
-  return done;
 }
 
 }  // namespace armlet::lang

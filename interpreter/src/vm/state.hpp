@@ -96,10 +96,7 @@ struct VmState {
   [[nodiscard]] const RecordLayout& layout_of(const Type* record);
   // Puts a host frame and the function's frame on the running task. False: calls are nested too
   // deep.
-  [[nodiscard]] bool enter(std::uint32_t function, ClosureObj* closure,
-                           std::span<const Slot> arguments);
-  // Calls a function to its end. False: it failed, and `fault` is set.
-  [[nodiscard]] bool call(ClosureObj* function, std::span<const Slot> arguments, Slot& result);
+  [[nodiscard]] bool enter(std::uint32_t function, ClosureObj* closure);
   // Evaluates what may not pause, such as a condition of a task, on a stack of its own.
   [[nodiscard]] bool evaluate(Task& owner, Obj* function, Slot& result);
   [[nodiscard]] bool evaluate(Task& owner, Obj* condition, bool& result);
@@ -109,7 +106,6 @@ struct VmState {
   [[nodiscard]] Obj* character(unsigned char code);
 
  private:
-  bool push_frames(const Callee& callee, ClosureObj* closure, std::span<const Slot> arguments);
   void make_error_layout();
 };
 

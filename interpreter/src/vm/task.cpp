@@ -10,8 +10,8 @@ namespace armlet::lang {
 
 namespace {
 
-// The largest frame, and the slots behind it that native calls may use.
-constexpr std::size_t kLargestFrame = 65536 + 16;
+// The largest frame, and behind it the arguments of a call by the host, which are as many at most.
+constexpr std::size_t kLargestFrame = std::size_t{2} * 65536;
 
 // What lies at the bottom of every task and below every call by the host.
 constexpr Callee kHost{kReturnToHost, nullptr, 0, 0, 0, 0};

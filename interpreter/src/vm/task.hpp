@@ -76,6 +76,11 @@ struct Watch {
 // A block that holds watches.
 using Region = std::vector<std::unique_ptr<Watch>>;
 
+// For frames of usual size at full depth, and a few very large ones.
+constexpr std::size_t ample_slots(std::uint32_t call_depth) {
+  return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64;
+}
+
 // A task waits while `waiting` is set.
 struct Task {
   // call_depth  calls that may be nested.

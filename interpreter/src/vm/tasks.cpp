@@ -33,7 +33,7 @@ bool is_quiet(const Task& task) {
 
 Exit Scheduler::run(std::uint32_t function) {
   state_.running = &state_.main;
-  if (!state_.enter(function, nullptr, {})) return Exit::kFailed;
+  if (!state_.enter(function, nullptr)) return Exit::kFailed;
   Exit exit = interpret(state_, state_.main);
   while (exit == Exit::kPaused) {
     exit = run_instant();
@@ -125,7 +125,7 @@ Exit Scheduler::begin(Task& task) {
   resumed_ns_ = state_.vm.timeline().now_ns();
   state_.steps.paused();
   auto* closure = static_cast<ClosureObj*>(task.entry);
-  if (!state_.enter(closure->function, closure, {})) return Exit::kFailed;
+  if (!state_.enter(closure->function, closure)) return Exit::kFailed;
   return interpret(state_, task);
 }
 

@@ -77,10 +77,6 @@ RunResult Vm::run_test(std::size_t index) {
   return finish_run(*state_, ready ? scheduler.run(test) : lang::Exit::kFailed);
 }
 
-bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
-  return state_->call(static_cast<ClosureObj*>(function), arguments, result);
-}
-
 namespace {
 
 // What `when` and `every` start, and conditions, draw from the stream of the task around them.

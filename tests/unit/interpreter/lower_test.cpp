@@ -80,7 +80,7 @@ TEST_CASE("a sum of products is accumulated in place, a counted loop ends in one
   REQUIRE_FALSE(lower(*program).has_value());
   const FunctionCode& code = program->functions[0];
   CHECK(count(code, OpCode::MADD) == 1);
-  CHECK(count(code, OpCode::FORI) == 1);
+  CHECK(count(code, OpCode::FORI_LOOP) == 1);
   CHECK(count(code, OpCode::ADDIK) == 0);
   REQUIRE(code.loops.size() == 1);
   CHECK(code.loops[0].first == 0);

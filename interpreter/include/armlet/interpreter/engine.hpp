@@ -27,6 +27,8 @@ namespace lang {
 struct CompiledProgram;
 class Registry;
 struct VmState;
+struct Callee;
+struct Frame;
 }  // namespace lang
 
 struct ParseLimits {
@@ -177,6 +179,25 @@ class Vm {
   std::unique_ptr<lang::VmState> state_;
   std::atomic<bool> cancelled_{false};
   friend struct lang::VmState;
+};
+
+// A function of the program that the running native function calls, perhaps many times: what all
+// these calls have in common is looked up once. Good until the native function returns; the
+// function may not pause.
+class PreparedCall {
+ public:
+  PreparedCall(Vm& vm, Obj* function);
+  // The arguments go here, one slot for each parameter; the first one then holds the result.
+  [[nodiscard]] Slot* window() const { return window_; }
+  // False: the call failed, and the failure is set in the Vm.
+  [[nodiscard]] bool run() const;
+
+ private:
+  lang::VmState& state_;
+  lang::Frame* below_;
+  Obj* function_;
+  const lang::Callee* callee_;
+  Slot* window_;
 };
 
 }  // namespace armlet

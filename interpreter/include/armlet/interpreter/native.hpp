@@ -55,8 +55,8 @@ struct NativeFunction {
   std::string_view help;     // one or two sentences
   std::string_view example;  // one line that runs
   Thunk thunk = nullptr;     // null for map, filter ...: the program itself runs these, as loops
-  // The same function for a direct call, when it cannot fail and its result depends on nothing but
-  // its arguments: repeated calls may be left out.
+  // The same function for a direct call, when its result depends on nothing but its arguments:
+  // repeated calls may be left out. When it gives no number the thunk is asked, which may fail.
   double (*real1)(double) = nullptr;
   double (*real2)(double, double) = nullptr;
   void (*check)(CheckCall& call) = nullptr;  // rules checked before running
@@ -71,6 +71,7 @@ struct NativeFunction {
   bool commands = false;
   // Pauses, but is meant for a robot that another task moves.
   bool interrupts = false;
+  double (*real3)(double, double, double) = nullptr;  // as real1 and real2
 };
 
 // A named number of the library: PI, E.

@@ -32,20 +32,19 @@ class ScriptFunction;
 template <SlotNumber Result, SlotNumber... Arguments>
 class ScriptFunction<Result(Arguments...)> {
  public:
-  ScriptFunction(Vm& vm, Slot function) : vm_(vm), function_(function.o) {}
+  ScriptFunction(Vm& vm, Slot function) : call_(vm, function.o) {}
 
   // False: the call failed, and the failure is set in the Vm; the host function returns kFail then.
   [[nodiscard]] bool call(Result& result, Arguments... arguments) const {
-    const Slot slots[sizeof...(Arguments) + 1] = {slot_of(arguments)...};
-    Slot slot;
-    if (!vm_.call(function_, {slots, sizeof...(Arguments)}, slot)) return false;
-    result = number_in<Result>(slot);
+    [[maybe_unused]] Slot* next = call_.window();
+    ((*next++ = slot_of(arguments)), ...);
+    if (!call_.run()) return false;
+    result = number_in<Result>(*call_.window());
     return true;
   }
 
  private:
-  Vm& vm_;
-  Obj* function_;
+  PreparedCall call_;
 };
 
 }  // namespace armlet
