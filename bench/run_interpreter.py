@@ -8,6 +8,7 @@ compiled, and start-up. Fails when two implementations print different things.
 
 import argparse
 import math
+import re
 import resource
 import shutil
 import statistics
@@ -116,20 +117,38 @@ def print_times(implementations, names, runs):
     return agree
 
 
+def instructions(command):
+    """Instructions executed, the same number every time, by valgrind; None without it."""
+    if not shutil.which("valgrind"):
+        return None
+    done = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *command],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL)
+    counted = re.search(r"Collected : (\d+)", done.stderr.decode())
+    return int(counted[1]) if done.returncode == 0 and counted else None
+
+
 def print_step_cost(armlet, uncounted, names, runs):
-    """Compares with a command that differs only in not counting steps."""
+    """Compares with a command that differs only in not counting steps: time, and instructions executed.
+
+    Times differ by a few per cent either way with where the linker puts the code; instructions do not."""
     if not uncounted.exists():
         print(f"cost of counting steps: not measured, {uncounted} is not built")
         return
     both = {"counted": armlet_command(armlet), "uncounted": armlet_command(uncounted)}
     startup = measure(both, EMPTY, runs)
-    ratios = []
+    times, counts = [], []
     for name in names:
         best = measure(both, name, runs)
-        times = {tool: best[tool][0] - startup[tool][0] for tool in both}
-        ratios.append(times["counted"] / times["uncounted"])
-    listed = ", ".join(f"{name} {(ratio - 1) * 100:+.1f} %" for name, ratio in zip(names, ratios))
-    print(f"cost of counting steps: {(geometric_mean(ratios) - 1) * 100:+.1f} % in the mean (target 5 %): {listed}")
+        spent = {tool: best[tool][0] - startup[tool][0] for tool in both}
+        times.append(spent["counted"] / spent["uncounted"])
+        executed = {tool: instructions(command(name)) for tool, command in both.items()}
+        if None not in executed.values():
+            counts.append(executed["counted"] / executed["uncounted"])
+    for what, ratios in (("time", times), ("instructions", counts)):
+        if len(ratios) == len(names):
+            listed = ", ".join(f"{name} {(ratio - 1) * 100:+.1f} %" for name, ratio in zip(names, ratios))
+            mean = (geometric_mean(ratios) - 1) * 100
+            print(f"cost of counting steps, {what}: {mean:+.1f} % in the mean (target 5 %): {listed}")
 
 
 def print_compile_speed(armlet, folder, runs):
@@ -169,7 +188,7 @@ def main():
     implementations = commands(options.armlet, cpp_folder)
     names = options.programs or PROGRAMS
     agree = print_times(implementations, names, options.runs)
-    print_step_cost(options.armlet, options.uncounted, names, options.runs)
+    print_step_cost(options.armlet, options.uncounted, names, 3 * options.runs)
     print_compile_speed(options.armlet, cpp_folder, options.runs)
     print_startup(implementations, 20 * options.runs)
     return 0 if agree else 1
