@@ -6,26 +6,32 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/det_math.hpp"
-#include "batch_kernels.hpp"
+#include "batch_arm.hpp"
 #include "kernels.hpp"
 
 namespace armlet {
 namespace {
 
-struct Twists {
-  std::array<bool, kMaxJoints + 1> right{}, any{};
+// The flags that a plan does not hold as such.
+struct Flags {
+  std::array<bool, kMaxJoints + 1> right{}, any{}, slides{}, plain{};
 
-  explicit Twists(const WalkPlan& plan) {
+  explicit Flags(const WalkPlan& plan) {
     for (std::size_t i = 0; i <= static_cast<std::size_t>(plan.n); ++i) {
       right[i] = plan.twist[i] == Twist::kRightAngle;
       any[i] = plan.twist[i] == Twist::kAny;
     }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(plan.n); ++i) {
+      slides[i] = plan.slide[i] != 0.0;
+      plain[i] = plan.theta[i] == 0.0 && plan.turn[i] == 1.0;
+    }
   }
 };
 
-BatchArm batch_arm(const WalkPlan& plan, const Twists& twists) {
+BatchArm batch_arm(const WalkPlan& plan, const Flags& flags) {
   return {.n = static_cast<std::size_t>(plan.n),
           .base_is_none = plan.base_is_none,
+          .tool_on_axis = plan.tool_on_axis,
           .theta = plan.theta.data(),
           .turn = plan.turn.data(),
           .d = plan.d.data(),
@@ -37,8 +43,10 @@ BatchArm batch_arm(const WalkPlan& plan, const Twists& twists) {
           .tool = plan.tool.data(),
           .has_d = plan.has_d.data(),
           .has_a = plan.has_a.data(),
-          .right_angle = twists.right.data(),
-          .any_angle = twists.any.data()};
+          .slides = flags.slides.data(),
+          .plain = flags.plain.data(),
+          .right_angle = flags.right.data(),
+          .any_angle = flags.any.data()};
 }
 
 const char* name_of(InstructionSet set) {
@@ -116,8 +124,8 @@ void forward_batch(const Robot& robot, std::span<const double> q, std::span<doub
     for (std::size_t e = 0; e < 12; ++e) poses[e] = T[4 * (e / 3) + e % 3];
     return;
   }
-  const Twists twists(plan);
-  kernels_for(set, count)->poses(batch_arm(plan, twists), q.data(), count, poses.data());
+  const Flags flags(plan);
+  kernels_for(set, count)->poses(batch_arm(plan, flags), q.data(), count, poses.data());
 }
 
 void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<double> jacobians,
@@ -130,8 +138,8 @@ void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<dou
     kernel_for(kJacobianKernels, plan.n)(plan, q.data(), jacobians.data());
     return;
   }
-  const Twists twists(plan);
-  kernels_for(set, count)->jacobians(batch_arm(plan, twists), q.data(), count, jacobians.data());
+  const Flags flags(plan);
+  kernels_for(set, count)->jacobians(batch_arm(plan, flags), q.data(), count, jacobians.data());
 }
 
 [[gnu::cold]] void careful_batch_turns(const BatchArm& arm, const double* q, std::size_t count,

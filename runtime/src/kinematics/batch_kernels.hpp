@@ -1,39 +1,12 @@
 #pragma once
 
-#include <cstddef>
-
+#include "batch_arm.hpp"
 #include "lane_steps.hpp"
 
 // Kernels for many configurations, one per lane. Compiled once per instruction set, in sources that
 // include nothing else; every operation is that of the kernels for one configuration, so the bits
 // are the same too.
 namespace armlet {
-
-// A plan as plain pointers.
-struct BatchArm {
-  std::size_t n;
-  bool base_is_none;
-  const double *theta, *turn, *d, *slide, *a, *sin_alpha, *cos_alpha, *base, *tool;
-  const bool *has_d, *has_a, *right_angle, *any_angle;
-};
-
-// Entry e of configuration k is at [e * count + k] of `q` and of what is written: the entries of
-// axes x, y, z and origin of the tool, or the columns of the Jacobian. `count` is at least `lanes`.
-using BatchKernel = void(const BatchArm& arm, const double* q, std::size_t count, double* out);
-struct BatchKernels {
-  std::size_t lanes;
-  BatchKernel* poses;
-  BatchKernel* jacobians;
-};
-extern const BatchKernels kBaselineBatch, kAvx2Batch, kAvx512Batch;
-
-// Sines and cosines [joint * lanes + lane] of the block that starts at configuration k, one by one.
-//
-// throws  ArgumentError if a joint value is not finite.
-void careful_batch_turns(const BatchArm& arm, const double* q, std::size_t count, std::size_t k,
-                         std::size_t lanes, double* sine, double* cosine);
-
-inline constexpr std::size_t kBatchJoints = 12;
 
 template <class V>
 inline constexpr std::size_t kLanesOf = sizeof(V) / sizeof(double);
@@ -50,16 +23,33 @@ template <class V>
   return value - V{};
 }
 
-// Offsets and signs of the angles in every lane, which do not change from block to block.
+// What does not change from block to block, in every lane.
 template <class V>
-struct BatchAngles {
-  V theta[kBatchJoints], turn[kBatchJoints];
+struct BatchLanes {
+  V theta[kBatchJoints], turn[kBatchJoints], d[kBatchJoints], a[kBatchJoints];
 
-  [[gnu::always_inline]] explicit BatchAngles(const BatchArm& arm) {
+  [[gnu::always_inline]] explicit BatchLanes(const BatchArm& arm) {
     for (std::size_t i = 0; i < arm.n; ++i) {
       theta[i] = all_lanes<V>(arm.theta[i]);
       turn[i] = all_lanes<V>(arm.turn[i]);
+      d[i] = all_lanes<V>(arm.d[i]);
+      a[i] = all_lanes<V>(arm.a[i]);
     }
+  }
+};
+
+// A block: `lanes` configurations from number k on.
+template <class V>
+struct Block {
+  const BatchArm& arm;
+  const BatchLanes<V>& lanes;
+  const double* q;
+  std::size_t count, k;
+
+  [[gnu::always_inline]] V values(std::size_t i) const { return load_lanes<V>(q + i * count + k); }
+  // Of the last part of Z_i.
+  [[gnu::always_inline]] V distance(std::size_t i) const {
+    return arm.slides[i] ? lanes.d[i] + values(i) * arm.slide[i] : lanes.d[i];
   }
 };
 
@@ -74,68 +64,109 @@ struct BatchTurns {
     return load_lanes<V>(cosines + i * kLanes);
   }
 
-  [[gnu::always_inline]] BatchTurns(const BatchArm& arm, const BatchAngles<V>& angles,
-                                    const double* q, std::size_t count, std::size_t k) {
-    auto settled = V{} == V{};
-    for (std::size_t i = 0; i < arm.n; ++i) {
-      const V values = load_lanes<V>(q + i * count + k);
-      const auto turn = det::sincos_lanes(angles.theta[i] + values * angles.turn[i]);
+  [[gnu::always_inline]] explicit BatchTurns(const Block<V>& block) {
+    det::LaneCheck<V> check;
+    for (std::size_t i = 0; i < block.arm.n; ++i) {
+      const V values = block.values(i);
+      const V angle =
+          block.arm.plain[i] ? values : block.lanes.theta[i] + values * block.lanes.turn[i];
+      const auto turn = det::sincos_lanes(angle, check);
       store_lanes(sines + i * kLanes, turn.sin);
       store_lanes(cosines + i * kLanes, turn.cos);
-      settled &= turn.settled;
     }
-    auto all = settled[0];
-    for (std::size_t lane = 1; lane < kLanes; ++lane) all &= settled[lane];
-    if (all == 0) careful_batch_turns(arm, q, count, k, kLanes, sines, cosines);
+    if (!check.all_settled()) {
+      careful_batch_turns(block.arm, block.q, block.count, block.k, kLanes, sines, cosines);
+    }
   }
 };
 
-// Where the last part of Z_i moves along the axis.
+// Two of the four columns of a pose; six vectors and a sine and cosine fit into the registers.
 template <class V>
-[[gnu::always_inline]] inline V distance(const BatchArm& arm, const double* q, std::size_t count,
-                                         std::size_t k, std::size_t i) {
-  return arm.d[i] + load_lanes<V>(q + i * count + k) * arm.slide[i];
+struct TwoColumns {
+  Parts<V> left, right;
+
+  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
+    left.turn_z(sine, cosine);
+    right.turn_z(sine, cosine);
+  }
+
+  // Z_i behind X_{i+1}.
+  [[gnu::always_inline]] void step(const BatchArm& arm, std::size_t i, V sine, V cosine) {
+    if (arm.right_angle[i + 1]) {
+      left.turn_right_z(sine, cosine);
+      right.turn_right_z(sine, cosine);
+      return;
+    }
+    if (arm.any_angle[i + 1]) {
+      const V sin_alpha = all_lanes<V>(arm.sin_alpha[i + 1]);
+      const V cos_alpha = all_lanes<V>(arm.cos_alpha[i + 1]);
+      left.turn_x(sin_alpha, cos_alpha);
+      right.turn_x(sin_alpha, cos_alpha);
+    }
+    turn_z(sine, cosine);
+  }
+};
+
+template <class V>
+[[gnu::always_inline]] inline Parts<V> tool_column(const double* T, std::size_t c) {
+  return {all_lanes<V>(T[c]), all_lanes<V>(T[4 + c]), all_lanes<V>(T[8 + c])};
 }
 
-// The four columns of a pose; as variables of their own they stay in registers.
+// The x and y axes of the tools.
 template <class V>
-struct BatchPose {
-  Parts<V> x, y, z, p;
+[[gnu::always_inline]] inline TwoColumns<V> walk_axes(const Block<V>& block,
+                                                      const BatchTurns<V>& turns) {
+  const BatchArm& arm = block.arm;
+  const V sine = turns.sine(arm.n - 1);
+  const V cosine = turns.cosine(arm.n - 1);
+  TwoColumns<V> xy;
+  if (arm.tool_on_axis) {
+    const double flip = arm.tool[5];
+    xy = {{cosine, sine, V{}}, {sine * -flip, cosine * flip, V{}}};
+  } else {
+    xy = {tool_column<V>(arm.tool, 0), tool_column<V>(arm.tool, 1)};
+    xy.turn_z(sine, cosine);
+  }
+  for (std::size_t i = arm.n - 1; i-- > 0;) xy.step(arm, i, turns.sine(i), turns.cosine(i));
+  if (!arm.base_is_none) {
+    xy.left.turn_base(arm.base);
+    xy.right.turn_base(arm.base);
+  }
+  return xy;
+}
 
-  [[gnu::always_inline]] static Parts<V> column(const double* T, std::size_t c) {
-    return {all_lanes<V>(T[c]), all_lanes<V>(T[4 + c]), all_lanes<V>(T[8 + c])};
-  }
-  [[gnu::always_inline]] explicit BatchPose(const double* T)
-      : x(column(T, 0)), y(column(T, 1)), z(column(T, 2)), p(column(T, 3)) {}
+// Along the axis of joint i and to the one before it.
+template <class V>
+[[gnu::always_inline]] inline void move(const Block<V>& block, std::size_t i, Parts<V>& p) {
+  if (block.arm.has_d[i]) p.z += block.distance(i);
+  if (i > 0 && block.arm.has_a[i]) p.x += block.lanes.a[i];
+}
 
-  [[gnu::always_inline]] void turn_x(V sine, V cosine) {
-    x.turn_x(sine, cosine);
-    y.turn_x(sine, cosine);
-    z.turn_x(sine, cosine);
-    p.turn_x(sine, cosine);
+// The z axes and origins of the tools.
+template <class V>
+[[gnu::always_inline]] inline TwoColumns<V> walk_origins(const Block<V>& block,
+                                                         const BatchTurns<V>& turns) {
+  const BatchArm& arm = block.arm;
+  TwoColumns<V> zp = {tool_column<V>(arm.tool, 2), tool_column<V>(arm.tool, 3)};
+  if (arm.tool_on_axis) {
+    zp.left.x = zp.left.y = zp.right.x = zp.right.y = V{};
+  } else {
+    zp.turn_z(turns.sine(arm.n - 1), turns.cosine(arm.n - 1));
   }
-  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
-    x.turn_z(sine, cosine);
-    y.turn_z(sine, cosine);
-    z.turn_z(sine, cosine);
-    p.turn_z(sine, cosine);
+  move(block, arm.n - 1, zp.right);
+  for (std::size_t i = arm.n - 1; i-- > 0;) {
+    zp.step(arm, i, turns.sine(i), turns.cosine(i));
+    move(block, i, zp.right);
   }
-  [[gnu::always_inline]] void turn_right_z(V sine, V cosine) {
-    x.turn_right_z(sine, cosine);
-    y.turn_right_z(sine, cosine);
-    z.turn_right_z(sine, cosine);
-    p.turn_right_z(sine, cosine);
+  if (!arm.base_is_none) {
+    zp.left.turn_base(arm.base);
+    zp.right.turn_base(arm.base);
+    zp.right.x += arm.base[9];
+    zp.right.y += arm.base[10];
+    zp.right.z += arm.base[11];
   }
-  [[gnu::always_inline]] void step_base(const double* B) {
-    x.turn_base(B);
-    y.turn_base(B);
-    z.turn_base(B);
-    p.turn_base(B);
-    p.x += B[9];
-    p.y += B[10];
-    p.z += B[11];
-  }
-};
+  return zp;
+}
 
 template <class V>
 [[gnu::always_inline]] inline void store_parts(double* out, std::size_t count, const Parts<V>& v) {
@@ -145,30 +176,14 @@ template <class V>
 }
 
 template <class V>
-[[gnu::always_inline]] inline void poses_of_block(const BatchArm& arm, const BatchAngles<V>& angles,
-                                                  const double* q, std::size_t count, std::size_t k,
-                                                  double* out) {
-  const BatchTurns<V> turns(arm, angles, q, count, k);
-  BatchPose<V> pose(arm.tool);
-  for (std::size_t i = arm.n; i-- > 0;) {
-    const V sine = turns.sine(i);
-    const V cosine = turns.cosine(i);
-    if (i + 1 < arm.n && arm.right_angle[i + 1]) {
-      pose.turn_right_z(sine, cosine);
-    } else {
-      if (i + 1 < arm.n && arm.any_angle[i + 1]) {
-        pose.turn_x(all_lanes<V>(arm.sin_alpha[i + 1]), all_lanes<V>(arm.cos_alpha[i + 1]));
-      }
-      pose.turn_z(sine, cosine);
-    }
-    if (arm.has_d[i]) pose.p.z += distance<V>(arm, q, count, k, i);
-    if (i > 0 && arm.has_a[i]) pose.p.x += arm.a[i];
-  }
-  if (!arm.base_is_none) pose.step_base(arm.base);
-  store_parts(out + k, count, pose.x);
-  store_parts(out + 3 * count + k, count, pose.y);
-  store_parts(out + 6 * count + k, count, pose.z);
-  store_parts(out + 9 * count + k, count, pose.p);
+[[gnu::always_inline]] inline void poses_of_block(const Block<V>& block, double* out) {
+  const BatchTurns<V> turns(block);
+  const TwoColumns<V> xy = walk_axes(block, turns);
+  store_parts(out, block.count, xy.left);
+  store_parts(out + 3 * block.count, block.count, xy.right);
+  const TwoColumns<V> zp = walk_origins(block, turns);
+  store_parts(out + 6 * block.count, block.count, zp.left);
+  store_parts(out + 9 * block.count, block.count, zp.right);
 }
 
 template <class V>
@@ -215,17 +230,15 @@ struct BatchFrame {
 };
 
 template <class V>
-[[gnu::always_inline]] inline void jacobians_of_block(const BatchArm& arm,
-                                                      const BatchAngles<V>& angles, const double* q,
-                                                      std::size_t count, std::size_t k,
-                                                      double* out) {
-  const BatchTurns<V> turns(arm, angles, q, count, k);
+[[gnu::always_inline]] inline void jacobians_of_block(const Block<V>& block, double* out) {
+  const BatchArm& arm = block.arm;
+  const BatchTurns<V> turns(block);
   Parts<V> axis[kBatchJoints], point[kBatchJoints];
   BatchFrame<V> frame = {parts<V>(arm.base), parts<V>(arm.base + 3), parts<V>(arm.base + 6),
                          parts<V>(arm.base + 9)};
   for (std::size_t i = 0; i < arm.n; ++i) {
     if (i > 0) frame.step_x(arm, i);
-    if (arm.has_d[i]) frame.p = frame.p + distance<V>(arm, q, count, k, i) * frame.z;
+    if (arm.has_d[i]) frame.p = frame.p + block.distance(i) * frame.z;
     frame.turn_z(turns.sine(i), turns.cosine(i));
     axis[i] = frame.z;
     point[i] = frame.p;
@@ -234,33 +247,36 @@ template <class V>
                         all_lanes<V>(arm.tool[11]) * frame.z;
   const Parts<V> p = frame.p + tool;
   for (std::size_t i = 0; i < arm.n; ++i) {
-    double* column = out + 6 * i * count + k;
-    if (arm.turn[i] == 0.0) {
-      store_parts(column, count, all_lanes<V>(arm.slide[i]) * axis[i]);
-      store_parts(column + 3 * count, count, Parts<V>{});
+    double* v_out = out + 6 * i * block.count;
+    double* w_out = v_out + 3 * block.count;
+    if (arm.slides[i]) {
+      store_parts(v_out, block.count, all_lanes<V>(arm.slide[i]) * axis[i]);
+      store_parts(w_out, block.count, Parts<V>{});
       continue;
     }
-    const Parts<V> w = all_lanes<V>(arm.turn[i]) * axis[i];
+    const Parts<V> w = block.lanes.turn[i] * axis[i];
     const Parts<V> r = p - point[i];
     const Parts<V> v = {w.y * r.z - w.z * r.y, -(w.x * r.z - w.z * r.x), w.x * r.y - w.y * r.x};
-    store_parts(column, count, v);
-    store_parts(column + 3 * count, count, w);
+    store_parts(v_out, block.count, v);
+    store_parts(w_out, block.count, w);
   }
 }
 
 template <class V>
 void batch_poses(const BatchArm& arm, const double* q, std::size_t count, double* out) {
-  const BatchAngles<V> angles(arm);
-  for (std::size_t k = 0; k < count; k += kLanesOf<V>) {
-    poses_of_block<V>(arm, angles, q, count, block_start<V>(k, count), out);
+  const BatchLanes<V> lanes(arm);
+  for (std::size_t begin = 0; begin < count; begin += kLanesOf<V>) {
+    const std::size_t k = block_start<V>(begin, count);
+    poses_of_block<V>({arm, lanes, q, count, k}, out + k);
   }
 }
 
 template <class V>
 void batch_jacobians(const BatchArm& arm, const double* q, std::size_t count, double* out) {
-  const BatchAngles<V> angles(arm);
-  for (std::size_t k = 0; k < count; k += kLanesOf<V>) {
-    jacobians_of_block<V>(arm, angles, q, count, block_start<V>(k, count), out);
+  const BatchLanes<V> lanes(arm);
+  for (std::size_t begin = 0; begin < count; begin += kLanesOf<V>) {
+    const std::size_t k = block_start<V>(begin, count);
+    jacobians_of_block<V>({arm, lanes, q, count, k}, out + k);
   }
 }
 

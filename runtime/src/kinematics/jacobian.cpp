@@ -2,7 +2,6 @@
 
 #include "armlet/core/error.hpp"
 #include "kernels.hpp"
-#include "walk.hpp"
 
 namespace armlet {
 namespace {
@@ -35,37 +34,6 @@ Jacobian jacobian(const Robot& robot, JointsIn q, JacobianFrame frame) {
   kernel_for(kJacobianKernels, robot.n())(robot.walk_plan(), q.data(), J.data());
   if (frame == JacobianFrame::kBase) turn_twists(robot.T_world_base().linear().transpose(), J);
   return J;
-}
-
-Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd) {
-  check_size("q", q.size(), robot.n());
-  check_size("qd", qd.size(), robot.n());
-  const Chain& chain = robot.chain();
-  // Motion of the link before each axis: angular velocity, its derivative, acceleration of p.
-  Eigen::Vector3d w = Eigen::Vector3d::Zero();
-  Eigen::Vector3d wd = Eigen::Vector3d::Zero();
-  Eigen::Vector3d a = Eigen::Vector3d::Zero();
-  Eigen::Vector3d p = chain.T_world_base.translation();
-  const auto carry_to = [&](const Eigen::Vector3d& p_next) {
-    const Eigen::Vector3d r = p_next - p;
-    a += wd.cross(r) + w.cross(w.cross(r));
-    p = p_next;
-  };
-  Frame frame = walk(chain, q.data(), [&](std::size_t i, const Frame& f) {
-    carry_to(f.p.to_eigen());
-    const Eigen::Vector3d motion = f.z.to_eigen() * qd[static_cast<Eigen::Index>(i)];
-    if (chain.revolute[i]) {
-      wd += w.cross(motion);
-      w += motion;
-    } else {
-      a += 2.0 * w.cross(motion);
-    }
-  });
-  frame.step(chain.T_flange_tool);
-  carry_to(frame.p.to_eigen());
-  Vector6d result;
-  result << a, wd;
-  return result;
 }
 
 }  // namespace armlet

@@ -50,7 +50,9 @@ Singularity singularity(const Robot& robot, JointsIn q) {
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Index last = svd.singularValues().size() - 1;
   Singularity result;
-  result.sigma_min = svd.singularValues()[last];
+  result.length = robot.length();
+  result.sigma = svd.singularValues();
+  result.sigma_min = result.sigma[last];
   result.direction = motions * svd.matrixU().col(last);
   result.joints = svd.matrixV().col(robot.n() - 1);
   return result;

@@ -36,7 +36,7 @@ template <int N>
 class Turns {
  public:
   [[gnu::always_inline]] Turns(const WalkPlan& plan, const double* q) : n_(joint_count<N>(plan)) {
-    det::LaneBits<Lanes> settled = {-1, -1};
+    det::LaneCheck<Lanes> check;
     const int pairs = (n_ + 1) / 2;
 #pragma GCC unroll 8
     for (int pair = 0; pair < pairs; ++pair) {
@@ -44,12 +44,11 @@ class Turns {
       const Lanes values = n_ == 1 ? both(q[0]) : load_pair(q + i);
       const Lanes angles =
           load_pair(plan.theta.data() + i) + values * load_pair(plan.turn.data() + i);
-      const auto turn = det::sincos_lanes(angles);
+      const auto turn = det::sincos_lanes(angles, check);
       sine_[pair] = turn.sin;
       cosine_[pair] = turn.cos;
-      settled &= turn.settled;
     }
-    if ((settled[0] & settled[1]) == 0) [[unlikely]] {
+    if (!check.all_settled()) [[unlikely]] {
       std::array<double, kMaxJoints> s{}, c{};
       careful_turns(plan, q, s.data(), c.data());
 #pragma GCC unroll 8
@@ -68,7 +67,7 @@ class Turns {
   int first(int pair) const { return std::max(0, std::min(2 * pair, n_ - 2)); }
 
   int n_;
-  Lanes sine_[kPairs], cosine_[kPairs];
+  Lanes sine_[kPairs] = {}, cosine_[kPairs] = {};
 };
 
 }  // namespace armlet

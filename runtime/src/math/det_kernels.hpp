@@ -81,10 +81,11 @@ inline SinCos sincos_inline(double x) {
 
 // Sines and cosines of two angles at once, with the same bits as one by one.
 inline void sincos_pair(const double* x, double* s, double* c) {
-  const LaneSinCos<Lanes> both = sincos_lanes(Lanes{x[0], x[1]});
+  LaneCheck<Lanes> check;
+  const LaneSinCos<Lanes> both = sincos_lanes(Lanes{x[0], x[1]}, check);
+  const bool settled = check.all_settled();
   for (int k = 0; k < 2; ++k) {
-    const SinCos one =
-        both.settled[k] != 0 ? SinCos{both.sin[k], both.cos[k]} : sincos_inline(x[k]);
+    const SinCos one = settled ? SinCos{both.sin[k], both.cos[k]} : sincos_inline(x[k]);
     s[k] = one.sin;
     c[k] = one.cos;
   }

@@ -21,6 +21,7 @@ inline constexpr double kHalfPiRest2 = 2.02226624879595063154e-21;
 
 // The parts represent pi/2 to 2^-121: fn pi/2 is good enough for a difference of fn 2^-62. Both
 // bounds hold if (fn 2^-62)^2 is at most the square of the difference and below (2^14 2^-62)^2.
+// Lanes are checked more strictly (det_lanes.hpp), so they never differ from single numbers.
 inline constexpr double kNearestMultiple = 0x1p-62;
 inline constexpr double kFarthestMultiple = 0x1p-96;
 

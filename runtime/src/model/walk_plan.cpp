@@ -32,6 +32,7 @@ void plan_ends(const Chain& chain, double flip, WalkPlan& plan) {
   }
   plan.base_is_none = B.matrix() == Eigen::Matrix4d::Identity();
   plan.tool_is_flip = T.linear() == Eigen::Vector3d(1.0, flip, flip).asDiagonal().toDenseMatrix();
+  plan.tool_on_axis = plan.tool_is_flip && T(0, 3) == 0.0 && T(1, 3) == 0.0;
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ WalkPlan plan_walk(const Chain& chain) {
     plan.twist[i] = twist_of(sin_alpha, cos_alpha);
     if (i == n) break;
     plan.flip[i] = flip;
-    plan.theta[i] = flip * chain.theta[i];
+    // Adding -0 changes no value, not even -0: an angle without offset is the joint's value.
+    plan.theta[i] = chain.theta[i] == 0.0 ? -0.0 : flip * chain.theta[i];
     plan.turn[i] = flip * chain.turns[i];
     plan.d[i] = flip * chain.d[i];
     plan.slide[i] = flip * chain.slides[i];

@@ -7,6 +7,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
+#include "random_arm.hpp"
 #include "reference_robot.hpp"
 
 using namespace armlet;
@@ -74,6 +75,28 @@ TEST_CASE("Jdot qd is the change of the Jacobian along the motion") {
   }
 }
 
+// As above, for every column and in all three axes.
+TEST_CASE("the rate of the Jacobian is its derivative along the motion") {
+  Random random(4);
+  constexpr double h = 1e-6;
+  for (int n = 1; n <= kMaxJoints; ++n) {
+    for (int k = 0; k < 20; ++k) {
+      const Robot robot = random_arm(random, n);
+      const Eigen::VectorXd q = random_values(random, n);
+      Eigen::VectorXd qd(n);
+      for (double& v : qd) v = random.uniform(-1, 1);
+      for (const JacobianFrame frame :
+           {JacobianFrame::kWorld, JacobianFrame::kBase, JacobianFrame::kTool}) {
+        const Jacobian rate = jacobian_rate(robot, q, qd, frame);
+        const Jacobian change =
+            (jacobian(robot, q + h * qd, frame) - jacobian(robot, q - h * qd, frame)) / (2 * h);
+        CHECK((rate - change).cwiseAbs().maxCoeff() < 1e-6);
+      }
+      CHECK((jacobian_rate(robot, q, qd) * qd - jacobian_dot_qd(robot, q, qd)).norm() < 1e-11);
+    }
+  }
+}
+
 TEST_CASE("the frames differ by rotations of both halves") {
   Random random(3);
   const Robot robot = make_puma560().with_base(pose_from_rpy({1, 2, 3}, {0.3, -0.4, 0.5}));
@@ -103,4 +126,7 @@ TEST_CASE("vectors of a wrong size are refused") {
   const Robot robot = make_panda();
   CHECK_THROWS_AS(jacobian(robot, Eigen::VectorXd::Zero(6)), ArgumentError);
   CHECK_THROWS_AS(jacobian_dot_qd(robot, robot.home(), Eigen::VectorXd::Zero(6)), ArgumentError);
+  CHECK_THROWS_AS(jacobian_rate(robot, robot.home(), Eigen::VectorXd::Zero(6)), ArgumentError);
+  CHECK_THROWS_AS(jacobian_rate(robot, robot.home(), Eigen::VectorXd::Constant(7, NAN)),
+                  ArgumentError);
 }

@@ -75,6 +75,24 @@ TEST_CASE("the lost motion of a stretched arm is along the arm") {
   CHECK(describe(planar) == "cannot move along (1.00, 0.00, 0.00)");
 }
 
+// The squares of the singular values add up to the squares of the entries of the scaled Jacobian.
+TEST_CASE("singular values come with the length that scales the rotations") {
+  Random random(2);
+  for (const char* name : {"puma560", "ur5", "panda"}) {
+    const Robot robot = *make_robot(name);
+    const Eigen::VectorXd q = random_joints(robot, random);
+    const Singularity s = singularity(robot, q);
+    CHECK(s.length == robot.length());
+    CHECK(s.sigma.size() == 6);
+    CHECK(s.sigma[5] == s.sigma_min);
+    Jacobian J = jacobian(robot, q);
+    J.bottomRows<3>() *= s.length;
+    CHECK(s.sigma.squaredNorm() == doctest::Approx(J.squaredNorm()));
+    // What the joints give to the lost motion: |J^T u| is the smallest singular value.
+    CHECK((J.transpose() * s.direction).norm() == doctest::Approx(s.sigma_min));
+  }
+}
+
 TEST_CASE("in an aligned wrist joints 4 and 6 fight each other") {
   Eigen::VectorXd q = make_puma560().home();
   q[4] = 0.0;

@@ -26,4 +26,11 @@ Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian&
 // Jdot(q, qd) qd in world axes: the acceleration [a; alpha] of the tool point while qdd = 0.
 Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd);
 
+// Time derivative of the Jacobian in the same axes while the joints move with qd.
+//
+// qd      n joint velocities, rad/s or m/s.
+// throws  ArgumentError unless q and qd have n finite elements.
+Jacobian jacobian_rate(const Robot& robot, JointsIn q, JointsIn qd,
+                       JacobianFrame frame = JacobianFrame::kWorld);
+
 }  // namespace armlet

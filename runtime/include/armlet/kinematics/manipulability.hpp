@@ -12,12 +12,17 @@ double manipulability(const Robot& robot, JointsIn q);
 
 // How close the arm is to a singularity.
 //
-// sigma_min   smallest singular value of diag(1,1,1,L,L,L) J with L = robot.length(), in metres;
-// for
-//             arms of three and fewer joints only the translational rows count.
+// length      L, which makes radians comparable with metres: robot.length(), m.
+// sigma       singular values of diag(1,1,1,L,L,L) J from the largest to the smallest, m; for arms
+// of
+//             three and fewer joints only the translational rows count, and directions in which the
+//             arm can never move are left out.
+// sigma_min   the smallest of them: the distance from the nearest singularity.
 // direction   the motion [v; w] that is being lost, a unit vector in world axes (w scaled by L).
 // joints      unit vector of the joint motion that moves the tool least.
 struct Singularity {
+  double length = 0.0;
+  Eigen::VectorXd sigma;
   double sigma_min = 0.0;
   Vector6d direction = Vector6d::Zero();
   Eigen::VectorXd joints;

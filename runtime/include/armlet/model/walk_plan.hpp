@@ -21,6 +21,7 @@ struct WalkPlan {
   bool standard = true;       // frames after X_{i+1}, else after Z_i
   bool base_is_none = false;  // B is the identity
   bool tool_is_flip = false;  // T turns nothing, or half a turn about x
+  bool tool_on_axis = false;  // and its origin is on the axis of the last joint
 
   // Z_i = Rz(theta_i + turn_i q_i) Tz(d_i + slide_i q_i); turn and slide are 0, 1 or -1.
   std::array<double, kMaxJoints> theta{}, turn{}, d{}, slide{};

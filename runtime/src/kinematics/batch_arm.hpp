@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+
+// What passes between forward_batch() and the kernels; nothing but plain data, because sources for
+// larger instruction sets include it.
+namespace armlet {
+
+// A plan as plain pointers. The angle of a plain joint is its value.
+struct BatchArm {
+  std::size_t n;
+  bool base_is_none, tool_on_axis;
+  const double *theta, *turn, *d, *slide, *a, *sin_alpha, *cos_alpha, *base, *tool;
+  const bool *has_d, *has_a, *slides, *plain, *right_angle, *any_angle;
+};
+
+// Entry e of configuration k is at [e * count + k] of `q` and of what is written: the entries of
+// axes x, y, z and origin of the tool, or the columns of the Jacobian. `count` is at least `lanes`.
+using BatchKernel = void(const BatchArm& arm, const double* q, std::size_t count, double* out);
+struct BatchKernels {
+  std::size_t lanes;
+  BatchKernel* poses;
+  BatchKernel* jacobians;
+};
+extern const BatchKernels kBaselineBatch, kAvx2Batch, kAvx512Batch;
+
+// Sines and cosines [joint * lanes + lane] of the block that starts at configuration k, one by one.
+//
+// throws  ArgumentError if a joint value is not finite.
+void careful_batch_turns(const BatchArm& arm, const double* q, std::size_t count, std::size_t k,
+                         std::size_t lanes, double* sine, double* cosine);
+
+inline constexpr std::size_t kBatchJoints = 12;
+
+}  // namespace armlet
