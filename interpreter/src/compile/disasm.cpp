@@ -70,6 +70,9 @@ std::string meaning(const CompiledProgram& program, const FunctionCode& function
     case OpCode::CALLD2:
     case OpCode::CALLD3:
       return std::string(program.natives[instr.c]->name);
+    case OpCode::ADDRK:
+    case OpCode::MULRK:
+      return fmt::format("{}", function.constants[instr.c].d);
     case OpCode::TEXT:
     case OpCode::TEXTREF:
       return fmt::format("\"{}\"", program.texts[instr.b]);

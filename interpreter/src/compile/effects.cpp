@@ -19,7 +19,7 @@ constexpr OpCode kPure[] = {
     OpCode::ADDRI,  OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI, OpCode::SQRT,   OpCode::NOT,
     OpCode::ITOR,   OpCode::RTOI,  OpCode::LTI,   OpCode::LEI,   OpCode::EQI,    OpCode::NEI,
     OpCode::LTR,    OpCode::LER,   OpCode::EQR,   OpCode::NER,   OpCode::CALLD1, OpCode::CALLD2,
-    OpCode::CALLD3,
+    OpCode::CALLD3, OpCode::ADDRK, OpCode::MULRK,
 };
 // And on memory.
 constexpr OpCode kLoads[] = {

@@ -136,15 +136,19 @@ void Emitter::constant(Reg to, Slot value) {
     push(OpCode::INT, to.bits, static_cast<std::uint16_t>(value.i), 0);
     return;
   }
+  push(OpCode::CONST, to.bits, index_of(value), 0);
+}
+
+std::uint32_t Emitter::index_of(Slot constant) {
   const auto [known, is_new] =
-      constant_index_.emplace(value.i, static_cast<std::uint32_t>(constants_.size()));
+      constant_index_.emplace(constant.i, static_cast<std::uint32_t>(constants_.size()));
   if (is_new) {
     if (constants_.size() >= kMostIndices) {
       throw TooLarge{span_, "different numbers in one function", kMostIndices};
     }
-    constants_.push_back(value);
+    constants_.push_back(constant);
   }
-  push(OpCode::CONST, to.bits, known->second, 0);
+  return known->second;
 }
 
 // ---- labels

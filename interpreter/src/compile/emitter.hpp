@@ -71,6 +71,10 @@ class Emitter {
   void push(OpCode op, std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void word(std::uint32_t b) { push(OpCode::TYPE, 0, b, 0); }
   void constant(Reg to, Slot value);
+  // ADDRK, MULRK.
+  void with_constant(OpCode op, Reg to, Reg left, Slot right) {
+    push(op, to.bits, left.bits, index_of(right));
+  }
 
   // ---- labels ----
   Label label();
@@ -131,6 +135,7 @@ class Emitter {
   };
 
   void branch(OpCode op, std::uint32_t a, Label to);
+  std::uint32_t index_of(Slot constant);
   [[nodiscard]] std::uint16_t place(Reg reg) const;
   [[nodiscard]] Instr narrow(const WideInstr& wide, std::uint32_t pc) const;
   [[nodiscard]] CodeShape shape() const;

@@ -244,6 +244,7 @@ void Lowering::arithmetic(Site site, Op op, Reg left, const Expr& right, Reg to)
     if (multiply_add(site, op, left, right, to)) return;
     if (add_small(site, op, left, right, to)) return;
     if (with_int(site, op, left, right, to) || with_field(site, op, left, right, to)) return;
+    if (with_constant(site, op, left, right, to)) return;
     if (left == to && op == Op::kMulR && multiply_element(right, to)) return;
   }
   const Reg other = value(right);
@@ -320,13 +321,29 @@ bool Lowering::with_field(Site site, Op op, Reg left, const Expr& right, Reg to)
   return true;
 }
 
-// i * x and xs[i].field * x with x in a register: the sides change places, the bits stay.
+// x + 1.5, x - 1.5, x * 1.5 where the constant has no register: outside of loops.
+bool Lowering::with_constant(Site site, Op op, Reg left, const Expr& right, Reg to) {
+  Slot known;
+  Reg loaded;
+  if (op != Op::kAddR && op != Op::kSubR && op != Op::kMulR) return false;
+  if (!constant_slot(right, known) || in_register(right, loaded)) return false;
+  if (op == Op::kSubR) known.d = -known.d;
+  code_.at(site.span, site.expr);
+  code_.with_constant(op == Op::kMulR ? OpCode::MULRK : OpCode::ADDRK, to, left, known);
+  return true;
+}
+
+// 1.5 * x; i * x and xs[i].field * x with x in a register: the sides change places, the bits stay.
 bool Lowering::turned(const BinaryExpr& e, Reg to) {
   Reg right;
   if (!options_.optimise || (e.op != Op::kAddR && e.op != Op::kMulR)) return false;
-  if (!is_from_int(*e.left) && !is_field_of_element(*e.left)) return false;
   Slot known;
-  if (constant_slot(*e.left, known) || !in_register(*e.right, right)) return false;
+  if (constant_slot(*e.left, known)) {
+    return !in_register(*e.left, right) &&
+           with_constant({e.span, &e}, e.op, value(*e.right), *e.left, to);
+  }
+  if (!is_from_int(*e.left) && !is_field_of_element(*e.left)) return false;
+  if (!in_register(*e.right, right)) return false;
   return with_int({e.span, &e}, e.op, right, *e.left, to) ||
          with_field({e.span, &e}, e.op, right, *e.left, to);
 }

@@ -103,6 +103,7 @@ class Lowering {
   bool add_to_product(const hir::BinaryExpr& product, const hir::BinaryExpr& sum, Reg left, Reg to);
   bool with_int(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool with_field(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool with_constant(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool turned(const hir::BinaryExpr& e, Reg to);
   bool add_product_of_element(Site site, Reg a, const hir::Expr& b, Reg to);
   bool multiply_element(const hir::Expr& right, Reg accumulator);

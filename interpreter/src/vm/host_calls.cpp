@@ -17,25 +17,43 @@ Slot* window_above(const Frame& below) {
   return below.base + below.callee->registers + VmState::kScratch;
 }
 
-// Puts a host frame and the function's frame above `below`. False: calls are nested too deep.
-inline bool push_frames(VmState& state, Frame* below, Slot* base, const Callee& callee,
-                        ClosureObj* closure) {
-  Task& task = *state.running;
-  if (below + 2 >= task.frames_end || base >= task.slots_end) [[unlikely]] {
-    return raise_too_deep(state, callee, state.options.limits.call_depth);
+bool has_room(const Task& task, const Frame* below, const Slot* window) {
+  return below + 2 < task.frames_end && window < task.slots_end;
+}
+
+// The host's frame above `below`, which ends the loop when the function above it returns.
+void push_host(const Task& task, Frame* below, Slot* window) {
+  below[1] = {kReturnToHost, window, task.frames->callee, nullptr};
+}
+
+bool count_step(VmState& state) { return --state.steps.left >= 0 || count_slowly(state); }
+
+bool refuse(VmState& state, const Callee& callee) {
+  if (state.host_calls >= VmState::kHostCalls) {
+    return raise_too_deep(state, callee, VmState::kHostCalls);
   }
-  below[1] = {kReturnToHost, base, task.frames->callee, nullptr};
-  below[2] = {callee.code, base, &callee, closure};
+  return count_step(state) && raise_too_deep(state, callee, state.options.limits.call_depth);
+}
+
+[[gnu::always_inline]] inline void push_function(Task& task, Frame* below, Slot* window,
+                                                 const Callee& callee, ClosureObj* closure) {
+  below[2] = {callee.code, window, &callee, closure};
   task.top = below + 2;
-  for (unsigned i = 0; i < callee.references; ++i) base[callee.references_begin + i].o = nullptr;
-  return true;
+  for (unsigned i = 0; i < callee.references; ++i) window[callee.references_begin + i].o = nullptr;
 }
 
 }  // namespace
 
 bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
   Frame* below = running->top;
-  return push_frames(*this, below, window_above(*below), callees[function], closure);
+  Slot* window = window_above(*below);
+  const Callee& callee = callees[function];
+  if (!has_room(*running, below, window)) {
+    return raise_too_deep(*this, callee, options.limits.call_depth);
+  }
+  push_host(*running, below, window);
+  push_function(*running, below, window, callee, closure);
+  return true;
 }
 
 bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
@@ -59,29 +77,35 @@ bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
 
 }  // namespace lang
 
-// A window always has room for arguments (vm/task.cpp); whether the frames fit is asked later.
+// A window always has room for arguments (vm/task.cpp), even when there is none for the frames.
 PreparedCall::PreparedCall(Vm& vm, Obj* function)
     : state_(vm.state()),
       below_(state_.running->top),
       function_(function),
       callee_(&state_.callees[static_cast<ClosureObj*>(function)->function]),
-      window_(lang::window_above(*below_)) {}
+      window_(lang::window_above(*below_)) {
+  if (state_.host_calls < lang::VmState::kHostCalls &&
+      lang::has_room(*state_.running, below_, window_)) {
+    lang::push_host(*state_.running, below_, window_);  // every call leaves it as it is
+  } else {
+    below_ = nullptr;  // run refuses
+  }
+}
 
 bool PreparedCall::run() const {
   lang::VmState& state = state_;
-  if (state.host_calls >= lang::VmState::kHostCalls) [[unlikely]] {
-    return lang::raise_too_deep(state, *callee_, lang::VmState::kHostCalls);
-  }
-  if (--state.steps.left < 0 && !lang::count_slowly(state)) [[unlikely]] {
+  if (below_ == nullptr) [[unlikely]]
+    return lang::refuse(state, *callee_);
+  if (!lang::count_step(state)) [[unlikely]]
     return false;
-  }
+  lang::Task& task = *state.running;
   auto* closure = static_cast<ClosureObj*>(function_);
-  if (!lang::push_frames(state, below_, window_, *callee_, closure)) return false;
+  lang::push_function(task, below_, window_, *callee_, closure);
   ++state.host_calls;
-  const lang::Exit exit = lang::interpret(state, *state.running);
+  const lang::Exit exit = lang::interpret(state, task);
   --state.host_calls;
   if (exit != lang::Exit::kDone) return false;
-  state.running->top = below_;  // without the host's frame, whose register 0 is the window
+  task.top = below_;
   return true;
 }
 

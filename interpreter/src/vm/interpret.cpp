@@ -99,9 +99,6 @@ Exit interpret(VmState& state, Task& task) {
 #undef OP
   };
   Heap& heap = state.heap;
-  const Callee* const callees = state.callees.data();
-  Slot* const globals = state.globals.data();
-  const NativeFunction* const* const natives = state.program.natives.data();
   Frame* frame = task.top;
   Slot* base = frame->base;
   const Instr* pc = frame->pc;

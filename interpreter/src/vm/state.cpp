@@ -30,6 +30,7 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
     : vm(owner),
       program(compiled),
       options(vm_options),
+      natives(compiled.natives.data()),
       heap(vm_options.limits.heap_bytes),
       main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)),
       output_left(vm_options.limits.output_bytes) {
@@ -37,7 +38,8 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
   callees.reserve(program.functions.size());
   for (const FunctionCode& f : program.functions) {
     const auto references = static_cast<std::uint16_t>(f.references_end - f.references_begin);
-    callees.push_back({f.code.data(), &f, f.registers, f.references_begin, references, 0});
+    callees.push_back(
+        {f.code.data(), &f, f.constants.data(), f.registers, f.references_begin, references, 0});
   }
   globals.assign(program.global_is_reference.size(), Slot{.i = 0});
   global_is_set.assign(globals.size(), 0);

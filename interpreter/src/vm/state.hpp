@@ -65,6 +65,7 @@ struct VmState {
   Vm& vm;
   const CompiledProgram& program;
   const VmOptions& options;
+  const NativeFunction* const* natives;
   Heap heap;
   StepMeter steps;
 

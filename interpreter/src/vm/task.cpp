@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLargestFrame = std::size_t{2} * 65536;
 
 // What lies at the bottom of every task and below every call by the host.
-constexpr Callee kHost{kReturnToHost, nullptr, 0, 0, 0, 0};
+constexpr Callee kHost{kReturnToHost, nullptr, nullptr, 0, 0, 0, 0};
 
 }  // namespace
 

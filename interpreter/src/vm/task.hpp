@@ -16,6 +16,7 @@ namespace armlet::lang {
 struct Callee {
   const Instr* code;
   const FunctionCode* function;  // null: the host
+  const Slot* constants;
   std::uint16_t registers;
   std::uint16_t references_begin;  // the first reference register
   std::uint16_t references;        // how many there are
