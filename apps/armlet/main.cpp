@@ -59,6 +59,7 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->type_name("FILE");
   command->add_flag("--realtime", options.realtime, "run no faster than the wall clock");
   command->add_flag("--quiet", options.quiet, "show no moves and no summary");
+  command->add_flag("--plots", options.plots, "draw the figures of the program in the terminal");
   return command;
 }
 
@@ -75,8 +76,17 @@ CLI::App* add_format_command(CLI::App& app, FormatOptions& options) {
 CLI::App* add_robot_command(CLI::App& app, RobotOptions& options) {
   CLI::App* command = app.add_subcommand(
       "robot", "show the table of a ready robot: rows, limits, reach, kinematics");
-  command->add_option("NAME", options.name, "for example puma560; without it, all robots");
-  command->add_flag("--json", options.json, "as JSON, in metres and radians");
+  command->add_option("NAME", options.name,
+                      "for example puma560, or a .urdf file; without it, all robots");
+  CLI::Option* json = command->add_flag("--json", options.json, "as JSON, in metres and radians");
+  CLI::Option* urdf = command->add_flag("--urdf", options.urdf, "as a robot description (URDF)");
+  CLI::Option* block =
+      command->add_flag("--rbt", options.block, "as a robot block for a program")->excludes(urdf);
+  json->excludes(urdf)->excludes(block);
+  command->add_option("--tip", options.tip, "of a .urdf file: the link at the end of the arm")
+      ->type_name("LINK");
+  command->add_flag("--published", options.published,
+                    "of a .urdf file: keep inertias that no rigid body has");
   return command;
 }
 
