@@ -9,6 +9,9 @@
 namespace armlet {
 namespace {
 
+// A step may be this much smaller than asked for.
+constexpr double kShare = 0.8;
+
 // 10^k, rounded once; no logarithm or power of the C library, whose last bits differ.
 double power_of_ten(int k) {
   const std::string text = fmt::format("1e{}", k);
@@ -44,13 +47,13 @@ Step step_for(double span, int wanted, bool degrees) {
   const double raw = span / wanted;
   if (degrees && raw > 5.0 && raw <= 360.0) {
     for (const double digits : {10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0}) {
-      if (digits >= raw) return {digits, 0};
+      if (digits >= kShare * raw) return {digits, 0};
     }
   }
   const int exponent = std::max(decimal_exponent(raw), -300);
   for (const double digits : {1.0, 2.0, 5.0}) {
     const Step step{digits, exponent};
-    if (step.value() >= raw * (1.0 - 1e-9)) return step;
+    if (step.value() >= kShare * raw) return step;
   }
   return {1.0, exponent + 1};
 }
