@@ -5,9 +5,20 @@ import json
 import math
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 
 NAMES = ["planar2", "planar3", "rrr3", "scara", "scorbot", "puma560", "stanford", "pa10_6", "pa10", "irb120", "ur3",
          "ur5", "ur10", "panda", "iiwa14", "arm7"]
+HANDS = ["barrett_hand", "parallel_gripper", "suction_cup"]
+
+GRIPPER = """<robot name="grabber"><link name="base"/><link name="a"/><link name="b"/><link name="c"/>
+<joint name="turn" type="revolute"><parent link="base"/><child link="a"/><origin xyz="0 0 0.2" rpy="1.5708 0 0"/>
+<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="5" velocity="2"/></joint>
+<joint name="left" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="0 1 0"/>
+<limit lower="0" upper="0.04" effort="5" velocity="1"/></joint>
+<joint name="right" type="prismatic"><parent link="a"/><child link="c"/><axis xyz="0 -1 0"/>
+<limit lower="0" upper="0.04" effort="5" velocity="1"/><mimic joint="left"/></joint></robot>"""
 
 
 def robot(*arguments):
@@ -22,9 +33,10 @@ def check(what, found, wanted):
 def check_list():
     done = robot()
     check("status of the list", (done.returncode, done.stderr), (0, ""))
-    check("names", [line.split()[0] for line in done.stdout.splitlines()], NAMES)
+    check("names", [line.split()[0] for line in done.stdout.splitlines()], NAMES + HANDS)
     check("kinds of the joints", done.stdout.splitlines()[3].split()[1], "RRPR")
-    check("the same as JSON", [json.loads(line)["name"] for line in robot("--json").stdout.splitlines()], NAMES)
+    check("the same as JSON", [json.loads(line)["name"] for line in robot("--json").stdout.splitlines()],
+          NAMES + HANDS)
 
 
 def check_table():
@@ -64,7 +76,52 @@ def check_names():
     check("two names", robot("scara", "ur5").returncode, 64)
 
 
+def check_hands():
+    table = robot("barrett_hand").stdout
+    check("a joint that follows another", "0.3333 f1" in table, True)
+    check("the spread", "finger2_spread" in table and "spread" in table, True)
+    check("a suction cup", "suction cup of radius 15 mm" in robot("suction_cup").stdout, True)
+    check("no block of a hand", robot("barrett_hand", "--rbt").returncode, 64)
+    check("no joints to describe", robot("suction_cup", "--urdf").returncode, 64)
+
+
+def check_files(folder):
+    for name in NAMES:
+        # The arm as a description, read back: same reach, same limits, and again the same description.
+        text = robot(name, "--urdf").stdout
+        path = folder / f"{name}.urdf"
+        path.write_text(text)
+        before, after = json.loads(robot(name, "--json").stdout), robot(str(path), "--json", "--published")
+        check(f"status of {name}.urdf", (after.returncode, after.stderr), (0, ""))
+        after = json.loads(after.stdout)
+        check("limits", [j["upper"] for j in after["joints"]], [j["upper"] for j in before["joints"]])
+        check("mass", math.isclose(after["movingMass"], before["movingMass"], abs_tol=1e-12), True)
+        check("reach", math.isclose(after["reach"]["fromBase"], before["reach"]["fromBase"], rel_tol=1e-6), True)
+        check("same kind of arm", after["closedForm"], before["closedForm"])
+    check("a hand as a description", robot("barrett_hand", "--urdf").stdout.count("<mimic"), 4)
+    # A block is laid out as `armlet fmt` would, and is a program.
+    program = folder / "puma.rbt"
+    program.write_text(robot("puma560", "--rbt").stdout + "assert(puma560.dof == 6)\n")
+    for command in (["fmt", "--check"], ["run"]):
+        done = subprocess.run([sys.argv[1], *command, str(program)], capture_output=True, text=True, timeout=60)
+        check(f"{command} of a block", done.returncode, 0)
+    gripper = folder / "grabber.urdf"
+    gripper.write_text(GRIPPER)
+    check("an arm that ends at its palm", robot(str(gripper)).stdout.startswith("grabber: 1 joints, R"), True)
+    check("a finger", "RP" in robot(str(gripper), "--tip", "b").stdout, True)
+    gripper.write_text(GRIPPER.replace('<mimic joint="left"/>', '<mimic joint="left" multiplier="0.5"/>'))
+    done = robot(str(gripper), "--tip", "c")
+    check("a finger that copies", (done.returncode, "`right`" in done.stderr), (65, True))
+    gripper.write_text(GRIPPER.replace('upper="1"', 'upper="-2"'))
+    done = robot(str(gripper))
+    check("broken", (done.returncode, "limits swapped" in done.stderr), (65, True))
+    check("no such file", robot(str(folder / "none.urdf")).returncode, 66)
+
+
 check_list()
+check_hands()
+with tempfile.TemporaryDirectory() as name:
+    check_files(Path(name))
 check_table()
 check_json()
 check_names()

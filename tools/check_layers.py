@@ -7,7 +7,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-RUNTIME = ["core", "math", "model", "kinematics", "trajectory", "dynamics", "world", "vision", "backend"]
+RUNTIME = ["core", "math", "model", "kinematics", "trajectory", "dynamics", "world", "vision", "plot", "backend"]
 
 # layer: the layers whose public headers it may include, besides its own.
 MAY_INCLUDE = {
@@ -19,7 +19,8 @@ MAY_INCLUDE = {
     "dynamics": ["core", "math", "model"],
     "world": ["core", "math"],
     "vision": ["core", "math", "world"],
-    "backend": ["core", "math"],
+    "plot": ["core", "math"],
+    "backend": ["core", "math", "plot"],
     "cell": RUNTIME,
     "interpreter": ["core", "math"],
     "stdlib": ["interpreter", "cell"] + RUNTIME,
@@ -29,6 +30,7 @@ EVERYTHING = list(MAY_INCLUDE)
 # what: (pattern of the header, folders that may include it). Public headers never may.
 FENCES = {
     "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax_"]),
+    "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
 }
 

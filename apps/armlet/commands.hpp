@@ -32,6 +32,7 @@ struct RunOptions {
   std::string trace;  // .csv or .jsonl; empty: none
   bool realtime = false;
   bool quiet = false;  // no progress, no summary
+  bool plots = false;  // draw the figures in the terminal
 };
 
 struct FormatOptions {
@@ -41,8 +42,12 @@ struct FormatOptions {
 };
 
 struct RobotOptions {
-  std::string name;  // of the catalogue; empty: all of them, one line each
+  std::string name;  // of the catalogue, or a .urdf file; empty: the catalogue
+  std::string tip;   // where the arm of a file ends; empty: at the end of its only chain
   bool json = false;
+  bool urdf = false;       // write a URDF
+  bool block = false;      // write a robot block
+  bool published = false;  // keep inertias that no rigid body has
 };
 
 int run(const RunOptions& options);

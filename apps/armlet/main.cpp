@@ -71,6 +71,7 @@ void add_run_options(CLI::App& command, Asked& asked) {
       ->type_name("FILE");
   command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock");
   command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary");
+  command.add_flag("--plots", asked.run.plots, "draw the figures of the program in the terminal");
 }
 
 void add_files_options(CLI::App& command, Asked& asked) {
@@ -92,8 +93,19 @@ void add_format_options(CLI::App& command, Asked& asked) {
 }
 
 void add_robot_options(CLI::App& command, Asked& asked) {
-  command.add_option("NAME", asked.robot.name, "for example puma560; without it, all robots");
-  command.add_flag("--json", asked.robot.json, "as JSON, in metres and radians");
+  command.add_option("NAME", asked.robot.name,
+                     "for example puma560, or a .urdf file; without it, all robots");
+  CLI::Option* json =
+      command.add_flag("--json", asked.robot.json, "as JSON, in metres and radians");
+  CLI::Option* urdf = command.add_flag("--urdf", asked.robot.urdf, "as a robot description (URDF)");
+  CLI::Option* block =
+      command.add_flag("--rbt", asked.robot.block, "as a robot block for a program")
+          ->excludes(urdf);
+  json->excludes(urdf)->excludes(block);
+  command.add_option("--tip", asked.robot.tip, "of a .urdf file: the link at the end of the arm")
+      ->type_name("LINK");
+  command.add_flag("--published", asked.robot.published,
+                   "of a .urdf file: keep inertias that no rigid body has");
 }
 
 void add_explain_options(CLI::App& command, Asked& asked) {

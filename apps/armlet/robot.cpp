@@ -1,199 +1,115 @@
-// armlet robot: the catalogue, and the table of one arm.
+// armlet robot: the catalogue, the table of one robot, and robots as files.
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <vector>
+#include <optional>
 
-#include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
-#include "armlet/kinematics/closed_form.hpp"
-#include "armlet/kinematics/reach.hpp"
-#include "armlet/math/angles.hpp"
-#include "armlet/math/rotation.hpp"
+#include "armlet/interpreter/format.hpp"
 #include "armlet/model/catalog.hpp"
+#include "armlet/model/hands.hpp"
+#include "armlet/model/serial_arm.hpp"
+#include "armlet/model/urdf.hpp"
+#include "armlet/stdlib/robot_text.hpp"
 #include "console.hpp"
+#include "robot_table.hpp"
 
 namespace armlet::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string kinds_of(const Robot& robot) {
-  std::string word;
-  for (int i = 0; i < robot.n(); ++i) word += robot.is_revolute(i) ? 'R' : 'P';
-  return word;
-}
-
-double total_mass(const Robot& robot) {
-  double mass = 0.0;
-  for (int i = 0; i < robot.n(); ++i) mass += robot.link(i).mass;
-  return mass;
-}
-
-// A number of a joint in deg or mm.
-std::string shown(bool turns, double value, int digits) {
-  return std::isfinite(value) ? format_number(turns ? rad_to_deg(value) : 1000.0 * value, digits)
-                              : "-";
-}
-
-// The entry that the joint moves: "q2", or "q2 + 90".
-std::string moved(int joint, const std::string& zero) {
-  const std::string q = fmt::format("q{}", joint);
-  if (zero == "0") return q;
-  return zero[0] == '-' ? fmt::format("{} - {}", q, zero.substr(1))
-                        : fmt::format("{} + {}", q, zero);
-}
-
-std::string rows_text(const Robot& robot) {
-  const bool standard = robot.spec().convention == DhConvention::kStandard;
-  std::string text = fmt::format(
-      "Denavit-Hartenberg rows, {} convention, {}; deg and mm\n"
-      "  joint           theta             d          a      alpha\n",
-      standard ? "standard" : "modified",
-      standard ? "A = Rz(theta) Tz(d) Tx(a) Rx(alpha)" : "A = Rx(alpha) Tx(a) Rz(theta) Tz(d)");
-  for (int i = 0; i < robot.n(); ++i) {
-    const DhRow& row = robot.joint(i).dh;
-    const bool turns = robot.is_revolute(i);
-    std::string theta = shown(true, row.theta, 4), d = shown(false, row.d, 4);
-    (turns ? theta : d) = moved(i + 1, turns ? theta : d);
-    text += fmt::format("  {:>2} {:<6} {:>12} {:>13} {:>10} {:>10}\n", i + 1,
-                        joint_word(robot.joint(i).kind), theta, d, shown(false, row.a, 4),
-                        shown(true, row.alpha, 4));
+void list_entry(bool json, std::string_view name, const std::string& kinds,
+                const std::string& source) {
+  if (json) {
+    print_out(Json({{"name", name}, {"joints", kinds}, {"source", source}}).dump() + "\n");
+  } else {
+    print_out(fmt::format("{:<17} {:<8} {}\n", name, kinds, source));
   }
-  return text;
 }
 
-std::string limits_text(const Robot& robot) {
-  std::string text =
-      "limits; deg and mm, per s, s^2 and s^3; N m and N\n"
-      "  joint            from            to      speed      accel       jerk     effort\n";
-  for (int i = 0; i < robot.n(); ++i) {
-    const Joint& joint = robot.joint(i);
-    const bool turns = joint.is_revolute();
-    text += fmt::format("  {:>2} {:<6} {:>12} {:>13} {:>10} {:>10} {:>10} {:>10}\n", i + 1,
-                        joint_word(joint.kind), shown(turns, joint.lower, 3),
-                        shown(turns, joint.upper, 3), shown(turns, joint.max_speed, 1),
-                        shown(turns, joint.max_accel, 1), shown(turns, joint.max_jerk, 1),
-                        std::isfinite(joint.max_effort) ? format_number(joint.max_effort, 1) : "-");
-  }
-  return text;
-}
-
-std::string pose_text(const Eigen::Isometry3d& T) {
-  const Eigen::Vector3d rpy_deg = rpy_from_R(T.linear()) * (180.0 / kPi);
-  std::string text = format_point_mm(T.translation());
-  if (rpy_deg.norm() > 1e-9) text += fmt::format(", rpy {} deg", format_vector(rpy_deg, 3));
-  return text;
-}
-
-std::string tool_text(const Robot& robot) {
-  const Tool& tool = robot.tool();
-  const std::string point =
-      fmt::format("tool point at {} of the flange", pose_text(robot.T_flange_tool()));
-  switch (tool.kind) {
-    case ToolKind::kParallelGripper:
-      return fmt::format("parallel gripper opening {}, {}", format_mm(tool.stroke), point);
-    case ToolKind::kSuctionCup:
-      return fmt::format("suction cup of radius {}, {}", format_mm(tool.radius), point);
-    case ToolKind::kPoint:
-    case ToolKind::kNone:
-      break;
-  }
-  return "none, " + point;
-}
-
-std::string home_text(const Robot& robot) {
-  std::string text;
-  for (int i = 0; i < robot.n(); ++i) {
-    if (i > 0) text += ", ";
-    text += format_joint_value(robot.joint(i).kind, robot.home()[i]);
-  }
-  return text;
-}
-
-std::string closed_form_text(const ClosedForm& form) {
-  if (!form.exists()) return "no closed form is known for this structure; solved numerically";
-  std::string text = fmt::format("closed form: {}", to_text(form.kind()));
-  if (form.reversed()) text += ", read from the tool to the base";
-  if (form.held_joint() >= 0) text += fmt::format(", with joint {} held", form.held_joint() + 1);
-  return text;
-}
-
-std::string robot_text(const Robot& robot) {
-  const Reach reach = find_reach(robot);
-  std::string text =
-      fmt::format("{}: {} joints, {}\nsource: {}\n\n{}\n{}\n", robot.name(), robot.n(),
-                  kinds_of(robot), robot.source(), rows_text(robot), limits_text(robot));
-  text += fmt::format("base                {}\n", pose_text(robot.T_world_base()));
-  text += fmt::format("hand                {}\n", tool_text(robot));
-  text += fmt::format("home                {}\n", home_text(robot));
-  text += fmt::format(
-      "reach               {} from the base{}\n", format_mm(reach.from_base),
-      robot.is_revolute(0) ? fmt::format(", {} from axis 1", format_mm(reach.from_axis)) : "");
-  text += fmt::format("inverse kinematics  {}\n", closed_form_text(closed_form(robot)));
-  const double mass = total_mass(robot);
-  text += fmt::format("moving mass         {}\n",
-                      mass > 0.0 ? format_number(mass, 3) + " kg" : "not given by the source");
-  return text;
-}
-
-Json pose_json(const Eigen::Isometry3d& T) {
-  Json rows = Json::array();
-  for (int i = 0; i < 4; ++i) {
-    Json row = Json::array();
-    for (int j = 0; j < 4; ++j) row.push_back(T.matrix()(i, j));
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-Json joint_json(const Joint& joint) {
-  Json json = {{"kind", joint_word(joint.kind)},
-               {"theta", joint.dh.theta},
-               {"d", joint.dh.d},
-               {"a", joint.dh.a},
-               {"alpha", joint.dh.alpha},
-               {"lower", joint.lower},
-               {"upper", joint.upper},
-               {"maxSpeed", joint.max_speed},
-               {"maxAccel", joint.max_accel},
-               {"maxJerk", joint.max_jerk}};
-  if (std::isfinite(joint.max_effort)) json["maxEffort"] = joint.max_effort;
-  return json;
-}
-
-// SI throughout; angles in rad.
-std::string robot_json(const Robot& robot) {
-  const Reach reach = find_reach(robot);
-  const ClosedForm& form = closed_form(robot);
-  Json joints = Json::array();
-  for (int i = 0; i < robot.n(); ++i) joints.push_back(joint_json(robot.joint(i)));
-  const bool standard = robot.spec().convention == DhConvention::kStandard;
-  const Json json = {{"name", robot.name()},
-                     {"source", robot.source()},
-                     {"convention", standard ? "standard" : "modified"},
-                     {"joints", joints},
-                     {"base", pose_json(robot.T_world_base())},
-                     {"tool", pose_json(robot.T_flange_tool())},
-                     {"home", std::vector<double>(robot.home().begin(), robot.home().end())},
-                     {"reach", {{"fromBase", reach.from_base}, {"fromAxis1", reach.from_axis}}},
-                     {"closedForm", form.exists() ? Json(to_text(form.kind())) : Json(nullptr)},
-                     {"movingMass", total_mass(robot)}};
-  return json.dump() + "\n";
-}
-
-void list_robots(bool json) {
+int list_robots(bool json) {
   for (const std::string_view name : catalog_names()) {
     const auto robot = make_robot(name);
-    if (json) {
-      print_out(
-          Json({{"name", name}, {"joints", kinds_of(*robot)}, {"source", robot->source()}}).dump() +
-          "\n");
-    } else {
-      print_out(fmt::format("{:<10} {:<8} {}\n", name, kinds_of(*robot), robot->source()));
-    }
+    list_entry(json, name, kinds_of(*robot), robot->source());
   }
+  for (const std::string_view name : hand_names()) {
+    list_entry(json, name, "hand", make_hand(name)->source);
+  }
+  return finish_output() ? kDone : kFailed;
+}
+
+// What a name or a file stands for.
+struct Found {
+  std::shared_ptr<const Robot> arm;
+  std::optional<Hand> hand;
+  std::optional<Mechanism> file;
+  int exit = kDone;  // after a message, if it is none of these
+};
+
+int refuse(const std::string& message, int exit) {
+  progress("armlet: " + message);
+  return exit;
+}
+
+Found read_description(const RobotOptions& options) {
+  Found found;
+  const auto text = read_file(options.name, false);
+  if (!text) {
+    found.exit = kNoFile;
+    return found;
+  }
+  const std::size_t slash = options.name.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "." : options.name.substr(0, slash);
+  UrdfOptions urdf;
+  if (options.published) urdf.inertia_check = InertiaCheck::kPublished;
+  urdf.has_mesh = [&](const std::string& mesh) { return !find_mesh(folder, {}, mesh).empty(); };
+  Result<Mechanism> read = read_urdf(*text, urdf);
+  if (!read.ok()) {
+    found.exit = refuse(fmt::format("{}: {}", options.name, read.error().message), kRejected);
+    return found;
+  }
+  found.file.emplace(std::move(read).value());
+  Result<RobotSpec> spec = serial_arm(*found.file, options.tip);
+  if (spec.ok()) {
+    found.arm = std::make_shared<const Robot>(std::move(spec).value());
+  } else if (!options.urdf) {
+    found.exit = refuse(fmt::format("{}: {}", options.name, spec.error().message), kRejected);
+  }
+  return found;
+}
+
+Found find(const RobotOptions& options) {
+  if (options.name.ends_with(".urdf")) return read_description(options);
+  Found found;
+  found.hand = make_hand(options.name);
+  if (!found.hand) found.arm = find_robot(options.name);
+  if (!found.hand && found.arm == nullptr) found.exit = kUsage;
+  return found;
+}
+
+int print_urdf(const Found& found) {
+  if (found.file) {
+    print_out(write_urdf(*found.file));
+  } else if (found.arm != nullptr) {
+    print_out(write_urdf(Mechanism(mechanism_of(*found.arm))));
+  } else if (found.hand->mechanism) {
+    print_out(write_urdf(*found.hand->mechanism));
+  } else {
+    return refuse(fmt::format("{} has no joints to describe", found.hand->name), kUsage);
+  }
+  return finish_output() ? kDone : kFailed;
+}
+
+int print_block(const Found& found) {
+  if (found.arm == nullptr) {
+    return refuse(fmt::format("{} is a hand; a robot block describes an arm", found.hand->name),
+                  kUsage);
+  }
+  const Formatted laid_out = format_program(Source("robot.rbt", robot_block(*found.arm)));
+  print_out(laid_out.text ? *laid_out.text : robot_block(*found.arm));
+  return finish_output() ? kDone : kFailed;
 }
 
 }  // namespace
@@ -201,7 +117,7 @@ void list_robots(bool json) {
 std::shared_ptr<const Robot> find_robot(const std::string& name) {
   auto robot = make_robot(name);
   if (robot != nullptr) return robot;
-  const auto& names = catalog_names();
+  std::vector<std::string_view> names = catalog_names();
   std::string message = fmt::format("armlet: there is no robot called \"{}\"; there are {}", name,
                                     fmt::join(names, ", "));
   if (const auto meant = most_similar(name, names))
@@ -211,13 +127,16 @@ std::shared_ptr<const Robot> find_robot(const std::string& name) {
 }
 
 int robot(const RobotOptions& options) {
-  if (options.name.empty()) {
-    list_robots(options.json);
-    return finish_output() ? kDone : kFailed;
+  if (options.name.empty()) return list_robots(options.json);
+  const Found found = find(options);
+  if (found.exit != kDone) return found.exit;
+  if (options.urdf) return print_urdf(found);
+  if (options.block) return print_block(found);
+  if (found.hand) {
+    print_out(hand_text(*found.hand));
+  } else {
+    print_out(options.json ? robot_json(*found.arm) : robot_text(*found.arm));
   }
-  const auto robot = find_robot(options.name);
-  if (robot == nullptr) return kUsage;
-  print_out(options.json ? robot_json(*robot) : robot_text(*robot));
   return finish_output() ? kDone : kFailed;
 }
 

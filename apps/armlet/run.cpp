@@ -1,6 +1,7 @@
 // armlet run: check a program, run it, show each move, sum up.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -12,6 +13,7 @@
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
 #include "armlet/core/format.hpp"
+#include "armlet/plot/braille.hpp"
 #include "console.hpp"
 
 namespace armlet::cli {
@@ -90,6 +92,12 @@ void show_summary(const Session& session, const std::string& trace, RunStatus st
   if (!trace.empty()) progress(fmt::format("  trace in {}", trace));
 }
 
+void draw_figures(const Session& session) {
+  for (const Figure& figure : session.host()->figures()) {
+    print_out("\n" + to_braille(figure, 72, 18, isatty(STDOUT_FILENO) != 0));
+  }
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -119,6 +127,7 @@ int run(const RunOptions& options) {
     result = session.run();
   }
   if (result.error) show(*result.error, session.sources(), json);
+  if (options.plots) draw_figures(session);
   const bool written = finish_output();
   if (talks) show_summary(session, options.trace, result.status);
   if (trace.backend && !trace.backend->error().empty()) {

@@ -38,6 +38,7 @@ std::span<const NativeFunction> world_functions();
 std::span<const NativeFunction> classic_functions();
 std::span<const NativeFunction> time_functions();
 std::span<const NativeFunction> table_functions();
+std::span<const NativeFunction> plot_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 

@@ -101,13 +101,7 @@ constexpr NativeFunction kFunctions[] = {
     later("match", "(img: image, template: image) -> Match"),
     later("loadImage", "(path: string) -> image"),
     later("save", "(img: image, path: string)"),
-    // plots
-    later("figure", "(title: string)"),
-    later("plot", "(x: D[], y: E[], label: string?, axis: string?)"),
-    later("scatter", "(x: D[], y: E[], label: string?)"),
-    later("scatter3", "(points: D[][], title: string?)"),
-    later("bars", "(x: D[], y: E[], label: string?)"),
-    later("savePlot", "(path: string)"),
+    // pictures
     later("show", "(img: image)"),
     later("trail", "(r: robot)"),
 };

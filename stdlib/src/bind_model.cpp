@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "armlet/model/catalog.hpp"
+#include "armlet/model/serial_arm.hpp"
+#include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
 #include "rules.hpp"
@@ -36,7 +38,8 @@ enum Row {
   kInertia,
   kFriction,
   kMotorInertia,
-  kGear
+  kGear,
+  kMesh
 };
 
 bool read_limits(Vm& vm, Slot slot, Joint& joint) {
@@ -115,6 +118,7 @@ Signal joint_row(Vm& vm, Slot* args) {
   row.link.mass = args[kMass].d;
   row.link.motor_inertia = args[kMotorInertia].d;
   row.link.gear = args[kGear].d;
+  if (args[kMesh].o != nullptr) row.link.mesh = std::string(text_value(args[kMesh]));
   if (!read_limits(vm, args[kLimits], joint) ||
       !read_vector3(vm, args[kCom], kCom, "the centre of mass", row.link.com) ||
       !read_inertia(vm, args[kInertia], row.link) ||
@@ -152,9 +156,28 @@ DhConvention convention_of(std::string_view word) {
       fmt::format("The convention is \"standard\" or \"modified\", not \"{}\".", word));
 }
 
+InertiaCheck inertia_check_of(std::string_view word) {
+  if (word == "rigid") return InertiaCheck::kRigidBody;
+  if (word == "published") return InertiaCheck::kPublished;
+  throw ArgumentError(
+      fmt::format("Inertias are \"rigid\" (of bodies that can exist) or \"published\" (kept as "
+                  "they are), not \"{}\".",
+                  word));
+}
+
+// Meshes are files below the folder of the program.
+void check_meshes(Vm& vm, const RobotSpec& spec) {
+  for (std::size_t i = 0; i < spec.links.size(); ++i) {
+    const std::string& mesh = spec.links[i].mesh;
+    if (mesh.empty() || Host::of(vm).has_mesh({}, mesh)) continue;
+    throw ArgumentError(fmt::format("The mesh \"{}\" of link {} of robot `{}` is not there.", mesh,
+                                    i + 1, spec.name));
+  }
+}
+
 // robot name { joint ...; base: ...; tool: ...; gravity: ...; convention: ... }
 Signal robot_block(Vm& vm, Slot* args) try {
-  enum { kName, kJoints, kBase, kTool, kGravity, kConvention, kHome };
+  enum { kName, kJoints, kBase, kTool, kGravity, kConvention, kHome, kTcp, kInertias };
   RobotSpec spec;
   spec.name = std::string(text_value(args[kName]));
   spec.source = "declared in the program";
@@ -164,13 +187,17 @@ Signal robot_block(Vm& vm, Slot* args) try {
     const auto& row = host_value<JointRow>(item);
     spec.joints.push_back(row.joint);
     spec.links.push_back(row.link);
-    has_mass = has_mass || row.link.mass > 0.0 || row.link.motor_inertia > 0.0;
+    has_mass = has_mass || row.link.mass != 0.0 || row.link.motor_inertia != 0.0 ||
+               !row.link.inertia.isZero(0.0) || !row.link.mesh.empty();
   }
+  spec.inertia_check = inertia_check_of(text_value(args[kInertias]));
+  check_meshes(vm, spec);
   if (!has_mass) spec.links.clear();
   if (!read_vector3(vm, args[kGravity], kGravity, "gravity", spec.gravity)) return Signal::kFail;
   if (args[kHome].o != nullptr) spec.home = posj(args[kHome]).vector();
-  return add_robot(vm, args,
-                   finished(Robot(std::move(spec)), args[kBase], args[kTool], Slot{.o = nullptr}));
+  Robot robot = finished(Robot(std::move(spec)), args[kBase], args[kTool], Slot{.o = nullptr});
+  if (args[kTcp].o != nullptr) robot = robot.with_tool_point(posc(args[kTcp]).T);
+  return add_robot(vm, args, std::move(robot));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0630", error);
 }
@@ -189,6 +216,31 @@ Signal robot_from_table(Vm& vm, Slot* args) try {
   spec.joints = joints_from_table(rows, text_value(args[kTypes]));
   return add_robot(vm, args,
                    finished(Robot(std::move(spec)), args[kBase], args[kTool], Slot{.o = nullptr}));
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0630", error);
+}
+
+// A robot from a file in the folder of the program.
+Signal robot_from_urdf(Vm& vm, Slot* args) try {
+  enum { kPath, kTip, kInertias, kBase, kTool, kName };
+  const std::string path(text_value(args[kPath]));
+  const Result<std::string> text = Host::of(vm).load_file(path);
+  if (!text.ok()) {
+    return failure(vm, "R0626",
+                   fmt::format("\"{}\" cannot be read: {}", path, text.error().message), kPath);
+  }
+  UrdfOptions options;
+  options.inertia_check = inertia_check_of(text_value(args[kInertias]));
+  options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
+  const Result<Mechanism> mechanism = read_urdf(*text, options);
+  if (!mechanism.ok())
+    return failure_of(vm, "R0630", ArgumentError(mechanism.error().message), kPath);
+  const std::string_view tip =
+      args[kTip].o != nullptr ? text_value(args[kTip]) : std::string_view();
+  Result<RobotSpec> spec = serial_arm(*mechanism, tip);
+  if (!spec.ok()) return failure_of(vm, "R0630", ArgumentError(spec.error().message), kPath);
+  return add_robot(vm, args,
+                   finished(Robot(std::move(spec).value()), args[kBase], args[kTool], args[kName]));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0630", error);
 }
@@ -232,8 +284,8 @@ constexpr NativeFunction kFunctions[] = {
      "(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = 0rad, limits: angle[]?, "
      "maxSpeed: angularSpeed?, maxAccel: angularAccel?, "
      "maxJerk: angularAccel/time?, maxTorque: torque?, mass: mass = 0kg, com: length[]?, inertia: "
-     "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0) -> "
-     "jointRow",
+     "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
+     "string?) -> jointRow",
      "A joint that turns, with its Denavit-Hartenberg row; theta is its zero.",
      "joint revolute(d: 400mm, a: 250mm, limits: [-170deg, 170deg])",
      joint_row<JointKind::kRevolute>, nullptr, nullptr, check_revolute_row},
@@ -241,16 +293,18 @@ constexpr NativeFunction kFunctions[] = {
      "(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = 0rad, limits: "
      "length[]?, maxSpeed: speed?, maxAccel: accel?, "
      "maxJerk: accel/time?, maxForce: force?, mass: mass = 0kg, com: length[]?, inertia: "
-     "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0) -> "
-     "jointRow",
+     "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
+     "string?) -> jointRow",
      "A joint that slides, with its Denavit-Hartenberg row; d is its zero.",
      "joint prismatic(limits: [0mm, 150mm])", joint_row<JointKind::kPrismatic>, nullptr, nullptr,
      check_prismatic_row},
     {"robot{}",
      "(name: string, joint: jointRow[], base: posC?, tool: tool?, gravity: accel[]?, convention: "
-     "string = \"standard\", home: posJ?) -> robot",
-     "A robot made of joints.", "robot arm { joint revolute(a: 300mm) }", robot_block, nullptr,
-     nullptr, check_robot_block},
+     "string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\") -> robot",
+     "A robot made of joints; tcp: the tool point seen from the flange, if the hand does not say "
+     "it; "
+     "inertias: \"published\" keeps numbers that no rigid body has.",
+     "robot arm { joint revolute(a: 300mm) }", robot_block, nullptr, nullptr, check_robot_block},
     {"dh",
      "(table: double[][], types: string, convention: string = \"standard\", base: posC?, tool: "
      "tool?, name: string?) -> robot",
@@ -258,6 +312,12 @@ constexpr NativeFunction kFunctions[] = {
      "joint.",
      "dh([[0.0, 0.0, 0.3, 0.0]], types: \"R\")", robot_from_table, nullptr, nullptr,
      check_dh_table},
+    {"urdf",
+     "(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, name: "
+     "string?) -> robot",
+     "A robot from a description in the program's folder; tip: the link at its end, where the file "
+     "has several arms.",
+     "urdf(\"arm.urdf\", tip: \"tool0\")", robot_from_urdf},
     {"robot()", "() -> robot", "The robot that the host supplies.", "joints()", default_robot,
      nullptr, nullptr, check_default_robot},
     {"robots.planar2", kReady, "Two links of 1 m in the vertical x-z plane.", "robots.planar2()",

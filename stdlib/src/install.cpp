@@ -15,8 +15,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"robots.arm7", "urdf", "simulate", "mesh", "touching",
-                                         "table", "explain", "lab",
+constexpr std::string_view kPlanned[] = {"simulate", "mesh", "touching", "table", "explain", "lab",
                                          // settings of with
                                          "with.collisions"};
 
@@ -45,6 +44,7 @@ std::span<const Chapter> chapters() {
       {"The classic subset", classic_functions()},
       {"Time", time_functions()},
       {"Tables", table_functions()},
+      {"Figures", plot_functions()},
       {"Later", later_functions()},
   };
   return all;

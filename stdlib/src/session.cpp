@@ -93,6 +93,7 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
   if (cancelled_.load()) vm.cancel();
   RunResult result = start(vm);
   running_.store(nullptr);
+  for (const Figure& figure : host_->figures()) cell.figure(figure);
   cell.end();
   cell.set_backend(nullptr);
   return result;

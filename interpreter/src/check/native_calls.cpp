@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 
 #include "check/checker.hpp"
 #include "check/over_list.hpp"
@@ -15,6 +17,27 @@ namespace {
 bool names_result(const Parameter& parameter, const Type* type, const Type* result) {
   return parameter.name == "name" && type->is(Kind::kText) && result->is(Kind::kHost) &&
          result->host->is_handle;
+}
+
+// `plot(x, y)`: a text parameter xUnit that is left out gets the unit of x in SI, from its type.
+std::optional<std::string> unit_for(const Signature& signature, const Parameter& parameter,
+                                    const Type* type, const Bindings& bindings, TypePool& types) {
+  constexpr std::string_view kSuffix = "Unit";
+  const std::string_view name = parameter.name;
+  if (!type->is(Kind::kText) || !name.ends_with(kSuffix)) return std::nullopt;
+  const int of = signature.index_of(name.substr(0, name.size() - kSuffix.size()));
+  if (of < 0) return std::nullopt;
+  const Type* measured = instantiate(signature.parameters[of].type, bindings, types);
+  while (measured != nullptr && measured->is(Kind::kList)) measured = measured->element;
+  if (measured == nullptr || !measured->is_quantity()) return std::string();
+  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
+  return measured->dim == dims::kAngle ? "rad" : display_unit(measured->dim, kLarge).name;
+}
+
+// The type of a parameter in this call, as far as it is known.
+const Type* type_of(const Parameter& parameter, const Bindings& bindings, TypePool& types) {
+  const Type* type = instantiate(parameter.type, bindings, types);
+  return type != nullptr ? type : types.any();
 }
 
 // What a program has to wait for: "`camera`" of the row "camera{}".
@@ -84,8 +107,7 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
   std::vector<Span> spans(parameters.size(), Span{callee.end, callee.end, callee.source});
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const Parameter& parameter = parameters[p];
-    const Type* type = instantiate(parameter.type, fit.bindings, types_);
-    if (type == nullptr) type = types_.any();
+    const Type* type = type_of(parameter, fit.bindings, types_);
     const int from = fit.from[p];
     if (p == 0 && fit.ambient) {
       values[p] = ambient_value(*type->host, callee);
@@ -110,9 +132,10 @@ hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& f
       values[p] = make<hir::ListExpr>(hir::ExprKind::kList, type, span, seq(items));
     } else if (parameter.default_value) {
       values[p] = literal_of(*parameter.default_value, type, callee);
-    } else if (names_result(parameter, type, result) && span == naming_.value) {
-      values[p] =
-          make<hir::TextExpr>(hir::ExprKind::kText, type, callee, arena_.copy(naming_.name));
+    } else if (const auto text = names_result(parameter, type, result) && span == naming_.value
+                                     ? std::optional<std::string>(naming_.name)
+                                     : unit_for(signature, parameter, type, fit.bindings, types_)) {
+      values[p] = make<hir::TextExpr>(hir::ExprKind::kText, type, callee, arena_.copy(*text));
     } else {
       values[p] = make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
     }

@@ -40,6 +40,10 @@ void FanOut::note(const Note& note) {
   for (Backend* each : backends_) each->note(note);
 }
 
+void FanOut::figure(std::int64_t t_ns, const Figure& figure) {
+  for (Backend* each : backends_) each->figure(t_ns, figure);
+}
+
 void FanOut::end(std::int64_t t_ns) {
   for (Backend* each : backends_) each->end(t_ns);
 }

@@ -1,6 +1,7 @@
 #include "armlet/backend/jsonl_backend.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "backend/text_sink.hpp"
 
@@ -31,7 +32,11 @@ class JsonlBackend::Writer {
     sink.text("[");
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) sink.text(",");
-      sink.number(values[i]);
+      if (std::isfinite(values[i])) {
+        sink.number(values[i]);
+      } else {
+        sink.text("null");
+      }
     }
     sink.text("]");
   }
@@ -134,6 +139,27 @@ void JsonlBackend::object_event(const ObjectEvent& event) {
 void JsonlBackend::note(const Note& note) {
   writer_->begin_line(note.t_ns, to_text(note.kind));
   writer_->field("text", note.text);
+  writer_->end_line();
+}
+
+void JsonlBackend::figure(std::int64_t t_ns, const Figure& figure) {
+  writer_->begin_line(t_ns, "figure");
+  writer_->field("title", figure.title);
+  writer_->field("x", figure.x.unit);
+  writer_->field("y", figure.y.unit);
+  writer_->field("z", figure.z.unit);
+  writer_->sink.text(",\"series\":[");
+  for (std::size_t i = 0; i < figure.series.size(); ++i) {
+    const Series& series = figure.series[i];
+    writer_->sink.text(i > 0 ? ",{\"kind\":" : "{\"kind\":");
+    writer_->sink.quoted(to_text(series.kind));
+    writer_->field("label", series.label);
+    writer_->field("x", std::span<const double>(series.x));
+    writer_->field("y", std::span<const double>(series.y));
+    writer_->field("z", std::span<const double>(series.z));
+    writer_->sink.text("}");
+  }
+  writer_->sink.text("]");
   writer_->end_line();
 }
 

@@ -217,6 +217,11 @@ void Cell::begin() {
   for (int i = 0; i < robot_count(); ++i) publish(i);
 }
 
+void Cell::figure(const Figure& figure) {
+  begin();
+  if (backend_ != nullptr) backend_->figure(now_ns(), figure);
+}
+
 void Cell::end() {
   begin();
   if (backend_ != nullptr) backend_->end(now_ns());

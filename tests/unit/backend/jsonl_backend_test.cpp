@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -46,4 +47,22 @@ TEST_CASE("a stream that cannot be written is reported") {
   JsonlBackend backend(full);
   tell_short_run(backend);
   CHECK_FALSE(backend.error().empty());
+}
+
+TEST_CASE("a figure is one line, and what is no number is null") {
+  std::ostringstream out;
+  JsonlBackend backend(out);
+  Figure figure{.title = "speed", .x = {"time", "s"}, .y = {"", "rad/s"}};
+  const double inf = std::numeric_limits<double>::infinity();
+  figure.series.push_back(
+      {.kind = SeriesKind::kPoints, .label = "joint 1", .x = {0, 1}, .y = {0.1, inf}});
+  backend.figure(2'000'000'000, figure);
+  const nlohmann::json row = nlohmann::json::parse(out.str());
+  CHECK(row["t"] == 2.0);
+  CHECK(row["what"] == "figure");
+  CHECK(row["title"] == "speed");
+  CHECK(row["y"] == "rad/s");
+  CHECK(row["series"][0]["kind"] == "points");
+  CHECK(row["series"][0]["label"] == "joint 1");
+  CHECK(row["series"][0]["y"] == nlohmann::json({0.1, nullptr}));
 }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "armlet/plot/figure.hpp"
+
 namespace armlet {
 
 // Unit of a joint's position; speeds and accelerations are per second and per second squared.
@@ -83,6 +85,8 @@ class Backend {
   virtual void object_sample(const ObjectSample&) {}
   virtual void object_event(const ObjectEvent&) {}
   virtual void note(const Note&) {}
+  // A picture as the program left it, after everything else.
+  virtual void figure(std::int64_t /*t_ns*/, const Figure&) {}
   virtual void end(std::int64_t /*t_ns*/) {}
 
   // Empty while everything was written; otherwise a sentence about the first thing that failed.

@@ -18,6 +18,7 @@ class FanOut : public Backend {
   void object_sample(const ObjectSample& sample) override;
   void object_event(const ObjectEvent& event) override;
   void note(const Note& note) override;
+  void figure(std::int64_t t_ns, const Figure& figure) override;
   void end(std::int64_t t_ns) override;
 
   // The error of the first backend that has one.

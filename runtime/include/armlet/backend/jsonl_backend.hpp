@@ -16,6 +16,8 @@ namespace armlet {
 //   {"t":..,"what":"object","name":"cube","p":..,"r":..}
 //   {"t":..,"what":"attached","name":"cube","robot":"arm"}          (also detached, removed)
 //   {"t":..,"what":"output","text":"..."}                           (also message, advice)
+//   {"t":..,"what":"figure","title":"...","x":"s","y":"rad","z":"","series":
+//    [{"kind":"line","label":"...","x":[...],"y":[...],"z":[]}]}    (units of SI; null: no number)
 //   {"t":..,"what":"robotAdded","name":"late","joints":["rad"]}
 //   {"t":..,"what":"end"}
 //
@@ -33,6 +35,7 @@ class JsonlBackend : public Backend {
   void object_sample(const ObjectSample& sample) override;
   void object_event(const ObjectEvent& event) override;
   void note(const Note& note) override;
+  void figure(std::int64_t t_ns, const Figure& figure) override;
   void end(std::int64_t t_ns) override;
   [[nodiscard]] std::string error() const override;
 

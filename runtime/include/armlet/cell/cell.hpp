@@ -164,6 +164,9 @@ class Cell {
   // by itself.
   void begin();
 
+  // Hands the backend a picture that the program made.
+  void figure(const Figure& figure);
+
   // Ends the run for the backend. Nothing may happen afterwards.
   void end();
 

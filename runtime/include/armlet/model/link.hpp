@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 namespace armlet {
 
@@ -21,6 +22,7 @@ struct Link {
   double motor_inertia = 0.0;                         // of the rotor, kg m^2
   double gear = 1.0;                                  // motor turns per joint turn, may be negative
   Friction friction;
+  std::string mesh;  // file of the shape; empty: none
 };
 
 }  // namespace armlet

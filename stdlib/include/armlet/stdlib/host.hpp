@@ -15,6 +15,7 @@
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/model/robot.hpp"
+#include "armlet/plot/figure.hpp"
 #include "armlet/trajectory/planner.hpp"
 
 namespace armlet {
@@ -83,6 +84,15 @@ class Host : public Timeline {
   [[nodiscard]] Result<std::filesystem::path> save_file(const std::string& name,
                                                         std::string_view content) const;
 
+  // The text of a file of the program, under the same rule. Fails with the reason.
+  [[nodiscard]] Result<std::string> load_file(const std::string& name) const;
+  // Whether a mesh exists that a file of the program names, the program itself if `file` is empty.
+  [[nodiscard]] bool has_mesh(const std::string& file, const std::string& mesh) const;
+
+  // The figures of the program, in the order in which it began them.
+  [[nodiscard]] std::vector<Figure>& figures() { return figures_; }
+  [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
+
   void report_move(const MoveReport& report);
   [[nodiscard]] int move_count() const { return moves_; }
 
@@ -97,6 +107,7 @@ class Host : public Timeline {
   PlannerSet planners_;
   int default_robot_ = -1;
   std::string world_name_;
+  std::vector<Figure> figures_;
   std::vector<std::string> skipped_;
   bool filling_ = false;
   bool contact_pick_told_ = false;

@@ -1,0 +1,23 @@
+#pragma once
+// Tables of robots and hands.
+
+#include <string>
+
+#include "armlet/model/hands.hpp"
+#include "armlet/model/robot.hpp"
+
+namespace armlet::cli {
+
+// One letter per joint: R turns, P slides.
+std::string kinds_of(const Robot& robot);
+
+// Rows, limits, reach and kinematics, in degrees and millimetres.
+std::string robot_text(const Robot& robot);
+
+// The same as one line of JSON, in SI units.
+std::string robot_json(const Robot& robot);
+
+// Actuators and the joints that they move.
+std::string hand_text(const Hand& hand);
+
+}  // namespace armlet::cli

@@ -1,0 +1,23 @@
+# What the runtime needs besides its sources.
+
+# The kernels of batches for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
+function(armlet_compile_wide_kernels)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set_source_files_properties(src/kinematics/batch_avx2.cpp PROPERTIES COMPILE_OPTIONS -mavx2 SKIP_PRECOMPILE_HEADERS ON)
+    set_source_files_properties(src/kinematics/batch_avx512.cpp PROPERTIES
+      COMPILE_OPTIONS "-mavx512f;-mavx512dq" SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
+
+# Only the headers are needed here; the library is loaded when the first robot description is read.
+function(armlet_use_urdf)
+  find_path(ARMLET_URDFDOM_HEADERS urdf_model/model.h PATH_SUFFIXES urdfdom_headers REQUIRED)
+  find_library(ARMLET_URDFDOM_MODEL urdfdom_model REQUIRED)
+  mark_as_advanced(ARMLET_URDFDOM_HEADERS ARMLET_URDFDOM_MODEL)
+  file(REAL_PATH ${ARMLET_URDFDOM_MODEL} urdfdom_library)
+  cmake_path(GET urdfdom_library FILENAME urdfdom_library)
+  set_source_files_properties(src/model/urdf_read.cpp PROPERTIES
+    COMPILE_DEFINITIONS ARMLET_URDFDOM_LIBRARY="${urdfdom_library}")
+  target_include_directories(armlet_runtime SYSTEM PRIVATE ${ARMLET_URDFDOM_HEADERS})
+  target_link_libraries(armlet_runtime PRIVATE ${CMAKE_DL_LIBS})
+endfunction()

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/model/mechanism.hpp"
+
+namespace armlet {
+
+using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+// Poses of all bodies in the base, in their order.
+//
+// q       one value per actuator, rad or m; limits are not checked.
+// throws  ArgumentError unless q has as many elements as there are actuators.
+std::vector<Eigen::Isometry3d> body_frames(const Mechanism& mechanism, JointsIn q);
+
+// Pose of a tip in the base.
+Eigen::Isometry3d tip_pose(const Mechanism& mechanism, JointsIn q, const Tip& tip);
+
+// Maps actuator speeds to the velocity [v; w] of a tip's origin in the axes of the base: J C, where
+// J belongs to the joints and C couples them to the actuators.
+Matrix6Xd tip_jacobian(const Mechanism& mechanism, JointsIn q, const Tip& tip);
+
+}  // namespace armlet

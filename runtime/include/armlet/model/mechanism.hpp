@@ -1,0 +1,100 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "armlet/model/link.hpp"
+#include "armlet/model/robot.hpp"
+
+namespace armlet {
+
+enum class BodyJoint { kFixed, kRevolute, kPrismatic };
+
+// A link of a mechanism and the joint that carries it. At the zero of its joint the link's frame is
+// T_parent_joint seen from its parent; a turning joint turns about `axis`, a sliding one moves
+// along it. The link's mass, centre and inertia are in its own frame.
+struct Body {
+  std::string name;
+  std::string joint_name{};
+  int parent = -1;  // an earlier body, or -1: the base
+  BodyJoint joint = BodyJoint::kFixed;
+  Eigen::Isometry3d T_parent_joint = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // in the joint's frame; made a unit vector
+  Link link{};
+};
+
+// What drives the joints, in rad and m. A rate or an effort of 0 is one that nobody gave.
+struct Actuator {
+  std::string name;
+  double lower = 0.0;
+  double upper = 0.0;
+  double max_speed = 0.0;
+  double max_effort = 0.0;
+};
+
+// A named frame fixed to a body.
+struct Tip {
+  std::string name;
+  int body = -1;
+  Eigen::Isometry3d T_body_tip = Eigen::Isometry3d::Identity();
+};
+
+// Everything that defines a tree of links; Mechanism checks it.
+//
+// coupling, offset  joint values are coupling q + offset, with one row per joint that turns or
+//                   slides, in the order of the bodies, and one column per actuator. Empty: each
+//                   joint has its own actuator.
+struct MechanismSpec {
+  std::string name = "mechanism";
+  std::string source;
+  std::string base_name = "base";
+  std::vector<Body> bodies;
+  std::vector<Actuator> actuators;
+  Eigen::MatrixXd coupling;
+  Eigen::VectorXd offset;
+  std::vector<Tip> tips;
+  InertiaCheck inertia_check = InertiaCheck::kRigidBody;
+};
+
+// Links in a tree, with joints that may be driven together: hands, grippers, arms with mimic
+// joints. It never changes after construction.
+//
+// source  R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 4.
+class Mechanism {
+ public:
+  // Throws ArgumentError naming the link and the number that is wrong.
+  explicit Mechanism(MechanismSpec spec);
+
+  const std::string& name() const { return spec_.name; }
+  const std::string& source() const { return spec_.source; }
+  const MechanismSpec& spec() const { return spec_; }
+  const std::vector<Body>& bodies() const { return spec_.bodies; }
+  const std::vector<Actuator>& actuators() const { return spec_.actuators; }
+  const std::vector<Tip>& tips() const { return spec_.tips; }
+
+  int actuator_count() const { return static_cast<int>(spec_.actuators.size()); }
+  int joint_count() const { return static_cast<int>(moving_.size()); }
+  // The bodies whose joints turn or slide, in order.
+  const std::vector<int>& moving() const { return moving_; }
+  // The joint of a body as an index into joint values, or -1 if it is fixed.
+  int joint_of(int body) const { return joint_of_[static_cast<std::size_t>(body)]; }
+
+  // coupling q + offset
+  //
+  // q       actuator values; limits are not checked.
+  // throws  ArgumentError unless there is one value for each actuator.
+  Eigen::VectorXd joint_values(const Eigen::Ref<const Eigen::VectorXd>& q) const;
+
+  // The body of that name. Throws ArgumentError if there is none.
+  int body(std::string_view name) const;
+  // The tip of that name. Throws ArgumentError if there is none.
+  const Tip& tip(std::string_view name) const;
+
+ private:
+  MechanismSpec spec_;
+  std::vector<int> moving_;
+  std::vector<int> joint_of_;
+};
+
+}  // namespace armlet

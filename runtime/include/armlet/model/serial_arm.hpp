@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "armlet/core/error.hpp"
+#include "armlet/model/mechanism.hpp"
+
+namespace armlet {
+
+// An arm as a mechanism: the base on the link "world", one link for each joint ("link1" ...), then
+// "flange" and "tool", which is also a tip. A link's frame is the one that its joint turns, so that
+// inertias move from the Denavit-Hartenberg frames to it.
+MechanismSpec mechanism_of(const Robot& robot);
+
+// The chain of joints from the base to a link or tip as an arm in the modified convention. Links
+// that hang on the chain without belonging to it count as fixed at the zero of their joints.
+//
+// tip      name of a link or tip; empty: the end of the only chain, or the link at which a chain
+//          divides (a palm).
+// returns  an error naming the joint or the choices if there is no such chain, a joint of it copies
+//          another joint, or it has not 1 to kMaxJoints joints.
+// source   J. Denavit and R. Hartenberg 1955: common normals of the axes; two axes within 1e-8 rad
+// of
+//          parallel count as parallel.
+Result<RobotSpec> serial_arm(const Mechanism& mechanism, std::string_view tip = {});
+
+}  // namespace armlet

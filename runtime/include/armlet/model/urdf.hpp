@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "armlet/core/error.hpp"
+#include "armlet/model/mechanism.hpp"
+
+namespace armlet {
+
+struct UrdfOptions {
+  InertiaCheck inertia_check = InertiaCheck::kRigidBody;
+  // Says whether a mesh exists, by the name that the file gives ("package://arm/link1.stl"). Null:
+  // meshes are not looked for.
+  std::function<bool(const std::string&)> has_mesh{};
+};
+
+// The links and joints of a robot description (URDF 1.0) as a mechanism, the root link as its base.
+// Mimic joints become couplings, continuous joints get limits of one turn to either side, angles
+// within 1e-5 rad of a right angle count as right ("1.5708"), an effort or a speed of 0 as one that
+// the file does not give. Damping and friction belong to the joint; URDF knows no rotor and no
+// gear.
+//
+// returns  an error that names the link or joint: broken XML, a link that is its own parent,
+// missing
+//          or not connected, a joint of a kind that an arm has not, numbers that are none, swapped
+//          limits, an inertia that no body has, a missing mesh.
+Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options = {});
+
+// The mechanism as a URDF that read_urdf and others understand; numbers read back to the same bits.
+// Tips become links of their own.
+//
+// throws  ArgumentError if a joint is driven by several actuators at once, which URDF cannot say.
+std::string write_urdf(const Mechanism& mechanism);
+
+// Finds a mesh that a URDF names: relative to the folder of the URDF, "file://" and
+// "package://name/...", where the package is a folder of that name at or above the URDF.
+//
+// urdf_folder  folder of the URDF.
+// top          nothing above this folder is looked at; empty: no limit.
+// returns      the path, or an empty text if there is no such file.
+std::string find_mesh(const std::string& urdf_folder, const std::string& top,
+                      const std::string& name);
+
+}  // namespace armlet

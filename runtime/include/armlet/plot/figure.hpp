@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace armlet {
+
+enum class SeriesKind { kLine, kPoints, kBars };
+
+// "line", "points" or "bars".
+std::string_view to_text(SeriesKind kind);
+
+// Values that belong together, in SI units: x and y, and z in space. Elements of the same number
+// make a point.
+struct Series {
+  SeriesKind kind = SeriesKind::kLine;
+  std::string label{};
+  std::vector<double> x{}, y{}, z{};
+};
+
+// What an axis shows. `unit` is the SI unit of the values ("m", "rad/s"), empty for plain numbers;
+// pictures choose deg, mm and so on themselves.
+struct Axis {
+  std::string label{};
+  std::string unit{};
+};
+
+// One picture. Its series all have a z or none has.
+struct Figure {
+  std::string title{};
+  Axis x{}, y{}, z{};
+  std::vector<Series> series{};
+
+  bool is_spatial() const { return !series.empty() && !series.front().z.empty(); }
+};
+
+// How people read values of a unit: the text to show and what to multiply by. Angles in degrees,
+// lengths below 1 m in millimetres, masses below 1 kg in grams.
+//
+// largest  the largest absolute value that will be shown, SI.
+struct PlotUnit {
+  std::string text{};
+  double factor = 1.0;
+};
+PlotUnit plot_unit(const std::string& si_unit, double largest);
+
+// Whether a value can be drawn: finite, and small enough to reckon with.
+bool is_drawable(double value);
+
+// The least and the greatest drawable value; 0 and 1 if there is none. How many there are.
+struct Extent {
+  double lower = 0.0, upper = 1.0;
+  std::size_t count = 0;
+};
+Extent extent_of(const std::vector<const std::vector<double>*>& values);
+
+}  // namespace armlet

@@ -1,0 +1,369 @@
+#include "armlet/model/serial_arm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+#include "body_inertia.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kParallel = 1e-8;
+
+Isometry3d screw_z(double angle, double shift) { return make_pose(rot_z(angle), {0, 0, shift}); }
+
+// M = Rz(theta) Tz(d) Rx(alpha) Tx(a) Rz(rest_angle) Tz(rest_shift): from one joint axis (z) to the
+// next along their common normal.
+struct Normal {
+  double theta = 0.0, d = 0.0, alpha = 0.0, a = 0.0, rest_angle = 0.0, rest_shift = 0.0;
+};
+
+// The angle of the normal is taken within a quarter turn of zero, its direction by the signs of
+// alpha and a.
+Normal common_normal(const Isometry3d& M) {
+  const Matrix3d R = M.linear();
+  const Vector3d z = R.col(2), p = M.translation();
+  Normal normal;
+  const double sine = det::hypot(z.x(), z.y());
+  if (sine > kParallel) {
+    const double side = z.y() > 0.0 || (z.y() == 0.0 && z.x() < 0.0) ? -1.0 : 1.0;
+    normal.theta = det::atan2(side * z.x(), -side * z.y());
+    normal.alpha = det::atan2(side * sine, z.z());
+    const Vector3d at = rot_z(-normal.theta) * p;
+    normal.a = at.x();
+    normal.rest_shift = -at.y() / (side * sine);
+    normal.d = at.z() - normal.rest_shift * z.z();
+  } else {
+    normal.alpha = z.z() > 0.0 ? 0.0 : det::atan2(0.0, -1.0);
+    const double side = p.x() < 0.0 ? -1.0 : 1.0;
+    normal.a = side * det::hypot(p.x(), p.y());
+    if (std::abs(normal.a) > 1e-12) normal.theta = det::atan2(side * p.y(), side * p.x());
+    normal.d = p.z();
+  }
+  const SinCos alpha = snapped_sin_cos(normal.alpha);
+  Matrix3d Rx;
+  Rx << 1, 0, 0, 0, alpha.cos, -alpha.sin, 0, alpha.sin, alpha.cos;
+  const Matrix3d rest = Rx.transpose() * rot_z(-normal.theta) * R;
+  normal.rest_angle = det::atan2(rest(1, 0), rest(0, 0));
+  return normal;
+}
+
+// A rotation that turns z onto an axis, exact for the axes of coordinates.
+Matrix3d R_with_z(const Vector3d& axis) {
+  if (axis == Vector3d::UnitZ()) return Matrix3d::Identity();
+  Eigen::Index smallest = 0;
+  axis.cwiseAbs().minCoeff(&smallest);
+  Matrix3d R;
+  R.col(2) = axis;
+  R.col(0) = Vector3d::Unit(smallest).cross(axis).normalized();
+  R.col(1) = axis.cross(R.col(0));
+  return R;
+}
+
+// What is known of the chain while it is followed.
+struct Walk {
+  const Mechanism* mechanism;
+  std::vector<int> path;  // bodies from the base to the tip
+  Isometry3d T_last_tip = Isometry3d::Identity();
+};
+
+bool moves(const Mechanism& m, int body) { return m.joint_of(body) >= 0; }
+
+std::vector<int> children(const Mechanism& m, int body) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
+    if (m.bodies()[i].parent == body) found.push_back(static_cast<int>(i));
+  }
+  return found;
+}
+
+// Whether a joint turns or slides in each body or below it.
+std::vector<bool> moving_below(const Mechanism& m) {
+  std::vector<bool> below(m.bodies().size(), false);
+  for (std::size_t i = m.bodies().size(); i-- > 0;) {
+    if (moves(m, static_cast<int>(i))) below[i] = true;
+    const int parent = m.bodies()[i].parent;
+    if (below[i] && parent >= 0) below[static_cast<std::size_t>(parent)] = true;
+  }
+  return below;
+}
+
+Error no_chain(const Mechanism& m, const std::string& reason) {
+  std::string leaves;
+  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
+    if (!children(m, static_cast<int>(i)).empty()) continue;
+    leaves += (leaves.empty() ? "" : ", ") + m.bodies()[i].name;
+  }
+  return {"no_chain",
+          fmt::format("{}; name the link at the end of the arm: one of {}", reason, leaves)};
+}
+
+// The end of the only chain of joints.
+Result<int> default_tip(const Mechanism& m) {
+  constexpr std::string_view kTools[] = {"tool0", "tcp", "tool", "ee", "flange"};
+  const std::vector<bool> below = moving_below(m);
+  int at = -1;
+  bool any = false;
+  for (;;) {
+    const std::vector<int> all = children(m, at);
+    std::vector<int> moving;
+    for (const int child : all) {
+      if (below[static_cast<std::size_t>(child)]) moving.push_back(child);
+    }
+    if (moving.size() > 1) {
+      if (any) return at;
+      return no_chain(m, fmt::format("`{}` has several arms", m.name()));
+    }
+    int next = -1;
+    if (moving.size() == 1) {
+      next = moving[0];
+    } else if (all.size() == 1) {
+      next = all[0];
+    } else {
+      for (const std::string_view name : kTools) {
+        for (const int child : all) {
+          if (next < 0 && m.bodies()[static_cast<std::size_t>(child)].name == name) next = child;
+        }
+      }
+    }
+    if (next < 0) break;
+    at = next;
+    any = any || moves(m, at);
+  }
+  if (!any) return no_chain(m, fmt::format("`{}` has no joint that turns or slides", m.name()));
+  return at;
+}
+
+Result<Walk> walk_to(const Mechanism& m, std::string_view tip) {
+  Walk walk{&m, {}, Isometry3d::Identity()};
+  int end = -2;
+  if (tip.empty()) {
+    Result<int> found = default_tip(m);
+    if (!found.ok()) return found.error();
+    end = *found;
+  } else {
+    for (std::size_t i = 0; i < m.bodies().size(); ++i) {
+      if (m.bodies()[i].name == tip) end = static_cast<int>(i);
+    }
+    for (const Tip& named : m.tips()) {
+      if (end != -2 || named.name != tip) continue;
+      end = named.body;
+      walk.T_last_tip = named.T_body_tip;
+    }
+    if (end == -2) return no_chain(m, fmt::format("`{}` has no link `{}`", m.name(), tip));
+  }
+  for (; end >= 0; end = m.bodies()[static_cast<std::size_t>(end)].parent) walk.path.push_back(end);
+  std::ranges::reverse(walk.path);
+  return walk;
+}
+
+// The actuator that alone drives a joint one to one, or nothing.
+std::optional<Eigen::Index> own_actuator(const Mechanism& m, int joint) {
+  const Eigen::MatrixXd& C = m.spec().coupling;
+  std::optional<Eigen::Index> own;
+  for (Eigen::Index a = 0; a < C.cols(); ++a) {
+    if (C(joint, a) == 0.0) continue;
+    if (own || C(joint, a) != 1.0) return std::nullopt;
+    own = a;
+  }
+  return m.spec().offset[joint] == 0.0 ? own : std::nullopt;
+}
+
+Joint joint_of(const Mechanism& m, const Body& body, Eigen::Index actuator) {
+  const Actuator& a = m.actuators()[static_cast<std::size_t>(actuator)];
+  Joint joint;
+  joint.kind = body.joint == BodyJoint::kRevolute ? JointKind::kRevolute : JointKind::kPrismatic;
+  joint.lower = a.lower;
+  joint.upper = a.upper;
+  joint.max_speed = a.max_speed;
+  if (a.max_effort > 0.0) joint.max_effort = a.max_effort;
+  return joint;
+}
+
+// Where each body is in the frame of the nearest body of the chain that moves, if any.
+struct Carried {
+  std::vector<int> row;  // of the arm, or -1: it stands still with the base
+  std::vector<Isometry3d> T_row_body;
+};
+
+Carried carried_by(const Mechanism& m, const std::vector<int>& chain) {
+  Carried carried;
+  const Eigen::VectorXd zero = m.spec().offset;
+  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
+    const auto found = std::ranges::find(chain, static_cast<int>(i));
+    if (found != chain.end()) {
+      carried.row.push_back(static_cast<int>(found - chain.begin()));
+      carried.T_row_body.push_back(Isometry3d::Identity());
+      continue;
+    }
+    const Body& body = m.bodies()[i];
+    Isometry3d T = body.T_parent_joint;
+    if (const int j = m.joint_of(static_cast<int>(i)); j >= 0) T = T * joint_motion(body, zero[j]);
+    if (body.parent >= 0) {
+      T = carried.T_row_body[static_cast<std::size_t>(body.parent)] * T;
+      carried.row.push_back(carried.row[static_cast<std::size_t>(body.parent)]);
+    } else {
+      carried.row.push_back(-1);
+    }
+    carried.T_row_body.push_back(T);
+  }
+  return carried;
+}
+
+// The fixed poses between the joints of the path: before the first, between, after the last. Frames
+// at joints have the axis as z.
+struct Legs {
+  std::vector<int> chain;                 // bodies whose joints move
+  std::vector<Isometry3d> T_before_axis;  // one per joint
+  Isometry3d T_axis_tip = Isometry3d::Identity();
+};
+
+Legs legs_of(const Walk& walk) {
+  const Mechanism& m = *walk.mechanism;
+  Legs legs;
+  Isometry3d T = Isometry3d::Identity();
+  for (const int i : walk.path) {
+    const Body& body = m.bodies()[static_cast<std::size_t>(i)];
+    T = T * body.T_parent_joint;
+    if (!moves(m, i)) continue;
+    const Isometry3d T_joint_axis = make_pose(R_with_z(body.axis), Vector3d::Zero());
+    legs.chain.push_back(i);
+    legs.T_before_axis.push_back(T * T_joint_axis);
+    T = T_joint_axis.inverse();
+  }
+  legs.T_axis_tip = T * walk.T_last_tip;
+  return legs;
+}
+
+Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs) {
+  if (legs.chain.empty()) {
+    return no_chain(m, fmt::format("`{}` has no joint on the way to this link", m.name()));
+  }
+  if (legs.chain.size() > static_cast<std::size_t>(kMaxJoints)) {
+    return Error{"too_many_joints",
+                 fmt::format("this arm of `{}` has {} joints; an arm has 1 to {}", m.name(),
+                             legs.chain.size(), kMaxJoints)};
+  }
+  RobotSpec spec;
+  std::vector<Eigen::Index> used;
+  for (const int i : legs.chain) {
+    const Body& body = m.bodies()[static_cast<std::size_t>(i)];
+    const auto actuator = own_actuator(m, m.joint_of(i));
+    if (!actuator || std::ranges::find(used, *actuator) != used.end()) {
+      return Error{
+          "coupled",
+          fmt::format(
+              "joint `{}` of `{}` copies another joint, so it cannot belong to an arm whose "
+              "joints move on their own",
+              body.joint_name, m.name())};
+    }
+    used.push_back(*actuator);
+    spec.joints.push_back(joint_of(m, body, *actuator));
+  }
+  return spec;
+}
+
+}  // namespace
+
+Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
+  const Result<Walk> walk = walk_to(m, tip);
+  if (!walk.ok()) return walk.error();
+  const Legs legs = legs_of(*walk);
+  Result<RobotSpec> result = check_chain(m, legs);
+  if (!result.ok()) return result;
+  RobotSpec spec = std::move(result).value();
+  spec.name = m.name();
+  spec.source = m.source();
+  spec.convention = DhConvention::kModified;
+  spec.inertia_check = m.spec().inertia_check;
+  spec.T_world_base = legs.T_before_axis[0];
+
+  // The rest of each normal commutes with the joint and goes into the next leg.
+  const std::size_t n = spec.joints.size();
+  std::vector<Isometry3d> T_row_axis(n, Isometry3d::Identity());  // of the frame with the axis as z
+  Isometry3d rest = Isometry3d::Identity();
+  for (std::size_t i = 0; i < n; ++i) {
+    DhRow& row = spec.joints[i].dh;
+    if (i + 1 == n) {
+      T_row_axis[i] = rest;
+      spec.T_flange_tool = rest * legs.T_axis_tip;
+      break;
+    }
+    const Normal normal = common_normal(rest * legs.T_before_axis[i + 1]);
+    row.theta = normal.theta;
+    row.d = normal.d;
+    T_row_axis[i] = screw_z(normal.theta, normal.d).inverse() * rest;
+    spec.joints[i + 1].dh.alpha = normal.alpha;
+    spec.joints[i + 1].dh.a = normal.a;
+    rest = screw_z(normal.rest_angle, normal.rest_shift);
+  }
+
+  const Carried carried = carried_by(m, legs.chain);
+  spec.links.resize(n);
+  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
+    if (carried.row[i] < 0) continue;
+    const std::size_t k = static_cast<std::size_t>(carried.row[i]);
+    const Body& carrier = m.bodies()[static_cast<std::size_t>(legs.chain[k])];
+    const Isometry3d T_row_carrier =
+        T_row_axis[k] * make_pose(R_with_z(carrier.axis), Vector3d::Zero()).inverse();
+    add_body(spec.links[k], moved(m.bodies()[i].link, T_row_carrier * carried.T_row_body[i]));
+    if (static_cast<int>(i) == legs.chain[k]) copy_motor(spec.links[k], m.bodies()[i].link);
+  }
+  return spec;
+}
+
+MechanismSpec mechanism_of(const Robot& robot) {
+  MechanismSpec spec;
+  spec.name = robot.name();
+  spec.source = robot.source();
+  spec.base_name = "world";
+  spec.inertia_check = robot.spec().inertia_check;
+  spec.bodies.push_back(
+      {.name = "base", .joint_name = "world_base", .T_parent_joint = robot.T_world_base()});
+  const bool standard = robot.spec().convention == DhConvention::kStandard;
+  // What comes after the joint's own motion: the constants of Z, and the X that follows.
+  Isometry3d T_link_next = Isometry3d::Identity();
+  for (int i = 0; i < robot.n(); ++i) {
+    const Joint& joint = robot.joint(i);
+    const Isometry3d Z = screw_z(joint.dh.theta, joint.dh.d);
+    const Isometry3d X = dh_pose(DhConvention::kStandard, {0.0, 0.0, joint.dh.a, joint.dh.alpha});
+    const Isometry3d T_parent_joint = standard ? T_link_next : T_link_next * X;
+    T_link_next = standard ? Z * X : Z;
+    const std::string number = std::to_string(i + 1);
+    spec.bodies.push_back(
+        {.name = "link" + number,
+         .joint_name = "joint" + number,
+         .parent = i,
+         .joint = joint.is_revolute() ? BodyJoint::kRevolute : BodyJoint::kPrismatic,
+         .T_parent_joint = T_parent_joint,
+         .axis = Vector3d::UnitZ(),
+         .link = moved(robot.link(i), T_link_next)});
+    copy_motor(spec.bodies.back().link, robot.link(i));
+    spec.actuators.push_back(
+        {.name = "joint" + number,
+         .lower = joint.lower,
+         .upper = joint.upper,
+         .max_speed = joint.max_speed,
+         .max_effort = std::isfinite(joint.max_effort) ? joint.max_effort : 0.0});
+  }
+  const int n = robot.n();
+  spec.bodies.push_back(
+      {.name = "flange", .joint_name = "link_flange", .parent = n, .T_parent_joint = T_link_next});
+  spec.bodies.push_back({.name = "tool",
+                         .joint_name = "flange_tool",
+                         .parent = n + 1,
+                         .T_parent_joint = robot.T_flange_tool()});
+  return spec;
+}
+
+}  // namespace armlet

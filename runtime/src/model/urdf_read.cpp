@@ -1,0 +1,369 @@
+// The only door to urdfdom. Its library is loaded when the first robot description is read: it
+// brings four more shared libraries, which no other program should wait for.
+
+#include <console_bridge/console.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <urdf_model/model.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "armlet/math/pose.hpp"
+#include "armlet/model/urdf.hpp"
+#include "xml_guard.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kRightAngle = 1e-5;
+
+// Keeps what urdfdom would print.
+class Capture : public console_bridge::OutputHandler {
+ public:
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || text.empty()) return;
+    if (first_.empty()) first_ = text;
+  }
+  const std::string& first() const { return first_; }
+
+ private:
+  std::string first_;
+};
+
+// urdf::parseURDF, and where console_bridge sends what it reports.
+struct Library {
+  std::shared_ptr<urdf::ModelInterface> (*parse)(const std::string&) = nullptr;
+  void (*use_handler)(console_bridge::OutputHandler*) = nullptr;
+  void (*restore_handler)() = nullptr;
+  std::string missing;
+};
+
+const Library& library() {
+  static const Library loaded = [] {
+    Library found;
+    void* handle = dlopen(ARMLET_URDFDOM_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
+    const auto find = [&](auto& function, const char* symbol) {
+      if (handle != nullptr) {
+        function =
+            reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(handle, symbol));
+      }
+      if (function == nullptr) found.missing = ARMLET_URDFDOM_LIBRARY;
+    };
+    find(found.parse, "_ZN4urdf9parseURDFERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE");
+    find(found.use_handler, "_ZN14console_bridge16useOutputHandlerEPNS_13OutputHandlerE");
+    find(found.restore_handler, "_ZN14console_bridge28restorePreviousOutputHandlerEv");
+    return found;
+  }();
+  return loaded;
+}
+
+struct Parsed {
+  std::shared_ptr<urdf::ModelInterface> model;
+  std::string reason;
+};
+
+// The handler of console_bridge belongs to the process: one text at a time.
+Parsed parse(const std::string& text) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  Parsed parsed;
+  if (!library().missing.empty()) {
+    parsed.reason = fmt::format(
+        "robot descriptions are read by the library {}, which is not installed (Debian: "
+        "liburdfdom-model3.0)",
+        library().missing);
+    return parsed;
+  }
+  Capture capture;
+  library().use_handler(&capture);
+  try {
+    parsed.model = library().parse(text);
+  } catch (const std::exception& error) {
+    parsed.reason = error.what();
+  }
+  library().restore_handler();
+  if (!capture.first().empty()) parsed.reason = capture.first();
+  return parsed;
+}
+
+Error broken(const std::string& what) { return {"urdf", what}; }
+
+// Entries that a rounded right angle leaves become zero, where the rest is a rotation without them.
+Matrix3d snapped(const Matrix3d& R) {
+  Matrix3d S = R;
+  for (double& entry : S.reshaped()) {
+    if (std::abs(entry) < kRightAngle) entry = 0.0;
+  }
+  if (S == R) return R;
+  for (Eigen::Index k = 0; k < 3; ++k) S.col(k) /= S.col(k).norm();
+  const Matrix3d gram = S.transpose() * S;
+  if ((gram - Matrix3d::Identity()).cwiseAbs().maxCoeff() > 1e-9) return R;
+  return 0.5 * S * (3.0 * Matrix3d::Identity() - gram);
+}
+
+Matrix3d R_of(const urdf::Rotation& r) {
+  const double norm = r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w;
+  const double s = 2.0 / norm;
+  Matrix3d R;
+  R << 1 - s * (r.y * r.y + r.z * r.z), s * (r.x * r.y - r.z * r.w), s * (r.x * r.z + r.y * r.w),
+      s * (r.x * r.y + r.z * r.w), 1 - s * (r.x * r.x + r.z * r.z), s * (r.y * r.z - r.x * r.w),
+      s * (r.x * r.z - r.y * r.w), s * (r.y * r.z + r.x * r.w), 1 - s * (r.x * r.x + r.y * r.y);
+  return snapped(R);
+}
+
+Isometry3d pose_of(const urdf::Pose& pose) {
+  return make_pose(R_of(pose.rotation), {pose.position.x, pose.position.y, pose.position.z});
+}
+
+Link link_of(const urdf::Link& source) {
+  Link link;
+  if (source.inertial) {
+    const urdf::Inertial& i = *source.inertial;
+    const Matrix3d R = R_of(i.origin.rotation);
+    Matrix3d I;
+    I << i.ixx, i.ixy, i.ixz, i.ixy, i.iyy, i.iyz, i.ixz, i.iyz, i.izz;
+    link.mass = i.mass;
+    link.com = Vector3d(i.origin.position.x, i.origin.position.y, i.origin.position.z);
+    if (R.isIdentity(0.0)) {
+      link.inertia = I;
+    } else {
+      const Matrix3d turned = R * I * R.transpose();
+      link.inertia = 0.5 * (turned + turned.transpose());
+    }
+  }
+  return link;
+}
+
+std::vector<std::string> meshes_of(const urdf::Link& link) {
+  std::vector<std::string> names;
+  const auto add = [&](const urdf::GeometrySharedPtr& geometry) {
+    if (geometry && geometry->type == urdf::Geometry::MESH) {
+      names.push_back(static_cast<const urdf::Mesh&>(*geometry).filename);
+    }
+  };
+  for (const auto& visual : link.visual_array) add(visual->geometry);
+  for (const auto& collision : link.collision_array) add(collision->geometry);
+  return names;
+}
+
+// Collects the bodies from the root outwards and what drives them.
+class Reader {
+ public:
+  Reader(const urdf::ModelInterface& model, const UrdfOptions& options)
+      : model_(model), options_(options) {
+    spec_.name = model.getName();
+    spec_.source = "a URDF file";
+    spec_.inertia_check = options.inertia_check;
+  }
+
+  Result<MechanismSpec> read() {
+    if (auto error = check_parents()) return *error;
+    const auto root = model_.getRoot();
+    if (root == nullptr) return broken("there is no link that all others hang on");
+    spec_.base_name = root->name;
+    if (auto error = check_meshes(*root)) return *error;
+    if (auto error = add_children(*root)) return *error;
+    if (spec_.bodies.size() + 1 != model_.links_.size()) return not_connected();
+    if (auto error = couple()) return *error;
+    return std::move(spec_);
+  }
+
+ private:
+  // urdfdom lets a link hang on two joints, or on itself.
+  std::optional<Error> check_parents() const {
+    std::map<std::string, std::string> joint_of;
+    for (const auto& [name, joint] : model_.joints_) {
+      if (joint->parent_link_name == joint->child_link_name) {
+        return broken(
+            fmt::format("link `{}` is its own parent (joint `{}`)", joint->child_link_name, name));
+      }
+      const auto [other, is_new] = joint_of.emplace(joint->child_link_name, name);
+      if (!is_new) {
+        return broken(
+            fmt::format("link `{}` hangs on two joints, `{}` and `{}`; every link has one parent",
+                        joint->child_link_name, other->second, name));
+      }
+    }
+    return std::nullopt;
+  }
+
+  Error not_connected() const {
+    std::set<std::string> reached{spec_.base_name};
+    for (const Body& body : spec_.bodies) reached.insert(body.name);
+    for (const auto& [name, link] : model_.links_) {
+      if (reached.contains(name)) continue;
+      return broken(
+          fmt::format("link `{}` belongs to a circle of joints, none of which hangs on `{}`", name,
+                      spec_.base_name));
+    }
+    return broken("the links do not form a tree");
+  }
+
+  std::optional<Error> check_meshes(const urdf::Link& link) const {
+    if (!options_.has_mesh) return std::nullopt;
+    for (const std::string& mesh : meshes_of(link)) {
+      if (options_.has_mesh(mesh)) continue;
+      return broken(fmt::format("the mesh \"{}\" of link `{}` is not there", mesh, link.name));
+    }
+    return std::nullopt;
+  }
+
+  // From the root outwards without recursion: chains may be long.
+  std::optional<Error> add_children(const urdf::Link& root) {
+    std::vector<std::pair<const urdf::Link*, int>> open{{&root, -1}};
+    while (!open.empty()) {
+      const auto [link, index] = open.back();
+      open.pop_back();
+      std::vector<std::pair<const urdf::Link*, int>> found;
+      for (const auto& joint : link->child_joints) {
+        const auto child = model_.getLink(joint->child_link_name);
+        if (auto error = add_body(*joint, *child, index)) return error;
+        found.emplace_back(child.get(), static_cast<int>(spec_.bodies.size()) - 1);
+      }
+      open.insert(open.end(), found.rbegin(), found.rend());
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> add_body(const urdf::Joint& joint, const urdf::Link& child, int parent) {
+    if (auto error = check_meshes(child)) return error;
+    Body body{.name = child.name,
+              .joint_name = joint.name,
+              .parent = parent,
+              .T_parent_joint = pose_of(joint.parent_to_joint_origin_transform),
+              .axis = Vector3d(joint.axis.x, joint.axis.y, joint.axis.z),
+              .link = link_of(child)};
+    const std::vector<std::string> meshes = meshes_of(child);
+    if (!meshes.empty()) body.link.mesh = meshes.front();
+    switch (joint.type) {
+      case urdf::Joint::FIXED:
+        break;
+      case urdf::Joint::REVOLUTE:
+      case urdf::Joint::CONTINUOUS:
+        body.joint = BodyJoint::kRevolute;
+        break;
+      case urdf::Joint::PRISMATIC:
+        body.joint = BodyJoint::kPrismatic;
+        break;
+      default:
+        return broken(fmt::format(
+            "joint `{}` floats or moves in a plane; the joints of an arm turn, slide or are "
+            "fixed",
+            joint.name));
+    }
+    if (body.joint != BodyJoint::kFixed) {
+      if (joint.dynamics) {
+        const double friction = joint.dynamics->friction;
+        body.link.friction = {joint.dynamics->damping, friction, -friction};
+      }
+      joints_.push_back(&joint);
+    }
+    spec_.bodies.push_back(std::move(body));
+    return std::nullopt;
+  }
+
+  static Actuator actuator_of(const urdf::Joint& joint) {
+    constexpr double kTurn = 6.283185307179586;
+    Actuator actuator{.name = joint.name};
+    if (joint.type == urdf::Joint::CONTINUOUS) {
+      actuator.lower = -kTurn;
+      actuator.upper = kTurn;
+    }
+    if (!joint.limits) return actuator;
+    if (joint.type != urdf::Joint::CONTINUOUS) {
+      actuator.lower = joint.limits->lower;
+      actuator.upper = joint.limits->upper;
+    }
+    actuator.max_speed = joint.limits->velocity;
+    actuator.max_effort = joint.limits->effort;
+    return actuator;
+  }
+
+  // Follows a mimic joint to the one that moves on its own: value = ratio q + shift.
+  struct Followed {
+    const urdf::Joint* joint;
+    double ratio = 1.0, shift = 0.0;
+  };
+  Result<Followed> follow(const urdf::Joint& joint) const {
+    Followed at{&joint};
+    for (std::size_t steps = 0; at.joint->mimic; ++steps) {
+      const urdf::JointMimic& mimic = *at.joint->mimic;
+      const auto next = model_.getJoint(mimic.joint_name);
+      if (next == nullptr) {
+        return broken(fmt::format("joint `{}` copies `{}`, which does not exist", at.joint->name,
+                                  mimic.joint_name));
+      }
+      if (steps > joints_.size()) {
+        return broken(fmt::format("joint `{}` copies itself through other joints", joint.name));
+      }
+      at.shift += at.ratio * mimic.offset;
+      at.ratio *= mimic.multiplier;
+      at.joint = next.get();
+    }
+    return at;
+  }
+
+  std::optional<Error> couple() {
+    std::map<const urdf::Joint*, Eigen::Index> column;
+    for (const urdf::Joint* joint : joints_) {
+      if (joint->mimic) continue;
+      column.emplace(joint, static_cast<Eigen::Index>(spec_.actuators.size()));
+      spec_.actuators.push_back(actuator_of(*joint));
+    }
+    const auto rows = static_cast<Eigen::Index>(joints_.size());
+    spec_.coupling = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(spec_.actuators.size()));
+    spec_.offset = Eigen::VectorXd::Zero(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      const urdf::Joint& joint = *joints_[static_cast<std::size_t>(row)];
+      const Result<Followed> followed = follow(joint);
+      if (!followed.ok()) return followed.error();
+      const auto found = column.find(followed->joint);
+      if (found == column.end()) {
+        return broken(fmt::format("joint `{}` copies `{}`, which is fixed", joint.name,
+                                  followed->joint->name));
+      }
+      spec_.coupling(row, found->second) = followed->ratio;
+      spec_.offset[row] = followed->shift;
+    }
+    return std::nullopt;
+  }
+
+  const urdf::ModelInterface& model_;
+  const UrdfOptions& options_;
+  MechanismSpec spec_;
+  std::vector<const urdf::Joint*> joints_;  // those that move, in the order of the bodies
+};
+
+}  // namespace
+
+Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options) {
+  if (const std::string fault = xml_fault(text); !fault.empty()) return broken(fault);
+  const Parsed parsed = parse(std::string(text));
+  // urdfdom reports some faults and goes on without what it could not read.
+  if (parsed.model == nullptr || !parsed.reason.empty()) {
+    return broken(
+        fmt::format("the robot description cannot be read: {}",
+                    parsed.reason.empty() ? "there is no element <robot>" : parsed.reason));
+  }
+  Result<MechanismSpec> spec = Reader(*parsed.model, options).read();
+  if (!spec.ok()) return spec.error();
+  try {
+    return Mechanism(std::move(spec).value());
+  } catch (const ArgumentError& error) {
+    return broken(error.what());
+  }
+}
+
+}  // namespace armlet

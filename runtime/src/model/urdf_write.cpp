@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "armlet/math/rotation.hpp"
+#include "armlet/model/urdf.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+// The fewest digits that read back to the same bits.
+std::string number(double x) { return fmt::format("{}", x == 0.0 ? 0.0 : x); }
+
+std::string three(const Vector3d& v) {
+  return fmt::format("{} {} {}", number(v.x()), number(v.y()), number(v.z()));
+}
+
+std::string origin(const Isometry3d& T) {
+  const Vector3d rpy = T.linear().isIdentity(0.0) ? Vector3d::Zero() : rpy_from_R(T.linear());
+  return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", three(T.translation()), three(rpy));
+}
+
+std::string link_text(const Body& body) {
+  const Link& link = body.link;
+  const bool heavy = link.mass != 0.0 || !link.inertia.isZero(0.0);
+  if (!heavy && link.mesh.empty())
+    return fmt::format("  <link name=\"{}\"/>\n", escaped(body.name));
+  std::string text = fmt::format("  <link name=\"{}\">\n", escaped(body.name));
+  if (heavy) {
+    const Eigen::Matrix3d& I = link.inertia;
+    text += fmt::format(
+        "    <inertial>\n      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n      <mass value=\"{}\"/>\n"
+        "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n    "
+        "</inertial>\n",
+        three(link.com), number(link.mass), number(I(0, 0)), number(I(0, 1)), number(I(0, 2)),
+        number(I(1, 1)), number(I(1, 2)), number(I(2, 2)));
+  }
+  if (!link.mesh.empty()) {
+    text += fmt::format("    <visual><geometry><mesh filename=\"{}\"/></geometry></visual>\n",
+                        escaped(link.mesh));
+  }
+  return text + "  </link>\n";
+}
+
+// What drives a joint alone: value = ratio q_a + shift.
+struct Drive {
+  Eigen::Index actuator = -1;
+  double ratio = 0.0, shift = 0.0;
+};
+
+Drive drive_of(const Mechanism& m, int joint) {
+  Drive drive{.shift = m.spec().offset[joint]};
+  for (Eigen::Index a = 0; a < m.spec().coupling.cols(); ++a) {
+    const double ratio = m.spec().coupling(joint, a);
+    if (ratio == 0.0) continue;
+    if (drive.actuator >= 0) {
+      const Body& body =
+          m.bodies()[static_cast<std::size_t>(m.moving()[static_cast<std::size_t>(joint)])];
+      throw ArgumentError(
+          fmt::format("Joint `{}` of `{}` is driven by several actuators, which a URDF cannot say; "
+                      "give each joint one.",
+                      body.joint_name, m.name()));
+    }
+    drive.actuator = a;
+    drive.ratio = ratio;
+  }
+  return drive;
+}
+
+// Joint limits from those of the actuator: the first joint that it drives stands for it.
+std::string limit_text(const Mechanism& m, const Drive& drive) {
+  if (drive.actuator < 0)
+    return "    <limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>\n";
+  const Actuator& a = m.actuators()[static_cast<std::size_t>(drive.actuator)];
+  const double one = drive.ratio * a.lower + drive.shift,
+               other = drive.ratio * a.upper + drive.shift;
+  return fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n",
+                     number(std::min(one, other)), number(std::max(one, other)),
+                     number(a.max_effort / std::abs(drive.ratio)),
+                     number(a.max_speed * std::abs(drive.ratio)));
+}
+
+// The joints that stand for the actuators, -1 where none does yet.
+class Leaders {
+ public:
+  explicit Leaders(const Mechanism& m) : leader_(m.actuators().size(), -1) {
+    for (int j = 0; j < m.joint_count(); ++j) {
+      const Eigen::Index a = drive_of(m, j).actuator;
+      if (a >= 0 && leader_[static_cast<std::size_t>(a)] < 0)
+        leader_[static_cast<std::size_t>(a)] = j;
+    }
+  }
+  int of(Eigen::Index actuator) const { return leader_[static_cast<std::size_t>(actuator)]; }
+
+ private:
+  std::vector<int> leader_;
+};
+
+std::string mimic_text(const Mechanism& m, const Leaders& leaders, int joint) {
+  const Drive drive = drive_of(m, joint);
+  if (drive.actuator < 0 || leaders.of(drive.actuator) == joint) return {};
+  const int leader = leaders.of(drive.actuator);
+  const Drive lead = drive_of(m, leader);
+  const double ratio = drive.ratio / lead.ratio;
+  const Body& body =
+      m.bodies()[static_cast<std::size_t>(m.moving()[static_cast<std::size_t>(leader)])];
+  return fmt::format("    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>\n",
+                     escaped(body.joint_name), number(ratio),
+                     number(drive.shift - ratio * lead.shift));
+}
+
+std::string joint_text(const Mechanism& m, const Leaders& leaders, std::size_t i) {
+  const Body& body = m.bodies()[i];
+  const int joint = m.joint_of(static_cast<int>(i));
+  const char* type = body.joint == BodyJoint::kFixed      ? "fixed"
+                     : body.joint == BodyJoint::kRevolute ? "revolute"
+                                                          : "prismatic";
+  const std::string& parent =
+      body.parent < 0 ? m.spec().base_name : m.bodies()[static_cast<std::size_t>(body.parent)].name;
+  std::string text = fmt::format(
+      "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n    "
+      "{}\n",
+      escaped(body.joint_name), type, escaped(parent), escaped(body.name),
+      origin(body.T_parent_joint));
+  if (joint >= 0) {
+    const Friction& f = body.link.friction;
+    const double gear = std::abs(body.link.gear);
+    text += fmt::format("    <axis xyz=\"{}\"/>\n", three(body.axis));
+    text += limit_text(m, drive_of(m, joint));
+    const double damping = gear * gear * f.viscous,
+                 dry = gear * 0.5 * (f.coulomb_plus - f.coulomb_minus);
+    if (damping != 0.0 || dry != 0.0) {
+      text += fmt::format("    <dynamics damping=\"{}\" friction=\"{}\"/>\n", number(damping),
+                          number(dry));
+    }
+    text += mimic_text(m, leaders, joint);
+  }
+  return text + "  </joint>\n";
+}
+
+}  // namespace
+
+std::string write_urdf(const Mechanism& m) {
+  const Leaders leaders(m);
+  std::string text =
+      fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
+                  escaped(m.name()), escaped(m.spec().base_name));
+  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
+    text += link_text(m.bodies()[i]);
+    text += joint_text(m, leaders, i);
+  }
+  for (const Tip& tip : m.tips()) {
+    const std::string& parent =
+        tip.body < 0 ? m.spec().base_name : m.bodies()[static_cast<std::size_t>(tip.body)].name;
+    text += fmt::format(
+        "  <link name=\"{0}\"/>\n  <joint name=\"{0}_fixed\" type=\"fixed\">\n    <parent "
+        "link=\"{1}\"/>\n"
+        "    <child link=\"{0}\"/>\n    {2}\n  </joint>\n",
+        escaped(tip.name), escaped(parent), origin(tip.T_body_tip));
+  }
+  return text + "</robot>\n";
+}
+
+std::string find_mesh(const std::string& urdf_folder, const std::string& top,
+                      const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code problem;
+  const fs::path limit = top.empty() ? fs::path() : fs::weakly_canonical(top, problem);
+  const auto exists = [&](const fs::path& path) -> std::string {
+    const fs::path real = fs::weakly_canonical(path, problem);
+    if (!limit.empty()) {
+      const fs::path below = real.lexically_relative(limit);
+      if (below.empty() || *below.begin() == "..") return {};
+    }
+    return fs::is_regular_file(real, problem) ? real.string() : std::string();
+  };
+  constexpr std::string_view kPackage = "package://", kFile = "file://";
+  const fs::path folder = fs::weakly_canonical(urdf_folder.empty() ? "." : urdf_folder, problem);
+  if (name.starts_with(kFile)) return exists(folder / name.substr(kFile.size()));
+  if (!name.starts_with(kPackage)) return exists(folder / name);
+  const std::string inside = name.substr(kPackage.size());
+  const std::size_t slash = inside.find('/');
+  if (slash == std::string::npos) return {};
+  for (fs::path at = folder;; at = at.parent_path()) {
+    if (std::string found = exists(at / inside); !found.empty()) return found;
+    if (at.filename() == inside.substr(0, slash)) {
+      if (std::string found = exists(at / inside.substr(slash + 1)); !found.empty()) return found;
+    }
+    if (at == limit || !at.has_relative_path()) return {};
+  }
+}
+
+}  // namespace armlet

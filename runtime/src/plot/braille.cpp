@@ -1,0 +1,197 @@
+#include "armlet/plot/braille.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "armlet/plot/ticks.hpp"
+
+namespace armlet {
+namespace {
+
+// Fields of 2 x 4 dots, one character each.
+class Dots {
+ public:
+  Dots(int columns, int rows)
+      : columns_(columns),
+        rows_(rows),
+        bits_(static_cast<std::size_t>(columns * rows), 0),
+        series_(bits_.size(), -1) {}
+
+  int width() const { return 2 * columns_; }
+  int height() const { return 4 * rows_; }
+
+  void set(int x, int y, int series) {
+    if (x < 0 || x >= width() || y < 0 || y >= height()) return;
+    constexpr std::uint8_t kBits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+    const std::size_t cell = static_cast<std::size_t>((y / 4) * columns_ + x / 2);
+    bits_[cell] = static_cast<std::uint8_t>(bits_[cell] | kBits[y % 4][x % 2]);
+    series_[cell] = series;
+  }
+
+  void segment(double x0, double y0, double x1, double y1, int series) {
+    const int steps = 1 + static_cast<int>(std::max(std::abs(x1 - x0), std::abs(y1 - y0)));
+    for (int k = 0; k <= steps; ++k) {
+      const double s = static_cast<double>(k) / steps;
+      set(static_cast<int>(std::floor(x0 + s * (x1 - x0))),
+          static_cast<int>(std::floor(y0 + s * (y1 - y0))), series);
+    }
+  }
+
+  std::string row(int r, bool color) const {
+    constexpr int kColors[] = {36, 33, 32, 35, 34, 31, 37};
+    std::string out;
+    int now = -1;
+    for (int c = 0; c < columns_; ++c) {
+      const std::size_t cell = static_cast<std::size_t>(r * columns_ + c);
+      if (color && bits_[cell] != 0 && series_[cell] != now) {
+        now = series_[cell];
+        out += fmt::format("\x1b[{}m", kColors[now % 7]);
+      }
+      // U+2800 + bits in UTF-8.
+      const unsigned code = 0x2800U + bits_[cell];
+      if (bits_[cell] == 0) {
+        out += ' ';
+      } else {
+        out += static_cast<char>(0xE0U | (code >> 12U));
+        out += static_cast<char>(0x80U | ((code >> 6U) & 0x3FU));
+        out += static_cast<char>(0x80U | (code & 0x3FU));
+      }
+    }
+    if (now >= 0) out += "\x1b[0m";
+    return out;
+  }
+
+ private:
+  int columns_, rows_;
+  std::vector<std::uint8_t> bits_;
+  std::vector<int> series_;
+};
+
+struct Scale {
+  PlotUnit unit;
+  Ticks ticks;
+};
+
+// In space, x and z as seen from the front.
+const std::vector<double>& upward(const Figure& figure, const Series& series) {
+  return figure.is_spatial() ? series.z : series.y;
+}
+
+Scale scale_of(const Figure& figure, bool up, int wanted) {
+  std::vector<const std::vector<double>*> lists;
+  bool bars = false;
+  for (const Series& series : figure.series) {
+    lists.push_back(up ? &upward(figure, series) : &series.x);
+    bars = bars || (up && series.kind == SeriesKind::kBars);
+  }
+  Extent extent = extent_of(lists);
+  if (bars) {
+    extent.lower = std::min(extent.lower, 0.0);
+    extent.upper = std::max(extent.upper, 0.0);
+  }
+  const Axis& axis = !up ? figure.x : figure.is_spatial() ? figure.z : figure.y;
+  Scale scale;
+  scale.unit = plot_unit(axis.unit, std::max(std::abs(extent.lower), std::abs(extent.upper)));
+  scale.ticks = make_ticks(extent.lower * scale.unit.factor, extent.upper * scale.unit.factor,
+                           wanted, scale.unit.text == "deg", true);
+  return scale;
+}
+
+void draw(Dots& dots, const Figure& figure, const Scale& x, const Scale& y) {
+  const auto right = [&](double v) {
+    return x.ticks.position(v * x.unit.factor) * (dots.width() - 1) + 0.5;
+  };
+  const auto down = [&](double v) {
+    return (1.0 - y.ticks.position(v * y.unit.factor)) * (dots.height() - 1) + 0.5;
+  };
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    const Series& series = figure.series[s];
+    const std::vector<double>& up = upward(figure, series);
+    const int index = static_cast<int>(s);
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      if (!is_drawable(series.x[i]) || !is_drawable(up[i])) continue;
+      const double px = right(series.x[i]), py = down(up[i]);
+      const bool joined = series.kind == SeriesKind::kLine && i > 0 &&
+                          is_drawable(series.x[i - 1]) && is_drawable(up[i - 1]);
+      if (joined) {
+        dots.segment(right(series.x[i - 1]), down(up[i - 1]), px, py, index);
+      } else if (series.kind == SeriesKind::kBars) {
+        dots.segment(px, down(0.0), px, py, index);
+      } else {
+        dots.set(static_cast<int>(std::floor(px)), static_cast<int>(std::floor(py)), index);
+      }
+    }
+  }
+}
+
+std::string unit_text(const Axis& axis, const Scale& scale) {
+  if (scale.unit.text.empty()) return axis.label;
+  return axis.label.empty() ? scale.unit.text : fmt::format("{} ({})", axis.label, scale.unit.text);
+}
+
+// The values below the field, each under its place, as many as have room.
+std::string values_below(const Scale& x, int columns, std::size_t indent) {
+  std::string out(indent + 1, ' ');
+  const std::size_t start = out.size();
+  for (std::size_t i = 0; i < x.ticks.at.size(); ++i) {
+    const std::string& label = x.ticks.labels[i];
+    const double middle = x.ticks.position(x.ticks.at[i]) * columns;
+    const double begin =
+        std::clamp(middle - 0.5 * static_cast<double>(label.size()), 0.0,
+                   std::max(0.0, static_cast<double>(columns) - static_cast<double>(label.size())));
+    const std::size_t at = start + static_cast<std::size_t>(begin);
+    if (i > 0 && at < out.size() + 1) continue;
+    out.resize(at, ' ');
+    out += label;
+  }
+  return out + '\n';
+}
+
+}  // namespace
+
+std::string to_braille(const Figure& figure, int columns, int rows, bool color) {
+  columns = std::clamp(columns, 8, 400);
+  rows = std::clamp(rows, 4, 200);
+  const Scale x = scale_of(figure, false, std::clamp(columns / 10, 2, 8));
+  const Scale y = scale_of(figure, true, std::clamp(rows / 4, 2, 8));
+  Dots dots(columns, rows);
+  draw(dots, figure, x, y);
+  std::size_t widest = 0;
+  for (const std::string& label : y.ticks.labels) widest = std::max(widest, label.size());
+  std::string out;
+  if (!figure.title.empty()) out += figure.title + '\n';
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    if (figure.series[s].label.empty()) continue;
+    constexpr int kColors[] = {36, 33, 32, 35, 34, 31, 37};
+    out += color ? fmt::format("\x1b[{}m{}\x1b[0m  ", kColors[s % 7], figure.series[s].label)
+                 : figure.series[s].label + "  ";
+  }
+  if (!out.empty() && out.back() == ' ') {
+    while (out.back() == ' ') out.pop_back();
+    out += '\n';
+  }
+  const Axis& upward_axis = figure.is_spatial() ? figure.z : figure.y;
+  if (const std::string name = unit_text(upward_axis, y); !name.empty()) out += name + '\n';
+  for (int r = 0; r < rows; ++r) {
+    std::string value;
+    for (std::size_t i = 0; i < y.ticks.at.size(); ++i) {
+      const double at = (1.0 - y.ticks.position(y.ticks.at[i])) * (dots.height() - 1);
+      if (static_cast<int>(at / 4.0) == r) value = y.ticks.labels[i];
+    }
+    std::string row = fmt::format("{:>{}} \u2502{}", value, widest, dots.row(r, color));
+    while (row.back() == ' ') row.pop_back();
+    out += row + '\n';
+  }
+  out += std::string(widest + 1, ' ') + "\u2514";
+  for (int c = 0; c < columns; ++c) out += "\u2500";
+  out += '\n' + values_below(x, columns, widest + 1);
+  if (const std::string name = unit_text(figure.x, x); !name.empty()) {
+    out += std::string(widest + 2, ' ') + name + '\n';
+  }
+  return out;
+}
+
+}  // namespace armlet

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// Pieces of SVG.
+namespace armlet::svg {
+
+// Text between tags: marks of XML and control characters are replaced.
+std::string escaped(std::string_view text);
+
+// A coordinate with at most two decimals, "0" never negative.
+std::string coordinate(double value);
+
+// About how wide a text is, px.
+double width_of(std::string_view text, double size);
+
+struct Point {
+  double x = 0.0, y = 0.0;
+};
+
+// A text at a place; anchor is "start", "middle" or "end".
+std::string text(Point at, std::string_view anchor, std::string_view css, std::string_view content,
+                 std::string_view more = {});
+std::string line(Point from, Point to, std::string_view css);
+
+// Colours of series and of heights, the look of axes and text: one style for light and dark pages.
+std::string_view style();
+
+inline constexpr int kSeriesColors = 7;
+inline constexpr int kHeightColors = 8;
+
+}  // namespace armlet::svg

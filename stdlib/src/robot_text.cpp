@@ -1,0 +1,164 @@
+#include "armlet/stdlib/robot_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "armlet/math/angles.hpp"
+#include "armlet/math/rotation.hpp"
+
+namespace armlet {
+namespace {
+
+// The fewest digits that read back to the same bits, with a point or an exponent.
+std::string real(double x) {
+  std::string text = fmt::format("{}", x == 0.0 ? 0.0 : x);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+// 0.4 m is "0.4m": the unit of SI changes no bits.
+std::string with_unit(double x, std::string_view unit) {
+  return fmt::format("{}{}", x == 0.0 ? 0.0 : x, unit);
+}
+
+// In degrees if that many degrees are the same bits, else in rad.
+std::string angle(double x, std::string_view per = {}) {
+  const double degrees = std::round(rad_to_deg(x) * 1e6) / 1e6;
+  if (deg_to_rad(degrees) == x) return with_unit(degrees, fmt::format("deg{}", per));
+  return with_unit(x, fmt::format("rad{}", per));
+}
+
+std::string of_joint(const Joint& joint, double x, std::string_view per = {}) {
+  return joint.is_revolute() ? angle(x, per) : with_unit(x, fmt::format("m{}", per));
+}
+
+std::string list(const std::vector<std::string>& items) {
+  return fmt::format("[{}]", fmt::join(items, ", "));
+}
+
+std::string vector_text(const Eigen::Vector3d& v, std::string_view unit) {
+  std::vector<std::string> items;
+  for (int i = 0; i < 3; ++i) items.push_back(with_unit(v[i], unit));
+  return list(items);
+}
+
+std::string inertia_text(const Eigen::Matrix3d& I) {
+  std::vector<std::string> rows;
+  for (int i = 0; i < 3; ++i) {
+    rows.push_back(list({real(I(i, 0)), real(I(i, 1)), real(I(i, 2))}));
+  }
+  return list(rows);
+}
+
+std::string pose_text(const Eigen::Isometry3d& T) {
+  const Eigen::Vector3d p = T.translation();
+  const std::string place = fmt::format("x: {}, y: {}, z: {}", with_unit(p.x(), "m"),
+                                        with_unit(p.y(), "m"), with_unit(p.z(), "m"));
+  if (T.linear().isIdentity(0.0)) return fmt::format("xyz({})", place);
+  const Eigen::Vector3d rpy = rpy_from_R(T.linear());
+  return fmt::format("pose({}, roll: {}, pitch: {}, yaw: {})", place, angle(rpy.x()),
+                     angle(rpy.y()), angle(rpy.z()));
+}
+
+void add_link(std::vector<std::string>& parts, const Link& link) {
+  const auto add = [&](std::string_view name, const std::string& value) {
+    parts.push_back(fmt::format("{}: {}", name, value));
+  };
+  if (link.mass != 0.0) add("mass", with_unit(link.mass, "kg"));
+  if (!link.com.isZero(0.0)) add("com", vector_text(link.com, "m"));
+  if (!link.inertia.isZero(0.0)) add("inertia", inertia_text(link.inertia));
+  const Friction& f = link.friction;
+  if (f.coulomb_plus != 0.0 || f.coulomb_minus != 0.0) {
+    add("friction", list({real(f.viscous), real(f.coulomb_plus), real(f.coulomb_minus)}));
+  } else if (f.viscous != 0.0) {
+    add("friction", list({real(f.viscous)}));
+  }
+  if (link.motor_inertia != 0.0) add("motorInertia", real(link.motor_inertia));
+  if (link.gear != 1.0) add("gear", real(link.gear));
+  if (!link.mesh.empty()) {
+    std::string quoted;
+    for (const char c : link.mesh)
+      quoted += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
+    add("mesh", fmt::format("\"{}\"", quoted));
+  }
+}
+
+std::string joint_text(const Joint& joint, const Link& link) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::string_view name, const std::string& value) {
+    parts.push_back(fmt::format("{}: {}", name, value));
+  };
+  if (joint.dh.theta != 0.0) add("theta", angle(joint.dh.theta));
+  if (joint.dh.d != 0.0) add("d", with_unit(joint.dh.d, "m"));
+  if (joint.dh.a != 0.0) add("a", with_unit(joint.dh.a, "m"));
+  if (joint.dh.alpha != 0.0) add("alpha", angle(joint.dh.alpha));
+  add("limits", list({of_joint(joint, joint.lower), of_joint(joint, joint.upper)}));
+  add("maxSpeed", of_joint(joint, joint.max_speed, "/s"));
+  add("maxAccel", of_joint(joint, joint.max_accel, "/s^2"));
+  add("maxJerk", of_joint(joint, joint.max_jerk, "/s^3"));
+  if (std::isfinite(joint.max_effort)) {
+    add(joint.is_revolute() ? "maxTorque" : "maxForce",
+        with_unit(joint.max_effort, joint.is_revolute() ? "Nm" : "N"));
+  }
+  add_link(parts, link);
+  return fmt::format("    joint {}({})\n", joint.is_revolute() ? "revolute" : "prismatic",
+                     fmt::join(parts, ", "));
+}
+
+std::string tool_text(const Tool& tool) {
+  switch (tool.kind) {
+    case ToolKind::kParallelGripper:
+      return fmt::format("    tool: parallelGripper(stroke: {}, length: {}, force: {})\n",
+                         with_unit(tool.stroke, "m"), with_unit(tool.length, "m"),
+                         with_unit(tool.force, "N"));
+    case ToolKind::kSuctionCup:
+      return fmt::format("    tool: suctionCup(radius: {}, length: {})\n",
+                         with_unit(tool.radius, "m"), with_unit(tool.length, "m"));
+    case ToolKind::kPoint:
+    case ToolKind::kNone:
+      break;
+  }
+  return {};
+}
+
+// Letters, digits and underscores, not beginning with a digit.
+std::string identifier(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    out += good ? c : '_';
+  }
+  if (out.empty() || (out[0] >= '0' && out[0] <= '9') || out[0] == '_') out.insert(0, "robot_");
+  return out;
+}
+
+}  // namespace
+
+std::string robot_block(const Robot& robot) {
+  const RobotSpec& spec = robot.spec();
+  std::string text = fmt::format("// {}\nrobot {} {{\n", robot.source(), identifier(robot.name()));
+  for (int i = 0; i < robot.n(); ++i) text += joint_text(robot.joint(i), robot.link(i));
+  if (spec.convention == DhConvention::kModified) text += "    convention: \"modified\"\n";
+  if (spec.inertia_check == InertiaCheck::kPublished) text += "    inertias: \"published\"\n";
+  if (!spec.T_world_base.isApprox(Eigen::Isometry3d::Identity(), 0.0)) {
+    text += fmt::format("    base: {}\n", pose_text(spec.T_world_base));
+  }
+  if (spec.gravity != Eigen::Vector3d(0.0, 0.0, -9.81)) {
+    text += fmt::format("    gravity: {}\n", vector_text(spec.gravity, "m/s^2"));
+  }
+  text += tool_text(spec.tool);
+  const bool has_hand = spec.tool.can_grasp();
+  Eigen::Isometry3d T_hand = Eigen::Isometry3d::Identity();
+  if (has_hand) T_hand.translation().z() = spec.tool.length;
+  if (!spec.T_flange_tool.isApprox(T_hand, 0.0)) {
+    text += fmt::format("    tcp: {}\n", pose_text(spec.T_flange_tool));
+  }
+  std::vector<std::string> home;
+  for (int i = 0; i < robot.n(); ++i) home.push_back(of_joint(robot.joint(i), robot.home()[i]));
+  text += fmt::format("    home: posJ({})\n}}\n", fmt::join(home, ", "));
+  return text;
+}
+
+}  // namespace armlet

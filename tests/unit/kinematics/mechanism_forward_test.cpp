@@ -1,0 +1,62 @@
+#include "armlet/kinematics/mechanism_forward.hpp"
+
+#include <doctest/doctest.h>
+
+#include "armlet/core/error.hpp"
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/model/catalog.hpp"
+#include "armlet/model/hands.hpp"
+#include "armlet/model/serial_arm.hpp"
+
+using namespace armlet;
+
+TEST_CASE("the Jacobian of a coupled hand is the central difference of its tips") {
+  const Mechanism hand = make_barrett_hand();
+  Random random(31);
+  for (int k = 0; k < 100; ++k) {
+    Eigen::VectorXd q(4);
+    for (int a = 0; a < 4; ++a) {
+      const Actuator& actuator = hand.actuators()[static_cast<std::size_t>(a)];
+      q[a] = random.uniform(actuator.lower, actuator.upper);
+    }
+    for (const Tip& tip : hand.tips()) {
+      const Matrix6Xd J = tip_jacobian(hand, q, tip);
+      for (int a = 0; a < 4; ++a) {
+        constexpr double h = 1e-6;
+        Eigen::VectorXd below = q, above = q;
+        below[a] -= h;
+        above[a] += h;
+        const Vector6d change =
+            pose_error(tip_pose(hand, below, tip), tip_pose(hand, above, tip)) / (2 * h);
+        CHECK((J.col(a) - change).cwiseAbs().maxCoeff() < 1e-8);
+      }
+    }
+  }
+}
+
+TEST_CASE("an arm and the mechanism made of it have the same Jacobian") {
+  Random random(32);
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    MechanismSpec spec = mechanism_of(robot);
+    spec.tips.push_back(
+        {"tool", static_cast<int>(spec.bodies.size()) - 1, Eigen::Isometry3d::Identity()});
+    const Mechanism mechanism(spec);
+    Eigen::VectorXd q(robot.n());
+    for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
+    CHECK((tip_jacobian(mechanism, q, mechanism.tips()[0]) - jacobian(robot, q))
+              .cwiseAbs()
+              .maxCoeff() < 1e-12);
+  }
+}
+
+TEST_CASE("a tip on the base does not move") {
+  const Mechanism gripper = make_parallel_gripper();
+  const Eigen::VectorXd q = Eigen::VectorXd::Constant(1, 0.02);
+  CHECK(tip_pose(gripper, q, gripper.tip("grasp")).translation().z() == 0.1034);
+  CHECK(tip_jacobian(gripper, q, gripper.tip("grasp")).isZero(0.0));
+  CHECK_THROWS_AS(body_frames(gripper, Eigen::Vector2d::Zero()), ArgumentError);
+}

@@ -1,0 +1,195 @@
+#include "armlet/plot/svg.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include "armlet/core/random.hpp"
+
+using namespace armlet;
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+std::string picture(const Figure& figure) { return to_svg({&figure, 1}); }
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+Figure line_figure(std::vector<double> x, std::vector<double> y) {
+  Figure figure{.title = "speeds", .x = {"time", "s"}, .y = {"", "rad/s"}};
+  figure.series.push_back({.label = "joint 1", .x = std::move(x), .y = std::move(y)});
+  return figure;
+}
+
+// Tags closed, attributes quoted, no number that SVG cannot read.
+void check_well_formed(const std::string& svg) {
+  static const std::regex tag(R"(<(/?)([a-z]+)((?: [a-zA-Z-]+="[^"<>]*")*)(/?)>)");
+  std::vector<std::string> open;
+  std::size_t tags = 0;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), tag), end; it != end; ++it, ++tags) {
+    if ((*it)[4] == "/") continue;
+    if ((*it)[1] == "/") {
+      REQUIRE_FALSE(open.empty());
+      CHECK(open.back() == (*it)[2]);
+      open.pop_back();
+    } else {
+      open.push_back((*it)[2]);
+    }
+  }
+  CHECK(open.empty());
+  CHECK(tags == count(svg, "<"));
+  for (const char* bad : {"nan", "inf", "e+", "script", "href"}) {
+    CAPTURE(bad);
+    const std::size_t style = svg.find("</style>");
+    std::string drawn = std::regex_replace(svg.substr(style), std::regex(">[^<]*<"), "><");
+    CHECK(drawn.find(bad) == std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a line is drawn between its axes, with units, title and legend") {
+  const std::string svg = picture(line_figure({0, 1, 2}, {0, 1, 0.5}));
+  check_well_formed(svg);
+  CHECK(count(svg, "<path class=\"s s0\" d=\"M") == 2);  // the line and its swatch
+  CHECK(count(svg, ">time (s)<") == 1);
+  CHECK(count(svg, ">deg/s<") == 1);
+  CHECK(count(svg, ">speeds<") == 2);  // the title of the document and of the figure
+  CHECK(count(svg, ">joint 1<") == 1);
+  CHECK(count(svg, "prefers-color-scheme:dark") == 1);
+}
+
+TEST_CASE("the ends of a line lie on the edges of the field and at its heights") {
+  const std::string svg = picture(line_figure({0, 2}, {0, std::acos(-1.0) / 3}));
+  std::smatch line, frame;
+  REQUIRE(std::regex_search(
+      svg, frame, std::regex("class=\"frame\" d=\"M([0-9.]+) ([0-9.]+)V([0-9.]+)H([0-9.]+)\"")));
+  const std::string after = svg.substr(svg.find("class=\"frame\""));
+  REQUIRE(std::regex_search(
+      after, line, std::regex("class=\"s s0\" d=\"M([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)\"")));
+  CHECK(std::stod(line[1]) == doctest::Approx(std::stod(frame[1])));
+  CHECK(std::stod(line[3]) == doctest::Approx(std::stod(frame[4])));
+  CHECK(std::stod(line[2]) == doctest::Approx(std::stod(frame[3])));  // 0 deg/s at the bottom
+  CHECK(std::stod(line[4]) == doctest::Approx(std::stod(frame[2])));  // 60 deg/s at the top
+}
+
+TEST_CASE("values that are not finite leave a gap and are counted") {
+  const std::string svg =
+      picture(line_figure({0, 1, 2, 3, 4, 5}, {0, 1, kInf, -kInf, 1, kInf - kInf}));
+  check_well_formed(svg);
+  CHECK(count(svg, "3 values left out") == 1);
+  CHECK(count(svg, "<circle") == 1);  // a single value between gaps is a dot
+}
+
+TEST_CASE("nothing, one value, equal values and huge values make a picture") {
+  const std::vector<std::vector<double>> cases = {{},
+                                                  {1.0},
+                                                  {5, 5, 5},
+                                                  {1e300, -1e300},
+                                                  {kInf},
+                                                  {1e-300, 3e-300},
+                                                  {1e308, -1e308},
+                                                  {1e9, 1e9 + 1e-6}};
+  for (const std::vector<double>& y : cases) {
+    std::vector<double> x;
+    for (std::size_t i = 0; i < y.size(); ++i) x.push_back(static_cast<double>(i));
+    for (const SeriesKind kind : {SeriesKind::kLine, SeriesKind::kPoints, SeriesKind::kBars}) {
+      Figure figure = line_figure(x, y);
+      figure.series[0].kind = kind;
+      check_well_formed(picture(figure));
+      Figure spatial{.x = {"x", "m"}, .y = {"y", "m"}, .z = {"z", "m"}};
+      spatial.series.push_back({.kind = SeriesKind::kPoints, .x = y, .y = y, .z = y});
+      check_well_formed(picture(spatial));
+    }
+  }
+  CHECK(count(picture(line_figure({}, {})), "no values") == 1);
+  check_well_formed(picture(Figure{}));
+  check_well_formed(to_svg({}));
+}
+
+TEST_CASE("text of a program cannot leave its place") {
+  Figure figure = line_figure({0, 1}, {0, 1});
+  figure.title = "</title><script>alert(1)</script>&\x01";
+  figure.series[0].label = "\"><svg onload=x>";
+  const std::string svg = picture(figure);
+  check_well_formed(svg);
+  CHECK(svg.find("<script") == std::string::npos);
+  CHECK(svg.find("<svg onload") == std::string::npos);
+}
+
+TEST_CASE("a map of lengths has one scale") {
+  Figure figure{.x = {"x", "m"}, .y = {"y", "m"}};
+  figure.series.push_back({.kind = SeriesKind::kPoints, .x = {0, 0.1, 0}, .y = {0, 0, 0.1}});
+  const std::string svg = picture(figure);
+  std::vector<std::pair<double, double>> at;
+  static const std::regex circle("cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), circle), end; it != end; ++it) {
+    at.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
+  }
+  REQUIRE(at.size() == 3);
+  CHECK(at[1].first - at[0].first == doctest::Approx(at[0].second - at[2].second).epsilon(0.001));
+}
+
+TEST_CASE("a hundred thousand points stay a small picture, the same every time") {
+  Random random(62);
+  Figure plane{.x = {"x", "m"}, .y = {"y", "m"}}, space = plane;
+  space.z = {"z", "m"};
+  plane.series.push_back({.kind = SeriesKind::kPoints});
+  space.series.push_back({.kind = SeriesKind::kPoints});
+  for (int k = 0; k < 100'000; ++k) {
+    for (Series* series : {&plane.series[0], &space.series[0]}) {
+      series->x.push_back(random.uniform(-1, 1));
+      series->y.push_back(random.uniform(-1, 1));
+    }
+    space.series[0].z.push_back(random.uniform(0, 1));
+  }
+  for (const Figure& figure : {plane, space}) {
+    const std::string svg = picture(figure);
+    CHECK(svg.size() < 1'000'000);
+    CHECK(count(svg, "<path class=\"grid\"") < 60);
+    CHECK(svg == picture(figure));
+    CHECK(count(svg, "<path class=\"") < 80);  // cells of one look are one path
+  }
+}
+
+TEST_CASE("a long line keeps its peaks") {
+  std::vector<double> x, y;
+  for (int k = 0; k < 50'000; ++k) {
+    x.push_back(k);
+    y.push_back(k == 33'333 ? 1.0 : 0.0);
+  }
+  Figure figure = line_figure(x, y);
+  figure.y.unit = "";
+  const std::string svg = picture(figure);
+  CHECK(svg.size() < 60'000);
+  std::smatch frame;
+  REQUIRE(std::regex_search(svg, frame, std::regex("class=\"frame\" d=\"M[0-9.]+ ([0-9.]+)V")));
+  CHECK(svg.find(" " + frame[1].str() + "L") !=
+        std::string::npos);  // the peak touches the upper edge
+}
+
+TEST_CASE("bars stand beside each other on zero") {
+  Figure figure{.x = {"joint", ""}, .y = {"torque", "Nm"}};
+  for (const char* label : {"empty", "loaded"}) {
+    figure.series.push_back(
+        {.kind = SeriesKind::kBars, .label = label, .x = {1, 2, 3}, .y = {2, -1, 0.5}});
+  }
+  const std::string svg = picture(figure);
+  check_well_formed(svg);
+  CHECK(count(svg, "<path class=\"f0\"") == 2);
+  CHECK(count(svg, "<path class=\"f1\"") == 2);
+}
+
+TEST_CASE("the eighth line differs from the first") {
+  Figure figure = line_figure({0, 1}, {0, 1});
+  for (int k = 0; k < 8; ++k) figure.series.push_back(figure.series[0]);
+  CHECK(picture(figure).find("s s0 dash") != std::string::npos);
+}
