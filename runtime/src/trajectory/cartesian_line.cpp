@@ -8,6 +8,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
+#include "trajectory/curve_plan.hpp"
 #include "trajectory/line_samples.hpp"
 
 namespace armlet {
@@ -19,7 +20,9 @@ constexpr double kQuinticAccelPeak = 5.773502691896258;
 constexpr double kShortest = 1e-9;        // s, resolution of the clock
 constexpr double kGoalTolerance = 1e-10;  // m and rad, tried before the solver's usual ones
 
-void check_move(const Robot& robot, const LineMove& move) {
+}  // namespace
+
+void check_line_move(const Robot& robot, const LineMove& move) {
   check_size("q0", move.q0.size(), robot.n());
   check_finite("q0", move.q0);
   check_pose("T_world_goal", move.T_world_goal);
@@ -39,6 +42,8 @@ void check_move(const Robot& robot, const LineMove& move) {
     throw ArgumentError("A move was given both a time and a speed; give one of them.");
   }
 }
+
+namespace {
 
 IkResult solve_goal(const Robot& robot, const LineMove& move) {
   IkOptions options{.seed = move.q0, .task = move.task, .diagnose = false};
@@ -75,10 +80,25 @@ double duration(const Robot& robot, const LineMove& move, const Trajectory& unit
   return std::max(by_tool, move.enforce_limits || length == 0.0 ? by_joints : 0.0);
 }
 
+// What the tool point travels, m, other than what turns count for.
+double path_length(const CurvePiece& piece) {
+  if (piece.is_round()) return piece.arc.radius * piece.arc.sweep;
+  return (piece.T_end.translation() - piece.T_start.translation()).norm();
+}
+
 }  // namespace
 
-LinePlan plan_line(const Robot& robot, const LineMove& move) {
-  check_move(robot, move);
+MotionPlan run_unit_motion(const Robot& robot, const LineMove& move, const Trajectory& unit,
+                           double length) {
+  const double T = duration(robot, move, unit, length);
+  if (T >= kShortest) return verify(robot, unit.stretched(T), move.enforce_limits);
+  MotionPlan refused{.too_fast = least_time(robot, unit)};
+  refused.too_fast->given = T;
+  return refused;
+}
+
+LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& make) {
+  check_line_move(robot, move);
   LinePlan plan;
   IkResult goal = solve_goal(robot, move);
   if (!goal.ok()) {
@@ -89,27 +109,31 @@ LinePlan plan_line(const Robot& robot, const LineMove& move) {
     return plan;
   }
   const Eigen::Isometry3d T_world_end = line_end(robot, move, goal);
-  plan.length = (T_world_end.translation() - forward(robot, move.q0).translation()).norm();
-  if (nothing_to_do(robot, move, T_world_end)) {
+  const std::optional<CurvePiece> piece = make(forward(robot, move.q0), T_world_end);
+  if (!piece) {
+    plan.fault = {.kind = LineFaultKind::kNoArc, .T_world_tool = move.T_world_goal};
+    return plan;
+  }
+  plan.length = path_length(*piece);
+  if (!piece->is_round() && nothing_to_do(robot, move, T_world_end)) {
     plan.motion = verify(robot, Trajectory::at_rest(move.q0, move.time.value_or(0.0)));
     return plan;
   }
   // Where the goal keeps an orientation, the samples have it in full, also for a turn about z.
   const IkTask task = move.task == IkTask::kTurn ? IkTask::kPose : move.task;
-  LineSamples samples(robot, move.q0, T_world_end, task);
+  PoseCurve curve;
+  curve.add(*piece);
+  LineSamples samples(robot, move.q0, std::move(curve), task);
   if (!samples.follow()) {
     plan.fault = samples.fault();
     return plan;
   }
-  const Trajectory unit = samples.motion();
-  const double T = duration(robot, move, unit, plan.length);
-  if (T < kShortest) {
-    plan.motion.too_fast = least_time(robot, unit);
-    plan.motion.too_fast->given = T;
-    return plan;
-  }
-  plan.motion = verify(robot, unit.stretched(T), move.enforce_limits);
+  plan.motion = run_unit_motion(robot, move, samples.motion(), plan.length);
   return plan;
+}
+
+LinePlan plan_line(const Robot& robot, const LineMove& move) {
+  return plan_curve(robot, move, straight_piece);
 }
 
 }  // namespace armlet
