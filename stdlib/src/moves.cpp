@@ -29,8 +29,8 @@ bool keeps_tilt(const Robot& robot) {
          chain.sin_alpha[0] == 0.0;
 }
 
-// The target as the world sees it: read in the frame of the call, or of the blocks around it.
-// Empty: the failure is set.
+}  // namespace
+
 std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
                              const PosC& target) {
   std::optional<Frame> frame = settings.frame ? settings.frame : settings_of(vm).frame;
@@ -46,7 +46,6 @@ std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& s
   return PosC{std::get<Eigen::Isometry3d>(*frame) * target.T, target.has_orientation};
 }
 
-// The robot with the tool point and the accelerations of this move. `accel`: a fraction.
 void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double accel) {
   const BlockSettings block = settings_of(vm);
   const auto& tool = settings.T_flange_tool ? settings.T_flange_tool : block.T_flange_tool;
@@ -57,7 +56,6 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
   call.model = std::make_shared<const Robot>(std::move(model));
 }
 
-// A fraction of the joint limits. False: the failure is set.
 bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
   if (value > 0.0 && value <= 1.0) return true;
   static_cast<void>(
@@ -67,6 +65,8 @@ bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
               parameter));
   return false;
 }
+
+namespace {
 
 bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, int parameter) {
   if (std::isfinite(value) && value > 0.0) return true;
@@ -231,7 +231,7 @@ Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& written,
                       .speed = block.speed,
                       .enforce_limits = !call.classic};
   LinePlan plan = plan_line(robot, move);
-  if (plan.fault) return fail_line(vm, call, *target, *plan.fault);
+  if (plan.fault) return fail_line(vm, call, state.q, *target, *plan.fault);
   if (!plan.motion.outside.empty())
     return fail_outside(vm, call, state.q, plan.motion.outside.front());
   if (!plan.motion.trajectory) return fail_too_fast(vm, call, *plan.motion.too_fast);

@@ -311,8 +311,6 @@ void check_default_robot(CheckCall& call) {
 // ---- moves
 // -----------------------------------------------------------------------------------------------------
 
-namespace {
-
 void check_planner(CheckCall& call, int parameter) {
   const auto constant = call.constant(parameter);
   if (!constant || constant->kind != Constant::Kind::kText) return;
@@ -331,6 +329,8 @@ void check_planner(CheckCall& call, int parameter) {
   }
   call.report(std::move(d));
 }
+
+namespace {
 
 std::shared_ptr<const RobotFact> robot_of(const CheckCall& call) {
   if (call.given(0)) return std::dynamic_pointer_cast<const RobotFact>(call.fact(0));
@@ -354,6 +354,8 @@ void check_duration(CheckCall& call, int parameter) {
                               {"the time", "0 or more", format_number(constant->real, 6) + " s"}));
 }
 
+}  // namespace
+
 void check_time_and_speed(CheckCall& call, int time, int speed) {
   if (call.given(time) && call.given(speed)) {
     Diagnostic d = make_diagnostic("E0506", call.setting_span(speed));
@@ -363,6 +365,8 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
   }
   check_duration(call, time);
 }
+
+namespace {
 
 struct Setting {
   int parameter;
