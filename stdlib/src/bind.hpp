@@ -34,6 +34,7 @@ std::span<const NativeFunction> model_functions();
 std::span<const NativeFunction> motion_functions();
 std::span<const NativeFunction> trajectory_functions();
 std::span<const NativeFunction> acceleration_functions();
+std::span<const NativeFunction> planner_functions();
 std::span<const NativeFunction> velocity_functions();
 std::span<const NativeFunction> settings_functions();
 std::span<const NativeFunction> hand_functions();

@@ -7,6 +7,7 @@
 
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
+#include "motion_text.hpp"
 #include "rules.hpp"
 #include "trajectories.hpp"
 
@@ -52,8 +53,10 @@ PointSettings settings_from(const Slot* args, int durations_parameter) {
 Signal give_motion(Vm& vm, Slot* args, const MoveCall& call, std::string planner,
                    std::optional<Trajectory> motion) {
   if (!motion) return Signal::kFail;
-  const PosJ joints = make_posj(model_of(vm, call), motion->start());
-  return give(args, new_trajectory(vm, {std::move(planner), *std::move(motion), joints}));
+  std::shared_ptr<const Robot> robot = Host::of(vm).cell().robot(call.robot).model;
+  const PosJ joints = make_posj(*robot, motion->start());
+  return give(
+      args, new_trajectory(vm, {std::move(planner), *std::move(motion), joints, std::move(robot)}));
 }
 
 template <bool kRobotFirst>
@@ -75,8 +78,7 @@ Signal make_from_places(Vm& vm, Slot* args) {
   const PointSettings settings = settings_from(first, call.target + 2);
   const auto places = places_in_world(vm, call, settings.move, first[kPoints]);
   if (!places) return Signal::kFail;
-  const auto points =
-      solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
+  const auto points = solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
   if (!points) return Signal::kFail;
   std::string planner(text_value(first[kName]));
   auto motion = planner == "Lin" && !points->empty()
@@ -114,10 +116,10 @@ Signal peaks(Vm& vm, Slot* args) {
   const PlannedMotion& plan = planned(args[0]);
   const std::int64_t order = args[1].i;
   if (order < 1 || order > Segment::kMaxDegree) {
-    return failure(vm, "R0609",
-                   fmt::format("there are no peaks of order {}: 1 is speed, 2 acceleration, 3 jerk",
-                               order),
-                   1);
+    return failure(
+        vm, "R0609",
+        fmt::format("there are no peaks of order {}: 1 is speed, 2 acceleration, 3 jerk", order),
+        1);
   }
   std::vector<double> values;
   for (int i = 0; i < plan.motion.n(); ++i)
@@ -131,17 +133,40 @@ Signal peaks(Vm& vm, Slot* args) {
 Signal joined(Vm& vm, Slot* args) try {
   const PlannedMotion& first = planned(args[0]);
   const PlannedMotion& next = planned(args[1]);
-  std::string planner = first.planner == next.planner ? first.planner
-                                                      : first.planner + " + " + next.planner;
-  return give(args, new_trajectory(
-                        vm, {std::move(planner), first.motion.then(next.motion), first.joints}));
+  std::string planner =
+      first.planner == next.planner ? first.planner : first.planner + " + " + next.planner;
+  return give(args, new_trajectory(vm, {std::move(planner), first.motion.then(next.motion),
+                                        first.joints, first.robot}));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0634", error);
 }
 
 Signal reversed(Vm& vm, Slot* args) {
   const PlannedMotion& plan = planned(args[0]);
-  return give(args, new_trajectory(vm, {plan.planner, plan.motion.reversed(), plan.joints}));
+  return give(args,
+              new_trajectory(vm, {plan.planner, plan.motion.reversed(), plan.joints, plan.robot}));
+}
+
+// ---- in words
+// --------------------------------------------------------------------------------------------------
+
+Signal explain_trajectory(Vm& vm, Slot* args) {
+  const PlannedMotion& plan = planned(args[0]);
+  const std::string what = fmt::format("trajectory {} of {}", plan.planner, plan.robot->name());
+  vm.print(explain_motion(what, *plan.robot, plan.motion) + '\n');
+  return give_nothing();
+}
+
+Signal explain_robot(Vm& vm, Slot* args) {
+  Host& host = Host::of(vm);
+  const int id = host_value<RobotRef>(args[0]).id;
+  const CellRobot& robot = host.cell().robot(id);
+  const LastMotion* last = host.last_motion(id);
+  vm.print(last == nullptr ? fmt::format("{} has not moved\n", robot.name)
+                           : explain_motion(fmt::format("{} of {}", last->function, robot.name),
+                                            *robot.model, last->motion) +
+                                 '\n');
+  return give_nothing();
 }
 
 constexpr std::string_view kMakeHelp =
@@ -208,6 +233,14 @@ constexpr NativeFunction kFunctions[] = {
     {"trajectory.reversed", "(tr: trajectory) -> trajectory",
      "The same path run backwards in the same time.",
      "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()", reversed},
+    {"explain", "(tr: trajectory)",
+     "Prints what a trajectory is made of: for every joint its way and its peaks of speed, "
+     "acceleration and jerk, also in percent of the limits; how long this path takes at least, and "
+     "the joint that decides.",
+     "explain(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))",
+     explain_trajectory},
+    {"explain", "(r: robot)", "Prints the same of the last move of a robot, as it was planned.",
+     "moveJ(posJ(60deg, 30deg, 0mm, 0deg)); explain()", explain_robot},
 };
 
 }  // namespace

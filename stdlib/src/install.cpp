@@ -16,7 +16,7 @@ constexpr NativeConstant kConstants[] = {
 
 // Names of the language reference without even a signature yet.
 constexpr std::string_view kPlanned[] = {"robots.arm7", "urdf", "simulate", "mesh", "touching",
-                                         "table", "explain", "lab",
+                                         "table", "lab",
                                          // settings of with
                                          "with.collisions"};
 
@@ -42,6 +42,7 @@ std::span<const Chapter> chapters() {
       {"Robots: velocity commands", velocity_functions()},
       {"Trajectories", trajectory_functions()},
       {"Trajectories: integration", acceleration_functions()},
+      {"Trajectories: planners", planner_functions()},
       {"Robots: settings", settings_functions()},
       {"Hands", hand_functions()},
       {"World and signals", world_functions()},

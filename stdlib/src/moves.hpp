@@ -73,6 +73,9 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
 // Checks a fraction of the joint limits. False: the failure is set.
 [[nodiscard]] bool check_fraction(Vm& vm, const char* what, double value, int parameter);
 
+// Whether every joint speeds up from rest and slows down to rest, without a step in its speed.
+[[nodiscard]] bool starts_and_stops(const Trajectory& motion);
+
 // Stops the robot under control; the move that it makes fails with R0618. kPause until it stands.
 Signal halt_robot(Vm& vm, int robot);
 

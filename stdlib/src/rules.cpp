@@ -314,9 +314,10 @@ void check_default_robot(CheckCall& call) {
 void check_planner(CheckCall& call, int parameter) {
   const auto constant = call.constant(parameter);
   if (!constant || constant->kind != Constant::Kind::kText) return;
-  const PlannerSet planners;
+  const auto* host = static_cast<const Host*>(call.host());
+  const PlannerSet planners = host != nullptr ? host->planners() : PlannerSet();
   const std::string& name = constant->text;
-  if (planners.has(name)) return;
+  if (planners.has(name) || call.mentions("addPlanner")) return;
   const std::vector<std::string> names = planners.names();
   const std::vector<std::string_view> all(names.begin(), names.end());
   const Span span = call.span(parameter);

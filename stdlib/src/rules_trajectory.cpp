@@ -18,7 +18,7 @@ void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
 }  // namespace
 
 void check_spline(CheckCall& call) {
-  check_time_and_speed(call, 2, 2 + 2);
+  check_time_and_speed(call, 2, 4);
   check_planner(call, 3);
 }
 

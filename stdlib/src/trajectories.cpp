@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "armlet/core/format.hpp"
+#include "armlet/kinematics/forward.hpp"
 #include "bind.hpp"
 #include "move_failures.hpp"
 
@@ -27,11 +28,12 @@ void text_trajectory(const void* value, std::string& out) {
 std::string ordinal(std::size_t k) {
   const std::size_t last = k % 10;
   const bool teen = k % 100 >= 11 && k % 100 <= 13;
-  return fmt::format("{}{}", k, teen          ? "th"
-                                : last == 1 ? "st"
-                                : last == 2 ? "nd"
-                                : last == 3 ? "rd"
-                                            : "th");
+  return fmt::format("{}{}", k,
+                     teen        ? "th"
+                     : last == 1 ? "st"
+                     : last == 2 ? "nd"
+                     : last == 3 ? "rd"
+                                 : "th");
 }
 
 // What can be refused before anything is planned. False: the failure is set.
@@ -39,8 +41,8 @@ bool check_settings(Vm& vm, const MoveCall& call, std::size_t points,
                     const PointSettings& settings) {
   if (points < 2) {
     static_cast<void>(failure(
-        vm, "R0613",
-        fmt::format("a trajectory goes through two points or more, not {}", points), call.target));
+        vm, "R0613", fmt::format("a trajectory goes through two points or more, not {}", points),
+        call.target));
     return false;
   }
   if (settings.move.time && !check_duration(vm, *settings.move.time, call.time)) return false;
@@ -48,11 +50,9 @@ bool check_settings(Vm& vm, const MoveCall& call, std::size_t points,
     return false;
   if (settings.durations.empty()) return true;
   if (settings.durations.size() != points - 1) {
-    static_cast<void>(failure(vm, "R0613",
-                              fmt::format("{} durations for {} points", settings.durations.size(),
-                                          points),
-                              settings.durations_parameter,
-                              fmt::format("there is one for each leg: {}", points - 1)));
+    static_cast<void>(failure(
+        vm, "R0613", fmt::format("{} durations for {} points", settings.durations.size(), points),
+        settings.durations_parameter, fmt::format("there is one for each leg: {}", points - 1)));
     return false;
   }
   for (const double T : settings.durations) {
@@ -91,7 +91,6 @@ std::optional<Trajectory> verified(Vm& vm, const MoveCall& call, Trajectory moti
 
 const HostType kTrajectory = {.name = "trajectory",
                               .size = sizeof(TrajectoryValue),
-                              .is_handle = true,
                               .destroy = destroy_trajectory,
                               .equal = equal_trajectory,
                               .text = text_trajectory,
@@ -205,9 +204,21 @@ std::optional<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorX
     }
     whole = whole.then(*leg.motion.trajectory);
   }
+  if (settings.move.time && *settings.move.time < 1e-9 && whole.duration() > 0.0) {
+    TooFast fast = least_time(robot, whole);
+    fast.given = *settings.move.time;
+    static_cast<void>(fail_too_fast(vm, call, fast));
+    return std::nullopt;
+  }
   if (settings.move.time && whole.duration() > 0.0)
     whole = whole.stretched(*settings.move.time / whole.duration());
   return verified(vm, call, std::move(whole));
+}
+
+double way_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion) {
+  const Robot& robot = model_of(vm, call);
+  return (forward(robot, motion.end()).translation() - forward(robot, motion.start()).translation())
+      .norm();
 }
 
 bool check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& plan) {

@@ -16,7 +16,8 @@ namespace armlet::bind {
 struct PlannedMotion {
   std::string planner;
   Trajectory motion;
-  PosJ joints;  // their number and kinds
+  PosJ joints;                         // their number and kinds
+  std::shared_ptr<const Robot> robot;  // whose limits it was planned for
 };
 // What a `trajectory` of the language holds; it never changes, so copies share it.
 struct TrajectoryValue {
@@ -60,6 +61,9 @@ struct PointSettings {
 [[nodiscard]] std::optional<std::vector<PosC>> places_in_world(Vm& vm, const MoveCall& call,
                                                                const MoveSettings& settings,
                                                                Slot list);
+
+// How far the tool point gets, straight from the start to the end of a motion, m.
+[[nodiscard]] double way_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion);
 
 // A trajectory that can be given to this robot, where it stands. False: the failure is set.
 [[nodiscard]] bool check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& plan);
