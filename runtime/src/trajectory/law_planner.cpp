@@ -93,18 +93,21 @@ ScalarLaw law_of_polynomial(std::span<const double> c) {
 
 ScalarLaw law_of_values(std::span<const double> s) {
   const std::size_t n = s.size();
-  if (n < 4) throw ArgumentError(fmt::format("A law needs four values; {} were given.", n));
+  if (n < 6) throw ArgumentError(fmt::format("A law needs six values; {} were given.", n));
   for (const double value : s) check_finite("a value of the law", value);
   check_ends(s.front(), s.back());
   const double h = 1.0 / static_cast<double>(n - 1);
   std::vector<double> x(n);
   for (std::size_t k = 0; k < n; ++k) x[k] = k + 1 == n ? 1.0 : static_cast<double>(k) * h;
-  // The derivative at the end of the cubic through four values.
-  const auto slope = [h](double a, double b, double c, double d) {
-    return (-11.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / (6.0 * h);
+  // The derivative at the end of the quintic through six values; what rounding leaves is rest.
+  constexpr double kRest = 1e-4;
+  const auto slope = [&](std::size_t end, int step) {
+    static constexpr double kWeights[] = {-137.0 / 60.0, 5.0, -5.0, 10.0 / 3.0, -1.25, 0.2};
+    double sum = 0.0;
+    for (int k = 0; k < 6; ++k) sum += kWeights[k] * s[end + static_cast<std::size_t>(step * k)];
+    return std::abs(sum) < kRest * h ? 0.0 : step * sum / h;
   };
-  return cubic_spline(x, s, slope(s[0], s[1], s[2], s[3]),
-                      -slope(s[n - 1], s[n - 2], s[n - 3], s[n - 4]));
+  return cubic_spline(x, s, slope(0, 1), slope(n - 1, -1));
 }
 
 Planner planner_of_law(ScalarLaw law) {

@@ -89,6 +89,7 @@ TEST_CASE("a law that does not lead from 0 to 1 is refused") {
   CHECK_THROWS_AS(law_of_polynomial(std::vector<double>{0.1, 0.9}), ArgumentError);
   CHECK_THROWS_AS(law_of_polynomial(std::vector<double>{}), ArgumentError);
   CHECK_THROWS_AS(law_of_polynomial(std::vector<double>(9, 0.0)), ArgumentError);
-  CHECK_THROWS_AS(law_of_values(std::vector<double>{0.0, 0.5, 1.0}), ArgumentError);
-  CHECK_THROWS_AS(law_of_values(std::vector<double>{0.0, std::nan(""), 0.5, 1.0}), ArgumentError);
+  CHECK_THROWS_AS(law_of_values(std::vector<double>{0.0, 0.3, 0.5, 0.7, 1.0}), ArgumentError);
+  CHECK_THROWS_AS(law_of_values(std::vector<double>{0.0, std::nan(""), 0.5, 0.6, 0.7, 1.0}),
+                  ArgumentError);
 }

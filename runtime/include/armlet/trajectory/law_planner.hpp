@@ -16,8 +16,9 @@ using ScalarLaw = std::vector<Segment>;
 ScalarLaw law_of_polynomial(std::span<const double> c);
 
 // The law through values at evenly spaced x, the first at 0 and the last at 1: a cubic spline whose
-// slopes at the ends come from the four values there. Cubic laws are met exactly.
-// throws  ArgumentError for fewer than four values, values that are not finite, and ends as above.
+// slopes at the ends come from the six values there, 0 if they are below 1e-4. Cubic laws are met
+// exactly.
+// throws  ArgumentError for fewer than six values, values that are not finite, and ends as above.
 ScalarLaw law_of_values(std::span<const double> s);
 
 // All joints move together along q0 + s(t / T) (q1 - q0). Without a time, as fast as the limits on
