@@ -26,7 +26,7 @@ endfunction()
 
 # The examples are laid out, and the commands do to files and show of robots what they say.
 function(armlet_add_format_tests)
-  file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.rbt)
+  file(GLOB_RECURSE examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.rbt)
   add_test(NAME source.examples COMMAND armlet fmt --check ${examples})
   add_test(NAME fmt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fmt_command.py
            $<TARGET_FILE:armlet>)
