@@ -21,31 +21,10 @@ constexpr NativeFunction later_motion(std::string_view name, std::string_view si
 
 constexpr NativeFunction kFunctions[] = {
     // trajectories and motion
-    later("trajectory",
-          "(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, accel: "
-          "double?, robot: "
-          "robot?) -> trajectory"),
-    later("trajectory",
-          "(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, accel: "
-          "double?, robot: "
-          "robot?) -> trajectory"),
-    later("trajectory.q", "(tr: trajectory, t: time) -> posJ"),
-    later("trajectory.qd", "(tr: trajectory, t: time) -> posJ"),
-    later("trajectory.qdd", "(tr: trajectory, t: time) -> posJ"),
-    later("trajectory.duration", "(tr: trajectory) -> time"),
     later("plan", "(r: robot, to: posJ, avoid: bool = true) -> trajectory"),
     later("plan", "(r: robot, to: posC, avoid: bool = true) -> trajectory"),
-    later_motion("follow", "(r: robot, tr: trajectory) -> Move"),
     later_motion("moveCirc",
                  "(r: robot, via: posC, target: posC, time: time?, speed: speed?) -> Move"),
-    later_motion("moveSpline",
-                 "(r: robot, points: posC[], time: time?, traj: string = \"Spline3\") -> Move"),
-    later_motion("moveSpline",
-                 "(r: robot, points: posJ[], time: time?, traj: string = \"Spline3\") -> Move"),
-    later_motion("speedJ", "(r: robot, rates: double[], during: time)"),
-    later_motion("speedC", "(r: robot, v: double[], during: time)"),
-    later_motion("speedC", "(r: robot, v: double[], frame: posC, during: time)"),
-    later_motion("speedC", "(r: robot, v: double[], frame: object, during: time)"),
     later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)"),
     // hands with fingers
     later("robots.barrettHand", "(name: string?, on: robot) -> robot"),
@@ -110,7 +89,6 @@ constexpr NativeFunction kFunctions[] = {
 
 const HostType kCamera = {.name = "camera", .is_handle = true, .noun = "a camera"};
 const HostType kImage = {.name = "image", .noun = "an image"};
-const HostType kTrajectory = {.name = "trajectory", .noun = "a trajectory"};
 const HostType kFinger = {.name = "finger", .is_handle = true, .noun = "a finger of a hand"};
 
 std::span<const NativeFunction> later_functions() { return kFunctions; }

@@ -2,10 +2,14 @@
 
 #include <optional>
 
+#include "armlet/kinematics/forward.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
+#include "move_failures.hpp"
+#include "move_waiting.hpp"
 #include "moves.hpp"
 #include "rules.hpp"
+#include "trajectories.hpp"
 #include "values.hpp"
 
 namespace armlet::bind {
@@ -48,6 +52,52 @@ Signal move_l(Vm& vm, Slot* args) {
   return move_on_line(vm, args, call, posc(args[1]), settings);
 }
 
+// (r, tr)
+Signal follow(Vm& vm, Slot* args) {
+  const MoveCall call{.function = "follow", .robot = host_value<RobotRef>(args[0]).id};
+  const PlannedMotion& plan = planned(args[1]);
+  if (refuse_busy(vm, call.robot) || !check_follows(vm, call, plan)) return Signal::kFail;
+  return start_motion(vm, args, call, plan.motion, way_between_ends(vm, call, plan.motion));
+}
+
+// (r, points, time, traj, speed, accel), from where the robot stands through every point.
+Signal through(Vm& vm, Slot* args, const MoveCall& call, std::vector<Eigen::VectorXd> points) {
+  const Eigen::VectorXd& q = Host::of(vm).cell().robot(call.robot).q;
+  // A point where the robot stands is not a leg of its own.
+  if (points.empty() || (points.front() - q).cwiseAbs().maxCoeff() > 1e-9)
+    points.insert(points.begin(), q);
+  PointSettings settings;
+  settings.move = {.time = given(args[2]), .speed = given(args[4]), .accel = given(args[5])};
+  const std::string planner(text_value(args[3]));
+  auto motion = plan_through(vm, call, points, planner, settings);
+  if (!motion) return Signal::kFail;
+  if (!starts_and_stops(*motion)) return fail_no_ramps(vm, call, planner);
+  const double length = way_between_ends(vm, call, *motion);
+  return start_motion(vm, args, call, *std::move(motion), length);
+}
+MoveCall spline_call(const Slot* args) {
+  return {.function = "moveSpline",
+          .robot = host_value<RobotRef>(args[0]).id,
+          .speed = 4,
+          .accel = 5,
+          .planner = 3};
+}
+Signal move_spline_joints(Vm& vm, Slot* args) {
+  const MoveCall call = spline_call(args);
+  if (refuse_busy(vm, call.robot)) return Signal::kFail;
+  auto points = joint_points(vm, call, args[1]);
+  return points ? through(vm, args, call, *std::move(points)) : Signal::kFail;
+}
+Signal move_spline_places(Vm& vm, Slot* args) {
+  MoveCall call = spline_call(args);
+  if (refuse_busy(vm, call.robot)) return Signal::kFail;
+  choose_model(vm, call, {}, 1.0);
+  const auto places = places_in_world(vm, call, {}, args[1]);
+  if (!places) return Signal::kFail;
+  auto points = solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
+  return points ? through(vm, args, call, *std::move(points)) : Signal::kFail;
+}
+
 Signal halt(Vm& vm, Slot* args) { return halt_robot(vm, host_value<RobotRef>(args[0]).id); }
 
 Signal set_joints(Vm& vm, Slot* args) {
@@ -75,6 +125,11 @@ constexpr std::string_view kMoveLHelp =
     "neither means as fast as the joints allow. tool is the point that moves, seen from the "
     "flange; frame is where the target is read.";
 
+constexpr std::string_view kMoveSplineHelp =
+    "Moves from where the robot stands through every point without stopping there. time is the "
+    "whole duration; without it, as fast as the joints allow. traj is the planner: \"Spline3\", "
+    "\"Spline4\", \"Spline5\" or \"Cubic\", of which the last never swings out.";
+
 constexpr NativeFunction kFunctions[] = {
     {"moveJ",
      "(r: robot, target: posJ, time: time?, speed: double?, accel: double?, traj: string = "
@@ -98,6 +153,22 @@ constexpr NativeFunction kFunctions[] = {
      "object, blend: length?) -> Move",
      kMoveLHelp, "moveL(xyz(z: 80mm), speed: 80mm/s, frame: object(\"cube\"))", move_l<true>,
      nullptr, nullptr, check_move_line, nullptr, true},
+    {"moveSpline",
+     "(r: robot, points: posJ[], time: time?, traj: string = \"Spline3\", speed: "
+     "double?, accel: double?) -> Move",
+     kMoveSplineHelp, "moveSpline([posJ(30deg, 60deg, 0mm, 0deg), posJ(60deg, 30deg, 0mm, 0deg)])",
+     move_spline_joints, nullptr, nullptr, check_spline, nullptr, true},
+    {"moveSpline",
+     "(r: robot, points: posC[], time: time?, traj: string = \"Spline3\", speed: "
+     "double?, accel: double?) -> Move",
+     kMoveSplineHelp, "moveSpline([xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)])",
+     move_spline_places, nullptr, nullptr, check_spline, nullptr, true},
+    {.name = "follow",
+     .signature = "(r: robot, tr: trajectory) -> Move",
+     .help = "Executes a trajectory exactly; the robot has to stand where it starts.",
+     .example = "follow(trajectory(\"Syn\", [joints(), home()]))",
+     .thunk = follow,
+     .pauses = true},
     {.name = "halt",
      .signature = "(r: robot)",
      .help = "Stops the robot under control, along its path and within its acceleration limits, "

@@ -12,7 +12,7 @@
 namespace armlet::bind {
 namespace {
 
-enum Parameter { kRate, kStart, kFrom, kTo, kStep, kMethod, kTolerance };
+enum Parameter { kRate, kStart, kFrom, kTo, kStep, kMethod, kTolerance, kKnots };
 
 constexpr double kMostSteps = 10'000'000;
 
@@ -113,8 +113,38 @@ Signal cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance) {
   }
 }
 
+// From t to next, in pieces that end where the rate jumps.
+OdeOutcome advance_split(OdeIntegrator& integrator, const OdeRate& rate, double t, double next,
+                         std::span<const double> knots, std::span<double> y) {
+  constexpr double kSameTime = 1e-12;  // relative
+  const double apart = kSameTime * std::max(std::abs(t), std::abs(next));
+  for (auto knot = std::ranges::upper_bound(knots, t + apart);
+       knot != knots.end() && *knot < next - apart; ++knot) {
+    const OdeOutcome outcome = integrator.advance(rate, t, *knot - t, y);
+    if (outcome.status != OdeStatus::kDone) return outcome;
+    t = *knot;
+  }
+  return integrator.advance(rate, t, next - t, y);
+}
+
+// The knots of a call in ascending order; nothing: the failure is set.
+std::optional<std::vector<double>> sorted_knots(Vm& vm, Slot list) {
+  std::vector<double> knots;
+  if (list.o == nullptr) return knots;
+  const auto given = reals_value(list);
+  knots.assign(given.begin(), given.end());
+  for (const double knot : knots) {
+    if (std::isfinite(knot)) continue;
+    static_cast<void>(not_finite(vm, "a knot given to ode", knot, kKnots));
+    return std::nullopt;
+  }
+  std::ranges::sort(knots);
+  return knots;
+}
+
 // The start and every step: n + 1 rows.
-Signal integrate(Vm& vm, Slot* args, OdeIntegrator& integrator, std::int64_t steps) {
+Signal integrate(Vm& vm, Slot* args, OdeIntegrator& integrator, std::int64_t steps,
+                 std::span<const double> knots) {
   const auto start = reals_value(args[kStart]);
   const double t0 = args[kFrom].d;
   const double t1 = args[kTo].d;
@@ -143,7 +173,7 @@ Signal integrate(Vm& vm, Slot* args, OdeIntegrator& integrator, std::int64_t ste
     std::ranges::copy(y, states->data() + std::size_t{row} * columns);
     if (row == steps) return give(args, solution);
     const double next = row + 1 == steps ? t1 : t0 + static_cast<double>(row + 1) * step;
-    const OdeOutcome outcome = integrator.advance(call, t, next - t, y);
+    const OdeOutcome outcome = advance_split(integrator, call, t, next, knots, y);
     if (outcome.status == OdeStatus::kDone) continue;
     release(vm, solution);
     return cannot_integrate(vm, outcome, tolerance);
@@ -174,16 +204,19 @@ Signal ode(Vm& vm, Slot* args) {
   const std::int64_t steps = steps_between(vm, args);
   if (steps == 0) return Signal::kFail;
   OdeIntegrator integrator(static_cast<int>(start.size()), *method, tolerance);
-  return integrate(vm, args, integrator, steps);
+  const auto knots = sorted_knots(vm, args[kKnots]);
+  return knots ? integrate(vm, args, integrator, steps, *knots) : Signal::kFail;
 }
 
 constexpr NativeFunction kFunctions[] = {
     {"ode",
      "(f: fn(double, double[]) -> double[], y0: double[], t0: time, t1: time, step: time, method: "
-     "string = \"rk4\", tol: double = 1e-8) -> OdeSolution",
+     "string = \"rk4\", tol: double = 1e-8, knots: time[]?) -> OdeSolution",
      "Integrates y' = f(t, y) from y0: t holds the start and the end of every step, y one row for "
      "each. Methods: \"euler\", \"euler-richardson\", \"rk4\", and \"rkf45\", which divides the "
-     "steps until the error stays below tol.",
+     "steps until the error stays below tol. No step goes across one of the knots: times where f "
+     "is "
+     "not smooth.",
      "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last", ode},
 };
 

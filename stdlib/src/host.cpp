@@ -12,7 +12,9 @@ constexpr std::int64_t kPaceStep = 10'000'000;  // ns
 
 }  // namespace
 
-Host::Host(HostOptions options) : options_(std::move(options)), cell_(World(0.0)) {}
+Host::Host(HostOptions options) : options_(std::move(options)), cell_(World(0.0)) {
+  for (const NamedPlanner& own : options_.planners) planners_.add(own.name, own.plan, own.through);
+}
 
 Result<int> Host::add_robot(std::shared_ptr<const Robot> robot) {
   try {
@@ -45,6 +47,18 @@ void Host::want_world(const std::vector<std::string>& declared) {
 
 bool Host::is_skipped(std::string_view name) const {
   return filling_ && std::ranges::find(skipped_, name) != skipped_.end();
+}
+
+void Host::remember_motion(int robot, LastMotion motion) {
+  const auto index = static_cast<std::size_t>(robot);
+  if (index >= last_motions_.size()) last_motions_.resize(index + 1);
+  last_motions_[index] = std::move(motion);
+}
+
+const LastMotion* Host::last_motion(int robot) const {
+  const auto index = static_cast<std::size_t>(robot);
+  if (index >= last_motions_.size() || !last_motions_[index]) return nullptr;
+  return &*last_motions_[index];
 }
 
 void Host::report_move(const MoveReport& report) {

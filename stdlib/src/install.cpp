@@ -15,7 +15,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"simulate", "mesh", "touching", "table", "explain", "lab",
+constexpr std::string_view kPlanned[] = {"simulate", "mesh", "touching", "table", "lab",
                                          // settings of with
                                          "with.collisions"};
 
@@ -38,6 +38,10 @@ std::span<const Chapter> chapters() {
       {"Robots: models", model_functions()},
       {"Robots: state and kinematics", robot_functions()},
       {"Robots: motion", motion_functions()},
+      {"Robots: velocity commands", velocity_functions()},
+      {"Trajectories", trajectory_functions()},
+      {"Trajectories: integration", acceleration_functions()},
+      {"Trajectories: planners", planner_functions()},
       {"Robots: settings", settings_functions()},
       {"Hands", hand_functions()},
       {"World and signals", world_functions()},

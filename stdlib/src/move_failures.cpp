@@ -147,21 +147,53 @@ Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
   return fail(vm, std::move(f));
 }
 
-Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
-                    const LimitViolation& outside) {
-  const Robot& robot = model_of(vm, call);
-  const Joint& joint = robot.joint(outside.joint);
+namespace {
+
+Failure outside_limits(Vm& vm, const MoveCall& call, const LimitViolation& outside) {
+  const Joint& joint = model_of(vm, call).joint(outside.joint);
   const JointKind kind = joint.kind;
   Failure f = start(vm, call, "R0602", call.target);
   f.moved.reset();
   f.arguments = {std::to_string(outside.joint + 1), std::string(joint_word(kind)),
                  format_joint_value(kind, outside.value), format_joint_value(kind, joint.lower),
                  format_joint_value(kind, joint.upper)};
+  return f;
+}
+
+}  // namespace
+
+Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
+                    const LimitViolation& outside) {
+  Failure f = outside_limits(vm, call, outside);
   for (int i = 0; i < q.size(); ++i)
     f.label += fmt::format("{}{}", i > 0 ? ", " : "", format_number(q[i], 3));
   f.label = "{" + f.label + "}";
   f.mark_element = outside.joint;
   f.fix = fmt::format("the value {} was given on line {{line}}", format_number(outside.value, 3));
+  return fail(vm, std::move(f));
+}
+
+Signal fail_outside_at(Vm& vm, const MoveCall& call, const std::string& which,
+                       const LimitViolation& outside) {
+  Failure f = outside_limits(vm, call, outside);
+  f.why = fmt::format("this is the {} of the points", which);
+  return fail(vm, std::move(f));
+}
+
+Signal fail_swings_outside(Vm& vm, const MoveCall& call, const LimitViolation& outside) {
+  Failure f = outside_limits(vm, call, outside);
+  f.why = "the points are inside the limits, but the way between them leaves them";
+  f.fix = "add a point where it swings out";
+  return fail(vm, std::move(f));
+}
+
+Signal fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, double stands) {
+  const JointKind kind = model_of(vm, call).joint(joint).kind;
+  Failure f = start(vm, call, "R0634", call.target);
+  f.arguments = {fmt::format("`{}` does not stand where the trajectory starts", f.robot)};
+  f.why = fmt::format("it starts with joint {} at {}, and the joint is at {}", joint + 1,
+                      format_joint_value(kind, starts), format_joint_value(kind, stands));
+  f.fix = "go there first: moveJ({arg}.q(0s))";
   return fail(vm, std::move(f));
 }
 
@@ -197,15 +229,15 @@ void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   vm.advise(f);
 }
 
-Signal fail_line(Vm& vm, const MoveCall& call, const PosC& target, const LineFault& fault) {
+Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_joints,
+                 const PosC& target, const LineFault& fault) {
   if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
   const Robot& robot = model_of(vm, call);
   Failure f = start(vm, call, "R0603", kMarkCallee);
   f.arguments = {fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)))};
-  const CellRobot& state = Host::of(vm).cell().robot(call.robot);
-  const Vector3d start_point = forward(robot, state.q).translation();
+  const Vector3d start_point = forward(robot, start_joints).translation();
   const Vector3d closest = nearest_to_axis(robot, start_point, target.T.translation());
-  if (is_inside_fold(robot, state.q, closest)) {
+  if (is_inside_fold(robot, start_joints, closest)) {
     f.why = fmt::format(
         "both ends can be reached, but in between the line passes {} from the axis of joint 1, "
         "closer than the arm can fold",

@@ -113,7 +113,10 @@ Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory traject
                     double length) {
   Host& host = Host::of(vm);
   const bool instant = trajectory.duration() <= 0.0;
-  const int motion = host.cell().start(call.robot, std::move(trajectory));
+  host.remember_motion(call.robot, {std::string(call.function), trajectory});
+  const int motion = host.cell().is_moving(call.robot)
+                         ? host.cell().drive(call.robot, std::move(trajectory))
+                         : host.cell().start(call.robot, std::move(trajectory));
   auto waiting = std::make_unique<MoveWaiting>(host, call, motion, length);
   if (!instant) return pause(vm, std::move(waiting));
   host.advance_to(host.now_ns());

@@ -6,7 +6,8 @@
 
 namespace armlet::bind {
 
-// Starts a planned trajectory; kPause unless it takes no time.
+// Starts a planned trajectory; kPause unless it takes no time. A robot that slows down after a
+// velocity command goes on with its speed.
 //
 // length  of the whole move, m. A move that is stopped on the way tells how far the point that it
 //         moves got instead.

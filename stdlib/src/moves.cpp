@@ -10,6 +10,7 @@
 #include "armlet/trajectory/joint_move.hpp"
 #include "bind.hpp"
 #include "move_failures.hpp"
+#include "move_retarget.hpp"
 #include "move_waiting.hpp"
 #include "objects.hpp"
 
@@ -29,8 +30,8 @@ bool keeps_tilt(const Robot& robot) {
          chain.sin_alpha[0] == 0.0;
 }
 
-// The target as the world sees it: read in the frame of the call, or of the blocks around it.
-// Empty: the failure is set.
+}  // namespace
+
 std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
                              const PosC& target) {
   std::optional<Frame> frame = settings.frame ? settings.frame : settings_of(vm).frame;
@@ -46,7 +47,6 @@ std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& s
   return PosC{std::get<Eigen::Isometry3d>(*frame) * target.T, target.has_orientation};
 }
 
-// The robot with the tool point and the accelerations of this move. `accel`: a fraction.
 void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double accel) {
   const BlockSettings block = settings_of(vm);
   const auto& tool = settings.T_flange_tool ? settings.T_flange_tool : block.T_flange_tool;
@@ -57,7 +57,6 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
   call.model = std::make_shared<const Robot>(std::move(model));
 }
 
-// A fraction of the joint limits. False: the failure is set.
 bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
   if (value > 0.0 && value <= 1.0) return true;
   static_cast<void>(
@@ -67,6 +66,8 @@ bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
               parameter));
   return false;
 }
+
+namespace {
 
 bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, int parameter) {
   if (std::isfinite(value) && value > 0.0) return true;
@@ -87,7 +88,10 @@ bool refuse_busy(Vm& vm, int robot_id) {
   f.arguments = {robot.name};
   f.mark_parameter = kMarkCallee;
   f.robot = robot.name;
-  f.fix = "wait until its move has ended";
+  const MotionReport& report = Host::of(vm).cell().report(robot.motion_id);
+  const bool rolls_out = report.held_ns && *report.held_ns <= Host::of(vm).now_ns();
+  f.fix = rolls_out ? "it is slowing down after a velocity command: call halt() first"
+                    : "wait until its move has ended";
   static_cast<void>(fail(vm, std::move(f)));
   return true;
 }
@@ -134,15 +138,14 @@ std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const 
   return std::move(result.q);
 }
 
-namespace {
-
-// Whether every joint speeds up from rest and slows down to rest, without a step in its speed.
 bool starts_and_stops(const Trajectory& motion) {
   for (int i = 0; i < motion.n(); ++i) {
     if (motion.continuity(i, 1e-6) < 1) return false;
   }
   return true;
 }
+
+namespace {
 
 // The part of a move of the joints that is the same for positions and places. The call has its
 // model.
@@ -155,6 +158,9 @@ Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vector
   if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
     return Signal::kFail;
   if (!host.planners().has(planner)) return fail_planner(vm, call, planner);
+  if (Host::of(vm).cell().is_moving(call.robot)) {
+    return move_on_from_speed(vm, args, call, q, settings.speed.value_or(settings_of(vm).speed));
+  }
   JointMove move{.q0 = state.q,
                  .q1 = q,
                  .planner = std::move(planner),
@@ -173,8 +179,9 @@ Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vector
 }
 
 // What can be refused before anything is solved. False: the failure is set.
-bool prepare_joints(Vm& vm, MoveCall& call, const MoveSettings& settings) {
-  if (refuse_busy(vm, call.robot)) return false;
+bool prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
+                    const MoveSettings& settings) {
+  if (!takes_over(vm, call, planner, settings) && refuse_busy(vm, call.robot)) return false;
   if (settings.time && !check_duration(vm, *settings.time, call.time)) return false;
   const double accel = settings.accel.value_or(settings_of(vm).accel);
   if (!check_fraction(vm, "an acceleration", accel, call.accel)) return false;
@@ -186,14 +193,14 @@ bool prepare_joints(Vm& vm, MoveCall& call, const MoveSettings& settings) {
 
 Signal move_to_joints(Vm& vm, Slot* args, MoveCall call, const Eigen::VectorXd& q,
                       std::string planner, const MoveSettings& settings) {
-  if (!prepare_joints(vm, call, settings)) return Signal::kFail;
+  if (!prepare_joints(vm, call, planner, settings)) return Signal::kFail;
   return move_joints(vm, args, call, q, std::move(planner), settings);
 }
 
 Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
                      const Eigen::VectorXd& near, std::string planner,
                      const MoveSettings& settings) {
-  if (!prepare_joints(vm, call, settings)) return Signal::kFail;
+  if (!prepare_joints(vm, call, planner, settings)) return Signal::kFail;
   const auto goal = in_world(vm, call, settings, target);
   if (!goal) return Signal::kFail;
   const Eigen::VectorXd& present = Host::of(vm).cell().robot(call.robot).q;
@@ -231,7 +238,7 @@ Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& written,
                       .speed = block.speed,
                       .enforce_limits = !call.classic};
   LinePlan plan = plan_line(robot, move);
-  if (plan.fault) return fail_line(vm, call, *target, *plan.fault);
+  if (plan.fault) return fail_line(vm, call, state.q, *target, *plan.fault);
   if (!plan.motion.outside.empty())
     return fail_outside(vm, call, state.q, plan.motion.outside.front());
   if (!plan.motion.trajectory) return fail_too_fast(vm, call, *plan.motion.too_fast);

@@ -62,6 +62,20 @@ Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
 Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& target,
                     const MoveSettings& settings);
 
+// The target as the world sees it: read in the frame of the call, or of the blocks around it.
+// Empty: the failure is set.
+[[nodiscard]] std::optional<PosC> in_world(Vm& vm, const MoveCall& call,
+                                           const MoveSettings& settings, const PosC& target);
+
+// Gives the call the robot with the tool point of this move and this fraction of the accelerations.
+void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double accel);
+
+// Checks a fraction of the joint limits. False: the failure is set.
+[[nodiscard]] bool check_fraction(Vm& vm, const char* what, double value, int parameter);
+
+// Whether every joint speeds up from rest and slows down to rest, without a step in its speed.
+[[nodiscard]] bool starts_and_stops(const Trajectory& motion);
+
 // Stops the robot under control; the move that it makes fails with R0618. kPause until it stands.
 Signal halt_robot(Vm& vm, int robot);
 

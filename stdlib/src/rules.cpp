@@ -311,14 +311,13 @@ void check_default_robot(CheckCall& call) {
 // ---- moves
 // -----------------------------------------------------------------------------------------------------
 
-namespace {
-
 void check_planner(CheckCall& call, int parameter) {
   const auto constant = call.constant(parameter);
   if (!constant || constant->kind != Constant::Kind::kText) return;
-  const PlannerSet planners;
+  const auto* host = static_cast<const Host*>(call.host());
+  const PlannerSet planners = host != nullptr ? host->planners() : PlannerSet();
   const std::string& name = constant->text;
-  if (planners.has(name)) return;
+  if (planners.has(name) || call.mentions("addPlanner")) return;
   const std::vector<std::string> names = planners.names();
   const std::vector<std::string_view> all(names.begin(), names.end());
   const Span span = call.span(parameter);
@@ -331,6 +330,8 @@ void check_planner(CheckCall& call, int parameter) {
   }
   call.report(std::move(d));
 }
+
+namespace {
 
 std::shared_ptr<const RobotFact> robot_of(const CheckCall& call) {
   if (call.given(0)) return std::dynamic_pointer_cast<const RobotFact>(call.fact(0));
@@ -354,6 +355,8 @@ void check_duration(CheckCall& call, int parameter) {
                               {"the time", "0 or more", format_number(constant->real, 6) + " s"}));
 }
 
+}  // namespace
+
 void check_time_and_speed(CheckCall& call, int time, int speed) {
   if (call.given(time) && call.given(speed)) {
     Diagnostic d = make_diagnostic("E0506", call.setting_span(speed));
@@ -363,6 +366,8 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
   }
   check_duration(call, time);
 }
+
+namespace {
 
 struct Setting {
   int parameter;

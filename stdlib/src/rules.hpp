@@ -50,6 +50,13 @@ void check_move_place(CheckCall& call);      // (r, target: posC, ..., traj: str
 void check_classic_joints(CheckCall& call);  // (r, traj, posJ, time)
 void check_classic_place(CheckCall& call);   // (r, traj, posC, time)
 void check_move_line(CheckCall& call);       // (r, target, time, speed, accel, tool, frame, blend)
+// Two parts of them: a planner that is not known, and a time together with a speed.
+void check_planner(CheckCall& call, int parameter);
+void check_time_and_speed(CheckCall& call, int time, int speed);
+void check_spline(CheckCall& call);  // (r, points, time, traj, speed)
+// (name, points, time, durations, speed, accel), behind the robot or not.
+template <bool kRobotFirst>
+void check_trajectory(CheckCall& call);
 // Calls that exist only to be explained.
 void explain_list_for_posj(CheckCall& call);  // E0301: moveJ("Syn", q, 2.0) with a double[]
 void explain_arc(CheckCall& call);            // E0503: moveC(via, goal, ...)

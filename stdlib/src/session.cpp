@@ -5,6 +5,16 @@
 #include "armlet/backend/fan_out.hpp"
 
 namespace armlet {
+namespace {
+
+// A program may end while a robot still slows down after a velocity command.
+void come_to_rest(Host& host) {
+  while (const auto next = host.cell().next_event()) {
+    if (!host.advance_to(*next)) return;
+  }
+}
+
+}  // namespace
 
 Session::Session(const Engine& engine, SessionOptions options)
     : engine_(engine), options_(std::move(options)) {}
@@ -13,6 +23,7 @@ Session::~Session() = default;
 std::unique_ptr<Host> Session::make_host(bool with_world) {
   HostOptions host_options;
   host_options.robot = options_.robot;
+  host_options.planners = options_.planners;
   host_options.on_move = options_.on_move;
   host_options.pace = options_.pace;
   host_options.folder = options_.folder;
@@ -92,6 +103,7 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
   running_.store(&vm);
   if (cancelled_.load()) vm.cancel();
   RunResult result = start(vm);
+  if (result.status == RunStatus::kDone) come_to_rest(*host_);
   running_.store(nullptr);
   for (const Figure& figure : host_->figures()) cell.figure(figure);
   cell.end();

@@ -63,10 +63,10 @@ extern const HostType kObject;
 extern const HostType kShape;
 extern const HostType kTool;
 extern const HostType kJointRow;
+extern const HostType kTrajectory;
 // Without values of their own yet (bind_later.cpp).
 extern const HostType kCamera;
 extern const HostType kImage;
-extern const HostType kTrajectory;
 extern const HostType kFinger;
 
 [[nodiscard]] Obj* new_posj(Vm& vm, const PosJ& q);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "armlet/cell/cell.hpp"
 #include "armlet/core/error.hpp"
@@ -9,23 +10,64 @@
 
 namespace armlet {
 
-int Cell::start(int index, Trajectory trajectory) {
-  constexpr double kSamePlace = 1e-6;  // rad or m: planned from a state that was printed and read
-  CellRobot& arm = state(index);
+namespace {
+
+// rad or m, and per s: planned from a state that was printed and read.
+constexpr double kSamePlace = 1e-6;
+
+void check_start(const CellRobot& arm, const Trajectory& trajectory) {
   check_size("trajectory", trajectory.n(), arm.model->n());
-  if (arm.motion) throw ArgumentError(fmt::format("\"{}\" is moving already.", arm.name));
   const double apart = (trajectory.start() - arm.q).cwiseAbs().maxCoeff();
   if (apart > kSamePlace) {
     throw ArgumentError(fmt::format(
         "The motion of \"{}\" starts {} rad or m from where the robot is.", arm.name, apart));
   }
+}
+
+}  // namespace
+
+int Cell::start(int index, Trajectory trajectory) {
+  const CellRobot& arm = robot(index);
+  check_start(arm, trajectory);
+  if (arm.motion) throw ArgumentError(fmt::format("\"{}\" is moving already.", arm.name));
+  return execute(index, std::move(trajectory), std::nullopt);
+}
+
+int Cell::execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns) {
+  CellRobot& arm = state(index);
   begin();
   arm.motion.emplace(std::move(trajectory), now_ns());
   arm.motion_id = static_cast<int>(reports_.size());
-  reports_.push_back({.robot = index, .start_ns = now_ns(), .end_ns = arm.motion->end_ns()});
+  reports_.push_back(
+      {.robot = index, .start_ns = now_ns(), .end_ns = arm.motion->end_ns(), .held_ns = held_ns});
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
   publish(index);
   return arm.motion_id;
+}
+
+bool Cell::can_drive(int index) const {
+  if (!is_moving(index)) return true;
+  const MotionReport& report = this->report(robot(index).motion_id);
+  return report.held_ns && *report.held_ns <= now_ns() && !robot(index).motion->is_stopped();
+}
+
+int Cell::drive(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns) {
+  CellRobot& arm = state(index);
+  check_start(arm, trajectory);
+  if (!can_drive(index)) throw ArgumentError(fmt::format("\"{}\" is moving already.", arm.name));
+  for (int i = 0; i < trajectory.n(); ++i) {
+    const double step = std::abs(trajectory.value(i, 0.0, 1) - arm.qd[i]);
+    if (step <= kSamePlace) continue;
+    throw ArgumentError(fmt::format("Joint {} of \"{}\" would change its speed by {} at once.",
+                                    i + 1, arm.name, step));
+  }
+  if (arm.motion) {
+    MotionReport& former = reports_[static_cast<std::size_t>(arm.motion_id)];
+    former.state = MotionState::kReached;
+    former.end_ns = now_ns();
+    events_.push_back({.t_ns = now_ns(), .robot = index, .motion = arm.motion_id});
+  }
+  return execute(index, std::move(trajectory), held_ns);
 }
 
 void Cell::stop(int index) {

@@ -10,6 +10,7 @@
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
 #include "armlet/backend/recorder.hpp"
+#include "armlet/trajectory/law_planner.hpp"
 #include "library.hpp"
 
 using namespace armlet;
@@ -160,4 +161,29 @@ TEST_CASE("each test runs in a fresh world at time 0") {
   const RunResult failed = session.run_test(2);
   REQUIRE(failed.error);
   CHECK(failed.error->code == "R0608");
+}
+
+TEST_CASE("a planner of the host can be named by programs") {
+  SessionOptions made = at_the_table();
+  made.planners = {{"House", planner_of_law(law_of_polynomial(std::vector{0.0, 0.0, 3.0, -2.0}))}};
+  Session session(library_engine(), std::move(made));
+  REQUIRE(
+      session.compile("moveJ(posJ(60deg, 30deg, 0mm, 0deg), time: 2s, traj: \"House\")\n"
+                      "assert(planners().last == \"House\")",
+                      "house.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK_FALSE(session.compile("moveJ(home(), traj: \"Hose\")", "typo.rbt"));
+  CHECK(session.problems().front().diagnostic.fix->text == "did you mean \"House\"?");
+}
+
+TEST_CASE("a robot that slows down when the program ends comes to rest in the trace") {
+  Recorder recorder;
+  SessionOptions made = at_the_table();
+  made.backends = {&recorder};
+  Session session(library_engine(), std::move(made));
+  REQUIRE(session.compile("speedJ([0.5, 0.0, 0.0, 0.0], during: 300ms)", "rolls.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK_FALSE(session.host()->cell().is_moving(0));
+  CHECK(session.host()->cell().robot(0).qd.norm() == 0.0);
+  CHECK(session.host()->now_ns() > 300'000'000);
 }

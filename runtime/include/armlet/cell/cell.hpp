@@ -45,7 +45,9 @@ struct CellRobot {
 // How a motion went; also while it is under way. One that was stopped before its end counts as
 // stopped, wherever it came to rest.
 //
-// halted  stopped because somebody asked the robot to halt, not for its own reason.
+// halted   stopped because somebody asked the robot to halt, not for its own reason.
+// held_ns  of a velocity command: until when it holds; then the robot slows down, and another
+//          command may take over.
 enum class MotionState { kRunning, kReached, kStopped };
 struct MotionReport {
   MotionState state = MotionState::kRunning;
@@ -53,6 +55,7 @@ struct MotionReport {
   std::int64_t start_ns = 0;
   std::int64_t end_ns = 0;  // of a running motion: when it will end
   bool halted = false;
+  std::optional<std::int64_t> held_ns{};
 };
 
 // What happened without being asked for.
@@ -121,6 +124,20 @@ class Cell {
   // throws  ArgumentError if the robot is moving or the trajectory does not start where it stands
   //         (within 1e-6 rad or m).
   int start(int robot, Trajectory trajectory);
+
+  // Starts a motion that goes on from the position and the speed of the robot, without a step, and
+  // ends at rest; returns its number. If the robot slows down after a velocity command, that motion
+  // ends now.
+  //
+  // held_ns  for a velocity command: until when it holds.
+  // throws   ArgumentError if the trajectory does not start with the position (within 1e-6 rad or
+  // m)
+  //          and speed (1e-6 per s) of the robot, or unless can_drive.
+  int drive(int robot, Trajectory trajectory, std::optional<std::int64_t> held_ns = {});
+
+  // Whether the robot stands, or slows down after a velocity command.
+  [[nodiscard]] bool can_drive(int robot) const;
+
   [[nodiscard]] bool is_moving(int robot) const { return this->robot(robot).motion.has_value(); }
 
   // Brings a robot to rest on its path as fast as its acceleration limits allow: see motion.hpp.
@@ -177,6 +194,7 @@ class Cell {
     std::string text;
   };
   CellRobot& state(int index);
+  int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
   void bring_to_now();
   void publish(int index);
   void publish_object(std::string_view name);

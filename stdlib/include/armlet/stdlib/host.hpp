@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,22 @@ struct MoveReport {
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
 };
 
+// The motion of a robot that was started last, as it was planned.
+struct LastMotion {
+  std::string function;  // as called: "moveJ"
+  Trajectory motion;
+};
+
+// A planner of the host, as PlannerSet::add takes it.
+struct NamedPlanner {
+  std::string name;
+  Planner plan;
+  Through through = Through::kStops;
+};
+
 struct HostOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
+  std::vector<NamedPlanner> planners;  // beside the built-in ones
   std::function<void(const MoveReport&)> on_move;
   // Called before time passes to t; may sleep. False asks the program to stop. Null: time costs no
   // time.
@@ -93,6 +108,10 @@ class Host : public Timeline {
   [[nodiscard]] std::vector<Figure>& figures() { return figures_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
 
+  void remember_motion(int robot, LastMotion motion);
+  // Null if it has not moved.
+  [[nodiscard]] const LastMotion* last_motion(int robot) const;
+
   void report_move(const MoveReport& report);
   [[nodiscard]] int move_count() const { return moves_; }
 
@@ -105,6 +124,7 @@ class Host : public Timeline {
   HostOptions options_;
   Cell cell_;
   PlannerSet planners_;
+  std::vector<std::optional<LastMotion>> last_motions_;
   int default_robot_ = -1;
   std::string world_name_;
   std::vector<Figure> figures_;

@@ -24,6 +24,7 @@ struct WorldText {
 
 struct SessionOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
+  std::vector<NamedPlanner> planners;  // beside the built-in ones
   std::optional<WorldText> world;      // given by the user
   std::optional<WorldText>
       default_world;             // used when a program names an object and no world is given

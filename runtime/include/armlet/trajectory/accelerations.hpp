@@ -1,0 +1,15 @@
+// The acceleration parameters of a motion, from which it can be integrated.
+#pragma once
+
+#include <vector>
+
+#include "armlet/trajectory/trajectory.hpp"
+
+namespace armlet {
+
+// The acceleration of joint i as polynomials of time, one for each stretch between two knots of the
+// whole motion: a(t) = sum_k c[k] (t - start)^k. No pieces for a motion that takes no time.
+// throws  ArgumentError for a joint that does not exist.
+std::vector<Segment> acceleration_pieces(const Trajectory& motion, int i);
+
+}  // namespace armlet

@@ -1,0 +1,28 @@
+// Planners made from one scalar law, for those who bring their own.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "armlet/trajectory/planner.hpp"
+
+namespace armlet {
+
+// A scalar law s(x) for x from 0 to 1 as pieces that follow one another; it leads from 0 to 1.
+using ScalarLaw = std::vector<Segment>;
+
+// The polynomial sum_k c[k] x^k, of degree 7 at most.
+// throws  ArgumentError unless it leads from 0 at x = 0 to 1 at x = 1 (within 1e-9).
+ScalarLaw law_of_polynomial(std::span<const double> c);
+
+// The law through values at evenly spaced x, the first at 0 and the last at 1: a cubic spline whose
+// slopes at the ends come from the six values there, 0 if they are below 1e-4. Cubic laws are met
+// exactly.
+// throws  ArgumentError for fewer than six values, values that are not finite, and ends as above.
+ScalarLaw law_of_values(std::span<const double> s);
+
+// All joints move together along q0 + s(t / T) (q1 - q0). Without a time, as fast as the limits on
+// speed and acceleration allow.
+Planner planner_of_law(ScalarLaw law);
+
+}  // namespace armlet

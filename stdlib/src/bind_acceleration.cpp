@@ -1,0 +1,197 @@
+// The acceleration parameters of a trajectory and their integration (language reference, 19.2).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/math/ode.hpp"
+#include "armlet/trajectory/accelerations.hpp"
+#include "bind.hpp"
+#include "trajectories.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// (tr, joint)
+Signal parameters(Vm& vm, Slot* args) {
+  const PlannedMotion& plan = planned(args[0]);
+  const std::int64_t joint = args[1].i;
+  if (joint < 1 || joint > plan.motion.n()) {
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, plan.motion.n()),
+                   1);
+  }
+  const auto pieces = acceleration_pieces(plan.motion, static_cast<int>(joint) - 1);
+  int degree = 0;
+  for (const Segment& piece : pieces) degree = std::max(degree, piece.degree);
+  MatrixObj* matrix = new_matrix(vm, static_cast<std::uint32_t>(pieces.size()),
+                                 static_cast<std::uint32_t>(degree + 1));
+  if (matrix == nullptr) return Signal::kFail;
+  double* out = matrix->data();
+  for (const Segment& piece : pieces) {
+    for (int k = 0; k <= degree; ++k) *out++ = piece.c[static_cast<std::size_t>(k)];
+  }
+  return give(args, matrix);
+}
+
+enum Parameter { kMotion, kStep, kMethod, kSplit };
+
+constexpr double kMostSteps = 1'000'000;
+constexpr double kTolerance = 1e-8;
+
+// q' = v, v' = a(t) for all joints; the state holds the positions and then the speeds.
+class Accelerations {
+ public:
+  explicit Accelerations(const Trajectory& motion) : knots_(motion.knots()) {
+    for (int i = 0; i < motion.n(); ++i) joints_.push_back(acceleration_pieces(motion, i));
+  }
+
+  [[nodiscard]] const std::vector<double>& knots() const { return knots_; }
+
+  // Stays with one stretch, whose parameters then count up to its end; -1: the one of the time.
+  void stay_in(int stretch) { stretch_ = stretch; }
+
+  bool operator()(double t, std::span<const double> y, std::span<double> rate) const {
+    const std::size_t n = joints_.size();
+    const std::size_t k = stretch_ >= 0 ? static_cast<std::size_t>(stretch_) : stretch_at(t);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Segment& a = joints_[i][k];
+      rate[i] = y[n + i];
+      rate[n + i] = a.value(t - a.start);
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::size_t stretch_at(double t) const {
+    const auto behind = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, t);
+    return static_cast<std::size_t>(behind - knots_.begin()) - 1;
+  }
+
+  std::vector<double> knots_;
+  std::vector<std::vector<Segment>> joints_;
+  int stretch_ = -1;
+};
+
+// From t to next without a step across a knot. `stretch` is the one that t lies in.
+OdeOutcome advance_split(OdeIntegrator& integrator, Accelerations& a, double t, double next,
+                         int& stretch, std::span<double> y) {
+  const OdeRate rate = [&a](double at, std::span<const double> state, std::span<double> out) {
+    return a(at, state, out);
+  };
+  const int last = static_cast<int>(a.knots().size()) - 2;
+  while (stretch < last && a.knots()[static_cast<std::size_t>(stretch) + 1] < next) {
+    const double knot = a.knots()[static_cast<std::size_t>(stretch) + 1];
+    a.stay_in(stretch);
+    if (knot > t) {
+      const OdeOutcome outcome = integrator.advance(rate, t, knot - t, y);
+      if (outcome.status != OdeStatus::kDone) return outcome;
+    }
+    t = std::max(t, knot);
+    ++stretch;
+  }
+  a.stay_in(stretch);
+  return integrator.advance(rate, t, next - t, y);
+}
+
+// What is asked for, checked; nothing: the failure is set.
+struct Request {
+  OdeMethod method;
+  std::uint32_t steps;
+};
+std::optional<Request> request_of(Vm& vm, const Slot* args) {
+  const auto method = ode_method(text_value(args[kMethod]));
+  const double step = args[kStep].d;
+  if (!method) {
+    std::string names;
+    for (const std::string_view name : ode_method_names())
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
+    static_cast<void>(failure(
+        vm, "R0609",
+        fmt::format("there is no method \"{}\" to integrate with", text_value(args[kMethod])),
+        kMethod, "the methods are " + names));
+    return std::nullopt;
+  }
+  if (!(std::isfinite(step) && step > 0.0)) {
+    static_cast<void>(
+        domain_failure(vm, "an integration with a step", step, "be longer than 0 s", {}, kStep));
+    return std::nullopt;
+  }
+  // A rest of rounding makes no step of its own.
+  const double steps = std::ceil(planned(args[kMotion]).motion.duration() / step - 1e-9);
+  if (steps <= kMostSteps)
+    return Request{*method, static_cast<std::uint32_t>(std::max(steps, 0.0))};
+  static_cast<void>(failure(
+      vm, "R0613",
+      fmt::format("this would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps), kStep,
+      {}, "use a longer step"));
+  return std::nullopt;
+}
+
+// (tr, step, method, split)
+Signal integrate(Vm& vm, Slot* args) {
+  const auto request = request_of(vm, args);
+  if (!request) return Signal::kFail;
+  const Trajectory& motion = planned(args[kMotion]).motion;
+  const auto n = static_cast<std::uint32_t>(motion.n());
+  if (!charge_steps(vm, std::uint64_t{request->steps} + 1)) return Signal::kFail;
+  RecordObj* solution = new_record(vm, vm.program().library_record("OdeSolution"));
+  if (solution == nullptr) return Signal::kFail;
+  ListObj* times = new_list(vm, request->steps + 1, false);
+  solution->fields()[0].o = times;
+  MatrixObj* states = times != nullptr ? new_matrix(vm, request->steps + 1, 2 * n) : nullptr;
+  solution->fields()[1].o = states;
+  if (states == nullptr) {
+    release(vm, solution);
+    return Signal::kFail;
+  }
+  std::vector<double> y(2 * std::size_t{n});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    y[i] = motion.value(static_cast<int>(i), 0.0);
+    y[n + i] = motion.value(static_cast<int>(i), 0.0, 1);
+  }
+  Accelerations a(motion);
+  const OdeRate rate = [&a](double t, std::span<const double> state, std::span<double> out) {
+    return a(t, state, out);
+  };
+  OdeIntegrator integrator(static_cast<int>(y.size()), request->method, kTolerance);
+  const auto time_of = [&](std::uint32_t row) {
+    return row == request->steps ? motion.duration() : row * args[kStep].d;
+  };
+  int stretch = 0;
+  for (std::uint32_t row = 0;; ++row) {
+    times->data[row].d = time_of(row);
+    std::ranges::copy(y, states->data() + std::size_t{row} * y.size());
+    if (row == request->steps) return give(args, solution);
+    const double t = time_of(row), next = time_of(row + 1);
+    const OdeOutcome outcome = args[kSplit].i != 0
+                                   ? advance_split(integrator, a, t, next, stretch, y)
+                                   : integrator.advance(rate, t, next - t, y);
+    if (outcome.status == OdeStatus::kDone) continue;
+    release(vm, solution);
+    return failure(vm, "R0609",
+                   fmt::format("the integration cannot go on at t = {:.6g} s", outcome.t), kMethod,
+                   "no step is short enough where the accelerations jump",
+                   "use split: true, or a method with fixed steps");
+  }
+}
+
+constexpr NativeFunction kFunctions[] = {
+    {"trajectory.accelParameters", "(tr: trajectory, joint: int) -> matrix",
+     "The acceleration of a joint, counted from 1, as polynomials: row i holds the coefficients "
+     "a0, a1, a2 ... of the powers of t - knots[i] (SI), up to the next knot.",
+     "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).accelParameters(1)", parameters},
+    {"trajectory.integrate",
+     "(tr: trajectory, step: time, method: string = \"rk4\", split: bool = true) -> OdeSolution",
+     "Integrates the accelerations of all joints from the start, with the methods of ode: t holds "
+     "the start and the end of every step, y one row for each with all positions and then all "
+     "speeds. With split, no step goes across a knot.",
+     "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).integrate(step: 10ms).t.last",
+     integrate},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> acceleration_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,237 @@
+// Velocity commands (language reference, 13.2 and 19.4).
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/format.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "armlet/trajectory/velocity.hpp"
+#include "bind.hpp"
+#include "moves.hpp"
+#include "objects.hpp"
+#include "values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// From a velocity command until it no longer holds; the robot then slows down by itself unless the
+// task goes on with another one at that instant. A command that is stopped is over when the robot
+// stands.
+class VelocityWaiting : public Waiting {
+ public:
+  VelocityWaiting(Host& host, const MoveCall& call, int motion)
+      : host_(host), function_(call.function), robot_(call.robot), motion_(motion) {}
+
+  [[nodiscard]] std::int64_t due_ns() const override {
+    return slows_down() ? report().end_ns : *report().held_ns;
+  }
+  [[nodiscard]] bool is_over() const override {
+    if (report().state != MotionState::kRunning) return true;
+    return !slows_down() && host_.now_ns() >= *report().held_ns;
+  }
+  void stop() override {
+    if (report().state != MotionState::kRunning) return;
+    stopped_ = true;
+    host_.cell().stop(robot_);
+  }
+  Signal finish(Vm& vm, Slot&) override {
+    if (!report().halted) return Signal::kDone;
+    Failure f;
+    f.code = "R0618";
+    f.robot = robot();
+    f.moved = report().end_ns > report().start_ns;
+    return fail(vm, std::move(f));
+  }
+  [[nodiscard]] std::string what() const override {
+    return fmt::format("{} of {}", function_, robot());
+  }
+  [[nodiscard]] std::string robot() const override { return host_.cell().robot(robot_).name; }
+
+ private:
+  [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
+  [[nodiscard]] bool slows_down() const { return stopped_ || report().halted; }
+
+  Host& host_;
+  std::string function_;
+  int robot_;
+  int motion_;
+  bool stopped_ = false;
+};
+
+Failure refusal(Vm& vm, const MoveCall& call, std::string_view code) {
+  Failure f;
+  f.code = code;
+  f.mark_parameter = call.target;
+  f.robot = Host::of(vm).cell().robot(call.robot).name;
+  return f;
+}
+
+std::string rate_text(JointKind kind, LimitKind limit, double value) {
+  return format_joint_value(kind, value) + (limit == LimitKind::kSpeed ? "/s" : "/s^2");
+}
+
+Signal fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
+  const Robot& robot = model_of(vm, call);
+  if (plan.too_high) {
+    const RateTooHigh& high = *plan.too_high;
+    const JointKind kind = robot.joint(high.joint).kind;
+    Failure f = refusal(vm, call, "R0604");
+    f.message =
+        fmt::format("joint {} would have to {} by {}; its limit is {}", high.joint + 1,
+                    high.kind == LimitKind::kSpeed ? "move" : "gain speed",
+                    rate_text(kind, high.kind, high.value), rate_text(kind, high.kind, high.limit));
+    if (call.function == "speedC")
+      f.why = "near a posture where the arm is singular the joints run fast for a slow hand";
+    f.fix = "ask for less speed";
+    return fail(vm, std::move(f));
+  }
+  if (plan.outside) {
+    const Joint& joint = robot.joint(plan.outside->joint);
+    Failure f = refusal(vm, call, "R0602");
+    f.arguments = {std::to_string(plan.outside->joint + 1), std::string(joint_word(joint.kind)),
+                   format_joint_value(joint.kind, plan.outside->value),
+                   format_joint_value(joint.kind, joint.lower),
+                   format_joint_value(joint.kind, joint.upper)};
+    f.why = "the way on which it would stop counts, so that it can always stop in time";
+    f.fix = "hold the velocity for a shorter time, or ask for less speed";
+    return fail(vm, std::move(f));
+  }
+  Failure f = refusal(vm, call, "R0601");
+  f.arguments = {"no joint speeds give the hand this velocity"};
+  f.why = fmt::format("the nearest that this arm can do differs by {} % of it",
+                      format_number(100.0 * plan.lacking, 1));
+  f.fix = "leave out what the arm cannot do, or move away from where it is singular";
+  return fail(vm, std::move(f));
+}
+
+// A robot that another command still moves takes no velocity. True: the failure is set.
+bool refuse_driving(Vm& vm, const MoveCall& call) {
+  return !Host::of(vm).cell().can_drive(call.robot) && refuse_busy(vm, call.robot);
+}
+
+// `during` in whole nanoseconds, as the clock counts; nothing: the failure is set.
+std::optional<std::int64_t> holding_time(Vm& vm, double seconds, int parameter) {
+  if (!std::isfinite(seconds)) {
+    static_cast<void>(not_finite(vm, "the time", seconds, parameter));
+    return std::nullopt;
+  }
+  const std::int64_t ns = seconds > 0.0 && seconds < 1e9 ? to_ns(seconds) : 0;
+  if (ns > 0) return ns;
+  static_cast<void>(domain_failure(vm, "a velocity held for a time", seconds,
+                                   "be longer than 0 s and shorter than 1e9 s", {}, parameter));
+  return std::nullopt;
+}
+
+Signal drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t during_ns) {
+  if (!plan.motion) return fail_velocity(vm, call, plan);
+  Host& host = Host::of(vm);
+  const int motion =
+      host.cell().drive(call.robot, *std::move(plan.motion), host.now_ns() + during_ns);
+  return pause(vm, std::make_unique<VelocityWaiting>(host, call, motion));
+}
+
+VelocityStart start_of(Vm& vm, const MoveCall& call, std::int64_t during_ns) {
+  const CellRobot& state = Host::of(vm).cell().robot(call.robot);
+  return {.q = state.q, .qd = state.qd, .during = to_seconds(during_ns)};
+}
+
+// (r, rates, during)
+Signal speed_j(Vm& vm, Slot* args) {
+  const MoveCall call{.function = "speedJ", .robot = host_value<RobotRef>(args[0]).id};
+  if (refuse_driving(vm, call)) return Signal::kFail;
+  const auto during = holding_time(vm, args[2].d, 2);
+  if (!during) return Signal::kFail;
+  const Robot& robot = model_of(vm, call);
+  const auto values = reals_value(args[1]);
+  if (values.size() != static_cast<std::size_t>(robot.n())) {
+    return failure(vm, "R0613",
+                   fmt::format("{} joint speeds for a robot with {} joint{}", values.size(),
+                               robot.n(), robot.n() == 1 ? "" : "s"),
+                   1);
+  }
+  const Eigen::VectorXd rates =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  if (!rates.allFinite()) return not_finite(vm, "a joint speed", rates.sum(), 1);
+  return drive(vm, call, plan_joint_velocity(robot, start_of(vm, call, *during), rates), *during);
+}
+
+// The velocity `v` with its axes turned by R.
+Signal speed_c(Vm& vm, Slot* args, const Eigen::Matrix3d& R, int during_parameter) {
+  MoveCall call{.function = "speedC", .robot = host_value<RobotRef>(args[0]).id};
+  if (refuse_driving(vm, call)) return Signal::kFail;
+  const auto during = holding_time(vm, args[during_parameter].d, during_parameter);
+  if (!during) return Signal::kFail;
+  const auto values = reals_value(args[1]);
+  if (values.size() != 6) {
+    return failure(vm, "R0613",
+                   fmt::format("the velocity of a hand has 6 values, not {}", values.size()), 1,
+                   "they are vx, vy, vz in m/s and wx, wy, wz in rad/s");
+  }
+  const Vector6d v = Eigen::Map<const Vector6d>(values.data());
+  if (!v.allFinite()) return not_finite(vm, "a velocity", v.sum(), 1);
+  Vector6d twist;
+  twist << R * v.head<3>(), R * v.tail<3>();
+  choose_model(vm, call, {}, 1.0);
+  return drive(vm, call, plan_tool_velocity(model_of(vm, call), start_of(vm, call, *during), twist),
+               *during);
+}
+
+// (r, v, during): along the axes of the frame of the blocks around it, or of the world.
+Signal speed_c_world(Vm& vm, Slot* args) {
+  const MoveCall call{.function = "speedC", .robot = host_value<RobotRef>(args[0]).id};
+  const auto axes = in_world(vm, call, {}, PosC{});
+  return axes ? speed_c(vm, args, axes->T.linear(), 2) : Signal::kFail;
+}
+// (r, v, frame, during)
+Signal speed_c_frame(Vm& vm, Slot* args) { return speed_c(vm, args, posc(args[2]).T.linear(), 3); }
+Signal speed_c_object(Vm& vm, Slot* args) {
+  const std::string& name = host_value<ObjectRef>(args[2]).name;
+  const Object* object = find_object(vm, name);
+  if (object == nullptr) return fail_unknown_object(vm, name, 2);
+  return speed_c(vm, args, object->T_world_obj.linear(), 3);
+}
+
+constexpr std::string_view kSpeedJHelp =
+    "Takes up these joint speeds (rad/s, m/s) within the acceleration limits and holds them; "
+    "during is the whole time. A velocity command that follows at once goes on without a step, "
+    "otherwise the robot then stops under control.";
+constexpr std::string_view kSpeedCHelp =
+    "Moves the tool point with this velocity: vx, vy, vz in m/s, wx, wy, wz in rad/s along the "
+    "axes of the frame, the world's if there is none. The rest as for speedJ.";
+
+constexpr NativeFunction kFunctions[] = {
+    {.name = "speedJ",
+     .signature = "(r: robot, rates: double[], during: time)",
+     .help = kSpeedJHelp,
+     .example = "speedJ([0.2, 0.1, 0.0, 0.0], during: 500ms)",
+     .thunk = speed_j,
+     .pauses = true},
+    {.name = "speedC",
+     .signature = "(r: robot, v: double[], during: time)",
+     .help = kSpeedCHelp,
+     .example = "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], during: "
+                "500ms)",
+     .thunk = speed_c_world,
+     .pauses = true},
+    {.name = "speedC",
+     .signature = "(r: robot, v: double[], frame: posC, during: time)",
+     .help = kSpeedCHelp,
+     .example = "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
+                "rotZ(90deg), during: 500ms)",
+     .thunk = speed_c_frame,
+     .pauses = true},
+    {.name = "speedC",
+     .signature = "(r: robot, v: double[], frame: object, during: time)",
+     .help = kSpeedCHelp,
+     .example = "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
+                "object(\"cube\"), during: 500ms)",
+     .thunk = speed_c_object,
+     .pauses = true},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> velocity_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

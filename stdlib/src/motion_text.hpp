@@ -1,0 +1,16 @@
+#pragma once
+// A motion in words: durations, the joint that decides, peaks.
+
+#include <string>
+#include <string_view>
+
+#include "armlet/model/robot.hpp"
+#include "armlet/trajectory/trajectory.hpp"
+
+namespace armlet::bind {
+
+// Several lines without the last end of line. `what`: "moveJ of scara".
+[[nodiscard]] std::string explain_motion(std::string_view what, const Robot& robot,
+                                         const Trajectory& motion);
+
+}  // namespace armlet::bind
