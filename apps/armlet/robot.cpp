@@ -131,7 +131,7 @@ std::string robot_text(const Robot& robot) {
   text += fmt::format(
       "reach               {} from the base{}\n", format_mm(reach.from_base),
       robot.is_revolute(0) ? fmt::format(", {} from axis 1", format_mm(reach.from_axis)) : "");
-  text += fmt::format("inverse kinematics  {}\n", closed_form_text(ClosedForm(robot)));
+  text += fmt::format("inverse kinematics  {}\n", closed_form_text(closed_form(robot)));
   const double mass = total_mass(robot);
   text += fmt::format("moving mass         {}\n",
                       mass > 0.0 ? format_number(mass, 3) + " kg" : "not given by the source");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "armlet/kinematics/closed_form.hpp"
 #include "canonical_rows.hpp"
 
 namespace armlet {
@@ -11,17 +12,23 @@ namespace armlet {
 // The parts that the closed forms are put together from. Angles are kept as sine and cosine; no
 // inverse function is called before a branch is complete.
 
-inline constexpr int kMaxBranches = 16;
+// Which of the two ways each part of the arm takes (ClosedSolution::branch).
+inline constexpr int kShoulderBit = 4;
+inline constexpr int kElbowBit = 2;
+inline constexpr int kWristBit = 1;
 
 // One configuration: a turn or a height per joint, in the terms of CanonicalRows.
 struct Branch {
   std::array<Turn, kMaxJoints> phi{};
   std::array<double, kMaxJoints> height{};
+  int ways = 0;
 };
 
 struct Branches {
   std::array<Branch, kMaxBranches> at;
   int count = 0;
+  bool free = false;      // a joint may take any value
+  double arm_turn = 0.0;  // of an arm of seven joints, added to its arm angle
 
   Branch& add(const Branch& b) {
     return at[static_cast<std::size_t>(count < kMaxBranches ? count++ : count - 1)] = b;
@@ -30,7 +37,7 @@ struct Branches {
 
 // A value that a sine or a length may exceed by rounding alone. Branches are verified afterwards,
 // so it may be generous.
-inline constexpr double kSlack = 1e-9;
+inline constexpr double kSlack = 1e-6;
 
 // Turns x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if
 // every turn will do.

@@ -1,9 +1,11 @@
 #include "canonical_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
+#include "armlet/model/dh.hpp"
 
 namespace armlet {
 namespace {
@@ -64,6 +66,34 @@ CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
   if (!reversed) rows.tool_point = T_last_tool.translation();
   if (rows.flipped) rows.tool_point.tail<2>() *= -1.0;
   return rows;
+}
+
+Chain with_held_joint(const Chain& chain, bool first, double q) {
+  Chain out = chain;
+  const std::size_t n = static_cast<std::size_t>(chain.n);
+  const std::size_t i = first ? 0 : n - 1;
+  const Eigen::Isometry3d Z = dh_pose(
+      DhConvention::kStandard,
+      {.theta = chain.theta[i] + q * chain.turns[i], .d = chain.d[i] + q * chain.slides[i]});
+  const auto x = [&chain](std::size_t k) {
+    return placement(chain.a[k], Turn{chain.cos_alpha[k], chain.sin_alpha[k]});
+  };
+  out.n = chain.n - 1;
+  if (!first) {
+    out.T_flange_tool = Z * x(n) * chain.T_flange_tool;
+    return out;
+  }
+  out.T_world_base = chain.T_world_base * x(0) * Z;
+  const auto shift = [n](auto& values) {
+    std::copy(
+        values.begin() + 1,
+        values.begin() + static_cast<std::ptrdiff_t>(n + 1 < values.size() ? n + 1 : values.size()),
+        values.begin());
+  };
+  for (auto* values : {&out.theta, &out.d, &out.turns, &out.slides}) shift(*values);
+  for (auto* values : {&out.a, &out.sin_alpha, &out.cos_alpha}) shift(*values);
+  shift(out.revolute);
+  return out;
 }
 
 Eigen::Isometry3d CanonicalRows::goal(const Eigen::Isometry3d& T_world_tool) const {

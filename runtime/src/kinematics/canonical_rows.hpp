@@ -55,4 +55,7 @@ struct CanonicalRows {
 
 CanonicalRows canonical_rows(const Chain& chain, bool reversed);
 
+// The arm with its first or its last joint held still at q.
+Chain with_held_joint(const Chain& chain, bool first, double q);
+
 }  // namespace armlet

@@ -1,20 +1,11 @@
 #include "armlet/kinematics/closed_form.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "armlet/kinematics/jacobian.hpp"
-#include "armlet/math/det_math.hpp"
-#include "armlet/math/rotation.hpp"
 #include "closed_form_families.hpp"
 
 namespace armlet {
 namespace {
-
-constexpr double kVerified = 1e-9;  // m and rad
-constexpr double kImproved = 1e-4;  // an error that rounding next to a singularity can make
-constexpr double kSameAngle = 1e-6;
 
 // All joints turn, but for joint `except`.
 bool all_turn(const CanonicalRows& rows, std::size_t except = kMaxJoints) {
@@ -67,127 +58,30 @@ ClosedFormKind recognised(const CanonicalRows& rows) {
   }
 }
 
-FamilySolver solver_of(ClosedFormKind kind) {
+// The two ways of each part of the arm, in words: first way, second way.
+struct PartNames {
+  std::string_view shoulder, elbow, wrist;
+};
+
+PartNames part_names(ClosedFormKind kind) {
   switch (kind) {
     case ClosedFormKind::kNone:
-      break;
+      return {};
     case ClosedFormKind::kPlane:
-      return solve_plane;
     case ClosedFormKind::kScara:
-      return solve_scara;
+      return {"", "elbow", ""};
     case ClosedFormKind::kShoulder:
-      return solve_shoulder;
     case ClosedFormKind::kPlanarArmTwist:
-      return solve_planar_arm_twist;
-    case ClosedFormKind::kSphericalParallel:
-    case ClosedFormKind::kSphericalMeeting:
-      return solve_spherical_wrist;
-    case ClosedFormKind::kThreeParallel:
-      return solve_three_parallel;
-    case ClosedFormKind::kShoulderElbowWrist:
-      return solve_shoulder_elbow_wrist;
+      return {"shoulder", "elbow", ""};
+    default:
+      return {"shoulder", "elbow", "wrist"};
   }
-  return nullptr;
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
-
-std::size_t joint_of(const CanonicalRows& rows, std::size_t i) {
-  return rows.reversed ? static_cast<std::size_t>(rows.n) - 1 - i : i;
-}
-
-Branch branch_of(const CanonicalRows& rows, JointsIn q) {
-  Branch out;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
-    const double value = q[static_cast<Eigen::Index>(joint_of(rows, i))];
-    const double x = rows.sign[i] * (value + rows.offset[i]);
-    if (rows.revolute[i]) {
-      const det::SinCos turn = det::sincos(x);
-      out.phi[i] = {turn.cos, turn.sin};
-    } else {
-      out.phi[i] = rows.phi[i];
-      out.height[i] = x;
-    }
-  }
-  return out;
-}
-
-// The arm with its first or last joint held still.
-Chain held(const Chain& chain, bool first, double q) {
-  Chain out = chain;
-  const std::size_t n = static_cast<std::size_t>(chain.n);
-  const std::size_t i = first ? 0 : n - 1;
-  const Eigen::Isometry3d Z = dh_pose(
-      DhConvention::kStandard,
-      {.theta = chain.theta[i] + q * chain.turns[i], .d = chain.d[i] + q * chain.slides[i]});
-  const auto x = [&chain](std::size_t k) {
-    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-    X.linear() << 1, 0, 0, 0, chain.cos_alpha[k], -chain.sin_alpha[k], 0, chain.sin_alpha[k],
-        chain.cos_alpha[k];
-    X.translation().x() = chain.a[k];
-    return X;
-  };
-  out.n = chain.n - 1;
-  if (!first) {
-    out.T_flange_tool = Z * x(n) * chain.T_flange_tool;
-    return out;
-  }
-  out.T_world_base = chain.T_world_base * x(0) * Z;
-  const auto shift = [n](auto& values) {
-    std::copy(
-        values.begin() + 1,
-        values.begin() + static_cast<std::ptrdiff_t>(n + 1 < values.size() ? n + 1 : values.size()),
-        values.begin());
-  };
-  for (auto* values : {&out.theta, &out.d, &out.turns, &out.slides}) shift(*values);
-  for (auto* values : {&out.a, &out.sin_alpha, &out.cos_alpha}) shift(*values);
-  shift(out.revolute);
-  return out;
-}
-
-Eigen::VectorXd joints_of(const CanonicalRows& rows, const Branch& branch) {
-  Eigen::VectorXd q(rows.n);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
-    const double x =
-        rows.revolute[i] ? det::atan2(branch.phi[i].s, branch.phi[i].c) : branch.height[i];
-    const double value = rows.sign[i] * x - rows.offset[i];
-    q[static_cast<Eigen::Index>(joint_of(rows, i))] = rows.revolute[i] ? wrapped(value) : value;
-  }
-  return q;
-}
-
-bool is_new(const Robot& robot, const Eigen::VectorXd& q,
-            const std::vector<Eigen::VectorXd>& known) {
-  for (const Eigen::VectorXd& other : known) {
-    double largest = 0.0;
-    for (int i = 0; i < robot.n(); ++i) {
-      const double change = q[i] - other[i];
-      largest = std::fmax(largest, std::abs(robot.is_revolute(i) ? wrapped(change) : change));
-    }
-    if (largest <= kSameAngle) return false;
-  }
-  return true;
-}
-
-// Whether q is right; an answer that is nearly right, next to a singularity, is improved first.
-bool reaches(const Robot& robot, Eigen::VectorXd& q, const Eigen::Isometry3d& goal,
-             bool place_only) {
-  Jacobian J;
-  for (int round = 0; round < 4; ++round) {
-    const Eigen::Isometry3d T = forward_and_jacobian(robot, q, J);
-    Vector6d e;
-    e << goal.translation() - T.translation(), rotation_log(goal.linear() * T.linear().transpose());
-    if (place_only) e.tail<3>().setZero();
-    const double miss = std::fmax(e.head<3>().norm(), e.tail<3>().norm());
-    if (miss <= kVerified) return true;
-    if (miss > kImproved) return false;
-    const int rows = place_only ? 3 : 6;
-    const Eigen::MatrixXd A = J.topRows(rows);
-    const Eigen::MatrixXd H =
-        A.transpose() * A + 1e-3 * miss * Eigen::MatrixXd::Identity(q.size(), q.size());
-    q += H.ldlt().solve(A.transpose() * e.head(rows));
-  }
-  return false;
+// How the first axis stands in the world: +1 up, -1 down, 0 neither.
+double uprightness(const CanonicalRows& rows) {
+  const double z = rows.before.linear()(2, 2);  // of the inverse, the same
+  return z > 0.9 ? 1.0 : z < -0.9 ? -1.0 : 0.0;
 }
 
 }  // namespace
@@ -216,12 +110,12 @@ std::string_view to_text(ClosedFormKind kind) {
   return "none";
 }
 
-ClosedForm::ClosedForm(const Robot& robot) : robot_(&robot) {
-  recognise(robot.chain());
-  if (exists() || robot.n() != 7) return;
+ClosedForm::ClosedForm(const Chain& chain) : chain_(chain) {
+  recognise(chain);
+  if (exists() || chain.n != 7) return;
   for (const Hold hold : {Hold::kLast, Hold::kFirst}) {
     hold_ = hold;
-    recognise(held(robot.chain(), hold == Hold::kFirst, 0.0));
+    recognise(with_held_joint(chain, hold == Hold::kFirst, 0.0));
     if (exists()) return;
   }
   hold_ = Hold::kNone;
@@ -241,32 +135,42 @@ ClosedForm::~ClosedForm() = default;
 ClosedForm::ClosedForm(ClosedForm&&) noexcept = default;
 ClosedForm& ClosedForm::operator=(ClosedForm&&) noexcept = default;
 
-int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
-                      std::vector<Eigen::VectorXd>& solutions) const {
-  solutions.clear();
-  if (!exists()) return 0;
-  const int n = robot_->n();
-  const int first = hold_ == Hold::kFirst ? 1 : 0;
-  const int moving = hold_ == Hold::kNone ? n : n - 1;
-  const CanonicalRows* rows = rows_.get();
-  CanonicalRows of_held;
-  if (hold_ != Hold::kNone) {
-    of_held = canonical_rows(held(robot_->chain(), first == 1, q_near[first == 1 ? 0 : n - 1]),
-                             reversed_);
-    rows = &of_held;
+std::string ClosedForm::branch_name(int branch) const {
+  const PartNames names = part_names(kind_);
+  const bool back = (branch & kShoulderBit) != 0;
+  const bool second = (branch & kElbowBit) != 0;
+  const bool flipped = (branch & kWristBit) != 0;
+  const double up = reversed_ ? 0.0 : uprightness(*rows_);
+  const bool in_plane = rows_->parallel(2) && kind_ != ClosedFormKind::kPlane &&
+                        kind_ != ClosedFormKind::kScara && up != 0.0;
+  std::string text;
+  const auto add = [&text](std::string_view part, std::string_view way) {
+    if (part.empty()) return;
+    if (!text.empty()) text += ", ";
+    text.append(part).append(" ").append(way);
+  };
+  // Read backwards, the shoulder is solved last.
+  const std::string_view shoulder = reversed_ ? names.wrist : names.shoulder;
+  const std::string_view wrist = reversed_ ? names.shoulder : names.wrist;
+  add(shoulder, in_plane ? (back ? "back" : "front") : (back ? "-" : "+"));
+  if (in_plane) {
+    // The arm's plane has its x axis outwards and its y axis along the first one, or against it;
+    // bending to the left leaves the elbow on the right of the line to the wrist.
+    const bool y_up = up * rows_->alpha[1].s > 0.0;
+    add(names.elbow, (second != back) == y_up ? "up" : "down");
+  } else if (kind_ == ClosedFormKind::kScara && up != 0.0) {
+    add(names.elbow, second == (up > 0.0) ? "left" : "right");
+  } else {
+    add(names.elbow, second ? "-" : "+");
   }
-  Branches branches;
-  solver_of(kind_)(*rows, rows->goal(T_world_tool), branch_of(*rows, q_near.segment(first, moving)),
-                   branches);
-  const bool place_only = kind_ == ClosedFormKind::kShoulder;
-  for (int i = 0; i < branches.count; ++i) {
-    Eigen::VectorXd q = q_near;
-    q.segment(first, moving) = joints_of(*rows, branches.at[static_cast<std::size_t>(i)]);
-    if (q.allFinite() && reaches(*robot_, q, T_world_tool, place_only) &&
-        is_new(*robot_, q, solutions))
-      solutions.push_back(std::move(q));
-  }
-  return static_cast<int>(solutions.size());
+  add(wrist, reversed_ ? (flipped ? "-" : "+") : (flipped ? "flipped" : "not flipped"));
+  return text;
+}
+
+const ClosedForm& closed_form(const Robot& robot) {
+  return *static_cast<const ClosedForm*>(robot.derived([](const Robot& arm) -> Robot::Derived {
+    return std::make_shared<ClosedForm>(arm.chain());
+  }));
 }
 
 }  // namespace armlet

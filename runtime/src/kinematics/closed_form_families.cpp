@@ -1,5 +1,7 @@
 #include "closed_form_families.hpp"
 
+#include "armlet/math/det_math.hpp"
+
 namespace armlet {
 namespace {
 
@@ -76,17 +78,22 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
     const Turn& alpha1 = rows.alpha[1];
     const TurnPair second = circle_meets_plane(t.y(), t.x(), (u.z() - alpha1.c * t.z()) / alpha1.s);
     const int count = second.count < 0 ? 1 : second.count;
+    out.free = out.free || second.count < 0;
     for (int j = 0; j < count; ++j) {
       const Turn x2 = second.count < 0 ? near.phi[1] : second.x[static_cast<std::size_t>(j)];
       const Vector3d v = placed(rows, 1, turned(x2, t));
       bool whole = true;
       Turn x1 = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
-      if (!whole || v.head<2>().squaredNorm() < 1e-20) x1 = near.phi[0];
+      if (!whole || v.head<2>().squaredNorm() < 1e-20) {
+        x1 = near.phi[0];
+        out.free = true;
+      }
       Branch& branch = out.add(near);
       branch.phi[0] = x1;
       branch.phi[1] = x2;
       branch.phi[2] = x3;
       branch.height[2] = z3;
+      branch.ways += kElbowBit * i + kShoulderBit * j;
     }
   }
 }
@@ -94,7 +101,7 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
 }  // namespace
 
 int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height, const Turn& near,
-                    std::array<PlaneView, 2>& out) {
+                    std::array<PlaneView, 2>& out, bool& free) {
   const Turn& alpha = rows.alpha[1];
   const double z = u.z() - rows.h[0];
   // Along the parallel axes: -alpha.s r_y + alpha.c z = height, with r = Rz(-x) u.
@@ -108,6 +115,7 @@ int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height,
     if (std::abs(m) > 1e-9) return 0;
     out[0] = view(near, 0.0);
     out[1] = view({-near.c, -near.s}, 0.0);
+    free = true;
     return 2;
   }
   const double h2 = (rho - m) * (rho + m);
@@ -126,7 +134,8 @@ void reach_place(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w
                  const Branch& near, Branches& out) {
   if (!rows.parallel(2) || !rows.revolute[2]) return reach_meeting(rows, u, w, near, out);
   std::array<PlaneView, 2> views;
-  const int count = turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views);
+  const int count =
+      turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views, out.free);
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Elbow elbow = solve_elbow(rows.a[2], 0.0, w.x(), w.y(), view.X, view.Y);
@@ -135,6 +144,7 @@ void reach_place(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w
       branch.phi[0] = view.turn;
       branch.phi[1] = elbow.x1[static_cast<std::size_t>(j)];
       branch.phi[2] = elbow.x2[static_cast<std::size_t>(j)];
+      branch.ways += kShoulderBit * i + kElbowBit * j;
     }
   }
 }
@@ -152,16 +162,20 @@ void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
   Branches arms;
   reach_place(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
+  out.free = arms.free;
   for (int i = 0; i < arms.count; ++i) {
     Branch branch = arms.at[static_cast<std::size_t>(i)];
     Matrix3d M = G.linear();
     for (std::size_t j = 0; j < 3; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
     const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near.phi[3]);
+    const int ways = branch.ways;
+    out.free = out.free || wrist.singular;
     for (int j = 0; j < wrist.count; ++j) {
       const std::size_t k = static_cast<std::size_t>(j);
       branch.phi[3] = wrist.x1[k];
       branch.phi[4] = wrist.x2[k];
       branch.phi[5] = wrist.x3[k];
+      branch.ways = ways + kWristBit * j;
       out.add(branch);
     }
   }
@@ -174,12 +188,13 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
   const Vector3d last = placed(rows, 4, Vector3d(0, 0, rows.h[4]));
   std::array<PlaneView, 2> views;
   const double height = rows.h[1] + rows.h[2] + rows.h[3] + last.z();
-  const int count = turn_into_plane(rows, centre, height, near.phi[0], views);
+  const int count = turn_into_plane(rows, centre, height, near.phi[0], views, out.free);
   const Turn near_sum = near.phi[1] * near.phi[2] * near.phi[3];
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Matrix3d M = unturned(view.turn, rows.alpha[1], Matrix3d(G.linear()));
     const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near_sum);
+    out.free = out.free || wrist.singular;
     for (int j = 0; j < wrist.count; ++j) {
       const std::size_t k = static_cast<std::size_t>(j);
       const Turn sum = wrist.x1[k];
@@ -190,6 +205,7 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
         Branch& branch = out.add(near);
         branch.phi[0] = view.turn;
         bend(branch, 1, elbow, e, sum);
+        branch.ways = kShoulderBit * i + kWristBit * j + kElbowBit * e;
         branch.phi[4] = wrist.x2[k];
         branch.phi[5] = wrist.x3[k];
       }
@@ -210,7 +226,7 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
                                           rows.alpha[4].c - rows.alpha[1].c * z.z());
     if (x.count > 0) heading = x.x[0];
   }
-  const int count = turn_into_plane(rows, w, height, heading, views);
+  const int count = turn_into_plane(rows, w, height, heading, views, out.free);
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Matrix3d M = unturned(view.turn, rows.alpha[1], Matrix3d(G.linear()));
@@ -225,6 +241,7 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
       Branch& branch = out.add(near);
       branch.phi[0] = view.turn;
       bend(branch, 1, elbow, e, sum);
+      branch.ways = kShoulderBit * i + kElbowBit * e;
       branch.phi[4] = twist;
     }
   }
@@ -237,7 +254,9 @@ void solve_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
   const Elbow elbow =
       solve_elbow(rows.a[1], 0.0, rows.a[2], 0.0, G.translation().x(), G.translation().y());
   for (int e = 0; e < elbow.count; ++e) {
-    bend(out.add(near), 0, elbow, e, sum);
+    Branch& branch = out.add(near);
+    bend(branch, 0, elbow, e, sum);
+    branch.ways = kElbowBit * e;
   }
 }
 
@@ -274,6 +293,7 @@ void solve_scara(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
     branch.phi[turning[1]] = inverse(before[1]) * elbow.x2[f];
     branch.phi[turning[2]] = inverse(before[2] * elbow.x1[f] * elbow.x2[f]) * heading;
     branch.height[slide] = G.translation().z() - height;
+    branch.ways = kElbowBit * e;
   }
 }
 
@@ -347,7 +367,8 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Isometry3d& G, 
   const TurnPair elbow =
       circle_meets_plane(2.0 * (a3 * m.x() + h2 * alpha3.s * m.y()),
                          2.0 * (h2 * alpha3.s * m.x() - a3 * m.y()), L * L - fixed);
-  const Turn psi = arm_angle(rows, near);
+  const det::SinCos more = det::sincos(out.arm_turn);
+  const Turn psi = arm_angle(rows, near) * Turn{more.cos, more.sin};
   const Matrix3d base = F * about_z(psi);
   for (int i = 0; i < elbow.count; ++i) {
     Branch branch = near;
@@ -371,6 +392,7 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Isometry3d& G, 
         branch.phi[4] = wrist.x1[k];
         branch.phi[5] = wrist.x2[k];
         branch.phi[6] = wrist.x3[k];
+        branch.ways = kElbowBit * i + kShoulderBit * s + kWristBit * w;
         out.add(branch);
       }
     }

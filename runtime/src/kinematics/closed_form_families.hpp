@@ -29,13 +29,14 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Eigen::Isometry
 void reach_place(const CanonicalRows& rows, const Eigen::Vector3d& u, const Eigen::Vector3d& w,
                  const Branch& near, Branches& out);
 // The first turn of an arm whose axes 2, 3 (and 4) are parallel: the place u lies at `height` along
-// them. For each turn the place in the plane of these axes, (X, Y).
+// them. For each turn the place in the plane of these axes, (X, Y); free becomes true where every
+// turn will do.
 struct PlaneView {
   Turn turn;
   double X = 0.0;
   double Y = 0.0;
 };
 int turn_into_plane(const CanonicalRows& rows, const Eigen::Vector3d& u, double height,
-                    const Turn& near, std::array<PlaneView, 2>& out);
+                    const Turn& near, std::array<PlaneView, 2>& out, bool& free);
 
 }  // namespace armlet

@@ -9,6 +9,7 @@
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
+#include "ik_closed.hpp"
 #include "ik_search.hpp"
 
 namespace armlet {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kNearestStarts = 32;   // after the first solution
 constexpr int kNearestWanted = 16;   // distinct solutions
+constexpr double kNearEnough = 0.1;  // rad or m: nearer solutions need not be looked for
 constexpr int kKeepStarts = 20;      // to find out whether an orientation can be kept
 constexpr double kPlaceFirst = 100;  // weight of position while orientation changes least
 
@@ -71,13 +73,69 @@ void take_solution(const Robot& robot, const IkGoal& goal, const Eigen::VectorXd
   const IkError error = IkSolver(robot, goal).error_of(to_array(q));
   result.status = IkStatus::kOk;
   result.q = q;
+  result.margins = limit_margins(robot, q);
   result.position_error = error.position;
   result.rotation_error = error.rotation;
 }
 
-// Searches, and takes the first or the nearest solution. False if there is none.
+void take_branch(const Robot& robot, const IkGoal& goal, const FormulaSolution& solution,
+                 IkResult& result) {
+  take_solution(robot, goal, to_vector(solution.q, robot.n()), result);
+  result.solver = to_text(closed_form(robot).kind());
+  result.branch = solution.branch;
+}
+
+// The nearest branch of the closed form.
+FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                           IkResult& result) {
+  if (options.choice != IkChoice::kNearest || robot.n() > 6 ||
+      !formula_applies(robot, goal, options))
+    return FormulaAnswer::kSilent;
+  std::vector<FormulaSolution> solutions;
+  const FormulaAnswer answer = solve_by_formula(robot, goal, options, solutions);
+  if (answer == FormulaAnswer::kFound)
+    take_branch(robot, goal, nearest_branch(robot, options.seed, solutions), result);
+  return answer;
+}
+
+// An arm of seven joints: where the iterations lead from the seed, or the nearest branch over all
+// arm angles.
+bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                    IkResult& result) {
+  if (options.choice != IkChoice::kNearest || robot.n() != 7 ||
+      !formula_applies(robot, goal, options))
+    return false;
+  IkOptions once = options;
+  once.starts = 1;
+  const IkSearch search = search_ik(robot, goal, once, 1, 0);
+  result.iterations += search.iterations;
+  result.starts += search.starts;
+  const bool found = !search.solutions.empty();
+  const double change = found ? largest_change(search.solutions.front(), options.seed) : INFINITY;
+  if (change > kNearEnough) {
+    const auto nearest = nearest_over_arm_angles(robot, goal, options);
+    if (nearest && largest_change(to_vector(nearest->q, robot.n()), options.seed) < change) {
+      take_branch(robot, goal, *nearest, result);
+      return true;
+    }
+  }
+  if (found) take_solution(robot, goal, search.solutions.front(), result);
+  return found;
+}
+
+// By formula or by search: takes the first or the nearest solution. False if there is none.
 bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                  IkResult& result) {
+  switch (formula_into(robot, goal, options, result)) {
+    case FormulaAnswer::kFound:
+      return true;
+    case FormulaAnswer::kNone:
+      result.q = options.seed;
+      return false;
+    case FormulaAnswer::kSilent:
+      break;
+  }
+  if (redundant_into(robot, goal, options, result)) return true;
   const bool nearest = options.choice == IkChoice::kNearest;
   IkSearch search =
       search_ik(robot, goal, options, nearest ? kNearestWanted : 1, nearest ? kNearestStarts : 0);
@@ -193,9 +251,29 @@ std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isome
   if (options.seed.size() == 0) options.seed = robot.home();
   if (check_question(robot, T_world_tool, options) != IkStatus::kOk) return {};
   const IkGoal goal = make_goal(robot, T_world_tool, options);
+  if (formula_applies(robot, goal, options)) {
+    std::vector<FormulaSolution> branches;
+    FormulaAnswer answer = solve_by_formula(robot, goal, options, branches);
+    if (branches.empty() && robot.n() == 7) {
+      branches = solve_over_arm_angles(robot, goal, options);
+      if (!branches.empty()) answer = FormulaAnswer::kFound;
+    }
+    if (answer != FormulaAnswer::kSilent) {
+      std::vector<Eigen::VectorXd> all;
+      for (const FormulaSolution& branch : branches) all.push_back(to_vector(branch.q, robot.n()));
+      sort_by_nearness(robot, options.seed, all);
+      if (static_cast<int>(all.size()) > count)
+        all.resize(static_cast<std::size_t>(std::max(count, 0)));
+      return all;
+    }
+  }
   IkSearch search = search_ik(robot, goal, options, count, options.starts);
   sort_by_nearness(robot, options.seed, search.solutions);
   return search.solutions;
+}
+
+std::string branch_name(const Robot& robot, const IkResult& result) {
+  return result.branch < 0 ? std::string() : closed_form(robot).branch_name(result.branch);
 }
 
 std::string explain(const Robot& robot, const Eigen::Isometry3d& T_world_tool,

@@ -46,9 +46,19 @@ double total_excess(const Robot& robot, const Eigen::VectorXd& q) {
 // The solution without limits that breaks them least; empty if there is none.
 Eigen::VectorXd least_violating(const Robot& robot, const IkGoal& goal, IkOptions options) {
   options.respect_limits = false;
-  IkSearch search = search_ik(robot, goal, options, 16, 40);
+  std::vector<Eigen::VectorXd> solutions;
+  std::vector<FormulaSolution> branches;
+  FormulaAnswer answer = FormulaAnswer::kSilent;
+  if (formula_applies(robot, goal, options))
+    answer = solve_by_formula(robot, goal, options, branches);
+  for (const FormulaSolution& branch : branches)
+    solutions.push_back(to_vector(branch.q, robot.n()));
+  if (answer == FormulaAnswer::kSilent || robot.n() > 6) {
+    const IkSearch search = search_ik(robot, goal, options, 16, 40);
+    solutions.insert(solutions.end(), search.solutions.begin(), search.solutions.end());
+  }
   Eigen::VectorXd best;
-  for (const Eigen::VectorXd& solution : search.solutions) {
+  for (const Eigen::VectorXd& solution : solutions) {
     const Eigen::VectorXd q = wrap_near(robot, solution, options.seed);
     if (best.size() == 0 || total_excess(robot, q) < total_excess(robot, best) - 1e-9) best = q;
   }

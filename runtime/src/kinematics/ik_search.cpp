@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 #include "armlet/math/angles.hpp"
 
@@ -91,17 +92,37 @@ IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   return search;
 }
 
+namespace {
+
+// Order of nearness to the seed. Rounding to a grid instead of a tolerance keeps it transitive.
+struct Nearness {
+  double change = 0.0;
+  bool bent_down = false;  // the elbow is not positive
+
+  Nearness(const Robot& robot, const Eigen::VectorXd& seed, const double* q) {
+    for (int i = 0; i < robot.n(); ++i) change = std::max(change, std::abs(q[i] - seed[i]));
+    change = std::round(change * 1e9);
+    bent_down = q[elbow_of(robot)] <= 0.0;
+  }
+  auto operator<=>(const Nearness&) const = default;
+};
+
+}  // namespace
+
 void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
                       std::vector<Eigen::VectorXd>& solutions) {
-  const int elbow = elbow_of(robot);
-  const auto nearer = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    // Rounding to a grid instead of a tolerance keeps the order transitive.
-    const double distance_a = std::round(largest_change(a, seed) * 1e9);
-    const double distance_b = std::round(largest_change(b, seed) * 1e9);
-    if (distance_a != distance_b) return distance_a < distance_b;
-    return a[elbow] > 0.0 && b[elbow] <= 0.0;
-  };
-  std::stable_sort(solutions.begin(), solutions.end(), nearer);
+  std::stable_sort(solutions.begin(), solutions.end(),
+                   [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+                     return Nearness(robot, seed, a.data()) < Nearness(robot, seed, b.data());
+                   });
+}
+
+const FormulaSolution& nearest_branch(const Robot& robot, const Eigen::VectorXd& seed,
+                                      const std::vector<FormulaSolution>& branches) {
+  return *std::min_element(
+      branches.begin(), branches.end(), [&](const FormulaSolution& a, const FormulaSolution& b) {
+        return Nearness(robot, seed, a.q.data()) < Nearness(robot, seed, b.q.data());
+      });
 }
 
 }  // namespace armlet

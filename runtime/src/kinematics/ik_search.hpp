@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ik_numeric.hpp"
+#include "ik_closed.hpp"
 
 namespace armlet {
 
@@ -27,6 +27,10 @@ double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
 // then the one found first.
 void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
                       std::vector<Eigen::VectorXd>& solutions);
+
+// The first of at least one branch in that order.
+const FormulaSolution& nearest_branch(const Robot& robot, const Eigen::VectorXd& seed,
+                                      const std::vector<FormulaSolution>& branches);
 
 // Fills status and diagnosis of a result for which no solution was found.
 void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result);

@@ -36,25 +36,33 @@ Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q) {
   return q.cwiseMax(robot.lower()).cwiseMin(robot.upper());
 }
 
+double turned_within(double angle, double near, double lower, double upper) {
+  constexpr double kTurn = 2.0 * kPi;
+  if (!(std::abs(angle - near) <= kPi)) angle = nearest_turn(angle, near);
+  // Whole turns back into the range, from whichever side it lies.
+  if (angle > upper) angle -= kTurn * std::ceil((angle - upper) / kTurn);
+  if (angle < lower) angle += kTurn * std::ceil((lower - angle) / kTurn);
+  if (angle > upper) {  // no copy lies within: the one just above or the one just below
+    const double below = angle - kTurn;
+    if (lower - below < angle - upper) angle = below;
+  }
+  return angle;
+}
+
 Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near) {
   check_size("q", q.size(), robot.n());
   check_size("q_near", q_near.size(), robot.n());
   Eigen::VectorXd wrapped = q;
   for (int i = 0; i < robot.n(); ++i) {
     if (!robot.is_revolute(i)) continue;
-    const double lower = robot.lower()[i] - 1e-9;
-    const double upper = robot.upper()[i] + 1e-9;
-    double angle = nearest_turn(q[i], q_near[i]);
-    // Whole turns back into the range, from whichever side it lies.
-    if (angle > upper) angle -= 2.0 * kPi * std::ceil((angle - upper) / (2.0 * kPi));
-    if (angle < lower) angle += 2.0 * kPi * std::ceil((lower - angle) / (2.0 * kPi));
-    if (angle > upper) {  // no copy lies within: the one just above or the one just below
-      const double below = angle - 2.0 * kPi;
-      if (lower - below < angle - upper) angle = below;
-    }
-    wrapped[i] = angle;
+    wrapped[i] = turned_within(q[i], q_near[i], robot.lower()[i] - 1e-9, robot.upper()[i] + 1e-9);
   }
   return wrapped;
+}
+
+Eigen::VectorXd limit_margins(const Robot& robot, JointsIn q) {
+  check_size("q", q.size(), robot.n());
+  return (q - robot.lower()).cwiseMin(robot.upper() - q);
 }
 
 std::string describe(const Robot& robot, const LimitViolation& violation) {

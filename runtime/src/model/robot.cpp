@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "armlet/core/error.hpp"
@@ -65,7 +66,12 @@ Eigen::VectorXd gather(const std::vector<Joint>& joints, Member member) {
 
 }  // namespace
 
-Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
+struct Robot::DerivedSlot {
+  std::once_flag once;
+  Derived value;
+};
+
+Robot::Robot(RobotSpec spec) : spec_(std::move(spec)), derived_(std::make_shared<DerivedSlot>()) {
   check_joints(spec_);
   for (Joint& joint : spec_.joints) fill_default_rates(joint);
   if (spec_.links.empty()) spec_.links.resize(spec_.joints.size());
@@ -93,6 +99,11 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
     reach_ += row_reach(joint);
   }
   length_ = std::max(length_, 0.1);
+}
+
+const void* Robot::derived(Derived (*make)(const Robot&)) const {
+  std::call_once(derived_->once, [&] { derived_->value = make(*this); });
+  return derived_->value.get();
 }
 
 Robot Robot::with_name(std::string name) const {

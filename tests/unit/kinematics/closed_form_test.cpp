@@ -41,19 +41,21 @@ struct RoundTrip {
   double worst = 0.0;
 };
 RoundTrip round_trips(const Robot& robot, int count) {
-  const ClosedForm closed(robot);
+  const ClosedForm& closed = closed_form(robot);
   const bool place_only = closed.kind() == ClosedFormKind::kShoulder;
   Random random(20);
   RoundTrip out;
-  std::vector<Eigen::VectorXd> solutions;
+  ClosedSolutions solutions;
   for (int k = 0; k < count; ++k) {
     const Eigen::VectorXd q = random_joints(robot, random);
     const Eigen::Isometry3d T = forward(robot, q);
     closed.solve(T, q, solutions);
-    const auto is_q = [&](const Eigen::VectorXd& s) { return distance(robot, q, s) < 1e-6; };
+    const auto is_q = [&](const ClosedSolution& s) {
+      return distance(robot, q, s.joints()) < 1e-6;
+    };
     out.missing += std::ranges::none_of(solutions, is_q) ? 1 : 0;
-    for (const Eigen::VectorXd& s : solutions) {
-      const Eigen::Isometry3d back = forward(robot, s);
+    for (const ClosedSolution& s : solutions) {
+      const Eigen::Isometry3d back = forward(robot, s.joints());
       out.worst = std::max(out.worst, (back.translation() - T.translation()).norm());
       if (!place_only)
         out.worst =
@@ -100,7 +102,7 @@ Robot backwards(const Robot& robot) {
 }
 
 void check_round_trips(const Robot& robot, ClosedFormKind kind, bool reversed, int count) {
-  const ClosedForm closed(robot);
+  const ClosedForm& closed = closed_form(robot);
   CHECK(closed.kind() == kind);
   CHECK(closed.reversed() == reversed);
   const RoundTrip result = round_trips(robot, count);
@@ -129,7 +131,7 @@ TEST_CASE("the arms of the catalogue are recognised, and every pose gives back i
 
 TEST_CASE("an arm of seven joints without a spherical wrist is solved with its last joint held") {
   const auto panda = make_robot("panda");
-  CHECK(ClosedForm(*panda).held_joint() == 6);
+  CHECK(closed_form(*panda).held_joint() == 6);
   check_round_trips(*panda, ClosedFormKind::kSphericalMeeting, true, 20'000);
 }
 
@@ -190,16 +192,16 @@ TEST_CASE("arms without such a structure have no closed form") {
                           {0, 0.1, 0.1, -1.2},
                           {0, 0.126, 0.02, 0.3}},
                          "RRRRRR");
-  const ClosedForm closed(skew);
+  const ClosedForm& closed = closed_form(skew);
   CHECK_FALSE(closed.exists());
-  std::vector<Eigen::VectorXd> solutions;
+  ClosedSolutions solutions;
   CHECK(closed.solve(Eigen::Isometry3d::Identity(), skew.home(), solutions) == 0);
 }
 
 TEST_CASE("a wrist on its way into the singularity keeps its pose") {
   const auto puma = make_robot("puma560");
-  const ClosedForm closed(*puma);
-  std::vector<Eigen::VectorXd> solutions;
+  const ClosedForm& closed = closed_form(*puma);
+  ClosedSolutions solutions;
   for (double turn = 1.0; turn > 1e-17; turn *= 0.1) {
     Eigen::VectorXd q(6);
     q << 0.3, 0.4, -0.7, 1.1, turn, -0.6;
@@ -207,7 +209,8 @@ TEST_CASE("a wrist on its way into the singularity keeps its pose") {
     CAPTURE(turn);
     REQUIRE(closed.solve(T, q, solutions) >= 4);
     double nearest = 10.0;
-    for (const Eigen::VectorXd& s : solutions) nearest = std::min(nearest, distance(*puma, q, s));
+    for (const ClosedSolution& s : solutions)
+      nearest = std::min(nearest, distance(*puma, q, s.joints()));
     CHECK(nearest < 1e-6);
   }
 }
@@ -215,25 +218,25 @@ TEST_CASE("a wrist on its way into the singularity keeps its pose") {
 TEST_CASE("a stretched arm is solved to all digits") {
   for (const std::string_view name : {"rrr3", "scara", "planar3"}) {
     const auto robot = make_robot(name);
-    const ClosedForm closed(*robot);
+    const ClosedForm& closed = closed_form(*robot);
     Eigen::VectorXd q = Eigen::VectorXd::Constant(robot->n(), 0.1);
     q[name == "rrr3" ? 2 : 1] = 0.0;
-    std::vector<Eigen::VectorXd> solutions;
+    ClosedSolutions solutions;
     CAPTURE(name);
     REQUIRE(closed.solve(forward(*robot, q), q, solutions) >= 1);
-    CHECK(distance(*robot, q, solutions[0]) < 1e-6);
+    CHECK(distance(*robot, q, solutions.at[0].joints()) < 1e-6);
   }
 }
 
 TEST_CASE("what is out of reach has no solution") {
-  std::vector<Eigen::VectorXd> solutions;
+  ClosedSolutions solutions;
   for (const std::string_view name :
        {"rrr3", "scara", "scorbot", "puma560", "pa10", "ur5", "panda"}) {
     const auto robot = make_robot(name);
     CAPTURE(name);
     Eigen::Isometry3d T = forward(*robot, robot->home());
     T.translation() += Eigen::Vector3d(5.0, 0.0, 0.1);
-    CHECK(ClosedForm(*robot).solve(T, robot->home(), solutions) == 0);
+    CHECK(closed_form(*robot).solve(T, robot->home(), solutions) == 0);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "armlet/core/random.hpp"
+#include "armlet/kinematics/closed_form.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
@@ -29,14 +30,14 @@ VectorXd joints(std::initializer_list<double> values) {
 }
 
 // Goals of which solve_ik misses one of the tolerances or a limit.
-int failures(const Robot& robot, int count, auto choose_goal) {
+int failures(const Robot& robot, int count, auto choose_goal, IkChoice choice = IkChoice::kFirst) {
   Random random(11);
   int failed = 0;
   for (int k = 0; k < count; ++k) {
     const VectorXd q = choose_goal(random);
     const Isometry3d goal = forward(robot, q);
     const IkResult ik =
-        solve_ik(robot, goal, {.seed = random_joints(robot, random), .choice = IkChoice::kFirst});
+        solve_ik(robot, goal, {.seed = random_joints(robot, random), .choice = choice});
     const Isometry3d reached = forward(robot, ik.q);
     const bool good = ik.ok() && within_limits(robot, ik.q) &&
                       (reached.translation() - goal.translation()).norm() < 1.001e-6 &&
@@ -46,7 +47,6 @@ int failures(const Robot& robot, int count, auto choose_goal) {
   return failed;
 }
 
-// The same arm bent the other way.
 bool contains(const std::vector<VectorXd>& solutions, const VectorXd& q) {
   for (const VectorXd& solution : solutions) {
     double worst = 0.0;
@@ -65,6 +65,134 @@ TEST_CASE("every pose that an arm takes is found again within its limits") {
     CAPTURE(name);
     const Robot robot = *make_robot(name);
     CHECK(failures(robot, 1000, [&](Random& r) { return random_joints(robot, r); }) == 0);
+  }
+}
+
+TEST_CASE("the nearest solution is found for 10,000 poses of every arm that has a closed form") {
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    if (!closed_form(robot).complete()) continue;
+    const auto any = [&](Random& r) { return random_joints(robot, r); };
+    CHECK(failures(robot, 10'000, any, IkChoice::kNearest) == 0);
+    const auto on_limits = [&](Random& r) {
+      VectorXd q = random_joints(robot, r);
+      for (int i = 0; i < robot.n(); ++i) {
+        if (r.below(2) == 0) q[i] = r.below(2) == 0 ? robot.lower()[i] : robot.upper()[i];
+      }
+      return q;
+    };
+    CHECK(failures(robot, 2'000, on_limits, IkChoice::kNearest) == 0);
+    const auto singular = [&](Random& r) {  // some joints exactly where axes line up
+      VectorXd q = random_joints(robot, r);
+      for (int i = 0; i < robot.n(); ++i) {
+        if (robot.is_revolute(i) && r.below(2) == 0) q[i] = 0.0;
+      }
+      return clamp_to_limits(robot, q);
+    };
+    CHECK(failures(robot, 2'000, singular, IkChoice::kNearest) == 0);
+  }
+}
+
+TEST_CASE("the closed form finds nearer solutions than the iterations") {
+  Random random(12);
+  for (const std::string_view name :
+       {"scara", "scorbot", "puma560", "stanford", "ur5", "pa10", "panda"}) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    double sum_formula = 0.0, sum_search = 0.0;
+    for (int k = 0; k < 60; ++k) {
+      const VectorXd seed = random_joints(robot, random);
+      const Isometry3d goal = forward(robot, random_joints(robot, random));
+      const IkResult formula = solve_ik(robot, goal, {.seed = seed});
+      const IkResult search = solve_ik(robot, goal, {.seed = seed, .method = IkMethod::kNumeric});
+      REQUIRE(formula.ok());
+      REQUIRE(search.ok());
+      const double change = (formula.q - seed).cwiseAbs().maxCoeff();
+      const double change_search = (search.q - seed).cwiseAbs().maxCoeff();
+      // Next to a singularity a pose within the tolerance may have joints that differ by 1e-4.
+      if (robot.n() <= 6) CHECK(change <= change_search + 1e-4);
+      sum_formula += change;
+      sum_search += change_search;
+    }
+    // Arm angles are tried in steps, so a few of the nearest solutions of seven joints are missed.
+    CHECK(sum_formula <= sum_search + 1e-3);
+  }
+}
+
+TEST_CASE("all branches are listed, with limits only those within") {
+  Random random(13);
+  for (const char* name : {"rrr3", "scara", "scorbot", "puma560", "stanford", "ur5", "pa10"}) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    for (int k = 0; k < 50; ++k) {
+      const VectorXd q = random_joints(robot, random);
+      const Isometry3d goal = forward(robot, q);
+      const auto within = solve_ik_all(robot, goal, {.seed = q});
+      const auto all = solve_ik_all(robot, goal, {.seed = q, .respect_limits = false});
+      REQUIRE_FALSE(within.empty());
+      CHECK((within.front() - q).cwiseAbs().maxCoeff() < 1e-5);
+      CHECK(all.size() >= within.size());
+      if (robot.n() == 6) CHECK(all.size() % 2 == 0);
+      for (const VectorXd& solution : within) CHECK(within_limits(robot, solution, 0.0));
+      for (const VectorXd& solution : all) {
+        CHECK((forward(robot, solution).matrix() - goal.matrix()).norm() < 1e-8);
+      }
+    }
+  }
+}
+
+TEST_CASE("a result names its formula, its branch and the way left to each limit") {
+  const Robot robot = make_puma560();
+  // The wrist in front of the shoulder, the elbow above the line from shoulder to wrist.
+  const VectorXd q = joints({0.1, kPi / 4, -kPi / 2, 0.2, 0.5, 0.3});
+  const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = q});
+  REQUIRE(ik.ok());
+  CHECK(ik.solver == "six joints, spherical wrist, axes 2 and 3 parallel");
+  CHECK(ik.iterations == 0);
+  CHECK(branch_name(robot, ik).find("shoulder ") == 0);
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double margin = std::min(q[i] - robot.lower()[i], robot.upper()[i] - q[i]);
+    CHECK(ik.margins[i] == doctest::Approx(margin));
+  }
+  const IkResult search =
+      solve_ik(robot, forward(robot, q), {.seed = q, .method = IkMethod::kNumeric});
+  CHECK(search.solver == "numeric");
+  CHECK(search.branch == -1);
+  CHECK(branch_name(robot, search).empty());
+}
+
+TEST_CASE("elbow up means that the elbow is above the line from shoulder to wrist") {
+  Random random(14);
+  for (const std::string_view name : {"rrr3", "scorbot", "puma560", "ur5", "pa10_6"}) {
+    CAPTURE(name);
+    const Robot standing = *make_robot(name);
+    const Robot hanging = standing.with_base(standing.T_world_base() *
+                                             make_pose(rot_x(kPi), Eigen::Vector3d::Zero()));
+    for (const Robot& robot : {standing, hanging}) {
+      for (int k = 0; k < 100; ++k) {
+        const VectorXd q = random_joints(robot, random);
+        CAPTURE(q.transpose());
+        const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = q});
+        REQUIRE(ik.ok());
+        const auto elbow_axis = [&](int i) -> Eigen::Vector3d {
+          return link_frame(robot, ik.q, i).translation();
+        };
+        // Joint 2 turns about the origin of frame 1, joint 3 about that of frame 2; the wrist is
+        // that of frame 3 or, behind a spherical wrist, of frame 4.
+        const bool spherical = name.starts_with("p");
+        const Eigen::Vector3d shoulder = elbow_axis(1), elbow = elbow_axis(2);
+        const Eigen::Vector3d wrist = elbow_axis(spherical ? 4 : 3);
+        const Eigen::Vector3d line = wrist - shoulder;
+        const Eigen::Vector3d out =
+            elbow - shoulder - line * (elbow - shoulder).dot(line) / line.squaredNorm();
+        const Eigen::Vector2d level = line.head<2>();
+        if (std::abs(out.z()) < 0.02 || level.norm() < 0.2 || std::abs(line.z()) > level.norm())
+          continue;
+        const std::string branch = branch_name(robot, ik);
+        CHECK((branch.find("elbow up") != std::string::npos) == (out.z() > 0.0));
+      }
+    }
   }
 }
 

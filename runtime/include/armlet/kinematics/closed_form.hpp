@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
-#include <vector>
 
 #include "armlet/kinematics/forward.hpp"
 
@@ -26,18 +28,44 @@ enum class ClosedFormKind {
 // "six joints, spherical wrist, axes 2 and 3 parallel"
 std::string_view to_text(ClosedFormKind kind);
 
+inline constexpr int kMaxBranches = 16;
+
+// One way of reaching a pose.
+//
+// q       the joint values, rad or m; joints that turn lie within half a turn of 0.
+// branch  which posture it is: a sum of 4 (shoulder), 2 (elbow) and 1 (wrist), each if the second
+//         of the two ways is taken. ClosedForm::branch_name says it in words.
+struct ClosedSolution {
+  std::array<double, kMaxJoints> q;
+  int n = 0;
+  int branch = 0;
+
+  Eigen::Map<const Eigen::VectorXd> joints() const { return {q.data(), n}; }
+};
+
+// All of them, in storage of its own.
+//
+// free  some joint may take any value, at a singular configuration: there are more solutions than
+//       these.
+struct ClosedSolutions {
+  std::array<ClosedSolution, kMaxBranches> at;
+  int count = 0;
+  bool free = false;
+
+  const ClosedSolution* begin() const { return at.data(); }
+  const ClosedSolution* end() const { return at.data() + count; }
+};
+
 struct CanonicalRows;
 
 // All joint configurations that bring the tool point to a pose, by formula.
 //
 // source  D. Pieper, The kinematics of manipulators under computer control, 1968; A. Elias and J.
-// Wen, IK-Geo:
-//         unified robot inverse kinematics using subproblem decomposition, Mech. Mach. Theory 209,
-//         2025.
+//         Wen, IK-Geo: unified robot inverse kinematics using subproblem decomposition, Mech. Mach.
+//         Theory 209, 2025.
 class ClosedForm {
  public:
-  // The robot must outlive it.
-  explicit ClosedForm(const Robot& robot);
+  explicit ClosedForm(const Chain& chain);
   ~ClosedForm();
   ClosedForm(ClosedForm&&) noexcept;
   ClosedForm& operator=(ClosedForm&&) noexcept;
@@ -47,29 +75,41 @@ class ClosedForm {
   bool reversed() const { return reversed_; }
   // An arm of seven joints may need one held still: the first (0) or the last (6); -1 if none.
   int held_joint() const {
-    return hold_ == Hold::kNone ? -1 : hold_ == Hold::kFirst ? 0 : robot_->n() - 1;
+    return hold_ == Hold::kNone ? -1 : hold_ == Hold::kFirst ? 0 : chain_.n - 1;
   }
+  // Only the place of the goal counts (kShoulder).
+  bool place_only() const { return kind_ == ClosedFormKind::kShoulder; }
+  // The solutions are all that there are: the arm has no joint to spare.
+  bool complete() const { return exists() && chain_.n <= 6; }
 
   // T_world_tool  the goal.
   // q_near        n joint values: where a joint may have any value (a singular configuration) it
-  // keeps this one; an
-  //               arm of seven joints keeps its arm angle or its held joint.
-  // solutions     each checked by forward kinematics to 1e-9 m and rad; joints that turn lie within
-  // half a turn of 0;
-  //               limits are not looked at.
-  // returns       how many there are; at most 16.
-  int solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
-            std::vector<Eigen::VectorXd>& solutions) const;
+  //               keeps this one; an arm of seven joints keeps its arm angle or its held joint.
+  // tolerance     largest error of a solution, m and rad, found by forward kinematics. Solutions
+  //               are made as exact as 1e-9 where the goal allows it.
+  // arm_turn      added to the arm angle or the held joint of an arm of seven joints, rad.
+  // solutions     limits are not looked at.
+  // returns       how many there are.
+  int solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near, ClosedSolutions& solutions,
+            double tolerance = 1e-9, double arm_turn = 0.0) const;
+
+  // "shoulder front, elbow up, wrist flipped"; front and up hold for arms that stand or hang, else
+  // the two ways are called + and -.
+  std::string branch_name(int branch) const;
 
  private:
   enum class Hold : unsigned char { kNone, kFirst, kLast };
   void recognise(const Chain& chain);
+  bool accept(const Eigen::Isometry3d& goal, double tolerance, ClosedSolution& solution) const;
 
+  Chain chain_;
   std::unique_ptr<CanonicalRows> rows_;
-  const Robot* robot_;
   ClosedFormKind kind_ = ClosedFormKind::kNone;
   bool reversed_ = false;
   Hold hold_ = Hold::kNone;
 };
+
+// The closed form of an arm. It is found once and kept with the arm.
+const ClosedForm& closed_form(const Robot& robot);
 
 }  // namespace armlet

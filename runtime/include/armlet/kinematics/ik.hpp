@@ -30,12 +30,18 @@ enum class IkMaskFrame { kWorld, kTool };
 //           equal within 1e-9, the one with the positive elbow.
 enum class IkChoice { kFirst, kNearest };
 
+// kAuto     the arm's closed form where it has one that answers the question (the whole pose, or
+//           the place of a three-joint arm, with kNearest), otherwise iterations.
+// kNumeric  always iterations.
+enum class IkMethod { kAuto, kNumeric };
+
 struct IkOptions {
   Eigen::VectorXd seed;  // n joint values to start from and to stay near; empty: the arm's home
   IkTask task = IkTask::kPose;
   std::array<bool, 6> mask{true, true, true, true, true, true};  // for kMasked
   IkMaskFrame mask_frame = IkMaskFrame::kWorld;
   IkChoice choice = IkChoice::kNearest;
+  IkMethod method = IkMethod::kAuto;
   double position_tolerance = 1e-6;  // m
   double rotation_tolerance = 1e-6;  // rad
   int iterations = 30;               // per start
@@ -82,9 +88,11 @@ struct IkResult {
   Eigen::VectorXd q;
   double position_error = 0.0;  // m
   double rotation_error = 0.0;  // rad
-  int iterations = 0;
+  int iterations = 0;           // 0 if a formula gave the answer
   int starts = 0;
-  std::string_view solver = "numeric";
+  std::string_view solver = "numeric";  // or the structure that the closed form goes by
+  int branch = -1;                      // of the closed form, see ClosedSolution; -1: numeric
+  Eigen::VectorXd margins;  // from each joint to its nearer limit, rad or m; below 0: beyond it
   IkDiagnosis diagnosis;
 
   bool ok() const { return status == IkStatus::kOk; }
@@ -97,10 +105,14 @@ struct IkResult {
 IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                   const IkOptions& options = {});
 
-// Distinct solutions of kPose that the solver finds, nearest to the seed first, at most `count`.
-// An arm with more than six joints has infinitely many; these are examples.
+// Distinct solutions, nearest to the seed first, at most `count`: every branch of the closed form
+// where the arm has one, otherwise those that the search finds. An arm with more than six joints
+// has infinitely many; it gives those with the arm angle of the seed, or failing that, examples.
 std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                                           const IkOptions& options = {}, int count = 16);
+
+// "elbow up, wrist flipped": the branch of a result in words; empty if no formula gave it.
+std::string branch_name(const Robot& robot, const IkResult& result);
 
 // One full sentence that says why a result is not ok, with distances, angles and joints.
 std::string explain(const Robot& robot, const Eigen::Isometry3d& T_world_tool,

@@ -32,6 +32,13 @@ Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q);
 // within the limits; a joint of which no copy lies within them keeps the copy nearest to its range.
 Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near);
 
+// An angle turned by whole turns to the copy nearest to `near` among those from lower to upper; if
+// none lies there, the copy nearest to that range.
+double turned_within(double angle, double near, double lower, double upper);
+
+// From each joint to the nearer of its limits, rad or m; below 0 outside.
+Eigen::VectorXd limit_margins(const Robot& robot, JointsIn q);
+
 // "joint 2 would turn to 152 deg; its range is -145 deg to 145 deg"
 std::string describe(const Robot& robot, const LimitViolation& violation);
 

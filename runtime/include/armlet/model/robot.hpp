@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +72,12 @@ class Robot {
   const Chain& chain() const { return chain_; }
   const WalkPlan& walk_plan() const { return walk_plan_; }
 
+  // What another layer works out once for this arm and keeps with it, such as its closed form.
+  // `make` runs at the first call, in whichever thread comes first; copies of the robot share the
+  // result. All calls must give the same `make`.
+  using Derived = std::shared_ptr<const void>;
+  const void* derived(Derived (*make)(const Robot&)) const;
+
   // Copies with one thing changed. with_tool puts the tool point at the hand's length along the
   // flange's z axis; with_tool_point moves the point and keeps the hand.
   Robot with_name(std::string name) const;
@@ -88,6 +95,8 @@ class Robot {
   Eigen::VectorXd lower_, upper_, max_speed_, max_accel_, max_jerk_;
   double length_ = 0.0;
   double reach_ = 0.0;
+  struct DerivedSlot;
+  std::shared_ptr<DerivedSlot> derived_;  // shared by copies, which are the same arm
 };
 
 // Joints from a table with one row theta, d, a, alpha per joint (rad, m) and a word such as "RRPR".

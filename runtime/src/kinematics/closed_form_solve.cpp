@@ -1,0 +1,165 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "../math/det_kernels.hpp"
+#include "armlet/kinematics/closed_form.hpp"
+#include "armlet/math/angles.hpp"
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/rotation.hpp"
+#include "armlet/math/twist.hpp"
+#include "closed_form_families.hpp"
+#include "walk.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr double kVerified = 1e-9;  // m and rad
+constexpr double kImproved = 1e-4;  // an error that rounding next to a singularity can make
+constexpr double kSameAngle = 1e-6;
+
+FamilySolver solver_of(ClosedFormKind kind) {
+  switch (kind) {
+    case ClosedFormKind::kNone:
+      break;
+    case ClosedFormKind::kPlane:
+      return solve_plane;
+    case ClosedFormKind::kScara:
+      return solve_scara;
+    case ClosedFormKind::kShoulder:
+      return solve_shoulder;
+    case ClosedFormKind::kPlanarArmTwist:
+      return solve_planar_arm_twist;
+    case ClosedFormKind::kSphericalParallel:
+    case ClosedFormKind::kSphericalMeeting:
+      return solve_spherical_wrist;
+    case ClosedFormKind::kThreeParallel:
+      return solve_three_parallel;
+    case ClosedFormKind::kShoulderElbowWrist:
+      return solve_shoulder_elbow_wrist;
+  }
+  return nullptr;
+}
+
+// Into (-pi, pi], for angles within two turns of 0.
+double wrapped(double angle) {
+  if (angle > kPi) return angle - 2.0 * kPi;
+  return angle <= -kPi ? angle + 2.0 * kPi : angle;
+}
+
+std::size_t joint_of(const CanonicalRows& rows, std::size_t i) {
+  return rows.reversed ? static_cast<std::size_t>(rows.n) - 1 - i : i;
+}
+
+Branch branch_of(const CanonicalRows& rows, const double* q) {
+  Branch out;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
+    const double x = rows.sign[i] * (q[joint_of(rows, i)] + rows.offset[i]);
+    if (rows.revolute[i]) {
+      const det::SinCos turn = det::sincos_inline(x);
+      out.phi[i] = {turn.cos, turn.sin};
+    } else {
+      out.phi[i] = rows.phi[i];
+      out.height[i] = x;
+    }
+  }
+  return out;
+}
+
+void joints_of(const CanonicalRows& rows, const Branch& branch, double* q) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
+    const double x =
+        rows.revolute[i] ? det::atan2(branch.phi[i].s, branch.phi[i].c) : branch.height[i];
+    const double value = rows.sign[i] * x - rows.offset[i];
+    q[joint_of(rows, i)] = rows.revolute[i] ? wrap_angle(value) : value;
+  }
+}
+
+bool is_same(const Chain& chain, const ClosedSolution& a, const ClosedSolution& b) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(chain.n); ++i) {
+    const double change = a.q[i] - b.q[i];
+    if (std::abs(chain.revolute[i] ? wrapped(change) : change) > kSameAngle) return false;
+  }
+  return true;
+}
+
+// The rotation vector from one orientation to another, for small angles; long for large ones.
+Eigen::Vector3d small_turn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& R_goal) {
+  if (R.cwiseProduct(R_goal).sum() < 1.0) return {kPi, 0.0, 0.0};
+  Eigen::Vector3d sum = R.col(0).cross(R_goal.col(0));
+  sum += R.col(1).cross(R_goal.col(1));
+  sum += R.col(2).cross(R_goal.col(2));
+  return 0.5 * sum;
+}
+
+}  // namespace
+
+// Whether a solution is right; one that is nearly right, next to a singularity, is improved first.
+bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
+                        ClosedSolution& solution) const {
+  const std::size_t n = static_cast<std::size_t>(chain_.n);
+  double miss = INFINITY;
+  for (int round = 0; round < 4; ++round) {
+    std::array<Vec3, kMaxJoints> axis, point;
+    Frame tool = walk(chain_, solution.q.data(), [&](std::size_t i, const Frame& f) {
+      axis[i] = f.z;
+      point[i] = f.p;
+    });
+    tool.step(chain_.T_flange_tool);
+    Vector6d e;
+    e << goal.translation() - tool.p.to_eigen(), small_turn(tool.rotation(), goal.linear());
+    if (place_only()) e.tail<3>().setZero();
+    miss = std::fmax(e.head<3>().norm(), e.tail<3>().norm());
+    if (!(miss > std::fmin(kVerified, tolerance))) return std::isfinite(miss);
+    if (miss > kImproved) return false;
+    Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> J(6, chain_.n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3 v = chain_.revolute[i] ? cross(axis[i], tool.p - point[i]) : axis[i];
+      const Vec3 w = place_only() ? 0.0 * axis[i] : chain_.turns[i] * axis[i];
+      J.col(static_cast<Eigen::Index>(i)) << v.to_eigen(), w.to_eigen();
+    }
+    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;
+    Square H = J.transpose() * J;
+    H.diagonal().array() += 1e-3 * miss;
+    Eigen::Map<Eigen::VectorXd>(solution.q.data(), chain_.n) += H.ldlt().solve(J.transpose() * e);
+  }
+  return miss <= tolerance;
+}
+
+int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
+                      ClosedSolutions& solutions, double tolerance, double arm_turn) const {
+  solutions.count = 0;
+  solutions.free = false;
+  if (!exists()) return 0;
+  const int n = chain_.n;
+  const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
+  const CanonicalRows* rows = rows_.get();
+  CanonicalRows of_held;
+  ClosedSolution start;
+  start.n = n;
+  std::copy(q_near.data(), q_near.data() + n, start.q.begin());
+  if (hold_ != Hold::kNone) {
+    double& held = start.q[static_cast<std::size_t>(held_joint())];
+    held += arm_turn;
+    of_held = canonical_rows(with_held_joint(chain_, first == 1, held), reversed_);
+    rows = &of_held;
+  }
+  Branches branches;
+  branches.arm_turn = arm_turn;
+  solver_of(kind_)(*rows, rows->goal(T_world_tool), branch_of(*rows, start.q.data() + first),
+                   branches);
+  solutions.free = branches.free;
+  for (int i = 0; i < branches.count; ++i) {
+    const Branch& branch = branches.at[static_cast<std::size_t>(i)];
+    ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
+    solution = start;
+    solution.branch = branch.ways;
+    joints_of(*rows, branch, solution.q.data() + first);
+    if (!accept(T_world_tool, tolerance, solution)) continue;
+    const auto same = [&](const ClosedSolution& other) { return is_same(chain_, solution, other); };
+    if (std::none_of(solutions.begin(), solutions.end(), same)) ++solutions.count;
+  }
+  return solutions.count;
+}
+
+}  // namespace armlet

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "armlet/kinematics/closed_form.hpp"
+#include "ik_numeric.hpp"
+
+namespace armlet {
+
+// What the formula says about a goal. kSilent: the arm has none, or it cannot tell; kNone: there is
+// no solution.
+enum class FormulaAnswer { kSilent, kFound, kNone };
+
+// A solution of the closed form that meets the goal's tolerances and the limits asked for, each
+// turning joint at the copy nearest to the seed.
+struct FormulaSolution {
+  JointArray q{};
+  int branch = 0;
+};
+
+// Whether the closed form of the arm answers questions of this kind.
+bool formula_applies(const Robot& robot, const IkGoal& goal, const IkOptions& options);
+
+// All of them, in the order of the formula; the seed decides what the goal leaves open.
+//
+// arm_turn  turns the arm angle of an arm of seven joints away from the seed's.
+FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                               std::vector<FormulaSolution>& solutions, double arm_turn = 0.0);
+
+// The same for an arm of seven joints at the first arm angle, counted from the seed's, where there
+// are any.
+std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkGoal& goal,
+                                                   const IkOptions& options);
+
+// Of all arm angles the solution nearest to the seed.
+std::optional<FormulaSolution> nearest_over_arm_angles(const Robot& robot, const IkGoal& goal,
+                                                       const IkOptions& options);
+
+}  // namespace armlet
