@@ -166,7 +166,7 @@ Json joint_json(const Joint& joint) {
 // SI throughout; angles in rad.
 std::string robot_json(const Robot& robot) {
   const Reach reach = find_reach(robot);
-  const ClosedForm form(robot);
+  const ClosedForm& form = closed_form(robot);
   Json joints = Json::array();
   for (int i = 0; i < robot.n(); ++i) joints.push_back(joint_json(robot.joint(i)));
   const bool standard = robot.spec().convention == DhConvention::kStandard;

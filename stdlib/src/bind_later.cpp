@@ -56,7 +56,6 @@ constexpr NativeFunction kFunctions[] = {
     later_motion("closeHand", "(h: robot, force: force?)"),
     later_motion("openHand", "(h: robot)"),
     // kinematics and dynamics
-    later("ikineAll", "(r: robot, p: posC, limits: bool = true) -> posJ[]"),
     later("setPayload", "(r: robot, m: mass, at: posC?)"),
     later("torques", "(r: robot) -> double[]"),
     later("invDyn", "(r: robot, q: posJ, qd: posJ, qdd: posJ) -> double[]"),

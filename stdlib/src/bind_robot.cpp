@@ -152,6 +152,22 @@ Signal ikine(Vm& vm, Slot* args) {
   return give(args, new_posj(vm, make_posj(*robot.model, *q)));
 }
 
+// (r, p, limits)
+Signal ikine_all(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  const PosC& target = posc(args[1]);
+  std::vector<PosJ> list;
+  if (const auto task = task_of(*robot.model, target)) {
+    IkOptions options;
+    options.seed = robot.q;
+    options.task = *task;
+    options.respect_limits = args[2].i != 0;
+    for (const Eigen::VectorXd& q : solve_ik_all(*robot.model, target.T, options))
+      list.push_back(make_posj(*robot.model, q));
+  }
+  return give_objects<PosJ>(vm, args, list, new_posj);
+}
+
 Signal reachable(Vm& vm, Slot* args) {
   const CellRobot& robot = state_of(vm, args[0]);
   const PosC& target = posc(args[1]);
@@ -260,6 +276,12 @@ constexpr NativeFunction kFunctions[] = {
     {"ikine", "(r: robot, p: posC, near: posJ?) -> posJ",
      "Joint values that bring the tool point to p, the ones nearest to `near` (the present ones).",
      "ikine(here())", ikine},
+    {"ikineAll", "(r: robot, p: posC, limits: bool = true) -> posJ[]",
+     "All joint values that bring the tool point to p, the nearest to the present ones first: "
+     "every "
+     "branch of an arm with a closed form; limits: false lists those beyond the joint limits too. "
+     "An empty list if there are none. A place without orientation keeps the present one.",
+     "ikineAll(here())", ikine_all},
     {"reachable", "(r: robot, p: posC) -> bool",
      "Whether the tool point can get to p within the joint limits.", "reachable(xyz(1m, 0m, 0m))",
      reachable},
