@@ -16,7 +16,7 @@ constexpr NativeConstant kConstants[] = {
 
 // Names of the language reference without even a signature yet.
 constexpr std::string_view kPlanned[] = {"robots.arm7", "urdf", "simulate", "mesh", "touching",
-                                         "table", "explain", "lab",
+                                         "table", "lab",
                                          // settings of with
                                          "with.collisions"};
 

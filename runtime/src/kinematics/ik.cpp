@@ -27,37 +27,6 @@ double turn_about_z(const Eigen::Matrix3d& R) {
   return det::atan2(-R(0, 1), R(1, 1));
 }
 
-IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
-                 const IkOptions& options) {
-  IkGoal goal;
-  goal.p = T_world_tool.translation();
-  goal.R = T_world_tool.linear();
-  goal.position_tolerance = options.position_tolerance;
-  goal.rotation_tolerance = options.rotation_tolerance;
-  switch (options.task) {
-    case IkTask::kPose:
-      break;
-    case IkTask::kPosition:
-      goal.weights.tail<3>().setZero();
-      break;
-    case IkTask::kPlace:
-      goal.R = forward(robot, options.seed).linear();
-      break;
-    case IkTask::kTurn: {
-      const Eigen::Matrix3d R_seed = forward(robot, options.seed).linear();
-      goal.R = rot_z(turn_about_z(goal.R) - turn_about_z(R_seed)) * R_seed;
-      break;
-    }
-    case IkTask::kMasked:
-      for (std::size_t i = 0; i < 6; ++i) {
-        goal.weights[static_cast<Eigen::Index>(i)] = options.mask[i] ? 1.0 : 0.0;
-      }
-      goal.in_tool_axes = options.mask_frame == IkMaskFrame::kTool;
-      break;
-  }
-  return goal;
-}
-
 // The status of a question that cannot be asked, or kOk.
 IkStatus check_question(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                         const IkOptions& options) {
@@ -198,6 +167,37 @@ bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options
 }
 
 }  // namespace
+
+IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                 const IkOptions& options) {
+  IkGoal goal;
+  goal.p = T_world_tool.translation();
+  goal.R = T_world_tool.linear();
+  goal.position_tolerance = options.position_tolerance;
+  goal.rotation_tolerance = options.rotation_tolerance;
+  switch (options.task) {
+    case IkTask::kPose:
+      break;
+    case IkTask::kPosition:
+      goal.weights.tail<3>().setZero();
+      break;
+    case IkTask::kPlace:
+      goal.R = forward(robot, options.seed).linear();
+      break;
+    case IkTask::kTurn: {
+      const Eigen::Matrix3d R_seed = forward(robot, options.seed).linear();
+      goal.R = rot_z(turn_about_z(goal.R) - turn_about_z(R_seed)) * R_seed;
+      break;
+    }
+    case IkTask::kMasked:
+      for (std::size_t i = 0; i < 6; ++i) {
+        goal.weights[static_cast<Eigen::Index>(i)] = options.mask[i] ? 1.0 : 0.0;
+      }
+      goal.in_tool_axes = options.mask_frame == IkMaskFrame::kTool;
+      break;
+  }
+  return goal;
+}
 
 std::string_view to_text(IkStatus status) {
   switch (status) {
