@@ -4,6 +4,7 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/ik.hpp"
+#include "armlet/kinematics/ik_report.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/kinematics/manipulability.hpp"
 #include "armlet/stdlib/host.hpp"
@@ -168,6 +169,34 @@ Signal ikine_all(Vm& vm, Slot* args) {
   return give_objects<PosJ>(vm, args, list, new_posj);
 }
 
+// (r, p)
+Signal explain_place(Vm& vm, Slot* args) {
+  const CellRobot& robot = state_of(vm, args[0]);
+  const PosC& target = posc(args[1]);
+  const auto task = task_of(*robot.model, target);
+  if (!task) {
+    return give(args, new_text(vm, fmt::format("{}: its tool always points straight up or down, "
+                                               "and this position is tilted",
+                                               robot.name)));
+  }
+  IkOptions options;
+  options.seed = robot.q;
+  options.task = *task;
+  const IkReport report = report_ik(*robot.model, target.T, options);
+  return give(args, new_text(vm, to_text(*robot.model, target.T, report)));
+}
+// (r, q): how the place of these joint values is solved, seen from them.
+Signal explain_joints(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  const auto q = joint_argument(vm, robot, args[1], false, 1);
+  if (!q) return Signal::kFail;
+  const Eigen::Isometry3d T_world_tool = forward(robot, *q);
+  IkOptions options;
+  options.seed = *q;
+  return give(args,
+              new_text(vm, to_text(robot, T_world_tool, report_ik(robot, T_world_tool, options))));
+}
+
 Signal reachable(Vm& vm, Slot* args) {
   const CellRobot& robot = state_of(vm, args[0]);
   const PosC& target = posc(args[1]);
@@ -282,6 +311,14 @@ constexpr NativeFunction kFunctions[] = {
      "branch of an arm with a closed form; limits: false lists those beyond the joint limits too. "
      "An empty list if there are none. A place without orientation keeps the present one.",
      "ikineAll(here())", ikine_all},
+    {"explain", "(r: robot, q: posJ) -> string",
+     "How inverse kinematics comes to these joint values: the solver and why, every branch with "
+     "what rules it out.",
+     "print(explain(ikine(here())))", explain_joints},
+    {"explain", "(r: robot, p: posC) -> string",
+     "How inverse kinematics solves p, or why it cannot: the solver, every branch with what rules "
+     "it out, the reason in millimetres and degrees.",
+     "print(explain(xyz(1m, 0m, 0m)))", explain_place},
     {"reachable", "(r: robot, p: posC) -> bool",
      "Whether the tool point can get to p within the joint limits.", "reachable(xyz(1m, 0m, 0m))",
      reachable},

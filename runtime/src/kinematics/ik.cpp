@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kNearestStarts = 32;   // after the first solution
 constexpr int kNearestWanted = 16;   // distinct solutions
-constexpr double kNearEnough = 0.1;  // rad or m: nearer solutions need not be looked for
 constexpr int kKeepStarts = 20;      // to find out whether an orientation can be kept
 constexpr double kPlaceFirst = 100;  // weight of position while orientation changes least
 
@@ -25,37 +24,6 @@ constexpr double kPlaceFirst = 100;  // weight of position while orientation cha
 double turn_about_z(const Eigen::Matrix3d& R) {
   if (det::hypot(R(0, 0), R(1, 0)) > 1e-9) return det::atan2(R(1, 0), R(0, 0));
   return det::atan2(-R(0, 1), R(1, 1));
-}
-
-IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
-                 const IkOptions& options) {
-  IkGoal goal;
-  goal.p = T_world_tool.translation();
-  goal.R = T_world_tool.linear();
-  goal.position_tolerance = options.position_tolerance;
-  goal.rotation_tolerance = options.rotation_tolerance;
-  switch (options.task) {
-    case IkTask::kPose:
-      break;
-    case IkTask::kPosition:
-      goal.weights.tail<3>().setZero();
-      break;
-    case IkTask::kPlace:
-      goal.R = forward(robot, options.seed).linear();
-      break;
-    case IkTask::kTurn: {
-      const Eigen::Matrix3d R_seed = forward(robot, options.seed).linear();
-      goal.R = rot_z(turn_about_z(goal.R) - turn_about_z(R_seed)) * R_seed;
-      break;
-    }
-    case IkTask::kMasked:
-      for (std::size_t i = 0; i < 6; ++i) {
-        goal.weights[static_cast<Eigen::Index>(i)] = options.mask[i] ? 1.0 : 0.0;
-      }
-      goal.in_tool_axes = options.mask_frame == IkMaskFrame::kTool;
-      break;
-  }
-  return goal;
 }
 
 // The status of a question that cannot be asked, or kOk.
@@ -85,7 +53,8 @@ void take_branch(const Robot& robot, const IkGoal& goal, const FormulaSolution& 
   result.branch = solution.branch;
 }
 
-// The nearest branch of the closed form.
+// The nearest branch of the closed form. An arm with joints to spare is left to the search: its
+// formula gives the branches at one arm angle only.
 FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                            IkResult& result) {
   if (options.choice != IkChoice::kNearest || robot.n() > 6 ||
@@ -96,31 +65,6 @@ FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptio
   if (answer == FormulaAnswer::kFound)
     take_branch(robot, goal, nearest_branch(robot, options.seed, solutions), result);
   return answer;
-}
-
-// An arm of seven joints: where the iterations lead from the seed, or the nearest branch over all
-// arm angles.
-bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                    IkResult& result) {
-  if (options.choice != IkChoice::kNearest || robot.n() != 7 ||
-      !formula_applies(robot, goal, options))
-    return false;
-  IkOptions once = options;
-  once.starts = 1;
-  const IkSearch search = search_ik(robot, goal, once, 1, 0);
-  result.iterations += search.iterations;
-  result.starts += search.starts;
-  const bool found = !search.solutions.empty();
-  const double change = found ? largest_change(search.solutions.front(), options.seed) : INFINITY;
-  if (change > kNearEnough) {
-    const auto nearest = nearest_over_arm_angles(robot, goal, options);
-    if (nearest && largest_change(to_vector(nearest->q, robot.n()), options.seed) < change) {
-      take_branch(robot, goal, *nearest, result);
-      return true;
-    }
-  }
-  if (found) take_solution(robot, goal, search.solutions.front(), result);
-  return found;
 }
 
 // By formula or by search: takes the first or the nearest solution. False if there is none.
@@ -135,7 +79,6 @@ bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& option
     case FormulaAnswer::kSilent:
       break;
   }
-  if (redundant_into(robot, goal, options, result)) return true;
   const bool nearest = options.choice == IkChoice::kNearest;
   IkSearch search =
       search_ik(robot, goal, options, nearest ? kNearestWanted : 1, nearest ? kNearestStarts : 0);
@@ -198,6 +141,37 @@ bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options
 }
 
 }  // namespace
+
+IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                 const IkOptions& options) {
+  IkGoal goal;
+  goal.p = T_world_tool.translation();
+  goal.R = T_world_tool.linear();
+  goal.position_tolerance = options.position_tolerance;
+  goal.rotation_tolerance = options.rotation_tolerance;
+  switch (options.task) {
+    case IkTask::kPose:
+      break;
+    case IkTask::kPosition:
+      goal.weights.tail<3>().setZero();
+      break;
+    case IkTask::kPlace:
+      goal.R = forward(robot, options.seed).linear();
+      break;
+    case IkTask::kTurn: {
+      const Eigen::Matrix3d R_seed = forward(robot, options.seed).linear();
+      goal.R = rot_z(turn_about_z(goal.R) - turn_about_z(R_seed)) * R_seed;
+      break;
+    }
+    case IkTask::kMasked:
+      for (std::size_t i = 0; i < 6; ++i) {
+        goal.weights[static_cast<Eigen::Index>(i)] = options.mask[i] ? 1.0 : 0.0;
+      }
+      goal.in_tool_axes = options.mask_frame == IkMaskFrame::kTool;
+      break;
+  }
+  return goal;
+}
 
 std::string_view to_text(IkStatus status) {
   switch (status) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "armlet/kinematics/closed_form.hpp"
 #include "ik_numeric.hpp"
 
@@ -31,9 +29,5 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
 // are any.
 std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkGoal& goal,
                                                    const IkOptions& options);
-
-// Of all arm angles the solution nearest to the seed.
-std::optional<FormulaSolution> nearest_over_arm_angles(const Robot& robot, const IkGoal& goal,
-                                                       const IkOptions& options);
 
 }  // namespace armlet

@@ -4,6 +4,10 @@
 
 namespace armlet {
 
+// What the iterations aim at to answer a question.
+IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                 const IkOptions& options);
+
 // What the restarts found.
 struct IkSearch {
   std::vector<Eigen::VectorXd> solutions;  // distinct, in the order in which they were found

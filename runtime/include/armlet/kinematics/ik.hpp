@@ -30,8 +30,8 @@ enum class IkMaskFrame { kWorld, kTool };
 //           equal within 1e-9, the one with the positive elbow.
 enum class IkChoice { kFirst, kNearest };
 
-// kAuto     the arm's closed form where it has one that answers the question (the whole pose, or
-//           the place of a three-joint arm, with kNearest), otherwise iterations.
+// kAuto     the closed form of an arm with six joints at most where it answers the question (the
+//           whole pose, or the place of a three-joint arm, with kNearest), otherwise iterations.
 // kNumeric  always iterations.
 enum class IkMethod { kAuto, kNumeric };
 

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "armlet/kinematics/jacobian.hpp"
+
+namespace armlet {
+
+// The motion that a task leaves free: an arm with more joints than its task has rows can move
+// without moving the tool, and may use that to keep a good posture.
+
+// What makes a posture good. kMidRange: joints in the middle of their ranges; kManipulability: far
+// from singularities.
+enum class Posture { kMidRange, kManipulability };
+
+// The value of a posture, larger is better: -1/(2n) sum ((q - middle) / range)^2 or Yoshikawa's
+// measure; and its gradient.
+//
+// source  A. Liegeois, Automatic supervisory control of the configuration and behavior of
+//         multibody mechanisms, IEEE Trans. SMC 7(12), 1977.
+double posture_value(const Robot& robot, JointsIn q, Posture posture);
+Eigen::VectorXd posture_gradient(const Robot& robot, JointsIn q, Posture posture);
+
+// The rows of the motion [v; w] of the tool point that matter, in world or tool axes.
+struct TaskRows {
+  std::array<bool, 6> counts{true, true, true, true, true, true};
+  JacobianFrame axes = JacobianFrame::kWorld;
+};
+
+// I - V_r V_r^T: takes joint speeds to the nearest ones that do not move the tool. The rank is
+// decided by the singular values, so that no motion leaks into the task next to a singularity.
+Eigen::MatrixXd null_space_projector(const Robot& robot, JointsIn q, const TaskRows& rows = {});
+
+// One step of self-motion: q + dt P qd, then one Newton step that takes back what the tool drifted
+// from T_world_tool.
+Eigen::VectorXd self_motion_step(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                                 JointsIn q, JointsIn qd, double dt, const TaskRows& rows = {});
+
+// Moves the arm within its limits to a better posture, the tool standing still in the rows that
+// count.
+//
+// q        joint values within the limits.
+// returns  joint values whose posture is at least as good.
+Eigen::VectorXd improve_posture(const Robot& robot, JointsIn q, Posture posture,
+                                const TaskRows& rows = {}, int steps = 200);
+
+// Joint speeds that move the tool by a twist and are as near as possible to wished ones, within
+// bounds: a joint that would exceed its bound is held there and the others make up for it.
+//
+// lower, upper  bounds of the speeds, n values.
+// reached       whether the twist is attained; otherwise the bounds leave too little freedom.
+// saturated     the joints held at a bound, from 0.
+// source  F. Flacco, A. De Luca, O. Khatib, Motion control of redundant robots under joint
+//         constraints: saturation in the null space, ICRA 2012.
+struct BoundedSpeeds {
+  Eigen::VectorXd qd;
+  bool reached = true;
+  std::vector<int> saturated;
+};
+BoundedSpeeds bounded_joint_speeds(const Robot& robot, JointsIn q, const Vector6d& twist,
+                                   JointsIn qd_wished, JointsIn lower, JointsIn upper,
+                                   const TaskRows& rows = {});
+
+}  // namespace armlet

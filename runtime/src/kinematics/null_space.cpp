@@ -1,0 +1,196 @@
+#include "armlet/kinematics/null_space.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "armlet/kinematics/limits.hpp"
+#include "armlet/kinematics/manipulability.hpp"
+#include "armlet/math/rotation.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kRank = 1e-9;        // of the largest singular value
+constexpr double kDifference = 1e-5;  // step of central differences, rad or m
+constexpr double kLargestStep = 0.1;  // rad or m, of one step towards a better posture
+constexpr double kSmallestStep = 1e-7;
+constexpr double kDrift = 1e-9;  // m and rad that a posture may move the tool by
+
+MatrixXd selected(const MatrixXd& all, const TaskRows& rows) {
+  MatrixXd out(std::count(rows.counts.begin(), rows.counts.end(), true), all.cols());
+  Eigen::Index next = 0;
+  for (std::size_t r = 0; r < 6; ++r) {
+    if (rows.counts[r]) out.row(next++) = all.row(static_cast<Eigen::Index>(r));
+  }
+  return out;
+}
+
+MatrixXd task_jacobian(const Robot& robot, JointsIn q, const TaskRows& rows) {
+  return selected(jacobian(robot, q, rows.axes), rows);
+}
+
+// What the tool has drifted from the pose, in the rows that count.
+VectorXd task_error(const Robot& robot, const Eigen::Isometry3d& T_world_tool, JointsIn q,
+                    const TaskRows& rows) {
+  const Eigen::Isometry3d T = forward(robot, q);
+  Vector6d e;
+  e << T_world_tool.translation() - T.translation(),
+      rotation_log(T_world_tool.linear() * T.linear().transpose());
+  if (rows.axes == JacobianFrame::kTool) e = rotate_twist(T.linear().transpose(), e);
+  if (rows.axes == JacobianFrame::kBase)
+    e = rotate_twist(robot.T_world_base().linear().transpose(), e);
+  return selected(e, rows);
+}
+
+Eigen::JacobiSVD<MatrixXd> decompose(const MatrixXd& J) {
+  Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(kRank);
+  return svd;
+}
+
+// I - V_r V_r^T
+MatrixXd projector(const MatrixXd& J) {
+  const auto svd = decompose(J);
+  const MatrixXd V = svd.matrixV().leftCols(svd.rank());
+  return MatrixXd::Identity(J.cols(), J.cols()) - V * V.transpose();
+}
+
+// The step with the tool brought back to where it was. Empty if it does not get there, or ends
+// beyond a limit.
+VectorXd kept_in_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool, VectorXd q,
+                       const std::vector<bool>& held, const TaskRows& rows) {
+  for (int round = 0; round < 5; ++round) {
+    const VectorXd e = task_error(robot, T_world_tool, q, rows);
+    if (e.size() == 0 || e.cwiseAbs().maxCoeff() < 1e-12) break;
+    MatrixXd J = task_jacobian(robot, q, rows);
+    for (int i = 0; i < robot.n(); ++i) {
+      if (held[static_cast<std::size_t>(i)]) J.col(i).setZero();
+    }
+    q += decompose(J).solve(e);
+  }
+  const VectorXd e = task_error(robot, T_world_tool, q, rows);
+  const bool moved = e.size() > 0 && e.cwiseAbs().maxCoeff() > kDrift;
+  return moved || !within_limits(robot, q, 0.0) ? VectorXd() : q;
+}
+
+}  // namespace
+
+double posture_value(const Robot& robot, JointsIn q, Posture posture) {
+  check_size("q", q.size(), robot.n());
+  if (posture == Posture::kManipulability) return manipulability(robot, q);
+  const VectorXd range = robot.upper() - robot.lower();
+  const VectorXd middle = 0.5 * (robot.upper() + robot.lower());
+  return -0.5 * (q - middle).cwiseQuotient(range).squaredNorm() / robot.n();
+}
+
+VectorXd posture_gradient(const Robot& robot, JointsIn q, Posture posture) {
+  check_size("q", q.size(), robot.n());
+  if (posture == Posture::kMidRange) {
+    const VectorXd range = robot.upper() - robot.lower();
+    const VectorXd middle = 0.5 * (robot.upper() + robot.lower());
+    return -(q - middle).cwiseQuotient(range.cwiseAbs2()) / robot.n();
+  }
+  VectorXd gradient(robot.n());
+  VectorXd shifted = q;
+  for (int i = 0; i < robot.n(); ++i) {
+    shifted[i] = q[i] + kDifference;
+    const double above = manipulability(robot, shifted);
+    shifted[i] = q[i] - kDifference;
+    gradient[i] = (above - manipulability(robot, shifted)) / (2.0 * kDifference);
+    shifted[i] = q[i];
+  }
+  return gradient;
+}
+
+MatrixXd null_space_projector(const Robot& robot, JointsIn q, const TaskRows& rows) {
+  return projector(task_jacobian(robot, q, rows));
+}
+
+VectorXd self_motion_step(const Robot& robot, const Eigen::Isometry3d& T_world_tool, JointsIn q,
+                          JointsIn qd, double dt, const TaskRows& rows) {
+  check_size("qd", qd.size(), robot.n());
+  VectorXd next = q + dt * (null_space_projector(robot, q, rows) * qd);
+  next += decompose(task_jacobian(robot, next, rows))
+              .solve(task_error(robot, T_world_tool, next, rows));
+  return next;
+}
+
+VectorXd improve_posture(const Robot& robot, JointsIn q_start, Posture posture,
+                         const TaskRows& rows, int steps) {
+  check_size("q", q_start.size(), robot.n());
+  const Eigen::Isometry3d T_world_tool = forward(robot, q_start);
+  VectorXd q = q_start;
+  double value = posture_value(robot, q, posture);
+  double length = kLargestStep;
+  for (int step = 0; step < steps && length > kSmallestStep; ++step) {
+    // Joints at a limit that the step would push outwards stay there.
+    std::vector<bool> held(static_cast<std::size_t>(robot.n()), false);
+    MatrixXd J = task_jacobian(robot, q, rows);
+    VectorXd gradient = posture_gradient(robot, q, posture);
+    VectorXd way;
+    for (bool again = true; again;) {
+      again = false;
+      way = projector(J) * gradient;
+      for (int i = 0; i < robot.n(); ++i) {
+        const bool outwards = (way[i] > 0.0 && q[i] >= robot.upper()[i] - kDrift) ||
+                              (way[i] < 0.0 && q[i] <= robot.lower()[i] + kDrift);
+        if (!outwards || held[static_cast<std::size_t>(i)]) continue;
+        held[static_cast<std::size_t>(i)] = again = true;
+        J.col(i).setZero();
+        gradient[i] = 0.0;
+      }
+    }
+    const double largest = way.cwiseAbs().maxCoeff();
+    if (largest < 1e-9) break;
+    const VectorXd next =
+        kept_in_place(robot, T_world_tool, q + way * (length / largest), held, rows);
+    const double next_value = next.size() > 0 ? posture_value(robot, next, posture) : -INFINITY;
+    if (next_value > value) {
+      q = next;
+      value = next_value;
+      length = std::min(1.5 * length, kLargestStep);
+    } else {
+      length *= 0.5;
+    }
+  }
+  return q;
+}
+
+BoundedSpeeds bounded_joint_speeds(const Robot& robot, JointsIn q, const Vector6d& twist,
+                                   JointsIn qd_wished, JointsIn lower, JointsIn upper,
+                                   const TaskRows& rows) {
+  check_size("qd_wished", qd_wished.size(), robot.n());
+  check_size("lower", lower.size(), robot.n());
+  check_size("upper", upper.size(), robot.n());
+  const MatrixXd J = task_jacobian(robot, q, rows);
+  const VectorXd v = selected(twist, rows);
+  MatrixXd J_free = J;
+  VectorXd start = qd_wished;
+  BoundedSpeeds out;
+  for (int round = 0; round <= robot.n(); ++round) {
+    out.qd = start + decompose(J_free).solve(v - J * start);
+    int worst = -1;
+    double excess = 1e-12;
+    for (int i = 0; i < robot.n(); ++i) {
+      const double over = std::max(out.qd[i] - upper[i], lower[i] - out.qd[i]);
+      if (over > excess) {
+        excess = over;
+        worst = i;
+      }
+    }
+    if (worst < 0) break;
+    start[worst] = std::clamp(out.qd[worst], lower[worst], upper[worst]);
+    J_free.col(worst).setZero();
+    out.saturated.push_back(worst);
+  }
+  out.qd = out.qd.cwiseMax(lower).cwiseMin(upper);
+  out.reached = v.size() == 0 || (J * out.qd - v).cwiseAbs().maxCoeff() < 1e-9;
+  return out;
+}
+
+}  // namespace armlet

@@ -1,0 +1,169 @@
+// Why there is no solution: each case is constructed so that the true answer is known.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/ik.hpp"
+#include "armlet/math/angles.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+#include "armlet/model/catalog.hpp"
+
+using namespace armlet;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+VectorXd random_joints(const Robot& robot, Random& random) {
+  VectorXd q(robot.n());
+  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
+  return q;
+}
+
+// The arm with every turning joint free to make a full turn.
+Robot without_stops(const Robot& robot) {
+  RobotSpec spec = robot.spec();
+  for (Joint& joint : spec.joints) {
+    if (!joint.is_revolute()) continue;
+    joint.lower = -kPi;
+    joint.upper = kPi;
+  }
+  return Robot(spec);
+}
+
+}  // namespace
+
+TEST_CASE("a place beyond the reach is refused with the true distance and the nearest place") {
+  // Lengths by hand: how far the tool point gets from a fixed point, whatever its orientation.
+  struct Case {
+    std::string_view arm;
+    Vector3d centre;
+    double reach;
+  };
+  Random random(1);
+  for (const Case& c : {Case{"planar2", {0, 0, 0}, 2.0}, Case{"rrr3", {0, 0, 0.4}, 0.8}}) {
+    CAPTURE(c.arm);
+    const Robot robot = without_stops(*make_robot(c.arm));
+    const Isometry3d home = forward(robot, robot.home());
+    for (int k = 0; k < 50; ++k) {
+      Vector3d u(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      if (c.arm == "planar2") u.y() = 0.0;
+      u.normalize();
+      const double excess = random.uniform(0.01, 1.0);
+      const Vector3d p = c.centre + (c.reach + excess) * u;
+      const IkResult ik = solve_ik(robot, make_pose(home.linear(), p), {.task = IkTask::kPosition});
+      CHECK(ik.status == IkStatus::kUnreachable);
+      CHECK(std::abs(ik.diagnosis.distance - excess) < 1e-6);
+      CHECK((ik.diagnosis.nearest.translation() - (c.centre + c.reach * u)).norm() < 2e-3);
+    }
+  }
+}
+
+TEST_CASE("of no arm does any configuration come nearer than the nearest place that is named") {
+  Random random(2);
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    for (int k = 0; k < 3; ++k) {
+      Vector3d u(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      u.normalize();
+      Isometry3d goal = forward(robot, random_joints(robot, random));
+      goal.translation() = robot.T_world_base().translation() + 1.2 * robot.reach() * u;
+      const IkResult ik = solve_ik(robot, goal);
+      CHECK(ik.status == IkStatus::kUnreachable);
+      const IkDiagnosis& d = ik.diagnosis;
+      CHECK(d.distance >= 0.2 * robot.reach() - 1e-6);
+      CHECK(within_limits(robot, d.q_nearest));
+      const Vector3d nearest = forward(robot, d.q_nearest).translation();
+      CHECK((nearest - d.nearest.translation()).norm() < 1e-9);
+      CHECK((nearest - goal.translation()).norm() == doctest::Approx(d.distance));
+      for (int other = 0; other < 2000; ++other) {
+        const Vector3d p = forward(robot, random_joints(robot, random)).translation();
+        CHECK((p - goal.translation()).norm() >= d.distance - 1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "a pose beyond one joint's limit is refused with that joint and what it would have to be") {
+  Random random(3);
+  // Joints whose turn no other branch of these arms can replace: the first and only sliding joint,
+  // and the turn of an arm with no second way to face.
+  const Robot scara = make_scara();
+  for (int k = 0; k < 50; ++k) {
+    VectorXd q = random_joints(scara, random);
+    const double excess = random.uniform(0.005, 0.3);
+    q[2] = random.below(2) == 0 ? scara.upper()[2] + excess : scara.lower()[2] - excess;
+    const IkResult ik = solve_ik(scara, forward(scara, q), {.seed = scara.home()});
+    CHECK(ik.status == IkStatus::kJointLimit);
+    bool named = false;
+    for (const LimitViolation& v : ik.diagnosis.violations) {
+      if (v.joint != 2) continue;
+      named = true;
+      CHECK(v.value == doctest::Approx(q[2]));
+      CHECK(v.excess() == doctest::Approx(excess));
+    }
+    CHECK(named);
+  }
+}
+
+TEST_CASE("what a joint would have to be really reaches the pose, and no branch needs less") {
+  Random random(4);
+  for (const std::string_view name : {"puma560", "irb120", "scorbot", "stanford"}) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    int refused = 0;
+    for (int k = 0; k < 200; ++k) {
+      VectorXd q = random_joints(robot, random);
+      const int joint = static_cast<int>(random.below(static_cast<std::uint64_t>(robot.n())));
+      q[joint] = robot.upper()[joint] + random.uniform(0.05, 0.5);
+      const Isometry3d goal = forward(robot, q);
+      const IkResult ik = solve_ik(robot, goal, {.seed = robot.home()});
+      if (ik.ok()) {  // another branch lies within
+        CHECK(within_limits(robot, ik.q));
+        continue;
+      }
+      ++refused;
+      CHECK(ik.status == IkStatus::kJointLimit);
+      double named = 0.0, least = INFINITY;
+      for (const LimitViolation& v : ik.diagnosis.violations) named += v.excess();
+      for (const VectorXd& other :
+           solve_ik_all(robot, goal, {.seed = robot.home(), .respect_limits = false})) {
+        double sum = 0.0;
+        for (const LimitViolation& v :
+             limit_violations(robot, wrap_near(robot, other, robot.home())))
+          sum += v.excess();
+        least = std::min(least, sum);
+      }
+      CHECK(named == doctest::Approx(least));
+    }
+    CHECK(refused > 0);
+  }
+}
+
+TEST_CASE("the tool of a Scorbot cannot leave the plane of the arm: the angle is named") {
+  const Robot robot = make_scorbot();
+  Random random(5);
+  for (int k = 0; k < 20; ++k) {
+    VectorXd q = 0.5 * (robot.home() + random_joints(robot, random));
+    const Isometry3d pose = forward(robot, q);
+    const Vector3d radial = (pose.translation() - robot.T_world_base().translation());
+    if (radial.head<2>().norm() < 0.15) continue;
+    // Normal of the plane of the arm, and the tool's axis tilted towards it.
+    const Vector3d normal = link_frame(robot, q, 1).linear().col(2);
+    const Vector3d z = pose.linear().col(2);
+    const double tilt = random.uniform(0.05, 0.4);
+    const Vector3d axis = z.cross(normal).normalized();
+    const Isometry3d goal =
+        make_pose(rotation_exp(tilt * axis) * pose.linear(), pose.translation());
+    const IkResult ik = solve_ik(robot, goal, {.seed = q});
+    CHECK(ik.status == IkStatus::kOrientationUnreachable);
+    CHECK(ik.diagnosis.distance == 0.0);
+    CHECK(ik.diagnosis.angle == doctest::Approx(tilt).epsilon(2e-3));
+    CHECK(explain(robot, goal, ik).find("not with this orientation") != std::string::npos);
+  }
+}
