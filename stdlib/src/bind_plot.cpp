@@ -50,7 +50,7 @@ std::string unit_phrase(const std::string& unit) { return unit.empty() ? "plain 
 bool set_axis(Vm& vm, Axis& axis, bool is_new, const std::string& unit, const std::string& label,
               int parameter) {
   if (is_new) {
-    axis.unit = unit;
+    axis = {label, unit};
   } else if (axis.unit != unit) {
     static_cast<void>(failure(vm, "R0626",
                               fmt::format("this figure shows {} on that axis, these values are {}",
@@ -58,7 +58,6 @@ bool set_axis(Vm& vm, Axis& axis, bool is_new, const std::string& unit, const st
                               parameter, {}, "begin another figure(\"...\") before"));
     return false;
   }
-  if (!label.empty()) axis.label = label;
   return true;
 }
 
@@ -81,20 +80,27 @@ Signal add_series(Vm& vm, Slot* args) {
     return failure(vm, "R0626", "this figure is drawn in space", kX, {},
                    "begin another figure(\"...\") before");
   }
+  const std::string side = args[kAxis].o != nullptr ? text_or_nothing(args[kAxis]) : "left";
+  if (side != "left" && side != "right") {
+    return failure(vm, "R0626", fmt::format("there is no axis \"{}\"", side), kAxis,
+                   "the axes are \"left\" and \"right\"");
+  }
+  const bool right = side == "right";
   const bool is_new = figure.series.empty();
+  const bool new_side =
+      std::ranges::none_of(figure.series, [&](const Series& s) { return s.right == right; });
   const std::string x_unit = text_or_nothing(args[kXUnit]), y_unit = text_or_nothing(args[kYUnit]);
   const bool is_map = kKind == SeriesKind::kPoints && x_unit == "m" && y_unit == "m";
-  const std::string x_label = is_new ? (is_map ? "x" : quantity_name(x_unit)) : std::string();
-  std::string y_label = text_or_nothing(args[kAxis]);
-  if (y_label.empty() && is_new) y_label = is_map ? "y" : quantity_name(y_unit);
-  if (!set_axis(vm, figure.x, is_new, x_unit, x_label, kX) ||
-      !set_axis(vm, figure.y, is_new, y_unit, y_label, kY)) {
+  if (!set_axis(vm, figure.x, is_new, x_unit, is_map ? "x" : quantity_name(x_unit), kX) ||
+      !set_axis(vm, right ? figure.right : figure.y, new_side, y_unit,
+                is_map ? "y" : quantity_name(y_unit), kY)) {
     return Signal::kFail;
   }
   figure.series.push_back({.kind = kKind,
                            .label = text_or_nothing(args[kLabel]),
                            .x = {x.begin(), x.end()},
-                           .y = {y.begin(), y.end()}});
+                           .y = {y.begin(), y.end()},
+                           .right = right});
   return give_nothing();
 }
 
@@ -178,9 +184,8 @@ constexpr NativeFunction kFunctions[] = {
      "Begins a figure, or goes on with the one of that title; what is plotted next belongs to it.",
      "figure(\"speeds\")", figure},
     {"plot", "(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
-     "Draws a line through the points (x, y); label: its name in the legend, axis: what stands "
-     "beside "
-     "the vertical axis. Units come from the types.",
+     "Draws a line through the points (x, y); label: its name in the legend, axis: \"left\" or "
+     "\"right\", with a unit of its own. Units come from the types.",
      "plot([0s, 1s, 2s], [0deg, 30deg, 90deg], label: \"joint 1\")", add_series<SeriesKind::kLine>},
     {"scatter", "(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
      "Draws points; lengths over lengths are drawn to one scale.",

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "armlet/interpreter/unit.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
 
@@ -23,11 +25,13 @@ std::string with_unit(double x, std::string_view unit) {
   return fmt::format("{}{}", x == 0.0 ? 0.0 : x, unit);
 }
 
-// In degrees if that many degrees are the same bits, else in rad.
+// In degrees if the language reads that many as the same bits, else in rad.
 std::string angle(double x, std::string_view per = {}) {
   const double degrees = std::round(rad_to_deg(x) * 1e6) / 1e6;
-  if (deg_to_rad(degrees) == x) return with_unit(degrees, fmt::format("deg{}", per));
-  return with_unit(x, fmt::format("rad{}", per));
+  std::string text = with_unit(std::abs(degrees), fmt::format("deg{}", per));
+  const std::optional<Quantity> read = parse_quantity(text);
+  if (!read || read->si != std::abs(x)) return with_unit(x, fmt::format("rad{}", per));
+  return degrees < 0.0 ? "-" + text : text;
 }
 
 std::string of_joint(const Joint& joint, double x, std::string_view per = {}) {

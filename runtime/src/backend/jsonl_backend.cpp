@@ -148,12 +148,14 @@ void JsonlBackend::figure(std::int64_t t_ns, const Figure& figure) {
   writer_->field("x", figure.x.unit);
   writer_->field("y", figure.y.unit);
   writer_->field("z", figure.z.unit);
+  writer_->field("right", figure.right.unit);
   writer_->sink.text(",\"series\":[");
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const Series& series = figure.series[i];
     writer_->sink.text(i > 0 ? ",{\"kind\":" : "{\"kind\":");
     writer_->sink.quoted(to_text(series.kind));
     writer_->field("label", series.label);
+    writer_->field("axis", series.right ? "right" : "left");
     writer_->field("x", std::span<const double>(series.x));
     writer_->field("y", std::span<const double>(series.y));
     writer_->field("z", std::span<const double>(series.z));

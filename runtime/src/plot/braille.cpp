@@ -80,19 +80,25 @@ const std::vector<double>& upward(const Figure& figure, const Series& series) {
   return figure.is_spatial() ? series.z : series.y;
 }
 
-Scale scale_of(const Figure& figure, bool up, int wanted) {
+enum class Side { kBelow, kLeft, kRight };
+
+Scale scale_of(const Figure& figure, Side side, int wanted) {
   std::vector<const std::vector<double>*> lists;
   bool bars = false;
   for (const Series& series : figure.series) {
-    lists.push_back(up ? &upward(figure, series) : &series.x);
-    bars = bars || (up && series.kind == SeriesKind::kBars);
+    if (side != Side::kBelow && series.right != (side == Side::kRight)) continue;
+    lists.push_back(side == Side::kBelow ? &series.x : &upward(figure, series));
+    bars = bars || (side != Side::kBelow && series.kind == SeriesKind::kBars);
   }
   Extent extent = extent_of(lists);
   if (bars) {
     extent.lower = std::min(extent.lower, 0.0);
     extent.upper = std::max(extent.upper, 0.0);
   }
-  const Axis& axis = !up ? figure.x : figure.is_spatial() ? figure.z : figure.y;
+  const Axis& axis = side == Side::kBelow   ? figure.x
+                     : side == Side::kRight ? figure.right
+                     : figure.is_spatial()  ? figure.z
+                                            : figure.y;
   Scale scale;
   scale.unit = plot_unit(axis.unit, std::max(std::abs(extent.lower), std::abs(extent.upper)));
   scale.ticks = make_ticks(extent.lower * scale.unit.factor, extent.upper * scale.unit.factor,
@@ -100,17 +106,19 @@ Scale scale_of(const Figure& figure, bool up, int wanted) {
   return scale;
 }
 
-void draw(Dots& dots, const Figure& figure, const Scale& x, const Scale& y) {
+void draw(Dots& dots, const Figure& figure, const Scale& x, const Scale& left,
+          const Scale& on_right) {
   const auto right = [&](double v) {
     return x.ticks.position(v * x.unit.factor) * (dots.width() - 1) + 0.5;
-  };
-  const auto down = [&](double v) {
-    return (1.0 - y.ticks.position(v * y.unit.factor)) * (dots.height() - 1) + 0.5;
   };
   for (std::size_t s = 0; s < figure.series.size(); ++s) {
     const Series& series = figure.series[s];
     const std::vector<double>& up = upward(figure, series);
     const int index = static_cast<int>(s);
+    const Scale& y = series.right ? on_right : left;
+    const auto down = [&](double v) {
+      return (1.0 - y.ticks.position(v * y.unit.factor)) * (dots.height() - 1) + 0.5;
+    };
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       if (!is_drawable(series.x[i]) || !is_drawable(up[i])) continue;
       const double px = right(series.x[i]), py = down(up[i]);
@@ -155,10 +163,11 @@ std::string values_below(const Scale& x, int columns, std::size_t indent) {
 std::string to_braille(const Figure& figure, int columns, int rows, bool color) {
   columns = std::clamp(columns, 8, 400);
   rows = std::clamp(rows, 4, 200);
-  const Scale x = scale_of(figure, false, std::clamp(columns / 10, 2, 8));
-  const Scale y = scale_of(figure, true, std::clamp(rows / 4, 2, 8));
+  const Scale x = scale_of(figure, Side::kBelow, std::clamp(columns / 10, 2, 8));
+  const Scale y = scale_of(figure, Side::kLeft, std::clamp(rows / 4, 2, 8));
+  const Scale right = scale_of(figure, Side::kRight, std::clamp(rows / 4, 2, 8));
   Dots dots(columns, rows);
-  draw(dots, figure, x, y);
+  draw(dots, figure, x, y, right);
   std::size_t widest = 0;
   for (const std::string& label : y.ticks.labels) widest = std::max(widest, label.size());
   std::string out;
@@ -175,6 +184,10 @@ std::string to_braille(const Figure& figure, int columns, int rows, bool color) 
   }
   const Axis& upward_axis = figure.is_spatial() ? figure.z : figure.y;
   if (const std::string name = unit_text(upward_axis, y); !name.empty()) out += name + '\n';
+  if (std::ranges::any_of(figure.series, &Series::right)) {
+    out += fmt::format("on the right {} to {} {}\n", right.ticks.labels.front(),
+                       right.ticks.labels.back(), unit_text(figure.right, right));
+  }
   for (int r = 0; r < rows; ++r) {
     std::string value;
     for (std::size_t i = 0; i < y.ticks.at.size(); ++i) {

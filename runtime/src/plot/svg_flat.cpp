@@ -22,12 +22,19 @@ struct Scale {
   double at(double si) const { return from + (to - from) * ticks.position(si * unit.factor); }
 };
 
+// Values of the series that `wanted` accepts.
+template <class Wanted>
 std::vector<const std::vector<double>*> columns(const Figure& figure,
-                                                std::vector<double> Series::*part) {
+                                                std::vector<double> Series::*part, Wanted wanted) {
   std::vector<const std::vector<double>*> lists;
-  for (const Series& series : figure.series) lists.push_back(&(series.*part));
+  for (const Series& series : figure.series) {
+    if (wanted(series)) lists.push_back(&(series.*part));
+  }
   return lists;
 }
+bool any_side(const Series&) { return true; }
+bool on_the_left(const Series& series) { return !series.right; }
+bool on_the_right(const Series& series) { return series.right; }
 
 bool has_bars(const Figure& figure) {
   return std::ranges::any_of(figure.series,
@@ -54,10 +61,13 @@ double bar_pitch(const Figure& figure) {
 struct Plane {
   const Figure& figure;
   Field field;
-  Scale x, y;
+  Scale x, y, right;
   double bar = 1.0;  // pitch of bars, SI
 
-  Point at(double px, double py) const { return {x.at(px), y.at(py)}; }
+  Point at(double px, double py, bool on_right) const {
+    return {x.at(px), on_right ? right.at(py) : y.at(py)};
+  }
+  bool has_right() const { return std::ranges::any_of(figure.series, on_the_right); }
 };
 
 PlotUnit unit_of(const Axis& axis, const Extent& extent) {
@@ -67,9 +77,33 @@ PlotUnit unit_of(const Axis& axis, const Extent& extent) {
 // Lengths on both axes are drawn to one scale, so that circles are round.
 bool is_map(const Figure& figure) { return figure.x.unit == "m" && figure.y.unit == "m"; }
 
+double widest(const Ticks& ticks) {
+  double width = 0.0;
+  for (const std::string& label : ticks.labels) width = std::max(width, width_of(label, kLetter));
+  return width;
+}
+
+// Ticks of an upright axis, which begins and ends at one.
+void set_upright(Scale& scale, const Extent& extent) {
+  const bool degrees = scale.unit.text == "deg";
+  scale.ticks = make_ticks(extent.lower * scale.unit.factor, extent.upper * scale.unit.factor, 6,
+                           degrees, true);
+}
+
+// One scale for both axes: the one with room to spare shows more around the middle.
+void make_even(Ticks& h, Ticks& v, const Field& field) {
+  const double per_px =
+      std::max((h.upper - h.lower) / field.width(), (v.upper - v.lower) / field.height());
+  const double more_x = 0.5 * (per_px * field.width() - (h.upper - h.lower));
+  const double more_y = 0.5 * (per_px * field.height() - (v.upper - v.lower));
+  h = make_ticks(h.lower - more_x, h.upper + more_x, 8, false, false);
+  v = make_ticks(v.lower - more_y, v.upper + more_y, 6, false, false);
+}
+
 Plane plane_of(const Figure& figure, const Field& outer) {
-  Plane plane{figure, outer, {}, {}, 1.0};
-  Extent x = extent_of(columns(figure, &Series::x)), y = extent_of(columns(figure, &Series::y));
+  Plane plane{figure, outer, {}, {}, {}, 1.0};
+  Extent x = extent_of(columns(figure, &Series::x, any_side));
+  Extent y = extent_of(columns(figure, &Series::y, on_the_left));
   if (has_bars(figure)) {
     plane.bar = bar_pitch(figure);
     x.lower -= 0.5 * plane.bar;
@@ -77,40 +111,49 @@ Plane plane_of(const Figure& figure, const Field& outer) {
     y.lower = std::min(y.lower, 0.0);
     y.upper = std::max(y.upper, 0.0);
   }
+  plane.x.unit = unit_of(figure.x, x);
+  plane.y.unit = unit_of(figure.y, y);
   if (is_map(figure)) {
-    Extent both{std::min(x.lower, y.lower), std::max(x.upper, y.upper)};
+    const Extent both{std::min(x.lower, y.lower), std::max(x.upper, y.upper)};
     plane.x.unit = plane.y.unit = unit_of(figure.x, both);
-  } else {
-    plane.x.unit = unit_of(figure.x, x);
-    plane.y.unit = unit_of(figure.y, y);
   }
-  const bool y_degrees = plane.y.unit.text == "deg", x_degrees = plane.x.unit.text == "deg";
-  plane.y.ticks =
-      make_ticks(y.lower * plane.y.unit.factor, y.upper * plane.y.unit.factor, 6, y_degrees, true);
-  double widest = 0.0;
-  for (const std::string& label : plane.y.ticks.labels)
-    widest = std::max(widest, width_of(label, kLetter));
-  plane.field = {outer.left + widest + 34.0, outer.top + 8.0, outer.right - 18.0,
+  set_upright(plane.y, y);
+  plane.field = {outer.left + widest(plane.y.ticks) + 34.0, outer.top + 8.0, outer.right - 18.0,
                  outer.bottom - 44.0};
+  if (plane.has_right()) {
+    const Extent right = extent_of(columns(figure, &Series::y, on_the_right));
+    plane.right.unit = unit_of(figure.right, right);
+    set_upright(plane.right, right);
+    plane.field.right -= widest(plane.right.ticks) + 20.0;
+  }
   const bool lines = std::ranges::all_of(
       figure.series, [](const Series& s) { return s.kind == SeriesKind::kLine; });
   plane.x.ticks = make_ticks(x.lower * plane.x.unit.factor, x.upper * plane.x.unit.factor, 8,
-                             x_degrees, !lines && !has_bars(figure));
-  if (is_map(figure)) {
-    // The axis with room to spare shows more around the middle.
-    Ticks &h = plane.x.ticks, &v = plane.y.ticks;
-    const double per_px = std::max((h.upper - h.lower) / plane.field.width(),
-                                   (v.upper - v.lower) / plane.field.height());
-    const double more_x = 0.5 * (per_px * plane.field.width() - (h.upper - h.lower));
-    const double more_y = 0.5 * (per_px * plane.field.height() - (v.upper - v.lower));
-    h = make_ticks(h.lower - more_x, h.upper + more_x, 8, false, false);
-    v = make_ticks(v.lower - more_y, v.upper + more_y, 6, false, false);
-  }
+                             plane.x.unit.text == "deg", !lines && !has_bars(figure));
+  if (is_map(figure) && !plane.has_right()) make_even(plane.x.ticks, plane.y.ticks, plane.field);
   plane.x.from = plane.field.left;
   plane.x.to = plane.field.right;
-  plane.y.from = plane.field.bottom;
-  plane.y.to = plane.field.top;
+  plane.y.from = plane.right.from = plane.field.bottom;
+  plane.y.to = plane.right.to = plane.field.top;
   return plane;
+}
+
+// Values and name of the axis on the right.
+std::string right_axis(const Plane& plane) {
+  if (!plane.has_right()) return {};
+  const Field& field = plane.field;
+  const Ticks& ticks = plane.right.ticks;
+  std::string out = line({field.right, field.top}, {field.right, field.bottom}, "frame");
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+    const double y = field.bottom - field.height() * ticks.position(ticks.at[i]);
+    out += line({field.right, y}, {field.right + 4.0, y}, "frame");
+    out += text({field.right + 8.0, y + 4.0}, "start", "tick", ticks.labels[i]);
+  }
+  const std::string name = axis_text(plane.figure.right, plane.right.unit);
+  if (name.empty()) return out;
+  const double x = kWidth - 8.0, y = 0.5 * (field.top + field.bottom);
+  return out + text({x, y}, "middle", "axis", name,
+                    fmt::format(" transform=\"rotate(90 {} {})\"", coordinate(x), coordinate(y)));
 }
 
 std::string axes(const Plane& plane) {
@@ -184,7 +227,7 @@ std::string draw_line(const Plane& plane, const Series& series, std::size_t inde
   std::vector<Point> piece;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (is_drawable(series.x[i]) && is_drawable(series.y[i])) {
-      piece.push_back(plane.at(series.x[i], series.y[i]));
+      piece.push_back(plane.at(series.x[i], series.y[i], series.right));
       continue;
     }
     out += stroke(piece, css, plane.field.width(), color);
@@ -198,7 +241,7 @@ std::string draw_points(const Plane& plane, const Series& series, std::size_t in
   std::vector<CloudPoint> points;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (is_drawable(series.x[i]) && is_drawable(series.y[i])) {
-      points.push_back({plane.at(series.x[i], series.y[i])});
+      points.push_back({plane.at(series.x[i], series.y[i], series.right)});
     }
   }
   if (points.size() > kManyPoints) return cells(plane.field, points, color, 0);
@@ -222,7 +265,8 @@ std::string draw_bars(const Plane& plane, const Series& series, std::size_t inde
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (!is_drawable(series.x[i]) || !is_drawable(series.y[i])) continue;
     const double left = series.x[i] - 0.4 * plane.bar + width * static_cast<double>(before);
-    const Point a = plane.at(left, 0.0), b = plane.at(left + 0.94 * width, series.y[i]);
+    const Point a = plane.at(left, 0.0, series.right);
+    const Point b = plane.at(left + 0.94 * width, series.y[i], series.right);
     d += fmt::format("M{} {}H{}V{}H{}z", coordinate(a.x), coordinate(a.y), coordinate(b.x),
                      coordinate(b.y), coordinate(a.x));
   }
@@ -234,7 +278,7 @@ std::string draw_bars(const Plane& plane, const Series& series, std::size_t inde
 
 std::string flat_figure(const Figure& figure, const Field& outer) {
   const Plane plane = plane_of(figure, outer);
-  std::string out = axes(plane);
+  std::string out = axes(plane) + right_axis(plane);
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const Series& series = figure.series[i];
     switch (series.kind) {

@@ -176,6 +176,20 @@ TEST_CASE("a long line keeps its peaks") {
         std::string::npos);  // the peak touches the upper edge
 }
 
+TEST_CASE("the axis on the right has its own values") {
+  Figure figure = line_figure({0, 1}, {0, 1});
+  figure.right = {"height", "m"};
+  figure.series.push_back({.label = "high", .x = {0, 1}, .y = {0, 25}, .right = true});
+  const std::string svg = picture(figure);
+  check_well_formed(svg);
+  CHECK(count(svg, ">height (m)<") == 1);
+  CHECK(count(svg, ">25<") == 1);
+  // Each line ends at the top of its own axis or below: the second one exactly there.
+  std::smatch frame;
+  REQUIRE(std::regex_search(svg, frame, std::regex("class=\"frame\" d=\"M[0-9.]+ ([0-9.]+)V")));
+  CHECK(svg.find(" " + frame[1].str() + "\"/>\n</g>") != std::string::npos);
+}
+
 TEST_CASE("bars stand beside each other on zero") {
   Figure figure{.x = {"joint", ""}, .y = {"torque", "Nm"}};
   for (const char* label : {"empty", "loaded"}) {

@@ -54,7 +54,7 @@ TEST_CASE("axes have the units of the types that are plotted") {
   const auto figures = figures_of(
       "let t = [0s, 1s]\n"
       "figure(\"a\"); plot(t, [0deg, 90deg])\n"
-      "figure(\"b\"); plot(t, [1mm, 2mm] / 1s, label: \"tool\", axis: \"speed\")\n"
+      "figure(\"b\"); plot(t, [1mm, 2mm] / 1s, label: \"tool\")\n"
       "figure(\"c\"); bars([1.0, 2.0], [3N, 4N] * 1m)\n"
       "figure(\"d\"); plot([1, 2], [0.5, 0.25])\n"
       "figure(\"e\"); plot(t, [1m, 2m], yUnit: \"steps\")\n");
@@ -64,12 +64,21 @@ TEST_CASE("axes have the units of the types that are plotted") {
   CHECK(figures[0].x.label == "time");
   CHECK(figures[0].series[0].y[1] == doctest::Approx(1.5707963));
   CHECK(figures[1].y.unit == "m/s");
-  CHECK(figures[1].y.label == "speed");
   CHECK(figures[1].series[0].label == "tool");
   CHECK(figures[2].y.unit == "Nm");
   CHECK(figures[2].series[0].kind == SeriesKind::kBars);
   CHECK(figures[3].x.unit.empty());
   CHECK(figures[4].y.unit == "steps");
+}
+
+TEST_CASE("the axis on the right has a unit of its own") {
+  const auto figures = figures_of(
+      "plot([0s, 1s], [0deg, 90deg], label: \"angle\")\n"
+      "plot([0s, 1s], [1m, 2m], axis: \"right\", label: \"height\")\n");
+  REQUIRE(figures.size() == 1);
+  CHECK(figures[0].y.unit == "rad");
+  CHECK(figures[0].right.unit == "m");
+  CHECK(figures[0].series[1].right);
 }
 
 TEST_CASE("a title that is there goes on with its figure") {

@@ -17,6 +17,7 @@ struct Series {
   SeriesKind kind = SeriesKind::kLine;
   std::string label{};
   std::vector<double> x{}, y{}, z{};
+  bool right = false;  // y belongs to the axis on the right
 };
 
 // What an axis shows. `unit` is the SI unit of the values ("m", "rad/s"), empty for plain numbers;
@@ -30,6 +31,7 @@ struct Axis {
 struct Figure {
   std::string title{};
   Axis x{}, y{}, z{};
+  Axis right{};
   std::vector<Series> series{};
 
   bool is_spatial() const { return !series.empty() && !series.front().z.empty(); }
