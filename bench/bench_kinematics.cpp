@@ -10,7 +10,7 @@
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/model/catalog.hpp"
 #include "bench.hpp"
-#include "kdl_arm.hpp"
+#include "kdl_peer.hpp"
 
 namespace armlet::bench {
 namespace {
@@ -18,32 +18,6 @@ namespace {
 constexpr int kConfigurations = 1000;
 constexpr double kTolerance = 1e-5;  // m and rad, of inverse kinematics
 constexpr int kStarts = 100;
-
-PlainPose to_plain(const Eigen::Isometry3d& T) {
-  PlainPose plain{};
-  for (Eigen::Index r = 0; r < 3; ++r) {
-    for (Eigen::Index c = 0; c < 3; ++c) plain[static_cast<std::size_t>(3 * r + c)] = T(r, c);
-    plain[static_cast<std::size_t>(9 + r)] = T(r, 3);
-  }
-  return plain;
-}
-
-KdlArm make_peer(const Robot& robot) {
-  const Chain& chain = robot.chain();
-  const auto alpha = [&](std::size_t i) {
-    return std::atan2(chain.sin_alpha[i], chain.cos_alpha[i]);
-  };
-  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  X.rotate(Eigen::AngleAxisd(alpha(0), Eigen::Vector3d::UnitX()));
-  X.translation().x() = chain.a[0];
-  std::vector<KdlJoint> joints;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(chain.n); ++i) {
-    const Eigen::Index k = static_cast<Eigen::Index>(i);
-    joints.push_back({chain.revolute[i], chain.theta[i], chain.d[i], chain.a[i + 1], alpha(i + 1),
-                      robot.lower()[k], robot.upper()[k]});
-  }
-  return {to_plain(robot.T_world_base() * X), joints, to_plain(robot.T_flange_tool())};
-}
 
 std::vector<Eigen::VectorXd> random_configurations(const Robot& robot) {
   Random random(1);
