@@ -62,4 +62,31 @@ std::vector<Segment> cubic_spline(std::span<const double> t, std::span<const dou
   return pieces;
 }
 
+std::vector<Segment> natural_spline(std::span<const double> t, std::span<const double> q) {
+  check_points(t, q);
+  const std::size_t last = t.size() - 1;
+  // Accelerations at the points; continuity of speed is a tridiagonal system.
+  std::vector<double> upper(t.size(), 0.0);
+  std::vector<double> a(t.size(), 0.0);
+  for (std::size_t i = 1; i < last; ++i) {
+    const double h0 = t[i] - t[i - 1];
+    const double h1 = t[i + 1] - t[i];
+    const double rhs = 6.0 * ((q[i + 1] - q[i]) / h1 - (q[i] - q[i - 1]) / h0);
+    const double pivot = 2.0 * (h0 + h1) - h0 * upper[i - 1];
+    upper[i] = h1 / pivot;
+    a[i] = (rhs - h0 * a[i - 1]) / pivot;
+  }
+  for (std::size_t i = last; i-- > 1;) a[i] -= upper[i] * a[i + 1];
+  std::vector<Segment> pieces;
+  for (std::size_t i = 0; i < last; ++i) {
+    const double h = t[i + 1] - t[i];
+    const double v = (q[i + 1] - q[i]) / h - h * (2.0 * a[i] + a[i + 1]) / 6.0;
+    pieces.push_back({.start = t[i],
+                      .duration = h,
+                      .degree = 3,
+                      .c = {q[i], v, 0.5 * a[i], (a[i + 1] - a[i]) / (6.0 * h)}});
+  }
+  return pieces;
+}
+
 }  // namespace armlet

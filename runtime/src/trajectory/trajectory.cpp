@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "armlet/core/error.hpp"
@@ -40,10 +41,69 @@ void check_path(const JointPath& path, int joint, double duration) {
   }
 }
 
+// Index of the last start that is not after t, 0 if all are.
+std::size_t last_not_after(const double* starts, std::size_t count, double t) {
+  constexpr std::size_t kFew = 16;
+  if (count > kFew) {
+    return static_cast<std::size_t>(std::upper_bound(starts + 1, starts + count, t) - starts) - 1;
+  }
+  std::size_t behind = 0;  // counting all needs no branch that could be guessed wrong
+  for (std::size_t k = 1; k < count; ++k) behind += starts[k] <= t ? 1 : 0;
+  return behind;
+}
+
 // The piece that holds at time t, 0 <= t <= end of the path.
 const Segment& piece_at(const JointPath& path, double t) {
   const auto after = std::ranges::upper_bound(path.segments, t, {}, &Segment::start);
   return after == path.segments.begin() ? *after : *(after - 1);
+}
+
+struct Sample {
+  double p, v, half_a;
+};
+
+// One pass gives the value and, from its partial sums, both derivatives.
+template <int kDegree>
+Sample horner(const Segment& piece, double u) {
+  Sample s{piece.c[kDegree], 0.0, 0.0};
+  for (int k = kDegree - 1; k >= 0; --k) {
+    s.half_a = s.half_a * u + s.v;
+    s.v = s.v * u + s.p;
+    s.p = s.p * u + piece.c[static_cast<size_t>(k)];
+  }
+  return s;
+}
+
+Sample sample_piece(const Segment& piece, double u) {
+  if (piece.degree <= 3) return horner<3>(piece, u);
+  return piece.degree <= 5 ? horner<5>(piece, u) : horner<Segment::kMaxDegree>(piece, u);
+}
+
+// Bounds of the derivative of this order over the whole piece: the smallest and the largest of its
+// Bernstein coefficients. Exact where it is of degree 1 at most.
+struct Bounds {
+  double lower, upper;
+};
+Bounds bounds(const Segment& piece, int order) {
+  const int m = piece.degree - order;
+  if (m < 0) return {0.0, 0.0};
+  std::array<double, Segment::kMaxDegree + 1> b{};
+  double power = 1.0;
+  for (int k = 0; k <= m; ++k) {
+    double factor = power;
+    for (int j = 0; j < order; ++j) factor *= k + order - j;
+    // Divided by the binomial coefficient (m over k): a scaled Bernstein polynomial.
+    double binomial = 1.0;
+    for (int j = 0; j < k; ++j) binomial = binomial * (m - j) / (j + 1);
+    b[static_cast<size_t>(k)] = factor * piece.c[static_cast<size_t>(k + order)] / binomial;
+    power *= piece.duration;
+  }
+  // Sums of neighbours, m times, turn them into the Bernstein coefficients.
+  for (int round = 1; round <= m; ++round) {
+    for (int k = m; k >= round; --k) b[static_cast<size_t>(k)] += b[static_cast<size_t>(k - 1)];
+  }
+  const auto [lower, upper] = std::minmax_element(b.begin(), b.begin() + m + 1);
+  return {*lower, *upper};
 }
 
 double value_of(const JointPath& path, double t, int order) {
@@ -73,7 +133,36 @@ Trajectory::Trajectory(std::vector<JointPath> joints, double duration)
     throw ArgumentError(
         fmt::format("A motion of {} s cannot be made; expected 0 s or more.", duration));
   }
-  for (int i = 0; i < n(); ++i) check_path(joint(i), i, duration);
+  std::size_t pieces = 0;
+  for (int i = 0; i < n(); ++i) {
+    check_path(joint(i), i, duration);
+    pieces += joint(i).segments.size();
+  }
+  index_pieces(pieces);
+}
+
+// Starts of all pieces, joint by joint, and whether they are the same for all joints.
+void Trajectory::index_pieces(std::size_t pieces) {
+  starts_.reserve(pieces);
+  first_.reserve(joints_.size());
+  ends_.reserve(joints_.size());
+  shared_ = true;
+  for (JointPath& path : joints_) {
+    first_.push_back(starts_.size());
+    for (const Segment& piece : path.segments) starts_.push_back(piece.start);
+    double end = -1.0;
+    if (!path.segments.empty()) {
+      Segment& last = path.segments.back();
+      // A rounding error must not keep the joint from its last position at the end.
+      if (last.end() > duration_) last.duration = std::max(duration_ - last.start, 1e-300);
+      end = std::min(last.end(), duration_);
+    }
+    ends_.push_back(end);
+    const std::size_t count = path.segments.size();
+    shared_ = shared_ && count == joints_.front().segments.size() &&
+              std::equal(starts_.begin(), starts_.begin() + static_cast<std::ptrdiff_t>(count),
+                         starts_.end() - static_cast<std::ptrdiff_t>(count));
+  }
 }
 
 Trajectory Trajectory::at_rest(const Eigen::VectorXd& q, double duration) {
@@ -96,26 +185,24 @@ Eigen::VectorXd Trajectory::end() const {
 
 void Trajectory::sample(double t, Eigen::Ref<Eigen::VectorXd> q, Eigen::Ref<Eigen::VectorXd> qd,
                         Eigen::Ref<Eigen::VectorXd> qdd) const {
-  for (int i = 0; i < n(); ++i) {
-    const JointPath& path = joint(i);
-    const bool moving = !path.segments.empty() && t >= 0.0 && t <= path.segments.back().end();
-    if (!moving) {
-      q[i] = value_of(path, t, 0);
-      qd[i] = qdd[i] = 0.0;
+  std::size_t k = 0;
+  if (shared_ && !joints_.empty())
+    k = last_not_after(starts_.data(), starts_.size() / joints_.size(), t);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const JointPath& path = joints_[i];
+    const auto at = static_cast<Eigen::Index>(i);
+    // Where there are no pieces the end lies before 0.
+    if (!(t >= 0.0 && t <= ends_[i])) {
+      q[at] = value_of(path, t, 0);
+      qd[at] = qdd[at] = 0.0;
       continue;
     }
-    // One pass gives the value and, from its partial sums, both derivatives.
-    const Segment& piece = piece_at(path, t);
-    const double u = std::min(t - piece.start, piece.duration);
-    double p = 0.0, v = 0.0, half_a = 0.0;
-    for (int k = piece.degree; k >= 0; --k) {
-      half_a = half_a * u + v;
-      v = v * u + p;
-      p = p * u + piece.c[static_cast<size_t>(k)];
-    }
-    q[i] = t >= path.segments.back().end() ? path.q_end : p;
-    qd[i] = v;
-    qdd[i] = 2.0 * half_a;
+    if (!shared_) k = last_not_after(starts_.data() + first_[i], path.segments.size(), t);
+    const Segment& piece = path.segments[k];
+    const Sample sample = sample_piece(piece, std::min(t - piece.start, piece.duration));
+    q[at] = t >= ends_[i] ? path.q_end : sample.p;
+    qd[at] = sample.v;
+    qdd[at] = 2.0 * sample.half_a;
   }
 }
 
@@ -139,23 +226,29 @@ std::vector<double> Trajectory::knots() const {
 double Trajectory::peak(int i, int order) const {
   double largest = 0.0;
   for (const Segment& piece : joint(i).segments) {
-    std::vector<double> candidates = sign_changes(piece, order + 1);
-    candidates.push_back(0.0);
-    candidates.push_back(piece.duration);
-    for (const double u : candidates) largest = std::max(largest, std::abs(piece.value(u, order)));
+    const Bounds bound = bounds(piece, order);
+    if (std::max(-bound.lower, bound.upper) <= largest) continue;
+    largest = std::max(
+        {largest, std::abs(piece.value(0.0, order)), std::abs(piece.value(piece.duration, order))});
+    if (piece.degree - order <= 1) continue;
+    for (const double u : sign_changes(piece, order + 1)) {
+      largest = std::max(largest, std::abs(piece.value(u, order)));
+    }
   }
   return largest;
 }
 
 Trajectory::Range Trajectory::range(int i) const {
   Range range{joint(i).q_end, joint(i).q_end};
+  const auto include = [&](double q) {
+    range.lower = std::min(range.lower, q);
+    range.upper = std::max(range.upper, q);
+  };
   for (const Segment& piece : joint(i).segments) {
-    std::vector<double> candidates = sign_changes(piece, 1);
-    candidates.push_back(0.0);
-    for (const double u : candidates) {
-      range.lower = std::min(range.lower, piece.value(u));
-      range.upper = std::max(range.upper, piece.value(u));
-    }
+    include(piece.c[0]);
+    const Bounds bound = bounds(piece, 0);
+    if (bound.lower >= range.lower && bound.upper <= range.upper) continue;
+    for (const double u : sign_changes(piece, 1)) include(piece.value(u));
   }
   return range;
 }

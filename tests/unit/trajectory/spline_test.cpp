@@ -269,3 +269,17 @@ TEST_CASE("lift-off, travel and set-down need four points") {
   CHECK_THROWS_AS((void)path_353(t, q), ArgumentError);
   CHECK_THROWS_AS((void)path_five_cubics(t, q), ArgumentError);
 }
+
+TEST_CASE("a natural spline has no acceleration at its ends and goes through its points") {
+  std::mt19937_64 generator(19);
+  for (int k = 0; k < 100; ++k) {
+    const Points p = random_points(generator, 2 + generator() % 9);
+    const std::vector<Segment> pieces = natural_spline(p.t, p.q);
+    CHECK(smoothness(pieces) >= 2);
+    CHECK(pieces.front().value(0.0, 2) == 0.0);
+    CHECK(std::abs(pieces.back().value(pieces.back().duration, 2)) < 1e-11);
+    for (std::size_t i = 0; i < p.t.size(); ++i) {
+      CHECK(std::abs(at(pieces, p.t[i]) - p.q[i]) < 1e-12);
+    }
+  }
+}

@@ -18,6 +18,10 @@ namespace armlet {
 std::vector<Segment> cubic_spline(std::span<const double> t, std::span<const double> q,
                                   double v_start = 0.0, double v_end = 0.0);
 
+// Cubic spline through the points whose acceleration is zero at both ends; the speeds there are
+// free. Arguments as above.
+std::vector<Segment> natural_spline(std::span<const double> t, std::span<const double> q);
+
 // Speeds and accelerations prescribed at the two ends of a path.
 struct PathEnds {
   double v_start = 0.0;

@@ -87,8 +87,14 @@ class Trajectory {
   [[nodiscard]] int continuity(int i, double tolerance = 1e-9) const;
 
  private:
+  void index_pieces(std::size_t pieces);
+
   std::vector<JointPath> joints_;
   double duration_ = 0.0;
+  std::vector<double> starts_;      // of all pieces, joint by joint
+  std::vector<std::size_t> first_;  // of a joint's pieces in starts_
+  std::vector<double> ends_;        // when a joint stops moving, -1 if it never moves
+  bool shared_ = true;              // all joints have the same starts
 };
 
 }  // namespace armlet

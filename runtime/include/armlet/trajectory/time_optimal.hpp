@@ -1,0 +1,58 @@
+// The fastest run along a given joint path under limits on speeds and accelerations.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "armlet/trajectory/profile.hpp"
+#include "armlet/trajectory/trajectory.hpp"
+
+namespace armlet {
+
+// How fast a path is run: the square of the path speed at places along it; in between it changes
+// linearly, so the acceleration along the path is constant there.
+struct SpeedAlongPath {
+  std::vector<double> s{};        // from 0 to the length of the path
+  std::vector<double> squared{};  // (ds/dt)^2, 0 at both ends
+
+  [[nodiscard]] double duration() const;
+};
+
+// Between two places along a path its speed is limited.
+struct SpeedZone {
+  double from = 0.0, to = 0.0;
+  double speed = 0.0;  // of the path parameter, above zero
+};
+
+// The fastest run from rest to rest along q(s).
+//
+// path       its "time" is the path parameter s; twice continuously differentiable between its
+//            ends, pieces of degree 3 at most. Its derivative at the ends need not be zero, and
+//            better is not.
+// limits     speed and acceleration of each joint, finite; jerk is not considered.
+// intervals  places are at the knots of the path and between them so that there are at least as
+//            many intervals. Limits hold at the places, on both sides; in between they may be
+//            exceeded by a part that falls with the square of the number.
+// zones      limits on the speed along the path; they may overlap.
+// throws     ArgumentError for a path or limits that are not as said.
+// source     H. Pham, Q.-C. Pham, A new approach to time-optimal path parameterization based on
+//            reachability analysis, T-RO 34(3), 2018; constraints by the interpolation scheme.
+SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits> limits,
+                             int intervals = 100, std::span<const SpeedZone> zones = {});
+
+// The motion that runs the path like that, as polynomials of degree 6 in time.
+Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed);
+
+// Both, and then slower by what the limits are still exceeded between the places, so that they hold
+// everywhere.
+Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits,
+                        int intervals = 100, std::span<const SpeedZone> zones = {});
+
+// A path through points, with s running like the square root of the joint distance between them;
+// a cubic spline whose second derivative is zero at its ends.
+//
+// throws  ArgumentError unless there are at least two points of equal size, neighbours differing.
+// source  E. T. Y. Lee, Choosing nodes in parametric curve interpolation, CAD 21(6), 1989.
+Trajectory path_through(std::span<const Eigen::VectorXd> points);
+
+}  // namespace armlet

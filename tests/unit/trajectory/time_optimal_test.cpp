@@ -1,0 +1,178 @@
+#include "armlet/trajectory/time_optimal.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "armlet/core/error.hpp"
+#include "armlet/trajectory/spline.hpp"
+
+using namespace armlet;
+
+namespace {
+
+double uniform(std::mt19937_64& generator, double lower, double upper) {
+  return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
+}
+
+Trajectory straight_line(double L) {
+  return {{{{{.duration = L, .degree = 1, .c = {0.0, 1.0}}}, L}}, L};
+}
+
+// A quarter of a circle of radius 1 as a spline so fine that it is one to 1e-9.
+Trajectory quarter_circle() {
+  std::vector<double> s, x, y;
+  for (int k = 0; k <= 60; ++k) {
+    s.push_back(std::acos(-1.0) / 2.0 * k / 60.0);
+    x.push_back(std::cos(s.back()));
+    y.push_back(std::sin(s.back()));
+  }
+  // The second derivative at the ends is 0 only for y at the start and x at the end; the speeds
+  // are known.
+  return {{{cubic_spline(s, x, 0.0, -1.0), x.back()}, {cubic_spline(s, y, 1.0, 0.0), y.back()}},
+          s.back()};
+}
+
+Trajectory random_path(std::mt19937_64& generator, int n) {
+  std::vector<Eigen::VectorXd> points(3 + generator() % 6, Eigen::VectorXd(n));
+  for (Eigen::VectorXd& point : points) {
+    for (double& q : point) q = uniform(generator, -2.0, 2.0);
+  }
+  return path_through(points);
+}
+
+std::vector<AxisLimits> random_limits(std::mt19937_64& generator, int n) {
+  std::vector<AxisLimits> limits;
+  for (int i = 0; i < n; ++i) {
+    limits.push_back({uniform(generator, 0.5, 3.0), uniform(generator, 1.0, 20.0)});
+  }
+  return limits;
+}
+
+// How much of its limits the motion uses at time t: the joint that uses most.
+double load(const Trajectory& motion, const std::vector<AxisLimits>& limits, double t) {
+  double most = 0.0;
+  for (int i = 0; i < motion.n(); ++i) {
+    const AxisLimits& l = limits[static_cast<std::size_t>(i)];
+    most = std::max({most, std::abs(motion.value(i, t, 1)) / l.speed,
+                     std::abs(motion.value(i, t, 2)) / l.acceleration});
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("a straight line is run as the trapezoid") {
+  const std::vector<AxisLimits> limits{{1.0, 2.0}};
+  CHECK(fastest_along(straight_line(2.0), limits, 200).duration() ==
+        doctest::Approx(2.5).epsilon(1e-9));
+  // A triangle: 2 sqrt(L / A). The top lies on a place.
+  CHECK(fastest_along(straight_line(0.3), limits, 200).duration() ==
+        doctest::Approx(2.0 * std::sqrt(0.15)).epsilon(1e-9));
+  std::mt19937_64 generator(1);
+  for (int k = 0; k < 100; ++k) {
+    const AxisLimits l{uniform(generator, 0.2, 3.0), uniform(generator, 0.5, 9.0)};
+    const double L = uniform(generator, 0.1, 5.0);
+    const double T = time_optimal(straight_line(L), std::span(&l, 1), 400).duration();
+    CHECK(T == doctest::Approx(trapezoid_least_time(L, l).time).epsilon(1e-3));
+    CHECK(T >= trapezoid_least_time(L, l).time * (1.0 - 1e-9));
+  }
+}
+
+// Between the places of a circle the interpolation scheme exceeds the acceleration limits by 1.002
+// (50 intervals) and less.
+TEST_CASE("a circle keeps its limits between the places, the better the more there are") {
+  const std::vector<AxisLimits> limits{{10.0, 1.0}, {10.0, 1.0}};
+  const Trajectory path = quarter_circle();
+  double before = 1e9;
+  for (const auto& [intervals, allowed] : {std::pair{60, 1.003}, {120, 1.001}, {240, 1.0003}}) {
+    const Trajectory motion = run_along(path, fastest_along(path, limits, intervals));
+    const double worst = std::max(motion.peak(0, 2), motion.peak(1, 2));
+    CHECK(worst <= allowed);
+    CHECK(worst <= before);
+    before = worst;
+    // The places where it goes are on the circle.
+    for (double t = 0.0; t <= motion.duration(); t += motion.duration() / 100.0) {
+      CHECK(std::hypot(motion.value(0, t), motion.value(1, t)) ==
+            doctest::Approx(1.0).epsilon(1e-7));
+    }
+  }
+}
+
+TEST_CASE("limits hold everywhere, rest at both ends, and all points are passed") {
+  std::mt19937_64 generator(2);
+  for (int k = 0; k < 100; ++k) {
+    CAPTURE(k);
+    const int n = 1 + static_cast<int>(generator() % 7);
+    const Trajectory path = random_path(generator, n);
+    const std::vector<AxisLimits> limits = random_limits(generator, n);
+    const Trajectory motion = time_optimal(path, limits, 100);
+    for (int sample = 0; sample <= 3000; ++sample) {
+      CHECK(load(motion, limits, motion.duration() * sample / 3000.0) <= 1.0 + 1e-9);
+    }
+    for (int i = 0; i < n; ++i) {
+      CHECK(std::abs(motion.value(i, 0.0, 1)) < 1e-12);
+      CHECK(std::abs(motion.value(i, motion.duration(), 1)) < 1e-7);
+      CHECK(motion.continuity(i, 1e-7) >= 1);
+      CHECK(motion.range(i).upper == doctest::Approx(path.range(i).upper).epsilon(1e-9).scale(1.0));
+      CHECK(motion.range(i).lower == doctest::Approx(path.range(i).lower).epsilon(1e-9).scale(1.0));
+    }
+    CHECK((motion.end() - path.end()).norm() == 0.0);
+  }
+}
+
+TEST_CASE("at nearly every moment some joint is at a limit") {
+  std::mt19937_64 generator(3);
+  for (int k = 0; k < 30; ++k) {
+    CAPTURE(k);
+    const int n = 2 + static_cast<int>(generator() % 6);
+    const Trajectory path = random_path(generator, n);
+    const std::vector<AxisLimits> limits = random_limits(generator, n);
+    const Trajectory motion = run_along(path, fastest_along(path, limits, 400));
+    int idle = 0;
+    for (int sample = 1; sample < 1000; ++sample) {
+      idle += load(motion, limits, motion.duration() * sample / 1000.0) < 0.98 ? 1 : 0;
+    }
+    CHECK(idle <= 50);
+  }
+}
+
+TEST_CASE("higher limits are never slower, and k times all speeds needs k^2 accelerations") {
+  std::mt19937_64 generator(4);
+  for (int k = 0; k < 50; ++k) {
+    const Trajectory path = random_path(generator, 3);
+    std::vector<AxisLimits> limits = random_limits(generator, 3);
+    const double T = fastest_along(path, limits).duration();
+    std::vector<AxisLimits> scaled = limits;
+    for (AxisLimits& l : scaled) l = {2.0 * l.speed, 4.0 * l.acceleration};
+    CHECK(fastest_along(path, scaled).duration() == doctest::Approx(0.5 * T).epsilon(1e-9));
+    limits[generator() % 3].acceleration *= 1.5;
+    CHECK(fastest_along(path, limits).duration() <= T * (1.0 + 1e-9));
+  }
+}
+
+TEST_CASE("backwards takes as long as forwards") {
+  std::mt19937_64 generator(5);
+  for (int k = 0; k < 30; ++k) {
+    const Trajectory path = random_path(generator, 4);
+    const std::vector<AxisLimits> limits = random_limits(generator, 4);
+    CHECK(fastest_along(path, limits, 400).duration() ==
+          doctest::Approx(fastest_along(path.reversed(), limits, 400).duration()).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("paths and limits that cannot be used are refused") {
+  const std::vector<AxisLimits> good{{1.0, 1.0}};
+  const std::vector<AxisLimits> endless{{1.0, INFINITY}};
+  CHECK_THROWS_AS((void)fastest_along(straight_line(1.0), endless), ArgumentError);
+  CHECK_THROWS_AS((void)fastest_along(straight_line(1.0), {}), ArgumentError);
+  CHECK_THROWS_AS((void)fastest_along(straight_line(1.0), good, 0), ArgumentError);
+  const Trajectory still = Trajectory::at_rest(Eigen::VectorXd::Zero(1), 0.0);
+  CHECK_THROWS_AS((void)fastest_along(still, good), ArgumentError);
+  const Segment quintic = quintic_segment({}, {.q = 1.0}, 1.0);
+  CHECK_THROWS_AS((void)fastest_along(Trajectory({{{quintic}, 1.0}}, 1.0), good), ArgumentError);
+  const std::vector<Eigen::VectorXd> twice(2, Eigen::VectorXd::Ones(2));
+  CHECK_THROWS_AS((void)path_through(twice), ArgumentError);
+  CHECK_THROWS_AS((void)path_through(std::span(twice).first(1)), ArgumentError);
+}
