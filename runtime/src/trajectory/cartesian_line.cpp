@@ -8,6 +8,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
+#include "trajectory/curve_plan.hpp"
 #include "trajectory/line_samples.hpp"
 
 namespace armlet {
@@ -75,9 +76,15 @@ double duration(const Robot& robot, const LineMove& move, const Trajectory& unit
   return std::max(by_tool, move.enforce_limits || length == 0.0 ? by_joints : 0.0);
 }
 
+// What the tool point travels, m, other than what turns count for.
+double path_length(const CurvePiece& piece) {
+  if (piece.is_round()) return piece.arc.radius * piece.arc.sweep;
+  return (piece.T_end.translation() - piece.T_start.translation()).norm();
+}
+
 }  // namespace
 
-LinePlan plan_line(const Robot& robot, const LineMove& move) {
+LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& make) {
   check_move(robot, move);
   LinePlan plan;
   IkResult goal = solve_goal(robot, move);
@@ -89,14 +96,21 @@ LinePlan plan_line(const Robot& robot, const LineMove& move) {
     return plan;
   }
   const Eigen::Isometry3d T_world_end = line_end(robot, move, goal);
-  plan.length = (T_world_end.translation() - forward(robot, move.q0).translation()).norm();
-  if (nothing_to_do(robot, move, T_world_end)) {
+  const std::optional<CurvePiece> piece = make(forward(robot, move.q0), T_world_end);
+  if (!piece) {
+    plan.fault = {.kind = LineFaultKind::kNoArc, .T_world_tool = move.T_world_goal};
+    return plan;
+  }
+  plan.length = path_length(*piece);
+  if (!piece->is_round() && nothing_to_do(robot, move, T_world_end)) {
     plan.motion = verify(robot, Trajectory::at_rest(move.q0, move.time.value_or(0.0)));
     return plan;
   }
   // Where the goal keeps an orientation, the samples have it in full, also for a turn about z.
   const IkTask task = move.task == IkTask::kTurn ? IkTask::kPose : move.task;
-  LineSamples samples(robot, move.q0, T_world_end, task);
+  PoseCurve curve;
+  curve.add(*piece);
+  LineSamples samples(robot, move.q0, std::move(curve), task);
   if (!samples.follow()) {
     plan.fault = samples.fault();
     return plan;
@@ -110,6 +124,10 @@ LinePlan plan_line(const Robot& robot, const LineMove& move) {
   }
   plan.motion = verify(robot, unit.stretched(T), move.enforce_limits);
   return plan;
+}
+
+LinePlan plan_line(const Robot& robot, const LineMove& move) {
+  return plan_curve(robot, move, straight_piece);
 }
 
 }  // namespace armlet

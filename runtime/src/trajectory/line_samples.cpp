@@ -1,10 +1,11 @@
 #include "trajectory/line_samples.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "armlet/kinematics/forward.hpp"
+#include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/spline.hpp"
 
@@ -18,8 +19,8 @@ constexpr double kSlidePerSample = 0.02;    // m
 constexpr double kPlaceDeviation = 1e-5;    // m, between samples
 constexpr double kAngleDeviation = 1e-4;    // rad, between samples
 constexpr double kSampleTolerance = 1e-10;  // m and rad, at samples
-
-double covered(double x) { return x * x * x * (10.0 + x * (-15.0 + 6.0 * x)); }
+constexpr int kSlideSteps = 8;
+constexpr double kLargestSlide = 10.0;  // allowed changes between samples; more is no slide
 
 // Joint change between neighbouring samples, as a multiple of what is allowed.
 double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
@@ -37,21 +38,53 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 
 }  // namespace
 
-LineSamples::LineSamples(const Robot& robot, const Eigen::VectorXd& q0,
-                         const Eigen::Isometry3d& T_world_goal, IkTask task)
-    : robot_(robot),
-      T_world_start_(forward(robot, q0)),
-      T_world_goal_(T_world_goal),
-      task_(task),
-      samples_{{0.0, q0}} {}
+LineSamples::LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve,
+                         IkTask task, CurveLaw law)
+    : robot_(robot), curve_(std::move(curve)), task_(task), law_(law), samples_{{0.0, q0}} {}
 
-Eigen::Isometry3d LineSamples::pose_at(double x) const {
-  return interpolate(T_world_start_, T_world_goal_, covered(x));
+double LineSamples::covered(double x) const {
+  return law_ == CurveLaw::kEven ? x : x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
+}
+
+Eigen::Isometry3d LineSamples::pose_at(double x) const { return curve_.at(covered(x)); }
+
+// Newton's method from the solution before, which is near: the solution that the arm slides into.
+// Nothing where it does not settle at once, or only outside the limits.
+std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_world_tool,
+                                                  const Eigen::VectorXd& seed) const {
+  Eigen::VectorXd q = seed;
+  Jacobian J;
+  for (int k = 0; k < kSlideSteps; ++k) {
+    const Vector6d error = pose_error(forward_and_jacobian(robot_, q, J), T_world_tool);
+    if (error.head<3>().norm() <= kSampleTolerance && error.tail<3>().norm() <= kSampleTolerance) {
+      if (limit_violations(robot_, q).empty()) return q;
+      return std::nullopt;
+    }
+    // The shortest step, or for arms of fewer joints the one that comes nearest.
+    if (robot_.n() >= 6) {
+      const Eigen::Matrix<double, 6, 6> square = J * J.transpose();
+      q += J.transpose() * square.ldlt().solve(error);
+    } else {
+      const Eigen::MatrixXd square = J.transpose() * J;
+      q += square.ldlt().solve(J.transpose() * error);
+    }
+    if (!q.allFinite() || change(robot_, seed, q) > kLargestSlide) return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
+  const Eigen::Isometry3d T_world_tool = pose_at(x);
+  if (task_ == IkTask::kPose && respect_limits) {
+    if (auto q = slide(T_world_tool, seed)) {
+      IkResult result;
+      result.status = IkStatus::kOk;
+      result.q = *std::move(q);
+      return result;
+    }
+  }
   // Only the solution that the arm can slide into counts, so there is one start.
-  return solve_ik(robot_, pose_at(x),
+  return solve_ik(robot_, T_world_tool,
                   {.seed = seed,
                    .task = task_,
                    .choice = IkChoice::kFirst,
@@ -141,7 +174,9 @@ Trajectory LineSamples::motion() const {
   for (int i = 0; i < robot_.n(); ++i) {
     std::vector<double> q;
     for (const Sample& sample : samples_) q.push_back(sample.q[i]);
-    joints.push_back({.segments = cubic_spline(x, q), .q_end = q.back()});
+    joints.push_back(
+        {.segments = law_ == CurveLaw::kEven ? natural_spline(x, q) : cubic_spline(x, q),
+         .q_end = q.back()});
   }
   return {std::move(joints), 1.0};
 }

@@ -1,24 +1,29 @@
-// Places on a straight line solved to joints, as finely as the joints need it.
+// Places on a curve solved to joints, as finely as the joints need it.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "armlet/trajectory/cartesian_line.hpp"
+#include "trajectory/pose_curve.hpp"
 
 namespace armlet {
 
-// The line is run in unit time: at time x the tool has covered 10 x^3 - 15 x^4 + 6 x^5 of it.
+// How distance runs along the curve. kQuintic: in unit time, at time x the tool has covered
+// 10 x^3 - 15 x^4 + 6 x^5 of it. kEven: x is the part that is covered, for a law of time to come.
+enum class CurveLaw { kQuintic, kEven };
+
 class LineSamples {
  public:
-  LineSamples(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Isometry3d& T_world_goal,
-              IkTask task);
+  LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve, IkTask task,
+              CurveLaw law = CurveLaw::kQuintic);
 
-  // Samples the line; false if it cannot be followed, then fault() says why.
+  // Samples the curve; false if it cannot be followed, then fault() says why.
   bool follow();
   [[nodiscard]] const LineFault& fault() const { return fault_; }
 
-  // The joint motion of one second through all samples. Only after follow() succeeded.
+  // The joints as functions of x, through all samples: from rest to rest with the quintic, with
+  // free ends for the even law. Only after follow() succeeded.
   [[nodiscard]] Trajectory motion() const;
 
  private:
@@ -27,7 +32,10 @@ class LineSamples {
     Eigen::VectorXd q;
   };
 
+  [[nodiscard]] double covered(double x) const;
   [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
+                                                     const Eigen::VectorXd& seed) const;
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;
   bool extend(double x, int halvings);
@@ -36,9 +44,9 @@ class LineSamples {
   bool fail(const Sample& last, double x, IkResult ik);
 
   const Robot& robot_;
-  Eigen::Isometry3d T_world_start_;
-  Eigen::Isometry3d T_world_goal_;
+  PoseCurve curve_;
   IkTask task_;
+  CurveLaw law_;
   std::vector<Sample> samples_;
   LineFault fault_;
 };

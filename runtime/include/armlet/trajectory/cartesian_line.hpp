@@ -39,7 +39,8 @@ struct LineMove {
 // is
 //        ok there, only another configuration of the arm reaches it, which it cannot change into.
 // kJump  a joint would have to jump: the line passes through or next to a singularity.
-enum class LineFaultKind { kGoal, kPath, kJump };
+// kNoArc for arcs only: the three places lie on one line, and the middle one is not in between.
+enum class LineFaultKind { kGoal, kPath, kJump, kNoArc };
 
 // fraction  of the length up to which the line can be followed, 0 to 1.
 // joint     for kJump, the joint, counted from 0.

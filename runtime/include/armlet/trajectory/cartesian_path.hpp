@@ -1,0 +1,72 @@
+// Moves of the tool along arcs, and along several pieces with rounded corners.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "armlet/trajectory/cartesian_line.hpp"
+
+namespace armlet {
+
+// Plans a move of the tool point along the circle from where it is over `via` to the place of
+// move.T_world_goal; the orientation turns evenly about one axis. Everything else is as for
+// plan_line, `length` being that of the arc.
+//
+// If the three places lie on one line with `via` in between, that line is followed.
+//
+// returns  a plan whose fault is kNoArc if they lie on one line and `via` is not in between.
+LinePlan plan_arc(const Robot& robot, const Eigen::Vector3d& p_world_via, const LineMove& move);
+
+// A place on a path.
+//
+// p_world_via  reached over this place on a circle; nothing: on a straight line.
+// blend        how far before and after the place the path may leave its pieces to round the
+//              corner, m; at most half the length of either. With 0 the tool stops there.
+// tool_speed   highest speed of the tool point on the way to it, m/s; in a corner the lower of the
+//              two holds.
+struct PathPoint {
+  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+  std::optional<Eigen::Vector3d> p_world_via{};
+  double blend = 0.0;
+  std::optional<double> tool_speed{};
+};
+
+// A path of the tool through several places, from rest to rest.
+//
+// task   what of the poses counts, as for LineMove, for all places.
+// time   whole duration, s; nothing: as fast as the limits of the joints and tool speeds allow.
+// speed  fraction of the joint limits, above 0 and at most 1; not together with time.
+struct PathMove {
+  Eigen::VectorXd q0{};
+  std::vector<PathPoint> points{};
+  IkTask task = IkTask::kPose;
+  std::optional<double> time{};
+  double speed = 1.0;
+};
+
+// How a path was planned.
+//
+// motion   verified; nothing in it if `fault` says why.
+// point    of the fault, the piece that fails: the one that leads to this place, counted from 0.
+// missed   how far the path passes by each place, m; 0 where it stops.
+struct PathPlan {
+  MotionPlan motion{};
+  std::optional<LineFault> fault{};
+  int point = 0;
+  double length = 0.0;
+  std::vector<double> missed{};
+
+  [[nodiscard]] bool ok() const { return motion.ok(); }
+};
+
+// Plans the path: straight pieces and arcs, at the places rounded by curves whose direction and
+// curvature are continuous; solved to joints as for plan_line, then run as fast as possible.
+// Speeds fall only where limits need it; accelerations may step, jerk is not limited.
+//
+// source  rounding: p(u) = P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)), which misses the
+//         corner by 3/16 r |d2 - d1|. Time: see fastest_along.
+// throws  ArgumentError unless q0 has n finite elements, there is a place, poses are poses, blends
+//         are not negative and speeds are positive, or for time together with a speed below 1.
+PathPlan plan_path(const Robot& robot, const PathMove& move);
+
+}  // namespace armlet

@@ -1,0 +1,198 @@
+#include "armlet/trajectory/cartesian_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/trajectory/time_optimal.hpp"
+#include "trajectory/line_samples.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr int kIntervals = 200;          // of the grid on which the speeds are found
+constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
+constexpr double kNoLength = 1e-9;       // m
+
+void check_move(const Robot& robot, const PathMove& move) {
+  check_size("q0", move.q0.size(), robot.n());
+  check_finite("q0", move.q0);
+  if (move.points.empty()) throw ArgumentError("A path needs at least one place.");
+  for (const PathPoint& point : move.points) {
+    check_pose("T_world_tool", point.T_world_tool);
+    if (point.p_world_via) check_finite("p_world_via", *point.p_world_via);
+    if (point.tool_speed) check_positive("tool_speed", *point.tool_speed);
+    if (!(std::isfinite(point.blend) && point.blend >= 0.0)) {
+      throw ArgumentError(fmt::format("A corner cannot be blended within {} m.", point.blend));
+    }
+  }
+  if (move.time && (!std::isfinite(*move.time) || *move.time < 0.0)) {
+    throw ArgumentError(
+        fmt::format("The time of a path is {} s; expected 0 s or more.", *move.time));
+  }
+  if (!(move.speed > 0.0 && move.speed <= 1.0) || (move.time && move.speed != 1.0)) {
+    throw ArgumentError(
+        fmt::format("The speed of a path is {}; expected a fraction of the joint limits, and not "
+                    "together with a time.",
+                    move.speed));
+  }
+}
+
+// A piece that leads to a point, with what its corners take away.
+struct Leg {
+  CurvePiece piece{};
+  int point = 0;
+  double speed = 0.0;  // of the tool point, m/s
+};
+
+// From one stop to the next, as one curve; `zones` are its speeds.
+struct Stretch {
+  PoseCurve curve{};
+  std::vector<SpeedZone> zones{};
+  std::vector<Leg> legs{};
+};
+
+void add_zone(Stretch& stretch, double from, double speed) {
+  if (std::isfinite(speed)) stretch.zones.push_back({from, stretch.curve.length(), speed});
+}
+
+// The corner at the end of `before`; shortens both.
+CurveCorner cut_corner(Leg& before, Leg& behind, double blend) {
+  const double r = std::min({blend, 0.5 * before.piece.length, 0.5 * behind.piece.length});
+  before.piece.to = 1.0 - r / before.piece.length;
+  behind.piece.from = r / behind.piece.length;
+  return {.T_corner = before.piece.T_end,
+          .before = before.piece.state_from_end(before.piece.to),
+          .after = behind.piece.state_from_start(behind.piece.from),
+          .length = 2.0 * r};
+}
+
+class PathPlanner {
+ public:
+  PathPlanner(const Robot& robot, const PathMove& move) : robot_(robot), move_(move) {
+    for (int i = 0; i < robot.n(); ++i) {
+      limits_.push_back(
+          {move.speed * robot.max_speed()[i], move.speed * move.speed * robot.max_accel()[i]});
+    }
+  }
+
+  PathPlan plan() {
+    if (!lay_legs()) return std::move(plan_);
+    plan_.missed.assign(move_.points.size(), 0.0);
+    std::optional<Trajectory> whole;
+    Eigen::VectorXd q = move_.q0;
+    for (std::size_t first = 0; first < legs_.size();) {
+      Stretch stretch = stretch_from(first);
+      first += stretch.legs.size();
+      auto motion = run(stretch, q);
+      if (!motion) return std::move(plan_);
+      plan_.length += stretch.curve.length();
+      q = motion->end();
+      whole = whole ? whole->then(*motion) : std::move(*motion);
+    }
+    finish(whole ? *std::move(whole) : Trajectory::at_rest(move_.q0, 0.0));
+    return std::move(plan_);
+  }
+
+ private:
+  bool fail(LineFault fault, int point) {
+    plan_.fault = std::move(fault);
+    plan_.point = point;
+    return false;
+  }
+
+  // Full pieces from place to place; places where nothing moves are left out.
+  bool lay_legs() {
+    Eigen::Isometry3d T = forward(robot_, move_.q0);
+    for (std::size_t k = 0; k < move_.points.size(); ++k) {
+      const PathPoint& point = move_.points[k];
+      const int index = static_cast<int>(k);
+      std::optional<CurvePiece> piece = straight_piece(T, point.T_world_tool);
+      if (point.p_world_via) piece = piece_over(T, *point.p_world_via, point.T_world_tool);
+      if (!piece) {
+        return fail({.kind = LineFaultKind::kNoArc, .T_world_tool = point.T_world_tool}, index);
+      }
+      if (piece->length > kNoLength) {
+        legs_.push_back({*piece, index, point.tool_speed.value_or(INFINITY)});
+      }
+      T = point.T_world_tool;
+    }
+    return true;
+  }
+
+  // From the leg on up to the next place where the tool stops.
+  Stretch stretch_from(std::size_t first) {
+    Stretch stretch;
+    for (std::size_t k = first;; ++k) {
+      Leg& leg = legs_[k];
+      const double blend = move_.points[static_cast<std::size_t>(leg.point)].blend;
+      const bool stops = k + 1 == legs_.size() || blend < kShortestBlend;
+      std::optional<CurveCorner> corner;
+      if (!stops) corner = cut_corner(leg, legs_[k + 1], blend);
+      double from = stretch.curve.length();
+      stretch.curve.add(leg.piece);
+      add_zone(stretch, from, leg.speed);
+      stretch.legs.push_back(leg);
+      if (stops) return stretch;
+      from = stretch.curve.length();
+      stretch.curve.add(*corner);
+      add_zone(stretch, from, std::min(leg.speed, legs_[k + 1].speed));
+      plan_.missed[static_cast<std::size_t>(leg.point)] =
+          (corner->at(0.5).translation() - corner->T_corner.translation()).norm();
+    }
+  }
+
+  std::optional<Trajectory> run(const Stretch& stretch, const Eigen::VectorXd& q0) {
+    LineSamples samples(robot_, q0, stretch.curve, move_.task, CurveLaw::kEven);
+    if (!samples.follow()) {
+      fail(samples.fault(), leg_at(stretch, samples.fault().fraction).point);
+      return std::nullopt;
+    }
+    // Samples run from 0 to 1, speeds in metres.
+    const Trajectory path = samples.motion().stretched(stretch.curve.length());
+    return time_optimal(path, limits_, kIntervals, stretch.zones);
+  }
+
+  static const Leg& leg_at(const Stretch& stretch, double fraction) {
+    double s = fraction * stretch.curve.length();
+    for (const Leg& leg : stretch.legs) {
+      s -= leg.piece.length;
+      if (s < 0.0) return leg;
+    }
+    return stretch.legs.back();
+  }
+
+  void finish(Trajectory fastest) {
+    const double least = fastest.duration();
+    if (!move_.time || least == 0.0) {
+      plan_.motion = verify(robot_, std::move(fastest));
+      return;
+    }
+    if (*move_.time < least * (1.0 - 1e-9)) {
+      plan_.motion.too_fast = least_time(robot_, fastest);
+      plan_.motion.too_fast->given = *move_.time;
+      plan_.motion.too_fast->least_time = least;
+      return;
+    }
+    plan_.motion = verify(robot_, fastest.stretched(*move_.time / least));
+  }
+
+  const Robot& robot_;
+  const PathMove& move_;
+  std::vector<AxisLimits> limits_;
+  std::vector<Leg> legs_;
+  PathPlan plan_;
+};
+
+}  // namespace
+
+PathPlan plan_path(const Robot& robot, const PathMove& move) {
+  check_move(robot, move);
+  return PathPlanner(robot, move).plan();
+}
+
+}  // namespace armlet

@@ -1,0 +1,85 @@
+// Curves that the tool can follow: a pose for every fraction of the length.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace armlet {
+
+// Circle through three points, from the first over the second to the third.
+struct Arc {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Vector3d e = Eigen::Vector3d::UnitX();  // towards the first point
+  Eigen::Vector3d f = Eigen::Vector3d::UnitY();  // the way it starts
+  double radius = 0.0;                           // m
+  double sweep = 0.0;                            // rad, above 0 and below 2 pi
+
+  [[nodiscard]] Eigen::Vector3d at(double fraction) const;
+};
+
+// Nothing if the three points are on one line or two of them are the same.
+std::optional<Arc> arc_through(const Eigen::Vector3d& p1, const Eigen::Vector3d& p2,
+                               const Eigen::Vector3d& p3);
+
+// Place and turn with two derivatives by length: [m; rad].
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+struct CurveState {
+  Vector6 x, slope, curvature;
+};
+
+// A stretch of a curve, straight or on a circle; the orientation turns evenly about one axis.
+//
+// length    m; for turns in place, what their angle counts for.
+// from, to  the part of it that is used, as fractions.
+struct CurvePiece {
+  Eigen::Isometry3d T_start = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_end = Eigen::Isometry3d::Identity();
+  double length = 0.0;
+  Arc arc{};  // if its radius is above zero
+  double from = 0.0;
+  double to = 1.0;
+
+  [[nodiscard]] bool is_round() const { return arc.radius > 0.0; }
+  [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
+  // Relative to the pose at the start (fraction 0) or at the end (1): places in the world's axes,
+  // turns in those of that pose.
+  [[nodiscard]] CurveState state_from_start(double fraction) const;
+  [[nodiscard]] CurveState state_from_end(double fraction) const;
+};
+
+CurvePiece straight_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometry3d& T_end);
+CurvePiece arc_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometry3d& T_end,
+                     const Arc& arc);
+
+// The arc over p_via, or the straight piece if p_via is on the line in between; nothing if it is on
+// the line elsewhere.
+std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eigen::Vector3d& p_via,
+                                     const Eigen::Isometry3d& T_end);
+
+// The way round a corner: quintics from one state to another, both relative to the corner. Between
+// straight pieces these are P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)).
+struct CurveCorner {
+  Eigen::Isometry3d T_corner = Eigen::Isometry3d::Identity();
+  CurveState before, after;
+  double length = 0.0;
+
+  [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
+};
+
+// Pieces one after another.
+class PoseCurve {
+ public:
+  void add(const CurvePiece& piece);
+  void add(const CurveCorner& corner);
+
+  [[nodiscard]] double length() const { return starts_.back(); }
+  [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
+
+ private:
+  std::vector<std::variant<CurvePiece, CurveCorner>> parts_;
+  std::vector<double> starts_ = {0.0};  // m; the last is the end
+};
+
+}  // namespace armlet

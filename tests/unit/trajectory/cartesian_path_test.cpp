@@ -1,0 +1,218 @@
+#include "armlet/trajectory/cartesian_path.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "armlet/core/error.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/model/catalog.hpp"
+#include "trajectory/pose_curve.hpp"
+
+using namespace armlet;
+
+namespace {
+
+Eigen::Isometry3d tool_at(const Robot& robot, const Trajectory& motion, double t) {
+  Eigen::VectorXd q(motion.n());
+  for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, t);
+  return forward(robot, q);
+}
+
+double uniform(std::mt19937_64& generator, double lower, double upper) {
+  return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
+}
+
+Eigen::Isometry3d shifted(Eigen::Isometry3d T, double x, double y, double z) {
+  T.translation() += Eigen::Vector3d(x, y, z);
+  return T;
+}
+
+const Robot kArm = *make_robot("ur5");
+const Eigen::VectorXd kStart = (Eigen::VectorXd(6) << -0.3, -1.3, 1.9, -1.1, -1.5, 0.2).finished();
+
+double corner_distance(const Robot& robot, const Trajectory& motion, const Eigen::Vector3d& p) {
+  double least = 1e9;
+  for (int k = 0; k <= 4000; ++k) {
+    const double t = motion.duration() * k / 4000.0;
+    least = std::min(least, (tool_at(robot, motion, t).translation() - p).norm());
+  }
+  return least;
+}
+
+// Highest speed of the tool point between two times, by central differences.
+double tool_speed(const Robot& robot, const Trajectory& motion, double t) {
+  const double h = 1e-5;
+  return (tool_at(robot, motion, t + h).translation() - tool_at(robot, motion, t - h).translation())
+             .norm() /
+         (2.0 * h);
+}
+
+}  // namespace
+
+TEST_CASE("an arc passes its three points in order, all on one circle") {
+  std::mt19937_64 generator(1);
+  for (int k = 0; k < 1000; ++k) {
+    const auto point = [&] {
+      return Eigen::Vector3d(uniform(generator, -1.0, 1.0), uniform(generator, -1.0, 1.0),
+                             uniform(generator, -1.0, 1.0));
+    };
+    const Eigen::Vector3d p1 = point(), p2 = point(), p3 = point();
+    const auto arc = arc_through(p1, p2, p3);
+    REQUIRE(arc);
+    const double scale = 1.0 + arc->radius;
+    CHECK((arc->at(0.0) - p1).norm() < 1e-12 * scale);
+    CHECK((arc->at(1.0) - p3).norm() < 1e-12 * scale * scale);
+    CHECK(std::abs((p2 - arc->centre).norm() - arc->radius) < 1e-12 * scale * scale);
+    double least = 1e9;
+    for (int i = 1; i < 1000; ++i) least = std::min(least, (arc->at(i / 1000.0) - p2).norm());
+    CHECK(least <= arc->radius * arc->sweep / 1000.0);
+  }
+  CHECK_FALSE(arc_through({0, 0, 0}, {1, 1, 1}, {2, 2, 2}));
+  CHECK_FALSE(arc_through({0, 0, 0}, {0, 0, 0}, {2, 2, 2}));
+}
+
+// A corner at a right angle run at 1 m/s, rounded for 0.1 s before and after: the distance to the
+// corner is 3/16 0.1 sqrt(2), the highest acceleration 0.75 sqrt(2) / 0.1.
+TEST_CASE("the rounded corner misses by 0.0265165 and accelerates by 10.6066") {
+  CurvePiece a = straight_piece(make_translation({-1, 0, 0}), make_translation({0, 0, 0}));
+  CurvePiece b = straight_piece(make_translation({0, 0, 0}), make_translation({0, 1, 0}));
+  const CurveCorner corner{
+      .before = a.state_from_end(0.9), .after = b.state_from_start(0.1), .length = 0.2};
+  CHECK(corner.at(0.5).translation().norm() == doctest::Approx(0.0265165).epsilon(1e-6));
+  double peak = 0.0;
+  const double h = 1e-4;
+  for (double u = h; u < 1.0 - h; u += h) {
+    const Eigen::Vector3d second = corner.at(u + h).translation() -
+                                   2.0 * corner.at(u).translation() +
+                                   corner.at(u - h).translation();
+    peak = std::max(peak, second.norm() / (h * 0.2 * h * 0.2));
+  }
+  CHECK(peak == doctest::Approx(10.6066).epsilon(1e-4));
+}
+
+TEST_CASE("a turn along a piece is even, and a corner joins it with continuous rates") {
+  const Eigen::Isometry3d T0 = pose_from_rpy({0.1, 0.2, 0.3}, {0.1, 0.2, 0.3});
+  const Eigen::Isometry3d T1 = pose_from_rpy({0.5, 0.2, 0.1}, {0.9, -0.2, 0.5});
+  const Eigen::Isometry3d T2 = pose_from_rpy({0.5, 0.7, 0.1}, {0.2, 0.4, 1.5});
+  const auto arc = arc_through(T1.translation(), {0.6, 0.5, 0.2}, T2.translation());
+  CurvePiece a = straight_piece(T0, T1);
+  CurvePiece b = arc_piece(T1, T2, *arc);
+  a.to = 0.8;
+  b.from = 0.2 * a.length / b.length;
+  const CurveCorner corner{.T_corner = T1,
+                           .before = a.state_from_end(a.to),
+                           .after = b.state_from_start(b.from),
+                           .length = 0.4 * a.length};
+  PoseCurve curve;
+  curve.add(a);
+  curve.add(corner);
+  curve.add(b);
+  // Second differences of the pose stay of the order of the step squared: no kink anywhere.
+  const double h = 1e-3;
+  for (double x = h; x < 1.0 - h; x += h / 3.0) {
+    const Vector6d change =
+        pose_error(curve.at(x), curve.at(x + h)) - pose_error(curve.at(x - h), curve.at(x));
+    CHECK(change.norm() < 40.0 * h * h);
+  }
+  CHECK((curve.at(0.0).matrix() - T0.matrix()).norm() < 1e-12);
+  CHECK((curve.at(1.0).matrix() - T2.matrix()).norm() < 1e-12);
+}
+
+TEST_CASE("the tool follows the circle, at the samples and between, over the middle point") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  const Eigen::Isometry3d T1 = shifted(T0, 0.0, 0.2, 0.0);
+  const Eigen::Vector3d via = shifted(T0, 0.05, 0.1, 0.05).translation();
+  const LinePlan plan = plan_arc(kArm, via, {.q0 = kStart, .T_world_goal = T1, .time = 4.0});
+  REQUIRE(plan.ok());
+  const Trajectory& motion = *plan.motion.trajectory;
+  const auto arc = arc_through(T0.translation(), via, T1.translation());
+  CHECK(plan.length == doctest::Approx(arc->radius * arc->sweep));
+  for (const double knot : motion.knots()) {
+    const Eigen::Vector3d p = tool_at(kArm, motion, knot).translation();
+    CHECK(std::abs((p - arc->centre).norm() - arc->radius) < 1e-9);
+  }
+  for (int k = 0; k <= 1000; ++k) {
+    const Eigen::Isometry3d T = tool_at(kArm, motion, motion.duration() * k / 1000.0);
+    CHECK(std::abs((T.translation() - arc->centre).norm() - arc->radius) < 1.05e-5);
+    CHECK(angle_between(T, T0) < 1.05e-4);
+  }
+  CHECK(corner_distance(kArm, motion, via) < 1e-3);
+}
+
+TEST_CASE("three places on one line are a line if the middle one is in between, else no arc") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  const LineMove move{.q0 = kStart, .T_world_goal = shifted(T0, 0.0, 0.2, 0.0), .time = 4.0};
+  const LinePlan straight = plan_arc(kArm, shifted(T0, 0.0, 0.1, 0.0).translation(), move);
+  REQUIRE(straight.ok());
+  CHECK(straight.length == doctest::Approx(0.2));
+  const LinePlan none = plan_arc(kArm, shifted(T0, 0.0, 0.3, 0.0).translation(), move);
+  REQUIRE(none.fault);
+  CHECK(none.fault->kind == LineFaultKind::kNoArc);
+}
+
+TEST_CASE("a path rounds its corners by 3/16 r |d2 - d1| and stops where it must not") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  PathMove move{.q0 = kStart};
+  move.points = {{.T_world_tool = shifted(T0, 0.0, 0.15, 0.0), .blend = 0.03},
+                 {.T_world_tool = shifted(T0, 0.0, 0.15, 0.1), .blend = 0.0},
+                 {.T_world_tool = shifted(T0, 0.1, 0.15, 0.1)}};
+  const PathPlan plan = plan_path(kArm, move);
+  REQUIRE(plan.ok());
+  const Trajectory& motion = *plan.motion.trajectory;
+  const double miss = 3.0 / 16.0 * 0.03 * std::sqrt(2.0);
+  REQUIRE(plan.missed.size() == 3);
+  CHECK(plan.missed[0] == doctest::Approx(miss).epsilon(1e-9));
+  CHECK(plan.missed[1] == 0.0);
+  CHECK(std::abs(corner_distance(kArm, motion, move.points[0].T_world_tool.translation()) - miss) <
+        2e-5);
+  CHECK(corner_distance(kArm, motion, move.points[1].T_world_tool.translation()) < 2e-5);
+  for (int i = 0; i < 6; ++i) {
+    CHECK(motion.continuity(i, 1e-6) >= 1);
+    CHECK(motion.peak(i, 1) <= kArm.max_speed()[i] * (1.0 + 1e-9));
+    CHECK(motion.peak(i, 2) <= kArm.max_accel()[i] * (1.0 + 1e-9));
+  }
+  CHECK((forward(kArm, motion.end()).translation() - move.points.back().T_world_tool.translation())
+            .norm() < 1e-9);
+}
+
+TEST_CASE("tool speeds hold on their pieces, and the time that is asked for is kept") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  PathMove move{.q0 = kStart};
+  move.points = {{.T_world_tool = shifted(T0, 0.0, 0.15, 0.0), .blend = 0.02, .tool_speed = 0.1},
+                 {.T_world_tool = shifted(T0, 0.0, 0.15, 0.1), .tool_speed = 0.05}};
+  const PathPlan plan = plan_path(kArm, move);
+  REQUIRE(plan.ok());
+  const Trajectory& motion = *plan.motion.trajectory;
+  for (int k = 1; k < 500; ++k) {
+    const double t = motion.duration() * k / 500.0;
+    const bool second = tool_at(kArm, motion, t).translation().z() > T0.translation().z() + 1e-3;
+    CHECK(tool_speed(kArm, motion, t) <= (second ? 0.05 : 0.1) * (1.0 + 1e-3));
+  }
+  move.time = 10.0;
+  CHECK(plan_path(kArm, move).motion.trajectory->duration() == doctest::Approx(10.0));
+  move.time = 0.5;
+  const PathPlan fast = plan_path(kArm, move);
+  CHECK_FALSE(fast.ok());
+  REQUIRE(fast.motion.too_fast);
+  CHECK(fast.motion.too_fast->least_time == doctest::Approx(motion.duration()));
+}
+
+TEST_CASE("a path that cannot be followed says on the way to which place") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  PathMove move{.q0 = kStart};
+  move.points = {{.T_world_tool = shifted(T0, 0.0, 0.1, 0.0), .blend = 0.01},
+                 {.T_world_tool = shifted(T0, 2.0, 0.1, 0.0)}};
+  const PathPlan plan = plan_path(kArm, move);
+  CHECK_FALSE(plan.ok());
+  REQUIRE(plan.fault);
+  CHECK(plan.point == 1);
+  move.points.clear();
+  CHECK_THROWS_AS((void)plan_path(kArm, move), ArgumentError);
+  move.points = {{.T_world_tool = T0, .blend = -0.1}};
+  CHECK_THROWS_AS((void)plan_path(kArm, move), ArgumentError);
+  move.points = {{.T_world_tool = T0}};
+  CHECK(plan_path(kArm, move).motion.trajectory->duration() == 0.0);
+}
