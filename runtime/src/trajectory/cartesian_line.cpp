@@ -20,7 +20,9 @@ constexpr double kQuinticAccelPeak = 5.773502691896258;
 constexpr double kShortest = 1e-9;        // s, resolution of the clock
 constexpr double kGoalTolerance = 1e-10;  // m and rad, tried before the solver's usual ones
 
-void check_move(const Robot& robot, const LineMove& move) {
+}  // namespace
+
+void check_line_move(const Robot& robot, const LineMove& move) {
   check_size("q0", move.q0.size(), robot.n());
   check_finite("q0", move.q0);
   check_pose("T_world_goal", move.T_world_goal);
@@ -40,6 +42,8 @@ void check_move(const Robot& robot, const LineMove& move) {
     throw ArgumentError("A move was given both a time and a speed; give one of them.");
   }
 }
+
+namespace {
 
 IkResult solve_goal(const Robot& robot, const LineMove& move) {
   IkOptions options{.seed = move.q0, .task = move.task, .diagnose = false};
@@ -84,8 +88,17 @@ double path_length(const CurvePiece& piece) {
 
 }  // namespace
 
+MotionPlan run_unit_motion(const Robot& robot, const LineMove& move, const Trajectory& unit,
+                           double length) {
+  const double T = duration(robot, move, unit, length);
+  if (T >= kShortest) return verify(robot, unit.stretched(T), move.enforce_limits);
+  MotionPlan refused{.too_fast = least_time(robot, unit)};
+  refused.too_fast->given = T;
+  return refused;
+}
+
 LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& make) {
-  check_move(robot, move);
+  check_line_move(robot, move);
   LinePlan plan;
   IkResult goal = solve_goal(robot, move);
   if (!goal.ok()) {
@@ -115,14 +128,7 @@ LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& 
     plan.fault = samples.fault();
     return plan;
   }
-  const Trajectory unit = samples.motion();
-  const double T = duration(robot, move, unit, plan.length);
-  if (T < kShortest) {
-    plan.motion.too_fast = least_time(robot, unit);
-    plan.motion.too_fast->given = T;
-    return plan;
-  }
-  plan.motion = verify(robot, unit.stretched(T), move.enforce_limits);
+  plan.motion = run_unit_motion(robot, move, samples.motion(), plan.length);
   return plan;
 }
 

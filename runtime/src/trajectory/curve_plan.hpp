@@ -15,4 +15,11 @@ using CurveMaker = std::function<std::optional<CurvePiece>(const Eigen::Isometry
 // What plan_line and plan_arc share: the goal, the curve to it, its samples, the time.
 LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& make);
 
+// Throws ArgumentError for what plan_line refuses.
+void check_line_move(const Robot& robot, const LineMove& move);
+
+// A motion of one second run in the time that the move asks for, and verified.
+MotionPlan run_unit_motion(const Robot& robot, const LineMove& move, const Trajectory& unit,
+                           double length);
+
 }  // namespace armlet
