@@ -62,21 +62,38 @@ struct Sample {
   double p, v, half_a;
 };
 
-// One pass gives the value and, from its partial sums, both derivatives.
+// One pass gives the value and, from its partial sums, both derivatives. The first two steps leave
+// out what would be added to zero.
 template <int kDegree>
 Sample horner(const Segment& piece, double u) {
-  Sample s{piece.c[kDegree], 0.0, 0.0};
-  for (int k = kDegree - 1; k >= 0; --k) {
+  static_assert(kDegree >= 2);
+  const auto& c = piece.c;
+  Sample s{c[kDegree] * u + c[kDegree - 1], c[kDegree], c[kDegree]};
+  s.v = s.v * u + s.p;
+  s.p = s.p * u + c[kDegree - 2];
+  for (int k = kDegree - 3; k >= 0; --k) {
     s.half_a = s.half_a * u + s.v;
     s.v = s.v * u + s.p;
-    s.p = s.p * u + piece.c[static_cast<size_t>(k)];
+    s.p = s.p * u + c[static_cast<size_t>(k)];
   }
   return s;
 }
 
 Sample sample_piece(const Segment& piece, double u) {
-  if (piece.degree <= 3) return horner<3>(piece, u);
-  return piece.degree <= 5 ? horner<5>(piece, u) : horner<Segment::kMaxDegree>(piece, u);
+  switch (piece.degree) {
+    case 3:
+      return horner<3>(piece, u);
+    case 4:
+      return horner<4>(piece, u);
+    case 5:
+      return horner<5>(piece, u);
+    case 6:
+      return horner<6>(piece, u);
+    case 7:
+      return horner<7>(piece, u);
+    default:
+      return horner<2>(piece, u);
+  }
 }
 
 // Bounds of the derivative of this order over the whole piece: the smallest and the largest of its
@@ -158,6 +175,7 @@ void Trajectory::index_pieces(std::size_t pieces) {
       end = std::min(last.end(), duration_);
     }
     ends_.push_back(end);
+    first_end_ = ends_.size() == 1 ? end : std::min(first_end_, end);
     const std::size_t count = path.segments.size();
     shared_ = shared_ && count == joints_.front().segments.size() &&
               std::equal(starts_.begin(), starts_.begin() + static_cast<std::ptrdiff_t>(count),
@@ -186,8 +204,21 @@ Eigen::VectorXd Trajectory::end() const {
 void Trajectory::sample(double t, Eigen::Ref<Eigen::VectorXd> q, Eigen::Ref<Eigen::VectorXd> qd,
                         Eigen::Ref<Eigen::VectorXd> qdd) const {
   std::size_t k = 0;
-  if (shared_ && !joints_.empty())
+  if (shared_ && !joints_.empty()) {
     k = last_not_after(starts_.data(), starts_.size() / joints_.size(), t);
+    if (t >= 0.0 && t < first_end_) {
+      // All joints move, each in its piece k.
+      const double u = t - starts_[k];
+      for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const Sample sample = sample_piece(joints_[i].segments[k], u);
+        const auto at = static_cast<Eigen::Index>(i);
+        q[at] = sample.p;
+        qd[at] = sample.v;
+        qdd[at] = 2.0 * sample.half_a;
+      }
+      return;
+    }
+  }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const JointPath& path = joints_[i];
     const auto at = static_cast<Eigen::Index>(i);

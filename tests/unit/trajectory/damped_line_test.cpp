@@ -52,13 +52,15 @@ TEST_CASE("away from singularities the damped line is the line") {
   REQUIRE(damped.ok());
   REQUIRE(exact.ok());
   CHECK(damped.deviation < 1e-6);
-  CHECK(damped.length == exact.length);
+  CHECK(damped.length == doctest::Approx(exact.length).epsilon(1e-9));
   CHECK(damped.motion.trajectory->duration() ==
         doctest::Approx(exact.motion.trajectory->duration()).epsilon(1e-2));
 }
 
 // The wrist of the arm passes q5 = 0, where the fourth and the sixth axis are parallel.
-TEST_CASE("past a singular wrist the damped line is quicker and says how far it strays") {
+TEST_CASE(
+    "past a singular wrist no line can be followed; the damped one runs and says how far it "
+    "strays") {
   const Eigen::VectorXd q0 = joints({-0.6, -1.3, 1.9, -1.1, -0.35, 0.2});
   LineMove move{.q0 = q0, .T_world_goal = forward(kArm, q0)};
   // A turn that takes the wrist close by its singularity.
@@ -71,14 +73,11 @@ TEST_CASE("past a singular wrist the damped line is quicker and says how far it 
   REQUIRE(damped.ok());
   CHECK(damped.deviation > 1e-5);
   CHECK(damped.deviation < 0.05);
-  const double T = damped.motion.trajectory->duration();
-  if (exact.ok()) CHECK(T < exact.motion.trajectory->duration());
+  REQUIRE(exact.fault);
+  CHECK(exact.fault->kind != LineFaultKind::kGoal);
   // The deviation is that of the motion.
   CHECK(largest_deviation(*damped.motion.trajectory, forward(kArm, q0), move.T_world_goal) ==
         doctest::Approx(damped.deviation).epsilon(0.01));
-  // More damping is quicker still and strays further.
-  const DampedLine more = plan_damped_line(kArm, move, 0.2);
-  CHECK(more.deviation > damped.deviation);
 }
 
 TEST_CASE("a damping that is not above zero and a goal without orientation are refused") {

@@ -94,6 +94,7 @@ class Trajectory {
   std::vector<double> starts_;      // of all pieces, joint by joint
   std::vector<std::size_t> first_;  // of a joint's pieces in starts_
   std::vector<double> ends_;        // when a joint stops moving, -1 if it never moves
+  double first_end_ = -1.0;         // the smallest of them
   bool shared_ = true;              // all joints have the same starts
 };
 
