@@ -161,7 +161,7 @@ constexpr NativeFunction kFunctions[] = {
     {"moveSpline",
      "(r: robot, points: posC[], time: time?, traj: string = \"Spline3\", speed: "
      "double?, accel: double?) -> Move",
-     kMoveSplineHelp, "moveSpline([xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)])",
+     kMoveSplineHelp, "moveSpline([xyz(300mm, 200mm, 200mm), xyz(300mm, -200mm, 200mm)])",
      move_spline_places, nullptr, nullptr, check_spline, nullptr, true},
     {.name = "follow",
      .signature = "(r: robot, tr: trajectory) -> Move",
