@@ -85,7 +85,7 @@ TEST_CASE("singular values come with the length that scales the rotations") {
     CHECK(s.length == robot.length());
     CHECK(s.sigma.size() == 6);
     CHECK(s.sigma[5] == s.sigma_min);
-    Jacobian J = jacobian(robot, q);
+    Eigen::MatrixXd J = jacobian(robot, q);
     J.bottomRows<3>() *= s.length;
     CHECK(s.sigma.squaredNorm() == doctest::Approx(J.squaredNorm()));
     // What the joints give to the lost motion: |J^T u| is the smallest singular value.
