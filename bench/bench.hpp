@@ -30,20 +30,28 @@ double nanoseconds_per_call(int calls, Work& work) {
   return elapsed.count() / calls;
 }
 
+// How many calls of ours and of theirs make a round.
+struct Calls {
+  int ours, theirs;
+  Calls(int both) : ours(both), theirs(both) {}
+  Calls(int ours_, int theirs_) : ours(ours_), theirs(theirs_) {}
+};
+
 // Times two ways of doing the same, in turn, so that a slow moment of the machine meets both.
 template <class Ours, class Theirs>
-Times compare(int calls, Ours ours, Theirs theirs, int rounds = 11) {
+Times compare(Calls calls, Ours ours, Theirs theirs, int rounds = 11) {
   std::vector<double> a, b;
   for (int round = 0; round < rounds; ++round) {
-    a.push_back(nanoseconds_per_call(calls, ours));
-    b.push_back(nanoseconds_per_call(calls, theirs));
+    a.push_back(nanoseconds_per_call(calls.ours, ours));
+    b.push_back(nanoseconds_per_call(calls.theirs, theirs));
   }
   return {median(a), median(b)};
 }
 
-inline void print_row(const char* subject, const char* what, const Times& times) {
-  std::printf("%-10s %-24s %10.1f %10.1f %8.1fx\n", subject, what, times.ours, times.theirs,
-              times.theirs / times.ours);
+inline void print_row(const char* subject, const char* what, const Times& times,
+                      const char* target = "") {
+  std::printf("%-10s %-24s %10.1f %10.1f %8.2fx  %s\n", subject, what, times.ours, times.theirs,
+              times.theirs / times.ours, target);
 }
 
 }  // namespace armlet::bench

@@ -1,11 +1,15 @@
 // Forward kinematics, Jacobian and inverse kinematics against Orocos KDL: the same arms, the same
-// random configurations, the same compiler and flags.
+// random configurations, the same compiler and flags. Inputs change from call to call, results are
+// consumed, and the figures are medians over rounds in which both sides take turns.
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "armlet/core/random.hpp"
+#include "armlet/kinematics/batch.hpp"
+#include "armlet/kinematics/closed_form.hpp"
 #include "armlet/kinematics/ik.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/model/catalog.hpp"
@@ -16,6 +20,7 @@ namespace armlet::bench {
 namespace {
 
 constexpr int kConfigurations = 1000;
+constexpr int kRounds = 31;
 constexpr double kTolerance = 1e-5;  // m and rad, of inverse kinematics
 constexpr int kStarts = 100;
 
@@ -56,11 +61,18 @@ std::vector<Eigen::VectorXd> random_configurations(const Robot& robot) {
   return list;
 }
 
+int count_solutions(const ClosedForm& closed, const Eigen::Isometry3d& goal,
+                    const Eigen::VectorXd& q_near) {
+  static std::vector<Eigen::VectorXd> solutions;
+  return closed.solve(goal, q_near, solutions);
+}
+
 void check_agreement(const Robot& robot, const std::vector<Eigen::VectorXd>& q, KdlArm& peer) {
   double worst = 0.0;
   for (int k = 0; k < kConfigurations; ++k) {
     Jacobian J;
-    const PlainPose ours = to_plain(forward_and_jacobian(robot, q[static_cast<std::size_t>(k)], J));
+    forward_and_jacobian(robot, q[static_cast<std::size_t>(k)], J);
+    const PlainPose ours = to_plain(forward(robot, q[static_cast<std::size_t>(k)]));
     peer.pose(k);
     peer.jacobian(k);
     const PlainPose theirs = peer.last_pose();
@@ -75,12 +87,12 @@ void check_agreement(const Robot& robot, const std::vector<Eigen::VectorXd>& q, 
   std::printf("%-10s %-24s %10.1e\n", robot.name().c_str(), "largest difference", worst);
 }
 
-// Each kernel is timed with inputs that are ready, then with inputs that wait for the last result.
+// Inputs that are ready, then inputs that wait for the last result.
 void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& peer) {
   double last = 0.0;
   const auto ours = [&](int k) { return forward(robot, q[static_cast<std::size_t>(k)])(0, 3); };
   const auto theirs = [&](int k) { return peer.pose(k); };
-  print_row("", "tool pose", compare(kConfigurations, ours, theirs));
+  print_row("", "tool pose", compare(kConfigurations, ours, theirs, kRounds), "at least 5");
   const auto ours_in_turn = [&](int k) {
     q[static_cast<std::size_t>(k)][0] += 0.0 * last;
     return last = ours(k);
@@ -89,18 +101,94 @@ void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& p
     peer.change_first_joint(k, 0.0 * last);
     return last = theirs(k);
   };
-  print_row("", "tool pose, in turn", compare(kConfigurations, ours_in_turn, theirs_in_turn));
+  print_row("", "tool pose, in turn",
+            compare(kConfigurations, ours_in_turn, theirs_in_turn, kRounds));
   std::vector<Eigen::Isometry3d> frames(static_cast<std::size_t>(robot.n()));
   const auto all_frames = [&](int k) {
     return link_frames(robot, q[static_cast<std::size_t>(k)], frames)(0, 3);
   };
-  print_row("", "all frames", compare(kConfigurations, all_frames, theirs));
+  const auto all_segments = [&](int k) { return peer.frames(k); };
+  print_row("", "all frames", compare(kConfigurations, all_frames, all_segments, kRounds),
+            "at least 2.5");
 }
 
-void bench_jacobian(const Robot& robot, const std::vector<Eigen::VectorXd>& q, KdlArm& peer) {
+void bench_jacobian(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& peer) {
+  double last = 0.0;
   const auto ours = [&](int k) { return jacobian(robot, q[static_cast<std::size_t>(k)])(0, 0); };
   const auto theirs = [&](int k) { return peer.jacobian(k); };
-  print_row("", "Jacobian", compare(kConfigurations, ours, theirs));
+  print_row("", "Jacobian", compare(kConfigurations, ours, theirs, kRounds), "at least 10");
+  const auto ours_in_turn = [&](int k) {
+    q[static_cast<std::size_t>(k)][0] += 0.0 * last;
+    return last = ours(k);
+  };
+  const auto theirs_in_turn = [&](int k) {
+    peer.change_first_joint(k, 0.0 * last);
+    return last = theirs(k);
+  };
+  print_row("", "Jacobian, in turn",
+            compare(kConfigurations, ours_in_turn, theirs_in_turn, kRounds));
+}
+
+// All configurations in one call, against as many single calls of our own.
+void bench_batch(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
+  const std::size_t n = static_cast<std::size_t>(robot.n());
+  std::vector<double> columns(n * kConfigurations), poses(12 * kConfigurations),
+      jacobians(6 * n * kConfigurations);
+  for (std::size_t k = 0; k < kConfigurations; ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      columns[i * kConfigurations + k] = q[k][static_cast<Eigen::Index>(i)];
+    }
+  }
+  const auto one_pose = [&](int k) { return forward(robot, q[static_cast<std::size_t>(k)])(0, 3); };
+  const auto one_jacobian = [&](int k) {
+    return jacobian(robot, q[static_cast<std::size_t>(k)])(0, 0);
+  };
+  const auto row = [](const std::string& what, Times times, const char* target) {
+    times.ours /= kConfigurations;
+    print_row("", what.c_str(), times, target);
+  };
+  const struct {
+    InstructionSet set;
+    const char* name;
+  } sets[] = {{InstructionSet::kBaseline, "SSE2"},
+              {InstructionSet::kAvx2, "AVX2"},
+              {InstructionSet::kAvx512, "AVX-512"}};
+  for (const auto& [set, name] : sets) {
+    if (!is_supported(set)) continue;
+    const auto all_poses = [&](int k) {
+      forward_batch(robot, columns, poses, set);
+      return poses[static_cast<std::size_t>(k)];
+    };
+    const auto all_jacobians = [&](int k) {
+      jacobian_batch(robot, columns, jacobians, set);
+      return jacobians[static_cast<std::size_t>(k)];
+    };
+    row(std::string("poses, ") + name, compare({1, kConfigurations}, all_poses, one_pose, kRounds),
+        set == InstructionSet::kAvx2 ? "own; at least 4" : "own");
+    row(std::string("Jacobians, ") + name,
+        compare({1, kConfigurations}, all_jacobians, one_jacobian, kRounds), "own");
+  }
+}
+
+// The number of iterations per start with which the peer is quickest among those with which it
+// finds most; its own choice of 500 loses time on starts that lead nowhere.
+int best_iterations(KdlArm& peer, const std::vector<double>& start) {
+  int best = 0, best_found = -1;
+  double best_time = 0.0;
+  for (const int iterations : {20, 30, 50, 100, 500}) {
+    int found = 0;
+    auto work = [&](int k) {
+      found += peer.solve(k, start, kTolerance, iterations, kStarts);
+      return 0.0;
+    };
+    const double time = nanoseconds_per_call(200, work);
+    if (found > best_found || (found == best_found && time < best_time)) {
+      best = iterations;
+      best_found = found;
+      best_time = time;
+    }
+  }
+  return best;
 }
 
 void bench_inverse(const Robot& robot, const std::vector<Eigen::VectorXd>& q, KdlArm& peer) {
@@ -117,6 +205,7 @@ void bench_inverse(const Robot& robot, const std::vector<Eigen::VectorXd>& q, Kd
     goals.push_back(forward(robot, configuration));
     peer.add_goal(to_plain(goals.back()));
   }
+  const int iterations = best_iterations(peer, start);
   int found_ours = 0, found_theirs = 0, calls = 0;
   const auto ours = [&](int k) {
     const IkResult result = solve_ik(robot, goals[static_cast<std::size_t>(k)], options);
@@ -125,14 +214,27 @@ void bench_inverse(const Robot& robot, const std::vector<Eigen::VectorXd>& q, Kd
     return result.q[0];
   };
   const auto theirs = [&](int k) {
-    const bool found = peer.solve(k, start, kTolerance, kStarts);
+    const bool found = peer.solve(k, start, kTolerance, iterations, kStarts);
     found_theirs += found;
     return found ? 1.0 : 0.0;
   };
   const Times times = compare(kConfigurations, ours, theirs, 3);
-  print_row("", "inverse, from mid-range", times);
-  std::printf("%-10s   found %.2f %%, KDL %.2f %%\n", "", 100.0 * found_ours / calls,
-              100.0 * found_theirs / calls);
+  print_row("", "inverse, from mid-range", times, "at least 20");
+  std::printf("%-10s   found %.2f %%, KDL %.2f %% with %d iterations per start\n", "",
+              100.0 * found_ours / calls, 100.0 * found_theirs / calls, iterations);
+  const ClosedForm closed(robot);
+  if (!closed.exists()) return;
+  int solutions = 0;
+  const auto all_solutions = [&](int k) {
+    const int count = count_solutions(closed, goals[static_cast<std::size_t>(k)], middle);
+    solutions += count;
+    return static_cast<double>(count);
+  };
+  const auto one_pose = [&](int k) { return peer.pose(k); };
+  const Times all = compare(kConfigurations, all_solutions, one_pose, 11);
+  print_row("", "inverse, all solutions", all, "KDL pose; at least 0.4");
+  std::printf("%-10s   %.1f solutions, %.1f times one KDL tool pose\n", "",
+              solutions / (11.0 * kConfigurations), all.ours / all.theirs);
 }
 
 void bench_arm(const Robot& robot) {
@@ -142,15 +244,26 @@ void bench_arm(const Robot& robot) {
   check_agreement(robot, q, peer);
   bench_forward(robot, q, peer);
   bench_jacobian(robot, q, peer);
+  bench_batch(robot, q);
   bench_inverse(robot, q, peer);
+}
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
 }
 
 }  // namespace
 }  // namespace armlet::bench
 
 int main() {
+  std::printf("%s, g++ %s, %s, KDL from the system\n", armlet::bench::processor().c_str(),
+              __VERSION__, ARMLET_BENCH_FLAGS);
   std::printf("%-10s %-24s %10s %10s %9s\n", "ns/call", "", "armlet", "KDL", "");
-  for (const char* name : {"puma560", "ur5", "scara", "panda"}) {
+  for (const char* name : {"puma560", "ur5", "panda", "scara"}) {
     armlet::bench::bench_arm(*armlet::make_robot(name));
   }
 }

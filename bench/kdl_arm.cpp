@@ -41,6 +41,7 @@ struct KdlArm::State {
         joints(arm),
         fk(chain),
         jac(chain),
+        frames(chain.getNrOfSegments()),
         J(static_cast<unsigned>(arm.size())),
         q(static_cast<unsigned>(arm.size())) {}
 
@@ -65,7 +66,9 @@ struct KdlArm::State {
   KDL::ChainFkSolverPos_recursive fk;
   KDL::ChainJntToJacSolver jac;
   std::optional<KDL::ChainIkSolverPos_LMA> lma;
+  int iterations = 0;
   KDL::Frame frame;
+  std::vector<KDL::Frame> frames;
   KDL::Jacobian J;
   KDL::JntArray q;
   std::vector<KDL::JntArray> configurations;
@@ -97,6 +100,11 @@ double KdlArm::pose(int k) {
   return state_->frame.p(0);
 }
 
+double KdlArm::frames(int k) {
+  state_->fk.JntToCart(state_->configurations[static_cast<std::size_t>(k)], state_->frames);
+  return state_->frames.back().p(0);
+}
+
 double KdlArm::jacobian(int k) {
   state_->jac.JntToJac(state_->configurations[static_cast<std::size_t>(k)], state_->J);
   return state_->J(0, 0);
@@ -119,9 +127,13 @@ std::vector<double> KdlArm::last_jacobian() const {
   return values;
 }
 
-bool KdlArm::solve(int k, const std::vector<double>& start, double tolerance, int restarts) {
+bool KdlArm::solve(int k, const std::vector<double>& start, double tolerance, int iterations,
+                   int restarts) {
   State& s = *state_;
-  if (!s.lma) s.lma.emplace(s.chain, Eigen::Matrix<double, 6, 1>::Ones(), tolerance);
+  if (s.iterations != iterations) {
+    s.lma.emplace(s.chain, Eigen::Matrix<double, 6, 1>::Ones(), tolerance, iterations);
+    s.iterations = iterations;
+  }
   KDL::JntArray from(static_cast<unsigned>(start.size()));
   for (unsigned i = 0; i < from.rows(); ++i) from(i) = start[i];
   for (int restart = 0; restart < restarts; ++restart) {

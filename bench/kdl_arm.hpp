@@ -30,13 +30,18 @@ class KdlArm {
 
   // Of configuration k: a number that depends on the result, which the other two copy out.
   double pose(int k);
+  double frames(int k);  // of all segments
   double jacobian(int k);
   PlainPose last_pose() const;
   std::vector<double> last_jacobian() const;  // column by column
 
-  // The Levenberg-Marquardt solver with weights for metres and radians, restarted at random until
-  // its answer is within the limits: the settings that serve it best.
-  bool solve(int k, const std::vector<double>& start, double tolerance, int restarts);
+  // The Levenberg-Marquardt solver with weights for metres and radians (its own, made for
+  // millimetres, hardly ever lead to a solution), restarted at random until its answer is within
+  // the limits.
+  //
+  // iterations  per start; the solver's own choice is 500.
+  bool solve(int k, const std::vector<double>& start, double tolerance, int iterations,
+             int restarts);
 
  private:
   struct State;
