@@ -37,7 +37,7 @@ std::vector<Eigen::VectorXd> random_configurations(const Robot& robot) {
 
 int count_solutions(const ClosedForm& closed, const Eigen::Isometry3d& goal,
                     const Eigen::VectorXd& q_near) {
-  static std::vector<Eigen::VectorXd> solutions;
+  static ClosedSolutions solutions;
   return closed.solve(goal, q_near, solutions);
 }
 
@@ -170,6 +170,7 @@ void bench_inverse(const Robot& robot, const std::vector<Eigen::VectorXd>& q, Kd
   const std::vector<double> start(middle.begin(), middle.end());
   const IkOptions options{.seed = middle,
                           .choice = IkChoice::kFirst,
+                          .method = IkMethod::kNumeric,
                           .position_tolerance = kTolerance,
                           .rotation_tolerance = kTolerance,
                           .starts = kStarts,
@@ -196,7 +197,7 @@ void bench_inverse(const Robot& robot, const std::vector<Eigen::VectorXd>& q, Kd
   print_row("", "inverse, from mid-range", times, "at least 20");
   std::printf("%-10s   found %.2f %%, KDL %.2f %% with %d iterations per start\n", "",
               100.0 * found_ours / calls, 100.0 * found_theirs / calls, iterations);
-  const ClosedForm closed(robot);
+  const ClosedForm& closed = closed_form(robot);
   if (!closed.exists()) return;
   int solutions = 0;
   const auto all_solutions = [&](int k) {

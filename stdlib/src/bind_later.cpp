@@ -23,8 +23,6 @@ constexpr NativeFunction kFunctions[] = {
     // trajectories and motion
     later("plan", "(r: robot, to: posJ, avoid: bool = true) -> trajectory"),
     later("plan", "(r: robot, to: posC, avoid: bool = true) -> trajectory"),
-    later_motion("moveCirc",
-                 "(r: robot, via: posC, target: posC, time: time?, speed: speed?) -> Move"),
     later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)"),
     // hands with fingers
     later("robots.barrettHand", "(name: string?, on: robot) -> robot"),

@@ -98,6 +98,17 @@ Signal move_spline_places(Vm& vm, Slot* args) {
   return points ? through(vm, args, call, *std::move(points)) : Signal::kFail;
 }
 
+// (r, via, target, time, speed)
+Signal move_circ(Vm& vm, Slot* args) {
+  const MoveCall call{.function = "moveCirc",
+                      .robot = host_value<RobotRef>(args[0]).id,
+                      .target = 2,
+                      .time = 3,
+                      .speed = 4};
+  return move_on_arc(vm, args, call, posc(args[1]), posc(args[2]),
+                     {.time = given(args[3]), .speed = given(args[4])});
+}
+
 Signal halt(Vm& vm, Slot* args) { return halt_robot(vm, host_value<RobotRef>(args[0]).id); }
 
 Signal set_joints(Vm& vm, Slot* args) {
@@ -163,6 +174,16 @@ constexpr NativeFunction kFunctions[] = {
      "double?, accel: double?) -> Move",
      kMoveSplineHelp, "moveSpline([xyz(300mm, 200mm, 200mm), xyz(300mm, -200mm, 200mm)])",
      move_spline_places, nullptr, nullptr, check_spline, nullptr, true},
+    {.name = "moveCirc",
+     .signature = "(r: robot, via: posC, target: posC, time: time?, speed: speed?) -> Move",
+     .help =
+         "Moves the hand along the circle over via to target; the orientation turns evenly. time "
+         "or speed, not both; neither means as fast as the joints allow.",
+     .example = "moveJ(xyz(300mm, 200mm, 150mm)); moveCirc(xyz(400mm, 0mm, 150mm), xyz(300mm, "
+                "-200mm, 150mm), speed: 100mm/s)",
+     .thunk = move_circ,
+     .check = check_arc,
+     .pauses = true},
     {.name = "follow",
      .signature = "(r: robot, tr: trajectory) -> Move",
      .help = "Executes a trajectory exactly; the robot has to stand where it starts.",

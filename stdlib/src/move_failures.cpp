@@ -237,6 +237,12 @@ Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
   f.arguments = {fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)))};
   const Vector3d start_point = forward(robot, start_joints).translation();
   const Vector3d closest = nearest_to_axis(robot, start_point, target.T.translation());
+  if (fault.kind == LineFaultKind::kNoArc) {
+    f.message = "no arc leads over these places: they lie on one line";
+    f.why = "an arc goes from where the hand is, over the first place, to the second";
+    f.fix = "move the first place off the line, or use moveL";
+    return fail(vm, std::move(f));
+  }
   if (is_inside_fold(robot, start_joints, closest)) {
     f.why = fmt::format(
         "both ends can be reached, but in between the line passes {} from the axis of joint 1, "

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
+#include "armlet/trajectory/cartesian_path.hpp"
 #include "armlet/trajectory/joint_move.hpp"
 #include "bind.hpp"
 #include "move_failures.hpp"
@@ -209,8 +211,13 @@ Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
   return move_joints(vm, args, call, *q, std::move(planner), settings);
 }
 
-Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& written,
-                    const MoveSettings& settings) {
+namespace {
+
+// A way of the tool point from where it is.
+using PlanWay = std::function<LinePlan(const Robot& robot, const LineMove& move)>;
+
+Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
+                 const MoveSettings& settings, const PlanWay& plan_way) {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
   if (refuse_busy(vm, call.robot)) return Signal::kFail;
   if (settings.time && !check_duration(vm, *settings.time, call.time)) return Signal::kFail;
@@ -237,13 +244,31 @@ Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& written,
                       .tool_accel = settings.accel,
                       .speed = block.speed,
                       .enforce_limits = !call.classic};
-  LinePlan plan = plan_line(robot, move);
+  LinePlan plan = plan_way(robot, move);
   if (plan.fault) return fail_line(vm, call, state.q, *target, *plan.fault);
   if (!plan.motion.outside.empty())
     return fail_outside(vm, call, state.q, plan.motion.outside.front());
   if (!plan.motion.trajectory) return fail_too_fast(vm, call, *plan.motion.too_fast);
   if (plan.motion.too_fast) advise_too_fast(vm, call, *plan.motion.too_fast);
   return start_motion(vm, args, call, *std::move(plan.motion.trajectory), plan.length);
+}
+
+}  // namespace
+
+Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& target,
+                    const MoveSettings& settings) {
+  return move_tool(vm, args, std::move(call), target, settings, plan_line);
+}
+
+Signal move_on_arc(Vm& vm, Slot* args, MoveCall call, const PosC& via, const PosC& target,
+                   const MoveSettings& settings) {
+  const auto place = in_world(vm, call, settings, via);
+  if (!place) return Signal::kFail;
+  const Eigen::Vector3d p_world_via = place->T.translation();
+  return move_tool(vm, args, std::move(call), target, settings,
+                   [&p_world_via](const Robot& robot, const LineMove& move) {
+                     return plan_arc(robot, p_world_via, move);
+                   });
 }
 
 }  // namespace armlet::bind

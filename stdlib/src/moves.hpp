@@ -61,6 +61,9 @@ Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
                      const MoveSettings& settings);
 Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& target,
                     const MoveSettings& settings);
+// Over `via`, of which only the place counts.
+Signal move_on_arc(Vm& vm, Slot* args, MoveCall call, const PosC& via, const PosC& target,
+                   const MoveSettings& settings);
 
 // The target as the world sees it: read in the frame of the call, or of the blocks around it.
 // Empty: the failure is set.

@@ -53,6 +53,7 @@ void check_move_line(CheckCall& call);       // (r, target, time, speed, accel, 
 // Two parts of them: a planner that is not known, and a time together with a speed.
 void check_planner(CheckCall& call, int parameter);
 void check_time_and_speed(CheckCall& call, int time, int speed);
+void check_arc(CheckCall& call);     // (r, via, target, time, speed)
 void check_spline(CheckCall& call);  // (r, points, time, traj, speed)
 // (name, points, time, durations, speed, accel), behind the robot or not.
 template <bool kRobotFirst>

@@ -17,6 +17,8 @@ void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
 
 }  // namespace
 
+void check_arc(CheckCall& call) { check_time_and_speed(call, 3, 4); }
+
 void check_spline(CheckCall& call) {
   check_time_and_speed(call, 2, 4);
   check_planner(call, 3);

@@ -32,6 +32,10 @@ bool Layout::move_comments_inside(std::uint32_t brace) {
   Gap& before = gaps_[brace];
   Gap& inside = gaps_[brace + 1];
   if (before.comments.empty() || !before.has_break()) return false;
+  // On a line of its own such a comment would become the documentation of what follows.
+  for (std::size_t i = 0; i < inside.at_end; ++i) {
+    if (inside.comments[i].text.starts_with("///")) return false;
+  }
   int& breaks = inside.comments.empty() ? inside.breaks_before : inside.comments[0].breaks_before;
   breaks = std::max(breaks, 1);
   inside.at_end = before.at_end;

@@ -134,6 +134,11 @@ TEST_CASE("what was on one line stays on one line while it fits") {
         "when (a) {\n    " + name + "();\n    " + name + "()\n}\n");
 }
 
+TEST_CASE("a comment behind a brace does not become documentation") {
+  const std::string text = "test \"a\" // b\n{ /// c\n    robot arm = robots.scara()\n}\n";
+  check_laws(text);
+}
+
 TEST_CASE("long lines are broken after an opening bracket or before an operator") {
   const std::string name(40, 'n');
   CHECK(formatted("f(" + name + ", " + name + ", g(1, 2), time: 2s)") ==

@@ -119,8 +119,12 @@ TEST_CASE("a joint at its speed limit is held there and the others make up for i
   const BoundedSpeeds plain = bounded_joint_speeds(robot, q, twist, none, -wide, wide);
   CHECK(plain.reached);
   CHECK(plain.saturated.empty());
+  // The elbow's speed follows from the distance of the wrist, the others can stand in for each
+  // other.
+  VectorXd replaceable = plain.qd.cwiseAbs();
+  replaceable[3] = 0.0;
   Eigen::Index fastest = 0;
-  plain.qd.cwiseAbs().maxCoeff(&fastest);
+  replaceable.maxCoeff(&fastest);
   VectorXd bound = wide;
   bound[fastest] = 0.8 * std::abs(plain.qd[fastest]);
   const BoundedSpeeds held = bounded_joint_speeds(robot, q, twist, none, -bound, bound);
