@@ -18,7 +18,15 @@ namespace armlet::lang {
 
 // A type that may contain variables.
 struct TypePattern {
-  enum class Form : std::uint8_t { kType, kVariable, kDimension, kList, kFunction, kTable, kRecord };
+  enum class Form : std::uint8_t {
+    kType,
+    kVariable,
+    kDimension,
+    kList,
+    kFunction,
+    kTable,
+    kRecord
+  };
   Form form = Form::kType;
   const Type* type = nullptr;  // kType
   int variable = 0;            // kVariable: 0 is T, 1 is U

@@ -184,9 +184,11 @@ TEST_CASE("a broken description is refused with the name of what is broken") {
   CHECK(refusal(R"(<parent link="upper"/><child link="fore"/>)",
                 R"(<parent link="fore"/><child link="fore"/>)") ==
         "link `fore` is its own parent (joint `elbow`)");
-  CHECK(refusal("</robot>",
-                R"(<joint name="tie" type="fixed"><parent link="fore"/><child link="left_finger"/></joint></robot>)") ==
-        "link `left_finger` hangs on two joints, `left` and `tie`; every link has one parent");
+  CHECK(
+      refusal(
+          "</robot>",
+          R"(<joint name="tie" type="fixed"><parent link="fore"/><child link="left_finger"/></joint></robot>)") ==
+      "link `left_finger` hangs on two joints, `left` and `tie`; every link has one parent");
   CHECK(refusal(R"(<parent link="upper"/><child link="fore"/>)",
                 R"(<parent link="left_finger"/><child link="fore"/>)")
             .find("belongs to a circle of joints") != std::string::npos);

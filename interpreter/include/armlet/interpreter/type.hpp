@@ -99,8 +99,8 @@ class TypePool {
   // A new record or enum type each time: these are compared by identity.
   const Type* new_record(std::string name);
   const Type* new_enum(std::string name, std::vector<std::string> values);
-  // The table whose rows have these fields: equal fields give the same type. A column is a list; one
-  // of lists of numbers is a matrix with one row for each sample.
+  // The table whose rows have these fields: equal fields give the same type. A column is a list;
+  // one of lists of numbers is a matrix with one row for each sample.
   const Type* table(std::vector<RecordField> row);
   // The one record type with this name and these fields.
   const Type* record_of(std::string_view name, std::vector<RecordField> fields);

@@ -17,7 +17,8 @@ namespace armlet {
 //   {"t":..,"what":"attached","name":"cube","robot":"arm"}          (also detached, removed)
 //   {"t":..,"what":"output","text":"..."}                           (also message, advice)
 //   {"t":..,"what":"figure","title":"...","x":"s","y":"rad","z":"","right":"","series":
-//    [{"kind":"line","label":"...","axis":"left","x":[...],"y":[...],"z":[]}]}    (units of SI; null: no number)
+//    [{"kind":"line","label":"...","axis":"left","x":[...],"y":[...],"z":[]}]}    (units of SI;
+//    null: no number)
 //   {"t":..,"what":"robotAdded","name":"late","joints":["rad"]}
 //   {"t":..,"what":"end"}
 //
