@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kNearestStarts = 32;   // after the first solution
 constexpr int kNearestWanted = 16;   // distinct solutions
+constexpr double kSoonEnough = 0.1;  // s: solutions reached sooner need not be looked for
 constexpr int kKeepStarts = 20;      // to find out whether an orientation can be kept
 constexpr double kPlaceFirst = 100;  // weight of position while orientation changes least
 
@@ -53,8 +54,7 @@ void take_branch(const Robot& robot, const IkGoal& goal, const FormulaSolution& 
   result.branch = solution.branch;
 }
 
-// The nearest branch of the closed form. An arm with joints to spare is left to the search: its
-// formula gives the branches at one arm angle only.
+// The nearest branch of the closed form.
 FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                            IkResult& result) {
   if (options.choice != IkChoice::kNearest || robot.n() > 6 ||
@@ -65,6 +65,32 @@ FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptio
   if (answer == FormulaAnswer::kFound)
     take_branch(robot, goal, nearest_branch(robot, options.seed, solutions), result);
   return answer;
+}
+
+// An arm of seven joints: where the iterations lead from the seed, or of all branches at all arm
+// angles the one that is reached soonest.
+bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                    IkResult& result) {
+  if (options.choice != IkChoice::kNearest || robot.n() != 7 ||
+      !formula_applies(robot, goal, options))
+    return false;
+  IkOptions once = options;
+  once.starts = 1;
+  const IkSearch search = search_ik(robot, goal, once, 1, 0);
+  result.iterations += search.iterations;
+  result.starts += search.starts;
+  const bool found = !search.solutions.empty();
+  const double time =
+      found ? least_way_time(robot, search.solutions.front(), options.seed) : INFINITY;
+  if (time > kSoonEnough) {
+    const auto nearest = soonest_over_arm_angles(robot, goal, options);
+    if (nearest && least_way_time(robot, to_vector(nearest->q, robot.n()), options.seed) < time) {
+      take_branch(robot, goal, *nearest, result);
+      return true;
+    }
+  }
+  if (found) take_solution(robot, goal, search.solutions.front(), result);
+  return found;
 }
 
 // By formula or by search: takes the first or the nearest solution. False if there is none.
@@ -79,6 +105,7 @@ bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& option
     case FormulaAnswer::kSilent:
       break;
   }
+  if (redundant_into(robot, goal, options, result)) return true;
   const bool nearest = options.choice == IkChoice::kNearest;
   IkSearch search =
       search_ik(robot, goal, options, nearest ? kNearestWanted : 1, nearest ? kNearestStarts : 0);

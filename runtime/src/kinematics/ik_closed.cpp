@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "armlet/math/angles.hpp"
+#include "ik_search.hpp"
 
 namespace armlet {
 namespace {
 
 constexpr int kArmAngles = 36;  // of a turn, tried for an arm of seven joints
 constexpr double kArmStep = 2.0 * kPi / kArmAngles;
+constexpr int kArmHalvings = 8;      // of the step, around the best of them
+constexpr std::size_t kValleys = 3;  // that are looked at more closely
 
 // How far a joint may lie beyond its limit by rounding, next to a singularity; it is put back and
 // the goal checked again.
@@ -90,6 +93,62 @@ std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkG
     solve_by_formula(robot, goal, options, solutions, step * kArmStep);
   }
   return solutions;
+}
+
+namespace {
+
+// The solution that is reached soonest at one arm angle.
+struct AtAngle {
+  double angle = 0.0;
+  double time = INFINITY;  // s
+  FormulaSolution solution;
+};
+
+AtAngle soonest_at(const Robot& robot, const IkGoal& goal, const IkOptions& options, double angle) {
+  std::vector<FormulaSolution> solutions;
+  solve_by_formula(robot, goal, options, solutions, angle);
+  AtAngle out{.angle = angle};
+  for (const FormulaSolution& solution : solutions) {
+    const double time = least_way_time(robot, to_vector(solution.q, robot.n()), options.seed);
+    if (time < out.time) {
+      out.time = time;
+      out.solution = solution;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<FormulaSolution> soonest_over_arm_angles(const Robot& robot, const IkGoal& goal,
+                                                       const IkOptions& options) {
+  std::vector<AtAngle> tried;
+  for (int k = 0; k < kArmAngles; ++k)
+    tried.push_back(soonest_at(robot, goal, options, k * kArmStep));
+  // The time is not convex in the arm angle: the best few valleys are followed down.
+  std::vector<AtAngle> valleys;
+  for (std::size_t k = 0; k < tried.size(); ++k) {
+    const double before = tried[(k + tried.size() - 1) % tried.size()].time;
+    const double after = tried[(k + 1) % tried.size()].time;
+    if (tried[k].time <= before && tried[k].time <= after && tried[k].time < INFINITY)
+      valleys.push_back(tried[k]);
+  }
+  const auto sooner = [](const AtAngle& a, const AtAngle& b) { return a.time < b.time; };
+  std::ranges::stable_sort(valleys, sooner);
+  if (valleys.size() > kValleys) valleys.resize(kValleys);
+  AtAngle best;
+  for (AtAngle& valley : valleys) {
+    double step = kArmStep;
+    for (int k = 0; k < kArmHalvings; ++k) {
+      step *= 0.5;
+      const double middle = valley.angle;
+      for (const double angle : {middle + step, middle - step})
+        valley = std::min(valley, soonest_at(robot, goal, options, angle), sooner);
+    }
+    best = std::min(best, valley, sooner);
+  }
+  if (best.time == INFINITY) return std::nullopt;
+  return best.solution;
 }
 
 }  // namespace armlet

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "armlet/kinematics/closed_form.hpp"
 #include "ik_numeric.hpp"
 
@@ -29,5 +31,9 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
 // are any.
 std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkGoal& goal,
                                                    const IkOptions& options);
+
+// Of all arm angles the solution that is reached soonest from the seed.
+std::optional<FormulaSolution> soonest_over_arm_angles(const Robot& robot, const IkGoal& goal,
+                                                       const IkOptions& options);
 
 }  // namespace armlet

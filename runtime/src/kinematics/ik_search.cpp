@@ -62,6 +62,15 @@ double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2) {
   return (q_1 - q_2).cwiseAbs().maxCoeff();
 }
 
+double least_way_time(const Robot& robot, const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2) {
+  double time = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    const double speed = robot.joint(i).max_speed;
+    time = std::max(time, std::abs(q_1[i] - q_2[i]) / (std::isfinite(speed) ? speed : 1.0));
+  }
+  return time;
+}
+
 IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,
                    int extra_starts) {
   IkSolver solver(robot, goal);

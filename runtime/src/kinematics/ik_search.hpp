@@ -27,6 +27,10 @@ IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& opti
 // The largest change of one joint between two configurations.
 double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
 
+// How long the slowest joint needs from one to the other at its greatest speed, s; a joint without
+// a limit counts as 1 rad/s or 1 m/s.
+double least_way_time(const Robot& robot, const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
+
 // Sorts solutions by the largest change from the seed; within 1e-9 the positive elbow comes first,
 // then the one found first.
 void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,

@@ -94,11 +94,19 @@ TEST_CASE("the nearest solution is found for 10,000 poses of every arm that has 
   }
 }
 
-TEST_CASE("no solution of the iterations is nearer than that of the closed form") {
+TEST_CASE("the closed form finds nearer solutions than the iterations") {
   Random random(12);
-  for (const std::string_view name : {"scara", "scorbot", "puma560", "stanford", "ur5"}) {
+  for (const std::string_view name :
+       {"scara", "scorbot", "puma560", "stanford", "ur5", "pa10", "panda"}) {
     CAPTURE(name);
     const Robot robot = *make_robot(name);
+    const auto time_to = [&](const VectorXd& q, const VectorXd& seed) {
+      double time = 0.0;
+      for (int i = 0; i < robot.n(); ++i)
+        time = std::max(time, std::abs(q[i] - seed[i]) / robot.joint(i).max_speed);
+      return time;
+    };
+    double sum_formula = 0.0, sum_search = 0.0;
     for (int k = 0; k < 60; ++k) {
       const VectorXd seed = random_joints(robot, random);
       const Isometry3d goal = forward(robot, random_joints(robot, random));
@@ -106,10 +114,15 @@ TEST_CASE("no solution of the iterations is nearer than that of the closed form"
       const IkResult search = solve_ik(robot, goal, {.seed = seed, .method = IkMethod::kNumeric});
       REQUIRE(formula.ok());
       REQUIRE(search.ok());
+      const double change = (formula.q - seed).cwiseAbs().maxCoeff();
+      const double change_search = (search.q - seed).cwiseAbs().maxCoeff();
       // Next to a singularity a pose within the tolerance may have joints that differ by 1e-4.
-      CHECK((formula.q - seed).cwiseAbs().maxCoeff() <=
-            (search.q - seed).cwiseAbs().maxCoeff() + 1e-4);
+      if (robot.n() <= 6) CHECK(change <= change_search + 1e-4);
+      sum_formula += time_to(formula.q, seed);
+      sum_search += time_to(search.q, seed);
     }
+    // Arm angles are tried in steps, so a few of the soonest solutions of seven joints are missed.
+    if (robot.n() > 6) CHECK(sum_formula < 0.9 * sum_search);
   }
 }
 

@@ -27,11 +27,12 @@ enum class IkMaskFrame { kWorld, kTool };
 
 // kFirst    the first solution found, starting at the seed.
 // kNearest  of all solutions found, the one with the smallest largest joint change from the seed;
-//           equal within 1e-9, the one with the positive elbow.
+//           equal within 1e-9, the one with the positive elbow. An arm of seven joints with a
+//           closed form: of its infinitely many, the one that its slowest joint reaches soonest.
 enum class IkChoice { kFirst, kNearest };
 
-// kAuto     the closed form of an arm with six joints at most where it answers the question (the
-//           whole pose, or the place of a three-joint arm, with kNearest), otherwise iterations.
+// kAuto     the arm's closed form where it has one that answers the question (the whole pose, or
+//           the place of a three-joint arm, with kNearest), otherwise iterations.
 // kNumeric  always iterations.
 enum class IkMethod { kAuto, kNumeric };
 
