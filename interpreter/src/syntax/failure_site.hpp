@@ -21,28 +21,28 @@ class FailureSite {
   [[nodiscard]] std::uint16_t type(std::size_t i) const {
     return i < tokens_.size() ? tokens_[i].type : kEndOfText;
   }
-  [[nodiscard]] std::uint16_t before() const { return at == 0 ? kEndOfText : tokens_[at - 1].type; }
-  [[nodiscard]] bool inserted(std::size_t i) const { return tokens_[i].inserted; }
-  [[nodiscard]] bool starts_line(std::size_t i) const { return tokens_[i].line_break_before; }
+  [[nodiscard]] std::uint16_t before() const { return at == 0 ? kEndOfText : token(at - 1).type; }
+  [[nodiscard]] bool inserted(std::size_t i) const { return token(i).inserted; }
+  [[nodiscard]] bool starts_line(std::size_t i) const { return token(i).line_break_before; }
 
   // Characters before the first one of the line that token `i` stands on.
   [[nodiscard]] std::size_t line_indent(std::size_t i) const {
-    const std::string_view line = source_.line(source_.position(tokens_[i].begin).line);
+    const std::string_view line = source_.line(source_.position(token(i).begin).line);
     return std::min(line.find_first_not_of(" \t"), line.size());
   }
   // Characters before token `i` on its line.
   [[nodiscard]] std::size_t column(std::size_t i) const {
-    return static_cast<std::size_t>(source_.position(tokens_[i].begin).column) - 1;
+    return static_cast<std::size_t>(source_.position(token(i).begin).column) - 1;
   }
 
   // From token `first` to token `last`.
   [[nodiscard]] Span span(std::size_t first, std::size_t last) const {
-    return {tokens_[first].begin, tokens_[last].end, source_.id()};
+    return {token(first).begin, token(last).end, source_.id()};
   }
   [[nodiscard]] Span span(std::size_t i) const { return span(i, i); }
   // The empty place behind token `i`.
   [[nodiscard]] Span after(std::size_t i) const {
-    return {tokens_[i].end, tokens_[i].end, source_.id()};
+    return {token(i).end, token(i).end, source_.id()};
   }
   [[nodiscard]] std::string text(std::size_t first, std::size_t last) const {
     return std::string(source_.slice(span(first, last)));
@@ -50,12 +50,12 @@ class FailureSite {
   [[nodiscard]] std::string text(std::size_t i) const { return text(i, i); }
   // Nothing stands between the two tokens, not even a blank.
   [[nodiscard]] bool touch(std::size_t left, std::size_t right) const {
-    return tokens_[left].end == tokens_[right].begin;
+    return right < tokens_.size() && token(left).end == token(right).begin;
   }
   // No line break between the two tokens.
   [[nodiscard]] bool on_one_line(std::size_t left, std::size_t right) const {
     for (std::size_t i = left + 1; i <= right; ++i) {
-      if (tokens_[i].line_break_before) return false;
+      if (token(i).line_break_before) return false;
     }
     return true;
   }
@@ -112,6 +112,11 @@ class FailureSite {
   }
 
  private:
+  // Behind the last token, that one.
+  [[nodiscard]] const Token& token(std::size_t i) const {
+    return tokens_[std::min(i, tokens_.size() - 1)];
+  }
+
   const Source& source_;
   const Tokens& tokens_;
 };
