@@ -61,12 +61,11 @@ void check_agreement(const Robot& robot, const std::vector<Eigen::VectorXd>& q, 
   std::printf("%-10s %-24s %10.1e\n", robot.name().c_str(), "largest difference", worst);
 }
 
-// Inputs that are ready, then inputs that wait for the last result.
-void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& peer) {
+// Both sides with inputs that wait for the last result.
+template <class Ours, class Theirs>
+void compare_in_turn(const char* what, std::vector<Eigen::VectorXd>& q, KdlArm& peer,
+                     const Ours& ours, const Theirs& theirs) {
   double last = 0.0;
-  const auto ours = [&](int k) { return forward(robot, q[static_cast<std::size_t>(k)])(0, 3); };
-  const auto theirs = [&](int k) { return peer.pose(k); };
-  print_row("", "tool pose", compare(kConfigurations, ours, theirs, kRounds), "at least 5");
   const auto ours_in_turn = [&](int k) {
     q[static_cast<std::size_t>(k)][0] += 0.0 * last;
     return last = ours(k);
@@ -75,8 +74,15 @@ void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& p
     peer.change_first_joint(k, 0.0 * last);
     return last = theirs(k);
   };
-  print_row("", "tool pose, in turn",
-            compare(kConfigurations, ours_in_turn, theirs_in_turn, kRounds));
+  print_row("", what, compare(kConfigurations, ours_in_turn, theirs_in_turn, kRounds));
+}
+
+// Inputs that are ready, then inputs that wait for the last result.
+void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& peer) {
+  const auto ours = [&](int k) { return forward(robot, q[static_cast<std::size_t>(k)])(0, 3); };
+  const auto theirs = [&](int k) { return peer.pose(k); };
+  print_row("", "tool pose", compare(kConfigurations, ours, theirs, kRounds), "at least 5");
+  compare_in_turn("tool pose, in turn", q, peer, ours, theirs);
   std::vector<Eigen::Isometry3d> frames(static_cast<std::size_t>(robot.n()));
   const auto all_frames = [&](int k) {
     return link_frames(robot, q[static_cast<std::size_t>(k)], frames)(0, 3);
@@ -87,20 +93,10 @@ void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& p
 }
 
 void bench_jacobian(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& peer) {
-  double last = 0.0;
   const auto ours = [&](int k) { return jacobian(robot, q[static_cast<std::size_t>(k)])(0, 0); };
   const auto theirs = [&](int k) { return peer.jacobian(k); };
   print_row("", "Jacobian", compare(kConfigurations, ours, theirs, kRounds), "at least 10");
-  const auto ours_in_turn = [&](int k) {
-    q[static_cast<std::size_t>(k)][0] += 0.0 * last;
-    return last = ours(k);
-  };
-  const auto theirs_in_turn = [&](int k) {
-    peer.change_first_joint(k, 0.0 * last);
-    return last = theirs(k);
-  };
-  print_row("", "Jacobian, in turn",
-            compare(kConfigurations, ours_in_turn, theirs_in_turn, kRounds));
+  compare_in_turn("Jacobian, in turn", q, peer, ours, theirs);
 }
 
 // All configurations in one call, against as many single calls of our own.

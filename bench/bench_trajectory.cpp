@@ -168,7 +168,7 @@ int main() {
   bench_limited_jerk(true, peer);
   bench_time_optimal(peer);
   Eigen::VectorXd q0(6);
-  q0 << 0.0, 0.7854, 3.1416, 0.0, 0.7854, 0.0;
+  q0 << -0.2635, -1.466, -0.6528, 0.0, -1.0228, 2.878;
   bench_line("puma560", q0, peer);
   q0 << -0.3, -1.3, 1.9, -1.1, -1.5, 0.2;
   bench_line("ur5", q0, peer);

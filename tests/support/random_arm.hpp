@@ -59,4 +59,11 @@ inline bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
+// Joint values within the limits of an arm.
+inline Eigen::VectorXd random_joints(const Robot& robot, Random& random) {
+  Eigen::VectorXd q(robot.n());
+  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
+  return q;
+}
+
 }  // namespace armlet

@@ -110,7 +110,7 @@ std::string_view to_text(ClosedFormKind kind) {
   return "none";
 }
 
-ClosedForm::ClosedForm(const Chain& chain) : chain_(chain) {
+ClosedForm::ClosedForm(const Chain& chain) : chain_(chain), plan_(plan_walk(chain)) {
   recognise(chain);
   if (exists() || chain.n != 7) return;
   for (const Hold hold : {Hold::kLast, Hold::kFirst}) {

@@ -9,7 +9,7 @@
 #include "armlet/math/rotation.hpp"
 #include "armlet/math/twist.hpp"
 #include "closed_form_families.hpp"
-#include "walk.hpp"
+#include "kernels.hpp"
 
 namespace armlet {
 namespace {
@@ -97,33 +97,27 @@ Eigen::Vector3d small_turn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& R_go
 // Whether a solution is right; one that is nearly right, next to a singularity, is improved first.
 bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
                         ClosedSolution& solution) const {
-  const std::size_t n = static_cast<std::size_t>(chain_.n);
+  Eigen::Map<Eigen::VectorXd> q(solution.q.data(), chain_.n);
   double miss = INFINITY;
-  for (int round = 0; round < 4; ++round) {
-    std::array<Vec3, kMaxJoints> axis, point;
-    Frame tool = walk(chain_, solution.q.data(), [&](std::size_t i, const Frame& f) {
-      axis[i] = f.z;
-      point[i] = f.p;
-    });
-    tool.step(chain_.T_flange_tool);
+  for (int round = 0; round < 4 && q.allFinite(); ++round) {
+    Eigen::Isometry3d T_world_tool;
+    kernel_for(kPoseKernels, chain_.n)(plan_, q.data(), T_world_tool.data());
     Vector6d e;
-    e << goal.translation() - tool.p.to_eigen(), small_turn(tool.rotation(), goal.linear());
+    e << goal.translation() - T_world_tool.translation(),
+        small_turn(T_world_tool.linear(), goal.linear());
     if (place_only()) e.tail<3>().setZero();
     miss = std::fmax(e.head<3>().norm(), e.tail<3>().norm());
     if (!(miss > std::fmin(kVerified, tolerance))) return std::isfinite(miss);
     if (miss > kImproved) return false;
     Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> J(6, chain_.n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3 v = chain_.revolute[i] ? cross(axis[i], tool.p - point[i]) : axis[i];
-      const Vec3 w = place_only() ? 0.0 * axis[i] : chain_.turns[i] * axis[i];
-      J.col(static_cast<Eigen::Index>(i)) << v.to_eigen(), w.to_eigen();
-    }
+    kernel_for(kJacobianKernels, chain_.n)(plan_, q.data(), J.data());
+    if (place_only()) J.bottomRows<3>().setZero();
     using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;
     Square H = J.transpose() * J;
     H.diagonal().array() += 1e-3 * miss;
-    Eigen::Map<Eigen::VectorXd>(solution.q.data(), chain_.n) += H.ldlt().solve(J.transpose() * e);
+    q += H.ldlt().solve(J.transpose() * e);
   }
-  return miss <= tolerance;
+  return q.allFinite() && miss <= tolerance;
 }
 
 int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,

@@ -5,7 +5,6 @@
 
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
-#include "walk.hpp"
 
 namespace armlet {
 namespace {
@@ -18,7 +17,8 @@ constexpr int kStall = 7;               // iterations without progress
 }  // namespace
 
 IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
-    : chain_(robot.chain()),
+    : plan_(robot.walk_plan()),
+      kernel_(kernel_for(kPoseAndJacobianKernels, robot.n())),
       goal_(goal),
       n_(static_cast<std::size_t>(robot.n())),
       lower_(to_array(robot.lower())),
@@ -26,19 +26,10 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
       selective_((goal.weights.array() != 1.0).any()) {}
 
 double IkSolver::evaluate(const JointArray& q) {
-  std::array<Vec3, kMaxJoints> axis, point;
-  Frame tool = walk(chain_, q.data(), [&](std::size_t i, const Frame& f) {
-    axis[i] = f.z;
-    point[i] = f.p;
-  });
-  tool.step(chain_.T_flange_tool);
-  for (std::size_t i = 0; i < n_; ++i) {
-    const Vec3 v = chain_.revolute[i] ? cross(axis[i], tool.p - point[i]) : axis[i];
-    const Vec3 w = chain_.turns[i] * axis[i];
-    J_[i] = {v.xy[0], v.xy[1], v.z, w.xy[0], w.xy[1], w.z};
-  }
-  const Eigen::Matrix3d R_tool = tool.rotation();
-  const Eigen::Vector3d v = goal_.p - tool.p.to_eigen();
+  Eigen::Isometry3d T_world_tool;
+  kernel_(plan_, q.data(), J_.data()->data(), T_world_tool.data());
+  const Eigen::Matrix3d R_tool = T_world_tool.linear();
+  const Eigen::Vector3d v = goal_.p - T_world_tool.translation();
   const Eigen::Vector3d w = rotation_error(R_tool);
   error_ = {v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
   if (goal_.in_tool_axes) turn_rows(R_tool.transpose());

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "armlet/kinematics/ik.hpp"
+#include "kernels.hpp"
 
 namespace armlet {
 
@@ -63,7 +64,8 @@ class IkSolver {
   Step step_in_box(const JointArray& q, double damping) const;
   void clamp(JointArray& q) const;
 
-  const Chain& chain_;
+  const WalkPlan& plan_;
+  PoseAndJacobianKernel* kernel_;
   IkGoal goal_;
   std::size_t n_;
   JointArray lower_{}, upper_{};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "armlet/core/xml.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/urdf.hpp"
 
@@ -12,29 +13,6 @@ namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 // The fewest digits that read back to the same bits.
 std::string number(double x) { return fmt::format("{}", x == 0.0 ? 0.0 : x); }
@@ -52,8 +30,8 @@ std::string link_text(const Body& body) {
   const Link& link = body.link;
   const bool heavy = link.mass != 0.0 || !link.inertia.isZero(0.0);
   if (!heavy && link.mesh.empty())
-    return fmt::format("  <link name=\"{}\"/>\n", escaped(body.name));
-  std::string text = fmt::format("  <link name=\"{}\">\n", escaped(body.name));
+    return fmt::format("  <link name=\"{}\"/>\n", xml_escaped(body.name));
+  std::string text = fmt::format("  <link name=\"{}\">\n", xml_escaped(body.name));
   if (heavy) {
     const Eigen::Matrix3d& I = link.inertia;
     text += fmt::format(
@@ -65,7 +43,7 @@ std::string link_text(const Body& body) {
   }
   if (!link.mesh.empty()) {
     text += fmt::format("    <visual><geometry><mesh filename=\"{}\"/></geometry></visual>\n",
-                        escaped(link.mesh));
+                        xml_escaped(link.mesh));
   }
   return text + "  </link>\n";
 }
@@ -133,7 +111,7 @@ std::string mimic_text(const Mechanism& m, const Leaders& leaders, int joint) {
   const Body& body =
       m.bodies()[static_cast<std::size_t>(m.moving()[static_cast<std::size_t>(leader)])];
   return fmt::format("    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>\n",
-                     escaped(body.joint_name), number(ratio),
+                     xml_escaped(body.joint_name), number(ratio),
                      number(drive.shift - ratio * lead.shift));
 }
 
@@ -148,7 +126,7 @@ std::string joint_text(const Mechanism& m, const Leaders& leaders, std::size_t i
   std::string text = fmt::format(
       "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n    "
       "{}\n",
-      escaped(body.joint_name), type, escaped(parent), escaped(body.name),
+      xml_escaped(body.joint_name), type, xml_escaped(parent), xml_escaped(body.name),
       origin(body.T_parent_joint));
   if (joint >= 0) {
     const Friction& f = body.link.friction;
@@ -172,7 +150,7 @@ std::string write_urdf(const Mechanism& m) {
   const Leaders leaders(m);
   std::string text =
       fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
-                  escaped(m.name()), escaped(m.spec().base_name));
+                  xml_escaped(m.name()), xml_escaped(m.spec().base_name));
   for (std::size_t i = 0; i < m.bodies().size(); ++i) {
     text += link_text(m.bodies()[i]);
     text += joint_text(m, leaders, i);
@@ -184,7 +162,7 @@ std::string write_urdf(const Mechanism& m) {
         "  <link name=\"{0}\"/>\n  <joint name=\"{0}_fixed\" type=\"fixed\">\n    <parent "
         "link=\"{1}\"/>\n"
         "    <child link=\"{0}\"/>\n    {2}\n  </joint>\n",
-        escaped(tip.name), escaped(parent), origin(tip.T_body_tip));
+        xml_escaped(tip.name), xml_escaped(parent), origin(tip.T_body_tip));
   }
   return text + "</robot>\n";
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "armlet/core/xml.hpp"
 #include "svg_parts.hpp"
 
 namespace armlet {
@@ -114,7 +115,7 @@ std::string to_svg(std::span<const Figure> figures) {
       "role=\"img\">\n<title>{2}</title>\n{3}<rect class=\"paper\" width=\"{0}\" "
       "height=\"{1}\"/>\n{4}</svg>\n",
       svg::coordinate(svg::kWidth), svg::coordinate(std::max(top, 40.0)),
-      svg::escaped(title.empty() ? "plot" : title), svg::style(), body);
+      xml_escaped(title.empty() ? "plot" : title), svg::style(), body);
 }
 
 }  // namespace armlet

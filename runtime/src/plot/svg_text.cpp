@@ -4,30 +4,9 @@
 
 #include <cmath>
 
-namespace armlet::svg {
+#include "armlet/core/xml.hpp"
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-    }
-  }
-  return out;
-}
+namespace armlet::svg {
 
 std::string coordinate(double value) {
   const double rounded = std::round(value * 100.0) / 100.0;
@@ -43,7 +22,7 @@ double width_of(std::string_view text, double size) {
 std::string text(Point at, std::string_view anchor, std::string_view css, std::string_view content,
                  std::string_view more) {
   return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\" class=\"{}\"{}>{}</text>\n",
-                     coordinate(at.x), coordinate(at.y), anchor, css, more, escaped(content));
+                     coordinate(at.x), coordinate(at.y), anchor, css, more, xml_escaped(content));
 }
 
 std::string line(Point from, Point to, std::string_view css) {

@@ -6,9 +6,6 @@
 // Pieces of SVG.
 namespace armlet::svg {
 
-// Text between tags: marks of XML and control characters are replaced.
-std::string escaped(std::string_view text);
-
 // A coordinate with at most two decimals, "0" never negative.
 std::string coordinate(double value);
 

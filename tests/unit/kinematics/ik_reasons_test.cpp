@@ -9,6 +9,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
+#include "random_arm.hpp"
 
 using namespace armlet;
 using Eigen::Isometry3d;
@@ -16,12 +17,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
-
-VectorXd random_joints(const Robot& robot, Random& random) {
-  VectorXd q(robot.n());
-  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
-  return q;
-}
 
 // The arm with every turning joint free to make a full turn.
 Robot without_stops(const Robot& robot) {

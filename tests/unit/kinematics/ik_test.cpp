@@ -10,18 +10,13 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
+#include "random_arm.hpp"
 
 using namespace armlet;
 using Eigen::Isometry3d;
 using Eigen::VectorXd;
 
 namespace {
-
-VectorXd random_joints(const Robot& robot, Random& random) {
-  VectorXd q(robot.n());
-  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
-  return q;
-}
 
 VectorXd joints(std::initializer_list<double> values) {
   VectorXd q(static_cast<Eigen::Index>(values.size()));

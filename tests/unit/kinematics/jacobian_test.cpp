@@ -12,16 +12,6 @@
 
 using namespace armlet;
 
-namespace {
-
-Eigen::VectorXd random_joints(const Robot& robot, Random& random) {
-  Eigen::VectorXd q(robot.n());
-  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
-  return q;
-}
-
-}  // namespace
-
 TEST_CASE("Jacobians of fourteen arms agree with other libraries") {
   for (const std::string& name : reference::arm_names()) {
     CAPTURE(name);

@@ -6,17 +6,12 @@
 
 #include "armlet/core/random.hpp"
 #include "armlet/model/catalog.hpp"
+#include "random_arm.hpp"
 #include "reference_robot.hpp"
 
 using namespace armlet;
 
 namespace {
-
-Eigen::VectorXd random_joints(const Robot& robot, Random& random) {
-  Eigen::VectorXd q(robot.n());
-  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
-  return q;
-}
 
 double worst_sigma(const Robot& robot, int joint, double value) {
   Random random(1);

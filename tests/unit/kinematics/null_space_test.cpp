@@ -10,20 +10,11 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
+#include "random_arm.hpp"
 
 using namespace armlet;
 using Eigen::Isometry3d;
 using Eigen::VectorXd;
-
-namespace {
-
-VectorXd random_joints(const Robot& robot, Random& random) {
-  VectorXd q(robot.n());
-  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
-  return q;
-}
-
-}  // namespace
 
 TEST_CASE("the projector keeps the tool still, and leaves alone what already does") {
   Random random(1);

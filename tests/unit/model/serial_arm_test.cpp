@@ -8,17 +8,12 @@
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/model/hands.hpp"
+#include "random_arm.hpp"
 #include "reference_robot.hpp"
 
 using namespace armlet;
 
 namespace {
-
-Eigen::VectorXd random_joints(const Robot& robot, Random& random) {
-  Eigen::VectorXd q(robot.n());
-  for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
-  return q;
-}
 
 double difference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();

@@ -103,6 +103,7 @@ class ClosedForm {
   bool accept(const Eigen::Isometry3d& goal, double tolerance, ClosedSolution& solution) const;
 
   Chain chain_;
+  WalkPlan plan_;
   std::unique_ptr<CanonicalRows> rows_;
   ClosedFormKind kind_ = ClosedFormKind::kNone;
   bool reversed_ = false;
