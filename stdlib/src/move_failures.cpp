@@ -116,6 +116,7 @@ Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
       f.arguments = {"the hand gets there, but not with this orientation"};
       f.why =
           fmt::format("the closest orientation at this place differs by {}", format_deg(d.angle));
+      if (d.gap.exists()) f.why += fmt::format("; with this one {}", describe(d.gap));
       f.fix =
           fmt::format("turn the target by {} or more, or give only a place", format_deg(d.angle));
       break;
@@ -132,6 +133,9 @@ Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
     default:
       f.arguments = {"no joint values bring the hand there"};
       say_place(robot, goal.translation(), d, f);
+      // Where it is the tool point itself, this has been said.
+      if (d.gap.exists() && d.gap.point != GapPoint::kToolPoint)
+        f.why += fmt::format("; {}", describe(d.gap));
   }
   return fail(vm, std::move(f));
 }

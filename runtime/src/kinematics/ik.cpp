@@ -312,6 +312,7 @@ std::string explain(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
       text = "The arm is singular at the goal and cannot settle there";
       break;
   }
+  if (d.gap.exists()) text += "; " + describe(d.gap);
   if (d.sigma_min < 1e-3 && result.status != IkStatus::kJointLimit) {
     Singularity lost;
     lost.direction = d.lost_direction;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "armlet/kinematics/manipulability.hpp"
+#include "armlet/math/pose.hpp"
 #include "ik_search.hpp"
 
 namespace armlet {
@@ -67,6 +68,14 @@ Eigen::VectorXd least_violating(const Robot& robot, const IkGoal& goal, IkOption
 
 bool counts_rotation(const IkGoal& goal) { return !goal.weights.tail<3>().isZero(); }
 
+// What the geometry of the arm rules out.
+ReachGap gap_of(const Robot& robot, const IkGoal& goal, const IkOptions& options) {
+  const bool all = (goal.weights.array() == 1.0).all();
+  const bool place = (goal.weights.head<3>().array() == 1.0).all() && !counts_rotation(goal);
+  if (options.method != IkMethod::kAuto || (!all && !place)) return {};
+  return closed_form(robot).gap(make_pose(goal.R, goal.p), all);
+}
+
 }  // namespace
 
 void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
@@ -96,6 +105,8 @@ void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, 
   if (diagnosis.distance == 0.0 && diagnosis.angle < 1e-3 && diagnosis.sigma_min < 1e-3) {
     result.status = IkStatus::kSingularGoal;
   }
+
+  diagnosis.gap = gap_of(robot, goal, options);
 
   const Eigen::VectorXd outside = least_violating(robot, goal, options);
   if (outside.size() > 0) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/kinematics/reach_gap.hpp"
 
 namespace armlet {
 
@@ -92,6 +93,12 @@ class ClosedForm {
   // returns       how many there are.
   int solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near, ClosedSolutions& solutions,
             double tolerance = 1e-9, double arm_turn = 0.0) const;
+
+  // Why there is no solution, if the geometry of the arm rules it out whatever its limits are; no
+  // gap if something else does, or for an arm of which one joint is held.
+  //
+  // orientation_counts  whether the goal's orientation has to be met.
+  ReachGap gap(const Eigen::Isometry3d& T_world_tool, bool orientation_counts = true) const;
 
   // "shoulder front, elbow up, wrist flipped"; front and up hold for arms that stand or hang, else
   // the two ways are called + and -.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "armlet/kinematics/limits.hpp"
+#include "armlet/kinematics/reach_gap.hpp"
 #include "armlet/math/twist.hpp"
 
 namespace armlet {
@@ -71,6 +72,7 @@ std::string_view to_text(IkStatus status);
 // angle       from the goal's orientation to the nearest one reachable at that place, rad.
 // nearest     that pose of the tool in the world, and q_nearest the joints that reach it.
 // violations  joints that would be outside their limits at the best solution without limits.
+// gap         what the geometry of an arm with a closed form rules out, whatever the limits are.
 // sigma_min   closeness to a singularity at q_nearest (see Singularity), and the direction lost.
 struct IkDiagnosis {
   double distance = 0.0;
@@ -78,6 +80,7 @@ struct IkDiagnosis {
   Eigen::Isometry3d nearest = Eigen::Isometry3d::Identity();
   Eigen::VectorXd q_nearest;
   std::vector<LimitViolation> violations;
+  ReachGap gap;
   double sigma_min = 0.0;
   Vector6d lost_direction = Vector6d::Zero();
 };
