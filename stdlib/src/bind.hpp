@@ -30,6 +30,7 @@ std::span<const NativeFunction> ode_functions();
 std::span<const NativeFunction> text_functions();
 std::span<const NativeFunction> pose_functions();
 std::span<const NativeFunction> robot_functions();
+std::span<const NativeFunction> ikine_functions();
 std::span<const NativeFunction> model_functions();
 std::span<const NativeFunction> motion_functions();
 std::span<const NativeFunction> trajectory_functions();

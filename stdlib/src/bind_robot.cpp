@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include "armlet/kinematics/forward.hpp"
-#include "armlet/kinematics/ik.hpp"
-#include "armlet/kinematics/ik_report.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/kinematics/manipulability.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
+#include "give.hpp"
 #include "moves.hpp"
 #include "values.hpp"
 
@@ -64,20 +63,6 @@ Signal types(Vm& vm, Slot* args) {
   return give(args, new_text(vm, word));
 }
 
-template <class T>
-Signal give_objects(Vm& vm, Slot* args, const std::vector<T>& items, Obj* (*make)(Vm&, const T&)) {
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(items.size()), true);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    list->data[i].o = make(vm, items[i]);
-    if (list->data[i].o == nullptr) {
-      release(vm, list);
-      return Signal::kFail;
-    }
-  }
-  return give(args, list);
-}
-
 Signal limits(Vm& vm, Slot* args) {
   const Robot& robot = *state_of(vm, args[0]).model;
   return give_objects<PosJ>(
@@ -106,29 +91,6 @@ Signal set_home(Vm& vm, Slot* args) try {
 // ---- kinematics
 // ------------------------------------------------------------------------------------------------
 
-// The joint values of a posJ or double[] argument, if there are as many as the robot has joints.
-std::optional<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, Slot s, bool is_list,
-                                              int parameter) {
-  Eigen::VectorXd q;
-  if (is_list) {
-    const auto values = reals_value(s);
-    q = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  } else {
-    q = posj(s).vector();
-  }
-  if (q.size() != robot.n()) {
-    static_cast<void>(failure(
-        vm, "R0613", fmt::format("{} joint values for a robot with {} joints", q.size(), robot.n()),
-        parameter));
-    return std::nullopt;
-  }
-  if (!q.allFinite()) {
-    static_cast<void>(not_finite(vm, "a joint value", q.sum(), parameter));
-    return std::nullopt;
-  }
-  return q;
-}
-
 template <bool kList>
 Signal fkine(Vm& vm, Slot* args) {
   const Robot& robot = *state_of(vm, args[0]).model;
@@ -139,74 +101,6 @@ Signal fkine(Vm& vm, Slot* args) {
   if (k < 1 || k > robot.n())
     return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", k, robot.n()), 2);
   return give(args, new_posc(vm, {link_frame(robot, *q, static_cast<int>(k)), true}));
-}
-
-Signal ikine(Vm& vm, Slot* args) {
-  const CellRobot& robot = state_of(vm, args[0]);
-  const MoveCall call{.function = "ikine", .robot = robot_id(args[0])};
-  const Eigen::VectorXd seed = args[2].o != nullptr ? posj(args[2]).vector() : robot.q;
-  if (seed.size() != robot.model->n())
-    return size_failure(vm, "near", static_cast<std::size_t>(seed.size()),
-                        static_cast<std::size_t>(robot.model->n()));
-  const auto q = solve_target(vm, call, posc(args[1]), seed);
-  if (!q) return Signal::kFail;
-  return give(args, new_posj(vm, make_posj(*robot.model, *q)));
-}
-
-// (r, p, limits)
-Signal ikine_all(Vm& vm, Slot* args) {
-  const CellRobot& robot = state_of(vm, args[0]);
-  const PosC& target = posc(args[1]);
-  std::vector<PosJ> list;
-  if (const auto task = task_of(*robot.model, target)) {
-    IkOptions options;
-    options.seed = robot.q;
-    options.task = *task;
-    options.respect_limits = args[2].i != 0;
-    for (const Eigen::VectorXd& q : solve_ik_all(*robot.model, target.T, options))
-      list.push_back(make_posj(*robot.model, q));
-  }
-  return give_objects<PosJ>(vm, args, list, new_posj);
-}
-
-// (r, p)
-Signal explain_place(Vm& vm, Slot* args) {
-  const CellRobot& robot = state_of(vm, args[0]);
-  const PosC& target = posc(args[1]);
-  const auto task = task_of(*robot.model, target);
-  if (!task) {
-    return give(args, new_text(vm, fmt::format("{}: its tool always points straight up or down, "
-                                               "and this position is tilted",
-                                               robot.name)));
-  }
-  IkOptions options;
-  options.seed = robot.q;
-  options.task = *task;
-  const IkReport report = report_ik(*robot.model, target.T, options);
-  return give(args, new_text(vm, to_text(*robot.model, target.T, report)));
-}
-// (r, q): how the place of these joint values is solved, seen from them.
-Signal explain_joints(Vm& vm, Slot* args) {
-  const Robot& robot = *state_of(vm, args[0]).model;
-  const auto q = joint_argument(vm, robot, args[1], false, 1);
-  if (!q) return Signal::kFail;
-  const Eigen::Isometry3d T_world_tool = forward(robot, *q);
-  IkOptions options;
-  options.seed = *q;
-  return give(args,
-              new_text(vm, to_text(robot, T_world_tool, report_ik(robot, T_world_tool, options))));
-}
-
-Signal reachable(Vm& vm, Slot* args) {
-  const CellRobot& robot = state_of(vm, args[0]);
-  const PosC& target = posc(args[1]);
-  const auto task = task_of(*robot.model, target);
-  if (!task) return give(args, false);
-  IkOptions options;
-  options.seed = robot.q;
-  options.task = *task;
-  options.diagnose = false;
-  return give(args, solve_ik(*robot.model, target.T, options).ok());
 }
 
 Obj* make_frame(Vm& vm, const Eigen::Isometry3d& T) { return new_posc(vm, {T, true}); }
@@ -302,26 +196,6 @@ constexpr NativeFunction kFunctions[] = {
     {"fkine", "(r: robot, q: double[], joint: int?) -> posC",
      "Where the tool point is for these joint values (SI).", "fkine([0.0, 0.0, 0.1, 0.0])",
      fkine<true>},
-    {"ikine", "(r: robot, p: posC, near: posJ?) -> posJ",
-     "Joint values that bring the tool point to p, the ones nearest to `near` (the present ones).",
-     "ikine(here())", ikine},
-    {"ikineAll", "(r: robot, p: posC, limits: bool = true) -> posJ[]",
-     "All joint values that bring the tool point to p, the nearest to the present ones first: "
-     "every "
-     "branch of an arm with a closed form; limits: false lists those beyond the joint limits too. "
-     "An empty list if there are none. A place without orientation keeps the present one.",
-     "ikineAll(here())", ikine_all},
-    {"explain", "(r: robot, q: posJ) -> string",
-     "How inverse kinematics comes to these joint values: the solver and why, every branch with "
-     "what rules it out.",
-     "print(explain(ikine(here())))", explain_joints},
-    {"explain", "(r: robot, p: posC) -> string",
-     "How inverse kinematics solves p, or why it cannot: the solver, every branch with what rules "
-     "it out, the reason in millimetres and degrees.",
-     "print(explain(xyz(1m, 0m, 0m)))", explain_place},
-    {"reachable", "(r: robot, p: posC) -> bool",
-     "Whether the tool point can get to p within the joint limits.", "reachable(xyz(1m, 0m, 0m))",
-     reachable},
     {"linkFrames", "(r: robot, q: posJ) -> posC[]", "The frames after each joint.",
      "linkFrames(joints())", link_frames<false>},
     {"linkFrames", "(r: robot, q: double[]) -> posC[]", "The frames after each joint.",

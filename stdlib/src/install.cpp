@@ -37,6 +37,7 @@ std::span<const Chapter> chapters() {
       {"Positions and frames", pose_functions()},
       {"Robots: models", model_functions()},
       {"Robots: state and kinematics", robot_functions()},
+      {"Robots: inverse kinematics", ikine_functions()},
       {"Robots: motion", motion_functions()},
       {"Robots: velocity commands", velocity_functions()},
       {"Trajectories", trajectory_functions()},

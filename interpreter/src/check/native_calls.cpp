@@ -6,6 +6,7 @@
 #include <string>
 
 #include "check/checker.hpp"
+#include "check/explained.hpp"
 #include "check/over_list.hpp"
 #include "check/recordings.hpp"
 
@@ -55,6 +56,7 @@ hir::Expr* Checker::call_native(std::string_view name,
   for (const Argument& argument : arguments) {
     if (!argument.waits() && argument.value->type->is(Kind::kAny)) return failed(span);
   }
+  if (hir::Expr* told = explained_call(*this, name, arguments, span)) return told;
   settle_start(*this, candidates, arguments);
   Fit best;
   const NativeFunction* function = choose(name, candidates, callee, span, arguments, best);

@@ -30,7 +30,10 @@ double turn_about_z(const Eigen::Matrix3d& R) {
 // The status of a question that cannot be asked, or kOk.
 IkStatus check_question(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                         const IkOptions& options) {
+  const bool given = options.posture && options.posture->posture == Posture::kNearGiven;
   if (options.seed.size() != robot.n()) return IkStatus::kBadSize;
+  if (given && options.posture->q_given.size() != robot.n()) return IkStatus::kBadSize;
+  if (given && !options.posture->q_given.allFinite()) return IkStatus::kNotFinite;
   if (!options.seed.allFinite() || !T_world_tool.matrix().allFinite()) return IkStatus::kNotFinite;
   const bool uses_rotation = options.task != IkTask::kPosition && options.task != IkTask::kPlace;
   if (uses_rotation && !is_rotation(T_world_tool.linear())) return IkStatus::kBadRotation;
@@ -232,14 +235,16 @@ IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
   if (result.status != IkStatus::kOk) return result;
 
   IkGoal goal = make_goal(robot, T_world_tool, options);
-  if (options.task == IkTask::kPlace) {
-    IkOptions keep = options;
-    keep.starts = std::min(options.starts, kKeepStarts);
-    if (search_into(robot, goal, keep, result)) return result;
+  const bool place = options.task == IkTask::kPlace;
+  IkOptions first = options;
+  if (place) first.starts = std::min(options.starts, kKeepStarts);
+  if (search_into(robot, goal, first, result)) {
+    if (options.posture) take_best_posture(robot, T_world_tool, goal, options, result);
+    return result;
+  }
+  if (place) {
     if (place_into(robot, goal, options, result)) return result;
     goal.weights.tail<3>().setZero();
-  } else if (search_into(robot, goal, options, result)) {
-    return result;
   }
   result.status = IkStatus::kUnreachable;
   if (options.diagnose) diagnose(robot, goal, options, result);

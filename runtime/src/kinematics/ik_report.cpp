@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "armlet/core/format.hpp"
+#include "armlet/math/pose.hpp"
 #include "ik_search.hpp"
 
 namespace armlet {
@@ -54,6 +55,32 @@ std::string branch_line(const Robot& robot, const BranchReport& branch, bool tak
   return text;
 }
 
+// Where the arm gets that is nearest to the goal.
+std::string nearest_line(const Robot& robot, const IkResult& result) {
+  std::string joints;
+  for (int i = 0; i < robot.n(); ++i) {
+    if (i > 0) joints += ", ";
+    joints += format_joint_value(robot.joint(i).kind, result.diagnosis.q_nearest[i]);
+  }
+  return fmt::format("nearest pose: {}, with the joints at {}",
+                     format_pose(result.diagnosis.nearest), joints);
+}
+
+std::string posture_line(Posture posture) {
+  const auto what = [&]() -> std::string_view {
+    switch (posture) {
+      case Posture::kMidRange:
+        return "the middle of the joints' ranges is nearest";
+      case Posture::kManipulability:
+        return "singularities are farthest";
+      case Posture::kNearGiven:
+        break;
+    }
+    return "the given posture is nearest";
+  }();
+  return fmt::format("chosen because there {}", what);
+}
+
 }  // namespace
 
 IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
@@ -65,6 +92,7 @@ IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
   report.kind = closed.kind();
   report.reversed = closed.reversed();
   report.held_joint = closed.held_joint();
+  if (options.posture) report.posture = options.posture->posture;
   report.result = solve_ik(robot, T_world_tool, options);
   const IkStatus status = report.result.status;
   const bool asked = status != IkStatus::kBadSize && status != IkStatus::kNotFinite &&
@@ -99,15 +127,19 @@ std::string to_text(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                         report.branches.size() == 1 ? "" : "es", usable);
   }
   for (const BranchReport& branch : report.branches) {
-    const bool taken =
-        result.ok() && branch.outside.empty() && largest_change(branch.q, result.q) < 1e-6;
+    const bool taken = result.ok() && branch.outside.empty() &&
+                       largest_change(wrap_near(robot, branch.q, result.q), result.q) < 1e-6;
     text += "\n" + branch_line(robot, branch, taken);
   }
-  if (!result.ok()) return text + "\n" + explain(robot, T_world_tool, result);
+  if (!result.ok()) {
+    text += "\n" + explain(robot, T_world_tool, result);
+    return result.diagnosis.q_nearest.size() > 0 ? text + "\n" + nearest_line(robot, result) : text;
+  }
   if (result.branch < 0) {
     text += fmt::format("\nsolved by iterations: {} in {} start{}", result.iterations,
                         result.starts, result.starts == 1 ? "" : "s");
   }
+  if (report.posture) text += "\n" + posture_line(*report.posture);
   Eigen::Index joint = 0;
   result.margins.minCoeff(&joint);
   const JointKind kind = robot.joint(static_cast<int>(joint)).kind;

@@ -40,6 +40,10 @@ void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
 const FormulaSolution& nearest_branch(const Robot& robot, const Eigen::VectorXd& seed,
                                       const std::vector<FormulaSolution>& branches);
 
+// Replaces a solution by the one with the best posture that the options ask for.
+void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                       const IkGoal& goal, const IkOptions& options, IkResult& result);
+
 // Fills status and diagnosis of a result for which no solution was found.
 void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result);
 

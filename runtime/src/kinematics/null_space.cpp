@@ -6,7 +6,6 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/limits.hpp"
-#include "armlet/kinematics/manipulability.hpp"
 #include "armlet/math/rotation.hpp"
 
 namespace armlet {
@@ -16,7 +15,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kRank = 1e-9;        // of the largest singular value
-constexpr double kDifference = 1e-5;  // step of central differences, rad or m
 constexpr double kLargestStep = 0.1;  // rad or m, of one step towards a better posture
 constexpr double kSmallestStep = 1e-7;
 constexpr double kDrift = 1e-9;  // m and rad that a posture may move the tool by
@@ -80,33 +78,6 @@ VectorXd kept_in_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool
 
 }  // namespace
 
-double posture_value(const Robot& robot, JointsIn q, Posture posture) {
-  check_size("q", q.size(), robot.n());
-  if (posture == Posture::kManipulability) return manipulability(robot, q);
-  const VectorXd range = robot.upper() - robot.lower();
-  const VectorXd middle = 0.5 * (robot.upper() + robot.lower());
-  return -0.5 * (q - middle).cwiseQuotient(range).squaredNorm() / robot.n();
-}
-
-VectorXd posture_gradient(const Robot& robot, JointsIn q, Posture posture) {
-  check_size("q", q.size(), robot.n());
-  if (posture == Posture::kMidRange) {
-    const VectorXd range = robot.upper() - robot.lower();
-    const VectorXd middle = 0.5 * (robot.upper() + robot.lower());
-    return -(q - middle).cwiseQuotient(range.cwiseAbs2()) / robot.n();
-  }
-  VectorXd gradient(robot.n());
-  VectorXd shifted = q;
-  for (int i = 0; i < robot.n(); ++i) {
-    shifted[i] = q[i] + kDifference;
-    const double above = manipulability(robot, shifted);
-    shifted[i] = q[i] - kDifference;
-    gradient[i] = (above - manipulability(robot, shifted)) / (2.0 * kDifference);
-    shifted[i] = q[i];
-  }
-  return gradient;
-}
-
 MatrixXd null_space_projector(const Robot& robot, JointsIn q, const TaskRows& rows) {
   return projector(task_jacobian(robot, q, rows));
 }
@@ -120,18 +91,18 @@ VectorXd self_motion_step(const Robot& robot, const Eigen::Isometry3d& T_world_t
   return next;
 }
 
-VectorXd improve_posture(const Robot& robot, JointsIn q_start, Posture posture,
+VectorXd improve_posture(const Robot& robot, JointsIn q_start, const PostureGoal& goal,
                          const TaskRows& rows, int steps) {
   check_size("q", q_start.size(), robot.n());
   const Eigen::Isometry3d T_world_tool = forward(robot, q_start);
   VectorXd q = q_start;
-  double value = posture_value(robot, q, posture);
+  double value = posture_value(robot, q, goal);
   double length = kLargestStep;
   for (int step = 0; step < steps && length > kSmallestStep; ++step) {
     // Joints at a limit that the step would push outwards stay there.
     std::vector<bool> held(static_cast<std::size_t>(robot.n()), false);
     MatrixXd J = task_jacobian(robot, q, rows);
-    VectorXd gradient = posture_gradient(robot, q, posture);
+    VectorXd gradient = posture_gradient(robot, q, goal);
     VectorXd way;
     for (bool again = true; again;) {
       again = false;
@@ -149,7 +120,7 @@ VectorXd improve_posture(const Robot& robot, JointsIn q_start, Posture posture,
     if (largest < 1e-9) break;
     const VectorXd next =
         kept_in_place(robot, T_world_tool, q + way * (length / largest), held, rows);
-    const double next_value = next.size() > 0 ? posture_value(robot, next, posture) : -INFINITY;
+    const double next_value = next.size() > 0 ? posture_value(robot, next, goal) : -INFINITY;
     if (next_value > value) {
       q = next;
       value = next_value;

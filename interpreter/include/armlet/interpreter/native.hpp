@@ -61,7 +61,9 @@ struct NativeFunction {
   double (*real2)(double, double) = nullptr;
   void (*check)(CheckCall& call) = nullptr;  // rules checked before running
   // Same arguments -> text: why the result was false (for assert). Further lines are how to show
-  // the arguments that are not written as literals, in their order.
+  // the arguments that are not written as literals, in their order. Of a function whose result is
+  // no bool: how the result comes about or why there is none; explain(f(x)) calls this instead of
+  // f.
   Thunk explain = nullptr;
   bool pauses = false;  // takes virtual time: not allowed in conditions
   // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "armlet/kinematics/limits.hpp"
+#include "armlet/kinematics/posture.hpp"
 #include "armlet/kinematics/reach_gap.hpp"
 #include "armlet/math/twist.hpp"
 
@@ -44,6 +46,9 @@ struct IkOptions {
   IkMaskFrame mask_frame = IkMaskFrame::kWorld;
   IkChoice choice = IkChoice::kNearest;
   IkMethod method = IkMethod::kAuto;
+  // Of all solutions (`choice` does not count) the one with the best posture. An arm with freedom
+  // to spare moves from each of those found as far as the posture gets better.
+  std::optional<PostureGoal> posture{};
   double position_tolerance = 1e-6;  // m
   double rotation_tolerance = 1e-6;  // rad
   int iterations = 30;               // per start
@@ -97,6 +102,7 @@ struct IkResult {
   std::string_view solver = "numeric";  // or the structure that the closed form goes by
   int branch = -1;                      // of the closed form, see ClosedSolution; -1: numeric
   Eigen::VectorXd margins;  // from each joint to its nearer limit, rad or m; below 0: beyond it
+  double posture = 0.0;     // value of the posture asked for (posture_value)
   IkDiagnosis diagnosis;
 
   bool ok() const { return status == IkStatus::kOk; }

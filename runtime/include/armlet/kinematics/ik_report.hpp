@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct IkReport {
   ClosedFormKind kind = ClosedFormKind::kNone;
   bool reversed = false;
   int held_joint = -1;
+  std::optional<Posture> posture;      // that was asked for
   std::vector<BranchReport> branches;  // nearest to the seed first
   IkResult result;
 };
@@ -34,7 +36,7 @@ IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                    const IkOptions& options = {});
 
 // Several lines: the solver and why, a line for each branch (the one taken marked with >), the
-// errors that are left or the reason why there is no solution.
+// errors that are left, or the reason why there is no solution and the nearest pose that there is.
 std::string to_text(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                     const IkReport& report);
 

@@ -4,23 +4,12 @@
 #include <vector>
 
 #include "armlet/kinematics/jacobian.hpp"
+#include "armlet/kinematics/posture.hpp"
 
 namespace armlet {
 
 // The motion that a task leaves free: an arm with more joints than its task has rows can move
 // without moving the tool, and may use that to keep a good posture.
-
-// What makes a posture good. kMidRange: joints in the middle of their ranges; kManipulability: far
-// from singularities.
-enum class Posture { kMidRange, kManipulability };
-
-// The value of a posture, larger is better: -1/(2n) sum ((q - middle) / range)^2 or Yoshikawa's
-// measure; and its gradient.
-//
-// source  A. Liegeois, Automatic supervisory control of the configuration and behavior of
-//         multibody mechanisms, IEEE Trans. SMC 7(12), 1977.
-double posture_value(const Robot& robot, JointsIn q, Posture posture);
-Eigen::VectorXd posture_gradient(const Robot& robot, JointsIn q, Posture posture);
 
 // The rows of the motion [v; w] of the tool point that matter, in world or tool axes.
 struct TaskRows {
@@ -42,7 +31,7 @@ Eigen::VectorXd self_motion_step(const Robot& robot, const Eigen::Isometry3d& T_
 //
 // q        joint values within the limits.
 // returns  joint values whose posture is at least as good.
-Eigen::VectorXd improve_posture(const Robot& robot, JointsIn q, Posture posture,
+Eigen::VectorXd improve_posture(const Robot& robot, JointsIn q, const PostureGoal& goal,
                                 const TaskRows& rows = {}, int steps = 200);
 
 // Joint speeds that move the tool by a twist and are as near as possible to wished ones, within

@@ -1,0 +1,15 @@
+#pragma once
+// explain(f(x)): says how f(x) comes about, without its failing first.
+
+#include <vector>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+// The call that says it, if the value handed to `name` is a call of a library function that can
+// explain itself; null otherwise. `arm.explain(arm.f(x))` is the same as `explain(arm.f(x))`.
+[[nodiscard]] hir::Expr* explained_call(Checker& checker, std::string_view name,
+                                        const std::vector<Argument>& arguments, Span span);
+
+}  // namespace armlet::lang
