@@ -9,6 +9,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/profile.hpp"
 #include "trajectory/roots.hpp"
+#include "trajectory/sample_table.hpp"
 
 namespace armlet {
 namespace {
@@ -41,59 +42,21 @@ void check_path(const JointPath& path, int joint, double duration) {
   }
 }
 
-// Index of the last start that is not after t, 0 if all are.
-std::size_t last_not_after(const double* starts, std::size_t count, double t) {
-  constexpr std::size_t kFew = 16;
-  if (count > kFew) {
-    return static_cast<std::size_t>(std::upper_bound(starts + 1, starts + count, t) - starts) - 1;
+// Leaves nothing behind the degree of a piece and nothing after the end of the motion.
+void settle_path(JointPath& path, double duration) {
+  for (Segment& piece : path.segments) {
+    std::fill(piece.c.begin() + piece.degree + 1, piece.c.end(), 0.0);
   }
-  std::size_t behind = 0;  // counting all needs no branch that could be guessed wrong
-  for (std::size_t k = 1; k < count; ++k) behind += starts[k] <= t ? 1 : 0;
-  return behind;
+  if (path.segments.empty()) return;
+  Segment& last = path.segments.back();
+  // A rounding error must not keep the joint from its last position at the end.
+  if (last.end() > duration) last.duration = std::max(duration - last.start, 1e-300);
 }
 
 // The piece that holds at time t, 0 <= t <= end of the path.
 const Segment& piece_at(const JointPath& path, double t) {
   const auto after = std::ranges::upper_bound(path.segments, t, {}, &Segment::start);
   return after == path.segments.begin() ? *after : *(after - 1);
-}
-
-struct Sample {
-  double p, v, half_a;
-};
-
-// One pass gives the value and, from its partial sums, both derivatives. The first two steps leave
-// out what would be added to zero.
-template <int kDegree>
-Sample horner(const Segment& piece, double u) {
-  static_assert(kDegree >= 2);
-  const auto& c = piece.c;
-  Sample s{c[kDegree] * u + c[kDegree - 1], c[kDegree], c[kDegree]};
-  s.v = s.v * u + s.p;
-  s.p = s.p * u + c[kDegree - 2];
-  for (int k = kDegree - 3; k >= 0; --k) {
-    s.half_a = s.half_a * u + s.v;
-    s.v = s.v * u + s.p;
-    s.p = s.p * u + c[static_cast<size_t>(k)];
-  }
-  return s;
-}
-
-Sample sample_piece(const Segment& piece, double u) {
-  switch (piece.degree) {
-    case 3:
-      return horner<3>(piece, u);
-    case 4:
-      return horner<4>(piece, u);
-    case 5:
-      return horner<5>(piece, u);
-    case 6:
-      return horner<6>(piece, u);
-    case 7:
-      return horner<7>(piece, u);
-    default:
-      return horner<2>(piece, u);
-  }
 }
 
 // Bounds of the derivative of this order over the whole piece: the smallest and the largest of its
@@ -150,37 +113,12 @@ Trajectory::Trajectory(std::vector<JointPath> joints, double duration)
     throw ArgumentError(
         fmt::format("A motion of {} s cannot be made; expected 0 s or more.", duration));
   }
-  std::size_t pieces = 0;
   for (int i = 0; i < n(); ++i) {
-    check_path(joint(i), i, duration);
-    pieces += joint(i).segments.size();
+    JointPath& path = joints_[static_cast<std::size_t>(i)];
+    check_path(path, i, duration);
+    settle_path(path, duration);
   }
-  index_pieces(pieces);
-}
-
-// Starts of all pieces, joint by joint, and whether they are the same for all joints.
-void Trajectory::index_pieces(std::size_t pieces) {
-  starts_.reserve(pieces);
-  first_.reserve(joints_.size());
-  ends_.reserve(joints_.size());
-  shared_ = true;
-  for (JointPath& path : joints_) {
-    first_.push_back(starts_.size());
-    for (const Segment& piece : path.segments) starts_.push_back(piece.start);
-    double end = -1.0;
-    if (!path.segments.empty()) {
-      Segment& last = path.segments.back();
-      // A rounding error must not keep the joint from its last position at the end.
-      if (last.end() > duration_) last.duration = std::max(duration_ - last.start, 1e-300);
-      end = std::min(last.end(), duration_);
-    }
-    ends_.push_back(end);
-    first_end_ = ends_.size() == 1 ? end : std::min(first_end_, end);
-    const std::size_t count = path.segments.size();
-    shared_ = shared_ && count == joints_.front().segments.size() &&
-              std::equal(starts_.begin(), starts_.begin() + static_cast<std::ptrdiff_t>(count),
-                         starts_.end() - static_cast<std::ptrdiff_t>(count));
-  }
+  table_ = std::make_shared<const SampleTable>(joints_, duration);
 }
 
 Trajectory Trajectory::at_rest(const Eigen::VectorXd& q, double duration) {
@@ -203,38 +141,11 @@ Eigen::VectorXd Trajectory::end() const {
 
 void Trajectory::sample(double t, Eigen::Ref<Eigen::VectorXd> q, Eigen::Ref<Eigen::VectorXd> qd,
                         Eigen::Ref<Eigen::VectorXd> qdd) const {
-  std::size_t k = 0;
-  if (shared_ && !joints_.empty()) {
-    k = last_not_after(starts_.data(), starts_.size() / joints_.size(), t);
-    if (t >= 0.0 && t < first_end_) {
-      // All joints move, each in its piece k.
-      const double u = t - starts_[k];
-      for (std::size_t i = 0; i < joints_.size(); ++i) {
-        const Sample sample = sample_piece(joints_[i].segments[k], u);
-        const auto at = static_cast<Eigen::Index>(i);
-        q[at] = sample.p;
-        qd[at] = sample.v;
-        qdd[at] = 2.0 * sample.half_a;
-      }
-      return;
-    }
+  for (const auto& [name, size] :
+       {std::pair("q", q.size()), std::pair("qd", qd.size()), std::pair("qdd", qdd.size())}) {
+    if (size != n()) check_size(name, size, n());
   }
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const JointPath& path = joints_[i];
-    const auto at = static_cast<Eigen::Index>(i);
-    // Where there are no pieces the end lies before 0.
-    if (!(t >= 0.0 && t <= ends_[i])) {
-      q[at] = value_of(path, t, 0);
-      qd[at] = qdd[at] = 0.0;
-      continue;
-    }
-    if (!shared_) k = last_not_after(starts_.data() + first_[i], path.segments.size(), t);
-    const Segment& piece = path.segments[k];
-    const Sample sample = sample_piece(piece, std::min(t - piece.start, piece.duration));
-    q[at] = t >= ends_[i] ? path.q_end : sample.p;
-    qd[at] = sample.v;
-    qdd[at] = 2.0 * sample.half_a;
-  }
+  if (table_) table_->sample(joints_, t, {q.data(), qd.data(), qdd.data()});
 }
 
 double Trajectory::value(int i, double t, int order) const { return value_of(joint(i), t, order); }

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "armlet/core/error.hpp"
+#include "armlet/core/random.hpp"
 #include "armlet/trajectory/profile.hpp"
 
 using namespace armlet;
@@ -20,7 +23,74 @@ Trajectory three_joints() {
   return {{{{rise, tail}, 0.9}, {{second}, 0.4}, {{}, 2.5}}, 1.5};
 }
 
+// A joint with pieces of any degree that begin at the given times; it may jump at each.
+JointPath any_path(Random& random, const std::vector<double>& starts, double end) {
+  JointPath path{.q_end = random.uniform(-1.0, 1.0)};
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const double next = k + 1 < starts.size() ? starts[k + 1] : end;
+    const auto degree = static_cast<int>(random.below(Segment::kMaxDegree + 1));
+    Segment piece{.start = starts[k], .duration = next - starts[k], .degree = degree};
+    for (double& c : piece.c) c = random.uniform(-1.0, 1.0);  // those above the degree do not count
+    path.segments.push_back(piece);
+  }
+  return path;
+}
+
+std::vector<double> any_starts(Random& random, std::size_t count, bool crowded) {
+  std::vector<double> starts = {0.0};
+  while (starts.size() < count) {
+    const bool close = crowded && starts.size() % 16 != 0;
+    starts.push_back(starts.back() + random.uniform(0.1, 1.0) * (close ? 1e-6 : 1.0));
+  }
+  return starts;
+}
+
+// What sample() gives is what the polynomials one by one give.
+void check_samples(Random& random, const Trajectory& motion) {
+  const int n = motion.n();
+  Eigen::VectorXd q(n), qd(n), qdd(n);
+  std::vector<double> times = motion.knots();
+  for (int k = 0; k < 50; ++k) times.push_back(random.uniform(-0.1, 1.1 * motion.duration()));
+  for (const double t : times) {
+    motion.sample(t, q, qd, qdd);
+    for (int i = 0; i < n; ++i) {
+      CHECK(q[i] == motion.value(i, t));  // the same steps, so the same bits
+      CHECK(qd[i] == doctest::Approx(motion.value(i, t, 1)).epsilon(1e-13).scale(1.0));
+      CHECK(qdd[i] == doctest::Approx(motion.value(i, t, 2)).epsilon(1e-13).scale(1.0));
+    }
+  }
+}
+
 }  // namespace
+
+TEST_CASE("all joints at once are the same as one by one, however the pieces lie") {
+  Random random(11);
+  for (const std::size_t pieces : {1, 2, 7, 16, 17, 40, 200}) {
+    for (const int n : {1, 2, 3, 7}) {
+      for (const bool crowded : {false, true}) {
+        const std::vector<double> starts = any_starts(random, pieces, crowded);
+        const double end = starts.back() + 0.5;
+        std::vector<JointPath> together, apart;
+        for (int i = 0; i < n; ++i) {
+          together.push_back(any_path(random, starts, end));
+          const std::vector<double> own = any_starts(random, 1 + random.below(pieces), crowded);
+          apart.push_back(any_path(random, own, own.back() + 0.01));
+        }
+        check_samples(random, Trajectory(together, end + 0.1));
+        double last = 0.0;
+        for (const JointPath& path : apart) last = std::max(last, path.segments.back().end());
+        apart.back() = {.q_end = 0.3};  // does not move at all
+        check_samples(random, Trajectory(apart, last));
+      }
+    }
+  }
+}
+
+TEST_CASE("a state of another size is refused") {
+  const Trajectory motion = three_joints();
+  Eigen::VectorXd q(3), qd(3), qdd(2);
+  CHECK_THROWS_AS(motion.sample(0.5, q, qd, qdd), ArgumentError);
+}
 
 TEST_CASE("time is clamped and the end is exactly the target") {
   const Trajectory motion = three_joints();

@@ -3,10 +3,13 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace armlet {
+
+class SampleTable;
 
 // One polynomial piece: q(t) = sum_k c[k] (t - start)^k for start <= t <= start + duration.
 struct Segment {
@@ -50,7 +53,8 @@ class Trajectory {
   [[nodiscard]] Eigen::VectorXd start() const;
   [[nodiscard]] Eigen::VectorXd end() const;
 
-  // State at time t without allocating; each argument has n elements.
+  // State at time t without allocating.
+  // throws  ArgumentError if one of the arguments has not n elements.
   void sample(double t, Eigen::Ref<Eigen::VectorXd> q, Eigen::Ref<Eigen::VectorXd> qd,
               Eigen::Ref<Eigen::VectorXd> qdd) const;
 
@@ -87,15 +91,9 @@ class Trajectory {
   [[nodiscard]] int continuity(int i, double tolerance = 1e-9) const;
 
  private:
-  void index_pieces(std::size_t pieces);
-
   std::vector<JointPath> joints_;
   double duration_ = 0.0;
-  std::vector<double> starts_;      // of all pieces, joint by joint
-  std::vector<std::size_t> first_;  // of a joint's pieces in starts_
-  std::vector<double> ends_;        // when a joint stops moving, -1 if it never moves
-  double first_end_ = -1.0;         // the smallest of them
-  bool shared_ = true;              // all joints have the same starts
+  std::shared_ptr<const SampleTable> table_;  // shared by copies: it never changes
 };
 
 }  // namespace armlet
