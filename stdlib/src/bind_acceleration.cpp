@@ -8,6 +8,7 @@
 #include "armlet/math/ode.hpp"
 #include "armlet/trajectory/accelerations.hpp"
 #include "bind.hpp"
+#include "ode_steps.hpp"
 #include "trajectories.hpp"
 
 namespace armlet::bind {
@@ -46,10 +47,8 @@ class Accelerations {
     for (int i = 0; i < motion.n(); ++i) joints_.push_back(acceleration_pieces(motion, i));
   }
 
-  [[nodiscard]] const std::vector<double>& knots() const { return knots_; }
-
-  // Stays with one stretch, whose parameters then count up to its end; -1: the one of the time.
-  void stay_in(int stretch) { stretch_ = stretch; }
+  // Stays with the stretch that begins at t or around it; its parameters then count up to its end.
+  void stay_behind(double t) { stretch_ = static_cast<int>(stretch_at(t)); }
 
   bool operator()(double t, std::span<const double> y, std::span<double> rate) const {
     const std::size_t n = joints_.size();
@@ -70,34 +69,13 @@ class Accelerations {
 
   std::vector<double> knots_;
   std::vector<std::vector<Segment>> joints_;
-  int stretch_ = -1;
+  int stretch_ = -1;  // -1: the one of the time
 };
-
-// From t to next without a step across a knot. `stretch` is the one that t lies in.
-OdeOutcome advance_split(OdeIntegrator& integrator, Accelerations& a, double t, double next,
-                         int& stretch, std::span<double> y) {
-  const OdeRate rate = [&a](double at, std::span<const double> state, std::span<double> out) {
-    return a(at, state, out);
-  };
-  const int last = static_cast<int>(a.knots().size()) - 2;
-  while (stretch < last && a.knots()[static_cast<std::size_t>(stretch) + 1] < next) {
-    const double knot = a.knots()[static_cast<std::size_t>(stretch) + 1];
-    a.stay_in(stretch);
-    if (knot > t) {
-      const OdeOutcome outcome = integrator.advance(rate, t, knot - t, y);
-      if (outcome.status != OdeStatus::kDone) return outcome;
-    }
-    t = std::max(t, knot);
-    ++stretch;
-  }
-  a.stay_in(stretch);
-  return integrator.advance(rate, t, next - t, y);
-}
 
 // What is asked for, checked; nothing: the failure is set.
 struct Request {
   OdeMethod method;
-  std::uint32_t steps;
+  std::vector<double> times;  // from step to step
 };
 std::optional<Request> request_of(Vm& vm, const Slot* args) {
   const auto method = ode_method(text_value(args[kMethod]));
@@ -117,10 +95,11 @@ std::optional<Request> request_of(Vm& vm, const Slot* args) {
         domain_failure(vm, "an integration with a step", step, "be longer than 0 s", {}, kStep));
     return std::nullopt;
   }
-  // A rest of rounding makes no step of its own.
-  const double steps = std::ceil(planned(args[kMotion]).motion.duration() / step - 1e-9);
-  if (steps <= kMostSteps)
-    return Request{*method, static_cast<std::uint32_t>(std::max(steps, 0.0))};
+  const Trajectory& motion = planned(args[kMotion]).motion;
+  std::vector<double> knots = motion.knots();
+  if (args[kSplit].i == 0 && knots.size() > 2) knots = {knots.front(), knots.back()};
+  const double steps = count_steps(knots, step);
+  if (steps <= kMostSteps) return Request{*method, step_times(knots, step)};
   static_cast<void>(failure(
       vm, "R0613",
       fmt::format("this would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps), kStep,
@@ -134,12 +113,13 @@ Signal integrate(Vm& vm, Slot* args) {
   if (!request) return Signal::kFail;
   const Trajectory& motion = planned(args[kMotion]).motion;
   const auto n = static_cast<std::uint32_t>(motion.n());
-  if (!charge_steps(vm, std::uint64_t{request->steps} + 1)) return Signal::kFail;
+  const auto rows = static_cast<std::uint32_t>(request->times.size());
+  if (!charge_steps(vm, rows)) return Signal::kFail;
   RecordObj* solution = new_record(vm, vm.program().library_record("OdeSolution"));
   if (solution == nullptr) return Signal::kFail;
-  ListObj* times = new_list(vm, request->steps + 1, false);
+  ListObj* times = new_list(vm, rows, false);
   solution->fields()[0].o = times;
-  MatrixObj* states = times != nullptr ? new_matrix(vm, request->steps + 1, 2 * n) : nullptr;
+  MatrixObj* states = times != nullptr ? new_matrix(vm, rows, 2 * n) : nullptr;
   solution->fields()[1].o = states;
   if (states == nullptr) {
     release(vm, solution);
@@ -155,18 +135,13 @@ Signal integrate(Vm& vm, Slot* args) {
     return a(t, state, out);
   };
   OdeIntegrator integrator(static_cast<int>(y.size()), request->method, kTolerance);
-  const auto time_of = [&](std::uint32_t row) {
-    return row == request->steps ? motion.duration() : row * args[kStep].d;
-  };
-  int stretch = 0;
   for (std::uint32_t row = 0;; ++row) {
-    times->data[row].d = time_of(row);
+    const double t = request->times[row];
+    times->data[row].d = t;
     std::ranges::copy(y, states->data() + std::size_t{row} * y.size());
-    if (row == request->steps) return give(args, solution);
-    const double t = time_of(row), next = time_of(row + 1);
-    const OdeOutcome outcome = args[kSplit].i != 0
-                                   ? advance_split(integrator, a, t, next, stretch, y)
-                                   : integrator.advance(rate, t, next - t, y);
+    if (row + 1 == rows) return give(args, solution);
+    if (args[kSplit].i != 0) a.stay_behind(t);
+    const OdeOutcome outcome = integrator.advance(rate, t, request->times[row + 1] - t, y);
     if (outcome.status == OdeStatus::kDone) continue;
     release(vm, solution);
     return failure(vm, "R0609",
@@ -185,7 +160,8 @@ constexpr NativeFunction kFunctions[] = {
      "(tr: trajectory, step: time, method: string = \"rk4\", split: bool = true) -> OdeSolution",
      "Integrates the accelerations of all joints from the start, with the methods of ode: t holds "
      "the start and the end of every step, y one row for each with all positions and then all "
-     "speeds. With split, no step goes across a knot.",
+     "speeds. From knot to knot all steps are equal, and none is longer than step; without split "
+     "they are so over the whole motion, whatever its knots.",
      "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).integrate(step: 10ms).t.last",
      integrate},
 };

@@ -8,6 +8,7 @@
 
 #include "armlet/math/ode.hpp"
 #include "bind.hpp"
+#include "ode_steps.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -16,20 +17,19 @@ enum Parameter { kRate, kStart, kFrom, kTo, kStep, kMethod, kTolerance, kKnots }
 
 constexpr double kMostSteps = 10'000'000;
 
-// How many steps lead from t0 to t1; the last may be shorter. 0 with a failure if that makes no
-// sense.
-std::int64_t steps_between(Vm& vm, const Slot* args) {
+// Whether the stretch and the step make sense; otherwise a failure is set.
+bool check_times(Vm& vm, const Slot* args) {
   const double t0 = args[kFrom].d;
   const double t1 = args[kTo].d;
   const double step = args[kStep].d;
   for (const int p : {kFrom, kTo, kStep}) {
     if (std::isfinite(args[p].d)) continue;
     static_cast<void>(not_finite(vm, "a time given to ode", args[p].d, p));
-    return 0;
+    return false;
   }
   if (step <= 0.0) {
     static_cast<void>(domain_failure(vm, "ode with a step", step, "be longer than 0 s", {}, kStep));
-    return 0;
+    return false;
   }
   if (t1 <= t0) {
     static_cast<void>(failure(vm, "R0609",
@@ -37,18 +37,9 @@ std::int64_t steps_between(Vm& vm, const Slot* args) {
                                           "than the start",
                                           t0, t1),
                               kTo));
-    return 0;
+    return false;
   }
-  // A rest of rounding makes no step of its own.
-  const double steps = std::ceil((t1 - t0) / step - 1e-9);
-  if (steps > kMostSteps) {
-    static_cast<void>(failure(
-        vm, "R0613",
-        fmt::format("ode would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps),
-        kStep, {}, "use a longer step"));
-    return 0;
-  }
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
+  return true;
 }
 
 // The program's f, its result copied out of the list that it gives.
@@ -113,44 +104,41 @@ Signal cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance) {
   }
 }
 
-// From t to next, in pieces that end where the rate jumps.
-OdeOutcome advance_split(OdeIntegrator& integrator, const OdeRate& rate, double t, double next,
-                         std::span<const double> knots, std::span<double> y) {
+// The instants from step to step; nothing: the failure is set.
+std::optional<std::vector<double>> times_of(Vm& vm, const Slot* args) {
   constexpr double kSameTime = 1e-12;  // relative
-  const double apart = kSameTime * std::max(std::abs(t), std::abs(next));
-  for (auto knot = std::ranges::upper_bound(knots, t + apart);
-       knot != knots.end() && *knot < next - apart; ++knot) {
-    const OdeOutcome outcome = integrator.advance(rate, t, *knot - t, y);
-    if (outcome.status != OdeStatus::kDone) return outcome;
-    t = *knot;
+  const double t0 = args[kFrom].d, t1 = args[kTo].d;
+  const double apart = kSameTime * std::max(std::abs(t0), std::abs(t1));
+  std::vector<double> given;
+  if (args[kKnots].o != nullptr) {
+    const auto values = reals_value(args[kKnots]);
+    given.assign(values.begin(), values.end());
   }
-  return integrator.advance(rate, t, next - t, y);
-}
-
-// The knots of a call in ascending order; nothing: the failure is set.
-std::optional<std::vector<double>> sorted_knots(Vm& vm, Slot list) {
-  std::vector<double> knots;
-  if (list.o == nullptr) return knots;
-  const auto given = reals_value(list);
-  knots.assign(given.begin(), given.end());
-  for (const double knot : knots) {
+  for (const double knot : given) {
     if (std::isfinite(knot)) continue;
     static_cast<void>(not_finite(vm, "a knot given to ode", knot, kKnots));
     return std::nullopt;
   }
-  std::ranges::sort(knots);
-  return knots;
+  std::ranges::sort(given);
+  std::vector<double> knots = {t0};
+  for (const double knot : given) {
+    if (knot > knots.back() + apart && knot < t1 - apart) knots.push_back(knot);
+  }
+  knots.push_back(t1);
+  const double steps = count_steps(knots, args[kStep].d);
+  if (steps <= kMostSteps) return step_times(knots, args[kStep].d);
+  static_cast<void>(
+      failure(vm, "R0613",
+              fmt::format("ode would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps),
+              kStep, {}, "use a longer step"));
+  return std::nullopt;
 }
 
-// The start and every step: n + 1 rows.
-Signal integrate(Vm& vm, Slot* args, OdeIntegrator& integrator, std::int64_t steps,
-                 std::span<const double> knots) {
+// The state at every instant, a row each.
+Signal integrate(Vm& vm, Slot* args, OdeIntegrator& integrator, std::span<const double> instants) {
   const auto start = reals_value(args[kStart]);
-  const double t0 = args[kFrom].d;
-  const double t1 = args[kTo].d;
-  const double step = args[kStep].d;
   const double tolerance = args[kTolerance].d;
-  const auto rows = static_cast<std::uint32_t>(steps + 1);
+  const auto rows = static_cast<std::uint32_t>(instants.size());
   const auto columns = static_cast<std::uint32_t>(start.size());
   RecordObj* solution = new_record(vm, vm.program().library_record("OdeSolution"));
   if (solution == nullptr) return Signal::kFail;
@@ -168,12 +156,11 @@ Signal integrate(Vm& vm, Slot* args, OdeIntegrator& integrator, std::int64_t ste
   };
   std::vector<double> y(start.begin(), start.end());
   for (std::uint32_t row = 0;; ++row) {
-    const double t = t0 + static_cast<double>(row) * step;
-    times->data[row].d = row == steps ? t1 : t;
+    const double t = instants[row];
+    times->data[row].d = t;
     std::ranges::copy(y, states->data() + std::size_t{row} * columns);
-    if (row == steps) return give(args, solution);
-    const double next = row + 1 == steps ? t1 : t0 + static_cast<double>(row + 1) * step;
-    const OdeOutcome outcome = advance_split(integrator, call, t, next, knots, y);
+    if (row + 1 == rows) return give(args, solution);
+    const OdeOutcome outcome = integrator.advance(call, t, instants[row + 1] - t, y);
     if (outcome.status == OdeStatus::kDone) continue;
     release(vm, solution);
     return cannot_integrate(vm, outcome, tolerance);
@@ -201,11 +188,11 @@ Signal ode(Vm& vm, Slot* args) {
   if (!(tolerance > 0.0 && std::isfinite(tolerance)))
     return domain_failure(vm, "ode with a tolerance", tolerance, "be greater than 0", {},
                           kTolerance);
-  const std::int64_t steps = steps_between(vm, args);
-  if (steps == 0) return Signal::kFail;
+  if (!check_times(vm, args)) return Signal::kFail;
+  const auto instants = times_of(vm, args);
+  if (!instants) return Signal::kFail;
   OdeIntegrator integrator(static_cast<int>(start.size()), *method, tolerance);
-  const auto knots = sorted_knots(vm, args[kKnots]);
-  return knots ? integrate(vm, args, integrator, steps, *knots) : Signal::kFail;
+  return integrate(vm, args, integrator, *instants);
 }
 
 constexpr NativeFunction kFunctions[] = {
@@ -214,9 +201,9 @@ constexpr NativeFunction kFunctions[] = {
      "string = \"rk4\", tol: double = 1e-8, knots: time[]?) -> OdeSolution",
      "Integrates y' = f(t, y) from y0: t holds the start and the end of every step, y one row for "
      "each. Methods: \"euler\", \"euler-richardson\", \"rk4\", and \"rkf45\", which divides the "
-     "steps until the error stays below tol. No step goes across one of the knots: times where f "
-     "is "
-     "not smooth.",
+     "steps until the error stays below tol. All steps are equal and none is longer than step; "
+     "with "
+     "knots, times where f is not smooth, they are so from knot to knot, and none goes across one.",
      "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last", ode},
 };
 
