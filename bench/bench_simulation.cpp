@@ -50,7 +50,8 @@ void print(const char* what, double nanoseconds, double kdl, double seconds) {
 
 int main(int argc, char** argv) {
   using namespace armlet::bench;
-  const std::string text = text_of(argc > 1 ? argv[1] : ARMLET_BENCH_PROGRAM);
+  const std::string text =
+      text_of(argc > 1 ? argv[1] : ARMLET_BENCH "/programs/motion/pick_and_place.rbt");
   armlet::Engine engine;
   armlet::install(engine);
   const armlet::Robot puma = *armlet::make_robot("puma560");
