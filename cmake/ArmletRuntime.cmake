@@ -1,11 +1,14 @@
 # What the runtime needs besides its sources.
 
-# The kernels of batches for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
+# Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
 function(armlet_compile_wide_kernels)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set_source_files_properties(src/kinematics/batch_avx2.cpp PROPERTIES COMPILE_OPTIONS -mavx2 SKIP_PRECOMPILE_HEADERS ON)
-    set_source_files_properties(src/kinematics/batch_avx512.cpp PROPERTIES
-      COMPILE_OPTIONS "-mavx512f;-mavx512dq" SKIP_PRECOMPILE_HEADERS ON)
+    foreach(kernels batch closed)
+      set_source_files_properties(src/kinematics/${kernels}_avx2.cpp PROPERTIES
+        COMPILE_OPTIONS -mavx2 SKIP_PRECOMPILE_HEADERS ON)
+      set_source_files_properties(src/kinematics/${kernels}_avx512.cpp PROPERTIES
+        COMPILE_OPTIONS "-mavx512f;-mavx512dq" SKIP_PRECOMPILE_HEADERS ON)
+    endforeach()
   endif()
 endfunction()
 

@@ -6,48 +6,11 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/det_math.hpp"
-#include "batch_arm.hpp"
+#include "batch_flags.hpp"
 #include "kernels.hpp"
 
 namespace armlet {
 namespace {
-
-// The flags that a plan does not hold as such.
-struct Flags {
-  std::array<bool, kMaxJoints + 1> right{}, any{}, slides{}, plain{};
-
-  explicit Flags(const WalkPlan& plan) {
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(plan.n); ++i) {
-      right[i] = plan.twist[i] == Twist::kRightAngle;
-      any[i] = plan.twist[i] == Twist::kAny;
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(plan.n); ++i) {
-      slides[i] = plan.slide[i] != 0.0;
-      plain[i] = plan.theta[i] == 0.0 && plan.turn[i] == 1.0;
-    }
-  }
-};
-
-BatchArm batch_arm(const WalkPlan& plan, const Flags& flags) {
-  return {.n = static_cast<std::size_t>(plan.n),
-          .base_is_none = plan.base_is_none,
-          .tool_on_axis = plan.tool_on_axis,
-          .theta = plan.theta.data(),
-          .turn = plan.turn.data(),
-          .d = plan.d.data(),
-          .slide = plan.slide.data(),
-          .a = plan.a.data(),
-          .sin_alpha = plan.sin_alpha.data(),
-          .cos_alpha = plan.cos_alpha.data(),
-          .base = plan.base.data(),
-          .tool = plan.tool.data(),
-          .has_d = plan.has_d.data(),
-          .has_a = plan.has_a.data(),
-          .slides = flags.slides.data(),
-          .plain = flags.plain.data(),
-          .right_angle = flags.right.data(),
-          .any_angle = flags.any.data()};
-}
 
 const char* name_of(InstructionSet set) {
   switch (set) {
@@ -124,7 +87,7 @@ void forward_batch(const Robot& robot, std::span<const double> q, std::span<doub
     for (std::size_t e = 0; e < 12; ++e) poses[e] = T[4 * (e / 3) + e % 3];
     return;
   }
-  const Flags flags(plan);
+  const BatchFlags flags(plan);
   kernels_for(set, count)->poses(batch_arm(plan, flags), q.data(), count, poses.data());
 }
 
@@ -138,7 +101,7 @@ void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<dou
     kernel_for(kJacobianKernels, plan.n)(plan, q.data(), jacobians.data());
     return;
   }
-  const Flags flags(plan);
+  const BatchFlags flags(plan);
   kernels_for(set, count)->jacobians(batch_arm(plan, flags), q.data(), count, jacobians.data());
 }
 

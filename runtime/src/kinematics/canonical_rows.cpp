@@ -96,8 +96,8 @@ Chain with_held_joint(const Chain& chain, bool first, double q) {
   return out;
 }
 
-Eigen::Isometry3d CanonicalRows::goal(const Eigen::Isometry3d& T_world_tool) const {
-  Eigen::Isometry3d G = before * T_world_tool * after;
+Eigen::Isometry3d CanonicalRows::goal_from_base(const Eigen::Isometry3d& T_base_tool) const {
+  Eigen::Isometry3d G = T_base_tool * after;
   if (reversed) G = G.inverse(Eigen::Isometry);
   if (flipped) {
     G.matrix().col(1) = -G.matrix().col(1);

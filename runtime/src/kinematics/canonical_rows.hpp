@@ -43,8 +43,11 @@ struct CanonicalRows {
 
   Eigen::Vector3d tool_point = Eigen::Vector3d::Zero();  // in the frame of G
 
-  // G of a goal.
-  Eigen::Isometry3d goal(const Eigen::Isometry3d& T_world_tool) const;
+  // G of a goal, in the world or as seen from `before`.
+  Eigen::Isometry3d goal(const Eigen::Isometry3d& T_world_tool) const {
+    return goal_from_base(before * T_world_tool);
+  }
+  Eigen::Isometry3d goal_from_base(const Eigen::Isometry3d& T_base_tool) const;
 
   // Axes i-1 and i: parallel; meeting in a point.
   bool parallel(int i) const { return alpha[static_cast<std::size_t>(i)].s == 0.0; }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "closed_form_families.hpp"
+#include "closed_lanes.hpp"
 
 namespace armlet {
 namespace {
@@ -112,6 +113,7 @@ std::string_view to_text(ClosedFormKind kind) {
 
 ClosedForm::ClosedForm(const Chain& chain) : chain_(chain), plan_(plan_walk(chain)) {
   recognise(chain);
+  lanes_ = LaneForm::make(kind_, *rows_, chain);
   if (exists() || chain.n != 7) return;
   for (const Hold hold : {Hold::kLast, Hold::kFirst}) {
     hold_ = hold;

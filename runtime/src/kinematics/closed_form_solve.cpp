@@ -9,6 +9,7 @@
 #include "armlet/math/rotation.hpp"
 #include "armlet/math/twist.hpp"
 #include "closed_form_families.hpp"
+#include "closed_lanes.hpp"
 #include "kernels.hpp"
 
 namespace armlet {
@@ -120,11 +121,29 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
   return q.allFinite() && miss <= tolerance;
 }
 
+// The ways that the lanes found; each was checked by forward kinematics.
+int ClosedForm::take_ways(const Eigen::Isometry3d& goal, double tolerance, const ClosedLanes& lanes,
+                          ClosedSolutions& solutions) const {
+  const double verified = std::fmin(kVerified, tolerance);
+  for (std::size_t way = 0; way < kWays; ++way) {
+    if (!(lanes.miss2[way] <= kImproved * kImproved)) continue;
+    ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
+    for (std::size_t i = 0; i < kSixJoints; ++i) solution.q[i] = lanes.q[i][way];
+    solution.n = kSixJoints;
+    solution.branch = static_cast<int>(way);
+    if (lanes.miss2[way] <= verified * verified || accept(goal, tolerance, solution))
+      ++solutions.count;
+  }
+  return solutions.count;
+}
+
 int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
                       ClosedSolutions& solutions, double tolerance, double arm_turn) const {
   solutions.count = 0;
   solutions.free = false;
   if (!exists()) return 0;
+  if (ClosedLanes lanes; lanes_ && lanes_->solve(T_world_tool, lanes))
+    return take_ways(T_world_tool, tolerance, lanes, solutions);
   const int n = chain_.n;
   const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
   const CanonicalRows* rows = rows_.get();
@@ -153,6 +172,8 @@ int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
     const auto same = [&](const ClosedSolution& other) { return is_same(chain_, solution, other); };
     if (std::none_of(solutions.begin(), solutions.end(), same)) ++solutions.count;
   }
+  std::ranges::sort(solutions.at.begin(), solutions.at.begin() + solutions.count, {},
+                    &ClosedSolution::branch);
   return solutions.count;
 }
 

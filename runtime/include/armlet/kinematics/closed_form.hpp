@@ -58,6 +58,8 @@ struct ClosedSolutions {
 };
 
 struct CanonicalRows;
+struct ClosedLanes;
+class LaneForm;
 
 // All joint configurations that bring the tool point to a pose, by formula.
 //
@@ -89,7 +91,7 @@ class ClosedForm {
   // tolerance     largest error of a solution, m and rad, found by forward kinematics. Solutions
   //               are made as exact as 1e-9 where the goal allows it.
   // arm_turn      added to the arm angle or the held joint of an arm of seven joints, rad.
-  // solutions     limits are not looked at.
+  // solutions     in the order of their branches; limits are not looked at.
   // returns       how many there are.
   int solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near, ClosedSolutions& solutions,
             double tolerance = 1e-9, double arm_turn = 0.0) const;
@@ -108,10 +110,13 @@ class ClosedForm {
   enum class Hold : unsigned char { kNone, kFirst, kLast };
   void recognise(const Chain& chain);
   bool accept(const Eigen::Isometry3d& goal, double tolerance, ClosedSolution& solution) const;
+  int take_ways(const Eigen::Isometry3d& goal, double tolerance, const ClosedLanes& lanes,
+                ClosedSolutions& solutions) const;
 
   Chain chain_;
   WalkPlan plan_;
   std::unique_ptr<CanonicalRows> rows_;
+  std::unique_ptr<LaneForm> lanes_;  // where the family has a kernel
   ClosedFormKind kind_ = ClosedFormKind::kNone;
   bool reversed_ = false;
   Hold hold_ = Hold::kNone;

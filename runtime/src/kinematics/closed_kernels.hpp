@@ -1,0 +1,121 @@
+#pragma once
+
+#include "../math/det_atan2_lanes.hpp"
+#include "closed_ways.hpp"
+
+// The kernel of the closed forms: all ways at once, each checked by forward kinematics, and all
+// angles made at the end. Compiled once per instruction set, in sources that include nothing else;
+// the bits are the same.
+namespace armlet::closed {
+
+// Sines and cosines in the order of the arm's walk.
+template <class V>
+struct WalkTurns {
+  V sine[kSixJoints], cosine[kSixJoints];
+
+  [[gnu::always_inline]] explicit WalkTurns(const Ways<V>& ways) {
+    for (unsigned i = 0; i < kSixJoints; ++i) {
+      const unsigned joint = ways.arm.reversed ? kSixJoints - 1 - i : i;
+      sine[joint] = ways.x[i].s * ways.arm.walk_sign[i];
+      cosine[joint] = ways.x[i].c;
+    }
+  }
+};
+
+// Three columns of the pose, walked from the tool back to the base: axes x, y and the origin.
+template <class V>
+struct ThreeColumns {
+  Parts<V> of[3];
+
+  [[gnu::always_inline]] void step(const BatchArm& walk, unsigned i, V sine, V cosine) {
+    for (Parts<V>& v : of) {
+      if (walk.right_angle[i + 1]) {
+        v.turn_right_z(sine, cosine);
+      } else {
+        if (walk.any_angle[i + 1])
+          v.turn_x(walk.sin_alpha[i + 1] - V{}, walk.cos_alpha[i + 1] - V{});
+        v.turn_z(sine, cosine);
+      }
+    }
+  }
+};
+
+template <class V>
+[[gnu::always_inline]] inline V square_of(const Parts<V>& v, const double* goal) {
+  const V x = v.x - goal[0], y = v.y - goal[1], z = v.z - goal[2];
+  return x * x + y * y + z * z;
+}
+
+// The square of the error of forward kinematics. Where the x and y axes are off by w x X and w x Y,
+// the sum of their squares is at least that of w.
+template <class V>
+[[gnu::always_inline]] inline V miss2_of(const ClosedArm& arm, const double* goal,
+                                         const WalkTurns<V>& turns) {
+  const BatchArm& walk = arm.walk;
+  const double* T = walk.tool;
+  const V none = {};
+  const auto column = [&](unsigned c) {
+    return Parts<V>{T[c] - none, T[4 + c] - none, T[8 + c] - none};
+  };
+  ThreeColumns<V> t = {{column(0), column(1), column(3)}};
+  Parts<V>& p = t.of[2];
+  for (Parts<V>& v : t.of) v.turn_z(turns.sine[5], turns.cosine[5]);
+  if (walk.has_d[5]) p.z += walk.d[5];
+  for (unsigned i = kSixJoints - 1; i-- > 0;) {
+    if (walk.has_a[i + 1]) p.x += walk.a[i + 1];
+    t.step(walk, i, turns.sine[i], turns.cosine[i]);
+    if (walk.has_d[i]) p.z += walk.d[i];
+  }
+  const V place = square_of(p, goal + 9);
+  const V axes = square_of(t.of[0], goal) + square_of(t.of[1], goal + 3);
+  return place > axes ? place : axes;
+}
+
+template <class V>
+[[gnu::always_inline]] inline void store_joints(const Ways<V>& ways, unsigned way,
+                                                ClosedLanes& out) {
+  constexpr double kPi = 3.14159265358979323846;
+  const ClosedArm& arm = ways.arm;
+  const V none = {};
+  for (unsigned i = 0; i < kSixJoints; ++i) {
+    const V q = arm.sign[i] * det::atan2_lanes(ways.x[i].s, ways.x[i].c) - arm.offset[i];
+    const V down = det::choose<V>(q > none + kPi, none - 2.0 * kPi, none);
+    const V around = det::choose<V>(q <= none - kPi, none + 2.0 * kPi, down);
+    store_lanes(out.q[arm.reversed ? kSixJoints - 1 - i : i] + way, q + around);
+  }
+}
+
+// The signs of way k.
+constexpr double kShoulderSign[kWays] = {1, 1, 1, 1, -1, -1, -1, -1};
+constexpr double kElbowSign[kWays] = {1, 1, -1, -1, 1, 1, -1, -1};
+constexpr double kWristSign[kWays] = {1, -1, 1, -1, 1, -1, 1, -1};
+
+template <class V>
+bool closed_kernel(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& out) {
+  const FirstChoice first(arm, goal.rows);
+  if (first.is_missing()) {
+    for (double& miss2 : out.miss2) miss2 = __builtin_nan("");
+    return true;
+  }
+  if (!first.exists()) return false;
+  constexpr unsigned kLanes = sizeof(V) / sizeof(double);
+  det::LaneBits<V> touching = {};
+  for (unsigned way = 0; way < kWays; way += kLanes) {
+    Ways<V> ways{arm, goal.rows, load_lanes<V>(kShoulderSign + way),
+                 load_lanes<V>(kElbowSign + way), load_lanes<V>(kWristSign + way)};
+    if (arm.family == LaneFamily::kSphericalParallel)
+      spherical_parallel(ways, first);
+    else if (arm.family == LaneFamily::kSphericalMeeting)
+      spherical_meeting(ways, first);
+    else
+      three_parallel(ways, first);
+    touching |= ways.touching;
+    store_lanes(out.miss2 + way, miss2_of(arm, goal.base, WalkTurns<V>(ways)));
+    store_joints(ways, way, out);
+  }
+  auto any = touching[0];
+  for (unsigned lane = 1; lane < kLanes; ++lane) any |= touching[lane];
+  return any == 0;
+}
+
+}  // namespace armlet::closed

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "armlet/kinematics/batch.hpp"
+#include "armlet/kinematics/closed_form.hpp"
+#include "batch_flags.hpp"
+#include "canonical_rows.hpp"
+#include "closed_arm.hpp"
+
+namespace armlet {
+
+// An arm of six turning joints prepared for the kernels of the closed forms.
+class LaneForm {
+ public:
+  // nullptr if the family has no kernel.
+  static std::unique_ptr<LaneForm> make(ClosedFormKind kind, const CanonicalRows& rows,
+                                        const Chain& chain);
+
+  // All ways to reach a pose. False where it needs the functions with branches (ClosedKernel).
+  bool solve(const Eigen::Isometry3d& T_world_tool, ClosedLanes& out) const {
+    return solve(T_world_tool, out, *kernel_);
+  }
+  // The same on a given instruction set, with the same bits.
+  bool solve(const Eigen::Isometry3d& T_world_tool, ClosedLanes& out, ClosedKernel& kernel) const;
+
+ private:
+  LaneForm(LaneFamily family, const CanonicalRows& rows, const Chain& chain);
+  void prepare_links();
+
+  CanonicalRows rows_;
+  WalkPlan plan_;
+  BatchFlags flags_;
+  ClosedArm arm_{};
+  ClosedKernel* kernel_;
+};
+
+ClosedKernel* closed_kernel_for(InstructionSet set);
+
+}  // namespace armlet
