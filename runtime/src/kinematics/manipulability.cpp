@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
+
+#include "armlet/math/decompose.hpp"
 
 namespace armlet {
 namespace {
@@ -24,10 +25,9 @@ Eigen::MatrixXd possible_motions(const Robot& robot, bool place_only) {
     samples.middleCols(k * n, n) = jacobian(robot, q);
   }
   samples.bottomRows<3>() *= place_only ? 0.0 : robot.length();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(samples, Eigen::ComputeThinU);
-  const Eigen::VectorXd& sigma = svd.singularValues();
-  const Eigen::Index rank = (sigma.array() > 1e-9 * std::max(sigma[0], 1e-300)).count();
-  return svd.matrixU().leftCols(std::max<Eigen::Index>(rank, 1));
+  const SvdParts svd = singular_values(samples);
+  const Eigen::Index rank = (svd.s.array() > 1e-9 * std::max(svd.s[0], 1e-300)).count();
+  return svd.U.leftCols(std::max<Eigen::Index>(rank, 1));
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ double manipulability(const Robot& robot, JointsIn q) {
     J.bottomRows<3>().setZero();
     J = possible_motions(robot, true).transpose() * J;
   }
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues().prod();
+  return singular_values(J).s.prod();
 }
 
 Singularity singularity(const Robot& robot, JointsIn q) {
@@ -46,15 +46,14 @@ Singularity singularity(const Robot& robot, JointsIn q) {
   Eigen::MatrixXd J = jacobian(robot, q);
   J.bottomRows<3>() *= place_only ? 0.0 : robot.length();
   const Eigen::MatrixXd motions = possible_motions(robot, place_only);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(motions.transpose() * J,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Index last = svd.singularValues().size() - 1;
+  const SvdParts svd = full_singular_values(motions.transpose() * J);
+  const Eigen::Index last = svd.s.size() - 1;
   Singularity result;
   result.length = robot.length();
-  result.sigma = svd.singularValues();
+  result.sigma = svd.s;
   result.sigma_min = result.sigma[last];
-  result.direction = motions * svd.matrixU().col(last);
-  result.joints = svd.matrixV().col(robot.n() - 1);
+  result.direction = motions * svd.U.col(last);
+  result.joints = svd.V.col(robot.n() - 1);
   return result;
 }
 

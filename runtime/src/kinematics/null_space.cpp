@@ -1,11 +1,11 @@
 #include "armlet/kinematics/null_space.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/limits.hpp"
+#include "armlet/math/decompose.hpp"
 #include "armlet/math/rotation.hpp"
 
 namespace armlet {
@@ -15,6 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kRank = 1e-9;        // of the largest singular value
+constexpr double kLeast = 1e-300;     // of a largest singular value
 constexpr double kLargestStep = 0.1;  // rad or m, of one step towards a better posture
 constexpr double kSmallestStep = 1e-7;
 constexpr double kDrift = 1e-9;  // m and rad that a posture may move the tool by
@@ -45,16 +46,23 @@ VectorXd task_error(const Robot& robot, const Eigen::Isometry3d& T_world_tool, J
   return selected(e, rows);
 }
 
-Eigen::JacobiSVD<MatrixXd> decompose(const MatrixXd& J) {
-  Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(kRank);
-  return svd;
+// The part of J = U diag(s) V^T with the singular values that count.
+SvdParts decompose(const MatrixXd& J) {
+  SvdParts svd = singular_values(J);
+  const Eigen::Index rank =
+      svd.s.size() == 0 ? 0 : (svd.s.array() >= kRank * std::max(svd.s[0], kLeast)).count();
+  return {svd.U.leftCols(rank), svd.s.head(rank), svd.V.leftCols(rank)};
+}
+
+// The smallest x with J x as near to e as can be.
+VectorXd solve_least(const MatrixXd& J, const VectorXd& e) {
+  const SvdParts svd = decompose(J);
+  return svd.V * (svd.U.transpose() * e).cwiseQuotient(svd.s);
 }
 
 // I - V_r V_r^T
 MatrixXd projector(const MatrixXd& J) {
-  const auto svd = decompose(J);
-  const MatrixXd V = svd.matrixV().leftCols(svd.rank());
+  const MatrixXd V = decompose(J).V;
   return MatrixXd::Identity(J.cols(), J.cols()) - V * V.transpose();
 }
 
@@ -69,7 +77,7 @@ VectorXd kept_in_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool
     for (int i = 0; i < robot.n(); ++i) {
       if (held[static_cast<std::size_t>(i)]) J.col(i).setZero();
     }
-    q += decompose(J).solve(e);
+    q += solve_least(J, e);
   }
   const VectorXd e = task_error(robot, T_world_tool, q, rows);
   const bool moved = e.size() > 0 && e.cwiseAbs().maxCoeff() > kDrift;
@@ -86,8 +94,8 @@ VectorXd self_motion_step(const Robot& robot, const Eigen::Isometry3d& T_world_t
                           JointsIn qd, double dt, const TaskRows& rows) {
   check_size("qd", qd.size(), robot.n());
   VectorXd next = q + dt * (null_space_projector(robot, q, rows) * qd);
-  next += decompose(task_jacobian(robot, next, rows))
-              .solve(task_error(robot, T_world_tool, next, rows));
+  next +=
+      solve_least(task_jacobian(robot, next, rows), task_error(robot, T_world_tool, next, rows));
   return next;
 }
 
@@ -144,7 +152,7 @@ BoundedSpeeds bounded_joint_speeds(const Robot& robot, JointsIn q, const Vector6
   VectorXd start = qd_wished;
   BoundedSpeeds out;
   for (int round = 0; round <= robot.n(); ++round) {
-    out.qd = start + decompose(J_free).solve(v - J * start);
+    out.qd = start + solve_least(J_free, v - J * start);
     int worst = -1;
     double excess = 1e-12;
     for (int i = 0; i < robot.n(); ++i) {

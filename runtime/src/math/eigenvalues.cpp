@@ -41,12 +41,13 @@ void normalise(Eigen::Ref<VectorXd> v) {
   }
 }
 
-MatrixXd symmetric_part(const MatrixXd& A) { return 0.5 * A + 0.5 * A.transpose(); }
-
-template <class Svd>
-SvdParts parts_of(const Svd& svd) {
+// The most exact way, and fast enough up to kMostDecomposed columns.
+SvdParts by_rotations(const MatrixXd& A, unsigned parts) {
+  const Eigen::JacobiSVD<MatrixXd> svd(A, parts);
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
 }
+
+MatrixXd symmetric_part(const MatrixXd& A) { return 0.5 * A + 0.5 * A.transpose(); }
 
 }  // namespace
 
@@ -59,13 +60,17 @@ bool is_symmetric(const MatrixXd& A) {
 
 SvdParts singular_values(const MatrixXd& A) {
   check_matrix("A", A);
-  const Index k = std::min(A.rows(), A.cols());
-  if (k == 0) return {MatrixXd::Zero(A.rows(), 0), VectorXd(), MatrixXd::Zero(A.cols(), 0)};
-  constexpr unsigned kThin = Eigen::ComputeThinU | Eigen::ComputeThinV;
-  // Rotations are the more exact way, but slow for many columns.
-  constexpr Index kFew = 64;
-  if (k <= kFew) return parts_of(Eigen::JacobiSVD<MatrixXd>(A, kThin));
-  return parts_of(Eigen::BDCSVD<MatrixXd>(A, kThin));
+  if (A.size() == 0) return {MatrixXd::Zero(A.rows(), 0), VectorXd(), MatrixXd::Zero(A.cols(), 0)};
+  return by_rotations(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+}
+
+SvdParts full_singular_values(const MatrixXd& A) {
+  check_matrix("A", A);
+  if (A.size() == 0) {
+    return {MatrixXd::Identity(A.rows(), A.rows()), VectorXd(),
+            MatrixXd::Identity(A.cols(), A.cols())};
+  }
+  return by_rotations(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
 }
 
 Index rank(const MatrixXd& A) {

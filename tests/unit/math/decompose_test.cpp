@@ -130,10 +130,10 @@ TEST_CASE("Cholesky's factor is lower triangular and its square is the matrix") 
   CHECK(cholesky(MatrixXd{{1, 2}, {2, 1}}).error().message == "its smallest eigenvalue is -1");
 }
 
-TEST_CASE("singular values and vectors reproduce the matrix, also where rotations are too slow") {
+TEST_CASE("singular values and vectors reproduce the matrix") {
   Random random(7);
   for (int i = 0; i < 100; ++i) {
-    const Index size = i < 98 ? 0 : 80;  // the last two by dividing
+    const Index size = i < 98 ? 0 : 80;  // the last two are large
     const MatrixXd A =
         random_matrix(random, random_size(random) + size, random_size(random) + size);
     const SvdParts svd = singular_values(A);
@@ -143,6 +143,21 @@ TEST_CASE("singular values and vectors reproduce the matrix, also where rotation
     CHECK(distance(svd.V.transpose() * svd.V, identity(k)) < kTight);
     CHECK(svd.s.minCoeff() >= 0.0);
     for (Index j = 1; j < k; ++j) CHECK(svd.s[j] <= svd.s[j - 1]);
+  }
+}
+
+TEST_CASE("square U and V complete the directions that a matrix reaches and sees") {
+  Random random(23);
+  for (const auto& [rows, cols] : {std::pair<Index, Index>{3, 7}, {7, 3}, {6, 6}, {1, 4}}) {
+    const MatrixXd A = random_matrix(random, rows, cols);
+    const SvdParts thin = singular_values(A);
+    const SvdParts full = full_singular_values(A);
+    CHECK((full.s - thin.s).cwiseAbs().maxCoeff() < 1e-14);
+    CHECK(distance(full.U.transpose() * full.U, identity(rows)) < kTight);
+    CHECK(distance(full.V.transpose() * full.V, identity(cols)) < kTight);
+    const auto k = full.s.size();
+    CHECK((A * full.V.rightCols(cols - k)).norm() < 1e-13);
+    CHECK((A.transpose() * full.U.rightCols(rows - k)).norm() < 1e-13);
   }
 }
 

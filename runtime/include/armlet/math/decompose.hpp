@@ -52,6 +52,8 @@ struct SvdParts {
   Eigen::MatrixXd V;
 };
 SvdParts singular_values(const Eigen::MatrixXd& A);
+// The same with U and V square: also the directions that A does not reach and does not see.
+SvdParts full_singular_values(const Eigen::MatrixXd& A);
 
 // Eigenvalues in ascending order of their real parts, then of their imaginary parts; all
 // imaginary parts are exactly zero for a symmetric matrix.
