@@ -72,7 +72,10 @@ std::string meaning(const CompiledProgram& program, const FunctionCode& function
       return std::string(program.natives[instr.c]->name);
     case OpCode::ADDRK:
     case OpCode::MULRK:
+    case OpCode::SCALE:
       return fmt::format("{}", function.constants[instr.c].d);
+    case OpCode::WITHK:
+      return fmt::format("{}", function.constants[instr.a].d);
     case OpCode::TEXT:
     case OpCode::TEXTREF:
       return fmt::format("\"{}\"", program.texts[instr.b]);

@@ -8,7 +8,8 @@ namespace armlet::lang {
 namespace {
 
 bool is_operand_word(OpCode op) {
-  return op == OpCode::TYPE || op == OpCode::WITH || op == OpCode::FACTORS || op == OpCode::PAIR;
+  return op == OpCode::TYPE || op == OpCode::WITH || op == OpCode::FACTORS || op == OpCode::PAIR ||
+         op == OpCode::WITHK;
 }
 
 // Their results depend on their operands alone.
@@ -19,7 +20,7 @@ constexpr OpCode kPure[] = {
     OpCode::ADDRI,  OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI, OpCode::SQRT,   OpCode::NOT,
     OpCode::ITOR,   OpCode::RTOI,  OpCode::LTI,   OpCode::LEI,   OpCode::EQI,    OpCode::NEI,
     OpCode::LTR,    OpCode::LER,   OpCode::EQR,   OpCode::NER,   OpCode::CALLD1, OpCode::CALLD2,
-    OpCode::CALLD3, OpCode::ADDRK, OpCode::MULRK,
+    OpCode::CALLD3, OpCode::ADDRK, OpCode::MULRK, OpCode::SCALE,
 };
 // And on memory.
 constexpr OpCode kLoads[] = {

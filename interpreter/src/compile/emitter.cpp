@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "compile/effects.hpp"
 #include "compile/repeats.hpp"
 
 namespace armlet::lang {
@@ -30,6 +31,7 @@ bool ends_flow(OpCode op) {
     case OpCode::LOOP:
     case OpCode::RET:
     case OpCode::RETPLAIN:
+    case OpCode::RETHERE:
     case OpCode::RETREF:
     case OpCode::RETTAKE:
     case OpCode::RETVOID:
@@ -129,6 +131,29 @@ void Emitter::count_and_compare(bool less, Reg a, Reg b) {
   last.op = less ? OpCode::FORI : OpCode::FORX;
   last.b = b.bits;
   last.c = 0;
+}
+
+bool Emitter::scale_and_offset(Reg reg, Slot offset) {
+  if (!reachable_ || code_.empty() || last_target_ == position()) return false;
+  WideInstr& last = code_.back();
+  if (last.op != OpCode::MULRK || last.a != reg.bits) return false;
+  last.op = OpCode::SCALE;
+  push(OpCode::WITHK, index_of(offset), 0, 0);
+  return true;
+}
+
+Reg Emitter::moved_to_first(Reg result) {
+  if (!reachable_ || code_.empty() || last_target_ == position()) return result;
+  if (parameters_ == 0 || result.reg_class() != RegClass::kNumber) return result;
+  const bool has_word = code_.size() > 1 && effects_of(code_, position() - 2).words == 2;
+  const std::uint32_t at = position() - (has_word ? 2 : 1);
+  const OpCode op = code_[at].op;
+  const bool asks_host = op >= OpCode::CALLD1 && op <= OpCode::CALLD3;  // writes before it fails
+  const Effects effects = effects_of(code_, at);
+  if (effects.effect != Effect::kPure || asks_host || code_[at].a != result.bits) return result;
+  const Reg first = Reg::make(RegClass::kParameter, 0);
+  code_[at].a = first.bits;
+  return first;
 }
 
 void Emitter::constant(Reg to, Slot value) {

@@ -76,6 +76,12 @@ class Emitter {
     push(op, to.bits, left.bits, index_of(right));
   }
 
+  // Makes `reg = x * k`, if that was the last instruction, `reg = x * k + offset`.
+  [[nodiscard]] bool scale_and_offset(Reg reg, Slot offset);
+  // Lets the last instruction, if it computes `result`, write it to the first parameter, which is
+  // where a function leaves its result. Where the result is now.
+  [[nodiscard]] Reg moved_to_first(Reg result);
+
   // ---- labels ----
   Label label();
   void bind(Label label);

@@ -80,7 +80,9 @@ void choose_plain_calls(CompiledProgram& program) {
       if (instr.op == OpCode::CALL && is_plain(program.functions[instr.b])) {
         instr.op = OpCode::CALLPLAIN;
       }
-      if (instr.op == OpCode::RET && is_plain(function)) instr.op = OpCode::RETPLAIN;
+      if (instr.op == OpCode::RET && is_plain(function)) {
+        instr.op = instr.a == 0 && function.parameters > 0 ? OpCode::RETHERE : OpCode::RETPLAIN;
+      }
     }
   }
 }

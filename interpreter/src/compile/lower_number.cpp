@@ -329,6 +329,7 @@ bool Lowering::with_constant(Site site, Op op, Reg left, const Expr& right, Reg 
   if (!constant_slot(right, known) || in_register(right, loaded)) return false;
   if (op == Op::kSubR) known.d = -known.d;
   code_.at(site.span, site.expr);
+  if (op != Op::kMulR && left == to && code_.scale_and_offset(to, known)) return true;
   code_.with_constant(op == Op::kMulR ? OpCode::MULRK : OpCode::ADDRK, to, left, known);
   return true;
 }

@@ -228,7 +228,9 @@ void Lowering::give_back(const ReturnStmt& s) {
       result = code_.number();
       value_into(*s.value, {result, true});
     }
-    leave(0, [&] { code_.emit(OpCode::RET, result); });
+    leave(0, [&] {
+      code_.emit(OpCode::RET, options_.optimise ? code_.moved_to_first(result) : result);
+    });
   }
   code_.release(mark);
 }

@@ -35,11 +35,14 @@ bool refuse(VmState& state, const Callee& callee) {
   return count_step(state) && raise_too_deep(state, callee, state.options.limits.call_depth);
 }
 
-[[gnu::always_inline]] inline void push_function(Task& task, Frame* below, Slot* window,
-                                                 const Callee& callee, ClosureObj* closure) {
-  below[2] = {callee.code, window, &callee, closure};
+[[gnu::always_inline]] inline void push_function(Task& task, Frame* below, const Frame& function) {
+  below[2] = function;
   task.top = below + 2;
-  for (unsigned i = 0; i < callee.references; ++i) window[callee.references_begin + i].o = nullptr;
+  unsigned count = function.callee->references;
+  if (count == 0) return;
+  for (Slot* reference = function.base + function.callee->references_begin; count > 0; --count) {
+    reference++->o = nullptr;
+  }
 }
 
 }  // namespace
@@ -52,7 +55,7 @@ bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
     return raise_too_deep(*this, callee, options.limits.call_depth);
   }
   push_host(*running, below, window);
-  push_function(*running, below, window, callee, closure);
+  push_function(*running, below, {callee.code, window, &callee, closure});
   return true;
 }
 
@@ -80,13 +83,15 @@ bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
 // A window always has room for arguments (vm/task.cpp), even when there is none for the frames.
 PreparedCall::PreparedCall(Vm& vm, Obj* function)
     : state_(vm.state()),
-      below_(state_.running->top),
-      function_(function),
+      task_(*state_.running),
+      below_(task_.top),
+      window_(lang::window_above(*below_)),
       callee_(&state_.callees[static_cast<ClosureObj*>(function)->function]),
-      window_(lang::window_above(*below_)) {
-  if (state_.host_calls < lang::VmState::kHostCalls &&
-      lang::has_room(*state_.running, below_, window_)) {
-    lang::push_host(*state_.running, below_, window_);  // every call leaves it as it is
+      function_(static_cast<ClosureObj*>(function)),
+      nesting_(state_.host_calls) {
+  code_ = callee_->code;
+  if (nesting_ < lang::VmState::kHostCalls && lang::has_room(task_, below_, window_)) {
+    lang::push_host(task_, below_, window_);  // every call leaves it as it is
   } else {
     below_ = nullptr;  // run refuses
   }
@@ -98,14 +103,12 @@ bool PreparedCall::run() const {
     return lang::refuse(state, *callee_);
   if (!lang::count_step(state)) [[unlikely]]
     return false;
-  lang::Task& task = *state.running;
-  auto* closure = static_cast<ClosureObj*>(function_);
-  lang::push_function(task, below_, window_, *callee_, closure);
-  ++state.host_calls;
-  const lang::Exit exit = lang::interpret(state, task);
-  --state.host_calls;
+  lang::push_function(task_, below_, {code_, window_, callee_, function_});
+  state.host_calls = nesting_ + 1;
+  const lang::Exit exit = lang::interpret(state, task_);
+  state.host_calls = nesting_;
   if (exit != lang::Exit::kDone) return false;
-  task.top = below_;
+  task_.top = below_;
   return true;
 }
 

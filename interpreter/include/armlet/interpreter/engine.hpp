@@ -29,6 +29,8 @@ class Registry;
 struct VmState;
 struct Callee;
 struct Frame;
+struct Instr;
+struct Task;
 }  // namespace lang
 
 struct ParseLimits {
@@ -194,10 +196,14 @@ class PreparedCall {
 
  private:
   lang::VmState& state_;
+  lang::Task& task_;
   lang::Frame* below_;
-  Obj* function_;
-  const lang::Callee* callee_;
+  // The frame of the function, in the order of a frame: it is copied as it lies here.
+  const lang::Instr* code_;
   Slot* window_;
+  const lang::Callee* callee_;
+  ClosureObj* function_;
+  std::uint32_t nesting_;  // calls of the program by the host around this one
 };
 
 }  // namespace armlet
