@@ -38,6 +38,7 @@ std::span<const NativeFunction> acceleration_functions();
 std::span<const NativeFunction> planner_functions();
 std::span<const NativeFunction> velocity_functions();
 std::span<const NativeFunction> settings_functions();
+std::span<const NativeFunction> path_functions();
 std::span<const NativeFunction> hand_functions();
 std::span<const NativeFunction> world_functions();
 std::span<const NativeFunction> classic_functions();
@@ -50,6 +51,17 @@ std::span<const NativeFunction> later_functions();
 // A function that acts on its first argument, a robot.
 [[nodiscard]] constexpr NativeFunction commanding(NativeFunction function) {
   function.commands = true;
+  return function;
+}
+
+// A motion that a `path` collects, or a setting that moves in it obey.
+[[nodiscard]] constexpr NativeFunction in_path(NativeFunction function) {
+  function.in_path = true;
+  return function;
+}
+// Gives a value, and changes the world.
+[[nodiscard]] constexpr NativeFunction acting(NativeFunction function) {
+  function.acts = true;
   return function;
 }
 

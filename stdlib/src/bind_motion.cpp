@@ -9,6 +9,7 @@
 #include "move_waiting.hpp"
 #include "moves.hpp"
 #include "rules.hpp"
+#include "splines.hpp"
 #include "trajectories.hpp"
 #include "values.hpp"
 
@@ -49,6 +50,7 @@ Signal move_l(Vm& vm, Slot* args) {
   } else if (args[6].o != nullptr) {
     settings.frame = posc(args[6]).T;
   }
+  settings.blend = given(args[7]);
   return move_on_line(vm, args, call, posc(args[1]), settings);
 }
 
@@ -91,14 +93,18 @@ Signal move_spline_joints(Vm& vm, Slot* args) {
 Signal move_spline_places(Vm& vm, Slot* args) {
   MoveCall call = spline_call(args);
   if (refuse_busy(vm, call.robot)) return Signal::kFail;
-  choose_model(vm, call, {}, 1.0);
-  const auto places = places_in_world(vm, call, {}, args[1]);
+  const MoveSettings settings{
+      .time = given(args[2]), .speed = given(args[4]), .accel = given(args[5])};
+  const auto places = places_in_world(vm, call, settings, args[1]);
   if (!places) return Signal::kFail;
+  if (const auto kind = spline_called(text_value(args[3])))
+    return move_on_spline(vm, args, call, *places, *kind, settings);
+  choose_model(vm, call, {}, 1.0);
   auto points = solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
   return points ? through(vm, args, call, *std::move(points)) : Signal::kFail;
 }
 
-// (r, via, target, time, speed)
+// (r, via, target, time, speed, blend)
 Signal move_circ(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveCirc",
                       .robot = host_value<RobotRef>(args[0]).id,
@@ -106,7 +112,7 @@ Signal move_circ(Vm& vm, Slot* args) {
                       .time = 3,
                       .speed = 4};
   return move_on_arc(vm, args, call, posc(args[1]), posc(args[2]),
-                     {.time = given(args[3]), .speed = given(args[4])});
+                     {.time = given(args[3]), .speed = given(args[4]), .blend = given(args[5])});
 }
 
 Signal halt(Vm& vm, Slot* args) { return halt_robot(vm, host_value<RobotRef>(args[0]).id); }
@@ -134,12 +140,16 @@ constexpr std::string_view kMoveJHelp =
 constexpr std::string_view kMoveLHelp =
     "Moves the hand along a straight line; the orientation turns evenly. time or speed, not both; "
     "neither means as fast as the joints allow. tool is the point that moves, seen from the "
-    "flange; frame is where the target is read.";
+    "flange; frame is where the target is read. In a path, blend is how far from the target its "
+    "corner may begin.";
 
 constexpr std::string_view kMoveSplineHelp =
-    "Moves from where the robot stands through every point without stopping there. time is the "
-    "whole duration; without it, as fast as the joints allow. traj is the planner: \"Spline3\", "
-    "\"Spline4\", \"Spline5\" or \"Cubic\", of which the last never swings out.";
+    "Moves from where the robot stands through every point without stopping there: the joints on a "
+    "curve through joint values, the hand on a curve through places, its orientation turning "
+    "along. "
+    "time is the whole duration; without it, as fast as the joints allow. traj is the planner: "
+    "\"Spline3\", \"Spline4\", \"Spline5\" or \"Cubic\", of which the last never swings out; with "
+    "any other the joints run through the places.";
 
 constexpr NativeFunction kFunctions[] = {
     {"moveJ",
@@ -154,16 +164,16 @@ constexpr NativeFunction kFunctions[] = {
      "near: posJ?) -> Move",
      kMoveJHelp, "moveJ(here(), time: 1s)", move_j_place, nullptr, nullptr, check_move_place,
      nullptr, true},
-    {"moveL",
-     "(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, frame: "
-     "posC?, blend: length?) -> Move",
-     kMoveLHelp, "moveL(here(), speed: 80mm/s)", move_l<false>, nullptr, nullptr, check_move_line,
-     nullptr, true},
-    {"moveL",
-     "(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, frame: "
-     "object, blend: length?) -> Move",
-     kMoveLHelp, "moveL(xyz(z: 80mm), speed: 80mm/s, frame: object(\"cube\"))", move_l<true>,
-     nullptr, nullptr, check_move_line, nullptr, true},
+    in_path({"moveL",
+             "(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
+             "frame: posC?, blend: length?) -> Move",
+             kMoveLHelp, "moveL(here(), speed: 80mm/s)", move_l<false>, nullptr, nullptr,
+             check_move_line, nullptr, true}),
+    in_path({"moveL",
+             "(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
+             "frame: object, blend: length?) -> Move",
+             kMoveLHelp, "moveL(xyz(z: 80mm), speed: 80mm/s, frame: object(\"cube\"))",
+             move_l<true>, nullptr, nullptr, check_move_line, nullptr, true}),
     {"moveSpline",
      "(r: robot, points: posJ[], time: time?, traj: string = \"Spline3\", speed: "
      "double?, accel: double?) -> Move",
@@ -175,15 +185,18 @@ constexpr NativeFunction kFunctions[] = {
      kMoveSplineHelp, "moveSpline([xyz(300mm, 200mm, 200mm), xyz(300mm, -200mm, 200mm)])",
      move_spline_places, nullptr, nullptr, check_spline, nullptr, true},
     {.name = "moveCirc",
-     .signature = "(r: robot, via: posC, target: posC, time: time?, speed: speed?) -> Move",
+     .signature = "(r: robot, via: posC, target: posC, time: time?, speed: speed?, blend: length?) "
+                  "-> Move",
      .help =
          "Moves the hand along the circle over via to target; the orientation turns evenly. time "
-         "or speed, not both; neither means as fast as the joints allow.",
+         "or speed, not both; neither means as fast as the joints allow. In a path, blend is how "
+         "far from the target its corner may begin.",
      .example = "moveJ(xyz(300mm, 200mm, 150mm)); moveCirc(xyz(400mm, 0mm, 150mm), xyz(300mm, "
                 "-200mm, 150mm), speed: 100mm/s)",
      .thunk = move_circ,
      .check = check_arc,
-     .pauses = true},
+     .pauses = true,
+     .in_path = true},
     {.name = "follow",
      .signature = "(r: robot, tr: trajectory) -> Move",
      .help = "Executes a trajectory exactly; the robot has to stand where it starts.",

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "armlet/core/format.hpp"
 #include "bind.hpp"
 #include "settings.hpp"
@@ -15,22 +18,30 @@ BlockSettings settings_of(Vm& vm) {
   return settings != nullptr ? *settings : BlockSettings{};
 }
 
-namespace {
-
-void replace(Vm& vm, BlockSettings settings) {
+void replace_settings(Vm& vm, BlockSettings settings) {
   vm.task_data() = std::make_shared<const BlockSettings>(std::move(settings));
 }
 
-Signal enter(Vm& vm, Slot*) {
+void open_settings(Vm& vm) {
   BlockSettings inner = settings_of(vm);
   inner.outer = std::static_pointer_cast<const BlockSettings>(vm.task_data());
-  replace(vm, std::move(inner));
+  replace_settings(vm, std::move(inner));
+}
+
+void close_settings(Vm& vm) {
+  const auto inner = std::static_pointer_cast<const BlockSettings>(vm.task_data());
+  vm.task_data() = inner->outer;
+}
+
+namespace {
+
+Signal enter(Vm& vm, Slot*) {
+  open_settings(vm);
   return give_nothing();
 }
 
 Signal leave(Vm& vm, Slot*) {
-  const auto inner = std::static_pointer_cast<const BlockSettings>(vm.task_data());
-  vm.task_data() = inner->outer;
+  close_settings(vm);
   return give_nothing();
 }
 
@@ -46,21 +57,48 @@ Signal set_fraction(Vm& vm, Slot* args) {
   }
   BlockSettings settings = settings_of(vm);
   settings.*kMember = value;
-  replace(vm, std::move(settings));
+  replace_settings(vm, std::move(settings));
+  return give_nothing();
+}
+
+struct TrackName {
+  std::string_view name;
+  Track track;
+};
+constexpr TrackName kTracks[] = {
+    {"exact", Track::kExact}, {"slow", Track::kSlow}, {"damped", Track::kDamped}};
+
+const TrackName* track_called(std::string_view name) {
+  const auto* found = std::ranges::find(kTracks, name, &TrackName::name);
+  return found != std::end(kTracks) ? found : nullptr;
+}
+
+Signal set_track(Vm& vm, Slot* args) {
+  const TrackName* track = track_called(text_value(args[0]));
+  if (track == nullptr) {
+    return failure(vm, "R0609",
+                   fmt::format("lines cannot be tracked \"{}\": it is \"exact\", \"slow\" or "
+                               "\"damped\"",
+                               text_value(args[0])),
+                   0);
+  }
+  BlockSettings settings = settings_of(vm);
+  settings.track = track->track;
+  replace_settings(vm, std::move(settings));
   return give_nothing();
 }
 
 Signal set_tool(Vm& vm, Slot* args) {
   BlockSettings settings = settings_of(vm);
   settings.T_flange_tool = posc(args[0]).T;
-  replace(vm, std::move(settings));
+  replace_settings(vm, std::move(settings));
   return give_nothing();
 }
 
 Signal set_frame(Vm& vm, Frame frame) {
   BlockSettings settings = settings_of(vm);
   settings.frame = std::move(frame);
-  replace(vm, std::move(settings));
+  replace_settings(vm, std::move(settings));
   return give_nothing();
 }
 Signal set_frame_place(Vm& vm, Slot* args) { return set_frame(vm, posc(args[0]).T); }
@@ -78,12 +116,19 @@ void check_fraction(CheckCall& call, std::string_view what) {
   d.why = "inside `with` it is a fraction of what the joints can do";
   call.report(std::move(d));
 }
+void check_track_setting(CheckCall& call) {
+  const auto constant = call.constant(0);
+  if (!constant || track_called(constant->text) != nullptr) return;
+  call.report(
+      make_diagnostic("E0513", call.span(0),
+                      {"track", "\"exact\", \"slow\" or \"damped\"", '"' + constant->text + '"'}));
+}
 void check_speed_setting(CheckCall& call) { check_fraction(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_fraction(call, "the acceleration"); }
 
 constexpr NativeFunction kFunctions[] = {
-    {"with{", "()", "", "", enter},
-    {"with}", "()", "", "", leave},
+    in_path({"with{", "()", "", "", enter}),
+    in_path({"with}", "()", "", "", leave}),
     {"with.speed", "(speed: double)",
      "Moves inside the block that give neither time nor speed run at this fraction of the joint "
      "limits.",
@@ -96,12 +141,23 @@ constexpr NativeFunction kFunctions[] = {
     {"with.tool", "(tool: posC)",
      "Moves inside the block bring this point, seen from the flange, to their targets.",
      "with (tool: xyz(z: 20mm)) { moveJ(xyz(300mm, 200mm, 200mm)) }", set_tool},
-    {"with.frame", "(frame: posC)", "Targets in space inside the block are read in this frame.",
-     "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", set_frame_place},
-    {"with.frame", "(frame: object)",
-     "Targets in space inside the block are read in the frame of this object, wherever it is when "
-     "the move begins.",
-     "with (frame: object(\"cube\")) { moveJ(xyz(z: 60mm)) }", set_frame_object},
+    {.name = "with.track",
+     .signature = "(track: string)",
+     .help =
+         "How moveL and moveCirc inside the block follow their way where joints would have to be "
+         "fast, next to a singularity. \"exact\": the whole move is so slow that they can. "
+         "\"slow\": it slows down only there. \"damped\": the joints stay slow and the hand "
+         "leaves its way a little; the Move says how far, as its deviation.",
+     .example = "with (track: \"slow\") { moveL(xyz(300mm, 200mm, 200mm), speed: 200mm/s) }",
+     .thunk = set_track,
+     .check = check_track_setting},
+    in_path({"with.frame", "(frame: posC)",
+             "Targets in space inside the block are read in this frame.",
+             "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", set_frame_place}),
+    in_path({"with.frame", "(frame: object)",
+             "Targets in space inside the block are read in the frame of this object, wherever it "
+             "is when the move begins.",
+             "with (frame: object(\"cube\")) { moveJ(xyz(z: 60mm)) }", set_frame_object}),
 };
 
 }  // namespace

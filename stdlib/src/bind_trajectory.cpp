@@ -164,7 +164,7 @@ Signal explain_robot(Vm& vm, Slot* args) {
   const LastMotion* last = host.last_motion(id);
   vm.print(last == nullptr ? fmt::format("{} has not moved\n", robot.name)
                            : explain_motion(fmt::format("{} of {}", last->function, robot.name),
-                                            *robot.model, last->motion) +
+                                            *robot.model, last->motion, last->notes) +
                                  '\n');
   return give_nothing();
 }

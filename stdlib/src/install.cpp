@@ -44,6 +44,7 @@ std::span<const Chapter> chapters() {
       {"Trajectories: integration", acceleration_functions()},
       {"Trajectories: planners", planner_functions()},
       {"Robots: settings", settings_functions()},
+      {"Robots: paths", path_functions()},
       {"Hands", hand_functions()},
       {"World and signals", world_functions()},
       {"The classic subset", classic_functions()},
@@ -68,7 +69,8 @@ void install(Engine& engine) {
   engine.add_record("Svd", "U: matrix, s: double[], V: matrix");
   engine.add_record("Eig", "values: double[], vectors: matrix");
   engine.add_record("Eigenvalues", "re: double[], im: double[]");
-  engine.add_record("Move", "reached: bool, stopped: bool, time: time, length: length");
+  engine.add_record("Move",
+                    "reached: bool, stopped: bool, time: time, length: length, deviation: length");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
   engine.add_record("GraspQuality",
                     "contacts: int, minSingular: double, volume: double, forceClosure: bool");

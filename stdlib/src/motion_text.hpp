@@ -5,12 +5,14 @@
 #include <string_view>
 
 #include "armlet/model/robot.hpp"
+#include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/trajectory.hpp"
 
 namespace armlet::bind {
 
-// Several lines without the last end of line. `what`: "moveJ of scara".
+// Several lines without the last end of line. `what`: "moveJ of scara". Without parts in the notes,
+// a motion of a few pieces is told piece by piece.
 [[nodiscard]] std::string explain_motion(std::string_view what, const Robot& robot,
-                                         const Trajectory& motion);
+                                         const Trajectory& motion, const MotionNotes& notes = {});
 
 }  // namespace armlet::bind

@@ -23,6 +23,8 @@ Failure start(Vm& vm, const MoveCall& call, std::string_view code, int mark) {
   f.mark_parameter = mark;
   f.robot = Host::of(vm).cell().robot(call.robot).name;
   f.moved = false;
+  f.place = call.place;
+  f.mark_element = call.element;
   return f;
 }
 
@@ -237,8 +239,12 @@ Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
                  const PosC& target, const LineFault& fault) {
   if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
   const Robot& robot = model_of(vm, call);
-  Failure f = start(vm, call, "R0603", kMarkCallee);
-  f.arguments = {fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)))};
+  Failure f = start(vm, call, "R0603", call.element >= 0 ? call.target : kMarkCallee);
+  const std::string part = fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)));
+  const bool is_straight = call.way == kStraightLine;
+  f.arguments = {part};
+  if (!is_straight)
+    f.message = fmt::format("the {} cannot be followed beyond {} of its length", call.way, part);
   const Vector3d start_point = forward(robot, start_joints).translation();
   const Vector3d closest = nearest_to_axis(robot, start_point, target.T.translation());
   if (fault.kind == LineFaultKind::kNoArc) {
@@ -247,26 +253,26 @@ Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
     f.fix = "move the first place off the line, or use moveL";
     return fail(vm, std::move(f));
   }
-  if (is_inside_fold(robot, start_joints, closest)) {
+  if (is_straight && is_inside_fold(robot, start_joints, closest)) {
     f.why = fmt::format(
         "both ends can be reached, but in between the line passes {} from the axis of joint 1, "
         "closer than the arm can fold",
         millimetres(from_axis(robot, closest)));
   } else if (fault.kind == LineFaultKind::kJump) {
     f.why = fmt::format(
-        "there joint {} would have to jump, because the line passes too close to where the arm is "
+        "there joint {} would have to jump, because the {} passes too close to where the arm is "
         "singular",
-        fault.joint + 1);
+        fault.joint + 1, is_straight ? "line" : call.way);
   } else if (fault.ik.ok()) {
     f.why =
         "both ends can be reached, but only with different postures of the arm, and it cannot "
         "change between them on the way";
   } else {
-    Failure part = start(vm, call, "R0601", call.target);
-    if (fault.ik.status == IkStatus::kJointLimit) say_joint(robot, fault.ik.diagnosis, part);
-    if (part.why.empty())
-      say_place(robot, fault.T_world_tool.translation(), fault.ik.diagnosis, part);
-    f.why = fmt::format("both ends can be reached, but in between {}", part.why);
+    Failure there = start(vm, call, "R0601", call.target);
+    if (fault.ik.status == IkStatus::kJointLimit) say_joint(robot, fault.ik.diagnosis, there);
+    if (there.why.empty())
+      say_place(robot, fault.T_world_tool.translation(), fault.ik.diagnosis, there);
+    f.why = fmt::format("both ends can be reached, but in between {}", there.why);
   }
   f.fix = "use moveJ, or go round through a point in between";
   return fail(vm, std::move(f));

@@ -9,12 +9,13 @@ namespace {
 
 class MoveWaiting : public Waiting {
  public:
-  MoveWaiting(Host& host, const MoveCall& call, int motion, double length)
+  MoveWaiting(Host& host, const MoveCall& call, int motion, double length, double deviation)
       : host_(host),
         call_(call),
         function_(call.function),
         motion_(motion),
         length_(length),
+        deviation_(deviation),
         from_(tool_point()) {}
 
   [[nodiscard]] std::int64_t due_ns() const override { return report().end_ns; }
@@ -41,6 +42,7 @@ class MoveWaiting : public Waiting {
     move->fields()[1] = slot_of(!reached);
     move->fields()[2] = slot_of(duration);
     move->fields()[3] = slot_of(reached ? length_ : (tool_point() - from_).norm());
+    move->fields()[4] = slot_of(deviation_);
     result.o = move;
     return Signal::kDone;
   }
@@ -82,6 +84,7 @@ class MoveWaiting : public Waiting {
   std::string function_;
   int motion_;
   double length_;
+  double deviation_;
   Eigen::Vector3d from_;
 };
 
@@ -109,15 +112,16 @@ class HaltWaiting : public Waiting {
 
 }  // namespace
 
-Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory,
-                    double length) {
+Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, double length,
+                    MotionNotes notes) {
   Host& host = Host::of(vm);
   const bool instant = trajectory.duration() <= 0.0;
-  host.remember_motion(call.robot, {std::string(call.function), trajectory});
+  const double deviation = notes.deviation;
+  host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});
   const int motion = host.cell().is_moving(call.robot)
                          ? host.cell().drive(call.robot, std::move(trajectory))
                          : host.cell().start(call.robot, std::move(trajectory));
-  auto waiting = std::make_unique<MoveWaiting>(host, call, motion, length);
+  auto waiting = std::make_unique<MoveWaiting>(host, call, motion, length, deviation);
   if (!instant) return pause(vm, std::move(waiting));
   host.advance_to(host.now_ns());
   return waiting->finish(vm, args[0]);

@@ -11,6 +11,7 @@ namespace armlet::bind {
 //
 // length  of the whole move, m. A move that is stopped on the way tells how far the point that it
 //         moves got instead.
-Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, double length);
+Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, double length,
+                    MotionNotes notes = {});
 
 }  // namespace armlet::bind

@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
-#include "armlet/trajectory/cartesian_path.hpp"
 #include "armlet/trajectory/joint_move.hpp"
 #include "bind.hpp"
+#include "goals.hpp"
 #include "move_failures.hpp"
 #include "move_retarget.hpp"
 #include "move_waiting.hpp"
 #include "objects.hpp"
+#include "paths.hpp"
+#include "tracking.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -69,8 +70,6 @@ bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
   return false;
 }
 
-namespace {
-
 bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, int parameter) {
   if (std::isfinite(value) && value > 0.0) return true;
   static_cast<void>(failure(vm, "R0609",
@@ -79,8 +78,6 @@ bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, 
                             parameter));
   return false;
 }
-
-}  // namespace
 
 bool refuse_busy(Vm& vm, int robot_id) {
   const CellRobot& robot = Host::of(vm).cell().robot(robot_id);
@@ -180,6 +177,15 @@ Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vector
   return start_motion(vm, args, call, *std::move(plan.trajectory), (to - from).norm());
 }
 
+// What can be refused of a move of the tool before anything is solved. False: the failure is set.
+bool check_tool_settings(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return false;
+  if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
+    return false;
+  return !settings.accel ||
+         check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel);
+}
+
 // What can be refused before anything is solved. False: the failure is set.
 bool prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
                     const MoveSettings& settings) {
@@ -213,19 +219,11 @@ Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
 
 namespace {
 
-// A way of the tool point from where it is.
-using PlanWay = std::function<LinePlan(const Robot& robot, const LineMove& move)>;
-
+// Straight, or over a place on an arc.
 Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
-                 const MoveSettings& settings, const PlanWay& plan_way) {
+                 const MoveSettings& settings, const std::optional<Eigen::Vector3d>& p_world_via) {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
-  if (refuse_busy(vm, call.robot)) return Signal::kFail;
-  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Signal::kFail;
-  if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
-    return Signal::kFail;
-  if (settings.accel &&
-      !check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel))
-    return Signal::kFail;
+  if (refuse_busy(vm, call.robot) || !check_tool_settings(vm, call, settings)) return Signal::kFail;
   const BlockSettings block = settings_of(vm);
   choose_model(vm, call, settings, block.accel);
   const Robot& robot = model_of(vm, call);
@@ -233,31 +231,39 @@ Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
   if (!target) return Signal::kFail;
   const std::optional<IkTask> task = task_of(robot, *target);
   if (!task) return fail_tilted(vm, call, *target);
-  const double distance = (target->T.translation() - forward(robot, state.q).translation()).norm();
+  const Eigen::Isometry3d T_world_tool = forward(robot, state.q);
+  const double distance = (target->T.translation() - T_world_tool.translation()).norm();
   if (settings.time && *settings.time == 0.0 && distance > 0.0)
     return fail_no_time(vm, call, distance);
-  const LineMove move{.q0 = state.q,
-                      .T_world_goal = target->T,
-                      .task = *task,
-                      .time = settings.time,
-                      .tool_speed = settings.speed,
-                      .tool_accel = settings.accel,
-                      .speed = block.speed,
-                      .enforce_limits = !call.classic};
-  LinePlan plan = plan_way(robot, move);
+  LineMove move{.q0 = state.q,
+                .T_world_goal = target->T,
+                .task = *task,
+                .time = settings.time,
+                .tool_speed = settings.speed,
+                .tool_accel = settings.accel,
+                .speed = block.speed,
+                .enforce_limits = !call.classic};
+  if (block.track != Track::kExact) {
+    const auto goal = goal_after(vm, call, *target, {T_world_tool, state.q});
+    if (!goal) return Signal::kFail;
+    move.T_world_goal = goal->T_world_tool;
+  }
+  TrackedLine plan = plan_tracked(robot, move, p_world_via, block.track, !target->has_orientation);
   if (plan.fault) return fail_line(vm, call, state.q, *target, *plan.fault);
   if (!plan.motion.outside.empty())
     return fail_outside(vm, call, state.q, plan.motion.outside.front());
   if (!plan.motion.trajectory) return fail_too_fast(vm, call, *plan.motion.too_fast);
   if (plan.motion.too_fast) advise_too_fast(vm, call, *plan.motion.too_fast);
-  return start_motion(vm, args, call, *std::move(plan.motion.trajectory), plan.length);
+  return start_motion(vm, args, call, *std::move(plan.motion.trajectory), plan.length,
+                      {.deviation = plan.deviation, .turn = plan.turn});
 }
 
 }  // namespace
 
 Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& target,
                     const MoveSettings& settings) {
-  return move_tool(vm, args, std::move(call), target, settings, plan_line);
+  if (settings_of(vm).path != nullptr) return collect(vm, args, call, target, settings);
+  return move_tool(vm, args, std::move(call), target, settings, {});
 }
 
 Signal move_on_arc(Vm& vm, Slot* args, MoveCall call, const PosC& via, const PosC& target,
@@ -265,10 +271,10 @@ Signal move_on_arc(Vm& vm, Slot* args, MoveCall call, const PosC& via, const Pos
   const auto place = in_world(vm, call, settings, via);
   if (!place) return Signal::kFail;
   const Eigen::Vector3d p_world_via = place->T.translation();
-  return move_tool(vm, args, std::move(call), target, settings,
-                   [&p_world_via](const Robot& robot, const LineMove& move) {
-                     return plan_arc(robot, p_world_via, move);
-                   });
+  call.way = "arc";
+  if (settings_of(vm).path != nullptr)
+    return collect(vm, args, call, target, settings, p_world_via);
+  return move_tool(vm, args, std::move(call), target, settings, p_world_via);
 }
 
 }  // namespace armlet::bind

@@ -14,6 +14,8 @@
 
 namespace armlet::bind {
 
+inline constexpr std::string_view kStraightLine = "straight line";
+
 // Which parameters of a call hold what, for marks; -1: there is none.
 struct MoveCall {
   std::string_view function;  // "moveJ"
@@ -23,7 +25,10 @@ struct MoveCall {
   int speed = 3;
   int accel = 4;
   int planner = 5;
-  bool classic = false;  // too fast is advice, not an error
+  bool classic = false;                  // too fast is advice, not an error
+  CallPlace place{};                     // of a call that is over; none: the running one
+  int element = -1;                      // of the targets, if there are several: the one that fails
+  std::string_view way = kStraightLine;  // that the hand follows
   // The robot with the tool point and the limits of this move; null: as it is in the cell.
   std::shared_ptr<const Robot> model{};
 };
@@ -32,12 +37,14 @@ struct MoveCall {
 //
 // speed, accel  fractions of the joint limits for moves of the joints, m/s and m/s^2 of the tool
 //               point for moves along a line.
+// blend         in a path: how far from the target its corner may begin, m.
 struct MoveSettings {
   std::optional<double> time{};
   std::optional<double> speed{};
   std::optional<double> accel{};
   std::optional<Eigen::Isometry3d> T_flange_tool{};
   std::optional<Frame> frame{};
+  std::optional<double> blend{};
 };
 
 // The robot that a call plans with.
@@ -72,6 +79,10 @@ Signal move_on_arc(Vm& vm, Slot* args, MoveCall call, const PosC& via, const Pos
 
 // Gives the call the robot with the tool point of this move and this fraction of the accelerations.
 void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double accel);
+
+// Checks a speed ("a speed", "mm/s") or acceleration of the tool. False: the failure is set.
+[[nodiscard]] bool check_above_zero(Vm& vm, const char* what, double value, const char* unit,
+                                    int parameter);
 
 // Checks a fraction of the joint limits. False: the failure is set.
 [[nodiscard]] bool check_fraction(Vm& vm, const char* what, double value, int parameter);

@@ -347,15 +347,14 @@ void check_joint_target(CheckCall& call, int parameter) {
   }
 }
 
-// A duration that the text shows to be below zero.
+}  // namespace
+
 void check_duration(CheckCall& call, int parameter) {
   const auto constant = call.given(parameter) ? call.constant(parameter) : std::nullopt;
   if (!constant || !(constant->real < 0.0)) return;
   call.report(make_diagnostic("E0513", call.span(parameter),
                               {"the time", "0 or more", format_number(constant->real, 6) + " s"}));
 }
-
-}  // namespace
 
 void check_time_and_speed(CheckCall& call, int time, int speed) {
   if (call.given(time) && call.given(speed)) {
@@ -366,24 +365,6 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
   }
   check_duration(call, time);
 }
-
-namespace {
-
-struct Setting {
-  int parameter;
-  std::string_view name;
-};
-
-// Settings that are declared but that nothing obeys yet: refused rather than ignored.
-void refuse_settings(CheckCall& call, std::initializer_list<Setting> settings) {
-  for (const Setting& setting : settings) {
-    if (!call.given(setting.parameter)) continue;
-    call.report(make_diagnostic("E0199", call.setting_span(setting.parameter),
-                                {fmt::format("the setting `{}`", setting.name)}));
-  }
-}
-
-}  // namespace
 
 void check_move_joints(CheckCall& call) {
   check_joint_target(call, 1);
@@ -401,7 +382,7 @@ void check_move_place(CheckCall& call) {
 }
 void check_move_line(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
-  refuse_settings(call, {{7, "blend"}});
+  check_in_path(call, {.time = 2, .tool = 5, .blend = 7});
 }
 
 void check_classic_joints(CheckCall& call) {

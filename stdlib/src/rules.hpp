@@ -53,8 +53,20 @@ void check_move_line(CheckCall& call);       // (r, target, time, speed, accel, 
 // Two parts of them: a planner that is not known, and a time together with a speed.
 void check_planner(CheckCall& call, int parameter);
 void check_time_and_speed(CheckCall& call, int time, int speed);
-void check_arc(CheckCall& call);     // (r, via, target, time, speed)
+// A duration that the text shows to be below zero: E0513.
+void check_duration(CheckCall& call, int parameter);
+void check_arc(CheckCall& call);     // (r, via, target, time, speed, blend)
 void check_spline(CheckCall& call);  // (r, points, time, traj, speed)
+// The settings of a move that mean something only in a path, or only outside: E0502, E0514. -1: the
+// move has no such setting.
+struct PathParameters {
+  int time = -1;
+  int tool = -1;
+  int blend = -1;
+};
+void check_in_path(CheckCall& call, const PathParameters& parameters);
+// A length given to `path` or in it: E0513.
+void check_blend(CheckCall& call, int parameter);
 // (name, points, time, durations, speed, accel), behind the robot or not.
 template <bool kRobotFirst>
 void check_trajectory(CheckCall& call);

@@ -17,7 +17,10 @@ void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
 
 }  // namespace
 
-void check_arc(CheckCall& call) { check_time_and_speed(call, 3, 4); }
+void check_arc(CheckCall& call) {
+  check_time_and_speed(call, 3, 4);
+  check_in_path(call, {.time = 3, .blend = 5});
+}
 
 void check_spline(CheckCall& call) {
   check_time_and_speed(call, 2, 4);

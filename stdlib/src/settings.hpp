@@ -15,17 +15,30 @@ namespace armlet::bind {
 // Where targets are read: a fixed frame, or the frame of the object of that name.
 using Frame = std::variant<Eigen::Isometry3d, std::string>;
 
+struct CollectedPath;
+
+// What a line does where it comes close to a singularity: goes as slowly all along as the joints
+// need it there, slows down only there, or leaves the line a little.
+enum class Track { kExact, kSlow, kDamped };
+
 // speed, accel   fractions of the joint limits, for moves that do not say how fast.
 // T_flange_tool  the point that moves, instead of the robot's own.
+// path           where moves are collected instead of made; null: outside of any path.
 struct BlockSettings {
   std::shared_ptr<const BlockSettings> outer{};  // never changes; shared by tasks started inside
   double speed = 1.0;
   double accel = 1.0;
   std::optional<Eigen::Isometry3d> T_flange_tool{};
   std::optional<Frame> frame{};
+  std::shared_ptr<CollectedPath> path{};
+  Track track = Track::kExact;
 };
 
 // Those of the running task.
 [[nodiscard]] BlockSettings settings_of(Vm& vm);
+void replace_settings(Vm& vm, BlockSettings settings);
+// A block that begins keeps those around it, and gives them back when it ends.
+void open_settings(Vm& vm);
+void close_settings(Vm& vm);
 
 }  // namespace armlet::bind

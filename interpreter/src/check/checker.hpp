@@ -225,7 +225,6 @@ struct Checker : CheckerState {
   void check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out);
   hir::Stmt* check_statement(const ast::Stmt& stmt);
   hir::Stmt* check_any_statement(const ast::Stmt& stmt);
-  hir::Stmt* check_path(const ast::PathStmt& path);
   hir::Stmt* check_expression_statement(const ast::ExprStmt& stmt);
   hir::Stmt* check_if(const ast::IfStmt& stmt);
   hir::Stmt* check_return(const ast::ReturnStmt& stmt);

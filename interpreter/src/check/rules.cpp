@@ -73,6 +73,17 @@ class Call final : public CheckCall {
   bool mentions(std::string_view function) const override {
     return checker_.mentioned_.contains(std::string(function));
   }
+  InPath in_path() const override {
+    const auto is_path = [](const JumpTarget& at) { return at.kind == JumpTarget::Kind::kPath; };
+    const FunctionContext* context = checker_.here_;
+    for (; context != nullptr; context = context->outer) {
+      if (std::ranges::any_of(context->targets, is_path)) return InPath::kYes;
+      const bool is_called = context->kind == FunctionContext::Kind::kNamed ||
+                             context->kind == FunctionContext::Kind::kLambda;
+      if (is_called) return InPath::kPerhaps;
+    }
+    return InPath::kNo;
+  }
   void* host() const override { return checker_.options_.host; }
 
   void set_result_fact(std::shared_ptr<const Fact> fact) override {

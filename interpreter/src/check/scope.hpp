@@ -44,9 +44,10 @@ struct Flow {
   [[nodiscard]] bool is_unset(const hir::Variable* variable) const;
 };
 
-// A statement that break, continue or retry can leave; kFinally: one that nothing can leave.
+// A statement that break, continue or retry can leave; kFinally and kPath: one that nothing can
+// leave.
 struct JumpTarget {
-  enum class Kind : std::uint8_t { kLoop, kSwitch, kCatch, kFinally } kind;
+  enum class Kind : std::uint8_t { kLoop, kSwitch, kCatch, kFinally, kPath } kind;
   const hir::Stmt* statement;
   std::vector<Flow> exits{};    // the states at each break
   std::vector<Flow> repeats{};  // the states at each continue

@@ -26,6 +26,12 @@ struct Callback {
   Span span;
 };
 
+// A `path`, to be looked at when all functions are known.
+struct PathBlock {
+  const hir::Block* body;
+  Span head;  // where it begins
+};
+
 // What the files of one program have in common.
 struct SharedState {
   std::vector<Checker*> files{};  // imported ones before those that import them
@@ -44,6 +50,7 @@ struct SharedState {
       main_calls{};  // with the top-level variables declared then
   std::vector<std::pair<const hir::Function*, Span>> conditions{};
   std::vector<Callback> callbacks{};
+  std::vector<PathBlock> paths{};
   std::vector<std::pair<hir::Variable*, hir::InitStmt*>> top_level{};  // in their order
   std::unordered_map<const hir::Variable*, Use> init_uses{};
   std::set<std::string> mentioned{};

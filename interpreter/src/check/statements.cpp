@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/paths.hpp"
 #include "check/recordings.hpp"
 #include "check/settings.hpp"
 #include "check/tasks.hpp"
@@ -33,8 +34,9 @@ bool does_nothing(const hir::Expr& value) {
 }
 
 // What is done finally is done on every way out, so it cannot choose another one: an error or a
-// cancellation would be lost.
-Diagnostic leaves_finally(const std::string& word, Span span) {
+// cancellation would be lost. A path is made when its end is reached.
+Diagnostic cannot_leave(JumpTarget::Kind kind, const std::string& word, Span span) {
+  if (kind == JumpTarget::Kind::kPath) return leaves_path(word, span);
   Diagnostic diagnostic = make_diagnostic("E0121", span, {word, "what it leaves"});
   diagnostic.message = '`' + word + "` cannot leave a `finally` block";
   diagnostic.why = "the block runs on the way out, perhaps of an error, which would be lost";
@@ -148,7 +150,7 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
     case StmtKind::kEvery:
       return check_tasks(*this, stmt);
     case StmtKind::kPath:
-      return check_path(stmt.as<ast::PathStmt>());
+      return check_path(*this, stmt.as<ast::PathStmt>());
     case StmtKind::kWith:
       return check_with(*this, stmt.as<ast::WithStmt>());
     case StmtKind::kRecord:
@@ -173,26 +175,6 @@ hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
       return check_throw(stmt.as<ast::ThrowStmt>());
   }
   return nullptr;
-}
-
-// A path is checked like a block until it can be planned.
-hir::Stmt* Checker::check_path(const ast::PathStmt& path) {
-  const std::uint32_t begin = path.span.begin;
-  note_later({begin, begin + 4, path.span.source}, "`path`");
-  for (const ast::Arg& setting : path.settings) {
-    if (setting.name.text != "blend") {
-      report(make_diagnostic(
-          "E0207", setting.span,
-          {"path",
-           std::string(text_of(setting.name.text.empty() ? setting.span : setting.name.span))}));
-      return nullptr;
-    }
-    check_as(*setting.value, {.role = Target::Role::kArgument,
-                              .type = types_.quantity(dims::kLength),
-                              .name = "blend",
-                              .function = "path"});
-  }
-  return check_block(path.body->body, path.body->span);
 }
 
 hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {
@@ -280,11 +262,12 @@ hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
   const bool in_function = context.kind == FunctionContext::Kind::kNamed ||
                            context.kind == FunctionContext::Kind::kLambda;
   if (!in_function) return nullptr;  // refused while the tree was built
-  const auto in_finally = [](const JumpTarget& at) {
-    return at.kind == JumpTarget::Kind::kFinally;
+  const auto keeps = [](const JumpTarget& at) {
+    return at.kind == JumpTarget::Kind::kFinally || at.kind == JumpTarget::Kind::kPath;
   };
-  if (std::ranges::any_of(context.targets, in_finally)) {
-    report(leaves_finally("return", stmt.span));
+  const auto kept = std::ranges::find_if(context.targets, keeps);
+  if (kept != context.targets.end()) {
+    report(cannot_leave(kept->kind, "return", stmt.span));
     return nullptr;
   }
   const bool is_void = context.result_is_declared && context.result->is(Kind::kVoid);
@@ -311,7 +294,7 @@ hir::Stmt* Checker::check_jump(const ast::Stmt& stmt) {
   const bool is_break = stmt.kind == ast::StmtKind::kBreak;
   const bool is_retry = stmt.kind == ast::StmtKind::kRetry;
   const auto leaves = [&](const JumpTarget& target) {
-    if (target.kind == To::kFinally) return true;
+    if (target.kind == To::kFinally || target.kind == To::kPath) return true;
     if (is_retry) return target.kind == To::kCatch;
     return target.kind == To::kLoop || (is_break && target.kind == To::kSwitch);
   };
@@ -325,8 +308,9 @@ hir::Stmt* Checker::check_jump(const ast::Stmt& stmt) {
                                              : "a loop"}));
     return nullptr;
   }
-  if (found->kind == To::kFinally) {
-    report(leaves_finally(is_break ? "break" : is_retry ? "retry" : "continue", stmt.span));
+  if (found->kind == To::kFinally || found->kind == To::kPath) {
+    const std::string word = is_break ? "break" : is_retry ? "retry" : "continue";
+    report(cannot_leave(found->kind, word, stmt.span));
     return nullptr;
   }
   if (is_break) found->exits.push_back(here_->flow);

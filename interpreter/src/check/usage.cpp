@@ -5,6 +5,7 @@
 
 #include "check/checker.hpp"
 #include "check/over_list.hpp"
+#include "check/paths.hpp"
 #include "check/recordings.hpp"
 
 namespace armlet::lang {
@@ -78,6 +79,7 @@ void Checker::check_conditions() {
 void Checker::finish_usage() {
   check_conditions();
   check_callbacks(*this);
+  check_paths(*this);
   prepare_tests();
   mark_unset_globals();
 }

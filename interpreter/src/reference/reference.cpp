@@ -11,7 +11,13 @@
 namespace armlet {
 namespace {
 
-constexpr std::string_view kWith = "with.";  // settings of `with`
+// The word of a block whose setting this is: "with" of "with.speed"; empty for other names.
+std::string_view block_of(std::string_view name) {
+  for (const std::string_view word : {"with", "path"}) {
+    if (name.starts_with(word) && name.substr(word.size()).starts_with('.')) return word;
+  }
+  return {};
+}
 
 // Everything called by one name.
 struct Page {
@@ -80,7 +86,8 @@ std::string written_call(const lang::Registry& registry, const NativeFunction& f
   if (name.ends_with("{}"))
     return fmt::format("{} NAME {{ {} }}", name.substr(0, name.size() - 2),
                        parameters_of(signature));
-  if (name.starts_with(kWith)) return fmt::format("with {} {{ ... }}", signature);
+  if (const std::string_view word = block_of(name); !word.empty())
+    return fmt::format("{} {} {{ ... }}", word, signature);
   const std::size_t dot = name.find('.');
   if (dot == std::string_view::npos || registry.type(name.substr(0, dot)) == nullptr)
     return fmt::format("{}{}", name, signature);
@@ -96,7 +103,8 @@ std::string heading(std::string_view name) {
   if (name.starts_with("operator")) return std::string(name.substr(8));
   if (name.ends_with("[]") || name.ends_with("{}"))
     return std::string(name.substr(0, name.size() - 2));
-  if (name.starts_with(kWith)) return fmt::format("with ({}:)", name.substr(kWith.size()));
+  if (const std::string_view word = block_of(name); !word.empty())
+    return fmt::format("{} ({}:)", word, name.substr(word.size() + 1));
   return std::string(name);
 }
 

@@ -49,8 +49,7 @@ struct NativeCall {
   hir::Seq<Expr*> arguments;
 };
 
-NativeCall running_call(const VmState& state) {
-  const CodeSpan* at = code_span(state);
+NativeCall call_at(const CodeSpan* at) {
   const Expr* expr = at == nullptr ? nullptr : at->expr;
   if (expr != nullptr && expr->kind == ExprKind::kGuarded)
     expr = expr->as<hir::GuardedExpr>().motion;
@@ -108,8 +107,9 @@ Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
     out.severity = failure.code.starts_with('W') ? Severity::kAdvice : Severity::kError;
     out.message = failure.message;
   }
-  const CodeSpan* at = code_span(state);
-  const NativeCall call = running_call(state);
+  const auto* earlier = static_cast<const CodeSpan*>(failure.place.code());
+  const CodeSpan* at = earlier != nullptr ? earlier : code_span(state);
+  const NativeCall call = call_at(at);
   out.mark = {mark_of(call, failure, at == nullptr ? Span{} : at->span), failure.label};
   out.why = failure.why;
 

@@ -77,6 +77,8 @@ void retain(Obj* object) { lang::retain_object(object); }
 
 void release(Vm& vm, Obj* object) { vm.state().heap.release(object); }
 
+CallPlace place_of_call(Vm& vm) { return CallPlace(lang::code_span(vm.state())); }
+
 Signal fail(Vm& vm, Failure failure) {
   lang::raise(vm.state(), failure);
   return Signal::kFail;

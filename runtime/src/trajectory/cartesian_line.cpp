@@ -80,12 +80,6 @@ double duration(const Robot& robot, const LineMove& move, const Trajectory& unit
   return std::max(by_tool, move.enforce_limits || length == 0.0 ? by_joints : 0.0);
 }
 
-// What the tool point travels, m, other than what turns count for.
-double path_length(const CurvePiece& piece) {
-  if (piece.is_round()) return piece.arc.radius * piece.arc.sweep;
-  return (piece.T_end.translation() - piece.T_start.translation()).norm();
-}
-
 }  // namespace
 
 MotionPlan run_unit_motion(const Robot& robot, const LineMove& move, const Trajectory& unit,
@@ -114,7 +108,7 @@ LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& 
     plan.fault = {.kind = LineFaultKind::kNoArc, .T_world_tool = move.T_world_goal};
     return plan;
   }
-  plan.length = path_length(*piece);
+  plan.length = piece->travel();
   if (!piece->is_round() && nothing_to_do(robot, move, T_world_end)) {
     plan.motion = verify(robot, Trajectory::at_rest(move.q0, move.time.value_or(0.0)));
     return plan;

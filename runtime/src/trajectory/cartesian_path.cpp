@@ -26,6 +26,7 @@ void check_move(const Robot& robot, const PathMove& move) {
     check_pose("T_world_tool", point.T_world_tool);
     if (point.p_world_via) check_finite("p_world_via", *point.p_world_via);
     if (point.tool_speed) check_positive("tool_speed", *point.tool_speed);
+    if (point.tool_accel) check_positive("tool_accel", *point.tool_accel);
     if (!(std::isfinite(point.blend) && point.blend >= 0.0)) {
       throw ArgumentError(fmt::format("A corner cannot be blended within {} m.", point.blend));
     }
@@ -47,17 +48,22 @@ struct Leg {
   CurvePiece piece{};
   int point = 0;
   double speed = 0.0;  // of the tool point, m/s
+  double accel = 0.0;  // m/s^2
 };
 
-// From one stop to the next, as one curve; `zones` are its speeds.
+// From one stop to the next, as one curve; `zones` are its speeds, `ends` where each leg ends or
+// its corner is halfway.
 struct Stretch {
   PoseCurve curve{};
   std::vector<SpeedZone> zones{};
   std::vector<Leg> legs{};
+  std::vector<double> ends{};
+  double travel = 0.0;  // of the tool point, m
 };
 
-void add_zone(Stretch& stretch, double from, double speed) {
-  if (std::isfinite(speed)) stretch.zones.push_back({from, stretch.curve.length(), speed});
+void add_zone(Stretch& stretch, double from, double speed, double accel) {
+  if (std::isfinite(speed) || std::isfinite(accel))
+    stretch.zones.push_back({from, stretch.curve.length(), speed, accel});
 }
 
 // The corner at the end of `before`; shortens both.
@@ -69,6 +75,18 @@ CurveCorner cut_corner(Leg& before, Leg& behind, double blend) {
           .before = before.piece.state_from_end(before.piece.to),
           .after = behind.piece.state_from_start(behind.piece.from),
           .length = 2.0 * r};
+}
+
+double travel_of(const CurveCorner& corner) {
+  constexpr int kChords = 64;
+  double travel = 0.0;
+  Eigen::Vector3d before = corner.at(0.0).translation();
+  for (int k = 1; k <= kChords; ++k) {
+    const Eigen::Vector3d place = corner.at(static_cast<double>(k) / kChords).translation();
+    travel += (place - before).norm();
+    before = place;
+  }
+  return travel;
 }
 
 class PathPlanner {
@@ -83,14 +101,15 @@ class PathPlanner {
   PathPlan plan() {
     if (!lay_legs()) return std::move(plan_);
     plan_.missed.assign(move_.points.size(), 0.0);
+    plan_.times.assign(move_.points.size(), -1.0);
     std::optional<Trajectory> whole;
     Eigen::VectorXd q = move_.q0;
     for (std::size_t first = 0; first < legs_.size();) {
       Stretch stretch = stretch_from(first);
       first += stretch.legs.size();
-      auto motion = run(stretch, q);
+      auto motion = run(stretch, q, whole ? whole->duration() : 0.0);
       if (!motion) return std::move(plan_);
-      plan_.length += stretch.curve.length();
+      plan_.length += stretch.travel;
       q = motion->end();
       whole = whole ? whole->then(*motion) : std::move(*motion);
     }
@@ -117,7 +136,10 @@ class PathPlanner {
         return fail({.kind = LineFaultKind::kNoArc, .T_world_tool = point.T_world_tool}, index);
       }
       if (piece->length > kNoLength) {
-        legs_.push_back({*piece, index, point.tool_speed.value_or(INFINITY)});
+        legs_.push_back({.piece = *piece,
+                         .point = index,
+                         .speed = point.tool_speed.value_or(INFINITY),
+                         .accel = point.tool_accel.value_or(INFINITY)});
       }
       T = point.T_world_tool;
     }
@@ -135,38 +157,53 @@ class PathPlanner {
       if (!stops) corner = cut_corner(leg, legs_[k + 1], blend);
       double from = stretch.curve.length();
       stretch.curve.add(leg.piece);
-      add_zone(stretch, from, leg.speed);
+      stretch.travel += (leg.piece.to - leg.piece.from) * leg.piece.travel();
+      add_zone(stretch, from, leg.speed, leg.accel);
       stretch.legs.push_back(leg);
+      stretch.ends.push_back(stretch.curve.length());
       if (stops) return stretch;
       from = stretch.curve.length();
       stretch.curve.add(*corner);
-      add_zone(stretch, from, std::min(leg.speed, legs_[k + 1].speed));
+      stretch.travel += travel_of(*corner);
+      stretch.ends.back() = 0.5 * (from + stretch.curve.length());
+      add_zone(stretch, from, std::min(leg.speed, legs_[k + 1].speed),
+               std::min(leg.accel, legs_[k + 1].accel));
       plan_.missed[static_cast<std::size_t>(leg.point)] =
           (corner->at(0.5).translation() - corner->T_corner.translation()).norm();
     }
   }
 
-  std::optional<Trajectory> run(const Stretch& stretch, const Eigen::VectorXd& q0) {
+  // `start` is when the stretch begins.
+  std::optional<Trajectory> run(const Stretch& stretch, const Eigen::VectorXd& q0, double start) {
     LineSamples samples(robot_, q0, stretch.curve, move_.task, CurveLaw::kEven);
     if (!samples.follow()) {
-      fail(samples.fault(), leg_at(stretch, samples.fault().fraction).point);
+      fail_on(stretch, samples.fault());
       return std::nullopt;
     }
     // Samples run from 0 to 1, speeds in metres.
     const Trajectory path = samples.motion().stretched(stretch.curve.length());
-    return time_optimal(path, limits_, kIntervals, stretch.zones);
+    const SpeedAlongPath speed = fastest_along(path, limits_, kIntervals, stretch.zones);
+    Trajectory motion = run_within(path, speed, limits_);
+    const double slower = motion.duration() / speed.duration();
+    for (std::size_t k = 0; k < stretch.legs.size(); ++k) {
+      plan_.times[static_cast<std::size_t>(stretch.legs[k].point)] =
+          start + slower * speed.time_at(stretch.ends[k]);
+    }
+    return motion;
   }
 
-  static const Leg& leg_at(const Stretch& stretch, double fraction) {
-    double s = fraction * stretch.curve.length();
-    for (const Leg& leg : stretch.legs) {
-      s -= leg.piece.length;
-      if (s < 0.0) return leg;
-    }
-    return stretch.legs.back();
+  // A corner takes from both legs as much as it is long.
+  void fail_on(const Stretch& stretch, LineFault fault) {
+    double s = fault.fraction * stretch.curve.length();
+    std::size_t k = 0;
+    for (; k + 1 < stretch.legs.size() && s >= stretch.legs[k].piece.length; ++k)
+      s -= stretch.legs[k].piece.length;
+    fault.fraction = std::min(s / stretch.legs[k].piece.length, 1.0);
+    fail(std::move(fault), stretch.legs[k].point);
   }
 
   void finish(Trajectory fastest) {
+    fill_times();
     const double least = fastest.duration();
     if (!move_.time || least == 0.0) {
       plan_.motion = verify(robot_, std::move(fastest));
@@ -178,7 +215,14 @@ class PathPlanner {
       plan_.motion.too_fast->least_time = least;
       return;
     }
+    for (double& t : plan_.times) t *= *move_.time / least;
     plan_.motion = verify(robot_, fastest.stretched(*move_.time / least));
+  }
+
+  // Places at which nothing moves are reached with those before them.
+  void fill_times() {
+    double before = 0.0;
+    for (double& t : plan_.times) before = t = std::max(t, before);
   }
 
   const Robot& robot_;

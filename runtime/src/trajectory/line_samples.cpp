@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +20,7 @@ constexpr double kSlidePerSample = 0.02;    // m
 constexpr double kPlaceDeviation = 1e-5;    // m, between samples
 constexpr double kAngleDeviation = 1e-4;    // rad, between samples
 constexpr double kSampleTolerance = 1e-10;  // m and rad, at samples
+constexpr double kSwing = 5e-10;            // rad or m, beyond a limit between samples
 constexpr int kSlideSteps = 8;
 constexpr double kLargestSlide = 10.0;  // allowed changes between samples; more is no slide
 
@@ -36,6 +38,36 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
   return largest;
 }
 
+// Radians per metre of the curve, for a joint at its limit; tried one after another.
+constexpr std::array<double, 2> kAway = {12.0, 48.0};
+constexpr double kTurnCounts = 0.2;  // m, what a turn by one radian counts for
+
+// Where the joints of an arm with more of them than it needs had better go: away from their limits,
+// the more the closer they are, per metre of the curve.
+Eigen::VectorXd away_from_limits(const Robot& robot, const Eigen::VectorXd& q, double most) {
+  Eigen::VectorXd away = Eigen::VectorXd::Zero(robot.n());
+  for (int i = 0; i < robot.n(); ++i) {
+    const double half = 0.5 * (robot.upper()[i] - robot.lower()[i]);
+    if (!std::isfinite(half) || !(half > 0.0)) continue;
+    const double part = std::clamp((q[i] - robot.lower()[i]) / half - 1.0, -1.0, 1.0);
+    away[i] = -most * part * part * part;
+  }
+  return away;
+}
+
+// The slope at the first of four points of a curve: that of the cubic through them.
+double slope_at_first(const double* x, const double* q) {
+  double slope = 0.0;
+  for (int k = 1; k < 4; ++k) {
+    double weight = 1.0 / (x[k] - x[0]);
+    for (int j = 1; j < 4; ++j) {
+      if (j != k) weight *= (x[0] - x[j]) / (x[k] - x[j]);
+    }
+    slope += weight * (q[k] - q[0]);
+  }
+  return slope;
+}
+
 }  // namespace
 
 LineSamples::LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve,
@@ -43,7 +75,7 @@ LineSamples::LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurv
     : robot_(robot), curve_(std::move(curve)), task_(task), law_(law), samples_{{0.0, q0}} {}
 
 double LineSamples::covered(double x) const {
-  return law_ == CurveLaw::kEven ? x : x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
+  return law_ != CurveLaw::kQuintic ? x : x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
 }
 
 Eigen::Isometry3d LineSamples::pose_at(double x) const { return curve_.at(covered(x)); }
@@ -63,7 +95,14 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
     // The shortest step, or for arms of fewer joints the one that comes nearest.
     if (robot_.n() >= 6) {
       const Eigen::Matrix<double, 6, 6> square = J * J.transpose();
-      q += J.transpose() * square.ldlt().solve(error);
+      const auto inverse = square.ldlt();
+      q += J.transpose() * inverse.solve(error);
+      if (robot_.n() > 6 && k == 0) {
+        const Eigen::VectorXd away =
+            (error.head<3>().norm() + kTurnCounts * error.tail<3>().norm()) *
+            away_from_limits(robot_, seed, away_);
+        q += away - J.transpose() * inverse.solve(J * away);
+      }
     } else {
       const Eigen::MatrixXd square = J.transpose() * J;
       q += square.ldlt().solve(J.transpose() * error);
@@ -125,10 +164,35 @@ bool LineSamples::extend(double x, int halvings) {
 }
 
 bool LineSamples::follow() {
+  for (const double away : kAway) {
+    away_ = away;
+    samples_.resize(1);
+    if (follow_once()) return true;
+    if (robot_.n() <= 6) return false;
+  }
+  return false;
+}
+
+bool LineSamples::follow_once() {
   for (int k = 1; k <= kFirstIntervals; ++k) {
     if (!extend(static_cast<double>(k) / kFirstIntervals, kHalvings)) return false;
   }
   return refine();
+}
+
+// Whether a joint curve swings beyond a limit between two samples that keep it.
+bool LineSamples::swings_out(const Trajectory& motion, const Sample& before,
+                             const Sample& behind) const {
+  for (const double part : {0.25, 0.5, 0.75}) {
+    const double x = before.x + part * (behind.x - before.x);
+    for (int i = 0; i < robot_.n(); ++i) {
+      const double q = motion.value(i, x);
+      const double upper = std::max({robot_.upper()[i], before.q[i], behind.q[i]});
+      const double lower = std::min({robot_.lower()[i], before.q[i], behind.q[i]});
+      if (q > upper + kSwing || q < lower - kSwing) return true;
+    }
+  }
+  return false;
 }
 
 bool LineSamples::strays(const Trajectory& motion, double x) const {
@@ -152,7 +216,7 @@ bool LineSamples::refine() {
     for (std::size_t k = 1; k < samples_.size(); ++k) {
       const Sample& before = samples_[k - 1];
       const double x = 0.5 * (before.x + samples_[k].x);
-      if (strays(curve, x)) {
+      if (strays(curve, x) || swings_out(curve, before, samples_[k])) {
         IkResult ik = solve(x, before.q);
         if (!ik.ok() || finer.size() >= kMostSamples) {
           return fail(before, x, std::move(ik));
@@ -170,13 +234,19 @@ bool LineSamples::refine() {
 Trajectory LineSamples::motion() const {
   std::vector<double> x;
   for (const Sample& sample : samples_) x.push_back(sample.x);
+  const std::size_t last = samples_.size() - 1;  // there are more than kFirstIntervals
   std::vector<JointPath> joints;
   for (int i = 0; i < robot_.n(); ++i) {
     std::vector<double> q;
     for (const Sample& sample : samples_) q.push_back(sample.q[i]);
-    joints.push_back(
-        {.segments = law_ == CurveLaw::kEven ? natural_spline(x, q) : cubic_spline(x, q),
-         .q_end = q.back()});
+    double v_start = 0.0, v_end = 0.0;
+    if (law_ == CurveLaw::kEven) {
+      v_start = slope_at_first(x.data(), q.data());
+      const std::array<double, 4> x_end = {x[last], x[last - 1], x[last - 2], x[last - 3]};
+      const std::array<double, 4> q_end = {q[last], q[last - 1], q[last - 2], q[last - 3]};
+      v_end = slope_at_first(x_end.data(), q_end.data());
+    }
+    joints.push_back({.segments = cubic_spline(x, q, v_start, v_end), .q_end = q.back()});
   }
   return {std::move(joints), 1.0};
 }

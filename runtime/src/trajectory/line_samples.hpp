@@ -11,7 +11,8 @@ namespace armlet {
 
 // How distance runs along the curve. kQuintic: in unit time, at time x the tool has covered
 // 10 x^3 - 15 x^4 + 6 x^5 of it. kEven: x is the part that is covered, for a law of time to come.
-enum class CurveLaw { kQuintic, kEven };
+// kGiven: x is the time of the curve, which begins and ends at rest.
+enum class CurveLaw { kQuintic, kEven, kGiven };
 
 class LineSamples {
  public:
@@ -22,8 +23,8 @@ class LineSamples {
   bool follow();
   [[nodiscard]] const LineFault& fault() const { return fault_; }
 
-  // The joints as functions of x, through all samples: from rest to rest with the quintic, with
-  // free ends for the even law. Only after follow() succeeded.
+  // The joints as functions of x, through all samples: from rest to rest, or with the
+  // slopes that the samples have at the ends for the even law. Only after follow() succeeded.
   [[nodiscard]] Trajectory motion() const;
 
  private:
@@ -38,8 +39,11 @@ class LineSamples {
                                                      const Eigen::VectorXd& seed) const;
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;
+  bool follow_once();
   bool extend(double x, int halvings);
   bool refine();
+  [[nodiscard]] bool swings_out(const Trajectory& motion, const Sample& before,
+                                const Sample& behind) const;
   [[nodiscard]] bool strays(const Trajectory& motion, double x) const;
   bool fail(const Sample& last, double x, IkResult ik);
 
@@ -48,6 +52,7 @@ class LineSamples {
   IkTask task_;
   CurveLaw law_;
   std::vector<Sample> samples_;
+  double away_ = 0.0;  // how strongly joints keep away from their limits, if there is one to spare
   LineFault fault_;
 };
 

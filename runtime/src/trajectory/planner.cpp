@@ -207,6 +207,7 @@ PlannerSet::PlannerSet() {
   add("353", plan_353, Through::kAllPoints);
   add("FiveCubic", plan_five_cubics, Through::kAllPoints);
   add("SCurve", plan_limited_jerk);
+  add("Fastest", plan_fastest, Through::kAllPoints);
   by_law("Septic", kSeptic, true);
   by_law("Cycloid", kCycloid, true);
   add("Seq", plan_one_by_one);

@@ -42,6 +42,9 @@ Plan plan_one_by_one(const MoveRequest& request);     // Seq
 Plan plan_without_ramps(const MoveRequest& request);  // Lin0
 Plan plan_limited_jerk(const MoveRequest& request);   // SCurve
 
+// The planner of planner_fastest.cpp.
+Plan plan_fastest(const MoveRequest& request);
+
 // The planner applied from point to point, stopping at each.
 Plan plan_legs(const Planner& planner, const MoveRequest& request);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
@@ -40,6 +41,11 @@ std::optional<Arc> arc_through(const Eigen::Vector3d& p1, const Eigen::Vector3d&
   // In this sense the second point lies before the third.
   if (arc.sweep <= 0.0) arc.sweep += 2.0 * std::numbers::pi;
   return arc;
+}
+
+double CurvePiece::travel() const {
+  if (is_round()) return arc.radius * arc.sweep;
+  return (T_end.translation() - T_start.translation()).norm();
 }
 
 Eigen::Isometry3d CurvePiece::at(double fraction) const {
@@ -116,6 +122,17 @@ Eigen::Isometry3d CurveCorner::at(double fraction) const {
                    T_corner.translation() + x.head<3>());
 }
 
+Eigen::Isometry3d CurveSpline::at(double time) const {
+  Vector6 now;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::size_t k = 0;
+    while (k + 1 < x[i].size() && x[i][k + 1].start <= time) ++k;
+    now[static_cast<Eigen::Index>(i)] = x[i][k].value(time - x[i][k].start);
+  }
+  return make_pose(T_start.linear() * rotation_exp(now.tail<3>()),
+                   T_start.translation() + now.head<3>());
+}
+
 void PoseCurve::add(const CurvePiece& piece) {
   const double length = (piece.to - piece.from) * piece.length;
   if (!(length > 0.0)) return;
@@ -128,12 +145,18 @@ void PoseCurve::add(const CurveCorner& corner) {
   starts_.push_back(starts_.back() + corner.length);
 }
 
+void PoseCurve::add(CurveSpline spline) {
+  parts_.emplace_back(std::move(spline));
+  starts_.push_back(starts_.back() + 1.0);
+}
+
 Eigen::Isometry3d PoseCurve::at(double fraction) const {
   const double s = fraction * length();
   const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, s);
   const auto k = static_cast<std::size_t>(after - starts_.begin()) - 1;
   const double u = std::min((s - starts_[k]) / (starts_[k + 1] - starts_[k]), 1.0);
   if (const auto* corner = std::get_if<CurveCorner>(&parts_[k])) return corner->at(u);
+  if (const auto* spline = std::get_if<CurveSpline>(&parts_[k])) return spline->at(u);
   const auto& piece = std::get<CurvePiece>(parts_[k]);
   return piece.at(u == 1.0 ? piece.to : piece.from + u * (piece.to - piece.from));
 }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
+
+#include "armlet/trajectory/trajectory.hpp"
 
 namespace armlet {
 
@@ -42,6 +45,8 @@ struct CurvePiece {
   double to = 1.0;
 
   [[nodiscard]] bool is_round() const { return arc.radius > 0.0; }
+  // What the tool point travels, m, other than what turns count for.
+  [[nodiscard]] double travel() const;
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
   // Relative to the pose at the start (fraction 0) or at the end (1): places in the world's axes,
   // turns in those of that pose.
@@ -68,17 +73,28 @@ struct CurveCorner {
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
 };
 
+// A curve that runs through poses in a time from 0 to 1: place and rotation vector, both seen from
+// the first pose with the world's axes for the place, are polynomials in pieces.
+struct CurveSpline {
+  Eigen::Isometry3d T_start = Eigen::Isometry3d::Identity();
+  std::array<std::vector<Segment>, 6> x{};
+
+  [[nodiscard]] Eigen::Isometry3d at(double time) const;
+};
+
 // Pieces one after another.
 class PoseCurve {
  public:
   void add(const CurvePiece& piece);
   void add(const CurveCorner& corner);
+  // The only part; its fractions are times.
+  void add(CurveSpline spline);
 
   [[nodiscard]] double length() const { return starts_.back(); }
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
 
  private:
-  std::vector<std::variant<CurvePiece, CurveCorner>> parts_;
+  std::vector<std::variant<CurvePiece, CurveCorner, CurveSpline>> parts_;
   std::vector<double> starts_ = {0.0};  // m; the last is the end
 };
 

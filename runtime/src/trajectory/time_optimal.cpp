@@ -59,23 +59,23 @@ class Grid {
  public:
   Grid(const Trajectory& path, std::span<const AxisLimits> limits, int intervals,
        std::span<const SpeedZone> zones)
-      : s_(places(path, intervals)), limits_(limits), n_(limits.size()) {
+      : s_(places(path, intervals)), limits_(limits), zones_(zones), n_(limits.size()) {
     const std::size_t count = s_.size();
     first_.resize(count * n_);
     second_.resize(count * n_);
     for (std::size_t i = 0; i < n_; ++i) fill_joint(path.joint(static_cast<int>(i)), i);
-    strips_.alpha.resize(2 * n_);
-    strips_.beta.resize(2 * n_);
+    strips_.alpha.resize(2 * n_ + zones.size());
+    strips_.beta.resize(2 * n_ + zones.size());
     bound_.resize(count);
-    for (std::size_t k = 0; k < count; ++k) bound_[k] = speed_bound(k, zones);
+    for (std::size_t k = 0; k < count; ++k) bound_[k] = speed_bound(k);
   }
 
   [[nodiscard]] const std::vector<double>& s() const { return s_; }
 
   // The highest squared speed of the speed limits at a place, where zones meet that of both.
-  [[nodiscard]] double speed_bound(std::size_t k, std::span<const SpeedZone> zones) const {
+  [[nodiscard]] double speed_bound(std::size_t k) const {
     double least = std::sqrt(kUnbounded);
-    for (const SpeedZone& zone : zones) {
+    for (const SpeedZone& zone : zones_) {
       const bool inside = s_[k] >= zone.from - kSamePlace && s_[k] <= zone.to + kSamePlace;
       if (inside) least = std::min(least, zone.speed);
     }
@@ -97,6 +97,10 @@ class Grid {
       add(first_[k * n_ + i], second_[k * n_ + i], A);
       const double curve = second_[(k + 1) * n_ + i];
       add(first_[(k + 1) * n_ + i] + twice * curve, curve, A);
+    }
+    for (const SpeedZone& zone : zones_) {
+      const bool overlaps = s_[k + 1] > zone.from + kSamePlace && s_[k] < zone.to - kSamePlace;
+      if (overlaps && std::isfinite(zone.acceleration)) add(1.0, 0.0, zone.acceleration);
     }
     return strips_;
   }
@@ -159,6 +163,7 @@ class Grid {
 
   std::vector<double> s_;
   std::span<const AxisLimits> limits_;
+  std::span<const SpeedZone> zones_;
   std::size_t n_;
   std::vector<double> first_, second_;  // by place, then by joint
   std::vector<double> bound_;           // squared speed
@@ -203,10 +208,28 @@ double SpeedAlongPath::duration() const {
   return T;
 }
 
+double SpeedAlongPath::time_at(double place) const {
+  double T = 0.0;
+  for (std::size_t k = 0; k + 1 < s.size() && s[k] < place; ++k) {
+    const double v0 = std::sqrt(squared[k]);
+    const double step = std::min(place, s[k + 1]) - s[k];
+    const double part = step / (s[k + 1] - s[k]);
+    const double v1 = std::sqrt(squared[k] + part * (squared[k + 1] - squared[k]));
+    T += 2.0 * step / (v0 + v1);
+  }
+  return T;
+}
+
 SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits> limits,
                              int intervals, std::span<const SpeedZone> zones) {
   check_path(path, limits, intervals);
-  for (const SpeedZone& zone : zones) check_positive("speed", zone.speed);
+  for (const SpeedZone& zone : zones) {
+    if (zone.speed > 0.0 && zone.acceleration > 0.0) continue;
+    throw ArgumentError(fmt::format(
+        "A stretch of the path is limited to a speed of {} and an acceleration of {}; expected "
+        "both above zero.",
+        zone.speed, zone.acceleration));
+  }
   Grid grid(path, limits, intervals, zones);
   const std::vector<double>& s = grid.s();
   const std::size_t last = s.size() - 1;
@@ -265,7 +288,12 @@ Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed) {
 
 Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits, int intervals,
                         std::span<const SpeedZone> zones) {
-  const Trajectory fastest = run_along(path, fastest_along(path, limits, intervals, zones));
+  return run_within(path, fastest_along(path, limits, intervals, zones), limits);
+}
+
+Trajectory run_within(const Trajectory& path, const SpeedAlongPath& speed,
+                      std::span<const AxisLimits> limits) {
+  const Trajectory fastest = run_along(path, speed);
   double slower = 1.0;
   for (int i = 0; i < fastest.n(); ++i) {
     const AxisLimits& l = limits[static_cast<std::size_t>(i)];

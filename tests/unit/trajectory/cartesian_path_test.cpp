@@ -217,3 +217,52 @@ TEST_CASE("a path that cannot be followed says on the way to which place") {
   move.points = {{.T_world_tool = T0}};
   CHECK(plan_path(kArm, move).motion.trajectory->duration() == 0.0);
 }
+
+TEST_CASE("times say when each place is reached or passed by") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  PathMove move{.q0 = kStart,
+                .points = {{.T_world_tool = shifted(T0, 0.1, 0.0, 0.0), .blend = 0.02},
+                           {.T_world_tool = shifted(T0, 0.1, 0.0, 0.0)},
+                           {.T_world_tool = shifted(T0, 0.1, 0.1, 0.0)},
+                           {.T_world_tool = shifted(T0, 0.1, 0.1, 0.05)}}};
+  for (const bool timed : {false, true}) {
+    if (timed) move.time = 4.0;
+    const PathPlan plan = plan_path(kArm, move);
+    REQUIRE(plan.ok());
+    const Trajectory& motion = *plan.motion.trajectory;
+    REQUIRE(plan.times.size() == 4);
+    CHECK(plan.times[1] == plan.times[0]);
+    CHECK(plan.times[3] == doctest::Approx(motion.duration()).epsilon(1e-9));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double apart = (tool_at(kArm, motion, plan.times[k]).translation() -
+                            move.points[k].T_world_tool.translation())
+                               .norm();
+      CHECK(apart == doctest::Approx(plan.missed[k == 1 ? 0 : k]).epsilon(1e-3).scale(0.01));
+    }
+  }
+}
+
+TEST_CASE("the acceleration of the tool is that of its piece") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  PathMove move{.q0 = kStart,
+                .points = {{.T_world_tool = shifted(T0, 0.1, 0.0, 0.0), .tool_accel = 0.1},
+                           {.T_world_tool = shifted(T0, 0.0, 0.0, 0.0)}}};
+  const PathPlan plan = plan_path(kArm, move);
+  REQUIRE(plan.ok());
+  // Half the way with 0.1 m/s^2 and half of it back: 2 sqrt(s / a).
+  CHECK(plan.times[0] == doctest::Approx(2.0).epsilon(1e-3));
+  CHECK(plan.times[1] - plan.times[0] < 1.0);
+  move.points[0].tool_accel = 0.0;
+  CHECK_THROWS_AS((void)plan_path(kArm, move), ArgumentError);
+}
+
+TEST_CASE("tool speeds are kept to the ends, where the joints begin to move") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  const PathMove move{
+      .q0 = kStart, .points = {{.T_world_tool = shifted(T0, 0.15, 0.1, 0.05), .tool_speed = 0.1}}};
+  const PathPlan plan = plan_path(kArm, move);
+  REQUIRE(plan.ok());
+  const double T = plan.motion.trajectory->duration();
+  for (int k = 1; k < 2000; ++k)
+    CHECK(tool_speed(kArm, *plan.motion.trajectory, T * k / 2000.0) < 0.1 * (1.0 + 5e-5));
+}

@@ -9,6 +9,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
+#include "armlet/trajectory/cartesian_path.hpp"
 
 using namespace armlet;
 
@@ -83,6 +84,37 @@ TEST_CASE(
 TEST_CASE("a damping that is not above zero and a goal without orientation are refused") {
   LineMove move = along_y(joints({-0.3, -1.3, 1.9, -1.1, -1.5, 0.2}), 0.1);
   CHECK_THROWS_AS((void)plan_damped_line(kArm, move, 0.0), ArgumentError);
-  move.task = IkTask::kPlace;
+  move.task = IkTask::kTurn;
   CHECK_THROWS_AS((void)plan_damped_line(kArm, move), ArgumentError);
+}
+
+TEST_CASE("arms with fewer joints follow the place alone; the stretched arm falls short of it") {
+  const Robot arm = *make_robot("planar2");  // two links of 1 m
+  const Eigen::VectorXd q0 = joints({0.2, 0.9});
+  LineMove move{.q0 = q0, .T_world_goal = forward(arm, joints({0.1, 1.2})), .task = IkTask::kPlace};
+  const DampedLine inside = plan_damped_line(arm, move);
+  REQUIRE(inside.ok());
+  CHECK(inside.deviation < 1e-6);
+  CHECK(inside.turn == 0.0);
+  // 2.1 m from the base: a tenth of a metre beyond its reach.
+  const Eigen::Vector3d axis = arm.T_world_base().translation();
+  Eigen::Vector3d out = move.T_world_goal.translation() - axis;
+  out *= 2.1 / out.norm();
+  move.T_world_goal.translation() = axis + out;
+  const DampedLine beyond = plan_damped_line(arm, move);
+  REQUIRE(beyond.ok());
+  CHECK(beyond.deviation == doctest::Approx(0.1).epsilon(0.02));
+  CHECK(beyond.at == doctest::Approx(1.0));
+}
+
+TEST_CASE("a damped arc is the arc where nothing is singular, and none where there is none") {
+  LineMove move = along_y(joints({-0.3, -1.3, 1.9, -1.1, -1.5, 0.2}), 0.2);
+  const Eigen::Vector3d start = forward(kArm, move.q0).translation();
+  const Eigen::Vector3d via = start + Eigen::Vector3d(0.03, 0.1, 0.0);
+  const auto arc = plan_damped_arc(kArm, via, move);
+  REQUIRE(arc);
+  REQUIRE(arc->ok());
+  CHECK(arc->deviation < 1e-6);
+  CHECK(arc->length == doctest::Approx(plan_arc(kArm, via, move).length).epsilon(1e-9));
+  CHECK_FALSE(plan_damped_arc(kArm, start - Eigen::Vector3d(0.0, 0.1, 0.0), move));
 }

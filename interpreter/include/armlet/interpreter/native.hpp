@@ -19,7 +19,9 @@
 // parameter `joint: jointRow[]` the rows `joint revolute(...)`, each made by
 // "robot.joint.revolute"; "robot()" gives the ambient robot of the host; "Math.sqrt" style names
 // live in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
-// settings of the block and before "with}" restores those from before on every way out of it.
+// settings of the block and before "with}" restores those from before on every way out of it;
+// "path.blend", "path{" and "path}" are the same for `path`, whose motions are made by "path{move}"
+// when its block has ended.
 
 #include <cstdint>
 #include <functional>
@@ -33,6 +35,7 @@
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/failure.hpp"
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/type.hpp"
 
@@ -74,6 +77,10 @@ struct NativeFunction {
   // Pauses, but is meant for a robot that another task moves.
   bool interrupts = false;
   double (*real3)(double, double, double) = nullptr;  // as real1 and real2
+  bool acts = false;                                  // gives a value, and changes the world
+  // May stand in a `path`, which otherwise holds nothing that acts or takes time: a motion that is
+  // collected there, or a setting that moves obey when they are collected.
+  bool in_path = false;
 };
 
 // A named number of the library: PI, E.
@@ -83,26 +90,6 @@ struct NativeConstant {
   Dim dim;
   std::string_view help;
 };
-
-// Why a native function failed. The position is added by the interpreter.
-struct Failure {
-  std::string code;                    // "R0601"; gives the kind and the headline
-  std::vector<std::string> arguments;  // for the headline's {}
-  std::string message;                 // replaces the headline if not empty
-  std::string kind;                    // replaces the code's kind if not empty
-  int mark_parameter =
-      -1;                 // which argument to mark; -1: the call; kMarkCallee: the function's name
-  int mark_element = -1;  // element of a list argument (or of the position made from it) at fault
-  std::string element_label;  // label for the place where that element was written
-  std::string label;
-  std::string why;
-  // May contain "line {line}", where the marked element was written, and {arg}, the text of the
-  // marked argument.
-  std::string fix;
-  std::string robot;
-  std::optional<bool> moved;
-};
-inline constexpr int kMarkCallee = -2;
 
 // Something that takes virtual time, from a pausing call until it is over.
 class Waiting {
@@ -284,6 +271,9 @@ class CheckCall {
   [[nodiscard]] virtual Span origin(int parameter, int item) const = 0;
   // Whether the program's text mentions this library function anywhere.
   [[nodiscard]] virtual bool mentions(std::string_view function) const = 0;
+  // Whether the call stands in a `path`; in a function it perhaps does, when that is called there.
+  enum class InPath { kNo, kPerhaps, kYes };
+  [[nodiscard]] virtual InPath in_path() const = 0;
   // The host's state given when compiling (CompileOptions::host); may be null.
   [[nodiscard]] virtual void* host() const = 0;
 

@@ -22,13 +22,14 @@ LinePlan plan_arc(const Robot& robot, const Eigen::Vector3d& p_world_via, const 
 // p_world_via  reached over this place on a circle; nothing: on a straight line.
 // blend        how far before and after the place the path may leave its pieces to round the
 //              corner, m; at most half the length of either. With 0 the tool stops there.
-// tool_speed   highest speed of the tool point on the way to it, m/s; in a corner the lower of the
-//              two holds.
+// tool_speed   highest speed of the tool point on the way to it, m/s, and tool_accel how fast that
+//              may change, m/s^2; in a corner the lower of the two holds.
 struct PathPoint {
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
   std::optional<Eigen::Vector3d> p_world_via{};
   double blend = 0.0;
   std::optional<double> tool_speed{};
+  std::optional<double> tool_accel{};
 };
 
 // A path of the tool through several places, from rest to rest.
@@ -47,14 +48,18 @@ struct PathMove {
 // How a path was planned.
 //
 // motion   verified; nothing in it if `fault` says why.
-// point    of the fault, the piece that fails: the one that leads to this place, counted from 0.
+// point    of the fault, the piece that fails: the one that leads to this place, counted from 0;
+//          the fraction of the fault is of that piece.
+// length   that the tool point travels, m.
 // missed   how far the path passes by each place, m; 0 where it stops.
+// times    when it reaches each place, or passes by it, s; only with a motion.
 struct PathPlan {
   MotionPlan motion{};
   std::optional<LineFault> fault{};
   int point = 0;
   double length = 0.0;
   std::vector<double> missed{};
+  std::vector<double> times{};
 
   [[nodiscard]] bool ok() const { return motion.ok(); }
 };

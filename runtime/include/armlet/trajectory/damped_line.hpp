@@ -4,6 +4,8 @@
 
 namespace armlet {
 
+constexpr double kUsualDamping = 0.05;
+
 // A line that was followed only as well as joints of limited speed can.
 //
 // motion          verified as for plan_line.
@@ -27,10 +29,19 @@ struct DampedLine {
 //
 // damping  the smallest singular value of the Jacobian below which joints are damped, above 0;
 //          larger values are slower and leave the line further.
-// returns  a plan whose `outside` names a joint that would leave its limits.
-// throws   as plan_line, and for a damping that is not positive; only with a task of kPose.
+// returns  a plan whose `outside` names a joint that would leave its limits. With a task of kPlace
+//          only the place is followed, and `turn` is 0.
+// throws   as plan_line, and for a damping that is not positive; only with a task of kPose or
+//          kPlace.
 // source   Y. Nakamura, H. Hanafusa, Inverse kinematic solutions with singularity robustness, ASME
 //          J. Dyn. Sys. Meas. Control 108(3), 1986; S. Chiaverini et al., IEEE T-CST 2(2), 1994.
-DampedLine plan_damped_line(const Robot& robot, const LineMove& move, double damping = 0.05);
+DampedLine plan_damped_line(const Robot& robot, const LineMove& move,
+                            double damping = kUsualDamping);
+
+// The same along the circle of plan_arc.
+//
+// returns  nothing if there is no arc over the three places.
+std::optional<DampedLine> plan_damped_arc(const Robot& robot, const Eigen::Vector3d& p_world_via,
+                                          const LineMove& move, double damping = kUsualDamping);
 
 }  // namespace armlet

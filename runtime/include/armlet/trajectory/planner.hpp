@@ -87,6 +87,9 @@ enum class Through { kStops, kAllPoints };
 //   434, 353, FiveCubic  lift-off, travel and set-down through four points. From two points the
 //          joints lift off and set down by a tenth of the way. Without durations 1:2:1.
 //
+//   Fastest  a cubic spline in the joints, run as fast as their speeds and accelerations allow
+//            everywhere (see time_optimal.hpp); accelerations jump.
+//
 // These keep their shape in time, so a lower speed or a longer time only slows them down. Without
 // durations the legs of the others are divided by how long the slowest joint needs for each.
 class PlannerSet {

@@ -1,6 +1,7 @@
 // The fastest run along a given joint path under limits on speeds and accelerations.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,12 +17,15 @@ struct SpeedAlongPath {
   std::vector<double> squared{};  // (ds/dt)^2, 0 at both ends
 
   [[nodiscard]] double duration() const;
+  // When a place is reached, s.
+  [[nodiscard]] double time_at(double place) const;
 };
 
-// Between two places along a path its speed is limited.
+// Between two places along a path its speed, and how fast that changes, is limited; above zero.
 struct SpeedZone {
   double from = 0.0, to = 0.0;
-  double speed = 0.0;  // of the path parameter, above zero
+  double speed = std::numeric_limits<double>::infinity();
+  double acceleration = std::numeric_limits<double>::infinity();
 };
 
 // The fastest run from rest to rest along q(s).
@@ -33,7 +37,7 @@ struct SpeedZone {
 // intervals  places are at the knots of the path and between them so that there are at least as
 //            many intervals. Limits hold at the places, on both sides; in between they may be
 //            exceeded by a part that falls with the square of the number.
-// zones      limits on the speed along the path; they may overlap.
+// zones      limits along the path itself; they may overlap.
 // throws     ArgumentError for a path or limits that are not as said.
 // source     H. Pham, Q.-C. Pham, A new approach to time-optimal path parameterization based on
 //            reachability analysis, T-RO 34(3), 2018; constraints by the interpolation scheme.
@@ -43,8 +47,12 @@ SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits>
 // The motion that runs the path like that, as polynomials of degree 6 in time.
 Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed);
 
-// Both, and then slower by what the limits are still exceeded between the places, so that they hold
-// everywhere.
+// The same, and then slower by what the limits are still exceeded between the places, so that they
+// hold everywhere.
+Trajectory run_within(const Trajectory& path, const SpeedAlongPath& speed,
+                      std::span<const AxisLimits> limits);
+
+// The fastest run found and made.
 Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits,
                         int intervals = 100, std::span<const SpeedZone> zones = {});
 

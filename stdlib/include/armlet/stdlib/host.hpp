@@ -31,10 +31,27 @@ struct MoveReport {
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
 };
 
+// One move of a motion that is made of several.
+struct MotionPart {
+  std::string what;     // "moveL to (300, 0, 150) mm"
+  double end = 0.0;     // s, from the start of the motion
+  double missed = 0.0;  // m, how far its target is passed by
+};
+
+// What there is to say about a motion beside itself.
+//
+// deviation, turn  how far the tool leaves its way, m and rad.
+struct MotionNotes {
+  std::vector<MotionPart> parts{};
+  double deviation = 0.0;
+  double turn = 0.0;
+};
+
 // The motion of a robot that was started last, as it was planned.
 struct LastMotion {
   std::string function;  // as called: "moveJ"
   Trajectory motion;
+  MotionNotes notes{};
 };
 
 // A planner of the host, as PlannerSet::add takes it.

@@ -1,0 +1,47 @@
+#pragma once
+// What a native function says when it fails.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace armlet {
+
+class Vm;
+
+// A call of a native function that is over, for what goes wrong later on its account. It is valid
+// as long as the program.
+class CallPlace {
+ public:
+  CallPlace() = default;
+  explicit CallPlace(const void* code) : code_(code) {}
+  [[nodiscard]] const void* code() const { return code_; }
+
+ private:
+  const void* code_ = nullptr;  // null: none
+};
+// The call that is running.
+[[nodiscard]] CallPlace place_of_call(Vm& vm);
+
+// Why a native function failed. The position is added by the interpreter.
+struct Failure {
+  std::string code;                    // "R0601"; gives the kind and the headline
+  std::vector<std::string> arguments;  // for the headline's {}
+  std::string message;                 // replaces the headline if not empty
+  std::string kind;                    // replaces the code's kind if not empty
+  int mark_parameter =
+      -1;                 // which argument to mark; -1: the call; kMarkCallee: the function's name
+  int mark_element = -1;  // element of a list argument (or of the position made from it) at fault
+  std::string element_label;  // label for the place where that element was written
+  std::string label;
+  std::string why;
+  // May contain "line {line}", where the marked element was written, and {arg}, the text of the
+  // marked argument.
+  std::string fix;
+  std::string robot;
+  std::optional<bool> moved;
+  CallPlace place;  // marks belong to this call instead of the running one
+};
+inline constexpr int kMarkCallee = -2;
+
+}  // namespace armlet

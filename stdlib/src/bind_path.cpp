@@ -1,0 +1,94 @@
+// path (blend: 30mm) { ... } (language reference, 13.3). The checker calls "path{" before the
+// block, one function for each setting, "path{move}" at its end, and "path}" on every way out.
+
+#include <cmath>
+
+#include "bind.hpp"
+#include "paths.hpp"
+#include "rules.hpp"
+#include "settings.hpp"
+
+namespace armlet::bind {
+namespace {
+
+Signal enter(Vm& vm, Slot*) {
+  open_settings(vm);
+  BlockSettings settings = settings_of(vm);
+  settings.path = std::make_shared<CollectedPath>();
+  replace_settings(vm, std::move(settings));
+  return give_nothing();
+}
+
+Signal leave(Vm& vm, Slot*) {
+  close_settings(vm);
+  return give_nothing();
+}
+
+Signal make(Vm& vm, Slot* args) {
+  const std::shared_ptr<CollectedPath> path = settings_of(vm).path;
+  return make_path(vm, args, *path);
+}
+
+Signal set_blend(Vm& vm, Slot* args) {
+  if (!check_blend_length(vm, args[0].d, 0)) return Signal::kFail;
+  settings_of(vm).path->blend = args[0].d;
+  return give_nothing();
+}
+
+Signal set_speed(Vm& vm, Slot* args) {
+  if (!check_above_zero(vm, "a speed", args[0].d, "mm/s", 0)) return Signal::kFail;
+  settings_of(vm).path->speed = args[0].d;
+  return give_nothing();
+}
+
+Signal set_time(Vm& vm, Slot* args) {
+  if (!check_duration(vm, args[0].d, 0)) return Signal::kFail;
+  CollectedPath& path = *settings_of(vm).path;
+  path.time = args[0].d;
+  path.time_place = place_of_call(vm);
+  return give_nothing();
+}
+
+void check_blend_setting(CheckCall& call) { check_blend(call, 0); }
+void check_time_setting(CheckCall& call) { check_duration(call, 0); }
+
+constexpr NativeFunction kFunctions[] = {
+    {"path{", "()", "", "", enter},
+    {"path}", "()", "", "", leave},
+    {.name = "path{move}",
+     .signature = "() -> Move",
+     .help = "",
+     .example = "",
+     .thunk = make,
+     .pauses = true},
+    {.name = "path.blend",
+     .signature = "(blend: length)",
+     .help = "Moves inside the block are planned and made as one motion, and its corners are "
+             "rounded: up to this far before and after a target, and at most half of either move, "
+             "the hand leaves its line. Moves with a blend of their own keep it; with 0 mm the "
+             "hand stops there.",
+     .example = "moveJ(xyz(300mm, 200mm, 150mm)); path (blend: 20mm) { moveL(xyz(300mm, 0mm, "
+                "150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
+     .thunk = set_blend,
+     .check = check_blend_setting},
+    {.name = "path.speed",
+     .signature = "(speed: speed)",
+     .help = "The highest speed of the hand in moves that have none of their own.",
+     .example = "moveJ(xyz(300mm, 200mm, 150mm)); path (speed: 200mm/s) { moveL(xyz(300mm, 0mm, "
+                "150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
+     .thunk = set_speed},
+    {.name = "path.time",
+     .signature = "(time: time)",
+     .help = "How long the whole path takes; without it, it is made as fast as the joints and the "
+             "speeds of its moves allow.",
+     .example = "moveJ(xyz(300mm, 200mm, 150mm)); path (blend: 20mm, time: 4s) { moveL(xyz(300mm, "
+                "0mm, 150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
+     .thunk = set_time,
+     .check = check_time_setting},
+};
+
+}  // namespace
+
+std::span<const NativeFunction> path_functions() { return kFunctions; }
+
+}  // namespace armlet::bind

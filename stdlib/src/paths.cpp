@@ -1,0 +1,177 @@
+#include "paths.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "armlet/core/format.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/trajectory/cartesian_path.hpp"
+#include "bind.hpp"
+#include "goals.hpp"
+#include "move_failures.hpp"
+#include "move_waiting.hpp"
+
+namespace armlet::bind {
+namespace {
+
+using Eigen::VectorXd;
+
+Signal give_no_move(Vm& vm, Slot* args) {
+  return give(args, new_record(vm, vm.program().library_record("Move")));
+}
+
+Signal fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
+  Failure f;
+  f.code = "R0635";
+  f.arguments = {std::move(what)};
+  f.mark_parameter = parameter;
+  f.fix = std::move(fix);
+  f.moved = false;
+  return fail(vm, std::move(f));
+}
+
+// The places of a path one after another, each with the joints at which its move begins.
+class Corners {
+ public:
+  Corners(Vm& vm, const CollectedPath& path, std::shared_ptr<const Robot> model, const VectorXd& q0)
+      : vm_(vm), path_(path), model_(std::move(model)), at_{forward(*model_, q0), q0} {}
+
+  // False: the failure is set.
+  bool lay() {
+    for (const CollectedMove& move : path_.moves) {
+      starts_.push_back(at_.q);
+      MoveCall call = move.call;
+      call.model = model_;
+      auto goal = goal_after(vm_, call, move.target, at_);
+      if (!goal) return false;
+      at_ = *std::move(goal);
+      points_.push_back({.T_world_tool = at_.T_world_tool,
+                         .p_world_via = move.p_world_via,
+                         .blend = move.blend.value_or(path_.blend),
+                         .tool_speed = move.speed ? move.speed : path_.speed,
+                         .tool_accel = move.accel});
+    }
+    return true;
+  }
+
+  [[nodiscard]] const std::vector<PathPoint>& points() const { return points_; }
+  [[nodiscard]] const VectorXd& start(int move) const {
+    return starts_[static_cast<std::size_t>(move)];
+  }
+  // Whether no place says how the hand is turned.
+  [[nodiscard]] bool only_places() const {
+    return std::ranges::none_of(path_.moves,
+                                [](const CollectedMove& m) { return m.target.has_orientation; });
+  }
+
+ private:
+  Vm& vm_;
+  const CollectedPath& path_;
+  std::shared_ptr<const Robot> model_;
+  Goal at_;
+  std::vector<PathPoint> points_;
+  std::vector<VectorXd> starts_;
+};
+
+// What went wrong, said of the move that it is about.
+Signal fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const Corners& corners,
+                 const PathPlan& plan) {
+  if (plan.fault) {
+    MoveCall call = path.moves[static_cast<std::size_t>(plan.point)].call;
+    call.model = whole.model;
+    const PosC target{corners.points()[static_cast<std::size_t>(plan.point)].T_world_tool, true};
+    return fail_line(vm, call, corners.start(plan.point), target, *plan.fault);
+  }
+  if (!plan.motion.outside.empty()) return fail_swings_outside(vm, whole, plan.motion.outside[0]);
+  MoveCall timed = whole;
+  timed.time = 0;
+  timed.place = path.time_place;
+  return fail_too_fast(vm, timed, *plan.motion.too_fast);
+}
+
+MotionNotes notes_of(const CollectedPath& path, const PathPlan& plan) {
+  MotionNotes notes;
+  for (std::size_t k = 0; k < path.moves.size(); ++k) {
+    const CollectedMove& move = path.moves[k];
+    notes.parts.push_back({.what = fmt::format("{} to {}", move.call.function,
+                                               format_point_mm(move.target.T.translation())),
+                           .end = plan.times[k],
+                           .missed = plan.missed[k]});
+  }
+  return notes;
+}
+
+}  // namespace
+
+Signal collect(Vm& vm, Slot* args, MoveCall call, const PosC& target, const MoveSettings& settings,
+               std::optional<Eigen::Vector3d> p_world_via) {
+  CollectedPath& path = *settings_of(vm).path;
+  const Cell& cell = Host::of(vm).cell();
+  if (settings.time) {
+    return fail_part(vm, "a move with a time of its own", call.time,
+                     "give the whole path a time, path (time: ...), or the move a speed");
+  }
+  if (settings.T_flange_tool) {
+    return fail_part(vm, "a move with a tool of its own", kMarkCallee,
+                     "write with (tool: ...) around the path");
+  }
+  if (!path.moves.empty() && path.moves.front().call.robot != call.robot) {
+    return fail_part(vm,
+                     fmt::format("a move of `{}` in a path of `{}`", cell.robot(call.robot).name,
+                                 cell.robot(path.moves.front().call.robot).name),
+                     kMarkCallee, "give each robot its own path, side by side in `parallel`");
+  }
+  if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
+    return Signal::kFail;
+  if (settings.accel &&
+      !check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel))
+    return Signal::kFail;
+  if (settings.blend && !check_blend_length(vm, *settings.blend, kMarkCallee)) return Signal::kFail;
+  const auto place = in_world(vm, call, settings, target);
+  if (!place) return Signal::kFail;
+  call.place = place_of_call(vm);
+  path.moves.push_back({.call = std::move(call),
+                        .target = *place,
+                        .p_world_via = p_world_via,
+                        .blend = settings.blend,
+                        .speed = settings.speed,
+                        .accel = settings.accel});
+  return give_no_move(vm, args);
+}
+
+bool check_blend_length(Vm& vm, double blend, int parameter) {
+  if (std::isfinite(blend) && blend >= 0.0) return true;
+  static_cast<void>(failure(
+      vm, "R0609",
+      fmt::format("a blend of {}: corners are rounded within 0 mm or more", format_mm(blend)),
+      parameter));
+  return false;
+}
+
+Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) {
+  if (path.moves.empty()) return give_no_move(vm, args);
+  MoveCall whole{.function = "path", .robot = path.moves.front().call.robot, .target = -1};
+  if (refuse_busy(vm, whole.robot)) return Signal::kFail;
+  const BlockSettings block = settings_of(vm);
+  choose_model(vm, whole, {}, block.accel);
+  const CellRobot& state = Host::of(vm).cell().robot(whole.robot);
+  const std::shared_ptr<const Robot> model = whole.model != nullptr ? whole.model : state.model;
+  Corners corners(vm, path, model, state.q);
+  if (!corners.lay()) return Signal::kFail;
+  PathMove move{.q0 = state.q, .points = corners.points(), .time = path.time};
+  if (!move.time) move.speed = block.speed;
+  PathPlan plan = plan_path(*model, move);
+  if (plan.fault && corners.only_places()) {
+    // The orientation cannot be kept all the way: the hand may turn as little as it must.
+    move.task = IkTask::kPlace;
+    plan = plan_path(*model, move);
+  }
+  if (!plan.ok()) return fail_path(vm, path, whole, corners, plan);
+  MotionNotes notes = notes_of(path, plan);
+  return start_motion(vm, args, whole, *std::move(plan.motion.trajectory), plan.length,
+                      std::move(notes));
+}
+
+}  // namespace armlet::bind

@@ -1,0 +1,21 @@
+#pragma once
+// Moves of the hand on smooth curves through places.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "armlet/trajectory/cartesian_spline.hpp"
+#include "moves.hpp"
+
+namespace armlet::bind {
+
+// The curve that a planner of that name lays through places; nothing: it knows only joints.
+[[nodiscard]] std::optional<SplineKind> spline_called(std::string_view planner);
+
+// Plans and starts; kPause when the robot is on its way. Speeds and accelerations are fractions of
+// the joint limits.
+Signal move_on_spline(Vm& vm, Slot* args, MoveCall call, const std::vector<PosC>& places,
+                      SplineKind kind, const MoveSettings& settings);
+
+}  // namespace armlet::bind
