@@ -1,7 +1,7 @@
 // path (blend: 30mm) { ... } (language reference, 13.3). The checker calls "path{" before the
 // block, one function for each setting, "path{move}" at its end, and "path}" on every way out.
 
-#include <cmath>
+#include <utility>
 
 #include "bind.hpp"
 #include "paths.hpp"
@@ -24,8 +24,11 @@ Signal leave(Vm& vm, Slot*) {
   return give_nothing();
 }
 
+// From here on moves are moves again, also those of watches that run meanwhile.
 Signal make(Vm& vm, Slot* args) {
-  const std::shared_ptr<CollectedPath> path = settings_of(vm).path;
+  BlockSettings settings = settings_of(vm);
+  const std::shared_ptr<CollectedPath> path = std::exchange(settings.path, nullptr);
+  replace_settings(vm, std::move(settings));
   return make_path(vm, args, *path);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
@@ -221,7 +222,8 @@ namespace {
 
 // Straight, or over a place on an arc.
 Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
-                 const MoveSettings& settings, const std::optional<Eigen::Vector3d>& p_world_via) {
+                 const MoveSettings& settings,
+                 const std::optional<Eigen::Vector3d>& p_world_via) try {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
   if (refuse_busy(vm, call.robot) || !check_tool_settings(vm, call, settings)) return Signal::kFail;
   const BlockSettings block = settings_of(vm);
@@ -256,6 +258,8 @@ Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
   if (plan.motion.too_fast) advise_too_fast(vm, call, *plan.motion.too_fast);
   return start_motion(vm, args, call, *std::move(plan.motion.trajectory), plan.length,
                       {.deviation = plan.deviation, .turn = plan.turn});
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0626", error);
 }
 
 }  // namespace

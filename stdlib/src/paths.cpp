@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
@@ -150,7 +151,7 @@ bool check_blend_length(Vm& vm, double blend, int parameter) {
   return false;
 }
 
-Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) {
+Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) try {
   if (path.moves.empty()) return give_no_move(vm, args);
   MoveCall whole{.function = "path", .robot = path.moves.front().call.robot, .target = -1};
   if (refuse_busy(vm, whole.robot)) return Signal::kFail;
@@ -172,6 +173,8 @@ Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) {
   MotionNotes notes = notes_of(path, plan);
   return start_motion(vm, args, whole, *std::move(plan.motion.trajectory), plan.length,
                       std::move(notes));
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0626", error);
 }
 
 }  // namespace armlet::bind
