@@ -171,31 +171,56 @@ class Grid {
   std::size_t rows_ = 0;
 };
 
+// How much room the bounds leave for u at the start of an interval, so that the squared speed at
+// its end lies between 0 and `next`: a concave function of x, and how it changes.
+struct Room {
+  double room, slope, scale;
+
+  [[nodiscard]] bool is_there() const { return room >= -1e-12 * scale; }
+};
+
+Room room_at(const Grid& grid, const Strips& strips, double x, double next, double twice) {
+  auto r = grid.range(x);
+  double upper = r.upper, upper_slope = -strips.beta[r.upper_row];
+  double lower = r.lower, lower_slope = -strips.beta[r.lower_row];
+  if (r.upper == Grid::kUnbounded) upper_slope = lower_slope = 0.0;
+  if (const double most = (next - x) / twice; most < upper) {
+    upper = most;
+    upper_slope = -1.0 / twice;
+  }
+  if (const double least = -x / twice; least > lower) {
+    lower = least;
+    lower_slope = -1.0 / twice;
+  }
+  return {upper - lower, upper_slope - lower_slope, std::abs(upper) + std::abs(lower)};
+}
+
+// The same by halving, for bounds so far apart in size that Newton's method steps past the zero.
+double highest_by_halving(const Grid& grid, const Strips& strips, double next, double twice) {
+  double low = 0.0, high = std::max(next, 1e-12);
+  while (high < strips.x_most && room_at(grid, strips, high, next, twice).is_there()) {
+    low = high;
+    high *= 4.0;
+  }
+  high = std::min(high, strips.x_most);
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    (room_at(grid, strips, middle, next, twice).is_there() ? low : high) = middle;
+  }
+  return low;
+}
+
 // The highest squared speed at the start of an interval from which a squared speed of at most
-// `next` can be reached at its end. The room between the bounds is a concave function of x that is
-// not negative at 0, so Newton's method from the right meets its zero in a few steps.
+// `next` can be reached at its end. The room is not negative at 0, so Newton's method from the
+// right meets its zero in a few steps.
 double highest_before(const Grid& grid, const Strips& strips, double next, double twice) {
   double x = std::min(strips.x_most, Grid::kUnbounded);
-  for (std::size_t step = 0; step <= strips.alpha.size(); ++step) {
-    auto r = grid.range(x);
-    double upper = r.upper, upper_slope = -strips.beta[r.upper_row];
-    double lower = r.lower, lower_slope = -strips.beta[r.lower_row];
-    if (r.upper == Grid::kUnbounded) upper_slope = lower_slope = 0.0;
-    // The bounds that keep the end between rest and `next`.
-    if (const double most = (next - x) / twice; most < upper) {
-      upper = most;
-      upper_slope = -1.0 / twice;
-    }
-    if (const double least = -x / twice; least > lower) {
-      lower = least;
-      lower_slope = -1.0 / twice;
-    }
-    const double room = upper - lower;
-    const double slope = upper_slope - lower_slope;
-    if (room >= -1e-12 * (std::abs(upper) + std::abs(lower)) || !(slope < 0.0)) return x;
-    x = std::max(x - room / slope, 0.0);
+  for (std::size_t step = 0; step <= strips.alpha.size() && x > 0.0; ++step) {
+    const Room room = room_at(grid, strips, x, next, twice);
+    if (room.is_there() || !(room.slope < 0.0)) return x;
+    x -= room.room / room.slope;
   }
-  return x;
+  return x > 0.0 ? x : highest_by_halving(grid, strips, next, twice);
 }
 
 }  // namespace
@@ -245,7 +270,9 @@ SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits>
     grid.between(k);
     const double twice = 2.0 * (s[k + 1] - s[k]);
     x[k + 1] = std::clamp(x[k] + twice * grid.range(x[k]).upper, 0.0, most[k + 1]);
-    if (k + 1 < last && !(x[k + 1] > 0.0)) {
+    // It may stop at a place where the path turns sharply, but has to leave it again.
+    const bool may_stop = x[k] > 0.0 && k + 2 < last;
+    if (k + 1 < last && !(x[k + 1] > 0.0) && !may_stop) {
       throw ArgumentError(fmt::format(
           "The path cannot be left at s = {}: the limits allow no acceleration there.", s[k]));
     }
