@@ -19,6 +19,8 @@ constexpr int kStall = 7;               // iterations without progress
 IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
     : plan_(robot.walk_plan()),
       kernel_(kernel_for(kPoseAndJacobianKernels, robot.n())),
+      normal_kernel_(kernel_for(kNormalKernels, robot.n())),
+      step_kernel_(kernel_for(kStepKernels, robot.n())),
       goal_(goal),
       n_(static_cast<std::size_t>(robot.n())),
       lower_(to_array(robot.lower())),
@@ -87,63 +89,47 @@ IkError IkSolver::error_of(const JointArray& q) {
 }
 
 void IkSolver::normal_equations() {
-  for (std::size_t i = 0; i < n_; ++i) {
-    for (std::size_t k = 0; k <= i; ++k) {
-      double sum = 0.0;
-      for (std::size_t r = 0; r < 6; ++r) sum += J_[i][r] * J_[k][r];
-      A_[i][k] = sum;
-    }
-    b_[i] = 0.0;
-    for (std::size_t r = 0; r < 6; ++r) b_[i] += J_[i][r] * error_[r];
-  }
+  normal_kernel_(static_cast<int>(n_), J_.data()->data(), error_.data(), normal_);
 }
 
-IkSolver::Step IkSolver::solve_step(double damping,
-                                    const std::array<bool, kMaxJoints>& frozen) const {
-  // L D L^T of the damped matrix; M holds L D. The floor on the pivots replaces an exact zero of a
-  // redundant or singular arm by something too small to be felt elsewhere.
-  std::array<std::array<double, kMaxJoints>, kMaxJoints> L, M;
-  JointArray inverse_pivot{};
-  Step x{};
-  double trace = 0.0;
-  for (std::size_t i = 0; i < n_; ++i) trace += A_[i][i];
-  const double floor = 1e-14 * trace + 1e-300;
+IkSolver::Step IkSolver::solve_step(double damping) const {
+  Step step;
+  step_kernel_(static_cast<int>(n_), normal_, damping, step.data());
+  return step;
+}
+
+// Rows and columns of joints that may not move become those of the identity.
+IkSolver::Step IkSolver::solve_step(double damping, const Frozen& frozen) const {
+  NormalEquations free = normal_;
   for (std::size_t i = 0; i < n_; ++i) {
-    double pivot = frozen[i] ? 1.0 : A_[i][i] + damping;
-    x[i] = frozen[i] ? 0.0 : b_[i];
     for (std::size_t k = 0; k < i; ++k) {
-      double sum = frozen[i] || frozen[k] ? 0.0 : A_[i][k];
-      for (std::size_t j = 0; j < k; ++j) sum -= M[i][j] * L[k][j];
-      M[i][k] = sum;
-      L[i][k] = sum * inverse_pivot[k];
-      pivot -= sum * L[i][k];
-      x[i] -= L[i][k] * x[k];
+      if (frozen[i] || frozen[k]) free.A[i][k] = 0.0;
     }
-    inverse_pivot[i] = 1.0 / std::max(pivot, floor);
+    if (!frozen[i]) continue;
+    free.A[i][i] = 1.0;
+    free.b[i] = 0.0;
   }
-  for (std::size_t i = n_; i-- > 0;) {
-    x[i] *= inverse_pivot[i];
-    for (std::size_t j = i + 1; j < n_; ++j) x[i] -= L[j][i] * x[j];
-  }
-  return x;
+  Step step;
+  step_kernel_(static_cast<int>(n_), free, damping, step.data());
+  return step;
 }
 
 IkSolver::Step IkSolver::step_in_box(const JointArray& q, double damping) const {
-  std::array<bool, kMaxJoints> frozen{};
-  for (std::size_t i = 0; i < n_; ++i) {
-    frozen[i] = (q[i] <= lower_[i] && b_[i] < 0.0) || (q[i] >= upper_[i] && b_[i] > 0.0);
-  }
-  Step step = solve_step(damping, frozen);
-  for (int pass = 0; pass < 3; ++pass) {
+  Frozen frozen{};
+  bool any = false;
+  // Freezes joints on a bound that they would be moved across.
+  const auto freeze = [&](const double* way) {
     bool more = false;
     for (std::size_t i = 0; i < n_; ++i) {
       const bool leaves =
-          (q[i] <= lower_[i] && step[i] < 0.0) || (q[i] >= upper_[i] && step[i] > 0.0);
-      if (!frozen[i] && leaves) more = frozen[i] = true;
+          (q[i] <= lower_[i] && way[i] < 0.0) || (q[i] >= upper_[i] && way[i] > 0.0);
+      if (!frozen[i] && leaves) more = any = frozen[i] = true;
     }
-    if (!more) break;
-    step = solve_step(damping, frozen);
-  }
+    return more;
+  };
+  freeze(normal_.b);
+  Step step = any ? solve_step(damping, frozen) : solve_step(damping);
+  for (int pass = 0; pass < 3 && freeze(step.data()); ++pass) step = solve_step(damping, frozen);
   return step;
 }
 
@@ -165,7 +151,7 @@ bool IkSolver::solve_free(JointArray& q, int iterations) {
     best = std::min(best, energy);
     if (stalled >= kStall) return false;
     normal_equations();
-    const Step step = solve_step(kDampingRatio * energy, {});
+    const Step step = solve_step(kDampingRatio * energy);
     double largest = 0.0;
     for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(step[i]));
     if (!(largest >= kSmallestStep)) return false;
@@ -206,7 +192,7 @@ void IkSolver::polish(JointArray& q, double energy, bool in_box) {
   for (int it = 0; it < 6 && energy > 1e-26; ++it) {
     normal_equations();
     const Step step =
-        in_box ? step_in_box(q, kDampingRatio * energy) : solve_step(kDampingRatio * energy, {});
+        in_box ? step_in_box(q, kDampingRatio * energy) : solve_step(kDampingRatio * energy);
     JointArray next = q;
     for (std::size_t i = 0; i < n_; ++i) next[i] += step[i];
     if (in_box) clamp(next);
@@ -236,7 +222,7 @@ void IkSolver::minimise_in_box(JointArray& q, int iterations) {
     for (std::size_t i = 0; i < n_; ++i) {
       const double s = next[i] - q[i];
       largest = std::max(largest, std::abs(s));
-      promised += b_[i] * s;
+      promised += normal_.b[i] * s;
       for (std::size_t r = 0; r < 6; ++r) change[r] += J_[i][r] * s;
     }
     for (const double c : change) promised -= 0.5 * c * c;

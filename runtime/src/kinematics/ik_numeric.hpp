@@ -3,7 +3,7 @@
 #include <array>
 
 #include "armlet/kinematics/ik.hpp"
-#include "kernels.hpp"
+#include "ik_steps.hpp"
 
 namespace armlet {
 
@@ -51,6 +51,7 @@ class IkSolver {
 
  private:
   using Step = JointArray;
+  using Frozen = std::array<bool, kMaxJoints>;
 
   double evaluate(const JointArray& q);  // fills error_ and J_, returns half the squared error
   Eigen::Vector3d rotation_error(const Eigen::Matrix3d& R_tool) const;
@@ -60,20 +61,23 @@ class IkSolver {
   void polish(JointArray& q, double energy, bool in_box);
   void normal_equations();
   // Solves (J^T J + damping I) step = J^T e for the joints that are not frozen.
-  Step solve_step(double damping, const std::array<bool, kMaxJoints>& frozen) const;
+  Step solve_step(double damping) const;
+  Step solve_step(double damping, const Frozen& frozen) const;
   Step step_in_box(const JointArray& q, double damping) const;
   void clamp(JointArray& q) const;
 
   const WalkPlan& plan_;
   PoseAndJacobianKernel* kernel_;
+  NormalKernel* normal_kernel_;
+  StepKernel* step_kernel_;
   IkGoal goal_;
   std::size_t n_;
   JointArray lower_{}, upper_{};
   bool selective_;  // not all rows count alike
-  std::array<double, 6> error_{};
-  std::array<std::array<double, 6>, kMaxJoints> J_{};
-  std::array<std::array<double, kMaxJoints>, kMaxJoints> A_{};  // J^T J, lower triangle
-  JointArray b_{};                                              // J^T e
+  // Written by evaluate() and normal_equations() before anything reads them.
+  std::array<double, 6> error_;
+  std::array<std::array<double, 6>, kMaxJoints> J_;
+  NormalEquations normal_;
   IkError size_{};
   bool exact_angle_ = false;
   int iterations_used_ = 0;
