@@ -27,6 +27,7 @@ template <class V>
 template <class V>
 struct BatchLanes {
   V theta[kBatchJoints], turn[kBatchJoints], d[kBatchJoints], a[kBatchJoints];
+  det::LaneTable<V> numbers;
 
   [[gnu::always_inline]] explicit BatchLanes(const BatchArm& arm) {
     for (std::size_t i = 0; i < arm.n; ++i) {
@@ -35,6 +36,13 @@ struct BatchLanes {
       d[i] = all_lanes<V>(arm.d[i]);
       a[i] = all_lanes<V>(arm.a[i]);
     }
+  }
+
+  // The compiler must not know that they are constants: it would bring each into a register again.
+  [[gnu::always_inline]] const det::LaneTable<V>& hidden_numbers() const {
+    const det::LaneTable<V>* hidden = &numbers;
+    asm("" : "+r"(hidden));
+    return *hidden;
   }
 };
 
@@ -47,6 +55,9 @@ struct Block {
   std::size_t count, k;
 
   [[gnu::always_inline]] V values(std::size_t i) const { return load_lanes<V>(q + i * count + k); }
+  [[gnu::always_inline]] V angle(std::size_t i) const {
+    return arm.plain[i] ? values(i) : lanes.theta[i] + values(i) * lanes.turn[i];
+  }
   // Of the last part of Z_i.
   [[gnu::always_inline]] V distance(std::size_t i) const {
     return arm.slides[i] ? lanes.d[i] + values(i) * arm.slide[i] : lanes.d[i];
@@ -64,46 +75,25 @@ struct BatchTurns {
     return load_lanes<V>(cosines + i * kLanes);
   }
 
+  [[gnu::always_inline]] void put(std::size_t i, const det::LaneSinCos<V>& turn) {
+    store_lanes(sines + i * kLanes, turn.sin);
+    store_lanes(cosines + i * kLanes, turn.cos);
+  }
+
   [[gnu::always_inline]] explicit BatchTurns(const Block<V>& block) {
+    const det::LaneTable<V>& numbers = block.lanes.hidden_numbers();
     det::LaneCheck<V> check;
-    for (std::size_t i = 0; i < block.arm.n; ++i) {
-      const V values = block.values(i);
-      const V angle =
-          block.arm.plain[i] ? values : block.lanes.theta[i] + values * block.lanes.turn[i];
-      const auto turn = det::sincos_lanes(angle, check);
-      store_lanes(sines + i * kLanes, turn.sin);
-      store_lanes(cosines + i * kLanes, turn.cos);
+    const std::size_t n = block.arm.n;
+    for (std::size_t i = 0; i + 1 < n; i += 2) {
+      const auto turns =
+          det::sincos_lanes(det::TwoLanes<V>{block.angle(i), block.angle(i + 1)}, check, numbers);
+      put(i, turns.a);
+      put(i + 1, turns.b);
     }
+    if (n % 2 != 0) put(n - 1, det::sincos_lanes(block.angle(n - 1), check, numbers));
     if (!check.all_settled()) {
       careful_batch_turns(block.arm, block.q, block.count, block.k, kLanes, sines, cosines);
     }
-  }
-};
-
-// Two of the four columns of a pose; six vectors and a sine and cosine fit into the registers.
-template <class V>
-struct TwoColumns {
-  Parts<V> left, right;
-
-  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
-    left.turn_z(sine, cosine);
-    right.turn_z(sine, cosine);
-  }
-
-  // Z_i behind X_{i+1}.
-  [[gnu::always_inline]] void step(const BatchArm& arm, std::size_t i, V sine, V cosine) {
-    if (arm.right_angle[i + 1]) {
-      left.turn_right_z(sine, cosine);
-      right.turn_right_z(sine, cosine);
-      return;
-    }
-    if (arm.any_angle[i + 1]) {
-      const V sin_alpha = all_lanes<V>(arm.sin_alpha[i + 1]);
-      const V cos_alpha = all_lanes<V>(arm.cos_alpha[i + 1]);
-      left.turn_x(sin_alpha, cos_alpha);
-      right.turn_x(sin_alpha, cos_alpha);
-    }
-    turn_z(sine, cosine);
   }
 };
 
@@ -112,61 +102,70 @@ template <class V>
   return {all_lanes<V>(T[c]), all_lanes<V>(T[4 + c]), all_lanes<V>(T[8 + c])};
 }
 
-// The x and y axes of the tools.
+// The four columns of a pose.
 template <class V>
-[[gnu::always_inline]] inline TwoColumns<V> walk_axes(const Block<V>& block,
-                                                      const BatchTurns<V>& turns) {
-  const BatchArm& arm = block.arm;
-  const V sine = turns.sine(arm.n - 1);
-  const V cosine = turns.cosine(arm.n - 1);
-  TwoColumns<V> xy;
-  if (arm.tool_on_axis) {
-    const double flip = arm.tool[5];
-    xy = {{cosine, sine, V{}}, {sine * -flip, cosine * flip, V{}}};
-  } else {
-    xy = {tool_column<V>(arm.tool, 0), tool_column<V>(arm.tool, 1)};
-    xy.turn_z(sine, cosine);
-  }
-  for (std::size_t i = arm.n - 1; i-- > 0;) xy.step(arm, i, turns.sine(i), turns.cosine(i));
-  if (!arm.base_is_none) {
-    xy.left.turn_base(arm.base);
-    xy.right.turn_base(arm.base);
-  }
-  return xy;
-}
+struct Columns {
+  Parts<V> x, y, z, p;
 
-// Along the axis of joint i and to the one before it.
-template <class V>
-[[gnu::always_inline]] inline void move(const Block<V>& block, std::size_t i, Parts<V>& p) {
-  if (block.arm.has_d[i]) p.z += block.distance(i);
-  if (i > 0 && block.arm.has_a[i]) p.x += block.lanes.a[i];
-}
+  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
+    x.turn_z(sine, cosine);
+    y.turn_z(sine, cosine);
+    z.turn_z(sine, cosine);
+    p.turn_z(sine, cosine);
+  }
+  [[gnu::always_inline]] void turn_x(V sin_alpha, V cos_alpha) {
+    x.turn_x(sin_alpha, cos_alpha);
+    y.turn_x(sin_alpha, cos_alpha);
+    z.turn_x(sin_alpha, cos_alpha);
+    p.turn_x(sin_alpha, cos_alpha);
+  }
 
-// The z axes and origins of the tools.
-template <class V>
-[[gnu::always_inline]] inline TwoColumns<V> walk_origins(const Block<V>& block,
-                                                         const BatchTurns<V>& turns) {
-  const BatchArm& arm = block.arm;
-  TwoColumns<V> zp = {tool_column<V>(arm.tool, 2), tool_column<V>(arm.tool, 3)};
-  if (arm.tool_on_axis) {
-    zp.left.x = zp.left.y = zp.right.x = zp.right.y = V{};
-  } else {
-    zp.turn_z(turns.sine(arm.n - 1), turns.cosine(arm.n - 1));
+  // T and the last Z.
+  [[gnu::always_inline]] void start(const BatchArm& arm, V sine, V cosine) {
+    z = tool_column<V>(arm.tool, 2);
+    p = tool_column<V>(arm.tool, 3);
+    if (arm.tool_on_axis) {
+      const double flip = arm.tool[5];
+      x = {cosine, sine, V{}};
+      y = {sine * -flip, cosine * flip, V{}};
+      z.x = z.y = p.x = p.y = V{};
+      return;
+    }
+    x = tool_column<V>(arm.tool, 0);
+    y = tool_column<V>(arm.tool, 1);
+    turn_z(sine, cosine);
   }
-  move(block, arm.n - 1, zp.right);
-  for (std::size_t i = arm.n - 1; i-- > 0;) {
-    zp.step(arm, i, turns.sine(i), turns.cosine(i));
-    move(block, i, zp.right);
+
+  // Z_i behind X_{i+1}.
+  [[gnu::always_inline]] void step(const BatchArm& arm, std::size_t i, V sine, V cosine) {
+    if (arm.right_angle[i + 1]) {
+      x.turn_right_z(sine, cosine);
+      y.turn_right_z(sine, cosine);
+      z.turn_right_z(sine, cosine);
+      p.turn_right_z(sine, cosine);
+      return;
+    }
+    if (arm.any_angle[i + 1])
+      turn_x(all_lanes<V>(arm.sin_alpha[i + 1]), all_lanes<V>(arm.cos_alpha[i + 1]));
+    turn_z(sine, cosine);
   }
-  if (!arm.base_is_none) {
-    zp.left.turn_base(arm.base);
-    zp.right.turn_base(arm.base);
-    zp.right.x += arm.base[9];
-    zp.right.y += arm.base[10];
-    zp.right.z += arm.base[11];
+
+  // Along the axis of joint i and to the one before it.
+  [[gnu::always_inline]] void move(const Block<V>& block, std::size_t i) {
+    if (block.arm.has_d[i]) p.z += block.distance(i);
+    if (i > 0 && block.arm.has_a[i]) p.x += block.lanes.a[i];
   }
-  return zp;
-}
+
+  [[gnu::always_inline]] void place(const double* base) {
+    x.turn_base(base);
+    y.turn_base(base);
+    z.turn_base(base);
+    p.turn_base(base);
+    p.x += base[9];
+    p.y += base[10];
+    p.z += base[11];
+  }
+};
 
 template <class V>
 [[gnu::always_inline]] inline void store_parts(double* out, std::size_t count, const Parts<V>& v) {
@@ -177,13 +176,20 @@ template <class V>
 
 template <class V>
 [[gnu::always_inline]] inline void poses_of_block(const Block<V>& block, double* out) {
+  const BatchArm& arm = block.arm;
   const BatchTurns<V> turns(block);
-  const TwoColumns<V> xy = walk_axes(block, turns);
-  store_parts(out, block.count, xy.left);
-  store_parts(out + 3 * block.count, block.count, xy.right);
-  const TwoColumns<V> zp = walk_origins(block, turns);
-  store_parts(out + 6 * block.count, block.count, zp.left);
-  store_parts(out + 9 * block.count, block.count, zp.right);
+  Columns<V> T;
+  T.start(arm, turns.sine(arm.n - 1), turns.cosine(arm.n - 1));
+  T.move(block, arm.n - 1);
+  for (std::size_t i = arm.n - 1; i-- > 0;) {
+    T.step(arm, i, turns.sine(i), turns.cosine(i));
+    T.move(block, i);
+  }
+  if (!arm.base_is_none) T.place(arm.base);
+  store_parts(out, block.count, T.x);
+  store_parts(out + 3 * block.count, block.count, T.y);
+  store_parts(out + 6 * block.count, block.count, T.z);
+  store_parts(out + 9 * block.count, block.count, T.p);
 }
 
 template <class V>

@@ -13,11 +13,23 @@ inline constexpr double kTwoOverPi = 6.36619772367581382433e-01;
 // Adding and subtracting it rounds to the nearest integer, ties to even, below 2^51: 1.5 * 2^52.
 inline constexpr double kRoundingMagic = 6755399441055744.0;
 
-// Cody and Waite: pi/2 in two parts of 33 bits and a rest, so that whole multiples below 2^14 of
-// the parts have no rounding error and those of the rest stay below half a unit in the last place.
-inline constexpr double kHalfPiPart1 = 1.57079632673412561417e+00;
-inline constexpr double kHalfPiPart2 = 6.07710050630396597660e-11;
-inline constexpr double kHalfPiRest2 = 2.02226624879595063154e-21;
+// The numbers that reduction and polynomials need; a kernel may keep copies in its own lanes, under
+// the same names.
+//
+// part1, part2, rest2  Cody and Waite: pi/2 in two parts of 33 bits and a rest, so that whole
+//                      multiples below 2^14 of the parts have no rounding error and those of the
+//                      rest stay below half a unit in the last place.
+struct SinCosNumbers {
+  static constexpr double two_over_pi = kTwoOverPi, half = 0.5, one = 1.0;
+  static constexpr double part1 = 1.57079632673412561417e+00, part2 = 6.07710050630396597660e-11,
+                          rest2 = 2.02226624879595063154e-21;
+  static constexpr double S1 = -1.66666666666666324348e-01, S2 = 8.33333333332248946124e-03,
+                          S3 = -1.98412698298579493134e-04, S4 = 2.75573137070700676789e-06,
+                          S5 = -2.50507602534068634195e-08, S6 = 1.58969099521155010221e-10;
+  static constexpr double C1 = 4.16666666666666019037e-02, C2 = -1.38888888888741095749e-03,
+                          C3 = 2.48015872894767294178e-05, C4 = -2.75573143513906633035e-07,
+                          C5 = 2.08757232129817482790e-09, C6 = -1.13596475577881948265e-11;
+};
 
 // The parts represent pi/2 to 2^-121: fn pi/2 is good enough for a difference of fn 2^-62. Both
 // bounds hold if (fn 2^-62)^2 is at most the square of the difference and below (2^14 2^-62)^2.
@@ -31,37 +43,32 @@ struct Difference {
   Number hi, lo;
 };
 
-template <class Number>
-[[gnu::always_inline]] inline Difference<Number> subtract_right_angles(Number x, Number fn) {
-  const Number t = x - fn * kHalfPiPart1;  // exact
-  const Number w = fn * kHalfPiPart2;      // exact
+template <class Number, class Numbers = SinCosNumbers>
+[[gnu::always_inline]] inline Difference<Number> subtract_right_angles(Number x, Number fn,
+                                                                       const Numbers& c = {}) {
+  const Number t = x - fn * c.part1;  // exact
+  const Number w = fn * c.part2;      // exact
   const Number hi = t - w;
-  return {hi, ((t - hi) - w) - fn * kHalfPiRest2};
+  return {hi, ((t - hi) - w) - fn * c.rest2};
 }
 
 // sin(hi + lo) for |hi| <= pi/4 and a little.
-template <class Number>
-[[gnu::always_inline]] inline Number sin_kernel(Number hi, Number lo) {
-  constexpr double S1 = -1.66666666666666324348e-01, S2 = 8.33333333332248946124e-03,
-                   S3 = -1.98412698298579493134e-04, S4 = 2.75573137070700676789e-06,
-                   S5 = -2.50507602534068634195e-08, S6 = 1.58969099521155010221e-10;
+template <class Number, class Numbers = SinCosNumbers>
+[[gnu::always_inline]] inline Number sin_kernel(Number hi, Number lo, const Numbers& c = {}) {
   const Number z = hi * hi;
   const Number v = z * hi;
-  const Number p = S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)));
-  return hi - ((0.5 * z * lo - lo) - v * (S1 + z * p));
+  const Number p = c.S2 + z * (c.S3 + z * (c.S4 + z * (c.S5 + z * c.S6)));
+  return hi - ((c.half * z * lo - lo) - v * (c.S1 + z * p));
 }
 
 // cos(hi + lo) for |hi| <= pi/4 and a little.
-template <class Number>
-[[gnu::always_inline]] inline Number cos_kernel(Number hi, Number lo) {
-  constexpr double C1 = 4.16666666666666019037e-02, C2 = -1.38888888888741095749e-03,
-                   C3 = 2.48015872894767294178e-05, C4 = -2.75573143513906633035e-07,
-                   C5 = 2.08757232129817482790e-09, C6 = -1.13596475577881948265e-11;
+template <class Number, class Numbers = SinCosNumbers>
+[[gnu::always_inline]] inline Number cos_kernel(Number hi, Number lo, const Numbers& c = {}) {
   const Number z = hi * hi;
-  const Number p = z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6)))));
-  const Number half = 0.5 * z;
-  const Number w = 1.0 - half;
-  return w + (((1.0 - w) - half) + (z * p - hi * lo));
+  const Number p = z * (c.C1 + z * (c.C2 + z * (c.C3 + z * (c.C4 + z * (c.C5 + z * c.C6)))));
+  const Number half = c.half * z;
+  const Number w = c.one - half;
+  return w + (((c.one - w) - half) + (z * p - hi * lo));
 }
 
 }  // namespace armlet::det

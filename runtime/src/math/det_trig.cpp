@@ -88,7 +88,7 @@ Reduced reduce_near_multiple(double x, double fn) {
   constexpr double kPart2 = 6.07710050630396597660e-11;
   constexpr double kPart3 = 2.02226624871116645580e-21;
   constexpr double kRest3 = 8.47842766036889956997e-32;
-  const Pair a = two_sum(x - fn * kHalfPiPart1, -fn * kPart2);
+  const Pair a = two_sum(x - fn * SinCosNumbers::part1, -fn * kPart2);
   const Pair b = two_sum(a.hi, -fn * kPart3);
   const Pair r = fast_two_sum(b.hi, (a.lo + b.lo) - fn * kRest3);
   return {r, static_cast<std::int64_t>(fn)};
