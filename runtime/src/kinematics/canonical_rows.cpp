@@ -23,14 +23,16 @@ double snapped(double length) { return std::abs(length) < kSame ? 0.0 : length; 
 
 }  // namespace
 
+Eigen::Isometry3d twist_and_length(const Chain& chain, std::size_t i) {
+  return placement(chain.a[i], Turn{chain.cos_alpha[i], chain.sin_alpha[i]});
+}
+
 CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
   CanonicalRows rows;
   rows.n = chain.n;
   rows.reversed = reversed;
   const std::size_t n = static_cast<std::size_t>(chain.n);
-  const auto x = [&](std::size_t i) {
-    return placement(chain.a[i], Turn{chain.cos_alpha[i], chain.sin_alpha[i]});
-  };
+  const auto x = [&](std::size_t i) { return twist_and_length(chain, i); };
   rows.before = (chain.T_world_base * x(0)).inverse(Eigen::Isometry);
   rows.after = (x(n) * chain.T_flange_tool).inverse(Eigen::Isometry);
   const double way = reversed ? -1.0 : 1.0;
@@ -75,9 +77,7 @@ Chain with_held_joint(const Chain& chain, bool first, double q) {
   const Eigen::Isometry3d Z = dh_pose(
       DhConvention::kStandard,
       {.theta = chain.theta[i] + q * chain.turns[i], .d = chain.d[i] + q * chain.slides[i]});
-  const auto x = [&chain](std::size_t k) {
-    return placement(chain.a[k], Turn{chain.cos_alpha[k], chain.sin_alpha[k]});
-  };
+  const auto x = [&chain](std::size_t k) { return twist_and_length(chain, k); };
   out.n = chain.n - 1;
   if (!first) {
     out.T_flange_tool = Z * x(n) * chain.T_flange_tool;

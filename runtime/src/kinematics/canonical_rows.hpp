@@ -58,6 +58,9 @@ struct CanonicalRows {
 
 CanonicalRows canonical_rows(const Chain& chain, bool reversed);
 
+// X_i of a chain.
+Eigen::Isometry3d twist_and_length(const Chain& chain, std::size_t i);
+
 // The arm with its first or its last joint held still at q.
 Chain with_held_joint(const Chain& chain, bool first, double q);
 

@@ -115,12 +115,21 @@ ClosedForm::ClosedForm(const Chain& chain) : chain_(chain), plan_(plan_walk(chai
   recognise(chain);
   lanes_ = LaneForm::make(kind_, *rows_, chain);
   if (exists() || chain.n != 7) return;
-  for (const Hold hold : {Hold::kLast, Hold::kFirst}) {
-    hold_ = hold;
-    recognise(with_held_joint(chain, hold == Hold::kFirst, 0.0));
-    if (exists()) return;
-  }
-  hold_ = Hold::kNone;
+  if (!hold_still(Hold::kLast)) hold_still(Hold::kFirst);
+}
+
+// Whether the arm has a closed form with its first or last joint held.
+bool ClosedForm::hold_still(Hold hold) {
+  const bool first = hold == Hold::kFirst;
+  const Chain others = with_held_joint(chain_, first, 0.0);
+  recognise(others);
+  if (!exists()) return false;
+  hold_ = hold;
+  lanes_ = LaneForm::make(kind_, *rows_, others);
+  const std::size_t k = first ? 0 : static_cast<std::size_t>(chain_.n);
+  const Eigen::Isometry3d X = twist_and_length(chain_, k);
+  T_beside_held_ = first ? chain_.T_world_base * X : X * chain_.T_flange_tool;
+  return true;
 }
 
 void ClosedForm::recognise(const Chain& chain) {

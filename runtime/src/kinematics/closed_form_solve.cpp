@@ -122,14 +122,17 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
 }
 
 // The ways that the lanes found; each was checked by forward kinematics.
-int ClosedForm::take_ways(const Eigen::Isometry3d& goal, double tolerance, const ClosedLanes& lanes,
+int ClosedForm::take_ways(const Eigen::Isometry3d& goal, double tolerance,
+                          const ClosedSolution& start, const ClosedLanes& lanes,
                           ClosedSolutions& solutions) const {
   const double verified = std::fmin(kVerified, tolerance);
+  const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
   for (std::size_t way = 0; way < kWays; ++way) {
     if (!(lanes.miss2[way] <= kImproved * kImproved)) continue;
     ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
-    for (std::size_t i = 0; i < kSixJoints; ++i) solution.q[i] = lanes.q[i][way];
-    solution.n = kSixJoints;
+    if (hold_ != Hold::kNone) solution = start;
+    for (std::size_t i = 0; i < kSixJoints; ++i) solution.q[first + i] = lanes.q[i][way];
+    solution.n = chain_.n;
     solution.branch = static_cast<int>(way);
     if (lanes.miss2[way] <= verified * verified || accept(goal, tolerance, solution))
       ++solutions.count;
@@ -137,37 +140,45 @@ int ClosedForm::take_ways(const Eigen::Isometry3d& goal, double tolerance, const
   return solutions.count;
 }
 
+Eigen::Isometry3d ClosedForm::without_held(const Eigen::Isometry3d& T_world_tool,
+                                           double held) const {
+  const std::size_t i = static_cast<std::size_t>(held_joint());
+  const det::SinCos turn = det::sincos(held * chain_.turns[i]);
+  Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
+  back.linear() << turn.cos, turn.sin, 0, -turn.sin, turn.cos, 0, 0, 0, 1;
+  back.translation().z() = -held * chain_.slides[i];
+  const Eigen::Isometry3d inverse = T_beside_held_.inverse(Eigen::Isometry);
+  if (hold_ == Hold::kFirst) return T_beside_held_ * back * inverse * T_world_tool;
+  return T_world_tool * inverse * back * T_beside_held_;
+}
+
 int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
                       ClosedSolutions& solutions, double tolerance, double arm_turn) const {
   solutions.count = 0;
   solutions.free = false;
   if (!exists()) return 0;
-  if (ClosedLanes lanes; lanes_ && lanes_->solve(T_world_tool, lanes))
-    return take_ways(T_world_tool, tolerance, lanes, solutions);
-  const int n = chain_.n;
-  const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
-  const CanonicalRows* rows = rows_.get();
-  CanonicalRows of_held;
   ClosedSolution start;
-  start.n = n;
-  std::copy(q_near.data(), q_near.data() + n, start.q.begin());
+  start.n = chain_.n;
+  std::copy(q_near.data(), q_near.data() + chain_.n, start.q.begin());
+  Eigen::Isometry3d goal = T_world_tool;
   if (hold_ != Hold::kNone) {
     double& held = start.q[static_cast<std::size_t>(held_joint())];
     held += arm_turn;
-    of_held = canonical_rows(with_held_joint(chain_, first == 1, held), reversed_);
-    rows = &of_held;
+    goal = without_held(T_world_tool, held);
   }
+  if (ClosedLanes lanes; lanes_ && lanes_->solve(goal, lanes))
+    return take_ways(T_world_tool, tolerance, start, lanes, solutions);
+  const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
   Branches branches;
   branches.arm_turn = arm_turn;
-  solver_of(kind_)(*rows, rows->goal(T_world_tool), branch_of(*rows, start.q.data() + first),
-                   branches);
+  solver_of(kind_)(*rows_, rows_->goal(goal), branch_of(*rows_, start.q.data() + first), branches);
   solutions.free = branches.free;
   for (int i = 0; i < branches.count; ++i) {
     const Branch& branch = branches.at[static_cast<std::size_t>(i)];
     ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
     solution = start;
     solution.branch = branch.ways;
-    joints_of(*rows, branch, solution.q.data() + first);
+    joints_of(*rows_, branch, solution.q.data() + first);
     if (!accept(T_world_tool, tolerance, solution)) continue;
     const auto same = [&](const ClosedSolution& other) { return is_same(chain_, solution, other); };
     if (std::none_of(solutions.begin(), solutions.end(), same)) ++solutions.count;

@@ -129,10 +129,13 @@ TEST_CASE("the arms of the catalogue are recognised, and every pose gives back i
   }
 }
 
-TEST_CASE("an arm of seven joints without a spherical wrist is solved with its last joint held") {
+TEST_CASE("arms of seven joints without a spherical wrist are solved with an outer joint held") {
   const auto panda = make_robot("panda");
   CHECK(closed_form(*panda).held_joint() == 6);
   check_round_trips(*panda, ClosedFormKind::kSphericalMeeting, true, 20'000);
+  const Robot turned_round = backwards(*panda);
+  CHECK(closed_form(turned_round).held_joint() == 0);
+  check_round_trips(turned_round, ClosedFormKind::kSphericalMeeting, false, 5'000);
 }
 
 TEST_CASE("arms read backwards are recognised too") {

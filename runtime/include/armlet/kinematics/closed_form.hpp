@@ -109,9 +109,12 @@ class ClosedForm {
  private:
   enum class Hold : unsigned char { kNone, kFirst, kLast };
   void recognise(const Chain& chain);
+  bool hold_still(Hold hold);
+  // The goal of the other joints if the held one stood at 0 instead.
+  Eigen::Isometry3d without_held(const Eigen::Isometry3d& T_world_tool, double held) const;
   bool accept(const Eigen::Isometry3d& goal, double tolerance, ClosedSolution& solution) const;
-  int take_ways(const Eigen::Isometry3d& goal, double tolerance, const ClosedLanes& lanes,
-                ClosedSolutions& solutions) const;
+  int take_ways(const Eigen::Isometry3d& goal, double tolerance, const ClosedSolution& start,
+                const ClosedLanes& lanes, ClosedSolutions& solutions) const;
 
   Chain chain_;
   WalkPlan plan_;
@@ -120,6 +123,7 @@ class ClosedForm {
   ClosedFormKind kind_ = ClosedFormKind::kNone;
   bool reversed_ = false;
   Hold hold_ = Hold::kNone;
+  Eigen::Isometry3d T_beside_held_ = Eigen::Isometry3d::Identity();  // what it cannot turn
 };
 
 // The closed form of an arm. It is found once and kept with the arm.
