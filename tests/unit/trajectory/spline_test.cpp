@@ -87,6 +87,49 @@ TEST_CASE("a clamped spline has the speeds that SciPy computes") {
   }
 }
 
+// Worked out in whole fractions (Gaussian elimination over Python's fractions.Fraction), from the
+// definition alone: one polynomial of degree 5 for each leg, written in powers of the time since
+// its start; 8 values at its ends, speed and acceleration zero at both ends, and derivatives 1 to 4
+// equal on both sides of the three inner points are 24 equations for the 24 coefficients.
+TEST_CASE("a quintic spline has the derivatives that an exact solution gives") {
+  const std::array t{0.0, 1.0, 2.5, 3.0, 4.2};
+  const std::array q{0.0, 1.0, 0.5, 2.0, 1.0};
+  const std::array v{38306715955.0 / 84504550932.0, 2055319682635.0 / 676036407456.0,
+                     16343810655.0 / 9389394548.0};
+  const std::array a{-700071228125.0 / 126756826398.0, 1192506394385.0 / 253513652796.0,
+                     -125649622715.0 / 14084091822.0};
+  const std::array jerk{-84866014535.0 / 14084091822.0, -162662900530.0 / 7042045911.0,
+                        -478655085725.0 / 42252275466.0};
+  const std::array middle{1390773238643.0 / 4056218444736.0, 1656980620591.0 / 14422110025728.0,
+                          173288843892595.0 / 129798990231552.0, 1221104958327.0 / 751151563840.0};
+  const std::vector<Segment> pieces = quintic_spline(t, q, {});
+  REQUIRE(pieces.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(pieces[i].value(0.5 * pieces[i].duration) == doctest::Approx(middle[i]).epsilon(1e-13));
+    if (i == 0) continue;
+    CHECK(pieces[i].value(0.0, 1) == doctest::Approx(v[i - 1]).epsilon(1e-12));
+    CHECK(pieces[i].value(0.0, 2) == doctest::Approx(a[i - 1]).epsilon(1e-12));
+    CHECK(pieces[i].value(0.0, 3) == doctest::Approx(jerk[i - 1]).epsilon(1e-12));
+  }
+}
+
+// In the same way: degrees 4, 3, 3 and 4, and derivatives 1 and 2 equal at the inner points.
+TEST_CASE("a spline with quartic ends has the derivatives that an exact solution gives") {
+  const std::array t{0.0, 1.0, 2.5, 3.0, 4.2};
+  const std::array q{0.0, 1.0, 0.5, 2.0, 1.0};
+  const std::array v{37.0 / 45.0, 239.0 / 90.0, 59.0 / 45.0};
+  const std::array a{-106.0 / 15.0, 428.0 / 45.0, -134.0 / 9.0};
+  const std::array middle{47.0 / 180.0, 13.0 / 32.0, 1921.0 / 1440.0, 1693.0 / 1200.0};
+  const std::vector<Segment> pieces = quartic_spline(t, q, {});
+  REQUIRE(pieces.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(pieces[i].value(0.5 * pieces[i].duration) == doctest::Approx(middle[i]).epsilon(1e-13));
+    if (i == 0) continue;
+    CHECK(pieces[i].value(0.0, 1) == doctest::Approx(v[i - 1]).epsilon(1e-13));
+    CHECK(pieces[i].value(0.0, 2) == doctest::Approx(a[i - 1]).epsilon(1e-13));
+  }
+}
+
 TEST_CASE("position, speed and acceleration agree on both sides of every point") {
   std::mt19937_64 generator(5);
   const auto number = [&] { return static_cast<double>(generator() >> 11) * 0x1.0p-53; };
