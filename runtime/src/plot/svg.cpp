@@ -43,13 +43,14 @@ std::string legend(const Figure& figure, double& bottom) {
   for (std::size_t i = 0; i < figure.series.size() && !figure.is_spatial(); ++i) {
     const Series& series = figure.series[i];
     if (series.label.empty()) continue;
-    const double width = kSwatch + width_of(series.label, kLegendLetter) + 18.0;
+    const std::string name = series.label + (series.right ? " (right)" : "");
+    const double width = kSwatch + width_of(name, kLegendLetter) + 18.0;
     if (any && x + width > kWidth - 20.0) {
       x = 20.0;
       y += kLegendRow;
     }
     out += swatch(series, i, {x, y});
-    out += text({x + kSwatch, y}, "start", "name", series.label);
+    out += text({x + kSwatch, y}, "start", "name", name);
     x += width;
     any = true;
   }

@@ -124,7 +124,7 @@ Plane plane_of(const Figure& figure, const Field& outer) {
     const Extent right = extent_of(columns(figure, &Series::y, on_the_right));
     plane.right.unit = unit_of(figure.right, right);
     set_upright(plane.right, right);
-    plane.field.right -= widest(plane.right.ticks) + 20.0;
+    plane.field.right -= widest(plane.right.ticks) + 24.0;
   }
   const bool lines = std::ranges::all_of(
       figure.series, [](const Series& s) { return s.kind == SeriesKind::kLine; });
@@ -151,7 +151,7 @@ std::string right_axis(const Plane& plane) {
   }
   const std::string name = axis_text(plane.figure.right, plane.right.unit);
   if (name.empty()) return out;
-  const double x = kWidth - 8.0, y = 0.5 * (field.top + field.bottom);
+  const double x = kWidth - 13.0, y = 0.5 * (field.top + field.bottom);  // letters rise rightwards
   return out + text({x, y}, "middle", "axis", name,
                     fmt::format(" transform=\"rotate(90 {} {})\"", coordinate(x), coordinate(y)));
 }

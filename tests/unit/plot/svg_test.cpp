@@ -183,6 +183,7 @@ TEST_CASE("the axis on the right has its own values") {
   const std::string svg = picture(figure);
   check_well_formed(svg);
   CHECK(count(svg, ">height (m)<") == 1);
+  CHECK(count(svg, ">high (right)<") == 1);
   CHECK(count(svg, ">25<") == 1);
   // Each line ends at the top of its own axis or below: the second one exactly there.
   std::smatch frame;
