@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
@@ -122,8 +123,11 @@ Signal peaks(Vm& vm, Slot* args) {
         1);
   }
   std::vector<double> values;
-  for (int i = 0; i < plan.motion.n(); ++i)
-    values.push_back(plan.motion.peak(i, static_cast<int>(order)));
+  for (int i = 0; i < plan.motion.n(); ++i) {
+    const bool jumps = plan.motion.continuity(i, 1e-6) < order - 1;
+    values.push_back(jumps ? std::numeric_limits<double>::infinity()
+                           : plan.motion.peak(i, static_cast<int>(order)));
+  }
   return give(args, new_reals(vm, values));
 }
 
@@ -162,10 +166,16 @@ Signal explain_robot(Vm& vm, Slot* args) {
   const int id = host_value<RobotRef>(args[0]).id;
   const CellRobot& robot = host.cell().robot(id);
   const LastMotion* last = host.last_motion(id);
-  vm.print(last == nullptr ? fmt::format("{} has not moved\n", robot.name)
-                           : explain_motion(fmt::format("{} of {}", last->function, robot.name),
-                                            *robot.model, last->motion, last->notes) +
-                                 '\n');
+  if (last == nullptr) {
+    vm.print(fmt::format("{} has not moved\n", robot.name));
+    return give_nothing();
+  }
+  bool moving = false;  // it took over from a velocity command
+  for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
+  vm.print(explain_motion(fmt::format("{} of {}", last->function, robot.name), *robot.model,
+                          last->motion, last->notes,
+                          moving ? Trajectory::Start::kMoving : Trajectory::Start::kAtRest) +
+           '\n');
   return give_nothing();
 }
 
@@ -224,7 +234,11 @@ constexpr NativeFunction kFunctions[] = {
      "trajectory(\"Syn\", [home(), home()], time: 2s).planner", planner_name},
     {"trajectory.peaks", "(tr: trajectory, order: int = 1) -> double[]",
      "The largest magnitude of each joint's derivative of this order over the whole motion, from "
-     "the polynomials and not from samples: 1 is speed, 2 acceleration, 3 jerk.",
+     "the polynomials and not from samples: 1 is speed, 2 acceleration, 3 jerk. It is inf where "
+     "the "
+     "derivative below jumps, as the acceleration of \"Trap\" and \"Cubic\" does: no jerk is "
+     "enough "
+     "for that.",
      "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).peaks(2)", peaks},
     {"operator+", "(a: trajectory, b: trajectory) -> trajectory",
      "One motion and then the other, which starts where the first ends.",

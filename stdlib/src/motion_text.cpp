@@ -23,14 +23,25 @@ std::string peak_text(const Robot& robot, const Trajectory& motion, int joint, i
                      format_number(100.0 * peak / limits[order], 1));
 }
 
-std::string joint_line(const Robot& robot, const Trajectory& motion, int joint) {
+// The peaks up to the first derivative that has none because the one below it jumps.
+std::string peaks_text(const Robot& robot, const Trajectory& motion, int joint,
+                       Trajectory::Start start) {
+  const int smooth = motion.continuity(joint, 1e-6, start);
+  std::string text = peak_text(robot, motion, joint, 1);
+  if (smooth < 1) return text + ", and its speed jumps";
+  text += ", " + peak_text(robot, motion, joint, 2);
+  if (smooth < 2) return text + ", and its acceleration jumps";
+  return text + ", " + peak_text(robot, motion, joint, 3);
+}
+
+std::string joint_line(const Robot& robot, const Trajectory& motion, int joint,
+                       Trajectory::Start start) {
   const JointKind kind = robot.joint(joint).kind;
   const double travel = motion.end()[joint] - motion.start()[joint];
   if (motion.peak(joint, 1) == 0.0) return fmt::format("joint {} stands still", joint + 1);
-  return fmt::format("joint {} {} {}: at most {}, {}, {}", joint + 1,
+  return fmt::format("joint {} {} {}: at most {}", joint + 1,
                      kind == JointKind::kRevolute ? "turns" : "slides",
-                     format_joint_value(kind, travel), peak_text(robot, motion, joint, 1),
-                     peak_text(robot, motion, joint, 2), peak_text(robot, motion, joint, 3));
+                     format_joint_value(kind, travel), peaks_text(robot, motion, joint, start));
 }
 
 // The largest share of its limit that any joint takes, and that joint.
@@ -102,9 +113,9 @@ std::string deviation_text(const MotionNotes& notes) {
 }  // namespace
 
 std::string explain_motion(std::string_view what, const Robot& robot, const Trajectory& motion,
-                           const MotionNotes& notes) {
+                           const MotionNotes& notes, Trajectory::Start start) {
   std::string text = fmt::format("{}: {} s", what, format_number(motion.duration(), 3));
-  for (int i = 0; i < robot.n(); ++i) text += "\n  " + joint_line(robot, motion, i);
+  for (int i = 0; i < robot.n(); ++i) text += "\n  " + joint_line(robot, motion, i, start);
   const std::vector<MotionPart> parts = notes.parts.empty() ? pieces_of(motion) : notes.parts;
   if (parts.size() > 1) text += parts_text(robot, motion, parts);
   text += deviation_text(notes);

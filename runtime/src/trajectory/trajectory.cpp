@@ -264,12 +264,12 @@ Trajectory Trajectory::reversed() const {
   return {std::move(joints), duration_};
 }
 
-int Trajectory::continuity(int i, double tolerance) const {
+int Trajectory::continuity(int i, double tolerance, Start start) const {
   const JointPath& path = joint(i);
   for (int order = 0; order <= Segment::kMaxDegree; ++order) {
     const double allowed = tolerance * std::max(peak(i, order), order == 0 ? 1.0 : 0.0);
-    // Standing still before and after.
-    double before = order == 0 ? value(i, 0.0) : 0.0;
+    const bool at_rest = order > 0 && start == Start::kAtRest;
+    double before = at_rest ? 0.0 : value(i, 0.0, order);
     for (const Segment& piece : path.segments) {
       if (std::abs(piece.value(0.0, order) - before) > allowed) return order - 1;
       before = piece.value(piece.duration, order);

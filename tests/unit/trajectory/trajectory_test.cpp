@@ -212,6 +212,11 @@ TEST_CASE("continuity counts the derivatives that are the same on both sides of 
   CHECK(smooth({.duration = 1.0, .degree = 1, .c = {0.0, 1.0}}) == 0);
   CHECK(smooth(cubic_segment({}, {.q = 1.0}, 1.0)) == 1);
   CHECK(smooth(quintic_segment({}, {.q = 1.0}, 1.0)) == 2);
+  // A stop from a speed: jumps there from rest, but takes over a motion without a jump.
+  const Segment stop = quintic_segment({.v = 1.0, .a = 0.5}, {.q = 1.0}, 1.0);
+  const Trajectory stopping({{{stop}, 1.0}}, 1.0);
+  CHECK(stopping.continuity(0) == 0);
+  CHECK(stopping.continuity(0, 1e-9, Trajectory::Start::kMoving) == 2);
   const Trajectory jump({{{{.duration = 1.0, .degree = 0, .c = {0.0}}}, 1.0}}, 1.0);
   CHECK(jump.continuity(0) == -1);
 }

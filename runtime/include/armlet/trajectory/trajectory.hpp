@@ -64,8 +64,9 @@ class Trajectory {
   // All times at which some polynomial begins or ends, ascending, each once, from 0 to duration().
   [[nodiscard]] std::vector<double> knots() const;
 
-  // The largest |derivative| of joint i over the whole motion (order 1: speed, 2: acceleration),
-  // from the roots of the next derivative, not from samples.
+  // The largest |derivative| of joint i inside of the pieces of the whole motion (order 1: speed,
+  // 2: acceleration), from the roots of the next derivative, not from samples. Jumps between pieces
+  // do not count: see continuity.
   [[nodiscard]] double peak(int i, int order) const;
 
   // Smallest and largest position of joint i over the whole motion.
@@ -85,10 +86,13 @@ class Trajectory {
   // The same path run backwards, with the same duration.
   [[nodiscard]] Trajectory reversed() const;
 
-  // How smoothly joint i moves from standing still at its start to standing still at its end: the
-  // highest order of derivative that is continuous at every knot and zero at both ends, -1 if the
+  // How a motion begins: from standing still, or taking over the state that it starts in.
+  enum class Start { kAtRest, kMoving };
+
+  // How smoothly joint i moves to standing still at its end: the highest order of derivative that
+  // is continuous at every knot, zero at the end and, from rest, zero at the start; -1 if the
   // position jumps. Differences count if above `tolerance` times the peak of that derivative.
-  [[nodiscard]] int continuity(int i, double tolerance = 1e-9) const;
+  [[nodiscard]] int continuity(int i, double tolerance = 1e-9, Start start = Start::kAtRest) const;
 
  private:
   std::vector<JointPath> joints_;
