@@ -205,9 +205,10 @@ constexpr NativeFunction kFunctions[] = {
      .pauses = true},
     {.name = "halt",
      .signature = "(r: robot)",
-     .help = "Stops the robot under control, along its path and within its acceleration limits, "
-             "and waits "
-             "until it stands; the move that is interrupted fails with the kind Halted.",
+     .help =
+         "Stops the robot under control, along its path and within its limits on acceleration and "
+         "jerk, and waits until it stands; the move that is interrupted fails with the kind "
+         "Halted.",
      .example = "halt()",
      .thunk = halt,
      .pauses = true,

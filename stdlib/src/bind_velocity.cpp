@@ -68,19 +68,21 @@ Failure refusal(Vm& vm, const MoveCall& call, std::string_view code) {
 }
 
 std::string rate_text(JointKind kind, LimitKind limit, double value) {
-  return format_joint_value(kind, value) + (limit == LimitKind::kSpeed ? "/s" : "/s^2");
+  static constexpr const char* kPer[] = {"/s", "/s^2", "/s^3"};
+  return format_joint_value(kind, value) + kPer[static_cast<int>(limit)];
 }
 
 Signal fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
   const Robot& robot = model_of(vm, call);
   if (plan.too_high) {
+    static constexpr const char* kVerbs[] = {"move", "gain speed", "gain acceleration"};
     const RateTooHigh& high = *plan.too_high;
     const JointKind kind = robot.joint(high.joint).kind;
     Failure f = refusal(vm, call, "R0604");
     f.message =
         fmt::format("joint {} would have to {} by {}; its limit is {}", high.joint + 1,
-                    high.kind == LimitKind::kSpeed ? "move" : "gain speed",
-                    rate_text(kind, high.kind, high.value), rate_text(kind, high.kind, high.limit));
+                    kVerbs[static_cast<int>(high.kind)], rate_text(kind, high.kind, high.value),
+                    rate_text(kind, high.kind, high.limit));
     if (call.function == "speedC")
       f.why = "near a posture where the arm is singular the joints run fast for a slow hand";
     f.fix = "ask for less speed";
@@ -133,7 +135,7 @@ Signal drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t durin
 
 VelocityStart start_of(Vm& vm, const MoveCall& call, std::int64_t during_ns) {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
-  return {.q = state.q, .qd = state.qd, .during = to_seconds(during_ns)};
+  return {.q = state.q, .qd = state.qd, .qdd = state.qdd, .during = to_seconds(during_ns)};
 }
 
 // (r, rates, during)
@@ -193,7 +195,8 @@ Signal speed_c_object(Vm& vm, Slot* args) {
 }
 
 constexpr std::string_view kSpeedJHelp =
-    "Takes up these joint speeds (rad/s, m/s) within the acceleration limits and holds them; "
+    "Takes up these joint speeds (rad/s, m/s) within the limits on acceleration and jerk and holds "
+    "them; "
     "during is the whole time. A velocity command that follows at once goes on without a step, "
     "otherwise the robot then stops under control.";
 constexpr std::string_view kSpeedCHelp =

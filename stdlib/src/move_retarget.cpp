@@ -21,13 +21,10 @@ Signal move_on_from_speed(Vm& vm, Slot* args, const MoveCall& call, const Eigen:
   if (const auto outside = limit_violations(robot, q); !outside.empty())
     return fail_outside(vm, call, q, outside.front());
   std::vector<AxisLimits> limits = axis_limits(robot);
-  // At the instant at which a velocity stops being held, nothing slows down yet.
-  const Host& host = Host::of(vm);
-  const bool slows_down = host.cell().report(state.motion_id).held_ns != host.now_ns();
   std::vector<AxisState> from;
   for (int i = 0; i < robot.n(); ++i) {
     limits[static_cast<std::size_t>(i)].speed *= speed;
-    from.push_back({.q = state.q[i], .v = state.qd[i], .a = slows_down ? state.qdd[i] : 0.0});
+    from.push_back({.q = state.q[i], .v = state.qd[i], .a = state.qdd[i]});
   }
   std::vector<JerkProfile> profiles(from.size());
   const std::span<const double> to(q.data(), static_cast<std::size_t>(q.size()));

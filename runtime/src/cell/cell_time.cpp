@@ -73,7 +73,7 @@ int Cell::drive(int index, Trajectory trajectory, std::optional<std::int64_t> he
 void Cell::stop(int index) {
   CellRobot& arm = state(index);
   if (!arm.motion) return;
-  arm.motion->stop(now_ns(), arm.model->max_accel());
+  arm.motion->stop(now_ns(), arm.model->max_accel(), arm.model->max_jerk());
   reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
   end_due_motions();  // it may have stood
 }

@@ -4,14 +4,18 @@
 #include <cmath>
 
 #include "armlet/cell/clock.hpp"
+#include "trajectory/ramp.hpp"
 
 namespace armlet {
 namespace {
 
-constexpr double kLongestPiece = 1e-3;  // s
-constexpr double kSlack = 1e-9;         // relative, of an acceleration
-constexpr double kSameTime = 1e-9;      // s, resolution of the clock
-constexpr std::size_t kMostPieces = 200'000;
+constexpr double kSlack = 1e-9;     // relative, of an acceleration or a jerk
+constexpr double kSameTime = 1e-9;  // s, resolution of the clock
+// Between the places where a brake is looked at, a little more than what is seen there is possible.
+constexpr double kAllowed = 0.998;  // of a limit
+constexpr double kAimedAt = 0.997;
+
+double duration_of(const auto& pieces) { return pieces.back().t + pieces.back().duration; }
 
 }  // namespace
 
@@ -28,98 +32,136 @@ bool Motion::stands_at(double u) const {
   return true;
 }
 
-Eigen::VectorXd Motion::allowed(const Eigen::VectorXd& max_accel) const {
-  Eigen::VectorXd limits = max_accel;
-  for (int i = 0; i < trajectory_.n(); ++i)
-    limits[i] = std::max(limits[i], trajectory_.peak(i, 2)) * (1.0 + kSlack);
-  return limits;
+Motion::Piece Motion::Piece::next(double next_bend, double next_duration) const {
+  return {.t = t + duration,
+          .u = u_at(duration),
+          .rate = rate_at(duration),
+          .slope = slope_at(duration),
+          .bend = next_bend,
+          .duration = next_duration};
 }
 
-// The steepest slope of the rate at the start of a piece: the joint has the acceleration
-// q'' rate^2 + q' slope. As |q''| is allowed at rate 1, slope 0 always is.
-double Motion::steepest(const Piece& at, const Eigen::VectorXd& allowed) const {
-  double slope = -at.rate / kSameTime;  // stands at once
+// A joint has the acceleration q'' rate^2 + q' slope and the jerk
+// q''' rate^3 + 3 q'' rate slope + q' bend.
+bool Motion::allows(double u, const Piece& piece, double dt, const Limits& limits) const {
+  const double rate = piece.rate_at(dt), slope = piece.slope_at(dt);
   for (int i = 0; i < trajectory_.n(); ++i) {
-    const double speed = trajectory_.value(i, at.u, 1);
-    const double bend = trajectory_.value(i, at.u, 2) * at.rate * at.rate;
-    if (speed > 0.0) slope = std::max(slope, (-allowed[i] - bend) / speed);
-    if (speed < 0.0) slope = std::max(slope, (allowed[i] - bend) / speed);
+    const double speed = trajectory_.value(i, u, 1);
+    const double own_accel = trajectory_.value(i, u, 2);
+    const double own_jerk = trajectory_.value(i, u, 3);
+    const double accel = own_accel * rate * rate + speed * slope;
+    const double jerk =
+        own_jerk * rate * rate * rate + 3.0 * own_accel * rate * slope + speed * piece.bend;
+    const double most = std::max(kAllowed * limits.accel[i], std::abs(own_accel));
+    const double most_jerk = std::max(kAllowed * limits.jerk[i], std::abs(own_jerk));
+    if (!(std::abs(accel) <= most * (1.0 + kSlack))) return false;
+    if (!(std::abs(jerk) <= most_jerk * (1.0 + kSlack))) return false;
   }
-  return std::min(slope, 0.0);
+  return true;
 }
 
-// Sampled, because the product has no handy extremes; a piece is short against what it follows.
-bool Motion::fits(const Piece& piece, const Eigen::VectorXd& allowed) const {
-  constexpr int kSamples = 4;
-  constexpr double kInside = 1e-3;  // where an acceleration jumps, the side that counts
-  for (int k = 0; k <= kSamples; ++k) {
-    const double dt = piece.duration * std::max(static_cast<double>(k) / kSamples, kInside);
-    const double u = piece.u_at(dt);
-    const double rate = piece.rate_at(dt);
-    for (int i = 0; i < trajectory_.n(); ++i) {
-      const double accel =
-          trajectory_.value(i, u, 2) * rate * rate + trajectory_.value(i, u, 1) * piece.slope;
-      if (std::abs(accel) > allowed[i]) return false;
+// Looked at evenly, and on both sides of where pieces of the trajectory meet.
+bool Motion::fits(const std::vector<Piece>& pieces, const std::vector<double>& knots,
+                  const Limits& limits) const {
+  constexpr int kSamples = 32;  // of a piece
+  constexpr int kHalvings = 40;
+  for (const Piece& piece : pieces) {
+    if (piece.rate == 1.0 && piece.slope == 0.0 && piece.bend == 0.0) continue;
+    for (int k = 0; k <= kSamples; ++k) {
+      const double dt = piece.duration * k / kSamples;
+      if (!allows(piece.u_at(dt), piece, dt, limits)) return false;
+    }
+    const double last = piece.u_at(piece.duration);
+    for (auto knot = std::ranges::upper_bound(knots, piece.u); knot != knots.end() && *knot < last;
+         ++knot) {
+      double before = 0.0, after = piece.duration;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (before + after);
+        (piece.u_at(middle) < *knot ? before : after) = middle;
+      }
+      for (const double side : {-kSameTime, kSameTime})
+        if (!allows(*knot + side, piece, after, limits)) return false;
     }
   }
   return true;
 }
 
-// The next piece from a state, at most `longest` path time long; nothing if it would reach the end
-// of the path.
-std::optional<Motion::Piece> Motion::next_piece(const Piece& at, double longest,
-                                                const Eigen::VectorXd& allowed) const {
-  constexpr int kHalvings = 8;
-  Piece piece = at;
-  piece.duration =
-      std::min(std::min(kLongestPiece, 0.01 * trajectory_.duration()), longest / piece.rate);
-  piece.slope = steepest(piece, allowed);
-  if (piece.rate_at(piece.duration) < 0.0) piece.duration = piece.rate / -piece.slope;
-  if (!fits(piece, allowed)) {
-    // What the start allows is too much further on; the steepest slope that fits lies in between.
-    const double too_steep = piece.slope;
-    double fraction = 0.0;
-    double step = 0.5;
-    for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
-      piece.slope = too_steep * (fraction + step);
-      if (fits(piece, allowed)) fraction += step;
-    }
-    piece.slope = too_steep * fraction;
+// The shortest brake found that begins `delay` seconds after path time u and lasts less than
+// `longest` in all; empty if there is none.
+std::vector<Motion::Piece> Motion::brake(double u, double delay, double longest,
+                                         const std::vector<double>& knots,
+                                         const Limits& limits) const {
+  constexpr double kSlower = 1.15;
+  constexpr int kHalvings = 5;
+  constexpr double kMostBend = 1e4;  // times the slope, 1/s
+  const Piece free{.t = 0.0, .u = u, .rate = 1.0, .slope = 0.0, .bend = 0.0, .duration = delay};
+  if (stands_at(u + delay)) return {free};
+  double flattest = 0.0, straightest = 0.0;  // inverses of the steepest that the joints allow
+  for (int i = 0; i < trajectory_.n(); ++i) {
+    const double speed = std::abs(trajectory_.value(i, u + delay, 1)) / kAimedAt;
+    flattest = std::max(flattest, speed / limits.accel[i]);
+    straightest = std::max(straightest, speed / limits.jerk[i]);
   }
-  if (piece.u_at(piece.duration) >= trajectory_.duration() - kSameTime) return std::nullopt;
-  return piece;
+  const double slope = 1.0 / flattest;
+  const double bend = std::min(1.0 / straightest, kMostBend * slope);
+  const Ramp quickest = make_ramp(1.0, 0.0, 0.0, slope, bend);
+  const auto slower = [&](double factor) {
+    const double most = quickest.jerk / (factor * factor);
+    std::vector<Piece> pieces = {free};
+    pieces.push_back(pieces.back().next(most, quickest.rise * factor));
+    pieces.push_back(pieces.back().next(0.0, quickest.hold * factor));
+    pieces.push_back(pieces.back().next(-most, quickest.fall * factor));
+    return pieces;
+  };
+  double too_quick = 0.0, factor = 1.0;
+  for (;; too_quick = factor, factor *= kSlower) {
+    const std::vector<Piece> pieces = slower(factor);
+    if (duration_of(pieces) >= longest) return {};
+    const double end = pieces.back().u_at(pieces.back().duration);
+    if (end < trajectory_.duration() - kSameTime && fits(pieces, knots, limits)) break;
+  }
+  for (int k = 0; k < kHalvings && too_quick > 0.0; ++k) {
+    const double middle = 0.5 * (too_quick + factor);
+    (fits(slower(middle), knots, limits) ? factor : too_quick) = middle;
+  }
+  return slower(factor);
 }
 
-void Motion::stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel) {
+void Motion::stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel,
+                  const Eigen::VectorXd& max_jerk) {
   if (stop_ns_ != kNever || t_ns >= end_ns_) return;
   stop_ns_ = t_ns;
-  Piece at{.t = 0.0, .u = to_seconds(t_ns - start_ns_), .rate = 1.0, .slope = 0.0, .duration = 0.0};
-  if (stands_at(at.u)) {
+  const double u = to_seconds(t_ns - start_ns_);
+  if (stands_at(u)) {
     end_ns_ = t_ns;
-    u_end_ = at.u;
+    u_end_ = u;
     return;
   }
-  const Eigen::VectorXd limits = allowed(max_accel);
-  const std::vector<double> knots = trajectory_.knots();
-  constexpr double kStands = 1e-9;  // of the rate, where rounding keeps it from zero
-  while (at.rate > kStands) {
-    // Accelerations may jump between the pieces of the trajectory, so none of ours spans two.
-    const auto knot = std::ranges::upper_bound(knots, at.u + kSameTime);
-    const double longest = knot == knots.end() ? kLongestPiece : *knot - at.u;
-    const auto piece = next_piece(at, longest, limits);
-    if (!piece || slowing_.size() >= kMostPieces) {
-      slowing_.clear();  // arriving is as quick as stopping
-      return;
-    }
-    slowing_.push_back(*piece);
-    at = {.t = piece->t + piece->duration,
-          .u = piece->u_at(piece->duration),
-          .rate = piece->rate_at(piece->duration),
-          .slope = 0.0,
-          .duration = 0.0};
+  Limits limits{.accel = max_accel, .jerk = max_jerk};
+  for (int i = 0; i < trajectory_.n(); ++i) {
+    limits.accel[i] = std::max(limits.accel[i], trajectory_.peak(i, 2));
+    limits.jerk[i] = std::max(limits.jerk[i], trajectory_.peak(i, 3));
   }
-  end_ns_ = t_ns + to_ns(at.t);
-  u_end_ = at.u;
+  // A brake may begin where pieces of the trajectory meet, and evenly in between.
+  constexpr int kDelays = 16;
+  const std::vector<double> knots = trajectory_.knots();
+  double longest = trajectory_.duration() - u;
+  std::vector<double> delays;
+  for (int k = 0; k < kDelays; ++k) delays.push_back(longest * k / kDelays);
+  for (const double knot : knots) {
+    if (knot > u + kSameTime) delays.push_back(knot - u);
+  }
+  std::ranges::sort(delays);
+  for (const double delay : delays) {
+    if (delay >= longest - kSameTime) break;
+    auto pieces = brake(u, delay, longest, knots, limits);
+    if (pieces.empty()) continue;
+    slowing_ = std::move(pieces);
+    longest = duration_of(slowing_);
+  }
+  if (slowing_.empty()) return;  // arriving is as quick as stopping
+  end_ns_ = t_ns + to_ns(longest);
+  u_end_ = slowing_.back().u_at(slowing_.back().duration);
 }
 
 void Motion::sample(std::int64_t t_ns, Eigen::VectorXd& q, Eigen::VectorXd& qd,
@@ -137,7 +179,7 @@ void Motion::sample(std::int64_t t_ns, Eigen::VectorXd& q, Eigen::VectorXd& qd,
     const double dt = std::min(t - piece.t, piece.duration);
     const double rate = piece.rate_at(dt);
     trajectory_.sample(piece.u_at(dt), q, qd, qdd);
-    qdd = qdd * (rate * rate) + qd * piece.slope;
+    qdd = qdd * (rate * rate) + qd * piece.slope_at(dt);
     qd *= rate;
   }
 }

@@ -9,6 +9,7 @@
 #include "armlet/core/error.hpp"
 #include "trajectory/bracket.hpp"
 #include "trajectory/cube_root.hpp"
+#include "trajectory/ramp.hpp"
 
 namespace armlet {
 namespace {
@@ -16,39 +17,6 @@ namespace {
 constexpr double kShortestStep = 1e-14;  // s; what is shorter changes nothing that can be seen
 // Rounding of a place, rad or m, over a travel of this size.
 double rounding(double travel) { return 1e-15 + 4e-16 * std::abs(travel); }
-
-// From (v, a) to another speed without acceleration: jerk, hold, jerk of the other sign.
-struct Ramp {
-  double jerk = 0.0;  // of the first step, with sign
-  double rise = 0.0;  // s
-  double hold = 0.0;
-  double fall = 0.0;
-
-  [[nodiscard]] double duration() const { return rise + hold + fall; }
-};
-
-// |a| <= A.
-Ramp make_ramp(double v, double a, double v_goal, double A, double J) {
-  const double need = v_goal - v;
-  // Bringing the acceleration straight to zero changes the speed by a |a| / 2 J.
-  const double direction = need >= a * std::abs(a) / (2.0 * J) ? 1.0 : -1.0;
-  const double x = direction * a;
-  const double gain = direction * need;
-  double peak = std::sqrt(std::max(J * gain + 0.5 * x * x, 0.0));
-  double hold = 0.0;
-  if (peak > A) {
-    peak = A;
-    hold = std::max((gain - (2.0 * A * A - x * x) / (2.0 * J)) / A, 0.0);
-  }
-  return {
-      .jerk = direction * J, .rise = std::max(peak - x, 0.0) / J, .hold = hold, .fall = peak / J};
-}
-
-AxisState after(const AxisState& s, double jerk, double t) {
-  return {.q = s.q + t * (s.v + t * (0.5 * s.a + t * jerk / 6.0)),
-          .v = s.v + t * (s.a + 0.5 * t * jerk),
-          .a = s.a + t * jerk};
-}
 
 // Where the axis is when the ramp ends at speed v_goal. The last step is seen from its end.
 double end_of_ramp(const AxisState& s, const Ramp& ramp, double v_goal) {

@@ -16,7 +16,7 @@ int drive(Cell& cell, double rate) {
   const CellRobot& arm = cell.robot(0);
   const Eigen::VectorXd rates = Eigen::Vector4d(rate, 0.0, 0.0, 0.0);
   const VelocityPlan plan =
-      plan_joint_velocity(*arm.model, {arm.q, arm.qd, to_seconds(kHold)}, rates);
+      plan_joint_velocity(*arm.model, {arm.q, arm.qd, arm.qdd, to_seconds(kHold)}, rates);
   return cell.drive(0, plan.motion.value(), cell.now_ns() + kHold);
 }
 
@@ -60,9 +60,9 @@ TEST_CASE("a velocity command that begins with another speed or elsewhere is ref
   const Eigen::VectorXd q = cell.robot(0).q;
   const Robot& model = *cell.robot(0).model;
   const Eigen::VectorXd rates = Eigen::Vector4d(0.1, 0.0, 0.0, 0.0);
-  const auto fast = plan_joint_velocity(model, {q, rates, 0.04}, rates);
+  const auto fast = plan_joint_velocity(model, {.q = q, .qd = rates, .during = 0.04}, rates);
   CHECK_THROWS_AS(cell.drive(0, *fast.motion, kHold), ArgumentError);
-  const auto elsewhere =
-      plan_joint_velocity(model, {q + rates, Eigen::VectorXd::Zero(4), 0.04}, rates);
+  const auto elsewhere = plan_joint_velocity(
+      model, {.q = q + rates, .qd = Eigen::VectorXd::Zero(4), .during = 0.04}, rates);
   CHECK_THROWS_AS(cell.drive(0, *elsewhere.motion, kHold), ArgumentError);
 }

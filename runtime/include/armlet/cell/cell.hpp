@@ -140,7 +140,7 @@ class Cell {
 
   [[nodiscard]] bool is_moving(int robot) const { return this->robot(robot).motion.has_value(); }
 
-  // Brings a robot to rest on its path as fast as its acceleration limits allow: see motion.hpp.
+  // Brings a robot to rest on its path as its limits allow: see motion.hpp.
   void stop(int robot);
 
   // The same from outside of the motion, which is told so.

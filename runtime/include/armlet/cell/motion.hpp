@@ -10,9 +10,10 @@ namespace armlet {
 
 // A trajectory being executed from an instant of the clock on, which can be stopped under control.
 //
-// Stopping runs the same path ever more slowly until it stands, at every moment as fast as the
-// accelerations allow: the path is never left, and no acceleration exceeds the larger of the
-// joint's limit and what the trajectory itself has.
+// Stopping runs the same path ever more slowly until it stands: the path is never left, and no
+// acceleration and no jerk exceeds the larger of the joint's limit and what the trajectory itself
+// has. The rate of the run falls along a ramp of limited jerk, the shortest that keeps to this; if
+// none does at once, because a joint slows down as fast as it may already, it begins later.
 class Motion {
  public:
   Motion(Trajectory trajectory, std::int64_t start_ns);
@@ -30,8 +31,8 @@ class Motion {
   // Begins to slow down at t_ns; a robot that stands at that instant stays where it is. Nothing
   // happens if the motion is over or stopping already.
   //
-  // max_accel  acceleration limits of the joints, > 0.
-  void stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel);
+  // max_accel, max_jerk  limits of the joints, > 0.
+  void stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel, const Eigen::VectorXd& max_jerk);
 
   // State at t_ns, without allocating. At and after end_ns() the joints stand still, exactly on the
   // target if it is reached.
@@ -40,23 +41,32 @@ class Motion {
 
  private:
   static constexpr std::int64_t kNever = -1;
-  // While slowing down, path time u runs at `rate` times the clock; a piece has a constant slope of
-  // the rate.
+  // While slowing down, path time u runs at `rate` times the clock, whose second derivative is
+  // constant in a piece.
   struct Piece {
     double t;  // since the stop, s
     double u;
     double rate;
-    double slope;  // 1/s, <= 0
+    double slope;  // 1/s
+    double bend;   // 1/s^2
     double duration;
-    [[nodiscard]] double u_at(double dt) const { return u + dt * (rate + 0.5 * slope * dt); }
-    [[nodiscard]] double rate_at(double dt) const { return rate + slope * dt; }
+    [[nodiscard]] double u_at(double dt) const {
+      return u + dt * (rate + dt * (0.5 * slope + dt * bend / 6.0));
+    }
+    [[nodiscard]] double rate_at(double dt) const { return rate + dt * (slope + 0.5 * dt * bend); }
+    [[nodiscard]] double slope_at(double dt) const { return slope + dt * bend; }
+    [[nodiscard]] Piece next(double next_bend, double next_duration) const;
+  };
+  struct Limits {
+    Eigen::VectorXd accel, jerk;
   };
   [[nodiscard]] bool stands_at(double u) const;
-  [[nodiscard]] Eigen::VectorXd allowed(const Eigen::VectorXd& max_accel) const;
-  [[nodiscard]] double steepest(const Piece& at, const Eigen::VectorXd& allowed) const;
-  [[nodiscard]] bool fits(const Piece& piece, const Eigen::VectorXd& allowed) const;
-  [[nodiscard]] std::optional<Piece> next_piece(const Piece& at, double longest,
-                                                const Eigen::VectorXd& allowed) const;
+  [[nodiscard]] bool allows(double u, const Piece& piece, double dt, const Limits& limits) const;
+  [[nodiscard]] bool fits(const std::vector<Piece>& pieces, const std::vector<double>& knots,
+                          const Limits& limits) const;
+  [[nodiscard]] std::vector<Piece> brake(double u, double delay, double longest,
+                                         const std::vector<double>& knots,
+                                         const Limits& limits) const;
 
   Trajectory trajectory_;
   std::int64_t start_ns_;

@@ -12,14 +12,17 @@
 
 namespace armlet {
 
-// Where a robot is when a command comes, and for how long the command holds, s, > 0.
+// The state of a robot when a command comes, and for how long the command holds, s, > 0.
+//
+// qdd  none gains speed if empty.
 struct VelocityStart {
   Eigen::VectorXd q{};
   Eigen::VectorXd qd{};
+  Eigen::VectorXd qdd{};
   double during = 0.0;
 };
 
-// A joint would have to exceed a limit on its speed or acceleration.
+// A joint would have to exceed a limit on its speed, acceleration or jerk.
 struct RateTooHigh {
   int joint = 0;
   LimitKind kind = LimitKind::kSpeed;
@@ -29,11 +32,12 @@ struct RateTooHigh {
 
 // What planning a velocity command gave: a motion, or why there is none.
 //
-// motion    begins with the position and speed of the start. The speeds change evenly, all joints
-//           together, as fast as their accelerations allow; then they are held. When the command
-//           ends, also before the speeds are reached, the joints come to rest the same way.
+// motion    begins with the state of the start. The speeds are taken up as fast as the limits on
+//           acceleration and jerk allow, all joints together if none gains speed at the start, and
+//           held. When the command ends, also before the speeds are reached, the joints come to
+//           rest the same way. Accelerations never jump.
 // outside   a joint would leave its limits, at the latest while it stops.
-// too_high  a joint would be too fast, or gain speed too fast.
+// too_high  a joint would be too fast, or gain speed or acceleration too fast.
 // lacking   part of the velocity of the tool that no joint speeds give, as a fraction of it.
 struct VelocityPlan {
   std::optional<Trajectory> motion{};
