@@ -65,11 +65,13 @@ template <int kDegree, class Coefficients>
   }
 }
 
+bool stands(const JointPath& path) { return path.segments.empty(); }
+
 // A joint without pieces reads this one, and what comes out is not used.
 constexpr Segment kNoPiece{};
 
 const Segment& piece_of(const JointPath& path, std::size_t k) {
-  return path.segments.empty() ? kNoPiece : path.segments[k];
+  return stands(path) ? kNoPiece : path.segments[k];
 }
 
 bool same_starts(const JointPath& a, const JointPath& b) {
@@ -80,7 +82,7 @@ bool same_starts(const JointPath& a, const JointPath& b) {
 void sample_before(std::span<const JointPath> joints, const StateOut& out) {
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointPath& path = joints[i];
-    out.q[i] = path.segments.empty() ? path.q_end : path.segments.front().c[0];
+    out.q[i] = stands(path) ? path.q_end : path.segments.front().c[0];
     out.qd[i] = out.qdd[i] = 0.0;
   }
 }
@@ -90,22 +92,24 @@ void sample_before(std::span<const JointPath> joints, const StateOut& out) {
 SampleTable::SampleTable(std::span<const JointPath> joints, double duration) {
   ends_.reserve(even(joints.size()));
   goals_.reserve(even(joints.size()));
+  const auto moving = std::ranges::find_if_not(joints, stands);
+  first_end_ = moving == joints.end() ? -1.0 : duration;
   for (const JointPath& path : joints) {
-    const bool moves = !path.segments.empty();
-    const double end = moves ? std::min(path.segments.back().end(), duration) : -1.0;
-    first_end_ = ends_.empty() ? end : std::min(first_end_, end);
+    const double end = stands(path) ? -1.0 : std::min(path.segments.back().end(), duration);
     ends_.push_back(end);
     goals_.push_back(path.q_end);
+    if (stands(path)) continue;
+    first_end_ = std::min(first_end_, end);
     most_pieces_ = std::max(most_pieces_, path.segments.size());
     for (const Segment& piece : path.segments) degree_ = std::max(degree_, piece.degree);
-    shared_ = shared_ && same_starts(joints.front(), path);
+    shared_ = shared_ && same_starts(*moving, path);
   }
   ends_.resize(even(joints.size()), -1.0);
   goals_.resize(even(joints.size()), 0.0);
   if (!shared_) {
     index_each(joints);
   } else if (most_pieces_ > 0) {
-    index_shared(joints.front());
+    index_shared(*moving);
     copy_polynomials(joints);
   }
 }
@@ -136,8 +140,13 @@ void SampleTable::copy_polynomials(std::span<const JointPath> joints) {
   polynomials_.resize((starts_.size() - 1) * even(joints.size()) * powers);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     double* to = polynomials_.data() + (i / 2) * 2 * powers + i % 2;
-    for (const Segment& piece : joints[i].segments) {
-      for (std::size_t k = 0; k < powers; ++k) to[2 * k] = piece.c[k];
+    for (std::size_t piece = 0; piece + 1 < starts_.size(); ++piece) {
+      if (stands(joints[i])) {
+        to[0] = joints[i].q_end;
+      } else {
+        const auto& c = joints[i].segments[piece].c;
+        for (std::size_t k = 0; k < powers; ++k) to[2 * k] = c[k];
+      }
       to += even(joints.size()) * powers;
     }
   }

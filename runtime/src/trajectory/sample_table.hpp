@@ -39,8 +39,8 @@ class SampleTable {
   void sample_as(std::span<const JointPath> joints, double t, const StateOut& out) const;
 
   int degree_ = 2;            // the highest of all pieces, at least 2
-  bool shared_ = true;        // all joints have the same starts
-  double first_end_ = -1.0;   // when the first joint stops moving, -1 if one never moves
+  bool shared_ = true;        // all joints that move have the same starts
+  double first_end_ = -1.0;   // when the first joint stops that moves, -1 if none does
   std::vector<double> ends_;  // when a joint stops moving, -1 if it never moves; by pairs of joints
   std::vector<double> goals_;  // their last positions
 

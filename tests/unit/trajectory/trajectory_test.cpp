@@ -77,9 +77,11 @@ TEST_CASE("all joints at once are the same as one by one, however the pieces lie
           apart.push_back(any_path(random, own, own.back() + 0.01));
         }
         check_samples(random, Trajectory(together, end + 0.1));
+        together[random.below(together.size())] = {.q_end = -0.7};  // does not move at all
+        check_samples(random, Trajectory(together, end + 0.1));
         double last = 0.0;
         for (const JointPath& path : apart) last = std::max(last, path.segments.back().end());
-        apart.back() = {.q_end = 0.3};  // does not move at all
+        apart.back() = {.q_end = 0.3};
         check_samples(random, Trajectory(apart, last));
       }
     }
