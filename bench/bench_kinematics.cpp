@@ -15,6 +15,8 @@
 #include "armlet/model/catalog.hpp"
 #include "bench.hpp"
 #include "kdl_peer.hpp"
+#include "kinematics/canonical_rows.hpp"
+#include "kinematics/closed_lanes.hpp"
 
 namespace armlet::bench {
 namespace {
@@ -23,6 +25,14 @@ constexpr int kConfigurations = 1000;
 constexpr int kRounds = 31;
 constexpr double kTolerance = 1e-5;  // m and rad, of inverse kinematics
 constexpr int kStarts = 100;
+
+struct NamedSet {
+  InstructionSet set;
+  const char* name;
+};
+constexpr NamedSet kSets[] = {{InstructionSet::kBaseline, "SSE2"},
+                              {InstructionSet::kAvx2, "AVX2"},
+                              {InstructionSet::kAvx512, "AVX-512"}};
 
 std::vector<Eigen::VectorXd> random_configurations(const Robot& robot) {
   Random random(1);
@@ -117,13 +127,7 @@ void bench_batch(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
     times.ours /= kConfigurations;
     print_row("", what.c_str(), times, target);
   };
-  const struct {
-    InstructionSet set;
-    const char* name;
-  } sets[] = {{InstructionSet::kBaseline, "SSE2"},
-              {InstructionSet::kAvx2, "AVX2"},
-              {InstructionSet::kAvx512, "AVX-512"}};
-  for (const auto& [set, name] : sets) {
+  for (const auto& [set, name] : kSets) {
     if (!is_supported(set)) continue;
     const auto all_poses = [&](int k) {
       forward_batch(robot, columns, poses, set);
@@ -161,6 +165,43 @@ int best_iterations(KdlArm& peer, const std::vector<double>& start) {
   return best;
 }
 
+// All solutions, and what the kernel alone takes on each instruction set.
+void bench_closed_form(const Robot& robot, const std::vector<Eigen::Isometry3d>& goals,
+                       KdlArm& peer) {
+  const ClosedForm& closed = closed_form(robot);
+  if (!closed.exists()) return;
+  const Eigen::VectorXd middle = 0.5 * (robot.lower() + robot.upper());
+  const auto goal = [&](int k) -> const Eigen::Isometry3d& {
+    return goals[static_cast<std::size_t>(k)];
+  };
+  const auto one_pose = [&](int k) { return peer.pose(k); };
+  const auto row = [&](const std::string& what, const auto& work, const char* target) {
+    const Times times = compare(kConfigurations, work, one_pose, kRounds);
+    std::printf("%-10s %-24s %10.1f %10.1f %8.2f poses of KDL  %s\n", "", what.c_str(), times.ours,
+                times.theirs, times.ours / times.theirs, target);
+  };
+  int solutions = 0;
+  const auto all_solutions = [&](int k) {
+    const int count = count_solutions(closed, goal(k), middle);
+    solutions += count;
+    return static_cast<double>(count);
+  };
+  row("inverse, all solutions", all_solutions, robot.n() == 6 ? "at most 2.5" : "");
+  std::printf("%-10s   %.1f solutions\n", "", solutions / (1.0 * kRounds * kConfigurations));
+  const auto form = LaneForm::make(closed.kind(), canonical_rows(robot.chain(), closed.reversed()),
+                                   robot.chain());
+  if (!form) return;
+  for (const auto& [set, name] : kSets) {
+    if (!is_supported(set)) continue;
+    ClosedLanes lanes;
+    const auto all_ways = [&, kernel = closed_kernel_for(set)](int k) {
+      form->solve(goal(k), lanes, *kernel);
+      return lanes.q[0][0];
+    };
+    row(std::string("its kernel, ") + name, all_ways, "at most 2.5");
+  }
+}
+
 void bench_inverse(const Robot& robot, const std::vector<Eigen::VectorXd>& q, KdlArm& peer) {
   const Eigen::VectorXd middle = 0.5 * (robot.lower() + robot.upper());
   const std::vector<double> start(middle.begin(), middle.end());
@@ -193,19 +234,7 @@ void bench_inverse(const Robot& robot, const std::vector<Eigen::VectorXd>& q, Kd
   print_row("", "inverse, from mid-range", times, "at least 20");
   std::printf("%-10s   found %.2f %%, KDL %.2f %% with %d iterations per start\n", "",
               100.0 * found_ours / calls, 100.0 * found_theirs / calls, iterations);
-  const ClosedForm& closed = closed_form(robot);
-  if (!closed.exists()) return;
-  int solutions = 0;
-  const auto all_solutions = [&](int k) {
-    const int count = count_solutions(closed, goals[static_cast<std::size_t>(k)], middle);
-    solutions += count;
-    return static_cast<double>(count);
-  };
-  const auto one_pose = [&](int k) { return peer.pose(k); };
-  const Times all = compare(kConfigurations, all_solutions, one_pose, 11);
-  print_row("", "inverse, all solutions", all, "KDL pose; at least 0.4");
-  std::printf("%-10s   %.1f solutions, %.1f times one KDL tool pose\n", "",
-              solutions / (11.0 * kConfigurations), all.ours / all.theirs);
+  bench_closed_form(robot, goals, peer);
 }
 
 void bench_arm(const Robot& robot) {
@@ -230,11 +259,15 @@ std::string processor() {
 }  // namespace
 }  // namespace armlet::bench
 
-int main() {
-  std::printf("%s, g++ %s, %s, KDL from the system\n", armlet::bench::processor().c_str(),
-              __VERSION__, ARMLET_BENCH_FLAGS);
+// bench_kinematics [ROBOT...]
+int main(int count, char** arguments) {
+  std::printf("%s, g++ %s, %s, %s\n", armlet::bench::processor().c_str(), __VERSION__,
+              ARMLET_BENCH_FLAGS, ARMLET_BENCH_KDL);
   std::printf("%-10s %-24s %10s %10s %9s\n", "ns/call", "", "armlet", "KDL", "");
-  for (const char* name : {"puma560", "ur5", "panda", "scara"}) {
-    armlet::bench::bench_arm(*armlet::make_robot(name));
+  std::vector<std::string> names(arguments + 1, arguments + count);
+  if (names.empty()) names = {"puma560", "ur5", "panda", "scara"};
+  for (const std::string& name : names) {
+    const auto robot = armlet::make_robot(name);
+    if (robot) armlet::bench::bench_arm(*robot);
   }
 }
