@@ -13,6 +13,9 @@ constexpr double kDampingRatio = 0.1;   // of the squared error
 constexpr double kLargestStep = 1.0;    // rad or m, per iteration
 constexpr double kSmallestStep = 1e-9;  // rad or m; nothing more happens below it
 constexpr int kStall = 7;               // iterations without progress
+constexpr double kTinyStep = 1e-8;      // rad or m; what a linear model leaves out is below 1e-15
+
+double length_of(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 }  // namespace
 
@@ -30,15 +33,14 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
 double IkSolver::evaluate(const JointArray& q) {
   Eigen::Isometry3d T_world_tool;
   kernel_(plan_, q.data(), J_.data()->data(), T_world_tool.data());
-  const Eigen::Matrix3d R_tool = T_world_tool.linear();
-  const Eigen::Vector3d v = goal_.p - T_world_tool.translation();
-  const Eigen::Vector3d w = rotation_error(R_tool);
-  error_ = {v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
-  if (goal_.in_tool_axes) turn_rows(R_tool.transpose());
+  const double* T = T_world_tool.data();
+  for (std::size_t r = 0; r < 3; ++r) error_[r] = goal_.p.data()[r] - T[12 + r];
+  rotation_error(T);
+  if (goal_.in_tool_axes) turn_rows(T_world_tool.linear().transpose());
   if (selective_)
     select_rows();
   else
-    size_ = {v.norm(), w.norm()};
+    size_ = {length_of(error_.data()), length_of(error_.data() + 3)};
   double energy = 0.0;
   for (const double e : error_) energy += 0.5 * e * e;
   return energy;
@@ -68,13 +70,26 @@ void IkSolver::select_rows() {
 
 // Half the sum of the cross products of the axes is the rotation vector but for its length; the
 // factor makes it exact at zero and good to half a percent up to a right angle.
-Eigen::Vector3d IkSolver::rotation_error(const Eigen::Matrix3d& R_tool) const {
-  const double twice_cosine = R_tool.cwiseProduct(goal_.R).sum() - 1.0;
-  if (exact_angle_ || twice_cosine < 0.0) return rotation_log(goal_.R * R_tool.transpose());
-  Eigen::Vector3d sum = R_tool.col(0).cross(goal_.R.col(0));
-  sum += R_tool.col(1).cross(goal_.R.col(1));
-  sum += R_tool.col(2).cross(goal_.R.col(2));
-  return sum / (1.28 + 0.36 * twice_cosine);
+void IkSolver::rotation_error(const double* T_world_tool) {
+  double twice_cosine = -1.0;
+  double* w = error_.data() + 3;
+  w[0] = w[1] = w[2] = 0.0;
+#pragma GCC unroll 3
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double* axis = T_world_tool + 4 * c;
+    const double* goal = goal_.R.data() + 3 * c;
+    twice_cosine += axis[0] * goal[0] + axis[1] * goal[1] + axis[2] * goal[2];
+    w[0] += axis[1] * goal[2] - axis[2] * goal[1];
+    w[1] += axis[2] * goal[0] - axis[0] * goal[2];
+    w[2] += axis[0] * goal[1] - axis[1] * goal[0];
+  }
+  if (exact_angle_ || twice_cosine < 0.0) {
+    const Eigen::Map<const Eigen::Matrix4d> T(T_world_tool);
+    Eigen::Map<Eigen::Vector3d>{w} = rotation_log(goal_.R * T.topLeftCorner<3, 3>().transpose());
+    return;
+  }
+  const double factor = 1.0 / (1.28 + 0.36 * twice_cosine);
+  for (std::size_t r = 0; r < 3; ++r) w[r] *= factor;
 }
 
 bool IkSolver::converged() const {
@@ -196,11 +211,29 @@ void IkSolver::polish(JointArray& q, double energy, bool in_box) {
     JointArray next = q;
     for (std::size_t i = 0; i < n_; ++i) next[i] += step[i];
     if (in_box) clamp(next);
-    const double next_energy = evaluate(next);
+    const bool tiny = is_tiny(step);
+    const double next_energy = tiny ? promised_energy(q, next) : evaluate(next);
     if (!(next_energy < 0.25 * energy)) return;
     q = next;
+    if (tiny) return;
     energy = next_energy;
   }
+}
+
+bool IkSolver::is_tiny(const Step& step) const {
+  return std::all_of(step.begin(), step.begin() + static_cast<std::ptrdiff_t>(n_),
+                     [](double s) { return std::abs(s) < kTinyStep; });
+}
+
+// Half the squared error at `next` by the linear model at q.
+double IkSolver::promised_energy(const JointArray& q, const JointArray& next) const {
+  double energy = 0.0;
+  for (std::size_t r = 0; r < 6; ++r) {
+    double e = error_[r];
+    for (std::size_t i = 0; i < n_; ++i) e -= J_[i][r] * (next[i] - q[i]);
+    energy += 0.5 * e * e;
+  }
+  return energy;
 }
 
 void IkSolver::minimise_in_box(JointArray& q, int iterations) {

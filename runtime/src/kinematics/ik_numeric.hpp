@@ -54,11 +54,13 @@ class IkSolver {
   using Frozen = std::array<bool, kMaxJoints>;
 
   double evaluate(const JointArray& q);  // fills error_ and J_, returns half the squared error
-  Eigen::Vector3d rotation_error(const Eigen::Matrix3d& R_tool) const;
+  void rotation_error(const double* T_world_tool);  // fills the last three rows of error_
   void turn_rows(const Eigen::Matrix3d& R);
   void select_rows();
   bool converged() const;
   void polish(JointArray& q, double energy, bool in_box);
+  bool is_tiny(const Step& step) const;
+  double promised_energy(const JointArray& q, const JointArray& next) const;
   void normal_equations();
   // Solves (J^T J + damping I) step = J^T e for the joints that are not frozen.
   Step solve_step(double damping) const;
