@@ -1,9 +1,12 @@
 #include "armlet/kinematics/closed_form.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "closed_form_families.hpp"
 #include "closed_lanes.hpp"
+#include "few_joints.hpp"
 
 namespace armlet {
 namespace {
@@ -16,10 +19,12 @@ bool all_turn(const CanonicalRows& rows, std::size_t except = kMaxJoints) {
   return true;
 }
 
-// Joints 1 to 3 reach a place by formula; the third may slide where axes 1 and 2 meet.
+// Joints 1 to 3 reach a place by formula; the third may slide where axes 1 and 2 meet. Two joints
+// about one line are one too many.
 bool has_shoulder(const CanonicalRows& rows) {
   if (rows.parallel(1) || !all_turn(rows, 2)) return false;
-  return rows.meet(1) || (rows.parallel(2) && rows.revolute[2]);
+  if (rows.parallel(2) && rows.revolute[2]) return rows.a[2] != 0.0;
+  return rows.meet(1);
 }
 
 bool is_scara(const CanonicalRows& rows) {
@@ -39,7 +44,10 @@ ClosedFormKind recognised_six(const CanonicalRows& rows) {
 ClosedFormKind recognised(const CanonicalRows& rows) {
   if (rows.n == 4 && is_scara(rows)) return ClosedFormKind::kScara;
   if (rows.n == 6) return recognised_six(rows);
+  const ClosedFormKind few = recognised_few(rows);
+  if (few == ClosedFormKind::kFewPose) return few;
   if (rows.n == 3 && has_shoulder(rows) && !rows.reversed) return ClosedFormKind::kShoulder;
+  if (few != ClosedFormKind::kNone) return few;
   if (!all_turn(rows)) return ClosedFormKind::kNone;
   switch (rows.n) {
     case 3:
@@ -107,6 +115,10 @@ std::string_view to_text(ClosedFormKind kind) {
       return "six joints, axes 2, 3 and 4 parallel, 5 and 6 meet";
     case ClosedFormKind::kShoulderElbowWrist:
       return "seven joints, spherical shoulder and wrist";
+    case ClosedFormKind::kFewPlace:
+      return "up to three turning joints that reach a place";
+    case ClosedFormKind::kFewPose:
+      return "up to four turning joints";
   }
   return "none";
 }
@@ -147,6 +159,8 @@ ClosedForm::ClosedForm(ClosedForm&&) noexcept = default;
 ClosedForm& ClosedForm::operator=(ClosedForm&&) noexcept = default;
 
 std::string ClosedForm::branch_name(int branch) const {
+  if (kind_ == ClosedFormKind::kFewPlace || kind_ == ClosedFormKind::kFewPose)
+    return fmt::format("way {}", branch + 1);
   const PartNames names = part_names(kind_);
   const bool back = (branch & kShoulderBit) != 0;
   const bool second = (branch & kElbowBit) != 0;

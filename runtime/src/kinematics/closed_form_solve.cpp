@@ -10,6 +10,7 @@
 #include "armlet/math/twist.hpp"
 #include "closed_form_families.hpp"
 #include "closed_lanes.hpp"
+#include "few_joints.hpp"
 #include "kernels.hpp"
 
 namespace armlet {
@@ -38,6 +39,10 @@ FamilySolver solver_of(ClosedFormKind kind) {
       return solve_three_parallel;
     case ClosedFormKind::kShoulderElbowWrist:
       return solve_shoulder_elbow_wrist;
+    case ClosedFormKind::kFewPlace:
+      return solve_few_place;
+    case ClosedFormKind::kFewPose:
+      return solve_few_pose;
   }
   return nullptr;
 }

@@ -251,6 +251,22 @@ ReachGap gap_of_planar_arm(const Reading& arm, const Isometry3d& G) {
   return least.least();
 }
 
+// Two parallel turning joints.
+ReachGap gap_of_two(const Reading& arm, const Isometry3d& G) {
+  const CanonicalRows& rows = arm.rows;
+  if (rows.n != 2 || !rows.parallel(1)) return {};
+  const Vector3d u = G * rows.tool_point;
+  const double off = u.z() - rows.h[0] - rows.h[1] - rows.tool_point.z();
+  ReachGap gap;
+  if (std::abs(off) > kTouching) {
+    gap.kind = GapKind::kOffPlane;
+    gap.distance = gap.miss = std::abs(off);
+    return gap;
+  }
+  return elbow_gap(arm, 0, std::abs(rows.a[1]), rows.tool_point.head<2>().norm(),
+                   u.head<2>().norm(), gap);
+}
+
 // Three parallel turning joints; `ends` are the rows that turn them.
 ReachGap gap_of_plane(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
@@ -340,6 +356,8 @@ ReachGap ClosedForm::gap(const Isometry3d& T_world_tool, bool orientation_counts
   switch (kind_) {
     case ClosedFormKind::kShoulder:
       return gap_of_shoulder(arm, G * rows.tool_point, rows.tool_point, {});
+    case ClosedFormKind::kFewPlace:
+      return gap_of_two(arm, G);
     case ClosedFormKind::kScara:
       return gap_of_scara(arm, G, orientation_counts);
     default:

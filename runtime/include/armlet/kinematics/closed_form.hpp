@@ -19,11 +19,13 @@ enum class ClosedFormKind {
   kPlane,     // three turning joints with parallel axes: place in the plane and heading
   kScara,     // three parallel turning joints and one sliding along them, in any order
   kShoulder,  // three turning joints that reach a place: axes 2 and 3 parallel, or 1 and 2 meet
-  kPlanarArmTwist,     // five joints: axes 2, 3, 4 parallel, the last one across (Scorbot)
-  kSphericalParallel,  // six joints: 4, 5, 6 meet in a point, 2 and 3 parallel (Puma)
-  kSphericalMeeting,   // six joints: 4, 5, 6 meet in a point, 1 and 2 meet
-  kThreeParallel,      // six joints: 2, 3, 4 parallel, 5 and 6 meet (UR)
-  kShoulderElbowWrist  // seven joints: 1, 2, 3 and 5, 6, 7 meet in points (PA-10, iiwa)
+  kPlanarArmTwist,      // five joints: axes 2, 3, 4 parallel, the last one across (Scorbot)
+  kSphericalParallel,   // six joints: 4, 5, 6 meet in a point, 2 and 3 parallel (Puma)
+  kSphericalMeeting,    // six joints: 4, 5, 6 meet in a point, 1 and 2 meet
+  kThreeParallel,       // six joints: 2, 3, 4 parallel, 5 and 6 meet (UR)
+  kShoulderElbowWrist,  // seven joints: 1, 2, 3 and 5, 6, 7 meet in points (PA-10, iiwa)
+  kFewPlace,            // one to three turning joints of any other structure: place
+  kFewPose              // one to four of them: pose
 };
 
 // "six joints, spherical wrist, axes 2 and 3 parallel"
@@ -80,8 +82,10 @@ class ClosedForm {
   int held_joint() const {
     return hold_ == Hold::kNone ? -1 : hold_ == Hold::kFirst ? 0 : chain_.n - 1;
   }
-  // Only the place of the goal counts (kShoulder).
-  bool place_only() const { return kind_ == ClosedFormKind::kShoulder; }
+  // Only the place of the goal counts (kShoulder, kFewPlace).
+  bool place_only() const {
+    return kind_ == ClosedFormKind::kShoulder || kind_ == ClosedFormKind::kFewPlace;
+  }
   // The solutions are all that there are: the arm has no joint to spare.
   bool complete() const { return exists() && chain_.n <= 6; }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "branches.hpp"
+
+namespace armlet {
+
+// Arms of one to four turning joints, whatever their twists and lengths.
+
+// kNone where two neighbouring axes are one line, or where joints are left over: four parallel
+// axes, four that meet in a point.
+ClosedFormKind recognised_few(const CanonicalRows& rows);
+
+// The turns that bring the tool point to the place of a goal: one to three joints.
+void solve_few_place(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                     Branches& out);
+
+// The turns that bring the tool to a pose: a point on the last axis is placed by the joints before
+// it, and the last one turns what is left.
+void solve_few_pose(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                    Branches& out);
+
+}  // namespace armlet

@@ -1,0 +1,162 @@
+// Arms of one to four turning joints of any structure (ALGORITHMS of the subproblems: every one of
+// them that has no joint to spare has a closed form).
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/ik_report.hpp"
+#include "armlet/math/angles.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+#include "armlet/model/catalog.hpp"
+#include "random_arm.hpp"
+
+using namespace armlet;
+using Eigen::Isometry3d;
+using Eigen::VectorXd;
+
+namespace {
+
+Robot turning_arm(Random& random, int n) {
+  RobotSpec spec;
+  spec.convention = random.below(2) == 0 ? DhConvention::kStandard : DhConvention::kModified;
+  for (int i = 0; i < n; ++i) {
+    Joint joint;
+    joint.dh = {random_length(random), random_length(random), random_length(random),
+                random_twist(random)};
+    joint.lower = -3.1;
+    joint.upper = 3.1;
+    spec.joints.push_back(joint);
+  }
+  spec.T_world_base = random_place(random);
+  spec.T_flange_tool = random_place(random);
+  return Robot(spec);
+}
+
+double distance(const VectorXd& a, const VectorXd& b) {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("every pose of an arm of one to four turning joints gives back its joints") {
+  Random random(1);
+  for (int n = 1; n <= 4; ++n) {
+    CAPTURE(n);
+    int missing = 0, count = 0;
+    for (int k = 0; k < 400; ++k) {
+      const Robot robot = turning_arm(random, n);
+      const ClosedForm& closed = closed_form(robot);
+      if (!closed.exists() || closed.kind() == ClosedFormKind::kPlane) continue;
+      for (int j = 0; j < 100; ++j) {
+        const VectorXd q = random_joints(robot, random);
+        const Isometry3d goal = forward(robot, q);
+        ClosedSolutions solutions;
+        closed.solve(goal, q, solutions);
+        const auto is_q = [&](const ClosedSolution& s) { return distance(q, s.joints()) < 1e-6; };
+        missing += std::ranges::none_of(solutions, is_q) ? 1 : 0;
+        ++count;
+        for (const ClosedSolution& s : solutions) {
+          const Isometry3d back = forward(robot, s.joints());
+          CHECK((back.translation() - goal.translation()).norm() <= 1e-9);
+          if (!closed.place_only())
+            CHECK(rotation_log(back.linear() * goal.linear().transpose()).norm() <= 1e-9);
+        }
+      }
+    }
+    CHECK(missing == 0);
+    CHECK(count >= 20'000);
+  }
+}
+
+TEST_CASE("planar2 and arms of its kind: both elbows, and the reason when there is none") {
+  const Robot planar = *make_robot("planar2");  // two links of 1 m in the x-z plane
+  const IkReport report =
+      report_ik(planar, make_translation({0.8, 0.0, 0.9}), {.task = IkTask::kPosition});
+  REQUIRE(report.result.ok());
+  CHECK(report.kind == ClosedFormKind::kFewPlace);
+  CHECK(report.result.iterations == 0);
+  CHECK(report.branches.size() == 2);
+  const IkResult far =
+      solve_ik(planar, make_translation({3.0, 0.0, 0.0}), {.task = IkTask::kPosition});
+  CHECK(far.status == IkStatus::kUnreachable);
+  CHECK(far.diagnosis.gap.kind == GapKind::kTooFar);
+  CHECK(far.diagnosis.gap.miss == doctest::Approx(1.0));
+}
+
+TEST_CASE("a place is reached by four ways at most, and every one is listed") {
+  // Against a dense search: turns of joint 3 where the remaining equation changes its sign.
+  Random random(2);
+  int most = 0;
+  for (int k = 0; k < 300; ++k) {
+    RobotSpec spec;
+    for (int i = 0; i < 3; ++i) {
+      Joint joint;
+      joint.dh = {0, random.uniform(-0.3, 0.3), random.uniform(0.1, 0.5), random.uniform(0.3, 1.4)};
+      spec.joints.push_back(joint);
+    }
+    const Robot robot(spec);
+    const Eigen::Vector3d p = forward(robot, random_values(random, 3)).translation();
+    ClosedSolutions solutions;
+    closed_form(robot).solve(make_translation(p), VectorXd::Zero(3), solutions);
+    CHECK(solutions.count >= 1);
+    CHECK(solutions.count <= 4);
+    CHECK(solutions.count % 2 == 0);  // they come in pairs away from the boundary of the reach
+    most = std::max(most, solutions.count);
+    // The numerical search finds no other.
+    for (const VectorXd& other :
+         solve_ik_all(robot, make_translation(p),
+                      {.task = IkTask::kPosition, .method = IkMethod::kNumeric, .starts = 30})) {
+      const auto is_it = [&](const ClosedSolution& s) {
+        return distance(other, s.joints()) < 1e-4;
+      };
+      CHECK(std::ranges::any_of(solutions, is_it));
+    }
+  }
+  CHECK(most == 4);
+}
+
+TEST_CASE("where joints are left over there is no closed form, and none is claimed") {
+  // Two joints about one line, four parallel axes, four axes through a point.
+  const auto arm = [](std::vector<DhRow> rows) {
+    RobotSpec spec;
+    for (const DhRow& row : rows) {
+      Joint joint;
+      joint.dh = row;
+      spec.joints.push_back(joint);
+    }
+    return Robot(spec);
+  };
+  for (const Robot& robot :
+       {arm({{0, 0.3, 0, 0}, {0, 0.1, 0.4, 1.0}, {0, 0, 0.3, 0}}),
+        arm({{0, 0, 0.4, 1.0}, {0, 0.1, 0, 0}, {0, 0, 0.3, 0}}),
+        arm({{0, 0, 0.4, 0}, {0, 0, 0.3, 0}, {0, 0, 0.3, 0}, {0, 0, 0.1, 0}}),
+        arm({{0, 0, 0, 1.0}, {0, 0, 0, 1.2}, {0, 0, 0, -1.1}, {0, 0.1, 0.2, 0}})}) {
+    CHECK_FALSE(closed_form(robot).exists());
+    const VectorXd q = VectorXd::Constant(robot.n(), 0.4);
+    CHECK(solve_ik(robot, forward(robot, q), {.seed = VectorXd::Zero(robot.n())}).ok());
+  }
+}
+
+TEST_CASE("a wrist of three joints turns its tool by formula") {
+  RobotSpec spec;
+  for (const double alpha : {1.1, -0.9, 0.0}) {
+    Joint joint;
+    joint.dh = {0, 0, 0, alpha};
+    spec.joints.push_back(joint);
+  }
+  spec.T_flange_tool.translation() = Eigen::Vector3d(0.1, 0.0, 0.2);
+  const Robot wrist(spec);
+  CHECK(closed_form(wrist).kind() == ClosedFormKind::kFewPose);
+  Random random(3);
+  for (int k = 0; k < 1000; ++k) {
+    const VectorXd q = random_values(random, 3);
+    ClosedSolutions solutions;
+    CHECK(closed_form(wrist).solve(forward(wrist, q), q, solutions) == 2);
+  }
+}
