@@ -28,7 +28,8 @@ Vector3d turned(const Turn& x, const Vector3d& v) {
 
 Vector3d lifted(const Vector3d& v, double h) { return {v.x(), v.y(), v.z() + h}; }
 
-bool on_last_axis(const Vector3d& w) { return w.head<2>().norm() < kOnAxis; }
+// Whether a point lies on the z axis.
+bool on_axis(const Vector3d& w) { return w.head<2>().norm() < kOnAxis; }
 
 // Axes 1, 2 and 3 meet in a point.
 bool meet_in_a_point(const CanonicalRows& rows) {
@@ -42,11 +43,24 @@ Branch& add(Branches& out, const Branch& branch) {
   return added;
 }
 
+// Both ways of an elbow about parallel axes 1 and 2, each with the turns of the rest. Folded back
+// onto the first axis it may turn as it likes.
+void add_elbow(const Elbow& elbow, bool folded, Branch branch, Branches& out,
+               const Turn* sum = nullptr) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(elbow.count); ++i) {
+    if (!folded) branch.phi[0] = elbow.x1[i];
+    branch.phi[1] = elbow.x2[i];
+    if (sum != nullptr) branch.phi[2] = inverse(branch.phi[0] * elbow.x2[i]) * *sum;
+    add(out, branch);
+  }
+  out.free = out.free || folded;
+}
+
 // Rz(x1) v = u seen along the axis.
 void place_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branches& out) {
   bool whole = true;
   const Turn first = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
-  if (whole && !on_last_axis(v)) {
+  if (whole && !on_axis(v)) {
     branch.phi[0] = first;
   } else {
     out.free = true;
@@ -62,12 +76,7 @@ void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& 
   const double a = rows.a[1];
   if (rows.parallel(1)) {
     const Elbow elbow = solve_elbow(a, 0.0, t.x(), t.y(), u.x(), u.y());
-    for (int i = 0; i < elbow.count; ++i) {
-      branch.phi[0] = elbow.x1[static_cast<std::size_t>(i)];
-      branch.phi[1] = elbow.x2[static_cast<std::size_t>(i)];
-      add(out, branch);
-    }
-    return;
+    return add_elbow(elbow, on_axis(u), branch, out);
   }
   const double z = u.z() - rows.h[0];
   const double along = (z - alpha.c * t.z()) / alpha.s;
@@ -244,19 +253,13 @@ void bend_in_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch&
   const Turn sum = turn_between(0.0, -rows.alpha[3].s, z.x(), z.y(), whole);
   const Vector3d hand = G.translation() - rows.h[3] * z - turned(sum, {rows.a[3], 0, 0});
   const Elbow elbow = solve_elbow(rows.a[1], 0.0, rows.a[2], 0.0, hand.x(), hand.y());
-  for (int i = 0; i < elbow.count; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    Branch& branch = add(out, near);
-    branch.phi[0] = elbow.x1[k];
-    branch.phi[1] = elbow.x2[k];
-    branch.phi[2] = inverse(elbow.x1[k] * elbow.x2[k]) * sum;
-  }
+  add_elbow(elbow, on_axis(hand), near, out, &sum);
 }
 
 bool three_parallel(const CanonicalRows& rows) { return rows.parallel(1) && rows.parallel(2); }
 
 // A point on the last axis, away from the axis before it.
-double height_on_last_axis(const CanonicalRows& rows) {
+double height_on_axis(const CanonicalRows& rows) {
   const std::size_t last = static_cast<std::size_t>(rows.n) - 1;
   if (rows.parallel(rows.n - 1) || std::abs(rows.a[last]) > 0.01) return 0.0;
   double size = 0.1;
@@ -281,8 +284,7 @@ ClosedFormKind recognised_few(const CanonicalRows& rows) {
     return round && through ? ClosedFormKind::kNone : ClosedFormKind::kFewPose;
   }
   if (rows.n == 3 && three_parallel(rows)) return ClosedFormKind::kNone;
-  return round || on_last_axis(rows.tool_point) ? ClosedFormKind::kFewPose
-                                                : ClosedFormKind::kFewPlace;
+  return round || on_axis(rows.tool_point) ? ClosedFormKind::kFewPose : ClosedFormKind::kFewPlace;
 }
 
 void solve_few_place(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
@@ -301,7 +303,7 @@ void solve_few_pose(const CanonicalRows& rows, const Isometry3d& G, const Branch
   } else if (rows.n == 1) {
     add(out, near);
   } else {
-    const double height = height_on_last_axis(rows);
+    const double height = height_on_axis(rows);
     const Vector3d u = G.translation() + (height - rows.h[last]) * G.linear().col(2);
     place(rows, rows.n - 1, u, placed(rows, last, Vector3d(0, 0, height)), near, out);
   }

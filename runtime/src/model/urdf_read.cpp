@@ -18,6 +18,7 @@
 
 #include "armlet/math/pose.hpp"
 #include "armlet/model/urdf.hpp"
+#include "urdf_numbers.hpp"
 #include "xml_guard.hpp"
 
 namespace armlet {
@@ -353,6 +354,7 @@ Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options) {
   const Parsed parsed = parse(std::string(text));
   // urdfdom reports some faults and goes on without what it could not read.
   if (parsed.model == nullptr || !parsed.reason.empty()) {
+    if (const std::string fault = number_fault(text); !fault.empty()) return broken(fault);
     return broken(
         fmt::format("the robot description cannot be read: {}",
                     parsed.reason.empty() ? "there is no element <robot>" : parsed.reason));

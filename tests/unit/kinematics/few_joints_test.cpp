@@ -160,3 +160,14 @@ TEST_CASE("a wrist of three joints turns its tool by formula") {
     CHECK(closed_form(wrist).solve(forward(wrist, q), q, solutions) == 2);
   }
 }
+
+TEST_CASE("a folded arm whose tool lies on its first axis keeps that joint where it is") {
+  const Robot planar = *make_robot("planar2");
+  const VectorXd q = Eigen::Vector2d(0.7, kPi);
+  ClosedSolutions solutions;
+  REQUIRE(closed_form(planar).solve(forward(planar, q), q, solutions) >= 1);
+  CHECK(solutions.free);
+  CHECK(distance(q, solutions.at[0].joints()) < 1e-7);
+  const IkResult ik = solve_ik(planar, forward(planar, q), {.seed = VectorXd::Zero(2)});
+  CHECK(ik.ok());  // the pose: its orientation tells joint 1
+}

@@ -306,7 +306,7 @@ TEST_CASE("a point out of reach is reported with its exact distance") {
   }
   const Robot elbow(spec);
   Random random(7);
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     Eigen::Vector3d u(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     u.normalize();
     const double excess = random.uniform(0.01, 1.0);

@@ -224,6 +224,15 @@ TEST_CASE("numbers that are none, and numbers without end, are refused") {
   }
 }
 
+TEST_CASE("a number that is none is refused with the name of its link or joint") {
+  CHECK(refusal(R"(<mass value="2"/>)", R"(<mass value="nan"/>)") ==
+        "link `upper` has value=\"nan\" in its mass; expected finite numbers");
+  CHECK(refusal(R"(upper="2.5")", R"(upper="1e999")") ==
+        "joint `shoulder` has upper=\"1e999\" in its limit; expected finite numbers");
+  CHECK(refusal(R"(axis xyz="0 0 2")", R"(axis xyz="0 0 two")").find("joint `elbow` has xyz=") ==
+        0);
+}
+
 TEST_CASE("a missing mesh is refused with the name of its link") {
   const std::string text = replaced(
       kArm, R"(<link name="fore"/>)",
