@@ -119,6 +119,10 @@ std::string_view to_text(ClosedFormKind kind) {
       return "up to three turning joints that reach a place";
     case ClosedFormKind::kFewPose:
       return "up to four turning joints";
+    case ClosedFormKind::kMeetingWrist:
+      return "five joints, axes 4 and 5 meet";
+    case ClosedFormKind::kSphericalWrist:
+      return "six joints, spherical wrist";
   }
   return "none";
 }
@@ -145,12 +149,15 @@ bool ClosedForm::hold_still(Hold hold) {
 }
 
 void ClosedForm::recognise(const Chain& chain) {
-  for (const bool reversed : {false, true}) {
-    auto rows = std::make_unique<CanonicalRows>(canonical_rows(chain, reversed));
-    kind_ = recognised(*rows);
-    reversed_ = reversed;
-    rows_ = std::move(rows);
-    if (exists()) return;
+  // The families come first, read either way: their formulas are shorter.
+  for (const auto find : {recognised, recognised_wrist}) {
+    for (const bool reversed : {false, true}) {
+      auto rows = std::make_unique<CanonicalRows>(canonical_rows(chain, reversed));
+      kind_ = find(*rows);
+      reversed_ = reversed;
+      rows_ = std::move(rows);
+      if (exists()) return;
+    }
   }
 }
 
@@ -159,8 +166,7 @@ ClosedForm::ClosedForm(ClosedForm&&) noexcept = default;
 ClosedForm& ClosedForm::operator=(ClosedForm&&) noexcept = default;
 
 std::string ClosedForm::branch_name(int branch) const {
-  if (kind_ == ClosedFormKind::kFewPlace || kind_ == ClosedFormKind::kFewPose)
-    return fmt::format("way {}", branch + 1);
+  if (kind_ >= ClosedFormKind::kFewPlace) return fmt::format("way {}", branch + 1);
   const PartNames names = part_names(kind_);
   const bool back = (branch & kShoulderBit) != 0;
   const bool second = (branch & kElbowBit) != 0;

@@ -43,6 +43,9 @@ FamilySolver solver_of(ClosedFormKind kind) {
       return solve_few_place;
     case ClosedFormKind::kFewPose:
       return solve_few_pose;
+    case ClosedFormKind::kMeetingWrist:
+    case ClosedFormKind::kSphericalWrist:
+      return solve_any_wrist;
   }
   return nullptr;
 }

@@ -267,15 +267,28 @@ double height_on_axis(const CanonicalRows& rows) {
   return size;
 }
 
+// Two neighbouring joints about one line.
+bool has_double_axis(const CanonicalRows& rows, int n) {
+  for (int i = 1; i < n; ++i) {
+    if (rows.parallel(i) && rows.a[static_cast<std::size_t>(i)] == 0.0) return true;
+  }
+  return false;
+}
+
+// The turn of one joint that is left.
+Turn last_turn(const Matrix3d& M) {
+  bool whole = true;
+  return turn_between(1.0, 0.0, M(0, 0), M(1, 0), whole);
+}
+
 }  // namespace
 
 ClosedFormKind recognised_few(const CanonicalRows& rows) {
   if (rows.n > 4 || rows.reversed) return ClosedFormKind::kNone;
   for (int i = 0; i < rows.n; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    if (!rows.revolute[k]) return ClosedFormKind::kNone;
-    if (i > 0 && rows.parallel(i) && rows.a[k] == 0.0) return ClosedFormKind::kNone;
+    if (!rows.revolute[static_cast<std::size_t>(i)]) return ClosedFormKind::kNone;
   }
+  if (has_double_axis(rows, rows.n)) return ClosedFormKind::kNone;
   const bool round = rows.n >= 3 && meet_in_a_point(rows);
   if (rows.n == 4) {
     if (three_parallel(rows) && rows.parallel(3)) return ClosedFormKind::kNone;
@@ -311,8 +324,49 @@ void solve_few_pose(const CanonicalRows& rows, const Isometry3d& G, const Branch
     Branch& branch = out.at[static_cast<std::size_t>(i)];
     Matrix3d M = G.linear();
     for (std::size_t j = 0; j < last; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
-    bool whole = true;
-    branch.phi[last] = turn_between(1.0, 0.0, M(0, 0), M(1, 0), whole);
+    branch.phi[last] = last_turn(M);
+  }
+}
+
+ClosedFormKind recognised_wrist(const CanonicalRows& rows) {
+  if (rows.n != 5 && rows.n != 6) return ClosedFormKind::kNone;
+  for (int i = 0; i < rows.n; ++i) {
+    if (!rows.revolute[static_cast<std::size_t>(i)]) return ClosedFormKind::kNone;
+  }
+  const bool places = !has_double_axis(rows, 3) && !three_parallel(rows) &&
+                      !meet_in_a_point(rows) && !on_axis(placed(rows, 3, {0, 0, rows.h[3]}));
+  if (!places || !rows.meet(4)) return ClosedFormKind::kNone;
+  if (rows.n == 5) return ClosedFormKind::kMeetingWrist;
+  return rows.meet(5) && rows.h[4] == 0.0 ? ClosedFormKind::kSphericalWrist : ClosedFormKind::kNone;
+}
+
+void solve_any_wrist(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
+                     Branches& out) {
+  const std::size_t last = static_cast<std::size_t>(rows.n) - 1;
+  const Vector3d centre = G.translation() - rows.h[last] * G.linear().col(2);
+  Branches arms;
+  place_by_three(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
+  out.free = arms.free;
+  for (int i = 0; i < arms.count; ++i) {
+    Branch branch = arms.at[static_cast<std::size_t>(i)];
+    Matrix3d M = G.linear();
+    for (std::size_t j = 0; j < 3; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
+    if (rows.n == 5) {
+      bool whole = true;
+      branch.phi[3] = turn_between(0.0, -rows.alpha[4].s, M(0, 2), M(1, 2), whole);
+      branch.phi[4] = last_turn(unturned(branch.phi[3], rows.alpha[4], M));
+      add(out, branch);
+      continue;
+    }
+    const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near.phi[3]);
+    out.free = out.free || wrist.singular;
+    for (int j = 0; j < wrist.count; ++j) {
+      const std::size_t k = static_cast<std::size_t>(j);
+      branch.phi[3] = wrist.x1[k];
+      branch.phi[4] = wrist.x2[k];
+      branch.phi[5] = wrist.x3[k];
+      add(out, branch);
+    }
   }
 }
 

@@ -19,4 +19,10 @@ void solve_few_place(const CanonicalRows& rows, const Eigen::Isometry3d& G, cons
 void solve_few_pose(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
                     Branches& out);
 
+// Five or six turning joints of which the first three place the point where the last axes meet,
+// whatever their structure; kNone if they cannot.
+ClosedFormKind recognised_wrist(const CanonicalRows& rows);
+void solve_any_wrist(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                     Branches& out);
+
 }  // namespace armlet

@@ -35,6 +35,44 @@ Robot turning_arm(Random& random, int n) {
   return Robot(spec);
 }
 
+// Five joints of which the last two axes meet, or six of which the last three do, the others
+// anywhere.
+Robot wrist_arm(Random& random, int n) {
+  RobotSpec spec;
+  for (int i = 0; i < n; ++i) {
+    Joint joint;
+    joint.dh = {random.uniform(-1, 1), random.uniform(-0.4, 0.4), random.uniform(0.1, 0.5),
+                random.uniform(0.4, 1.4) * (random.below(2) == 0 ? 1.0 : -1.0)};
+    joint.lower = -3.1;
+    joint.upper = 3.1;
+    spec.joints.push_back(joint);
+  }
+  spec.joints[3].dh.a = 0.0;
+  if (n == 6) spec.joints[4].dh.a = spec.joints[4].dh.d = 0.0;
+  // The first two axes may be parallel, or the next two (a family of its own with six joints).
+  if (random.below(3) == 0) spec.joints[0].dh.alpha = 0.0;
+  return Robot(spec);
+}
+
+// The arm read from its tool to its base.
+Robot backwards(const Robot& robot) {
+  const Chain& chain = robot.chain();
+  const std::size_t n = static_cast<std::size_t>(chain.n);
+  RobotSpec spec;
+  spec.convention = DhConvention::kModified;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = n - 1 - i;
+    Joint joint = robot.joint(static_cast<int>(j));
+    joint.dh = {.theta = -chain.theta[j], .d = -chain.d[j]};
+    if (i > 0) {
+      joint.dh.a = -chain.a[n - i];
+      joint.dh.alpha = std::atan2(-chain.sin_alpha[n - i], chain.cos_alpha[n - i]);
+    }
+    spec.joints.push_back(joint);
+  }
+  return Robot(spec);
+}
+
 double distance(const VectorXd& a, const VectorXd& b) {
   double largest = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i)
@@ -170,4 +208,38 @@ TEST_CASE("a folded arm whose tool lies on its first axis keeps that joint where
   CHECK(distance(q, solutions.at[0].joints()) < 1e-7);
   const IkResult ik = solve_ik(planar, forward(planar, q), {.seed = VectorXd::Zero(2)});
   CHECK(ik.ok());  // the pose: its orientation tells joint 1
+}
+
+TEST_CASE("five joints with a wrist of two and six with one of three need no family") {
+  Random random(4);
+  for (const int n : {5, 6}) {
+    CAPTURE(n);
+    int missing = 0, count = 0, most = 0;
+    for (int k = 0; k < 100; ++k) {
+      const Robot forth = wrist_arm(random, n);
+      for (const bool back : {false, true}) {
+        const Robot robot = back ? backwards(forth) : forth;
+        const ClosedForm& closed = closed_form(robot);
+        REQUIRE(closed.exists());
+        CHECK(closed.reversed() == back);
+        for (int j = 0; j < 100; ++j) {
+          const VectorXd q = random_joints(robot, random);
+          const Isometry3d goal = forward(robot, q);
+          ClosedSolutions solutions;
+          most = std::max(most, closed.solve(goal, q, solutions));
+          const auto is_q = [&](const ClosedSolution& s) { return distance(q, s.joints()) < 1e-6; };
+          missing += std::ranges::none_of(solutions, is_q) ? 1 : 0;
+          ++count;
+          for (const ClosedSolution& s : solutions) {
+            const Isometry3d reached = forward(robot, s.joints());
+            CHECK((reached.translation() - goal.translation()).norm() <= 1e-9);
+            CHECK(rotation_log(reached.linear() * goal.linear().transpose()).norm() <= 1e-9);
+          }
+        }
+      }
+    }
+    CHECK(missing == 0);
+    CHECK(count == 20'000);
+    CHECK(most == (n == 6 ? 8 : 1));
+  }
 }

@@ -53,6 +53,35 @@ TEST_CASE("an arm and the mechanism made of it have the same Jacobian") {
   }
 }
 
+TEST_CASE("a finger of a coupled hand moves like the arm of its joints") {
+  const Mechanism hand = make_barrett_hand();
+  MechanismSpec loose = hand.spec();
+  loose.actuators.assign(8, {.name = "joint", .lower = -4.0, .upper = 4.0});
+  for (std::size_t i = 0; i < 8; ++i) loose.actuators[i].name += std::to_string(i);
+  loose.coupling.resize(0, 0);
+  loose.offset.resize(0);
+  const Mechanism free(loose);
+  Random random(33);
+  const int first[] = {0, 3, 6};
+  const int joints[] = {3, 3, 2};
+  for (std::size_t finger = 0; finger < 3; ++finger) {
+    const Tip& tip = hand.tips()[finger];
+    CAPTURE(tip.name);
+    const Result<RobotSpec> spec = serial_arm(free, tip.name);
+    REQUIRE(spec.ok());
+    const Robot arm(*spec);
+    REQUIRE(arm.n() == joints[finger]);
+    for (int k = 0; k < 100; ++k) {
+      Eigen::VectorXd q(4);
+      for (double& value : q) value = random.uniform(0.0, 2.4);
+      const Eigen::VectorXd q_finger = hand.joint_values(q).segment(first[finger], joints[finger]);
+      CHECK((forward(arm, q_finger).matrix() - tip_pose(hand, q, tip).matrix()).norm() < 1e-12);
+      const Eigen::MatrixXd C = hand.spec().coupling.middleRows(first[finger], joints[finger]);
+      CHECK((jacobian(arm, q_finger) * C - tip_jacobian(hand, q, tip)).norm() < 1e-12);
+    }
+  }
+}
+
 TEST_CASE("a tip on the base does not move") {
   const Mechanism gripper = make_parallel_gripper();
   const Eigen::VectorXd q = Eigen::VectorXd::Constant(1, 0.02);

@@ -25,7 +25,9 @@ enum class ClosedFormKind {
   kThreeParallel,       // six joints: 2, 3, 4 parallel, 5 and 6 meet (UR)
   kShoulderElbowWrist,  // seven joints: 1, 2, 3 and 5, 6, 7 meet in points (PA-10, iiwa)
   kFewPlace,            // one to three turning joints of any other structure: place
-  kFewPose              // one to four of them: pose
+  kFewPose,             // one to four of them: pose
+  kMeetingWrist,        // five turning joints: 4 and 5 meet, the first three of any structure
+  kSphericalWrist       // six: 4, 5, 6 meet in a point, the first three of any other structure
 };
 
 // "six joints, spherical wrist, axes 2 and 3 parallel"
