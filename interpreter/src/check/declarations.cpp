@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/any_table.hpp"
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 #include "check/look_ahead.hpp"
@@ -122,7 +123,7 @@ hir::Stmt* Checker::check_var(const ast::VarStmt& stmt) {
 hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& declarator) {
   const ast::Name& name = declarator.name;
   const bool top_level = here_ == &main_ && main_.blocks.size() == 1;
-  const Type* type = declarator.type != nullptr ? resolve(*declarator.type) : nullptr;
+  const Type* type = resolve_open(*this, declarator.type);
   Use used;
   Use* const use_before = use_;
   if (top_level) use_ = &used;
@@ -132,6 +133,7 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
   classic_declaration_ = classic_before;
   if (value != nullptr && type != nullptr)
     value = require(value, {.type = type, .name = name.text});
+  if (value != nullptr) value = require_table(*this, declarator.type, value);
   use_ = use_before;
   if (type == nullptr && value != nullptr) {
     type = value->type;
@@ -279,7 +281,7 @@ void Checker::collect_functions(const ast::Block& program) {
     function.file = this;
     for (std::size_t i = 0; i < node.params.size(); ++i) {
       const ast::Param& param = node.params[i];
-      function.parameters.push_back(param.type != nullptr ? resolve(*param.type) : nullptr);
+      function.parameters.push_back(resolve_open(*this, param.type));
       for (std::size_t k = 0; k < i; ++k) {
         if (node.params[k].name.text != param.name.text) continue;
         Diagnostic diagnostic =
@@ -290,7 +292,7 @@ void Checker::collect_functions(const ast::Block& program) {
       }
     }
     if (node.result != nullptr) {
-      function.result = resolve(*node.result);
+      function.result = resolve_open(*this, node.result);
     } else if (node.body != nullptr && !returns_a_value(*node.body)) {
       function.result = types_.void_type();
     }

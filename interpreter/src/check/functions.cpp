@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "check/any_table.hpp"
 #include "check/checker.hpp"
 
 namespace armlet::lang {
@@ -128,6 +129,14 @@ void Checker::finish_result(FunctionContext& context, std::string_view name, Spa
       if (hir::Expr* value = convert(stmt->value, context.result)) stmt->value = value;
     }
     context.function->result = context.result;
+    const ast::FunctionStmt* written =
+        context.declaration != nullptr ? context.declaration->node : nullptr;
+    if (written != nullptr && is_any_table(*this, written->result) && !context.result->is_table() &&
+        !context.result->is(Kind::kAny)) {
+      sink_.begin_statement();
+      report(make_diagnostic("E0315", written->result->span,
+                             {"a table", type_phrase(context.result)}));
+    }
   }
   const Type* result = context.result;
   if (result->is(Kind::kVoid) || result->is(Kind::kAny) || !context.flow.reachable) return;

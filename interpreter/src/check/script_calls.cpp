@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/any_table.hpp"
 #include "check/checker.hpp"
 
 namespace armlet::lang {
@@ -106,6 +107,11 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
       value = type != nullptr ? require(argument->value, target) : argument->value;
     }
     if (value->type->is(Kind::kAny)) return failed(span);
+    if (is_any_table(*this, node.params[p].type) && !value->type->is_table()) {
+      report(make_diagnostic("E0313", value->span,
+                             {std::string(name), "a table", type_phrase(value->type)}));
+      return failed(span);
+    }
     if (value->type->is(Kind::kList) && value->type->element->is(Kind::kAny)) {
       report(make_diagnostic("E0323", value->span, {"this empty list"}));
       return failed(span);
