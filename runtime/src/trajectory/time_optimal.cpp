@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNoSlope = 1e-12;  // |q'| below it: the joint does not restrict the acceleration
 constexpr double kSamePlace = 1e-12;
+constexpr double kSameKnot = 1e-9;  // as in Trajectory::knots
 
 void check_path(const Trajectory& path, std::span<const AxisLimits> limits, int intervals) {
   check_size("limits", static_cast<Eigen::Index>(limits.size()), path.n());
@@ -31,6 +32,13 @@ void check_path(const Trajectory& path, std::span<const AxisLimits> limits, int 
                                       i + 1, piece.degree));
     }
   }
+}
+
+// The piece that begins at a place or goes on behind it; knots of different joints that differ by
+// rounding are one place. `piece` is one before.
+std::size_t piece_behind(const std::vector<Segment>& pieces, std::size_t piece, double s) {
+  while (piece + 1 < pieces.size() && pieces[piece + 1].start <= s + kSameKnot) ++piece;
+  return piece;
 }
 
 // Places along the path: its knots, and enough in between.
@@ -136,9 +144,7 @@ class Grid {
     for (std::size_t k = 0; k < s_.size(); ++k) {
       double first = 0.0, second = 0.0;
       if (!path.segments.empty()) {
-        while (piece + 1 < path.segments.size() && path.segments[piece + 1].start <= s_[k]) {
-          ++piece;
-        }
+        piece = piece_behind(path.segments, piece, s_[k]);
         const Segment& p = path.segments[piece];
         const double u = s_[k] - p.start;
         first = p.c[1] + u * (2.0 * p.c[2] + u * 3.0 * p.c[3]);
@@ -293,7 +299,7 @@ Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed) {
     const std::vector<Segment>& pieces = path.joint(i).segments;
     std::size_t piece = 0;
     for (std::size_t k = 0; k < count && !pieces.empty(); ++k) {
-      while (piece + 1 < pieces.size() && pieces[piece + 1].start <= speed.s[k]) ++piece;
+      piece = piece_behind(pieces, piece, speed.s[k]);
       const Segment& p = pieces[piece];
       const double at = speed.s[k] - p.start;
       const double p0 = p.value(at), p1 = p.value(at, 1), p2 = 0.5 * p.value(at, 2), p3 = p.c[3];

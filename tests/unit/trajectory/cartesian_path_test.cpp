@@ -153,6 +153,25 @@ TEST_CASE("three places on one line are a line if the middle one is in between, 
   CHECK(none.fault->kind == LineFaultKind::kNoArc);
 }
 
+TEST_CASE("no joint's speed jumps along a path, whatever its corners") {
+  std::mt19937_64 generator(8);
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  int made = 0;
+  for (int k = 0; k < 60; ++k) {
+    PathMove move{.q0 = kStart};
+    for (int point = 0; point < 4; ++point) {
+      const auto aside = [&] { return uniform(generator, -0.12, 0.12); };
+      move.points.push_back({.T_world_tool = shifted(T0, aside(), aside(), aside()),
+                             .blend = uniform(generator, 0.002, 0.04)});
+    }
+    const PathPlan plan = plan_path(kArm, move);
+    if (!plan.ok()) continue;
+    ++made;
+    for (int i = 0; i < 6; ++i) CHECK(plan.motion.trajectory->continuity(i, 1e-8) >= 1);
+  }
+  CHECK(made >= 40);
+}
+
 TEST_CASE("a path rounds its corners by 3/16 r |d2 - d1| and stops where it must not") {
   const Eigen::Isometry3d T0 = forward(kArm, kStart);
   PathMove move{.q0 = kStart};
