@@ -1,11 +1,15 @@
 #pragma once
-// Stands in front of ANTLR's header of the same name. clang refuses a constructor in ANTLR 4.9 that g++ accepts: the
-// const members of Vocabulary have no initialisers, so its default constructor is deleted. Here they get some.
+// Stands in front of ANTLR's header of the same name. clang refuses a constructor in ANTLR 4.9 that
+// g++ accepts: the const members of Vocabulary have no initialisers, so its default constructor is
+// deleted. Here they get some.
 
 #ifdef __clang__
-#define _literalNames _literalNames{}
-#define _symbolicNames _symbolicNames{}
-#define _displayNames _displayNames{}
+#define _literalNames \
+  _literalNames {}
+#define _symbolicNames \
+  _symbolicNames {}
+#define _displayNames \
+  _displayNames {}
 #include <Vocabulary.h>
 #undef _literalNames
 #undef _symbolicNames
