@@ -12,8 +12,6 @@
 namespace armlet::bind {
 namespace {
 
-int robot_id(Slot s) { return host_value<RobotRef>(s).id; }
-
 Signal fail_grasp(Vm& vm, int robot, const GraspResult& result) {
   const Cell& cell = Host::of(vm).cell();
   Failure f;

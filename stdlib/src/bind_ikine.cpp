@@ -12,9 +12,6 @@
 namespace armlet::bind {
 namespace {
 
-int robot_id(Slot s) { return host_value<RobotRef>(s).id; }
-const CellRobot& state_of(Vm& vm, Slot s) { return Host::of(vm).cell().robot(robot_id(s)); }
-
 // ikine(r, p, near, mask, axes, posture); the last is a word or joint values.
 enum Parameter { kArm, kTarget, kNear, kMask, kAxes, kPosture };
 

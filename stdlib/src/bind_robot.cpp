@@ -14,9 +14,6 @@
 namespace armlet::bind {
 namespace {
 
-int robot_id(Slot s) { return host_value<RobotRef>(s).id; }
-const CellRobot& state_of(Vm& vm, Slot s) { return Host::of(vm).cell().robot(robot_id(s)); }
-
 Signal joints(Vm& vm, Slot* args) {
   const CellRobot& robot = state_of(vm, args[0]);
   return give(args, new_posj(vm, make_posj(*robot.model, robot.q)));

@@ -80,8 +80,8 @@ bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, 
   return false;
 }
 
-bool refuse_busy(Vm& vm, int robot_id) {
-  const CellRobot& robot = Host::of(vm).cell().robot(robot_id);
+bool refuse_busy(Vm& vm, int id) {
+  const CellRobot& robot = Host::of(vm).cell().robot(id);
   if (!robot.motion) return false;
   Failure f;
   f.code = "R0617";

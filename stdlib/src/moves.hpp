@@ -14,6 +14,10 @@
 
 namespace armlet::bind {
 
+// The robot that a value of a program is, in the cell.
+inline int robot_id(Slot s) { return host_value<RobotRef>(s).id; }
+inline const CellRobot& state_of(Vm& vm, Slot s) { return Host::of(vm).cell().robot(robot_id(s)); }
+
 inline constexpr std::string_view kStraightLine = "straight line";
 
 // Which parameters of a call hold what, for marks; -1: there is none.

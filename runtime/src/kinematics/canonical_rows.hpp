@@ -56,6 +56,17 @@ struct CanonicalRows {
   }
 };
 
+// Rz(x) v.
+inline Eigen::Vector3d turned(const Turn& x, const Eigen::Vector3d& v) {
+  return {x.c * v.x() - x.s * v.y(), x.s * v.x() + x.c * v.y(), v.z()};
+}
+
+// X_i v for a point v.
+inline Eigen::Vector3d placed(const CanonicalRows& rows, std::size_t i, const Eigen::Vector3d& v) {
+  const Turn& alpha = rows.alpha[i];
+  return {v.x() + rows.a[i], alpha.c * v.y() - alpha.s * v.z(), alpha.s * v.y() + alpha.c * v.z()};
+}
+
 CanonicalRows canonical_rows(const Chain& chain, bool reversed);
 
 // X_i of a chain.

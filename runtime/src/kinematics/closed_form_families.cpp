@@ -9,16 +9,6 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// X_i v for a point v.
-Vector3d placed(const CanonicalRows& rows, std::size_t i, const Vector3d& v) {
-  const Turn& alpha = rows.alpha[i];
-  return {v.x() + rows.a[i], alpha.c * v.y() - alpha.s * v.z(), alpha.s * v.y() + alpha.c * v.z()};
-}
-
-Vector3d turned(const Turn& x, const Vector3d& v) {
-  return {x.c * v.x() - x.s * v.y(), x.s * v.x() + x.c * v.y(), v.z()};
-}
-
 // Three joints with parallel axes from `first` on: an elbow, and what is left of the sum of their
 // turns.
 void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, const Turn& sum) {
@@ -155,6 +145,26 @@ void solve_shoulder(const CanonicalRows& rows, const Isometry3d& G, const Branch
   reach_place(rows, G * rows.tool_point, rows.tool_point, near, out);
 }
 
+Matrix3d left_for_wrist(const CanonicalRows& rows, const Branch& branch, Matrix3d M) {
+  for (std::size_t j = 0; j < 3; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
+  return M;
+}
+
+void turn_wrist(const CanonicalRows& rows, const Matrix3d& M, const Branch& near, Branch branch,
+                Branches& out) {
+  const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near.phi[3]);
+  const int ways = branch.ways;
+  out.free = out.free || wrist.singular;
+  for (int j = 0; j < wrist.count; ++j) {
+    const std::size_t k = static_cast<std::size_t>(j);
+    branch.phi[3] = wrist.x1[k];
+    branch.phi[4] = wrist.x2[k];
+    branch.phi[5] = wrist.x3[k];
+    branch.ways = ways + kWristBit * j;
+    out.add(branch);
+  }
+}
+
 // The point where the last three axes meet depends on the first three joints only; what is left of
 // the orientation is the turn of the wrist.
 void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
@@ -164,20 +174,8 @@ void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const
   reach_place(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
   out.free = arms.free;
   for (int i = 0; i < arms.count; ++i) {
-    Branch branch = arms.at[static_cast<std::size_t>(i)];
-    Matrix3d M = G.linear();
-    for (std::size_t j = 0; j < 3; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
-    const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near.phi[3]);
-    const int ways = branch.ways;
-    out.free = out.free || wrist.singular;
-    for (int j = 0; j < wrist.count; ++j) {
-      const std::size_t k = static_cast<std::size_t>(j);
-      branch.phi[3] = wrist.x1[k];
-      branch.phi[4] = wrist.x2[k];
-      branch.phi[5] = wrist.x3[k];
-      branch.ways = ways + kWristBit * j;
-      out.add(branch);
-    }
+    const Branch& branch = arms.at[static_cast<std::size_t>(i)];
+    turn_wrist(rows, left_for_wrist(rows, branch, G.linear()), near, branch, out);
   }
 }
 

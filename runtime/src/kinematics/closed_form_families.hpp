@@ -28,6 +28,13 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Eigen::Isometry
 // with the rest of `near`. Axes 2 and 3 are parallel, or axes 1 and 2 meet.
 void reach_place(const CanonicalRows& rows, const Eigen::Vector3d& u, const Eigen::Vector3d& w,
                  const Branch& near, Branches& out);
+// The orientation M of a goal as joint 4 sees it behind the first three turns of a branch.
+Eigen::Matrix3d left_for_wrist(const CanonicalRows& rows, const Branch& branch, Eigen::Matrix3d M);
+// The branch with both ways in which joints 4, 5 and 6, whose axes meet in a point, make what is
+// left of the orientation.
+void turn_wrist(const CanonicalRows& rows, const Eigen::Matrix3d& M, const Branch& near,
+                Branch branch, Branches& out);
+
 // The first turn of an arm whose axes 2, 3 (and 4) are parallel: the place u lies at `height` along
 // them. For each turn the place in the plane of these axes, (X, Y); free becomes true where every
 // turn will do.

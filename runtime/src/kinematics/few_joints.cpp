@@ -17,15 +17,6 @@ constexpr double kOnAxis = 1e-9;  // m
 constexpr double kNearTouching =
     1e-7;  // of the size of an equation: rounding may have parted roots
 
-Vector3d placed(const CanonicalRows& rows, std::size_t i, const Vector3d& v) {
-  const Turn& alpha = rows.alpha[i];
-  return {v.x() + rows.a[i], alpha.c * v.y() - alpha.s * v.z(), alpha.s * v.y() + alpha.c * v.z()};
-}
-
-Vector3d turned(const Turn& x, const Vector3d& v) {
-  return {x.c * v.x() - x.s * v.y(), x.s * v.x() + x.c * v.y(), v.z()};
-}
-
 Vector3d lifted(const Vector3d& v, double h) { return {v.x(), v.y(), v.z() + h}; }
 
 // Whether a point lies on the z axis.
@@ -36,7 +27,12 @@ bool meet_in_a_point(const CanonicalRows& rows) {
   return rows.meet(1) && rows.meet(2) && rows.h[1] == 0.0;
 }
 
-// The next way; they are numbered as they are found.
+// Ways are numbered as they are found.
+void number_ways(Branches& out) {
+  for (int i = 0; i < out.count; ++i) out.at[static_cast<std::size_t>(i)].ways = i;
+}
+
+// The next way.
 Branch& add(Branches& out, const Branch& branch) {
   Branch& added = out.add(branch);
   added.ways = out.count - 1;
@@ -349,25 +345,17 @@ void solve_any_wrist(const CanonicalRows& rows, const Isometry3d& G, const Branc
   out.free = arms.free;
   for (int i = 0; i < arms.count; ++i) {
     Branch branch = arms.at[static_cast<std::size_t>(i)];
-    Matrix3d M = G.linear();
-    for (std::size_t j = 0; j < 3; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
-    if (rows.n == 5) {
-      bool whole = true;
-      branch.phi[3] = turn_between(0.0, -rows.alpha[4].s, M(0, 2), M(1, 2), whole);
-      branch.phi[4] = last_turn(unturned(branch.phi[3], rows.alpha[4], M));
-      add(out, branch);
+    const Matrix3d M = left_for_wrist(rows, branch, G.linear());
+    if (rows.n == 6) {
+      turn_wrist(rows, M, near, branch, out);
       continue;
     }
-    const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near.phi[3]);
-    out.free = out.free || wrist.singular;
-    for (int j = 0; j < wrist.count; ++j) {
-      const std::size_t k = static_cast<std::size_t>(j);
-      branch.phi[3] = wrist.x1[k];
-      branch.phi[4] = wrist.x2[k];
-      branch.phi[5] = wrist.x3[k];
-      add(out, branch);
-    }
+    bool whole = true;
+    branch.phi[3] = turn_between(0.0, -rows.alpha[4].s, M(0, 2), M(1, 2), whole);
+    branch.phi[4] = last_turn(unturned(branch.phi[3], rows.alpha[4], M));
+    out.add(branch);
   }
+  number_ways(out);
 }
 
 }  // namespace armlet

@@ -64,11 +64,6 @@ ReachGap elbow_gap(const Reading& arm, int row, double l, double m, double dista
   return between(distance, std::abs(l - m), l + m, gap);
 }
 
-Vector3d placed(const CanonicalRows& rows, std::size_t i, const Vector3d& v) {
-  const Turn& alpha = rows.alpha[i];
-  return {v.x() + rows.a[i], alpha.c * v.y() - alpha.s * v.z(), alpha.s * v.y() + alpha.c * v.z()};
-}
-
 // The plane across the parallel axes from the second on, in which a place at `height` along them
 // lies: how far the place passes axis 1, and where it is in the plane, on either side.
 struct Passing {

@@ -11,6 +11,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
+#include "backwards.hpp"
 #include "random_arm.hpp"
 
 using namespace armlet;
@@ -51,25 +52,6 @@ Robot wrist_arm(Random& random, int n) {
   if (n == 6) spec.joints[4].dh.a = spec.joints[4].dh.d = 0.0;
   // The first two axes may be parallel, or the next two (a family of its own with six joints).
   if (random.below(3) == 0) spec.joints[0].dh.alpha = 0.0;
-  return Robot(spec);
-}
-
-// The arm read from its tool to its base.
-Robot backwards(const Robot& robot) {
-  const Chain& chain = robot.chain();
-  const std::size_t n = static_cast<std::size_t>(chain.n);
-  RobotSpec spec;
-  spec.convention = DhConvention::kModified;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t j = n - 1 - i;
-    Joint joint = robot.joint(static_cast<int>(j));
-    joint.dh = {.theta = -chain.theta[j], .d = -chain.d[j]};
-    if (i > 0) {
-      joint.dh.a = -chain.a[n - i];
-      joint.dh.alpha = std::atan2(-chain.sin_alpha[n - i], chain.cos_alpha[n - i]);
-    }
-    spec.joints.push_back(joint);
-  }
   return Robot(spec);
 }
 

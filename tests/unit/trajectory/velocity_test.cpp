@@ -25,6 +25,14 @@ State state_at(const Trajectory& motion, double t) {
   return state;
 }
 
+// From where the motion is when its time of giving speeds ends.
+void go_on(const Trajectory& motion, VelocityStart& start) {
+  State next = state_at(motion, start.during);
+  start.q = std::move(next.q);
+  start.qd = std::move(next.qd);
+  start.qdd = std::move(next.qdd);
+}
+
 // Whether it starts as given, ends at rest, and keeps to every limit in between, without a jump of
 // an acceleration.
 void check_motion(const Robot& robot, const VelocityStart& start, const Trajectory& motion) {
@@ -82,18 +90,12 @@ TEST_CASE("commands follow one another without a step, whatever their speeds") {
       REQUIRE(plan.outside);
       const VelocityPlan stop = plan_joint_velocity(robot, start, Eigen::VectorXd::Zero(6));
       REQUIRE(stop.motion);
-      const State next = state_at(*stop.motion, start.during);
-      start.q = next.q;
-      start.qd = next.qd;
-      start.qdd = next.qdd;
+      go_on(*stop.motion, start);
       continue;
     }
     ++planned;
     check_motion(robot, start, *plan.motion);
-    const State next = state_at(*plan.motion, start.during);
-    start.q = next.q;
-    start.qd = next.qd;
-    start.qdd = next.qdd;
+    go_on(*plan.motion, start);
   }
   CHECK(planned > 500);
 }
@@ -128,10 +130,7 @@ TEST_CASE("velocities of the hand follow one another without a jump of an accele
     if (!plan.motion) continue;  // some changes are too great for the joints
     ++planned;
     check_motion(robot, start, *plan.motion);
-    const State next = state_at(*plan.motion, start.during);
-    start.q = next.q;
-    start.qd = next.qd;
-    start.qdd = next.qdd;
+    go_on(*plan.motion, start);
   }
   CHECK(planned > 50);
 }
