@@ -1,25 +1,50 @@
 #include "branches.hpp"
 
 namespace armlet {
+namespace {
 
-Elbow solve_elbow(double lx, double ly, double mx, double my, double X, double Y) {
-  Elbow out;
-  const double l = std::sqrt(lx * lx + ly * ly);
-  const double m = std::sqrt(mx * mx + my * my);
-  const double R = std::sqrt(X * X + Y * Y);
-  const double size = l + m;
-  if (l < 1e-12 || m < 1e-12) return out;
-  // (1 - c)(1 + c) as a product of lengths keeps all digits where the arm is stretched or folded.
-  double h2 = (size - R) * (size + R) * (R - (l - m)) * (R + (l - m));
-  if (h2 < 0.0) {
-    const double miss = R > size ? R - size : std::abs(l - m) - R;
-    if (miss > kSlack * (size + R)) return out;
-    h2 = 0.0;
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
+
+// An elbow of which a link or the way to the target has no length: nothing says how it turns.
+Elbow elbow_without_length(const Links& links, double X, double Y, const Turn& x1, const Turn& x2) {
+  const auto& [lx, ly, mx, my] = links;
+  const bool first = length_of(lx, ly) >= kNoLength;
+  const bool second = length_of(mx, my) >= kNoLength;
+  Elbow out{.count = 1, .free = true, .x1 = {x1, x1}, .x2 = {x2, x2}};
+  bool whole = true;
+  if (first && second) {
+    out.x2[0] = turn_between(mx, my, -lx, -ly, whole);
+  } else if (first) {
+    out.x1[0] = turn_between(lx, ly, X, Y, whole);
+  } else if (second) {
+    out.x2[0] = inverse(x1) * turn_between(mx, my, X, Y, whole);
   }
+  return out;
+}
+
+}  // namespace
+
+Elbow solve_elbow(const Links& links, double X, double Y, const Turn& x1_if_free,
+                  const Turn& x2_if_free) {
+  const auto& [lx, ly, mx, my] = links;
+  Elbow out;
+  const double l = length_of(lx, ly);
+  const double m = length_of(mx, my);
+  const double R = length_of(X, Y);
+  const double size = l + m;
+  const double miss = std::fmax(R - size, std::abs(l - m) - R);
+  if (miss > kSlack * (size + R + 1.0)) return out;
+  const double shortest = std::fmin(R, std::fmin(l, m));
+  if (shortest < kNoLength) {
+    return elbow_without_length(links, X, Y, x1_if_free, x2_if_free);
+  }
+  // (1 - c)(1 + c) as a product of lengths keeps all digits where the arm is stretched or folded.
+  const double h2 = std::fmax(0.0, (size - R) * (size + R) * (R - (l - m)) * (R + (l - m)));
   const double scale = 1.0 / (2.0 * l * m);
   const double c = std::fmax(-1.0, std::fmin(1.0, (R * R - l * l - m * m) * scale));
   const double s = std::sqrt(h2) * scale;
   out.count = h2 == 0.0 ? 1 : 2;
+  out.free = shortest < kNearAxis;
   for (std::size_t i = 0; i < 2; ++i) {
     const double si = i == 0 ? s : -s;
     // The angle from the direction of l to that of m turned by x2 has cosine c and sine si.
@@ -61,8 +86,8 @@ Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
     const double vx = alpha.s * si;
     const double vy = alpha.s * c * beta.c + alpha.c * beta.s;
     const double near1 = ux * ux + uy * uy;
+    out.singular = out.singular || near1 < kNearAxis * kNearAxis;
     if (near1 < 1e-20) {
-      out.singular = true;
       out.count = 1;
       out.x1[i] = x1_if_free;
       // Rz(x3) = (Rz(x1) Rx(alpha) Rz(x2) Rx(beta))^T M; its first column says it.

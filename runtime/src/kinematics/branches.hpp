@@ -27,7 +27,7 @@ struct Branch {
 struct Branches {
   std::array<Branch, kMaxBranches> at;
   int count = 0;
-  bool free = false;      // a joint may take any value
+  bool free = false;      // a joint may take any value, or nearly so
   double arm_turn = 0.0;  // of an arm of seven joints, added to its arm angle
 
   Branch& add(const Branch& b) {
@@ -77,12 +77,33 @@ inline Turn turn_between(double x, double y, double u, double v, bool& whole) {
   return whole ? Turn{c / r, s / r} : Turn{};
 }
 
-// Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows.
+// The turns as they are, or the present one where every turn will do; free becomes true then.
+inline TurnPair or_present(const TurnPair& turns, const Turn& present, bool& free) {
+  if (turns.count >= 0) return turns;
+  free = true;
+  return {1, {present, present}};
+}
+
+// Shorter than this, m, a line has no direction and a point lies on an axis.
+inline constexpr double kNoLength = 1e-9;
+
+// Nearer than this, m, to where a turn does not matter, it is known so badly that a formula which
+// finds nothing has not shown that there is nothing.
+inline constexpr double kNearAxis = 1e-6;
+
+// Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows. Folded back onto the
+// first axis, the arm may turn about it as it likes (free), and a link without length may be turned
+// about its own end: these turns are taken as given.
 struct Elbow {
   int count = 0;
+  bool free = false;
   std::array<Turn, 2> x1{}, x2{};
 };
-Elbow solve_elbow(double lx, double ly, double mx, double my, double X, double Y);
+struct Links {
+  double lx, ly, mx, my;
+};
+Elbow solve_elbow(const Links& links, double X, double Y, const Turn& x1_if_free,
+                  const Turn& x2_if_free);
 
 // Rz(x1) Rx(alpha) Rz(x2) Rx(beta) Rz(x3) = M: both ways. Where x1 and x3 turn about one line, x1
 // is taken as given.

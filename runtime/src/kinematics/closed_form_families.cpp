@@ -26,7 +26,8 @@ struct Third {
   std::array<double, 2> z{};
 };
 
-Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w) {
+Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w,
+                 const Turn& present, bool& free) {
   const Turn& alpha = rows.alpha[2];
   const double z = w.z() + rows.h[2];
   const double a = rows.a[2];
@@ -35,7 +36,7 @@ Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w)
       a * a + w.x() * w.x() + w.y() * w.y() + z * z + h * h + 2.0 * h * alpha.c * z;
   const double A = 2.0 * (a * w.x() + h * alpha.s * w.y());
   const double B = 2.0 * (h * alpha.s * w.x() - a * w.y());
-  const TurnPair pair = circle_meets_plane(A, B, distance2 - fixed);
+  const TurnPair pair = or_present(circle_meets_plane(A, B, distance2 - fixed), present, free);
   return {pair.count, pair.x, {rows.h[2], rows.h[2]}};
 }
 
@@ -57,7 +58,7 @@ Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w
 void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vector3d& w,
                    const Branch& near, Branches& out) {
   const Vector3d u = u_base - Vector3d(0, 0, rows.h[0]);
-  const Third third = rows.revolute[2] ? third_turn(rows, u.squaredNorm(), w)
+  const Third third = rows.revolute[2] ? third_turn(rows, u.squaredNorm(), w, near.phi[2], out.free)
                                        : third_slide(rows, u.squaredNorm(), w);
   for (int i = 0; i < third.count; ++i) {
     const Turn x3 = third.x[static_cast<std::size_t>(i)];
@@ -66,18 +67,19 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
     t.z() += rows.h[1];
     // Height above the plane of axis 1: alpha1.s (x2 t)_y + alpha1.c t_z = u_z.
     const Turn& alpha1 = rows.alpha[1];
-    const TurnPair second = circle_meets_plane(t.y(), t.x(), (u.z() - alpha1.c * t.z()) / alpha1.s);
-    const int count = second.count < 0 ? 1 : second.count;
-    out.free = out.free || second.count < 0;
-    for (int j = 0; j < count; ++j) {
-      const Turn x2 = second.count < 0 ? near.phi[1] : second.x[static_cast<std::size_t>(j)];
+    const double height = (u.z() - alpha1.c * t.z()) / alpha1.s;
+    const TurnPair second =
+        or_present(circle_meets_plane(t.y(), t.x(), height), near.phi[1], out.free);
+    out.free = out.free || t.head<2>().norm() < kNearAxis;
+    for (int j = 0; j < second.count; ++j) {
+      const Turn x2 = second.x[static_cast<std::size_t>(j)];
       const Vector3d v = placed(rows, 1, turned(x2, t));
       bool whole = true;
       Turn x1 = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
-      if (!whole || v.head<2>().squaredNorm() < 1e-20) {
+      if (!whole || v.head<2>().norm() < kNoLength) {
         x1 = near.phi[0];
-        out.free = true;
       }
+      out.free = out.free || v.head<2>().norm() < kNearAxis;
       Branch& branch = out.add(near);
       branch.phi[0] = x1;
       branch.phi[1] = x2;
@@ -101,11 +103,11 @@ int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height,
   const auto view = [&](const Turn& x, double along) {
     return PlaneView{x, along - rows.a[1], alpha.c * m + alpha.s * z};
   };
-  if (rho < 1e-10) {
-    if (std::abs(m) > 1e-9) return 0;
+  free = free || rho < kNearAxis;
+  if (rho < kNoLength) {
+    if (std::abs(m) > kNoLength) return 0;
     out[0] = view(near, 0.0);
     out[1] = view({-near.c, -near.s}, 0.0);
-    free = true;
     return 2;
   }
   const double h2 = (rho - m) * (rho + m);
@@ -128,7 +130,9 @@ void reach_place(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w
       turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views, out.free);
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
-    const Elbow elbow = solve_elbow(rows.a[2], 0.0, w.x(), w.y(), view.X, view.Y);
+    const Elbow elbow =
+        solve_elbow({rows.a[2], 0.0, w.x(), w.y()}, view.X, view.Y, near.phi[1], near.phi[2]);
+    out.free = out.free || elbow.free;
     for (int j = 0; j < elbow.count; ++j) {
       Branch& branch = out.add(near);
       branch.phi[0] = view.turn;
@@ -197,8 +201,9 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
       const std::size_t k = static_cast<std::size_t>(j);
       const Turn sum = wrist.x1[k];
       const Vector3d hand = turned(sum, last);
-      const Elbow elbow =
-          solve_elbow(rows.a[2], 0.0, rows.a[3], 0.0, view.X - hand.x(), view.Y - hand.y());
+      const Elbow elbow = solve_elbow({rows.a[2], 0.0, rows.a[3], 0.0}, view.X - hand.x(),
+                                      view.Y - hand.y(), near.phi[1], near.phi[2]);
+      out.free = out.free || elbow.free;
       for (int e = 0; e < elbow.count; ++e) {
         Branch& branch = out.add(near);
         branch.phi[0] = view.turn;
@@ -218,7 +223,7 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
   std::array<PlaneView, 2> views;
   const double height = rows.h[1] + rows.h[2] + rows.h[3];
   Turn heading = near.phi[0];
-  if (w.head<2>().norm() < 1e-9) {
+  if (w.head<2>().norm() < kNoLength) {
     // The wrist is on axis 1: the tool's axis tells which way the plane faces.
     const TurnPair x = circle_meets_plane(-rows.alpha[1].s * z.y(), rows.alpha[1].s * z.x(),
                                           rows.alpha[4].c - rows.alpha[1].c * z.z());
@@ -234,7 +239,9 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
     const Turn twist = turn_between(M(2, 0), M(2, 1), 0.0, s, whole);
     const double X = view.X - sum.c * rows.a[4];
     const double Y = view.Y - sum.s * rows.a[4];
-    const Elbow elbow = solve_elbow(rows.a[2], 0.0, rows.a[3], 0.0, X, Y);
+    const Elbow elbow =
+        solve_elbow({rows.a[2], 0.0, rows.a[3], 0.0}, X, Y, near.phi[1], near.phi[2]);
+    out.free = out.free || elbow.free;
     for (int e = 0; e < elbow.count; ++e) {
       Branch& branch = out.add(near);
       branch.phi[0] = view.turn;
@@ -249,8 +256,9 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
 void solve_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                  Branches& out) {
   const Turn sum{G.linear()(0, 0), G.linear()(1, 0)};
-  const Elbow elbow =
-      solve_elbow(rows.a[1], 0.0, rows.a[2], 0.0, G.translation().x(), G.translation().y());
+  const Elbow elbow = solve_elbow({rows.a[1], 0.0, rows.a[2], 0.0}, G.translation().x(),
+                                  G.translation().y(), near.phi[0], near.phi[1]);
+  out.free = out.free || elbow.free;
   for (int e = 0; e < elbow.count; ++e) {
     Branch& branch = out.add(near);
     bend(branch, 0, elbow, e, sum);
@@ -283,7 +291,10 @@ void solve_scara(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
   const Eigen::Vector2d p = G.translation().head<2>() - link[0] -
                             Eigen::Vector2d(heading.c * last.x() - heading.s * last.y(),
                                             heading.s * last.x() + heading.c * last.y());
-  const Elbow elbow = solve_elbow(link[1].x(), link[1].y(), link[2].x(), link[2].y(), p.x(), p.y());
+  const Elbow elbow =
+      solve_elbow({link[1].x(), link[1].y(), link[2].x(), link[2].y()}, p.x(), p.y(),
+                  before[0] * near.phi[turning[0]], before[1] * near.phi[turning[1]]);
+  out.free = out.free || elbow.free;
   for (int e = 0; e < elbow.count; ++e) {
     const std::size_t f = static_cast<std::size_t>(e);
     Branch& branch = out.add(near);

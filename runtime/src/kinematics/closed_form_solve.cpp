@@ -17,7 +17,8 @@ namespace armlet {
 namespace {
 
 constexpr double kVerified = 1e-9;  // m and rad
-constexpr double kImproved = 1e-4;  // an error that rounding next to a singularity can make
+constexpr double kImproved = 1e-2;  // an error that rounding next to a singularity can make
+constexpr int kRounds = 6;          // of improving it
 constexpr double kSameAngle = 1e-6;
 
 FamilySolver solver_of(ClosedFormKind kind) {
@@ -103,20 +104,25 @@ Eigen::Vector3d small_turn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& R_go
 
 }  // namespace
 
-// Whether a solution is right; one that is nearly right, next to a singularity, is improved first.
+// Whether a solution is right; one that is nearly right, next to a singularity, is improved first
+// as long as that helps.
 bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
                         ClosedSolution& solution) const {
   Eigen::Map<Eigen::VectorXd> q(solution.q.data(), chain_.n);
-  double miss = INFINITY;
-  for (int round = 0; round < 4 && q.allFinite(); ++round) {
+  std::array<double, kMaxJoints> best = solution.q;
+  double least = INFINITY;
+  for (int round = 0; round < kRounds && q.allFinite(); ++round) {
     Eigen::Isometry3d T_world_tool;
     kernel_for(kPoseKernels, chain_.n)(plan_, q.data(), T_world_tool.data());
     Vector6d e;
     e << goal.translation() - T_world_tool.translation(),
         small_turn(T_world_tool.linear(), goal.linear());
     if (place_only()) e.tail<3>().setZero();
-    miss = std::fmax(e.head<3>().norm(), e.tail<3>().norm());
-    if (!(miss > std::fmin(kVerified, tolerance))) return std::isfinite(miss);
+    const double miss = std::fmax(e.head<3>().norm(), e.tail<3>().norm());
+    if (!(miss < least)) break;
+    least = miss;
+    best = solution.q;
+    if (miss <= std::fmin(kVerified, tolerance)) break;
     if (miss > kImproved) return false;
     Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> J(6, chain_.n);
     kernel_for(kJacobianKernels, chain_.n)(plan_, q.data(), J.data());
@@ -126,7 +132,8 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
     H.diagonal().array() += 1e-3 * miss;
     q += H.ldlt().solve(J.transpose() * e);
   }
-  return q.allFinite() && miss <= tolerance;
+  solution.q = best;
+  return least <= tolerance;
 }
 
 // The ways that the lanes found; each was checked by forward kinematics.

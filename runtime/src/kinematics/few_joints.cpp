@@ -13,14 +13,15 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kOnAxis = 1e-9;  // m
-constexpr double kNearTouching =
-    1e-7;  // of the size of an equation: rounding may have parted roots
+// Of the size of an equation: rounding may have parted two roots; it says nothing.
+constexpr double kNearTouching = 1e-7;
+constexpr double kVanishes = 1e-12;
 
 Vector3d lifted(const Vector3d& v, double h) { return {v.x(), v.y(), v.z() + h}; }
 
 // Whether a point lies on the z axis.
-bool on_axis(const Vector3d& w) { return w.head<2>().norm() < kOnAxis; }
+bool on_axis(const Vector3d& w) { return w.head<2>().norm() < kNoLength; }
+bool near_axis(const Vector3d& w) { return w.head<2>().norm() < kNearAxis; }
 
 // Axes 1, 2 and 3 meet in a point.
 bool meet_in_a_point(const CanonicalRows& rows) {
@@ -39,28 +40,23 @@ Branch& add(Branches& out, const Branch& branch) {
   return added;
 }
 
-// Both ways of an elbow about parallel axes 1 and 2, each with the turns of the rest. Folded back
-// onto the first axis it may turn as it likes.
-void add_elbow(const Elbow& elbow, bool folded, Branch branch, Branches& out,
-               const Turn* sum = nullptr) {
+// Both ways of an elbow about parallel axes 1 and 2, each with the turns of the rest.
+void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Turn* sum = nullptr) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(elbow.count); ++i) {
-    if (!folded) branch.phi[0] = elbow.x1[i];
+    branch.phi[0] = elbow.x1[i];
     branch.phi[1] = elbow.x2[i];
     if (sum != nullptr) branch.phi[2] = inverse(branch.phi[0] * elbow.x2[i]) * *sum;
     add(out, branch);
   }
-  out.free = out.free || folded;
+  out.free = out.free || elbow.free;
 }
 
 // Rz(x1) v = u seen along the axis.
 void place_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branches& out) {
   bool whole = true;
   const Turn first = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
-  if (whole && !on_axis(v)) {
-    branch.phi[0] = first;
-  } else {
-    out.free = true;
-  }
+  if (whole && !on_axis(v)) branch.phi[0] = first;
+  out.free = out.free || near_axis(v);
   add(out, branch);
 }
 
@@ -71,8 +67,8 @@ void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& 
   const Turn& alpha = rows.alpha[1];
   const double a = rows.a[1];
   if (rows.parallel(1)) {
-    const Elbow elbow = solve_elbow(a, 0.0, t.x(), t.y(), u.x(), u.y());
-    return add_elbow(elbow, on_axis(u), branch, out);
+    const Links links{a, 0.0, t.x(), t.y()};
+    return add_elbow(solve_elbow(links, u.x(), u.y(), branch.phi[0], branch.phi[1]), branch, out);
   }
   const double z = u.z() - rows.h[0];
   const double along = (z - alpha.c * t.z()) / alpha.s;
@@ -85,11 +81,12 @@ void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& 
     second.count = 1;
     second.x[0] =
         turn_between(t.x(), t.y(), (r2 - a * a - t.squaredNorm()) / (2.0 * a), along, whole);
-    if (!whole) second.count = -1;
+    if (!whole || on_axis(t)) second.count = -1;
   }
-  out.free = out.free || second.count < 0;
-  for (int i = 0; i < std::abs(second.count); ++i) {
-    if (second.count > 0) branch.phi[1] = second.x[static_cast<std::size_t>(i)];
+  second = or_present(second, branch.phi[1], out.free);
+  out.free = out.free || near_axis(t);
+  for (int i = 0; i < second.count; ++i) {
+    branch.phi[1] = second.x[static_cast<std::size_t>(i)];
     place_by_one(u, placed(rows, 1, turned(branch.phi[1], t)), branch, out);
   }
 }
@@ -122,7 +119,10 @@ double value_at(const Matrix3d& Q, const Turn& x) {
 // The turns at which v^T Q v = 0, v = (1, cos x, sin x): the zeros of a quartic in tan(x/2), which
 // is measured from where it is far from infinite. Where two of them nearly meet the place between
 // them is listed too, in case rounding has taken them away.
-std::vector<Turn> zeros_of(const Matrix3d& Q) {
+//
+// Q  of the size of 1 unless its terms cancel: then every turn will do, and the present one is
+// kept.
+std::vector<Turn> zeros_of(const Matrix3d& Q, const Turn& present, bool& free) {
   constexpr double kHalfRight = 0.70710678118654752;
   const Turn eighths[] = {{1, 0},  {kHalfRight, kHalfRight},   {0, 1},  {-kHalfRight, kHalfRight},
                           {-1, 0}, {-kHalfRight, -kHalfRight}, {0, -1}, {kHalfRight, -kHalfRight}};
@@ -135,7 +135,10 @@ std::vector<Turn> zeros_of(const Matrix3d& Q) {
       far = x;
     }
   }
-  if (!(most > 0.0)) return {};
+  if (!(most > kVanishes)) {
+    free = true;
+    return {present};
+  }
   const Turn from{-far.c, -far.s};
   Matrix3d R = Matrix3d::Identity();
   R.bottomRightCorner<2, 2>() << from.c, -from.s, from.s, from.c;
@@ -160,7 +163,8 @@ std::vector<Turn> zeros_of(const Matrix3d& Q) {
 
 // Z_0 X_1 Z_1 X_2 Z_2 w = u for axes 1 and 2 that neither meet nor are parallel. With k1 and k2 the
 // coordinates of Rz(x2) t across axis 2, distance and height give both, and k1^2 + k2^2 is what t
-// says: an equation in x3 alone (Pieper 1968; subproblem 5 of Elias and Wen).
+// says: an equation in x3 alone (Pieper 1968; subproblem 5 of Elias and Wen), divided by the size
+// of its terms.
 Matrix3d place_equation(const CanonicalRows& rows, const Vector3d& u, const Circle& circle) {
   const Turn& alpha = rows.alpha[1];
   const double a = rows.a[1];
@@ -174,7 +178,9 @@ Matrix3d place_equation(const CanonicalRows& rows, const Vector3d& u, const Circ
   Matrix3d Q = s2 * k1 * k1.transpose() + a2 * k2 * k2.transpose();
   Q += a2 * s2 * circle.along * circle.along.transpose();
   Q -= 0.5 * a2 * s2 * (circle.square * one.transpose() + one * circle.square.transpose());
-  return Q;
+  const double size = s2 * k1.squaredNorm() + a2 * k2.squaredNorm() +
+                      a2 * s2 * (circle.along.squaredNorm() + circle.square.norm());
+  return Q / size;
 }
 
 void place_by_three(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w,
@@ -187,12 +193,12 @@ void place_by_three(const CanonicalRows& rows, const Vector3d& u, const Vector3d
   const Circle circle = circle_of(rows, w);
   std::vector<Turn> thirds;
   if (rows.parallel(1)) {
-    const TurnPair pair =
-        circle_meets_plane(circle.along[1], circle.along[2], u.z() - rows.h[0] - circle.along[0]);
-    out.free = out.free || pair.count < 0;
+    const double height = u.z() - rows.h[0] - circle.along[0];
+    const TurnPair pair = or_present(circle_meets_plane(circle.along[1], circle.along[2], height),
+                                     near.phi[2], out.free);
     for (int i = 0; i < pair.count; ++i) thirds.push_back(pair.x[static_cast<std::size_t>(i)]);
   } else {
-    thirds = zeros_of(place_equation(rows, u, circle));
+    thirds = zeros_of(place_equation(rows, u, circle), near.phi[2], out.free);
   }
   for (const Turn& third : thirds) {
     Branch branch = near;
@@ -248,8 +254,9 @@ void bend_in_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch&
   bool whole = true;
   const Turn sum = turn_between(0.0, -rows.alpha[3].s, z.x(), z.y(), whole);
   const Vector3d hand = G.translation() - rows.h[3] * z - turned(sum, {rows.a[3], 0, 0});
-  const Elbow elbow = solve_elbow(rows.a[1], 0.0, rows.a[2], 0.0, hand.x(), hand.y());
-  add_elbow(elbow, on_axis(hand), near, out, &sum);
+  const Elbow elbow =
+      solve_elbow({rows.a[1], 0.0, rows.a[2], 0.0}, hand.x(), hand.y(), near.phi[0], near.phi[1]);
+  add_elbow(elbow, near, out, &sum);
 }
 
 bool three_parallel(const CanonicalRows& rows) { return rows.parallel(1) && rows.parallel(2); }
@@ -289,7 +296,7 @@ ClosedFormKind recognised_few(const CanonicalRows& rows) {
   if (rows.n == 4) {
     if (three_parallel(rows) && rows.parallel(3)) return ClosedFormKind::kNone;
     const Vector3d axis(0, -rows.alpha[3].s, rows.alpha[3].c);
-    const bool through = axis.cross(Vector3d(rows.a[3], 0, rows.h[2])).norm() < kOnAxis;
+    const bool through = axis.cross(Vector3d(rows.a[3], 0, rows.h[2])).norm() < kNoLength;
     return round && through ? ClosedFormKind::kNone : ClosedFormKind::kFewPose;
   }
   if (rows.n == 3 && three_parallel(rows)) return ClosedFormKind::kNone;

@@ -247,7 +247,10 @@ IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
     goal.weights.tail<3>().setZero();
   }
   result.status = IkStatus::kUnreachable;
-  if (options.diagnose) diagnose(robot, goal, options, result);
+  if (options.diagnose && diagnose(robot, goal, options, result)) {
+    take_solution(robot, goal, result.diagnosis.q_nearest, result);
+    result.diagnosis = {};
+  }
   return result;
 }
 

@@ -18,6 +18,10 @@ constexpr std::size_t kValleys = 3;  // that are looked at more closely
 // the goal checked again.
 constexpr double kRounding = 1e-6;
 
+// Next to a singularity, joints that are exact enough for a place may turn the tool so far from the
+// goal, rad, and are improved.
+constexpr double kNearlyTurned = 0.1;
+
 bool counts_all(const IkGoal& goal) { return (goal.weights.array() == 1.0).all(); }
 bool counts_place(const IkGoal& goal) {
   return (goal.weights.head<3>().array() == 1.0).all() && goal.weights.tail<3>().isZero();
@@ -45,10 +49,6 @@ bool bring_within(const Robot& robot, const IkOptions& options, JointArray& q, b
   return true;
 }
 
-bool meets(const IkGoal& goal, const IkError& error) {
-  return error.position <= goal.position_tolerance && error.rotation <= goal.rotation_tolerance;
-}
-
 }  // namespace
 
 bool formula_applies(const Robot& robot, const IkGoal& goal, const IkOptions& options) {
@@ -74,8 +74,9 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
     if (!bring_within(robot, options, candidate.q, moved)) continue;
     if (moved || check_turn) {
       IkSolver solver(robot, goal);
-      if (!meets(goal, solver.error_of(candidate.q)) &&
-          !(moved && solver.solve_in_box(candidate.q, options.iterations)))
+      const IkError error = solver.error_of(candidate.q);
+      if (!goal.is_met(error) &&
+          !(error.rotation < kNearlyTurned && solver.solve_in_box(candidate.q, options.iterations)))
         continue;
     }
     solutions.push_back(candidate);

@@ -78,7 +78,7 @@ ReachGap gap_of(const Robot& robot, const IkGoal& goal, const IkOptions& options
 
 }  // namespace
 
-void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
+bool diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
   IkDiagnosis& diagnosis = result.diagnosis;
 
   IkGoal place = goal;
@@ -98,6 +98,7 @@ void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, 
   }
   diagnosis.q_nearest = to_vector(best.q, robot.n());
   diagnosis.nearest = forward(robot, diagnosis.q_nearest);
+  if (goal.is_met(IkSolver(robot, goal).error_of(best.q))) return true;
 
   const Singularity near_singular = singularity(robot, diagnosis.q_nearest);
   diagnosis.sigma_min = near_singular.sigma_min;
@@ -113,6 +114,7 @@ void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, 
     diagnosis.violations = limit_violations(robot, outside);
     if (!diagnosis.violations.empty()) result.status = IkStatus::kJointLimit;
   }
+  return false;
 }
 
 }  // namespace armlet

@@ -92,9 +92,7 @@ void IkSolver::rotation_error(const double* T_world_tool) {
   for (std::size_t r = 0; r < 3; ++r) w[r] *= factor;
 }
 
-bool IkSolver::converged() const {
-  return size_.position <= goal_.position_tolerance && size_.rotation <= goal_.rotation_tolerance;
-}
+bool IkSolver::converged() const { return goal_.is_met(size_); }
 
 IkError IkSolver::error_of(const JointArray& q) {
   exact_angle_ = true;

@@ -10,6 +10,12 @@ namespace armlet {
 // Joint values in storage of their own, so that the iterations allocate nothing.
 using JointArray = std::array<double, kMaxJoints>;
 
+// Size of the error of a configuration, counting only rows with a weight.
+struct IkError {
+  double position = 0.0;  // m
+  double rotation = 0.0;  // rad
+};
+
 // What the iterations aim at: a pose of which some rows of the error [p; log R] count, each with a
 // weight. A row with weight 0 is left out.
 struct IkGoal {
@@ -19,12 +25,10 @@ struct IkGoal {
   bool in_tool_axes = false;
   double position_tolerance = 1e-6;
   double rotation_tolerance = 1e-6;
-};
 
-// Size of the error of a configuration, counting only rows with a weight.
-struct IkError {
-  double position = 0.0;  // m
-  double rotation = 0.0;  // rad
+  bool is_met(const IkError& error) const {
+    return error.position <= position_tolerance && error.rotation <= rotation_tolerance;
+  }
 };
 
 // The iterations for one arm and one goal.

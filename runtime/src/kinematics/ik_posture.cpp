@@ -66,8 +66,7 @@ void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool
     if (options.respect_limits) q = turned_to(robot, q, wish);
     if (spare) q = improve_posture(robot, clamp_to_limits(robot, q), wish, rows);
     const IkError error = solver.error_of(to_array(q));
-    if (error.position > goal.position_tolerance || error.rotation > goal.rotation_tolerance)
-      continue;
+    if (!goal.is_met(error)) continue;
     const double value = posture_value(robot, q, wish);
     // Later candidates have to be better by more than rounding.
     if (any && value <= result.posture + 1e-9 * std::abs(result.posture)) continue;

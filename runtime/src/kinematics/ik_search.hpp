@@ -45,6 +45,8 @@ void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool
                        const IkGoal& goal, const IkOptions& options, IkResult& result);
 
 // Fills status and diagnosis of a result for which no solution was found.
-void diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result);
+//
+// returns  true if the search for the nearest pose found that it is the goal after all.
+bool diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result);
 
 }  // namespace armlet

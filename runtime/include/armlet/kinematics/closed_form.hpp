@@ -50,8 +50,8 @@ struct ClosedSolution {
 
 // All of them, in storage of its own.
 //
-// free  some joint may take any value, at a singular configuration: there are more solutions than
-//       these.
+// free  some joint may take any value, at a singular configuration or within 1e-6 of one: there may
+//       be more solutions than these, even if these are none.
 struct ClosedSolutions {
   std::array<ClosedSolution, kMaxBranches> at;
   int count = 0;
