@@ -100,16 +100,16 @@ TEST_CASE("10,000 poses of every arm are found from any start, one limit or all 
     const auto on_limit = [&](Random& r, int i) {
       return r.below(2) == 0 ? robot.lower()[i] : robot.upper()[i];
     };
-    CHECK(failures(robot, 10'000, 1e-6, [&](Random& r) { return random_joints(robot, r); }) == 0);
-    CHECK(failures(robot, 1'000, 1e-9, [&](Random& r) { return random_joints(robot, r); }) == 0);
-    for (const double tolerance : {1e-6, 1e-9}) {
-      CHECK(failures(robot, 1'000, tolerance, [&](Random& r) {
+    for (const auto& [tolerance, on_limits] : {std::pair{1e-6, 1'000}, std::pair{1e-9, 10'000}}) {
+      CHECK(failures(robot, 10'000, tolerance,
+                     [&](Random& r) { return random_joints(robot, r); }) == 0);
+      CHECK(failures(robot, on_limits, tolerance, [&](Random& r) {
               VectorXd q = random_joints(robot, r);
               const int i = static_cast<int>(r.below(static_cast<std::uint64_t>(robot.n())));
               q[i] = on_limit(r, i);
               return q;
             }) == 0);
-      CHECK(failures(robot, 1'000, tolerance, [&](Random& r) {
+      CHECK(failures(robot, on_limits, tolerance, [&](Random& r) {
               VectorXd q(robot.n());
               for (int i = 0; i < robot.n(); ++i) q[i] = on_limit(r, i);
               return q;
