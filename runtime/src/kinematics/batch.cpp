@@ -7,7 +7,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/math/det_math.hpp"
 #include "batch_flags.hpp"
-#include "kernels.hpp"
+#include "math/det_quick_lanes.hpp"
 
 namespace armlet {
 namespace {
@@ -24,12 +24,26 @@ const char* name_of(InstructionSet set) {
 }
 
 // Fewer configurations than lanes are a matter for a narrower set: the bits are the same.
-const BatchKernels* kernels_for(InstructionSet set, std::size_t count) {
+const BatchKernels& kernels_for(InstructionSet set, std::size_t count) {
   for (const auto& [kernels, needed] : {std::pair(&kAvx512Batch, InstructionSet::kAvx512),
                                         std::pair(&kAvx2Batch, InstructionSet::kAvx2)}) {
-    if (needed <= set && kernels->lanes <= count) return kernels;
+    if (needed <= set && kernels->lanes <= count) return *kernels;
   }
-  return &kBaselineBatch;
+  return kBaselineBatch;
+}
+
+// A single configuration is computed in two lanes, which gives it the bits that it has in a batch.
+//
+// entries  numbers per configuration.
+void run(BatchKernel* kernel, const BatchArm& arm, std::span<const double> q, std::size_t entries,
+         std::span<double> out) {
+  const std::size_t count = q.size() / arm.n;
+  if (count > 1) return kernel(arm, q.data(), count, out.data());
+  std::array<double, 2 * kBatchJoints> q_twice;
+  std::array<double, 2 * 6 * kBatchJoints> out_twice;
+  for (std::size_t i = 0; i < arm.n; ++i) q_twice[2 * i] = q_twice[2 * i + 1] = q[i];
+  kernel(arm, q_twice.data(), 2, out_twice.data());
+  for (std::size_t e = 0; e < entries; ++e) out[e] = out_twice[2 * e];
 }
 
 // The number of configurations, after everything has been checked.
@@ -80,15 +94,8 @@ void forward_batch(const Robot& robot, std::span<const double> q, std::span<doub
                    InstructionSet set) {
   const std::size_t count = checked_count(robot, q, 12, poses, "poses", set);
   if (count == 0) return;
-  const WalkPlan& plan = robot.walk_plan();
-  if (count == 1) {
-    std::array<double, 16> T{};
-    kernel_for(kPoseKernels, plan.n)(plan, q.data(), T.data());
-    for (std::size_t e = 0; e < 12; ++e) poses[e] = T[4 * (e / 3) + e % 3];
-    return;
-  }
-  const BatchFlags flags(plan);
-  kernels_for(set, count)->poses(batch_arm(plan, flags), q.data(), count, poses.data());
+  const BatchFlags flags(robot.walk_plan());
+  run(kernels_for(set, count).poses, batch_arm(robot.walk_plan(), flags), q, 12, poses);
 }
 
 void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<double> jacobians,
@@ -96,29 +103,28 @@ void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<dou
   const std::size_t entries = 6 * static_cast<std::size_t>(robot.n());
   const std::size_t count = checked_count(robot, q, entries, jacobians, "jacobians", set);
   if (count == 0) return;
-  const WalkPlan& plan = robot.walk_plan();
-  if (count == 1) {
-    kernel_for(kJacobianKernels, plan.n)(plan, q.data(), jacobians.data());
-    return;
-  }
-  const BatchFlags flags(plan);
-  kernels_for(set, count)->jacobians(batch_arm(plan, flags), q.data(), count, jacobians.data());
+  const BatchFlags flags(robot.walk_plan());
+  run(kernels_for(set, count).jacobians, batch_arm(robot.walk_plan(), flags), q, entries,
+      jacobians);
 }
 
+// One configuration after the other: what is refused does not depend on the width either.
 [[gnu::cold]] void careful_batch_turns(const BatchArm& arm, const double* q, std::size_t count,
-                                       std::size_t k, std::size_t lanes, double* sine,
-                                       double* cosine) {
-  for (std::size_t i = 0; i < arm.n; ++i) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const double value = q[i * count + k + lane];
+                                       const BlockTurns& block) {
+  for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+    for (std::size_t i = 0; i < arm.n; ++i) {
+      const std::size_t k = block.k + lane;
+      const double value = q[i * count + k];
       if (!std::isfinite(value)) {
         throw ArgumentError(fmt::format(
             "The value of joint {} in configuration {} is {}; expected a finite number.", i + 1,
-            k + lane + 1, value));
+            k + 1, value));
       }
-      const det::SinCos turn = det::sincos(arm.theta[i] + value * arm.turn[i]);
-      sine[i * lanes + lane] = turn.sin;
-      cosine[i * lanes + lane] = turn.cos;
+      const double angle = arm.theta[i] + value * arm.turn[i];
+      if (!det::is_too_large(angle)) continue;
+      const det::SinCos turn = det::sincos(angle);
+      block.sines[i * block.stride + lane] = turn.sin;
+      block.cosines[i * block.stride + lane] = turn.cos;
     }
   }
 }

@@ -24,11 +24,18 @@ struct BatchKernels {
 };
 extern const BatchKernels kBaselineBatch, kAvx2Batch, kAvx512Batch;
 
-// Sines and cosines [joint * lanes + lane] of the block that starts at configuration k, one by one.
+// Where the kernels keep what belongs to the `lanes` configurations from number k on: the sine of
+// joint i is at sines[i * stride + lane].
+struct BlockTurns {
+  std::size_t k, lanes, stride;
+  double *sines, *cosines;
+};
+
+// Puts right the sines and cosines of angles that are too large for the kernels, and no others.
 //
 // throws  ArgumentError if a joint value is not finite.
-void careful_batch_turns(const BatchArm& arm, const double* q, std::size_t count, std::size_t k,
-                         std::size_t lanes, double* sine, double* cosine);
+void careful_batch_turns(const BatchArm& arm, const double* q, std::size_t count,
+                         const BlockTurns& block);
 
 inline constexpr std::size_t kBatchJoints = 12;
 

@@ -7,6 +7,6 @@ using Numbers = double __attribute__((vector_size(32)));
 
 }  // namespace
 
-const BatchKernels kAvx2Batch = {4, batch_poses<Numbers>, batch_jacobians<Numbers>};
+const BatchKernels kAvx2Batch = kBatchKernels<Numbers>;
 
 }  // namespace armlet

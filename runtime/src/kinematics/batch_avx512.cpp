@@ -7,6 +7,6 @@ using Numbers = double __attribute__((vector_size(64)));
 
 }  // namespace
 
-const BatchKernels kAvx512Batch = {8, batch_poses<Numbers>, batch_jacobians<Numbers>};
+const BatchKernels kAvx512Batch = kBatchKernels<Numbers>;
 
 }  // namespace armlet

@@ -7,6 +7,6 @@ using Numbers = double __attribute__((vector_size(16)));
 
 }  // namespace
 
-const BatchKernels kBaselineBatch = {2, batch_poses<Numbers>, batch_jacobians<Numbers>};
+const BatchKernels kBaselineBatch = kBatchKernels<Numbers>;
 
 }  // namespace armlet

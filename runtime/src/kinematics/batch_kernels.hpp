@@ -1,99 +1,24 @@
 #pragma once
 
-#include "batch_arm.hpp"
-#include "lane_steps.hpp"
+#include "batch_turns.hpp"
 
-// Kernels for many configurations, one per lane. Compiled once per instruction set, in sources that
-// include nothing else; every operation is that of the kernels for one configuration, so the bits
-// are the same too.
+// Kernels for many configurations, one per lane.
 namespace armlet {
 
-template <class V>
-inline constexpr std::size_t kLanesOf = sizeof(V) / sizeof(double);
-
-// Where the block begins that would begin at k; the last one overlaps the one before.
-template <class V>
-[[gnu::always_inline]] inline std::size_t block_start(std::size_t k, std::size_t count) {
-  return k + kLanesOf<V> <= count ? k : count - kLanesOf<V>;
-}
-
-// The same number in every lane; subtracting 0 keeps the sign of -0.
-template <class V>
-[[gnu::always_inline]] inline V all_lanes(double value) {
-  return value - V{};
-}
-
-// What does not change from block to block, in every lane.
-template <class V>
-struct BatchLanes {
-  V theta[kBatchJoints], turn[kBatchJoints], d[kBatchJoints], a[kBatchJoints];
-  det::LaneTable<V> numbers;
-
-  [[gnu::always_inline]] explicit BatchLanes(const BatchArm& arm) {
-    for (std::size_t i = 0; i < arm.n; ++i) {
-      theta[i] = all_lanes<V>(arm.theta[i]);
-      turn[i] = all_lanes<V>(arm.turn[i]);
-      d[i] = all_lanes<V>(arm.d[i]);
-      a[i] = all_lanes<V>(arm.a[i]);
-    }
-  }
-
-  // The compiler must not know that they are constants: it would bring each into a register again.
-  [[gnu::always_inline]] const det::LaneTable<V>& hidden_numbers() const {
-    const det::LaneTable<V>* hidden = &numbers;
-    asm("" : "+r"(hidden));
-    return *hidden;
-  }
-};
-
-// A block: `lanes` configurations from number k on.
+// The configurations from number k on: block b of its group.
 template <class V>
 struct Block {
-  const BatchArm& arm;
-  const BatchLanes<V>& lanes;
-  const double* q;
-  std::size_t count, k;
+  const BatchGroup<V>& group;
+  const BatchTurns<V>& turns;
+  std::size_t b, k;
 
-  [[gnu::always_inline]] V values(std::size_t i) const { return load_lanes<V>(q + i * count + k); }
-  [[gnu::always_inline]] V angle(std::size_t i) const {
-    return arm.plain[i] ? values(i) : lanes.theta[i] + values(i) * lanes.turn[i];
-  }
+  [[gnu::always_inline]] V sine(std::size_t i) const { return turns.sine(i, b); }
+  [[gnu::always_inline]] V cosine(std::size_t i) const { return turns.cosine(i, b); }
   // Of the last part of Z_i.
   [[gnu::always_inline]] V distance(std::size_t i) const {
-    return arm.slides[i] ? lanes.d[i] + values(i) * arm.slide[i] : lanes.d[i];
-  }
-};
-
-template <class V>
-struct BatchTurns {
-  static constexpr std::size_t kLanes = kLanesOf<V>;
-  alignas(V) double sines[kBatchJoints * kLanes];
-  alignas(V) double cosines[kBatchJoints * kLanes];
-
-  [[gnu::always_inline]] V sine(std::size_t i) const { return load_lanes<V>(sines + i * kLanes); }
-  [[gnu::always_inline]] V cosine(std::size_t i) const {
-    return load_lanes<V>(cosines + i * kLanes);
-  }
-
-  [[gnu::always_inline]] void put(std::size_t i, const det::LaneSinCos<V>& turn) {
-    store_lanes(sines + i * kLanes, turn.sin);
-    store_lanes(cosines + i * kLanes, turn.cos);
-  }
-
-  [[gnu::always_inline]] explicit BatchTurns(const Block<V>& block) {
-    const det::LaneTable<V>& numbers = block.lanes.hidden_numbers();
-    det::LaneCheck<V> check;
-    const std::size_t n = block.arm.n;
-    for (std::size_t i = 0; i + 1 < n; i += 2) {
-      const auto turns =
-          det::sincos_lanes(det::TwoLanes<V>{block.angle(i), block.angle(i + 1)}, check, numbers);
-      put(i, turns.a);
-      put(i + 1, turns.b);
-    }
-    if (n % 2 != 0) put(n - 1, det::sincos_lanes(block.angle(n - 1), check, numbers));
-    if (!check.all_settled()) {
-      careful_batch_turns(block.arm, block.q, block.count, block.k, kLanes, sines, cosines);
-    }
+    const V d = group.lanes.d[i];
+    if (!group.arm.slides[i]) return d;
+    return d + load_lanes<V>(group.q + i * group.count + k) * group.arm.slide[i];
   }
 };
 
@@ -102,20 +27,23 @@ template <class V>
   return {all_lanes<V>(T[c]), all_lanes<V>(T[4 + c]), all_lanes<V>(T[8 + c])};
 }
 
-// The four columns of a pose.
+template <class V>
+[[gnu::always_inline]] inline Parts<V> cross(const Parts<V>& a, const Parts<V>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// Three columns of a pose; y follows from them at the end.
 template <class V>
 struct Columns {
-  Parts<V> x, y, z, p;
+  Parts<V> x, z, p;
 
   [[gnu::always_inline]] void turn_z(V sine, V cosine) {
     x.turn_z(sine, cosine);
-    y.turn_z(sine, cosine);
     z.turn_z(sine, cosine);
     p.turn_z(sine, cosine);
   }
   [[gnu::always_inline]] void turn_x(V sin_alpha, V cos_alpha) {
     x.turn_x(sin_alpha, cos_alpha);
-    y.turn_x(sin_alpha, cos_alpha);
     z.turn_x(sin_alpha, cos_alpha);
     p.turn_x(sin_alpha, cos_alpha);
   }
@@ -125,14 +53,11 @@ struct Columns {
     z = tool_column<V>(arm.tool, 2);
     p = tool_column<V>(arm.tool, 3);
     if (arm.tool_on_axis) {
-      const double flip = arm.tool[5];
       x = {cosine, sine, V{}};
-      y = {sine * -flip, cosine * flip, V{}};
       z.x = z.y = p.x = p.y = V{};
       return;
     }
     x = tool_column<V>(arm.tool, 0);
-    y = tool_column<V>(arm.tool, 1);
     turn_z(sine, cosine);
   }
 
@@ -140,7 +65,6 @@ struct Columns {
   [[gnu::always_inline]] void step(const BatchArm& arm, std::size_t i, V sine, V cosine) {
     if (arm.right_angle[i + 1]) {
       x.turn_right_z(sine, cosine);
-      y.turn_right_z(sine, cosine);
       z.turn_right_z(sine, cosine);
       p.turn_right_z(sine, cosine);
       return;
@@ -152,13 +76,12 @@ struct Columns {
 
   // Along the axis of joint i and to the one before it.
   [[gnu::always_inline]] void move(const Block<V>& block, std::size_t i) {
-    if (block.arm.has_d[i]) p.z += block.distance(i);
-    if (i > 0 && block.arm.has_a[i]) p.x += block.lanes.a[i];
+    if (block.group.arm.has_d[i]) p.z += block.distance(i);
+    if (i > 0 && block.group.arm.has_a[i]) p.x += block.group.lanes.a[i];
   }
 
   [[gnu::always_inline]] void place(const double* base) {
     x.turn_base(base);
-    y.turn_base(base);
     z.turn_base(base);
     p.turn_base(base);
     p.x += base[9];
@@ -176,20 +99,20 @@ template <class V>
 
 template <class V>
 [[gnu::always_inline]] inline void poses_of_block(const Block<V>& block, double* out) {
-  const BatchArm& arm = block.arm;
-  const BatchTurns<V> turns(block);
+  const BatchArm& arm = block.group.arm;
+  const std::size_t count = block.group.count;
   Columns<V> T;
-  T.start(arm, turns.sine(arm.n - 1), turns.cosine(arm.n - 1));
+  T.start(arm, block.sine(arm.n - 1), block.cosine(arm.n - 1));
   T.move(block, arm.n - 1);
   for (std::size_t i = arm.n - 1; i-- > 0;) {
-    T.step(arm, i, turns.sine(i), turns.cosine(i));
+    T.step(arm, i, block.sine(i), block.cosine(i));
     T.move(block, i);
   }
   if (!arm.base_is_none) T.place(arm.base);
-  store_parts(out, block.count, T.x);
-  store_parts(out + 3 * block.count, block.count, T.y);
-  store_parts(out + 6 * block.count, block.count, T.z);
-  store_parts(out + 9 * block.count, block.count, T.p);
+  store_parts(out, count, T.x);
+  store_parts(out + 3 * count, count, cross(T.z, T.x));
+  store_parts(out + 6 * count, count, T.z);
+  store_parts(out + 9 * count, count, T.p);
 }
 
 template <class V>
@@ -237,15 +160,15 @@ struct BatchFrame {
 
 template <class V>
 [[gnu::always_inline]] inline void jacobians_of_block(const Block<V>& block, double* out) {
-  const BatchArm& arm = block.arm;
-  const BatchTurns<V> turns(block);
+  const BatchArm& arm = block.group.arm;
+  const std::size_t count = block.group.count;
   Parts<V> axis[kBatchJoints], point[kBatchJoints];
   BatchFrame<V> frame = {parts<V>(arm.base), parts<V>(arm.base + 3), parts<V>(arm.base + 6),
                          parts<V>(arm.base + 9)};
   for (std::size_t i = 0; i < arm.n; ++i) {
     if (i > 0) frame.step_x(arm, i);
     if (arm.has_d[i]) frame.p = frame.p + block.distance(i) * frame.z;
-    frame.turn_z(turns.sine(i), turns.cosine(i));
+    frame.turn_z(block.sine(i), block.cosine(i));
     axis[i] = frame.z;
     point[i] = frame.p;
   }
@@ -253,37 +176,36 @@ template <class V>
                         all_lanes<V>(arm.tool[11]) * frame.z;
   const Parts<V> p = frame.p + tool;
   for (std::size_t i = 0; i < arm.n; ++i) {
-    double* v_out = out + 6 * i * block.count;
-    double* w_out = v_out + 3 * block.count;
+    double* v_out = out + 6 * i * count;
+    double* w_out = v_out + 3 * count;
     if (arm.slides[i]) {
-      store_parts(v_out, block.count, all_lanes<V>(arm.slide[i]) * axis[i]);
-      store_parts(w_out, block.count, Parts<V>{});
+      store_parts(v_out, count, all_lanes<V>(arm.slide[i]) * axis[i]);
+      store_parts(w_out, count, Parts<V>{});
       continue;
     }
-    const Parts<V> w = block.lanes.turn[i] * axis[i];
-    const Parts<V> r = p - point[i];
-    const Parts<V> v = {w.y * r.z - w.z * r.y, -(w.x * r.z - w.z * r.x), w.x * r.y - w.y * r.x};
-    store_parts(v_out, block.count, v);
-    store_parts(w_out, block.count, w);
+    const Parts<V> w = block.group.lanes.turn[i] * axis[i];
+    store_parts(v_out, count, cross(w, p - point[i]));
+    store_parts(w_out, count, w);
+  }
+}
+
+// All configurations, a group of blocks at a time.
+template <class V, void (*of_block)(const Block<V>& block, double* out)>
+void batch(const BatchArm& arm, const double* q, std::size_t count, double* out) {
+  const BatchLanes<V> lanes(arm);
+  constexpr std::size_t kLanes = kLanesOf<V>;
+  for (std::size_t begin = 0; begin < count; begin += kGroupBlocks * kLanes) {
+    const BatchGroup<V> group = {arm, lanes, q, count, begin};
+    const BatchTurns<V> turns(group);
+    for (std::size_t b = 0; b < kGroupBlocks && begin + b * kLanes < count; ++b) {
+      const std::size_t k = group.start(b);
+      of_block({group, turns, b, k}, out + k);
+    }
   }
 }
 
 template <class V>
-void batch_poses(const BatchArm& arm, const double* q, std::size_t count, double* out) {
-  const BatchLanes<V> lanes(arm);
-  for (std::size_t begin = 0; begin < count; begin += kLanesOf<V>) {
-    const std::size_t k = block_start<V>(begin, count);
-    poses_of_block<V>({arm, lanes, q, count, k}, out + k);
-  }
-}
-
-template <class V>
-void batch_jacobians(const BatchArm& arm, const double* q, std::size_t count, double* out) {
-  const BatchLanes<V> lanes(arm);
-  for (std::size_t begin = 0; begin < count; begin += kLanesOf<V>) {
-    const std::size_t k = block_start<V>(begin, count);
-    jacobians_of_block<V>({arm, lanes, q, count, k}, out + k);
-  }
-}
+inline constexpr BatchKernels kBatchKernels = {kLanesOf<V>, batch<V, poses_of_block<V>>,
+                                               batch<V, jacobians_of_block<V>>};
 
 }  // namespace armlet

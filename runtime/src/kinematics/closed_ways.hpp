@@ -13,18 +13,7 @@ namespace armlet::closed {
 constexpr double kAlike = 1e-10;
 constexpr double kBeyond = 1e-5;
 
-template <class V>
-[[gnu::always_inline]] inline V root(V square) {
-#if defined(__SSE2__) && !defined(__clang__)
-  if constexpr (sizeof(V) == 16) return __builtin_ia32_sqrtpd(square);
-  if constexpr (sizeof(V) == 32) return __builtin_ia32_sqrtpd256(square);
-  if constexpr (sizeof(V) == 64) return __builtin_ia32_sqrtpd512_mask(square, square, -1, 4);
-#else
-  for (unsigned lane = 0; lane < sizeof(V) / sizeof(double); ++lane)
-    square[lane] = __builtin_sqrt(square[lane]);
-  return square;
-#endif
-}
+using det::root;
 
 // A cosine and sine per lane.
 template <class V>

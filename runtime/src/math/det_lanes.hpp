@@ -20,6 +20,20 @@ struct LaneSinCos {
   V sin, cos;
 };
 
+// Exactly rounded, as on every set.
+template <class V>
+[[gnu::always_inline]] inline V root(V square) {
+#if defined(__SSE2__) && !defined(__clang__)
+  if constexpr (sizeof(V) == 16) return __builtin_ia32_sqrtpd(square);
+  if constexpr (sizeof(V) == 32) return __builtin_ia32_sqrtpd256(square);
+  if constexpr (sizeof(V) == 64) return __builtin_ia32_sqrtpd512_mask(square, square, -1, 4);
+#else
+  for (unsigned lane = 0; lane < sizeof(V) / sizeof(double); ++lane)
+    square[lane] = __builtin_sqrt(square[lane]);
+  return square;
+#endif
+}
+
 // Remembers over several vectors of angles whether all are settled: within 2^7 right angles, and
 // not so close to a multiple of a right angle that its parts are not enough. Zero is no such
 // multiple. Otherwise sincos(double) has to be asked.
@@ -53,46 +67,6 @@ struct LaneCheck {
   static constexpr long kFarthestCount = 1 << 7;
 };
 
-// What sincos_lanes() needs besides: added to a number of right angles it leaves it, not negative,
-// in the lowest bits.
-struct LaneNumbers : SinCosNumbers {
-  static constexpr double shift = kRoundingMagic + LaneCheck<Lanes>::kFarthestCount;
-};
-
-// The same in every lane, in memory: where the instruction set takes operands from there, no
-// number has to be brought into a register first.
-template <class V>
-struct LaneTable {
-  using N = LaneNumbers;
-  V two_over_pi = V{} + N::two_over_pi, shift = V{} + N::shift, half = V{} + N::half,
-    one = V{} + N::one, part1 = V{} + N::part1, part2 = V{} + N::part2, rest2 = V{} + N::rest2;
-  V S1 = V{} + N::S1, S2 = V{} + N::S2, S3 = V{} + N::S3, S4 = V{} + N::S4, S5 = V{} + N::S5,
-    S6 = V{} + N::S6;
-  V C1 = V{} + N::C1, C2 = V{} + N::C2, C3 = V{} + N::C3, C4 = V{} + N::C4, C5 = V{} + N::C5,
-    C6 = V{} + N::C6;
-};
-
-// Two vectors side by side, to have something to do while one waits.
-template <class V>
-struct TwoLanes {
-  V a, b;
-  [[gnu::always_inline]] friend TwoLanes operator+(TwoLanes x, TwoLanes y) {
-    return {x.a + y.a, x.b + y.b};
-  }
-  [[gnu::always_inline]] friend TwoLanes operator+(V x, TwoLanes y) { return {x + y.a, x + y.b}; }
-  [[gnu::always_inline]] friend TwoLanes operator+(TwoLanes x, V y) { return {x.a + y, x.b + y}; }
-  [[gnu::always_inline]] friend TwoLanes operator-(TwoLanes x, TwoLanes y) {
-    return {x.a - y.a, x.b - y.b};
-  }
-  [[gnu::always_inline]] friend TwoLanes operator-(V x, TwoLanes y) { return {x - y.a, x - y.b}; }
-  [[gnu::always_inline]] friend TwoLanes operator-(TwoLanes x, V y) { return {x.a - y, x.b - y}; }
-  [[gnu::always_inline]] friend TwoLanes operator*(TwoLanes x, TwoLanes y) {
-    return {x.a * y.a, x.b * y.b};
-  }
-  [[gnu::always_inline]] friend TwoLanes operator*(V x, TwoLanes y) { return {x * y.a, x * y.b}; }
-  [[gnu::always_inline]] friend TwoLanes operator*(TwoLanes x, V y) { return {x.a * y, x.b * y}; }
-};
-
 // Sine and cosine of the rest of an angle, put where its right angles (the lowest bits of
 // `shifted`) want them: the lowest bit swaps them; the next one and the sum of both are their
 // signs.
@@ -122,30 +96,14 @@ template <class V>
 // Sines and cosines of the lanes.
 //
 // check  hears whether they are settled.
-template <class V, class Numbers = LaneNumbers>
-[[gnu::always_inline]] inline LaneSinCos<V> sincos_lanes(V angle, LaneCheck<V>& check,
-                                                         const Numbers& c = {}) {
-  const V shifted = angle * c.two_over_pi + c.shift;
-  const auto [hi, lo] = subtract_right_angles(angle, V(shifted - c.shift), c);
+template <class V>
+[[gnu::always_inline]] inline LaneSinCos<V> sincos_lanes(V angle, LaneCheck<V>& check) {
+  // Added to a number of right angles it leaves it, not negative, in the lowest bits.
+  constexpr double kShift = kRoundingMagic + LaneCheck<Lanes>::kFarthestCount;
+  const V shifted = angle * kTwoOverPi + kShift;
+  const auto [hi, lo] = subtract_right_angles(angle, V(shifted - kShift));
   check.add(hi * hi, LaneBits<V>(shifted) ^ __builtin_bit_cast(long, kRoundingMagic));
-  return in_quadrant(sin_kernel(hi, lo, c), cos_kernel(hi, lo, c), shifted);
-}
-
-template <class V>
-struct TwoSinCos {
-  LaneSinCos<V> a, b;
-};
-template <class V>
-[[gnu::always_inline]] inline TwoSinCos<V> sincos_lanes(TwoLanes<V> angle, LaneCheck<V>& check,
-                                                        const LaneTable<V>& c) {
-  const TwoLanes<V> shifted = angle * c.two_over_pi + c.shift;
-  const auto [hi, lo] = subtract_right_angles(angle, shifted - c.shift, c);
-  const auto magic = __builtin_bit_cast(long, kRoundingMagic);
-  check.add(hi.a * hi.a, LaneBits<V>(shifted.a) ^ magic);
-  check.add(hi.b * hi.b, LaneBits<V>(shifted.b) ^ magic);
-  const TwoLanes<V> sine = sin_kernel(hi, lo, c);
-  const TwoLanes<V> cosine = cos_kernel(hi, lo, c);
-  return {in_quadrant(sine.a, cosine.a, shifted.a), in_quadrant(sine.b, cosine.b, shifted.b)};
+  return in_quadrant(sin_kernel(hi, lo), cos_kernel(hi, lo), shifted);
 }
 
 }  // namespace armlet::det

@@ -13,14 +13,12 @@ inline constexpr double kTwoOverPi = 6.36619772367581382433e-01;
 // Adding and subtracting it rounds to the nearest integer, ties to even, below 2^51: 1.5 * 2^52.
 inline constexpr double kRoundingMagic = 6755399441055744.0;
 
-// The numbers that reduction and polynomials need; a kernel may keep copies in its own lanes, under
-// the same names.
+// The numbers that reduction and polynomials need.
 //
 // part1, part2, rest2  Cody and Waite: pi/2 in two parts of 33 bits and a rest, so that whole
 //                      multiples below 2^14 of the parts have no rounding error and those of the
 //                      rest stay below half a unit in the last place.
 struct SinCosNumbers {
-  static constexpr double two_over_pi = kTwoOverPi, half = 0.5, one = 1.0;
   static constexpr double part1 = 1.57079632673412561417e+00, part2 = 6.07710050630396597660e-11,
                           rest2 = 2.02226624879595063154e-21;
   static constexpr double S1 = -1.66666666666666324348e-01, S2 = 8.33333333332248946124e-03,
@@ -43,32 +41,34 @@ struct Difference {
   Number hi, lo;
 };
 
-template <class Number, class Numbers = SinCosNumbers>
-[[gnu::always_inline]] inline Difference<Number> subtract_right_angles(Number x, Number fn,
-                                                                       const Numbers& c = {}) {
-  const Number t = x - fn * c.part1;  // exact
-  const Number w = fn * c.part2;      // exact
+template <class Number>
+[[gnu::always_inline]] inline Difference<Number> subtract_right_angles(Number x, Number fn) {
+  using N = SinCosNumbers;
+  const Number t = x - fn * N::part1;  // exact
+  const Number w = fn * N::part2;      // exact
   const Number hi = t - w;
-  return {hi, ((t - hi) - w) - fn * c.rest2};
+  return {hi, ((t - hi) - w) - fn * N::rest2};
 }
 
 // sin(hi + lo) for |hi| <= pi/4 and a little.
-template <class Number, class Numbers = SinCosNumbers>
-[[gnu::always_inline]] inline Number sin_kernel(Number hi, Number lo, const Numbers& c = {}) {
+template <class Number>
+[[gnu::always_inline]] inline Number sin_kernel(Number hi, Number lo) {
+  using N = SinCosNumbers;
   const Number z = hi * hi;
   const Number v = z * hi;
-  const Number p = c.S2 + z * (c.S3 + z * (c.S4 + z * (c.S5 + z * c.S6)));
-  return hi - ((c.half * z * lo - lo) - v * (c.S1 + z * p));
+  const Number p = N::S2 + z * (N::S3 + z * (N::S4 + z * (N::S5 + z * N::S6)));
+  return hi - ((0.5 * z * lo - lo) - v * (N::S1 + z * p));
 }
 
 // cos(hi + lo) for |hi| <= pi/4 and a little.
-template <class Number, class Numbers = SinCosNumbers>
-[[gnu::always_inline]] inline Number cos_kernel(Number hi, Number lo, const Numbers& c = {}) {
+template <class Number>
+[[gnu::always_inline]] inline Number cos_kernel(Number hi, Number lo) {
+  using N = SinCosNumbers;
   const Number z = hi * hi;
-  const Number p = z * (c.C1 + z * (c.C2 + z * (c.C3 + z * (c.C4 + z * (c.C5 + z * c.C6)))));
-  const Number half = c.half * z;
-  const Number w = c.one - half;
-  return w + (((c.one - w) - half) + (z * p - hi * lo));
+  const Number p = z * (N::C1 + z * (N::C2 + z * (N::C3 + z * (N::C4 + z * (N::C5 + z * N::C6)))));
+  const Number half = 0.5 * z;
+  const Number w = 1.0 - half;
+  return w + (((1.0 - w) - half) + (z * p - hi * lo));
 }
 
 }  // namespace armlet::det

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "../math/det_quick_lanes.hpp"
+#include "batch_arm.hpp"
+#include "lane_steps.hpp"
+
+// Sines and cosines of many configurations, one per lane. Like all of the batch's kernels it is
+// compiled once per instruction set, in sources that include nothing else, and exactly rounded
+// operation by operation: the bits are the same on each.
+namespace armlet {
+
+template <class V>
+inline constexpr std::size_t kLanesOf = sizeof(V) / sizeof(double);
+
+// Blocks that are turned side by side.
+inline constexpr std::size_t kGroupBlocks = 4;
+
+// The same number in every lane; subtracting 0 keeps the sign of -0.
+template <class V>
+[[gnu::always_inline]] inline V all_lanes(double value) {
+  return value - V{};
+}
+
+// What does not change from block to block, in every lane.
+template <class V>
+struct BatchLanes {
+  V theta[kBatchJoints], turn[kBatchJoints], d[kBatchJoints], a[kBatchJoints];
+  det::QuickTable<V> numbers;
+
+  [[gnu::always_inline]] explicit BatchLanes(const BatchArm& arm) {
+    for (std::size_t i = 0; i < arm.n; ++i) {
+      theta[i] = all_lanes<V>(arm.theta[i]);
+      turn[i] = all_lanes<V>(arm.turn[i]);
+      d[i] = all_lanes<V>(arm.d[i]);
+      a[i] = all_lanes<V>(arm.a[i]);
+    }
+  }
+
+  // The compiler must not know that they are constants: it would bring each into a register again.
+  [[gnu::always_inline]] const det::QuickTable<V>& hidden_numbers() const {
+    const det::QuickTable<V>* hidden = &numbers;
+    asm("" : "+r"(hidden));
+    return *hidden;
+  }
+};
+
+// Blocks of one configuration per lane, the first from configuration `begin` on.
+template <class V>
+struct BatchGroup {
+  const BatchArm& arm;
+  const BatchLanes<V>& lanes;
+  const double* q;
+  std::size_t count, begin;
+
+  // The configuration where block b begins. The last block overlaps the one before, and those that
+  // would come after it repeat it.
+  [[gnu::always_inline]] std::size_t start(std::size_t b) const {
+    const std::size_t k = begin + b * kLanesOf<V>;
+    return k + kLanesOf<V> <= count ? k : count - kLanesOf<V>;
+  }
+
+  [[gnu::always_inline]] det::FourLanes<V> angles(std::size_t i) const {
+    const double* values = q + i * count;
+    const det::FourLanes<V> x = {load_lanes<V>(values + start(0)), load_lanes<V>(values + start(1)),
+                                 load_lanes<V>(values + start(2)),
+                                 load_lanes<V>(values + start(3))};
+    return arm.plain[i] ? x : x * lanes.turn[i] + lanes.theta[i];
+  }
+};
+
+template <class V>
+struct BatchTurns {
+  static constexpr std::size_t kLanes = kLanesOf<V>;
+  static constexpr std::size_t kStride = kGroupBlocks * kLanes;
+  alignas(V) double sines[kBatchJoints * kStride];
+  alignas(V) double cosines[kBatchJoints * kStride];
+
+  [[gnu::always_inline]] explicit BatchTurns(const BatchGroup<V>& group) {
+    const det::QuickTable<V>& numbers = group.lanes.hidden_numbers();
+    det::QuickCheck<V> check;
+    for (std::size_t i = 0; i < group.arm.n; ++i) {
+      const auto turns = det::quick_sincos(group.angles(i), check, numbers);
+      put(i, 0, turns.a);
+      put(i, 1, turns.b);
+      put(i, 2, turns.c);
+      put(i, 3, turns.d);
+    }
+    if (check.any_too_large()) turn_carefully(group);
+  }
+
+  [[gnu::always_inline]] V sine(std::size_t i, std::size_t b) const {
+    return load_lanes<V>(sines + place(i, b));
+  }
+  [[gnu::always_inline]] V cosine(std::size_t i, std::size_t b) const {
+    return load_lanes<V>(cosines + place(i, b));
+  }
+
+ private:
+  static constexpr std::size_t place(std::size_t i, std::size_t b) {
+    return i * kStride + b * kLanes;
+  }
+
+  [[gnu::always_inline]] void put(std::size_t i, std::size_t b, const det::LaneSinCos<V>& turn) {
+    store_lanes(sines + place(i, b), turn.sin);
+    store_lanes(cosines + place(i, b), turn.cos);
+  }
+
+  [[gnu::always_inline]] void turn_carefully(const BatchGroup<V>& group) {
+    for (std::size_t b = 0; b < kGroupBlocks; ++b) {
+      careful_batch_turns(
+          group.arm, group.q, group.count,
+          {group.start(b), kLanes, kStride, sines + place(0, b), cosines + place(0, b)});
+    }
+  }
+};
+
+}  // namespace armlet

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "det_lanes.hpp"
+
+// Sines and cosines for batches, where the number of operations counts and not how long one waits
+// for a result: within two units in the last place, in about half the operations of sincos_lanes().
+// Every operation is rounded exactly, so the bits do not depend on the width either.
+namespace armlet::det {
+
+// Four vectors side by side. A processor looks about a hundred operations ahead, which is one such
+// step of all four: it finds something to do while results of the step before are on their way.
+template <class V>
+struct FourLanes {
+  V a, b, c, d;
+  [[gnu::always_inline]] friend FourLanes operator+(FourLanes x, FourLanes y) {
+    return {x.a + y.a, x.b + y.b, x.c + y.c, x.d + y.d};
+  }
+  [[gnu::always_inline]] friend FourLanes operator+(FourLanes x, V y) {
+    return {x.a + y, x.b + y, x.c + y, x.d + y};
+  }
+  [[gnu::always_inline]] friend FourLanes operator-(FourLanes x, FourLanes y) {
+    return {x.a - y.a, x.b - y.b, x.c - y.c, x.d - y.d};
+  }
+  [[gnu::always_inline]] friend FourLanes operator-(FourLanes x, V y) {
+    return {x.a - y, x.b - y, x.c - y, x.d - y};
+  }
+  [[gnu::always_inline]] friend FourLanes operator-(V x, FourLanes y) {
+    return {x - y.a, x - y.b, x - y.c, x - y.d};
+  }
+  [[gnu::always_inline]] friend FourLanes operator*(FourLanes x, FourLanes y) {
+    return {x.a * y.a, x.b * y.b, x.c * y.c, x.d * y.d};
+  }
+  [[gnu::always_inline]] friend FourLanes operator*(FourLanes x, V y) {
+    return {x.a * y, x.b * y, x.c * y, x.d * y};
+  }
+};
+
+// Angles are counted in units of 2^7 right angles, so that one bit tells those that are too large.
+struct QuickNumbers {
+  static constexpr double kUnit = 0x1p7;
+  static constexpr double per_angle = kTwoOverPi / kUnit;     // units per radian
+  static constexpr double rounding = kRoundingMagic / kUnit;  // to whole right angles
+  // pi/2 in 45 bits, whose whole multiples up to 2^8 are exact, and a rest; radians per unit.
+  static constexpr double part1 = 0x1.921fb54442dp+0 * kUnit, part2 = 0x1.8469898cc517p-48 * kUnit;
+};
+
+// Whether quick_sincos() leaves the angle to sincos(double): from 2^8 right angles on, and if it is
+// not finite.
+[[gnu::always_inline]] inline bool is_too_large(double angle) {
+  return !(__builtin_fabs(angle * QuickNumbers::per_angle) < 2.0);
+}
+
+// Remembers over several vectors whether any of their angles is too large: numbers of at least 2,
+// infinite ones and NaN are those whose uppermost bit of the exponent is set.
+template <class V>
+struct QuickCheck {
+  LaneBits<V> bits = {};
+
+  [[gnu::always_inline]] void add(const FourLanes<V>& units) {
+    bits |= (LaneBits<V>(units.a) | LaneBits<V>(units.b)) |
+            (LaneBits<V>(units.c) | LaneBits<V>(units.d));
+  }
+
+  [[gnu::always_inline]] bool any_too_large() const {
+    auto all = bits[0];
+    for (unsigned lane = 1; lane < sizeof(V) / sizeof(double); ++lane) all |= bits[lane];
+    return (all >> 62 & 1) != 0;
+  }
+};
+
+// What quick_sincos() needs, in every lane, in memory: where the instruction set takes operands
+// from there, no number has to be brought into a register first.
+template <class V>
+struct QuickTable {
+  using N = QuickNumbers;
+  using P = SinCosNumbers;
+  V per_angle = V{} + N::per_angle, rounding = V{} + N::rounding, part1 = V{} + N::part1,
+    part2 = V{} + N::part2, one = V{} + 1.0;
+  V S1 = V{} + P::S1, S2 = V{} + P::S2, S3 = V{} + P::S3, S4 = V{} + P::S4, S5 = V{} + P::S5,
+    S6 = V{} + P::S6;
+};
+
+template <class V>
+struct FourSinCos {
+  LaneSinCos<V> a, b, c, d;
+};
+
+// Sines and cosines of the lanes. The cosine of the rest of an angle, at most an eighth of a turn,
+// is the root of what its squared sine leaves of 1: no digit is lost, and the divider works beside
+// the multipliers. The polynomial of the sine is split into even and odd powers, which shortens it.
+//
+// check  hears whether any angle is too large; its results are then meaningless.
+template <class V>
+[[gnu::always_inline]] inline FourSinCos<V> quick_sincos(const FourLanes<V>& angle,
+                                                         QuickCheck<V>& check,
+                                                         const QuickTable<V>& c) {
+  const FourLanes<V> units = angle * c.per_angle;
+  check.add(units);
+  const FourLanes<V> shifted = units + c.rounding;
+  const FourLanes<V> whole = shifted - c.rounding;
+  const FourLanes<V> r = (angle - whole * c.part1) - whole * c.part2;
+  const FourLanes<V> z = r * r;
+  const FourLanes<V> z2 = z * z;
+  const FourLanes<V> odd = (z2 * c.S5 + c.S3) * z2 + c.S1;
+  const FourLanes<V> even = (z2 * c.S6 + c.S4) * z2 + c.S2;
+  const FourLanes<V> sine = r + (r * z) * (odd + z * even);
+  const FourLanes<V> square = c.one - sine * sine;
+  return {in_quadrant(sine.a, root(square.a), shifted.a),
+          in_quadrant(sine.b, root(square.b), shifted.b),
+          in_quadrant(sine.c, root(square.c), shifted.c),
+          in_quadrant(sine.d, root(square.d), shifted.d)};
+}
+
+}  // namespace armlet::det
