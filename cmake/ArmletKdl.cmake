@@ -15,10 +15,11 @@ if(ARMLET_KDL_SOURCE)
   target_include_directories(${kdl} PRIVATE ${ARMLET_KDL_HEADERS}/kdl)  # for config.h
 endif()
 
-# Apart from our targets, whose Eigen types are laid out differently from those in the installed KDL.
-add_library(kdl_arm OBJECT EXCLUDE_FROM_ALL kdl_arm.cpp)
+# A shared library with hidden symbols, apart from our targets: the same functions of Eigen exist on both sides, with types
+# laid out differently, and a linker that sees both would take either.
+add_library(kdl_arm SHARED EXCLUDE_FROM_ALL kdl_arm.cpp)
 armlet_compile_options(kdl_arm)
-target_link_libraries(kdl_arm PUBLIC ${kdl} PRIVATE Eigen3::Eigen)
+target_link_libraries(kdl_arm PRIVATE ${kdl} Eigen3::Eigen)
 if(NOT ARMLET_KDL_SOURCE)  # whatever our flags, its Eigen types are aligned as in the installed one
   target_compile_definitions(kdl_arm PRIVATE EIGEN_MAX_ALIGN_BYTES=16)
 endif()

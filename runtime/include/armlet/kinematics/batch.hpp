@@ -13,11 +13,10 @@ enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 bool is_supported(InstructionSet set);
 InstructionSet best_instruction_set();
 
-// Tool poses of many configurations, several at once.
+// Tool poses of many configurations, several at once; fewer than four are quicker one by one.
 //
-// q        structure of arrays: joint i of configuration k of `count` is q[i * count + k], rad or
-// m;
-//          count is its size over n and may be 0.
+// q        structure of arrays: joint i of configuration k is q[i * count + k], rad or m; `count`
+//          is its size over n and may be 0.
 // poses    12 count numbers: entry e is poses[e * count + k]; 0-2, 3-5 and 6-8 are the axes x, y, z
 //          of the tool in the world and 9-11 its origin.
 // set      a configuration has the same result to the last bit for every set, alone and in any
