@@ -223,6 +223,7 @@ struct Checker : CheckerState {
   // ---- statements.cpp
   hir::Block* check_block(ast::Seq<ast::Stmt*> body, Span span);
   void check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out);
+  static void append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out);
   hir::Stmt* check_statement(const ast::Stmt& stmt);
   hir::Stmt* check_any_statement(const ast::Stmt& stmt);
   hir::Stmt* check_expression_statement(const ast::ExprStmt& stmt);

@@ -81,7 +81,7 @@ hir::Stmt* Checker::check_for(const ast::ForStmt& stmt) {
   std::vector<hir::Stmt*> body;
   open_block();
   for (const ast::Stmt* init : stmt.init) {
-    if (hir::Stmt* checked = check_statement(*init)) body.push_back(checked);
+    if (hir::Stmt* checked = check_statement(*init)) append(*init, checked, body);
   }
   body.push_back(check_while(stmt.condition, *stmt.body, stmt.step, stmt.span));
   close_block();

@@ -100,9 +100,18 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
     } else if (stmt.kind == ast::StmtKind::kRecord) {
       return check_record(*this, stmt.as<ast::RecordStmt>(), body.subspan(i + 1), out);
     } else if (hir::Stmt* checked = check_statement(stmt)) {
-      out.push_back(checked);
+      append(stmt, checked, out);
     }
   }
+}
+
+// int a = 1, b = 2: several statements, but no block of their own; the variables live on.
+void Checker::append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out) {
+  if (stmt.kind != ast::StmtKind::kVar || checked->kind != hir::StmtKind::kBlock) {
+    out.push_back(checked);
+    return;
+  }
+  std::ranges::copy(checked->as<hir::Block>().body, std::back_inserter(out));
 }
 
 hir::Stmt* Checker::check_statement(const ast::Stmt& stmt) {
