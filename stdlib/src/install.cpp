@@ -15,7 +15,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"simulate", "mesh", "touching", "table", "lab",
+constexpr std::string_view kPlanned[] = {"simulate", "mesh", "touching", "lab",
                                          // settings of with
                                          "with.collisions"};
 

@@ -25,6 +25,10 @@ hir::Expr* Checker::convert(hir::Expr* value, const Type* type) {
   const Type* from = value->type;
   if (from == type || from->is(Kind::kAny) || type->is(Kind::kAny)) return value;
   if (from->is_number() && type->is(Kind::kReal)) return number_as(value, type);
+  types_.join_tables(from, type);
+  if (from->is_table() && type->is_table() && from->record == type->record)
+    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span,
+                                  hir::Conversion::kSame, value);
   if (!from->is(Kind::kList) || !type->is(Kind::kList)) return nullptr;
   if (value->kind == hir::ExprKind::kList) {
     // A literal takes the element type that is asked for.

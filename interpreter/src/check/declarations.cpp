@@ -123,7 +123,7 @@ hir::Stmt* Checker::check_var(const ast::VarStmt& stmt) {
 hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& declarator) {
   const ast::Name& name = declarator.name;
   const bool top_level = here_ == &main_ && main_.blocks.size() == 1;
-  const Type* type = resolve_open(*this, declarator.type);
+  const Type* type = declarator.type != nullptr ? resolve(*declarator.type) : nullptr;
   Use used;
   Use* const use_before = use_;
   if (top_level) use_ = &used;
@@ -133,7 +133,6 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
   classic_declaration_ = classic_before;
   if (value != nullptr && type != nullptr)
     value = require(value, {.type = type, .name = name.text});
-  if (value != nullptr) value = require_table(*this, declarator.type, value);
   use_ = use_before;
   if (type == nullptr && value != nullptr) {
     type = value->type;

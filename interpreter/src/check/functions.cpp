@@ -131,11 +131,11 @@ void Checker::finish_result(FunctionContext& context, std::string_view name, Spa
     context.function->result = context.result;
     const ast::FunctionStmt* written =
         context.declaration != nullptr ? context.declaration->node : nullptr;
-    if (written != nullptr && is_any_table(*this, written->result) && !context.result->is_table() &&
-        !context.result->is(Kind::kAny)) {
+    if (written != nullptr && is_any_table(*this, written->result) &&
+        !fits_any_table(written->result, context.result)) {
       sink_.begin_statement();
       report(make_diagnostic("E0315", written->result->span,
-                             {"a table", type_phrase(context.result)}));
+                             {any_table_phrase(written->result), type_phrase(context.result)}));
     }
   }
   const Type* result = context.result;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "check/any_table.hpp"
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 
@@ -65,9 +66,10 @@ std::optional<std::vector<hir::Variable*>> Checker::lambda_parameters(const ast:
   std::vector<hir::Variable*> out;
   for (std::size_t i = 0; i < lambda.params.size(); ++i) {
     const ast::Param& param = lambda.params[i];
-    const Type* type = param.type != nullptr ? resolve(*param.type)
-                       : expected != nullptr ? expected->parameters[i]
-                                             : nullptr;
+    const Type* given = expected != nullptr ? expected->parameters[i] : nullptr;
+    const Type* type = param.type != nullptr ? resolve(*param.type) : given;
+    if (given != nullptr && is_any_table(*this, param.type) && fits_any_table(param.type, given))
+      type = given;
     if (type == nullptr) {
       const std::string name(param.name.text);
       Diagnostic diagnostic = make_diagnostic("E0323", param.name.span, {'`' + name + '`'});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/any_table.hpp"
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 #include "check/matrices.hpp"
@@ -205,7 +206,13 @@ Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, con
 hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
   const Type* have = value.type;
   const Type* want = target.type;
-  if (have->is(Kind::kVoid)) {
+  const std::string have_text = table_phrase(have);
+  const std::string want_text = table_phrase(want);
+  if (!have_text.empty() && !want_text.empty()) {
+    Diagnostic diagnostic = make_diagnostic("E0315", value.span, {want_text, have_text});
+    diagnostic.why = "all tables of a list, and of a field, have the same columns";
+    report(std::move(diagnostic));
+  } else if (have->is(Kind::kVoid)) {
     const std::string text = text_of(value.span);
     report(make_diagnostic("E0320", value.span, {text.substr(0, text.find('('))}));
   } else if (want->is(Kind::kInt) && have->is(Kind::kReal)) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "check/any_table.hpp"
 #include "table_functions.hpp"
 
 namespace armlet::lang {
@@ -136,9 +137,10 @@ hir::Stmt* check_lone_record(Checker& checker, const ast::RecordStmt& stmt) {
 }
 
 hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& member) {
-  const RecordInfo& info = *table->type->record;
   if (member.member.text == "length")
     return builtin(checker, kTableLength, checker.types_.integer(), member.span, {table});
+  if (!settle(checker, *table)) return checker.failed(member.span);
+  const RecordInfo& info = *table->type->record;
   const int column = info.index_of(member.member.text);
   if (column < 0) return checker.unknown_field(*table, member.member);
   hir::Expr* number = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types_.integer(),
@@ -147,6 +149,7 @@ hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& 
 }
 
 hir::Expr* rows_of(Checker& checker, hir::Expr* table) {
+  if (!settle(checker, *table)) return checker.failed(table->span);
   return builtin(checker, kTableRows, checker.types_.list(table->type->record->row), table->span,
                  {table});
 }

@@ -107,9 +107,11 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
       value = type != nullptr ? require(argument->value, target) : argument->value;
     }
     if (value->type->is(Kind::kAny)) return failed(span);
-    if (is_any_table(*this, node.params[p].type) && !value->type->is_table()) {
-      report(make_diagnostic("E0313", value->span,
-                             {std::string(name), "a table", type_phrase(value->type)}));
+    const ast::TypeExpr* written = node.params[p].type;
+    if (is_any_table(*function.file, written) && !fits_any_table(written, value->type)) {
+      report(make_diagnostic(
+          "E0313", value->span,
+          {std::string(name), any_table_phrase(written), type_phrase(value->type)}));
       return failed(span);
     }
     if (value->type->is(Kind::kList) && value->type->element->is(Kind::kAny)) {

@@ -17,6 +17,7 @@ const Type* Checker::type_called(std::string_view name) {
   if (const auto found = named_types_.find(name); found != named_types_.end()) return found->second;
   if (const HostType* host = registry_.type(name)) return types_.host(host);
   if (const auto dim = dimension_named(name)) return types_.quantity(*dim);
+  if (name == "table") return types_.open_table();
   return types_.library_record(name);
 }
 
@@ -34,7 +35,8 @@ const Type* Checker::resolve_named(const ast::TypeExpr& type) {
     return types_.any();
   }
   if (refuse_foreign_type(*this, name, type.span)) return types_.any();
-  std::vector<std::string_view> names = {"int", "double", "bool", "string", "matrix", "void"};
+  std::vector<std::string_view> names = {"int",    "double", "bool", "string",
+                                         "matrix", "table",  "void"};
   std::ranges::copy(dimension_names(), std::back_inserter(names));
   for (const auto& [known, unused] : named_types_) names.push_back(known);
   for (const auto& [known, unused] : registry_.types()) names.push_back(known);

@@ -370,7 +370,7 @@ int conversion_cost(const Type* from, const Type* to, bool zero) {
   if (from->is(Kind::kList) && to->is(Kind::kList)) {
     return conversion_cost(from->element, to->element);
   }
-  return -1;
+  return from->is_table() && to->is_table() && from->record == to->record ? 0 : -1;
 }
 
 std::optional<Dim> common_dimension(Dim a, Dim b) {

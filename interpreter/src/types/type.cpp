@@ -1,6 +1,7 @@
 #include "armlet/interpreter/type.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "armlet/interpreter/object.hpp"
 
@@ -134,7 +135,7 @@ const Type* TypePool::new_record(std::string name) {
 
 const Type* TypePool::table(std::vector<RecordField> row) {
   for (const Type& known : types_) {
-    if (!known.is_table()) continue;
+    if (!known.is_table() || known.record->row->record->table != &known) continue;
     const std::vector<RecordField>& fields = known.record->row->record->fields;
     const auto same_field = [](const RecordField& a, const RecordField& b) {
       return a.name == b.name && a.type == b.type;
@@ -152,6 +153,26 @@ const Type* TypePool::table(std::vector<RecordField> row) {
   row_type->record->table = table;
   table->record->row = row_type;
   return table;
+}
+
+const Type* TypePool::open_table() {
+  const Type* table = new_record("table");
+  table->record->row = new_record("row");
+  return table;
+}
+
+void TypePool::join_tables(const Type* a, const Type* b) {
+  while (a->is(Kind::kList) && b->is(Kind::kList)) {
+    a = a->element;
+    b = b->element;
+  }
+  if (!a->is_table() || !b->is_table()) return;
+  if (!a->is_open_table()) std::swap(a, b);
+  const RecordInfo* open = a->record;
+  if (!a->is_open_table() || b->record == open) return;
+  for (Type& type : types_) {
+    if (type.record == open) type.record = b->record;
+  }
 }
 
 const Type* TypePool::new_enum(std::string name, std::vector<std::string> values) {

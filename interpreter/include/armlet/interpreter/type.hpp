@@ -65,6 +65,8 @@ struct Type {
   [[nodiscard]] bool is(Kind k) const { return kind == k; }
   [[nodiscard]] bool is_double() const { return kind == Kind::kReal && dim.is_none(); }
   [[nodiscard]] bool is_table() const { return kind == Kind::kRecord && record->row != nullptr; }
+  // Whose columns are not known yet; every other table has at least the column t.
+  [[nodiscard]] bool is_open_table() const { return is_table() && record->fields.empty(); }
   [[nodiscard]] bool is_quantity() const { return kind == Kind::kReal && !dim.is_none(); }
   [[nodiscard]] bool is_number() const { return kind == Kind::kReal || kind == Kind::kInt; }
   // Held in a slot as a counted reference (text, lists, records ...), not as bits.
@@ -102,6 +104,10 @@ class TypePool {
   // The table whose rows have these fields: equal fields give the same type. A column is a list;
   // one of lists of numbers is a matrix with one row for each sample.
   const Type* table(std::vector<RecordField> row);
+  // `table` as it is written in a program: a type of its own, open until `join_tables` meets it.
+  const Type* open_table();
+  // Tables, or lists of tables: an open one takes the columns of the other from now on.
+  void join_tables(const Type* a, const Type* b);
   // The one record type with this name and these fields.
   const Type* record_of(std::string_view name, std::vector<RecordField> fields);
   // The library's records are one type per name.
