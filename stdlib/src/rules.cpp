@@ -239,6 +239,15 @@ void check_limits(CheckCall& call, const JointFact& joint, int i) {
                       {format_joint_value(kind, (*joint.limits)[0]), std::to_string(i + 1),
                        format_joint_value(kind, (*joint.limits)[1])});
   d.fix = Fix{.text = "limits are written as [lower, upper]"};
+  const std::string text = call.text_of(joint.written);
+  const std::size_t comma = text.find(',');
+  const bool is_pair = text.starts_with('[') && text.ends_with(']') && comma != std::string::npos &&
+                       comma == text.rfind(',') && text[comma + 1] == ' ';
+  if (is_pair) {
+    const std::string upper = text.substr(comma + 2, text.size() - comma - 3);
+    const std::string swapped = '[' + upper + ", " + text.substr(1, comma - 1) + ']';
+    d.fix = Fix{.text = "write " + swapped, .edits = {{joint.written, swapped}}};
+  }
   call.report(std::move(d));
 }
 
@@ -349,6 +358,16 @@ void check_joint_target(CheckCall& call, int parameter) {
 
 }  // namespace
 
+std::vector<Edit> without(const CheckCall& call, int parameter) {
+  Span setting = call.setting_span(parameter);
+  const std::uint32_t begin = call.call_span().begin;
+  const std::string before = call.text_of({begin, setting.begin, setting.source});
+  const std::size_t comma = before.find_last_not_of(" \t\r\n");
+  if (comma == std::string::npos || before[comma] != ',') return {};
+  setting.begin = begin + static_cast<std::uint32_t>(comma);
+  return {{setting, ""}};
+}
+
 void check_duration(CheckCall& call, int parameter) {
   const auto constant = call.given(parameter) ? call.constant(parameter) : std::nullopt;
   if (!constant || !(constant->real < 0.0)) return;
@@ -360,7 +379,7 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
   if (call.given(time) && call.given(speed)) {
     Diagnostic d = make_diagnostic("E0506", call.setting_span(speed));
     d.related.push_back({call.setting_span(time), ""});
-    d.fix = Fix{.text = "leave one of them out"};
+    d.fix = Fix{.text = "leave one of them out", .edits = without(call, speed)};
     return call.report(std::move(d));
   }
   check_duration(call, time);
@@ -373,7 +392,7 @@ void check_move_joints(CheckCall& call) {
   if (!call.given(6)) return;
   Diagnostic d = make_diagnostic("E0207", call.setting_span(6), {"moveJ", "near"});
   d.why = "near chooses among the joint values that reach a place; a posJ is such values already";
-  d.fix = Fix{.text = "leave near out"};
+  d.fix = Fix{.text = "leave near out", .edits = without(call, 6), .confidence = Confidence::kSure};
   call.report(std::move(d));
 }
 void check_move_place(CheckCall& call) {

@@ -53,6 +53,8 @@ void check_move_line(CheckCall& call);       // (r, target, time, speed, accel, 
 // Two parts of them: a planner that is not known, and a time together with a speed.
 void check_planner(CheckCall& call, int parameter);
 void check_time_and_speed(CheckCall& call, int time, int speed);
+// The edit that leaves a setting out; empty where it is not behind a comma.
+[[nodiscard]] std::vector<Edit> without(const CheckCall& call, int parameter);
 // A duration that the text shows to be below zero: E0513.
 void check_duration(CheckCall& call, int parameter);
 void check_arc(CheckCall& call);     // (r, via, target, time, speed, blend)

@@ -14,7 +14,7 @@ void refuse(CheckCall& call, int parameter, std::string_view what, std::string_v
   Diagnostic d = make_diagnostic("E0502", call.setting_span(parameter));
   d.message = fmt::format("a move inside a `path` has no {} of its own", what);
   d.why = why;
-  d.fix = Fix{.text = std::string(fix)};
+  d.fix = Fix{.text = std::string(fix), .edits = without(call, parameter)};
   call.report(std::move(d));
 }
 
@@ -41,7 +41,8 @@ void check_in_path(CheckCall& call, const PathParameters& parameters) {
   if (in_path == CheckCall::InPath::kNo) {
     Diagnostic d = make_diagnostic("E0514", call.setting_span(parameters.blend));
     d.why = "a move outside a path stops exactly at its target";
-    d.fix = Fix{.text = "leave it out, or put the moves that are to be joined into a path"};
+    d.fix = Fix{.text = "leave it out, or put the moves that are to be joined into a path",
+                .edits = without(call, parameters.blend)};
     return call.report(std::move(d));
   }
   check_blend(call, parameters.blend);

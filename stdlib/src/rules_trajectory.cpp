@@ -11,7 +11,7 @@ void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
   Diagnostic d = make_diagnostic("E0506", call.setting_span(other));
   d.message = what;
   d.related.push_back({call.setting_span(one), ""});
-  d.fix = Fix{.text = "leave one of them out"};
+  d.fix = Fix{.text = "leave one of them out", .edits = without(call, other)};
   call.report(std::move(d));
 }
 

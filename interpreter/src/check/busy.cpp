@@ -103,6 +103,7 @@ void refuse_busy_robots(Checker& checker, Span word,
     const hir::CallNativeExpr* call;
     const hir::Variable* robot;
     std::string branch;
+    std::size_t index;  // of the branch
   };
   static constexpr const char* kOrdinals[] = {"first", "second", "third", "fourth", "fifth"};
   std::vector<Command> commands;
@@ -118,7 +119,7 @@ void refuse_busy_robots(Checker& checker, Span word,
     const std::string branch = i < std::size(kOrdinals) ? std::string(kOrdinals[i]) + " branch"
                                                         : "branch " + std::to_string(i + 1);
     if (same == commands.end()) {
-      commands.push_back({beginning.command, variable, branch});
+      commands.push_back({beginning.command, variable, branch, i});
       continue;
     }
     const std::string name(variable != nullptr ? variable->name : std::string_view("robot"));
@@ -131,6 +132,12 @@ void refuse_busy_robots(Checker& checker, Span word,
     diagnostic.fix = Fix{.text = "group steps that follow each other: parallel { { " +
                                  in_short(checker, *same->call) + "; " +
                                  in_short(checker, *beginning.command) + " } ... }"};
+    if (same->index + 1 == i) {
+      const Span first = branches[same->index]->span;
+      const Span second = branches[i]->span;
+      diagnostic.fix->edits = {{{first.begin, first.begin, first.source}, "{ "},
+                               {{second.end, second.end, second.source}, " }"}};
+    }
     checker.report(std::move(diagnostic));
     return;
   }

@@ -5,6 +5,7 @@
 
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
+#include "check/edits.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -148,6 +149,10 @@ void Checker::finish_result(FunctionContext& context, std::string_view name, Spa
                   context.function->span.source};
   diagnostic.related.push_back({head, ""});
   diagnostic.fix = Fix{.text = "return " + type_phrase(result) + " here, or throw an error"};
+  if (text_of(end) == "}") {
+    const std::string statement = "throw error(\"" + std::string(name) + " has no value here\")";
+    diagnostic.fix->edits.push_back(at_end_of_block(*this, end, statement));
+  }
   report(std::move(diagnostic));
 }
 

@@ -278,7 +278,13 @@ hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
 std::optional<Fix> matrix_from_list_fix(const Checker& checker, const hir::Expr& list) {
   if (!list.type->is(Kind::kList)) return std::nullopt;
   const bool nested = list.type->element->is(Kind::kList);
-  if (!nested) return Fix{.text = "a matrix has `;` between its rows; [1, 2;] is one row"};
+  if (!nested) {
+    Fix fix{.text = "a matrix has `;` between its rows; [1, 2;] is one row"};
+    const Span end{list.span.end - 1, list.span.end - 1, list.span.source};
+    if (list.kind == ExprKind::kList && checker.text_of(list.span).ends_with(']'))
+      fix.edits.push_back({end, ";"});
+    return fix;
+  }
   std::string text = "matrix(" + checker.text_of(list.span) + ')';
   if (list.kind == ExprKind::kList) {
     std::string rows;
@@ -302,7 +308,9 @@ std::optional<Fix> matrix_operator_fix(const Checker& checker, const ast::Binary
       left.kind == ExprKind::kVariable) {
     const std::string A = checker.text_of(left.span);
     const std::string all = "ones(" + A + ".rows, " + A + ".cols)";
-    return Fix{.text = "to every element: " + checker.text_of(right.span) + " * " + all};
+    const Span behind{right.span.end, right.span.end, right.span.source};
+    return Fix{.text = "to every element: " + checker.text_of(right.span) + " * " + all,
+               .edits = {{behind, " * " + all}}};
   }
   if (!right.type->is(Kind::kMatrix)) return std::nullopt;
   const std::string a = checker.text_of(left.span);

@@ -26,6 +26,20 @@ bool is_path(const hir::Expr& expr) {
   }
 }
 
+// a[i, j] of lists: a[i][j]
+Fix bracket_for_each(const Checker& checker, const ast::IndexExpr& index) {
+  Fix fix{.text = "write one pair of brackets for each index: a[i][j]"};
+  std::string brackets;
+  for (const ast::IndexItem& item : index.items) {
+    if (item.is_range) return fix;
+    brackets += '[' + checker.text_of(item.first->span) + ']';
+  }
+  const Span object = index.object->span;
+  fix.text = "write " + checker.text_of(object) + brackets;
+  fix.edits.push_back({{object.end, index.span.end, object.source}, brackets});
+  return fix;
+}
+
 }  // namespace
 
 std::string Checker::dotted_name(const ast::Expr& expr) {
@@ -184,8 +198,7 @@ hir::Expr* Checker::check_index(const ast::IndexExpr& index) {
   if (index.items.size() > 1) {
     Diagnostic diagnostic =
         make_diagnostic("E0318", index.span, {"with a comma, " + type_phrase(type)});
-    if (type->is(Kind::kList))
-      diagnostic.fix = Fix{.text = "write one pair of brackets for each index: a[i][j]"};
+    if (type->is(Kind::kList)) diagnostic.fix = bracket_for_each(*this, index);
     report(std::move(diagnostic));
     return failed(index.span);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/edits.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -112,7 +113,9 @@ void Checker::missing_cases(const ast::SwitchStmt& stmt, const Type* type,
   header.end = header.begin + static_cast<std::uint32_t>(text.find_last_of(')') + 1);
   Diagnostic diagnostic = make_diagnostic("E0307", header, {list});
   diagnostic.why = "every value of an enum must be handled";
-  diagnostic.fix = Fix{.text = "add case " + cases + ": or default:"};
+  const Span brace{stmt.span.end - 1, stmt.span.end, stmt.span.source};
+  diagnostic.fix = Fix{.text = "add case " + cases + ": or default:",
+                       .edits = {at_end_of_block(*this, brace, "case " + cases + ":")}};
   report(std::move(diagnostic));
 }
 

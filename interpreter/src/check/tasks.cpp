@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "check/edits.hpp"
+
 namespace armlet::lang {
 
 namespace {
@@ -58,11 +60,12 @@ bool is_declaration(const ast::Stmt& stmt) {
 }
 
 // The declaration is checked all the same, so that its names are known further down.
-void refuse_declaration(Checker& checker, const ast::Stmt& stmt) {
+void refuse_declaration(Checker& checker, const ast::Stmt& stmt, Span parallel) {
   Diagnostic diagnostic = make_diagnostic("E0507", stmt.span);
   diagnostic.why =
       "each statement directly inside `parallel` is a task of its own, and its names end with it";
-  diagnostic.fix = Fix{.text = "put it in front of `parallel`, or into one branch in braces"};
+  diagnostic.fix = Fix{.text = "put it in front of `parallel`, or into one branch in braces",
+                       .edits = moved_before(checker, stmt.span, parallel)};
   checker.report(std::move(diagnostic));
   (void)checker.check_statement(stmt);
 }
@@ -82,7 +85,7 @@ hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
     checker.sink_.begin_statement();
     if (one.kind == ast::StmtKind::kEmpty) continue;
     if (is_declaration(one)) {
-      refuse_declaration(checker, one);
+      refuse_declaration(checker, one, word);
       continue;
     }
     if (one.kind == ast::StmtKind::kWhen || one.kind == ast::StmtKind::kEvery) {

@@ -159,7 +159,10 @@ void AstBuilder::check_lone_return(const antlr4::ParserRuleContext* ctx) {
   Diagnostic out = make_diagnostic("W0705", {next.begin, next.end, in_.source.id()});
   out.severity = Severity::kAdvice;
   out.related.push_back({token_span(ctx->start), ""});
+  const Span gap{token_span(ctx->start).end, next.begin, in_.source.id()};
   out.fix = Fix{"write the value on the line of `return`", {}, Confidence::kMaybe};
+  if (in_.source.slice(gap).find_first_not_of(" \t\r\n") == std::string_view::npos)
+    out.fix->edits.push_back({gap, " "});
   report(std::move(out));
 }
 

@@ -22,6 +22,11 @@ ast::Stmt* AstBuilder::top_declaration(RbtParser::StmtContext* ctx) {
     Diagnostic out = make_diagnostic("E0132", token_span(ctx->start), {what});
     if (ctx->fnDecl() != nullptr) {
       out.fix = Fix{"write let name = fn(...) { ... } for a function inside a block", {}, {}};
+      if (ctx->start->getType() == RbtParser::FN) {
+        const Span name = span_of(ctx->fnDecl()->name());
+        out.fix->edits.push_back({{token_span(ctx->start).begin, name.end, name.source},
+                                  "let " + std::string(in_.source.slice(name)) + " = fn"});
+      }
     }
     report(std::move(out));
   }

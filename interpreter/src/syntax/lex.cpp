@@ -119,7 +119,7 @@ class Reader {
     } else if (token.type == RbtLexer::ERR) {
       fail(bad_character(source_, span));
     } else if (token.type == RbtLexer::STAR && opens_comment(token)) {
-      fail(unclosed_comment({token.begin - 1, token.end, span.source}));
+      fail(unclosed_comment(source_, {token.begin - 1, token.end, span.source}));
       finished_ = true;
     }
     if (out_.tokens.size() >= limits_.tokens) {

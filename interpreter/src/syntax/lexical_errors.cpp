@@ -173,10 +173,12 @@ Diagnostic unclosed_text(const Source& source, Span text) {
   return out;
 }
 
-Diagnostic unclosed_comment(Span opening) {
+Diagnostic unclosed_comment(const Source& source, Span opening) {
   Diagnostic out = make_diagnostic("E0106", opening);
   out.mark.label = "opened here";
+  const Span slash_and_star{opening.begin, opening.begin + 2, opening.source};
   out.fix = Fix{"end it with */, or write // for a comment that ends with its line", {}, {}};
+  if (source.slice(slash_and_star) == "/*") out.fix->edits.push_back({slash_and_star, "//"});
   return out;
 }
 

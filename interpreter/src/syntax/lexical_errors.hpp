@@ -9,7 +9,7 @@ namespace armlet::lang {
 [[nodiscard]] Diagnostic unclosed_text(const Source& source, Span text);
 
 // `/*` without `*/`.
-[[nodiscard]] Diagnostic unclosed_comment(Span opening);
+[[nodiscard]] Diagnostic unclosed_comment(const Source& source, Span opening);
 
 // A number with letters that are no unit: 5cmm.
 [[nodiscard]] Diagnostic bad_number(const Source& source, Span number);

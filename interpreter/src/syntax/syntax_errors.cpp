@@ -94,6 +94,28 @@ Answer assignment_as_test(const FailureSite& site) {
   return out;
 }
 
+// The last token of the `if`, `while` or `for` at token `word`, with its body.
+std::size_t statement_end(const FailureSite& site, std::size_t word) {
+  std::size_t i = word + 1;
+  if (site.type(i) == RbtLexer::LPAREN) i = site.closer(i) + 1;
+  std::size_t last = i;
+  if (is_header_word(site.type(i))) {
+    last = statement_end(site, i);
+  } else if (site.type(i) == RbtLexer::LBRACE) {
+    last = site.closer(i);
+  } else {
+    while (site.type(i) != RbtLexer::SEMI && site.type(i) != RbtLexer::RBRACE &&
+           site.type(i) != kEndOfText) {
+      last = is_opener(site.type(i)) ? site.closer(i) : i;
+      i = last + 1;
+    }
+  }
+  const bool has_end = site.type(last + 1) == RbtLexer::SEMI;
+  const std::size_t otherwise = has_end ? last + 2 : last + 1;
+  if (site.type(word) != RbtLexer::IF || site.type(otherwise) != RbtLexer::ELSE) return last;
+  return statement_end(site, otherwise);
+}
+
 // if (a) if (b) ...
 Answer unbraced_body(const FailureSite& site) {
   if (site.at <= site.statement || !is_compound(site.type(site.at))) return std::nullopt;
@@ -113,6 +135,11 @@ Answer unbraced_body(const FailureSite& site) {
                 ? "the reader could not tell which `if` the `else` belongs to"
                 : "a body without braces is one simple statement";
   out.fix = Fix{"put braces around the inner " + quoted(word), {}, Confidence::kMaybe};
+  if (is_header_word(site.type(site.at))) {
+    const Span here = site.span(site.at);
+    out.fix->edits = {{{here.begin, here.begin, here.source}, "{ "},
+                      {site.after(statement_end(site, site.at)), " }"}};
+  }
   return out;
 }
 

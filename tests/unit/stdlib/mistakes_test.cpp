@@ -20,17 +20,22 @@ namespace {
 
 struct Mistake {
   std::string title;
+  std::string code;  // "line 3" in the file of sixty
   int line = 0;
   std::string text;
 };
 
-std::vector<Mistake> mistakes() {
-  std::ifstream file(std::string(ARMLET_ROOT) + "/tests/mistakes/mistakes.txt");
+// name: of a file below tests/mistakes.
+std::vector<Mistake> mistakes(const std::string& name) {
+  std::ifstream file(std::string(ARMLET_ROOT) + "/tests/mistakes/" + name);
   std::vector<Mistake> out;
   for (std::string line; std::getline(file, line);) {
     if (line.starts_with("=== ")) {
-      const std::size_t number = line.rfind("(line ");
-      out.push_back({line.substr(4, number - 5), std::stoi(line.substr(number + 6)), ""});
+      const std::size_t open = line.rfind('(');
+      Mistake& mistake = out.emplace_back();
+      mistake.title = line.substr(4, open - 5);
+      mistake.code = line.substr(open + 1, line.size() - open - 2);
+      if (mistake.code.starts_with("line ")) mistake.line = std::stoi(mistake.code.substr(5));
     } else if (!out.empty()) {
       out.back().text += line + '\n';
     }
@@ -88,7 +93,7 @@ bool works(const std::string& text, const nlohmann::json& repaired) {
 }  // namespace
 
 TEST_CASE("the first message about a student's mistake marks its line, and its fix works") {
-  const std::vector<Mistake> all = mistakes();
+  const std::vector<Mistake> all = mistakes("mistakes.txt");
   REQUIRE(all.size() == 60);
   int right_line = 0, working = 0, single = 0;
   std::string missed;
@@ -111,6 +116,21 @@ TEST_CASE("the first message about a student's mistake marks its line, and its f
   CHECK(right_line >= 60);
   CHECK(working >= 59);
   CHECK(single >= 60);
+}
+
+TEST_CASE("the edits of a fix make the program right") {
+  const std::vector<Mistake> all = mistakes("fixes.txt");
+  CHECK(all.size() >= 20);
+  for (const Mistake& mistake : all) {
+    CAPTURE(mistake.title);
+    const auto messages = json_messages(mistake.text);
+    REQUIRE_FALSE(messages.empty());
+    CHECK(messages[0]["code"] == mistake.code);
+    const std::string repaired = applied(mistake.text, messages[0]);
+    CAPTURE(repaired);
+    CAPTURE(messages[0].dump());
+    CHECK(works(repaired, messages[0]));
+  }
 }
 
 TEST_CASE("a missing token seldom gives more than two messages") {
