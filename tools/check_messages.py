@@ -22,7 +22,6 @@ ELSEWHERE = {
     "E0319": "tests/unit/interpreter/host_vocabulary_test.cpp",  # no functions of the library are a tie
     "R0628": "tests/hostile.py",  # fills a gigabyte
     "R0629": "tests/hostile.py",  # needs a signal
-    "R0632": "tests/unit/interpreter/vm_test.cpp",  # no function of the library calls back yet
     "W0712": "tests/unit/stdlib/session_test.cpp",  # the command always supplies a world
 }
 

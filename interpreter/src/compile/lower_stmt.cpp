@@ -8,14 +8,6 @@ namespace armlet::lang {
 
 using namespace hir;
 
-namespace {
-
-bool starts_watching(const Stmt* s) {
-  return s->kind == StmtKind::kWhen || s->kind == StmtKind::kEvery;
-}
-
-}  // namespace
-
 void Lowering::statement(const Stmt& s) {
   if (!code_.reachable()) return;
   code_.at(s.span);

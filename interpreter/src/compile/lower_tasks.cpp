@@ -1,5 +1,7 @@
 // parallel; and blocks that hold a `when` or `every`, which watch until the block is left.
 
+#include <algorithm>
+
 #include "compile/lowering.hpp"
 
 namespace armlet::lang {
@@ -47,18 +49,20 @@ void Lowering::parallel(const ParallelStmt& s) {
   if (!s.branches.empty()) code_.emit(OpCode::PARALLEL);
 }
 
+bool Lowering::starts_watching(const Stmt* s) {
+  return s->kind == StmtKind::kWhen || s->kind == StmtKind::kEvery;
+}
+
 // Every way out of the block ends its watches: like a finally block, written by nobody.
 void Lowering::watched_block(Seq<Stmt*> body) {
+  const auto first = std::ranges::find_if(body, starts_watching);
+  const Span head = head_of(**first);
   const Label end = code_.label();
   const Reg watches = code_.pinned();
+  code_.at(head);
   code_.emit(OpCode::OPENWATCH, watches);
   tries_.push_back({nullptr, watches, false, code_.position(), {}, {}});
-  Span head{};
-  for (const Stmt* s : body) {
-    statement(*s);
-    if (head.empty() && (s->kind == StmtKind::kWhen || s->kind == StmtKind::kEvery))
-      head = head_of(*s);
-  }
+  for (const Stmt* s : body) statement(*s);
   code_.at(head);
   leave(tries_.size() - 1, [&] { code_.jump(end); });
   const TryScope scope = pop_try();

@@ -255,6 +255,7 @@ class Lowering {
   [[nodiscard]] bool finally_runs() const;
 
   // ---- lower_tasks.cpp
+  static bool starts_watching(const hir::Stmt* s);
   void watched_block(hir::Seq<hir::Stmt*> body);
   void time_and_tasks(const hir::Stmt& s);
   void parallel(const hir::ParallelStmt& s);
