@@ -18,9 +18,11 @@ Evaluator::Evaluator(std::shared_ptr<const Program> program, void* host, std::ui
 Outcome Evaluator::run() {
   Outcome outcome;
   Variables locals;
-  locals_ = &locals;
   try {
-    (void)block(*program_->compiled().module.main->body);
+    tasks_.run([&] {
+      locals_ = &locals;
+      (void)block(*program_->compiled().module.main->body);
+    });
   } catch (const Failure& failure) {
     outcome.failure = failure;
   }
@@ -28,7 +30,7 @@ Outcome Evaluator::run() {
   return outcome;
 }
 
-Value Evaluator::call(const Function& function, Values arguments, const Values& captures,
+Value Evaluator::call(const Function& function, Values arguments, const Captures& captures,
                       Span where, std::uint32_t depth) {
   if (calls_ + depth > most_calls_) {
     const std::string name(function.name);
@@ -36,30 +38,22 @@ Value Evaluator::call(const Function& function, Values arguments, const Values& 
   }
   Variables locals;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    locals[function.parameters[i]] = std::move(arguments[i]);
+    locals[function.parameters[i]] = std::make_shared<Value>(std::move(arguments[i]));
   }
   for (std::size_t i = 0; i < captures.size(); ++i)
     locals[function.captures[i].inner] = captures[i];
-  Variables* const before = std::exchange(locals_, &locals);
+  const Aside aside(*this);
+  locals_ = &locals;
   calls_ += depth;
   Completion completion = block(*function.body);
-  calls_ -= depth;
-  locals_ = before;
   return std::move(completion.value);
 }
 
 Value Evaluator::call_back(const Value& function, Values arguments, Span where) {
+  const Aside aside(*this);
   ++host_calls_;
-  Value result;
-  try {
-    result = call(*function.closure().function, std::move(arguments), function.closure().captures,
-                  where, 2);
-  } catch (const Failure&) {
-    --host_calls_;
-    throw;
-  }
-  --host_calls_;
-  return result;
+  return call(*function.closure().function, std::move(arguments), function.closure().captures,
+              where, 2);
 }
 
 Value Evaluator::call_native(const CallNativeExpr& e) {
@@ -69,6 +63,7 @@ Value Evaluator::call_native(const CallNativeExpr& e) {
     output_ += arguments[0].text();
     return {};
   }
+  if (name == "now") return {static_cast<double>(tasks_.now_ns()) * 1e-9};
   if (name == "last") {
     const Values& items = arguments[0].list().items;
     if (!items.empty()) return items.back();

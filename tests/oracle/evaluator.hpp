@@ -3,8 +3,8 @@
 // compare the machine with.
 //
 // Values are copied whenever they are read; functions of the text call functions of C++; failures
-// are exceptions. What takes time on robots (tasks, guards, conditions) is not here: such programs
-// end in std::logic_error.
+// are exceptions; a task is a thread. Robots are not here: programs with them end in
+// std::logic_error.
 
 #include <memory>
 #include <optional>
@@ -16,6 +16,7 @@
 #include "armlet/interpreter/engine.hpp"
 #include "bridge.hpp"
 #include "compile/program.hpp"
+#include "tasks.hpp"
 #include "value.hpp"
 
 namespace armlet::oracle {
@@ -24,6 +25,8 @@ struct Outcome {
   std::string output;
   std::optional<Failure> failure;  // that nobody caught
 };
+
+class Aside;
 
 // How a statement ended: normally, on the way to a loop, switch or try, or returning.
 struct Completion {
@@ -47,7 +50,9 @@ class Evaluator {
   [[nodiscard]] Outcome run();
 
  private:
-  using Variables = std::unordered_map<const lang::hir::Variable*, Value>;
+  friend class Aside;
+  // A variable is a place of its own: tasks share those that they see.
+  using Variables = std::unordered_map<const lang::hir::Variable*, std::shared_ptr<Value>>;
   using Values = std::vector<Value>;
   struct Index {
     std::int64_t row = 0;  // or of a list
@@ -99,7 +104,7 @@ class Evaluator {
   [[nodiscard]] Value call_native(const lang::hir::CallNativeExpr& e);
   // depth  how much deeper the calls are nested afterwards.
   [[nodiscard]] Value call(const lang::hir::Function& function, Values arguments,
-                           const Values& captures, Span where, std::uint32_t depth = 1);
+                           const Captures& captures, Span where, std::uint32_t depth = 1);
   // By a function of the library.
   [[nodiscard]] Value call_back(const Value& function, Values arguments, Span where);
   // Functions that take functions; false: it is none of them.
@@ -109,6 +114,7 @@ class Evaluator {
   // ---- statements
   [[nodiscard]] Completion execute(const lang::hir::Stmt& s);
   [[nodiscard]] Completion block(const lang::hir::Block& s);
+  [[nodiscard]] Completion sequence(const lang::hir::Block& s);  // no more than its statements
   [[nodiscard]] Completion loop(const lang::hir::LoopStmt& s);
   [[nodiscard]] Completion range(const lang::hir::RangeStmt& s);
   [[nodiscard]] Completion for_list(const lang::hir::ForListStmt& s);
@@ -118,12 +124,26 @@ class Evaluator {
   [[nodiscard]] Completion attempt(const lang::hir::TryStmt& s);
   void assign(const lang::hir::AssignStmt& s);
   void throw_error(const lang::hir::ThrowStmt& s);
-  void wait(const lang::hir::WaitStmt& s);
   void check(const lang::hir::AssertStmt& s);
   void check_throws(const lang::hir::AssertThrowsStmt& s);
 
+  // ---- time and tasks
+  void time_and_tasks(const lang::hir::Stmt& s);
+  void wait(const lang::hir::WaitStmt& s);
+  void wait_until(const lang::hir::WaitUntilStmt& s);
+  void parallel(const lang::hir::ParallelStmt& s);
+  void when(const lang::hir::WhenStmt& s);
+  void every(const lang::hir::EveryStmt& s);
+  // A block with `when` or `every`, which watch until it is left.
+  [[nodiscard]] Completion watched(const lang::hir::Block& s);
+  [[nodiscard]] std::int64_t nanoseconds(double seconds, Span where, const std::string& what) const;
+  [[nodiscard]] Tasks::Body body_of(const lang::hir::Expr& e);
+  [[nodiscard]] Tasks::Condition condition_of(const lang::hir::Expr& e);
+  void refuse_to_pause(Span where) const;
+
   // ---- places
   [[nodiscard]] Variables& home(const lang::hir::Variable& v);
+  void declare(const lang::hir::Variable& v, Value value);
   void check_set(const lang::hir::Variable& v, Span where);
   [[nodiscard]] Indices indices(const lang::hir::Place& place);
   [[nodiscard]] Value& walk(const lang::hir::Place& place, const Indices& indices);
@@ -138,6 +158,7 @@ class Evaluator {
                                      const Value* b) const;
   [[nodiscard]] Value calculate_at(lang::hir::Op op, const Value& a, const Value& b,
                                    Span where) const;
+  [[nodiscard]] Failure seen(const Failure& failure) const;  // with its time
   [[nodiscard]] Value caught(const Failure& failure) const;
   [[nodiscard]] Value error_record(const std::string& message, const std::string& kind, int line,
                                    double time) const;
@@ -149,10 +170,35 @@ class Evaluator {
   std::uint32_t most_calls_;
   std::uint32_t calls_ = 0;       // nested now
   std::uint32_t host_calls_ = 0;  // of functions of the library that called back
-  std::int64_t now_ns_ = 0;
   Variables globals_;
   Variables* locals_ = nullptr;  // of the running function
   std::string output_;
+  Tasks tasks_;  // ends before what they use
+};
+
+// Something else runs for a while: afterwards the same function runs again as before.
+class Aside {
+ public:
+  explicit Aside(Evaluator& evaluator)
+      : evaluator_(evaluator),
+        calls_(evaluator.calls_),
+        host_calls_(evaluator.host_calls_),
+        locals_(evaluator.locals_) {}
+  ~Aside() { go_back(); }
+  Aside(const Aside&) = delete;
+  Aside& operator=(const Aside&) = delete;
+
+  void go_back() const {
+    evaluator_.calls_ = calls_;
+    evaluator_.host_calls_ = host_calls_;
+    evaluator_.locals_ = locals_;
+  }
+
+ private:
+  Evaluator& evaluator_;
+  std::uint32_t calls_;
+  std::uint32_t host_calls_;
+  Evaluator::Variables* locals_;
 };
 
 }  // namespace armlet::oracle

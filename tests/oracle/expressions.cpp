@@ -134,9 +134,9 @@ Value Evaluator::character(const CharacterExpr& e) {
 Value Evaluator::variable(const Variable& v, Span where) {
   check_set(v, where);
   const auto found = home(v).find(&v);
-  if (found == home(v).end())
+  if (found == home(v).end() || found->second->absent())
     throw std::logic_error("read before it has a value: " + std::string(v.name));
-  return found->second;
+  return *found->second;
 }
 
 Value Evaluator::binary(const BinaryExpr& e) {
@@ -241,13 +241,13 @@ Value Evaluator::new_array(const NewArrayExpr& e) {
   return out;
 }
 
-// Lambdas keep copies of what they use.
+// Lambdas keep copies of what they use; conditions and tasks share what can change.
 Value Evaluator::closure(const ClosureExpr& e) {
   Closure out{e.function, {}};
   for (const Capture& capture : e.function->captures) {
-    if (capture.inner->storage == Storage::kBoxed)
-      throw std::logic_error("the oracle has no conditions");
-    out.captures.push_back(variable(*capture.outer, e.span));
+    const bool shares = capture.inner->storage == Storage::kBoxed;
+    out.captures.push_back(shares ? home(*capture.outer).at(capture.outer)
+                                  : std::make_shared<Value>(variable(*capture.outer, e.span)));
   }
   return {std::move(out)};
 }

@@ -86,10 +86,17 @@ Value Evaluator::error_record(const std::string& message, const std::string& kin
   return {std::move(record)};
 }
 
+// Errors come to somebody's notice before any time passes.
+Failure Evaluator::seen(const Failure& failure) const {
+  Failure out = failure;
+  if (out.time_ns < 0) out.time_ns = tasks_.now_ns();
+  return out;
+}
+
 Value Evaluator::caught(const Failure& failure) const {
   const int line = failure.where.empty() ? 0 : sources_.position(failure.where).line;
-  Value out =
-      error_record(failure.message, failure.kind, line, static_cast<double>(now_ns_) * 1e-9);
+  Value out = error_record(failure.message, failure.kind, line,
+                           static_cast<double>(failure.time_ns) * 1e-9);
   out.record().failure = std::make_shared<const Failure>(failure);
   return out;
 }
@@ -102,7 +109,7 @@ Value Evaluator::error(const lang::hir::ErrorExpr& e) {
   const Value message = evaluate(*e.message);
   const std::string kind = e.kind_text == nullptr ? "" : evaluate(*e.kind_text).text();
   return error_record(message.text(), kind, sources_.position(e.span).line,
-                      static_cast<double>(now_ns_) * 1e-9);
+                      static_cast<double>(tasks_.now_ns()) * 1e-9);
 }
 
 void Evaluator::throw_error(const lang::hir::ThrowStmt& s) {
@@ -125,13 +132,11 @@ void Evaluator::check(const lang::hir::AssertStmt& s) {
 void Evaluator::check_throws(const lang::hir::AssertThrowsStmt& s) {
   const std::optional<Value> wanted =
       s.kind_text == nullptr ? std::nullopt : std::optional(evaluate(*s.kind_text));
-  const std::uint32_t calls = calls_;
-  Variables* const locals = locals_;
+  const Aside aside(*this);
   try {
     (void)evaluate(*s.call);
   } catch (const Failure& failure) {
-    calls_ = calls;
-    locals_ = locals;
+    aside.go_back();
     if (!wanted || wanted->text() == failure.kind) return;
     fail("R0608", s.call_span, {text(s.call_span) + " throws kind \"" + wanted->text() + "\""});
   }

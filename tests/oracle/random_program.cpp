@@ -7,6 +7,8 @@
 namespace armlet::oracle {
 
 std::string RandomProgram::text() {
+  has_tasks_ = one_in(4);
+  tasks_left_ = 4;
   make_types();
   declare_types();
   declare_globals();
@@ -27,7 +29,8 @@ std::string RandomProgram::text() {
   if (shows_end) close(" finally {");
   std::string all = "print(";
   for (const Var& variable : vars_) all += (all.size() > 6 ? ", " : "") + variable.name;
-  line(all + (has_grid_ ? ", grid)" : ")"));
+  if (has_grid_) all += ", grid";
+  line(all + (has_tasks_ ? ", looks, now())" : ")"));
   if (shows_end) close();
   return out_;
 }
@@ -146,6 +149,7 @@ void RandomProgram::declare_globals() {
   line("var counter = 0");
   line("var pile = [5, 6, 7, 8]");
   vars_ = {{"counter", int_, true}, {"pile", list_of(int_), true}};
+  if (has_tasks_) line("var looks = 0");
   const bool with_grid = one_in(4);
   if (with_grid) line("var grid = [1, 2, 3; 4.5, " + real(1) + ", 6]");
   has_grid_ = with_grid;
@@ -167,6 +171,7 @@ void RandomProgram::declare_helpers() {
     functions_.push_back(std::move(function));
   };
   const Ty* ints = list_of(int_);
+  if (has_tasks_) line("fn looked(b: bool) -> bool { looks += 1; return b }");
   add("fn seen(n: int) -> int { print(\"seen\", n); return n }", {"seen", {{"n", int_, ""}}, int_});
   add("fn told(b: bool) -> bool { print(\"told\", b); return b }",
       {"told", {{"b", bool_, ""}}, bool_});

@@ -4,7 +4,7 @@
 //
 // They try to be unpleasant to a compiler: lists that share their storage until one is changed,
 // functions that change what is being read, failures in the middle of everything, ways out through
-// finally, ints near their ends.
+// finally, ints near their ends, tasks that change what others have half read.
 
 #include <cstdint>
 #include <deque>
@@ -167,6 +167,15 @@ class RandomProgram {
   void asserting();
   void leaving();
   void returning();
+  // random_tasks.cpp
+  void concurrent();
+  void branches();
+  void watching();
+  void watch();
+  void waiting();
+  void task_body(int count);
+  std::string condition();
+  std::string milliseconds(std::size_t most);
   void open(const std::string& header) { line(header + " {"); }
   void close(const std::string& rest = "") { line("}" + rest); }
   // The place to store something of this type into; "" if there is none.
@@ -201,6 +210,8 @@ class RandomProgram {
   bool in_format_ = false;
   bool in_lambda_ = false;
   bool can_retry_ = false;
+  bool has_tasks_ = false;
+  int tasks_left_ = 0;  // places that start some
 };
 
 }  // namespace armlet::oracle

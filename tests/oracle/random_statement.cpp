@@ -13,6 +13,12 @@ void RandomProgram::statement() {
   }
   ++nesting_;
   const std::size_t vars = vars_.size();
+  if (has_tasks_ && tasks_left_ > 0 && !in_lambda_ && one_in(3)) {
+    concurrent();
+    vars_.resize(vars);
+    --nesting_;
+    return;
+  }
   switch (below(13)) {
     case 0:
     case 1:
@@ -56,6 +62,7 @@ void RandomProgram::body(int count) {
 }
 
 void RandomProgram::simple() {
+  if (has_tasks_ && !in_lambda_ && one_in(8)) return waiting();
   switch (below(12)) {
     case 0:
     case 1:
@@ -85,7 +92,14 @@ void RandomProgram::declaration() {
   const bool can_change = !one_in(3);
   const bool is_classic = !type->is(Sort::kFunction) && one_in(4);
   if (is_classic) {
-    line((can_change ? "" : "final ") + type->name + " " + name + " = " + loose(type, 2) + ";");
+    std::string all =
+        (can_change ? "" : "final ") + type->name + " " + name + " = " + loose(type, 2);
+    if (one_in(3)) {
+      const std::string other = fresh();
+      all += ", " + other + " = " + loose(type, 2);
+      vars_.push_back({other, type, can_change});
+    }
+    line(all + ";");
   } else if (one_in(5) && can_change) {
     line("var " + name + ": " + type->name);
     line(name + " = " + loose(type, 2));

@@ -1,6 +1,6 @@
 // Statements, each executed as the reference (sections 9 and 11) describes it.
 
-#include <cmath>
+#include <algorithm>
 
 #include "evaluator.hpp"
 #include "show.hpp"
@@ -17,8 +17,9 @@ Completion Evaluator::execute(const Stmt& s) {
     case StmtKind::kInit: {
       const auto& init = s.as<InitStmt>();
       if (init.value != nullptr) {
-        Value value = evaluate(*init.value);
-        home(*init.variable)[init.variable] = std::move(value);
+        declare(*init.variable, evaluate(*init.value));
+      } else {
+        home(*init.variable).try_emplace(init.variable, std::make_shared<Value>());
       }
       return {};
     }
@@ -55,9 +56,6 @@ Completion Evaluator::execute(const Stmt& s) {
       const Expr* value = s.as<ReturnStmt>().value;
       return {How::kReturn, {}, nullptr, s.span, value == nullptr ? Value{} : evaluate(*value)};
     }
-    case StmtKind::kWait:
-      wait(s.as<WaitStmt>());
-      return {};
     case StmtKind::kAssert:
       check(s.as<AssertStmt>());
       return {};
@@ -65,11 +63,19 @@ Completion Evaluator::execute(const Stmt& s) {
       check_throws(s.as<AssertThrowsStmt>());
       return {};
     default:
-      throw std::logic_error("the oracle has no such statement: " + text(s.span));
+      time_and_tasks(s);
+      return {};
   }
 }
 
 Completion Evaluator::block(const Block& s) {
+  const bool watches = std::ranges::any_of(s.body, [](const Stmt* inner) {
+    return inner->kind == StmtKind::kWhen || inner->kind == StmtKind::kEvery;
+  });
+  return watches ? watched(s) : sequence(s);
+}
+
+Completion Evaluator::sequence(const Block& s) {
   for (const Stmt* inner : s.body) {
     Completion completion = execute(*inner);
     if (!completion.is_normal()) return completion;
@@ -80,9 +86,12 @@ Completion Evaluator::block(const Block& s) {
 // ---- loops
 
 Completion Evaluator::loop(const LoopStmt& s) {
+  constexpr int kMostTurns = 100'000;
+  int turns = 0;
   const auto goes_on = [&] { return s.condition == nullptr || evaluate(*s.condition).truth(); };
   if (s.test_first && !goes_on()) return {};
   do {
+    if (++turns > kMostTurns) throw std::logic_error("a loop without end");
     Completion completion = execute(*s.body);
     if (completion.is(Jump::kBreak, s)) return {};
     if (!completion.is_normal() && !completion.is(Jump::kContinue, s)) return completion;
@@ -98,7 +107,7 @@ Completion Evaluator::range(const RangeStmt& s) {
   const std::int64_t step = s.step == nullptr ? 1 : evaluate(*s.step).integer();
   if (step == 0) fail_calculation(Trouble::kDivisionByZero, s.step->span, nullptr, nullptr);
   for (Wide i = first; step > 0 ? i < last : i > last; i += step) {
-    home(*s.variable)[s.variable] = {static_cast<std::int64_t>(i)};
+    declare(*s.variable, {static_cast<std::int64_t>(i)});
     Completion completion = execute(*s.body);
     if (completion.is(Jump::kBreak, s)) return {};
     if (!completion.is_normal() && !completion.is(Jump::kContinue, s)) return completion;
@@ -109,7 +118,7 @@ Completion Evaluator::range(const RangeStmt& s) {
 Completion Evaluator::for_list(const ForListStmt& s) {
   const Value items = evaluate(*s.items);
   for (const Value& item : items.list().items) {
-    home(*s.variable)[s.variable] = item;
+    declare(*s.variable, item);
     Completion completion = execute(*s.body);
     if (completion.is(Jump::kBreak, s)) return {};
     if (!completion.is_normal() && !completion.is(Jump::kContinue, s)) return completion;
@@ -118,7 +127,7 @@ Completion Evaluator::for_list(const ForListStmt& s) {
 }
 
 Completion Evaluator::switch_case(const SwitchStmt& s) {
-  home(*s.subject)[s.subject] = evaluate(*s.value);
+  declare(*s.subject, evaluate(*s.value));
   const SwitchCase* taken = nullptr;
   const SwitchCase* otherwise = nullptr;
   for (const SwitchCase& c : s.cases) {
@@ -135,73 +144,73 @@ Completion Evaluator::switch_case(const SwitchStmt& s) {
 
 // ---- failures and their handling
 
-// Anything that `finally` does instead of coming to its end replaces what was under way.
+// An error that `finally` raises replaces the one that is under way, but does not end a
+// cancellation.
 Completion Evaluator::try_catch(const TryStmt& s) {
   if (s.finally == nullptr) return attempt(s);
-  const std::uint32_t calls = calls_;
-  Variables* const locals = locals_;
+  const Aside aside(*this);
   Completion completion;
   std::optional<Failure> failure;
+  std::optional<Raised> raised;
   try {
     completion = attempt(s);
   } catch (const Failure& thrown) {
-    failure = thrown;
-    calls_ = calls;
-    locals_ = locals;
+    failure = seen(thrown);
+  } catch (const Raised& thrown) {
+    raised = thrown;
   }
-  Completion last = block(*s.finally);
+  aside.go_back();
+  Completion last;
+  try {
+    last = block(*s.finally);
+  } catch (const Failure&) {
+    if (!raised) throw;
+  }
   if (!last.is_normal()) return last;
   if (failure) throw Failure(*failure);
+  if (raised) throw Raised(*raised);
   return completion;
 }
 
 Completion Evaluator::attempt(const TryStmt& s) {
-  const std::uint32_t calls = calls_;
-  Variables* const locals = locals_;
+  const Aside aside(*this);
   int retries = 0;
-  std::int64_t instant = now_ns_;
+  std::int64_t instant = tasks_.now_ns();
   for (;;) {
     std::optional<Failure> failure;
     try {
       return block(*s.body);
     } catch (const Failure& thrown) {
       if (s.handler == nullptr) throw;
-      failure = thrown;
+      failure = seen(thrown);
     }
-    calls_ = calls;
-    locals_ = locals;
-    if (s.error != nullptr) home(*s.error)[s.error] = caught(*failure);
+    aside.go_back();
+    if (s.error != nullptr) declare(*s.error, caught(*failure));
     Completion completion = block(*s.handler);
     if (!completion.is(Jump::kRetry, s)) return completion;
-    if (now_ns_ != instant) retries = 0;
-    instant = now_ns_;
+    if (tasks_.now_ns() != instant) retries = 0;
+    instant = tasks_.now_ns();
     if (++retries > 1000) fail("R0615", completion.where, {"1000"});
   }
-}
-
-void Evaluator::wait(const WaitStmt& s) {
-  const double seconds = evaluate(*s.duration).real();
-  if (host_calls_ > 0) {
-    const std::string written = text(s.duration->span);
-    fail("R0632", s.duration->span, {written.size() <= 40 ? "`" + written + "`" : "this"});
-  }
-  if (!std::isfinite(seconds)) {
-    fail("R0612", s.duration->span, {"the time to wait", show_number(seconds)});
-  }
-  now_ns_ += std::llround(std::min(std::max(seconds, 0.0), 4e9) * 1e9);
 }
 
 // ---- places
 
 Evaluator::Variables& Evaluator::home(const Variable& v) {
-  if (v.storage == Storage::kBoxed) throw std::logic_error("the oracle has no conditions");
   return v.storage == Storage::kGlobal ? globals_ : *locals_;
+}
+
+void Evaluator::declare(const Variable& v, Value value) {
+  home(v)[&v] = std::make_shared<Value>(std::move(value));
 }
 
 // A function may run before the variable of the program that it uses has its first value.
 void Evaluator::check_set(const Variable& v, Span where) {
   const bool may_be_unset = v.storage == Storage::kGlobal && v.maybe_unset;
-  if (may_be_unset && !globals_.contains(&v)) fail("R0623", where, {std::string(v.name)});
+  if (!may_be_unset) return;
+  const auto found = globals_.find(&v);
+  if (found == globals_.end() || found->second->absent())
+    fail("R0623", where, {std::string(v.name)});
 }
 
 Evaluator::Indices Evaluator::indices(const Place& place) {
@@ -216,7 +225,7 @@ Evaluator::Indices Evaluator::indices(const Place& place) {
 }
 
 Value& Evaluator::walk(const Place& place, const Indices& indices) {
-  Value* at = &home(*place.variable).at(place.variable);
+  Value* at = home(*place.variable).at(place.variable).get();
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const Step& step = place.steps[i];
     if (step.is_field) {
@@ -252,7 +261,9 @@ void Evaluator::assign(const AssignStmt& s) {
     value = evaluate(*s.value);
   }
   if (s.place.steps.empty()) {
-    home(variable)[&variable] = std::move(value);
+    std::shared_ptr<Value>& at = home(variable)[&variable];
+    if (at == nullptr) at = std::make_shared<Value>();
+    *at = std::move(value);
   } else {
     walk(s.place, where) = std::move(value);
   }

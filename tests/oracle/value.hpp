@@ -25,15 +25,17 @@ struct Failure {
   std::string message;
   std::string kind;
   Span where;
+  std::int64_t time_ns = -1;  // when it was seen first; -1: by nobody yet
 };
 
 struct Record {
   std::vector<Value> fields;
   std::shared_ptr<const Failure> failure;  // of a caught error; thrown again it is the old one
 };
+using Captures = std::vector<std::shared_ptr<Value>>;
 struct Closure {
   const lang::hir::Function* function;
-  std::vector<Value> captures;
+  Captures captures;
 };
 struct Matrix {
   std::size_t rows;
