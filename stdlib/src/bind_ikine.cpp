@@ -204,7 +204,8 @@ constexpr NativeFunction kFunctions[] = {
     {"ikineAll", "(r: robot, p: posC, limits: bool = true) -> posJ[]",
      "All joint values that bring the tool point to p, the nearest to the present ones first: "
      "every branch of an arm with a closed form; limits: false lists those beyond the joint limits "
-     "too. An empty list if there are none. A place without orientation keeps the present one.",
+     "too. An empty list if there are none. A place without orientation keeps the present one as "
+     "far as the arm can; an arm that cannot turn its tool by itself lists every way to the place.",
      "ikineAll(here())", ikine_all},
     {"explain", "(r: robot, q: posJ) -> string",
      "How inverse kinematics comes to these joint values: the solver and why, every branch with "

@@ -38,7 +38,8 @@ ClosedFormKind recognised_six(const CanonicalRows& rows) {
     return rows.parallel(2) ? ClosedFormKind::kSphericalParallel
                             : ClosedFormKind::kSphericalMeeting;
   const bool three = !rows.parallel(1) && rows.parallel(2) && rows.parallel(3) && !rows.parallel(4);
-  return three && rows.meet(5) ? ClosedFormKind::kThreeParallel : ClosedFormKind::kNone;
+  return three && rows.meet(5) && all_turn(rows) ? ClosedFormKind::kThreeParallel
+                                                 : ClosedFormKind::kNone;
 }
 
 ClosedFormKind recognised(const CanonicalRows& rows) {

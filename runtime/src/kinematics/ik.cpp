@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "armlet/core/format.hpp"
@@ -15,16 +16,23 @@
 namespace armlet {
 namespace {
 
-constexpr int kNearestStarts = 32;   // after the first solution
-constexpr int kNearestWanted = 16;   // distinct solutions
-constexpr double kSoonEnough = 0.1;  // s: solutions reached sooner need not be looked for
-constexpr int kKeepStarts = 20;      // to find out whether an orientation can be kept
-constexpr double kPlaceFirst = 100;  // weight of position while orientation changes least
+constexpr int kNearestStarts = 32;     // after the first solution
+constexpr int kNearestWanted = 16;     // distinct solutions
+constexpr double kSoonEnough = 0.1;    // s: solutions reached sooner need not be looked for
+constexpr int kKeepStarts = 20;        // to find out whether an orientation can be kept
+constexpr double kLargestValue = 1e6;  // m or rad, of a goal or a seed
+constexpr double kSameTurn = 1e-6;     // rad
+constexpr double kPlaceFirst = 100;    // weight of position while orientation changes least
 
 // Heading of the x axis seen from above, or of the y axis less a right angle if x is vertical.
 double turn_about_z(const Eigen::Matrix3d& R) {
   if (det::hypot(R(0, 0), R(1, 0)) > 1e-9) return det::atan2(R(1, 0), R(0, 0));
   return det::atan2(-R(0, 1), R(1, 1));
+}
+
+// Finite, and of a size whose rounding lies far below the tolerances.
+bool is_moderate(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  return values.allFinite() && (values.cwiseAbs().array() <= kLargestValue).all();
 }
 
 // The status of a question that cannot be asked, or kOk.
@@ -33,8 +41,10 @@ IkStatus check_question(const Robot& robot, const Eigen::Isometry3d& T_world_too
   const bool given = options.posture && options.posture->posture == Posture::kNearGiven;
   if (options.seed.size() != robot.n()) return IkStatus::kBadSize;
   if (given && options.posture->q_given.size() != robot.n()) return IkStatus::kBadSize;
-  if (given && !options.posture->q_given.allFinite()) return IkStatus::kNotFinite;
-  if (!options.seed.allFinite() || !T_world_tool.matrix().allFinite()) return IkStatus::kNotFinite;
+  if (given && !is_moderate(options.posture->q_given)) return IkStatus::kNotFinite;
+  if (!is_moderate(options.seed) || !is_moderate(T_world_tool.translation()) ||
+      !T_world_tool.linear().allFinite())
+    return IkStatus::kNotFinite;
   const bool uses_rotation = options.task != IkTask::kPosition && options.task != IkTask::kPlace;
   if (uses_rotation && !is_rotation(T_world_tool.linear())) return IkStatus::kBadRotation;
   return IkStatus::kOk;
@@ -65,7 +75,7 @@ FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptio
     return FormulaAnswer::kSilent;
   std::vector<FormulaSolution> solutions;
   const FormulaAnswer answer = solve_by_formula(robot, goal, options, solutions);
-  if (answer == FormulaAnswer::kFound)
+  if (!solutions.empty())
     take_branch(robot, goal, nearest_branch(robot, options.seed, solutions), result);
   return answer;
 }
@@ -100,7 +110,8 @@ bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& opt
 bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                  IkResult& result) {
   switch (formula_into(robot, goal, options, result)) {
-    case FormulaAnswer::kFound:
+    case FormulaAnswer::kSome:
+    case FormulaAnswer::kAll:
       return true;
     case FormulaAnswer::kNone:
       result.q = options.seed;
@@ -130,13 +141,10 @@ Eigen::VectorXd turn_least(const Robot& robot, const IkGoal& keep, const Eigen::
                            const IkOptions& options, IkResult& result) {
   IkGoal weighted = keep;
   weighted.weights.head<3>() *= kPlaceFirst;
-  IkGoal place = keep;
-  place.weights.tail<3>().setZero();
-
   JointArray joints = to_array(q);
   IkSolver turning(robot, weighted);
   turning.minimise_in_box(joints, 100);
-  IkSolver placing(robot, place);
+  IkSolver placing(robot, keep.without_turn());
   const bool placed = placing.solve_in_box(joints, options.iterations);
   result.iterations += turning.iterations_used() + placing.iterations_used();
   return placed ? to_vector(joints, robot.n()) : q;
@@ -146,8 +154,7 @@ Eigen::VectorXd turn_least(const Robot& robot, const IkGoal& keep, const Eigen::
 // changes it least. Starting at the seed comes first because it changes the joints least.
 bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options,
                 IkResult& result) {
-  IkGoal place = keep;
-  place.weights.tail<3>().setZero();
+  const IkGoal place = keep.without_turn();
   const IkSearch search = search_ik(robot, place, options, kNearestWanted, kNearestStarts);
   result.iterations += search.iterations;
   result.starts += search.starts;
@@ -163,10 +170,48 @@ bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options
   for (const Eigen::VectorXd& candidate : candidates) {
     const Eigen::VectorXd q = turn_least(robot, keep, candidate, options, result);
     const IkError error = IkSolver(robot, keep).error_of(to_array(q));
-    if (error.position > options.position_tolerance || error.rotation >= smallest - 1e-6) continue;
+    if (error.position > options.position_tolerance || error.rotation >= smallest - kSameTurn)
+      continue;
     smallest = error.rotation;
     take_solution(robot, place, q, result);
   }
+  return smallest < INFINITY;
+}
+
+// The same for an arm whose formula gives the few ways to reach a place.
+FormulaAnswer place_by_formula(const Robot& robot, const IkGoal& keep, const IkOptions& options,
+                               IkResult& result) {
+  const IkGoal place = keep.without_turn();
+  if (options.choice != IkChoice::kNearest || options.posture || !closed_form(robot).place_only() ||
+      !formula_applies(robot, place, options))
+    return FormulaAnswer::kSilent;
+  std::vector<FormulaSolution> solutions;
+  const FormulaAnswer answer = solve_by_formula(robot, place, options, solutions);
+  if (answer == FormulaAnswer::kNone) result.q = options.seed;
+  if (answer != FormulaAnswer::kAll) return answer;
+  IkSolver turning(robot, keep);
+  const auto turn = [&](const FormulaSolution& s) { return turning.error_of(s.q).rotation; };
+  const double least = turn(*std::ranges::min_element(solutions, {}, turn));
+  std::erase_if(solutions, [&](const FormulaSolution& s) { return turn(s) > least + kSameTurn; });
+  take_branch(robot, place, nearest_branch(robot, options.seed, solutions), result);
+  return answer;
+}
+
+// kPlace: with the orientation of the goal if the arm can keep it.
+bool solve_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool, const IkGoal& keep,
+                 const IkOptions& options, IkResult& result) {
+  switch (place_by_formula(robot, keep, options, result)) {
+    case FormulaAnswer::kAll:
+      return true;
+    case FormulaAnswer::kNone:
+      return false;
+    default:
+      break;
+  }
+  IkOptions first = options;
+  first.starts = std::min(options.starts, kKeepStarts);
+  if (!search_into(robot, keep, first, result)) return place_into(robot, keep, options, result);
+  if (options.posture) take_best_posture(robot, T_world_tool, keep, options, result);
   return true;
 }
 
@@ -235,16 +280,12 @@ IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
   if (result.status != IkStatus::kOk) return result;
 
   IkGoal goal = make_goal(robot, T_world_tool, options);
-  const bool place = options.task == IkTask::kPlace;
-  IkOptions first = options;
-  if (place) first.starts = std::min(options.starts, kKeepStarts);
-  if (search_into(robot, goal, first, result)) {
+  if (options.task == IkTask::kPlace) {
+    if (solve_place(robot, T_world_tool, goal, options, result)) return result;
+    goal = goal.without_turn();
+  } else if (search_into(robot, goal, options, result)) {
     if (options.posture) take_best_posture(robot, T_world_tool, goal, options, result);
     return result;
-  }
-  if (place) {
-    if (place_into(robot, goal, options, result)) return result;
-    goal.weights.tail<3>().setZero();
   }
   result.status = IkStatus::kUnreachable;
   if (options.diagnose && diagnose(robot, goal, options, result)) {
@@ -254,18 +295,16 @@ IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
   return result;
 }
 
-std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
-                                          const IkOptions& given, int count) {
-  IkOptions options = given;
-  if (options.seed.size() == 0) options.seed = robot.home();
-  if (check_question(robot, T_world_tool, options) != IkStatus::kOk) return {};
-  const IkGoal goal = make_goal(robot, T_world_tool, options);
+namespace {
+
+std::vector<Eigen::VectorXd> all_solutions(const Robot& robot, const IkGoal& goal,
+                                           const IkOptions& options, int count) {
   if (formula_applies(robot, goal, options)) {
     std::vector<FormulaSolution> branches;
     FormulaAnswer answer = solve_by_formula(robot, goal, options, branches);
     if (branches.empty() && robot.n() == 7) {
       branches = solve_over_arm_angles(robot, goal, options);
-      if (!branches.empty()) answer = FormulaAnswer::kFound;
+      if (!branches.empty()) answer = FormulaAnswer::kSome;
     }
     if (answer != FormulaAnswer::kSilent) {
       std::vector<Eigen::VectorXd> all;
@@ -279,6 +318,26 @@ std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isome
   IkSearch search = search_ik(robot, goal, options, count, options.starts);
   sort_by_nearness(robot, options.seed, search.solutions);
   return search.solutions;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                                          const IkOptions& given, int count) {
+  IkOptions options = given;
+  if (options.seed.size() == 0) options.seed = robot.home();
+  if (check_question(robot, T_world_tool, options) != IkStatus::kOk) return {};
+  IkGoal goal = make_goal(robot, T_world_tool, options);
+  const bool place = options.task == IkTask::kPlace;
+  if (place && closed_form(robot).place_only()) goal = goal.without_turn();
+  std::vector<Eigen::VectorXd> all = all_solutions(robot, goal, options, count);
+  if (!all.empty() || !place) return all;
+  // The orientation cannot be kept: all ways to the one that is nearest to it.
+  options.diagnose = false;
+  const IkResult turned = solve_ik(robot, T_world_tool, options);
+  if (!turned.ok()) return {};
+  goal.R = forward(robot, turned.q).linear();
+  return all_solutions(robot, goal, options, count);
 }
 
 std::string branch_name(const Robot& robot, const IkResult& result) {
@@ -297,7 +356,8 @@ std::string explain(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
     case IkStatus::kBadSize:
       return fmt::format("The seed must have {} joint values.", robot.n());
     case IkStatus::kNotFinite:
-      return "The goal or the seed contains a value that is not a finite number.";
+      return "The goal or the seed contains a value that is not a finite number up to 1e6 m or "
+             "rad.";
     case IkStatus::kJointLimit:
       text = "The pose can be reached only outside the limits: ";
       for (std::size_t i = 0; i < d.violations.size(); ++i) {
@@ -311,9 +371,7 @@ std::string explain(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
       break;
     case IkStatus::kOrientationUnreachable:
       text = fmt::format(
-          "The place can be reached, but not with this orientation; the closest orientation "
-          "differs "
-          "by {}",
+          "The place can be reached, but not with this orientation; the closest one differs by {}",
           format_deg(d.angle));
       break;
     case IkStatus::kSingularGoal:

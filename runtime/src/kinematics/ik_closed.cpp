@@ -81,8 +81,9 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
     }
     solutions.push_back(candidate);
   }
-  if (!solutions.empty()) return FormulaAnswer::kFound;
-  return closed.complete() && !found.free ? FormulaAnswer::kNone : FormulaAnswer::kSilent;
+  const bool all = closed.complete() && !found.free;
+  if (solutions.empty()) return all ? FormulaAnswer::kNone : FormulaAnswer::kSilent;
+  return all ? FormulaAnswer::kAll : FormulaAnswer::kSome;
 }
 
 std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkGoal& goal,

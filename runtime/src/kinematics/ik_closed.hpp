@@ -7,9 +7,10 @@
 
 namespace armlet {
 
-// What the formula says about a goal. kSilent: the arm has none, or it cannot tell; kNone: there is
-// no solution.
-enum class FormulaAnswer { kSilent, kFound, kNone };
+// What the formula says about a goal. kSilent: the arm has none, or it cannot tell; kSome: a joint
+// is free, so that there may be more than those found; kAll: there are no others; kNone: there are
+// none.
+enum class FormulaAnswer { kSilent, kSome, kAll, kNone };
 
 // A solution of the closed form that meets the goal's tolerances and the limits asked for, each
 // turning joint at the copy nearest to the seed.

@@ -9,23 +9,25 @@ namespace armlet {
 namespace {
 
 constexpr int kSpreadStarts = 12;  // with one start a third of the distances would be too long
+constexpr int kTurnStarts = 60;    // orientations have more local minima
 constexpr int kLeastSquaresSteps = 200;
 constexpr double kPositionFirst = 100.0;  // weight that makes position come before orientation
+constexpr double kPositionFixed = 1e4;    // and one that hardly moves it
 
 struct Nearest {
   JointArray q{};
   IkError error;
 };
 
-// The best of several least-squares solutions; `first` starts before the spread ones.
+// The best of several least-squares solutions; `first` starts before the `spread` ones.
 template <class Measure>
 Nearest nearest(const Robot& robot, const IkGoal& goal, const std::vector<JointArray>& first,
-                Measure measure) {
+                int spread, Measure measure) {
   IkSolver solver(robot, goal);
   Nearest best;
   double smallest = INFINITY;
   const int given = static_cast<int>(first.size());
-  for (int start = 0; start < given + kSpreadStarts; ++start) {
+  for (int start = 0; start < given + spread; ++start) {
     JointArray q = start < given ? first[static_cast<std::size_t>(start)]
                                  : halton_start(robot, start - given + 1);
     solver.minimise_in_box(q, kLeastSquaresSteps);
@@ -36,6 +38,16 @@ Nearest nearest(const Robot& robot, const IkGoal& goal, const std::vector<JointA
     best = {q, error};
   }
   return best;
+}
+
+// The light weight traded a little of the place for orientation.
+void put_in_place(const Robot& robot, const IkGoal& goal, const IkOptions& options, Nearest& near) {
+  IkGoal both = goal;
+  both.weights.head<3>() *= kPositionFixed;
+  JointArray q = near.q;
+  IkSolver(robot, both).minimise_in_box(q, kLeastSquaresSteps);
+  if (!IkSolver(robot, goal.without_turn()).solve_in_box(q, options.iterations)) return;
+  near = {q, IkSolver(robot, goal).error_of(q)};
 }
 
 double total_excess(const Robot& robot, const Eigen::VectorXd& q) {
@@ -81,9 +93,8 @@ ReachGap gap_of(const Robot& robot, const IkGoal& goal, const IkOptions& options
 bool diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
   IkDiagnosis& diagnosis = result.diagnosis;
 
-  IkGoal place = goal;
-  place.weights.tail<3>().setZero();
-  Nearest best = nearest(robot, place, {to_array(options.seed), to_array(result.q)},
+  const IkGoal place = goal.without_turn();
+  Nearest best = nearest(robot, place, {to_array(options.seed), to_array(result.q)}, kSpreadStarts,
                          [](const IkError& e) { return e.position; });
   diagnosis.distance = best.error.position <= goal.position_tolerance ? 0.0 : best.error.position;
   result.status = IkStatus::kUnreachable;
@@ -91,8 +102,9 @@ bool diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, 
   if (diagnosis.distance == 0.0 && counts_rotation(goal)) {
     IkGoal both = goal;
     both.weights.head<3>() *= kPositionFirst;
-    best = nearest(robot, both, {best.q, to_array(result.q)},
+    best = nearest(robot, both, {best.q, to_array(result.q)}, kTurnStarts,
                    [](const IkError& e) { return kPositionFirst * e.position + e.rotation; });
+    put_in_place(robot, goal, options, best);
     diagnosis.angle = best.error.rotation;
     result.status = IkStatus::kOrientationUnreachable;
   }

@@ -206,10 +206,11 @@ void IkSolver::polish(JointArray& q, double energy, bool in_box) {
     normal_equations();
     const Step step =
         in_box ? step_in_box(q, kDampingRatio * energy) : solve_step(kDampingRatio * energy);
+    if (!is_within(step, kLargestStep)) return;
     JointArray next = q;
     for (std::size_t i = 0; i < n_; ++i) next[i] += step[i];
     if (in_box) clamp(next);
-    const bool tiny = is_tiny(step);
+    const bool tiny = is_within(step, kTinyStep);
     const double next_energy = tiny ? promised_energy(q, next) : evaluate(next);
     if (!(next_energy < 0.25 * energy)) return;
     q = next;
@@ -218,9 +219,9 @@ void IkSolver::polish(JointArray& q, double energy, bool in_box) {
   }
 }
 
-bool IkSolver::is_tiny(const Step& step) const {
+bool IkSolver::is_within(const Step& step, double size) const {
   return std::all_of(step.begin(), step.begin() + static_cast<std::ptrdiff_t>(n_),
-                     [](double s) { return std::abs(s) < kTinyStep; });
+                     [size](double s) { return std::abs(s) < size; });
 }
 
 // Half the squared error at `next` by the linear model at q.

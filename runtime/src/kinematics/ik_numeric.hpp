@@ -26,6 +26,12 @@ struct IkGoal {
   double position_tolerance = 1e-6;
   double rotation_tolerance = 1e-6;
 
+  // The same place with any orientation.
+  IkGoal without_turn() const {
+    IkGoal place = *this;
+    place.weights.tail<3>().setZero();
+    return place;
+  }
   bool is_met(const IkError& error) const {
     return error.position <= position_tolerance && error.rotation <= rotation_tolerance;
   }
@@ -63,7 +69,7 @@ class IkSolver {
   void select_rows();
   bool converged() const;
   void polish(JointArray& q, double energy, bool in_box);
-  bool is_tiny(const Step& step) const;
+  bool is_within(const Step& step, double size) const;
   double promised_energy(const JointArray& q, const JointArray& next) const;
   void normal_equations();
   // Solves (J^T J + damping I) step = J^T e for the joints that are not frozen.

@@ -98,7 +98,13 @@ IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
   const bool asked = status != IkStatus::kBadSize && status != IkStatus::kNotFinite &&
                      status != IkStatus::kBadRotation;
   if (!asked || !closed.exists()) return report;
-  const IkGoal goal = make_goal(robot, T_world_tool, options);
+  IkGoal goal = make_goal(robot, T_world_tool, options);
+  if (options.task == IkTask::kPlace) {
+    if (closed.place_only())
+      goal = goal.without_turn();
+    else if (report.result.ok())
+      goal.R = forward(robot, report.result.q).linear();
+  }
   if (!formula_applies(robot, goal, options)) return report;
   // At the arm angle of the answer, if the arm has one.
   const Eigen::VectorXd seed = options.seed;

@@ -42,8 +42,9 @@ void normal_kernel(int joints, const double* J, const double* e, NormalEquations
   }
 }
 
-// L D L^T; M holds L D. The floor on the pivots replaces an exact zero of a redundant or singular
-// arm by something too small to be felt elsewhere.
+// L D L^T; M holds L D. A pivot that is nothing but rounding belongs to a joint that the others
+// stand in for, of a redundant or singular arm: it stays where it is. Divided by, such a pivot
+// would make the next ones grow without bound.
 template <int N>
 void step_kernel(int joints, const NormalEquations& normal, double damping, double* step) {
   const std::size_t n = count_of<N>(joints);
@@ -67,7 +68,7 @@ void step_kernel(int joints, const NormalEquations& normal, double damping, doub
       pivot -= sum * L[i][k];
       value -= L[i][k] * x[k];
     }
-    inverse_pivot[i] = 1.0 / (pivot > floor ? pivot : floor);
+    inverse_pivot[i] = pivot > floor ? 1.0 / pivot : 0.0;
     x[i] = value;
   }
 #pragma GCC unroll 8

@@ -194,6 +194,23 @@ TEST_CASE("a pose that an arm of special lengths takes with special joints is al
   }
 }
 
+TEST_CASE("arms of one to twelve joints, turning and sliding, find the poses that they take") {
+  for (int n = 1; n <= kMaxJoints; ++n) {
+    CAPTURE(n);
+    Random random(static_cast<std::uint64_t>(n));
+    int missed = 0;
+    for (int k = 0; k < 30; ++k) {
+      const Robot robot = random_arm(random, n);
+      for (int j = 0; j < 20; ++j) {
+        const Isometry3d goal = forward(robot, random_joints(robot, random));
+        const IkResult ik = solve_ik(robot, goal, {.seed = random_joints(robot, random)});
+        missed += ik.ok() && reaches(robot, ik.q, goal, true) ? 0 : 1;
+      }
+    }
+    CHECK(missed == 0);
+  }
+}
+
 TEST_CASE("three equal links folded back onto the shoulder keep the whole pose") {
   // The place says nothing about joints 1 and 2; the orientation does.
   const Robot arm = arm_of({{0, 0, 0, kRight}, {0, 0, 0.3, 0}, {0, 0, 0.3, 0}});

@@ -65,7 +65,7 @@ enum class IkStatus {
   kSingularGoal,            // the iteration stalls at a singular configuration next to the goal
   kBadRotation,             // the goal's rotation part is not a rotation
   kBadSize,                 // the seed has not one value per joint
-  kNotFinite,               // the goal or the seed contains nan or infinity
+  kNotFinite,               // the goal or the seed has nan, infinity or a value beyond 1e6
 };
 
 // "unreachable", "joint limit", ...
@@ -118,6 +118,8 @@ IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
 // Distinct solutions, nearest to the seed first, at most `count`: every branch of the closed form
 // where the arm has one, otherwise those that the search finds. An arm with more than six joints
 // has infinitely many; it gives those with the arm angle of the seed, or failing that, examples.
+// kPlace: of an arm whose formula is for places, every way to the place; of others, those with the
+// orientation of the seed, or with the one nearest to it that the arm can have there.
 std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                                           const IkOptions& options = {}, int count = 16);
 
