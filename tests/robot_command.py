@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-NAMES = ["planar2", "planar3", "rrr3", "scara", "scorbot", "puma560", "stanford", "pa10_6", "pa10", "irb120", "ur3",
+NAMES = ["planar2", "planar3", "anthropomorphic", "scara", "scorbot", "puma560", "stanford", "pa10_6", "pa10", "irb120", "ur3",
          "ur5", "ur10", "panda", "iiwa14", "arm7"]
 HANDS = ["barrett_hand", "parallel_gripper", "suction_cup"]
 

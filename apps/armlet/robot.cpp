@@ -118,6 +118,7 @@ std::shared_ptr<const Robot> find_robot(const std::string& name) {
   auto robot = make_robot(name);
   if (robot != nullptr) return robot;
   std::vector<std::string_view> names = catalog_names();
+  names.insert(names.end(), hand_names().begin(), hand_names().end());
   std::string message = fmt::format("armlet: there is no robot called \"{}\"; there are {}", name,
                                     fmt::join(names, ", "));
   if (const auto meant = most_similar(name, names))

@@ -46,7 +46,8 @@ Signal size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t
                  fmt::format("{}: the sizes do not fit: {} and {}", what, left, right));
 }
 
-Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter) {
+Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter,
+                  std::string fix) {
   std::string sentence = error.what();
   if (sentence.ends_with('.')) sentence.pop_back();
   // A headline goes on from its own words: only a name or abbreviation keeps its capital.
@@ -58,6 +59,7 @@ Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, in
   f.code = code;
   f.arguments = {std::move(sentence)};
   f.mark_parameter = parameter;
+  f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }
 

@@ -78,7 +78,8 @@ Signal failure(Vm& vm, std::string_view code, std::string message, int parameter
                std::string why = {}, std::string fix = {});
 
 // The same with the sentence of a broken precondition as its argument.
-Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter = -1);
+Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter = -1,
+                  std::string fix = {});
 
 [[nodiscard]] inline bool is_absent(Slot s) { return is_absent_scalar(s); }
 

@@ -165,6 +165,9 @@ InertiaCheck inertia_check_of(std::string_view word) {
                   word));
 }
 
+constexpr const char* kKeepInertias =
+    "inertias: \"published\" keeps the numbers of a source as they are";
+
 // Meshes are files below the folder of the program.
 void check_meshes(Vm& vm, const RobotSpec& spec) {
   for (std::size_t i = 0; i < spec.links.size(); ++i) {
@@ -233,8 +236,13 @@ Signal robot_from_urdf(Vm& vm, Slot* args) try {
   options.inertia_check = inertia_check_of(text_value(args[kInertias]));
   options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
   const Result<Mechanism> mechanism = read_urdf(*text, options);
-  if (!mechanism.ok())
-    return failure_of(vm, "R0630", ArgumentError(mechanism.error().message), kPath);
+  if (!mechanism.ok()) {
+    UrdfOptions published = options;
+    published.inertia_check = InertiaCheck::kPublished;
+    const bool inertia_only = read_urdf(*text, published).ok();
+    return failure_of(vm, "R0630", ArgumentError(mechanism.error().message), kPath,
+                      inertia_only ? kKeepInertias : "");
+  }
   const std::string_view tip =
       args[kTip].o != nullptr ? text_value(args[kTip]) : std::string_view();
   Result<RobotSpec> spec = serial_arm(*mechanism, tip);

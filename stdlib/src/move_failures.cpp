@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "armlet/core/format.hpp"
@@ -28,8 +29,16 @@ Failure start(Vm& vm, const MoveCall& call, std::string_view code, int mark) {
   return f;
 }
 
-std::string millimetres(double length) {
-  return fmt::format("{} mm", std::llround(length * 1000.0));
+std::string millimetres(double length, int digits = 0) {
+  return format_number(length * 1000.0, digits) + " mm";
+}
+// Two lengths with as many digits as tell them apart, nanometres at most.
+std::array<std::string, 2> told_apart(double a, double b) {
+  std::array<std::string, 2> out;
+  for (int digits = 0; digits <= 6 && out[0] == out[1]; ++digits) {
+    out = {millimetres(a, digits), millimetres(b, digits)};
+  }
+  return out;
 }
 std::string up_to_tenth(double length) {
   return fmt::format("{} mm", format_number(std::ceil(length * 1e4 - 1e-6) / 10.0, 1));
@@ -69,13 +78,13 @@ void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, F
   const double reach_out = from_axis(robot, nearest);
   const Vector3d up = robot.T_world_base().linear().col(2);
   const bool level = std::abs(up.dot(goal - nearest)) < kSameHeight;
+  const auto [asked, reached] = told_apart(goal_out, reach_out);
   if (level && goal_out > reach_out) {
-    f.why = fmt::format("the point is {} from the base; `{}` reaches {}", millimetres(goal_out),
-                        f.robot, millimetres(reach_out));
+    f.why = fmt::format("the point is {} from the base; `{}` reaches {}", asked, f.robot, reached);
     f.fix = fmt::format("bring the target at least {} closer", up_to_tenth(d.distance));
   } else if (level) {
-    f.why = fmt::format("the point is {} from the base; `{}` cannot fold closer than {}",
-                        millimetres(goal_out), f.robot, millimetres(reach_out));
+    f.why = fmt::format("the point is {} from the base; `{}` cannot fold closer than {}", asked,
+                        f.robot, reached);
     f.fix = fmt::format("bring the target at least {} further out", up_to_tenth(d.distance));
   } else {
     f.why = fmt::format("the nearest point that `{}` reaches is {}, {} away", f.robot,
@@ -84,13 +93,21 @@ void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, F
   }
 }
 
-void say_joint(const Robot& robot, const IkDiagnosis& d, Failure& f) {
-  if (d.violations.empty()) return;
-  const LimitViolation& v = d.violations.front();
-  const JointKind kind = robot.joint(v.joint).kind;
-  f.why = fmt::format("joint {} would have to {} to {}, beyond its limit of {}", v.joint + 1,
-                      joint_word(kind), format_joint_value(kind, v.value),
-                      format_joint_value(kind, v.limit));
+// The joints that would be outside, and how near the hand gets with all of them inside.
+void say_joints(const Robot& robot, const IkDiagnosis& d, Failure& f) {
+  for (const LimitViolation& v : d.violations) {
+    const JointKind kind = robot.joint(v.joint).kind;
+    f.why += fmt::format("{}joint {} would have to {} to {}, beyond its limit of {}",
+                         f.why.empty() ? "" : ", and ", v.joint + 1, joint_word(kind),
+                         format_joint_value(kind, v.value), format_joint_value(kind, v.limit));
+  }
+  if (d.distance > 0.0) {
+    f.why += fmt::format("; within the limits the hand gets to {}, {} away",
+                         format_point_mm(d.nearest.translation()), format_mm(d.distance));
+  } else if (d.angle > 0.0) {
+    f.why += fmt::format("; within the limits the closest orientation at this place differs by {}",
+                         format_deg(d.angle));
+  }
 }
 
 std::string seconds(double s) { return fmt::format("{} s", format_number(s, 2)); }
@@ -112,7 +129,7 @@ Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
   switch (result.status) {
     case IkStatus::kJointLimit:
       f.arguments = {"only with a joint beyond its limits"};
-      say_joint(robot, d, f);
+      say_joints(robot, d, f);
       break;
     case IkStatus::kOrientationUnreachable:
       f.arguments = {"the hand gets there, but not with this orientation"};
@@ -269,7 +286,7 @@ Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
         "change between them on the way";
   } else {
     Failure there = start(vm, call, "R0601", call.target);
-    if (fault.ik.status == IkStatus::kJointLimit) say_joint(robot, fault.ik.diagnosis, there);
+    if (fault.ik.status == IkStatus::kJointLimit) say_joints(robot, fault.ik.diagnosis, there);
     if (there.why.empty())
       say_place(robot, fault.T_world_tool.translation(), fault.ik.diagnosis, there);
     f.why = fmt::format("both ends can be reached, but in between {}", there.why);

@@ -60,7 +60,7 @@ struct Entry {
 };
 
 constexpr Entry kEntries[] = {
-    {"planar2", make_planar2},   {"planar3", make_planar3}, {"rrr3", make_rrr3},
+    {"planar2", make_planar2},   {"planar3", make_planar3}, {"anthropomorphic", make_rrr3},
     {"scara", make_scara},       {"scorbot", make_scorbot}, {"puma560", make_puma560},
     {"stanford", make_stanford}, {"pa10_6", make_pa10_6},   {"pa10", make_pa10},
     {"irb120", make_irb120},     {"ur3", make_ur3},         {"ur5", make_ur5},
@@ -70,7 +70,7 @@ constexpr Entry kEntries[] = {
 struct Alias {
   std::string_view name, robot;
 };
-constexpr Alias kAliases[] = {{"anthropomorphic", "rrr3"}, {"planar2r", "planar2"},
+constexpr Alias kAliases[] = {{"rrr3", "anthropomorphic"}, {"planar2r", "planar2"},
                               {"planar3r", "planar3"},     {"scorbot_er4u", "scorbot"},
                               {"pa10_7", "pa10"},          {"iiwa", "iiwa14"},
                               {"abb_irb120", "irb120"}};

@@ -103,7 +103,8 @@ Robot make_planar3() {
 }
 
 Robot make_rrr3() {
-  return make_arm(kRrr3, {.name = "rrr3", .source = "generic elbow arm", .home = {0, 60, -90}});
+  return make_arm(kRrr3,
+                  {.name = "anthropomorphic", .source = "generic elbow arm", .home = {0, 60, -90}});
 }
 
 Robot make_scara() {

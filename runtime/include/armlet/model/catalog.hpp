@@ -31,8 +31,8 @@ Robot make_arm7();    // a generic arm of seven joints
 // Names that make_robot knows, in the order above.
 const std::vector<std::string_view>& catalog_names();
 
-// The arm of that name, or null if there is none. Some have a second name: "anthropomorphic" is
-// rrr3, "iiwa" is iiwa14.
+// The arm of that name, or null if there is none. Some have a second name: "rrr3" is
+// anthropomorphic, "iiwa" is iiwa14.
 // Shared, because cells, planners and recorders may hold the same immutable arm.
 std::shared_ptr<const Robot> make_robot(std::string_view name);
 
