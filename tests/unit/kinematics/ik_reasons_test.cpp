@@ -31,6 +31,35 @@ Robot without_stops(const Robot& robot) {
 
 }  // namespace
 
+TEST_CASE("whatever the goal and the seed are there is an answer, and a yes is true") {
+  Random random(9);
+  const double sizes[] = {0.0, 1e-300, 1e-9, 1e-3, 1.0, 10.0, 1e3, 1e6, 1e9, 1e160, 1e300};
+  const auto any_size = [&] { return sizes[random.below(std::size(sizes))]; };
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    for (int k = 0; k < 40; ++k) {
+      Isometry3d goal = forward(robot, random_joints(robot, random));
+      if (random.below(2) == 0) {
+        for (double& x : goal.matrix().col(3).head<3>()) x = any_size() * random.uniform(-1, 1);
+      }
+      VectorXd seed = random_joints(robot, random);
+      if (random.below(2) == 0) seed *= any_size();
+      const IkTask tasks[] = {IkTask::kPose, IkTask::kPosition, IkTask::kPlace};
+      const IkTask task = tasks[random.below(3)];
+      const IkResult ik =
+          solve_ik(robot, goal, {.seed = seed, .task = task, .starts = 20, .diagnose = k % 8 == 0});
+      REQUIRE(ik.q.allFinite());
+      CHECK(explain(robot, goal, ik).find("nan") == std::string::npos);
+      if (!ik.ok()) continue;
+      const Isometry3d reached = forward(robot, ik.q);
+      CHECK(within_limits(robot, ik.q));
+      CHECK((reached.translation() - goal.translation()).norm() < 1.001e-6);
+      if (task == IkTask::kPose) CHECK(angle_between(reached, goal) < 1.001e-6);
+    }
+  }
+}
+
 TEST_CASE("a place beyond the reach is refused with the true distance and the nearest place") {
   // Lengths by hand: how far the tool point gets from a fixed point, whatever its orientation.
   struct Case {

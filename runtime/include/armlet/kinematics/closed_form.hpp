@@ -88,7 +88,8 @@ class ClosedForm {
   bool place_only() const {
     return kind_ == ClosedFormKind::kShoulder || kind_ == ClosedFormKind::kFewPlace;
   }
-  // The solutions are all that there are: the arm has no joint to spare.
+  // The solutions are all that there are, unless one of their joints is free: the arm has at most
+  // six.
   bool complete() const { return exists() && chain_.n <= 6; }
 
   // T_world_tool  the goal.
