@@ -144,7 +144,10 @@ template <char kOperator>
 Signal int_lists(Vm& vm, Slot* args) {
   const auto a = items_value(args[0]);
   const auto b = items_value(args[1]);
-  if (a.size() != b.size()) return size_failure(vm, "lists of int", a.size(), b.size());
+  constexpr std::string_view kWhat = kOperator == '+'   ? "adding lists"
+                                     : kOperator == '-' ? "subtracting lists"
+                                                        : "multiplying lists";
+  if (a.size() != b.size()) return size_failure(vm, kWhat, a.size(), b.size());
   return whole_numbers<kOperator>(vm, args, a, b);
 }
 template <char kOperator>

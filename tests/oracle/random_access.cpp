@@ -35,6 +35,10 @@ std::string RandomProgram::call(const Ty* type, int depth) {
   --calls_left_;
   const Function& function = *one_of(fitting);
   if (function.is_generic) return function.name + "(" + expr(type, depth - 1) + ")";
+  const bool is_method = function.parameters.size() == 1 && one_in(3) &&
+                         !function.parameters[0].type->is(Sort::kFunction);
+  if (is_method)
+    return "(" + expr(function.parameters[0].type, depth - 1) + ")." + function.name + "()";
   return function.name + "(" + arguments(function, depth - 1) + ")";
 }
 
@@ -43,12 +47,14 @@ std::string RandomProgram::arguments(const Function& function, int depth) {
   std::string out;
   const std::size_t count = function.parameters.size();
   const std::size_t by_position = one_in(3) ? below(count + 1) : count;
+  const bool backwards = one_in(2);
   for (std::size_t i = 0; i < count; ++i) {
     const Field& parameter = function.parameters[i];
     if (!parameter.first.empty() && one_in(2)) continue;
-    out += out.empty() ? "" : ", ";
-    if (i >= by_position) out += parameter.name + ": ";
-    out += loose(parameter.type, depth);
+    std::string next = loose(parameter.type, depth);
+    if (i >= by_position) next = parameter.name + ": " + next;
+    const bool first = backwards && by_position == 0;
+    out = out.empty() ? next : first ? next + ", " + out : out + ", " + next;
   }
   return out;
 }

@@ -47,6 +47,11 @@ void RandomProgram::counted() {
                                         : "abs(" + leaf(int_) + " % 5)";
   if (one_in(3)) {
     open("for (int " + name + " = 3; " + name + " >= 0; " + name + (one_in(2) ? "--)" : " -= 2)"));
+  } else if (one_in(4)) {
+    const std::string down = fresh();
+    open("for (int " + name + " = 0, " + down + " = " + bound + "; " + name + " < " + down + "; " +
+         name + "++, " + down + "--)");
+    if (one_in(2)) line("print(" + name + ", " + down + ")");
   } else if (one_in(3)) {
     open("for (int " + name + " = 0; " + name + " <= 4; " + name +
          " += " + std::to_string(1 + below(3)) + ")");

@@ -363,6 +363,8 @@ std::string RandomProgram::record(const Ty* type, int depth) {
 }
 
 std::string RandomProgram::enum_value(const Ty* type, int depth) {
+  if (depth > 0 && one_in(4))
+    return "(" + type->name + ".values)[" + std::to_string(below(2)) + "]";
   const std::string value = literal(type);
   return depth > 1 ? "(" + truth(depth - 1) + " ? " + value + " : " + leaf(type) + ")" : value;
 }

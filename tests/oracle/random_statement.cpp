@@ -91,6 +91,14 @@ void RandomProgram::declaration() {
       one_in(6) ? function_type({one_in(2) ? int_ : real_}, one_in(2) ? int_ : real_) : storable();
   const bool can_change = !one_in(3);
   const bool is_classic = !type->is(Sort::kFunction) && one_in(4);
+  if (type->is(Sort::kStruct) && one_in(4)) {
+    std::string fields;
+    for (const Field& field : structs_[type->id].fields)
+      fields += field.name + ": " + loose(field.type, 1) + "; ";
+    line(type->name + " " + name + " { " + fields + "}");
+    vars_.push_back({name, type, false});
+    return;
+  }
   if (is_classic) {
     std::string all =
         (can_change ? "" : "final ") + type->name + " " + name + " = " + loose(type, 2);

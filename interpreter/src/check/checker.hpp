@@ -71,6 +71,7 @@ struct Checker : CheckerState {
   hir::Expr* check_any(const ast::Expr& expr, const Type* expected);
   hir::Expr* check_literal(const ast::Expr& expr);
   hir::Expr* check_name(const ast::NameExpr& name, const Type* expected);
+  std::string lambda_around(std::string_view function);
   hir::Expr* read(Local& local, FunctionContext& where, Span span);
   hir::Expr* check_conditional(const ast::CondExpr& cond, const Type* expected);
   hir::Expr* check_list(const ast::Expr& expr, ast::Seq<ast::Expr*> items, const Type* expected);

@@ -165,9 +165,32 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
     const Span behind{name.span.end, name.span.end, name.span.source};
     diagnostic.fix =
         Fix{.text = "write " + std::string(name.name) + "()", .edits = {{behind, "()"}}};
+  } else if (const std::string lambda = lambda_around(name.name);
+             !lambda.empty() && !(naming_.value == name.span)) {
+    diagnostic.fix = Fix{.text = "write " + lambda, .edits = {{name.span, lambda}}};
   }
   report(std::move(diagnostic));
   return failed(name.span);
+}
+
+// fn(x, y) => hypot(x, y), with names that are not taken here; empty if the functions of this name
+// take different numbers of values.
+std::string Checker::lambda_around(std::string_view function) {
+  const auto known = registry_.functions(function);
+  if (known.empty()) return "";
+  std::size_t left = signature_of(*known[0]).parameters.size();
+  for (const NativeFunction* other : known) {
+    if (signature_of(*other).parameters.size() != left) return "";
+  }
+  std::string names;
+  for (char letter = 'a'; left > 0 && letter <= 'z'; ++letter) {
+    const std::string name(1, letter == 'a' ? 'x' : letter == 'x' ? 'a' : letter);
+    FunctionContext* where = nullptr;
+    if (find_local(name, where) != nullptr) continue;
+    names += (names.empty() ? "" : ", ") + name;
+    --left;
+  }
+  return "fn(" + names + ") => " + std::string(function) + '(' + names + ')';
 }
 
 hir::Expr* Checker::read(Local& local, FunctionContext& where, Span span) {
@@ -271,8 +294,10 @@ hir::Expr* Checker::check_until(const ast::UntilExpr& until) {
   const bool is_motion = motion->kind == hir::ExprKind::kCallNative &&
                          motion->as<hir::CallNativeExpr>().function->pauses;
   if (!is_motion && !motion->type->is(Kind::kAny)) {
-    report(make_diagnostic("E0315", motion->span,
-                           {"a motion before `until`", type_phrase(motion->type)}));
+    // What is no call at all has been told of when it was read.
+    if (until.motion->kind == ast::ExprKind::kCall)
+      report(make_diagnostic("E0315", motion->span,
+                             {"a motion before `until`", type_phrase(motion->type)}));
     return failed(until.span);
   }
   hir::Expr* guard = check_guard(*until.condition);

@@ -112,6 +112,21 @@ void Checker::report_count(std::string_view name, const Signature& signature, Sp
   report(std::move(out));
 }
 
+namespace {
+
+std::string function_of(std::size_t values) {
+  return "a function of " + (values == 1 ? "1 value" : std::to_string(values) + " values");
+}
+
+// How many values a lambda or a function of the text takes.
+std::size_t parameters_of(Checker& checker, const ast::Expr& function) {
+  if (function.kind == ast::ExprKind::kLambda) return function.as<ast::LambdaExpr>().params.size();
+  const FunctionDecl* known = checker.find_function(function.as<ast::NameExpr>().name);
+  return known != nullptr ? known->node->params.size() : 0;
+}
+
+}  // namespace
+
 void Checker::report_argument(std::string_view name, const Signature& signature, Span span,
                               const std::vector<Argument>& arguments, const Fit& fit) {
   const Argument& at = arguments[fit.argument];
@@ -137,6 +152,12 @@ void Checker::report_argument(std::string_view name, const Signature& signature,
   const std::string have = at.waits() ? "a function" : type_phrase(at.value->type);
   if (pattern.form == TypePattern::Form::kDimension) {
     report(make_diagnostic("E0314", at.span(), {have}));
+    return;
+  }
+  if (at.waits() && pattern.form == TypePattern::Form::kFunction) {
+    const std::string given = function_of(parameters_of(*this, *at.written));
+    report(make_diagnostic("E0313", at.span(),
+                           {std::string(name), function_of(pattern.parts.size() - 1), given}));
     return;
   }
   const std::string need = pattern_name(pattern, fit.bindings, types_);

@@ -150,7 +150,7 @@ const NativeFunction* Checker::choose(std::string_view name,
       Fit attempt = fit(signature, arguments, ambient);
       if (attempt.problem != Problem::kNone) {
         const auto closeness = [](const Fit& f) {
-          return std::pair(f.matched, f.problem == Problem::kType);
+          return std::tuple(f.matched, f.problem == Problem::kType, f.argument);
         };
         if (closest == nullptr || closeness(attempt) > closeness(closest_fit) ||
             (closeness(attempt) == closeness(closest_fit) && attempt.ambient &&
@@ -170,6 +170,14 @@ const NativeFunction* Checker::choose(std::string_view name,
   if (chosen == nullptr && closest != nullptr) {
     report_misfit(name, signature_of(*closest), callee, span, arguments, closest_fit);
   } else if (equal.size() > 1) {
+    // sum([]): a type would decide.
+    for (const Argument& argument : arguments) {
+      const bool is_open = argument.value != nullptr && argument.value->type->is(Kind::kList) &&
+                           argument.value->type->element->is(Kind::kAny);
+      if (!is_open) continue;
+      report(make_diagnostic("E0323", argument.value->span, {"this empty list"}));
+      return nullptr;
+    }
     Diagnostic diagnostic = make_diagnostic("E0319", callee, {std::string(name)});
     for (const NativeFunction* candidate : equal) {
       diagnostic.why += (diagnostic.why.empty() ? "" : ", ") + std::string(name);

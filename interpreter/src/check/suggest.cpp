@@ -68,6 +68,8 @@ constexpr ForeignName kForeign[] = {
     {"toFixed", "round", "a format shows digits: f\"{x:.2f}\""},
     {"str", "string", ""},
     {"char", "string", "a single character is a text of length 1"},
+    {"charAt", "", "a single character of a text is s[i]"},
+    {"get", "", "a value of a list is xs[i]"},
 };
 
 struct ForeignSetting {

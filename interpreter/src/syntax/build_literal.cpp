@@ -27,9 +27,8 @@ void append_utf8(std::string& out, std::uint32_t code) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// Where the value in braces ends: at the colon of its format, or at the end of `text`. Brackets and
-// inner texts hide colons.
-std::size_t find_format(std::string_view text) {
+// Where a mark stands outside of brackets and inner texts; the end of `text` if it does not.
+std::size_t find_mark(std::string_view text, char mark) {
   std::size_t depth = 0;
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -42,7 +41,7 @@ std::size_t find_format(std::string_view text) {
       ++depth;
     } else if (c == ')' || c == ']' || c == '}') {
       --depth;
-    } else if (c == ':' && depth == 0) {
+    } else if (c == mark && depth == 0) {
       return i;
     }
   }
@@ -213,13 +212,24 @@ ast::Expr* AstBuilder::formatted(Span span) {
 // What stands between braces: a value, and a format behind a colon.
 ast::FormatPiece AstBuilder::format_piece(Span piece) {
   const std::string_view raw = text(piece);
-  const std::size_t colon = find_format(raw);
+  const std::size_t colon = find_mark(raw, ':');  // of the format
   ast::FormatPiece out{};
   Span value = piece;
   value.end = piece.begin + static_cast<std::uint32_t>(colon);
   if (text(value).find_first_not_of(" \t") == std::string_view::npos) {
     report(make_diagnostic("E0107", {piece.begin - 1, piece.end + 1, piece.source},
                            {"there is no value between the braces"}));
+  } else if (find_mark(text(value), '?') < text(value).size()) {
+    Diagnostic message =
+        make_diagnostic("E0107", piece, {"`? :` between braces needs parentheses"});
+    message.why = "the first `:` begins the format";
+    message.fix = Fix{"write {(" + std::string(raw) + ")}",
+                      {{{piece.begin, piece.begin, piece.source}, "("},
+                       {{piece.end, piece.end, piece.source}, ")"}},
+                      Confidence::kMaybe};
+    report(std::move(message));
+    failed_ = incomplete_ = true;
+    return out;
   } else {
     out.value = in_.parse_piece(value, depth_);
   }

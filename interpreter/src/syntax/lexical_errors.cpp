@@ -194,6 +194,13 @@ Diagnostic bad_number(const Source& source, Span number) {
   }
   const std::string digits = text.substr(0, letters);
   const std::string word = letters == std::string::npos ? "" : text.substr(letters);
+  if (word.empty()) {
+    std::string bare = digits;
+    std::erase(bare, '_');
+    out.why = "`_` stands between two digits";
+    out.fix = fix("write " + bare, {{number, bare}}, Confidence::kSure);
+    return out;
+  }
   const std::vector<std::string> near = units_near(word);
   out.why = quoted(word) + " is not a unit";
   if (near.empty()) {

@@ -232,6 +232,16 @@ Answer block_after_arrow(const FailureSite& site) {
   return out;
 }
 
+// print(1) print(2)
+Diagnostic statement_on_same_line(const FailureSite& site) {
+  Diagnostic out = make_diagnostic("E0122", site.span(site.at));
+  out.mark.label = "a new statement starts here";
+  out.fix = Fix{"write a `;` before it, or start a new line",
+                {{site.after(site.at - 1), ";"}},
+                Confidence::kMaybe};
+  return out;
+}
+
 // else, catch, case ... away from what they belong to
 Answer orphan(const FailureSite& site) {
   const char* owner = nullptr;
@@ -250,6 +260,11 @@ Answer orphan(const FailureSite& site) {
     default:
       return std::nullopt;
   }
+  const bool is_case =
+      site.type(site.at) == RbtLexer::CASE || site.type(site.at) == RbtLexer::DEFAULT;
+  if (is_case && site.at > site.statement && !site.starts_line(site.at) &&
+      can_end_statement(site.before()))
+    return statement_on_same_line(site);
   Diagnostic out = make_diagnostic("E0128", site.span(site.at), {site.text(site.at)});
   out.why = owner;
   if (site.type(site.at) == RbtLexer::ELSE && site.type(site.at + 1) == RbtLexer::COLON)
@@ -294,12 +309,7 @@ Answer missing_separator(const FailureSite& site) {
       FailureSite::starts_value(type) || is_compound(type) || is_primitive_type(type) ||
       (type >= RbtLexer::BREAK && type <= RbtLexer::WITH && type != RbtLexer::UNTIL);
   if (!starts || site.starts_line(site.at)) return std::nullopt;
-  Diagnostic out = make_diagnostic("E0122", site.span(site.at));
-  out.mark.label = "a new statement starts here";
-  out.fix = Fix{"write a `;` before it, or start a new line",
-                {{site.after(site.at - 1), ";"}},
-                Confidence::kMaybe};
-  return out;
+  return statement_on_same_line(site);
 }
 
 // What must come behind a token, or null if it is complete.

@@ -284,7 +284,9 @@ bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::st
     if (size != 0 || is_axis(what)) failure.mark.label = has;
     return raise(state, std::move(failure));
   }
-  failure.mark.label = written + " is " + std::to_string(index) + ", " + has;
+  // xs.last of an empty list asks for the index -1, but nobody wrote that.
+  const bool is_last = size == 0 && index == -1 && written.ends_with(".last");
+  failure.mark.label = is_last ? has : written + " is " + std::to_string(index) + ", " + has;
   if (is_variable && index == static_cast<std::int64_t>(size) && size > 0) {
     const std::string loop = ": for (" + written + " in range(" + std::to_string(size) + "))";
     const std::string where = is_axis(what) ? "the last " + name + " has index " + last
