@@ -30,15 +30,34 @@ Eigen::MatrixXd possible_motions(const Robot& robot, bool place_only) {
   return svd.U.leftCols(std::max<Eigen::Index>(rank, 1));
 }
 
+// What takes the Jacobian to the rows that count.
+Eigen::MatrixXd counting_rows(const Robot& robot) {
+  if (robot.n() >= 6) return Eigen::MatrixXd::Identity(6, 6);
+  Eigen::MatrixXd rows = possible_motions(robot, true).transpose();
+  rows.rightCols<3>().setZero();
+  return rows;
+}
+
 }  // namespace
 
 double manipulability(const Robot& robot, JointsIn q) {
-  Eigen::MatrixXd J = jacobian(robot, q);
-  if (robot.n() < 6) {
-    J.bottomRows<3>().setZero();
-    J = possible_motions(robot, true).transpose() * J;
+  return singular_values(counting_rows(robot) * jacobian(robot, q)).s.prod();
+}
+
+Eigen::VectorXd manipulability_gradient(const Robot& robot, JointsIn q) {
+  const Eigen::MatrixXd rows = counting_rows(robot);
+  const SvdParts svd = singular_values(rows * jacobian(robot, q));
+  Eigen::VectorXd others = Eigen::VectorXd::Ones(svd.s.size());
+  for (Eigen::Index k = 0; k < others.size(); ++k) {
+    for (Eigen::Index j = 0; j < others.size(); ++j) others[k] *= j == k ? 1.0 : svd.s[j];
   }
-  return singular_values(J).s.prod();
+  Eigen::VectorXd gradient(robot.n());
+  for (int i = 0; i < robot.n(); ++i) {
+    const Eigen::MatrixXd rate =
+        rows * jacobian_rate(robot, q, Eigen::VectorXd::Unit(robot.n(), i));
+    gradient[i] = others.dot((svd.U.transpose() * rate * svd.V).diagonal());
+  }
+  return gradient;
 }
 
 Singularity singularity(const Robot& robot, JointsIn q) {

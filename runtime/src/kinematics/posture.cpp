@@ -8,8 +8,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kDifference = 1e-5;  // step of central differences, rad or m
-
 VectorXd wished(const Robot& robot, const PostureGoal& goal) {
   if (goal.posture == Posture::kMidRange) return 0.5 * (robot.upper() + robot.lower());
   check_size("q_given", goal.q_given.size(), robot.n());
@@ -35,16 +33,7 @@ VectorXd posture_gradient(const Robot& robot, JointsIn q, const PostureGoal& goa
   check_size("q", q.size(), robot.n());
   if (goal.posture != Posture::kManipulability)
     return (wished(robot, goal) - q).cwiseProduct(weights(robot)) / robot.n();
-  VectorXd gradient(robot.n());
-  VectorXd shifted = q;
-  for (int i = 0; i < robot.n(); ++i) {
-    shifted[i] = q[i] + kDifference;
-    const double above = manipulability(robot, shifted);
-    shifted[i] = q[i] - kDifference;
-    gradient[i] = (above - manipulability(robot, shifted)) / (2.0 * kDifference);
-    shifted[i] = q[i];
-  }
-  return gradient;
+  return manipulability_gradient(robot, q);
 }
 
 }  // namespace armlet

@@ -96,3 +96,23 @@ TEST_CASE("in an aligned wrist joints 4 and 6 fight each other") {
   // Joints 4 and 6 turn against each other without moving the tool.
   CHECK(std::abs(aligned.joints[3] + aligned.joints[5]) < 1e-9);
 }
+
+TEST_CASE("the gradient of the manipulability is its derivative") {
+  Random random(4);
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::VectorXd q = random_joints(robot, random);
+      const Eigen::VectorXd gradient = manipulability_gradient(robot, q);
+      for (int i = 0; i < robot.n(); ++i) {
+        Eigen::VectorXd above = q, below = q;
+        above[i] += 1e-5;
+        below[i] -= 1e-5;
+        const double slope = (manipulability(robot, above) - manipulability(robot, below)) / 2e-5;
+        // The error of a central difference is that of its rounding, 1e-16 / 1e-5, and of its step.
+        CHECK(std::abs(gradient[i] - slope) < 1e-8);
+      }
+    }
+  }
+}
