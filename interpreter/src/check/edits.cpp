@@ -4,6 +4,8 @@ namespace armlet::lang {
 
 namespace {
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 // The text of the line in front of a place.
 std::string line_before(const Checker& checker, Span place) {
   const Source& source = (*checker.into_.sources)[place.source];
@@ -16,6 +18,30 @@ bool is_blank(const std::string& text) {
 }
 
 }  // namespace
+
+std::string as_operand(const std::string& text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '(' || c == '[') ++depth;
+    if (c == ')' || c == ']') --depth;
+    const bool is_sign = i == 0 && c == '-';
+    const bool is_operator = std::string_view(" +-*/%^\\<>=&|?!").find(c) != std::string_view::npos;
+    if (depth == 0 && is_operator && !is_sign) return '(' + text + ')';
+  }
+  return text;
+}
+
+bool is_decimal_number(std::string_view text) {
+  for (std::size_t i = text.starts_with('-') ? 1 : 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool is_exponent = c == 'e' || c == 'E';
+    const bool is_sign =
+        (c == '-' || c == '+') && i > 0 && (text[i - 1] == 'e' || text[i - 1] == 'E');
+    if (!is_digit(c) && c != '.' && c != '_' && !is_exponent && !is_sign) return false;
+  }
+  return !text.empty();
+}
 
 Edit at_end_of_block(const Checker& checker, Span brace, const std::string& statement) {
   const std::string before = line_before(checker, brace);

@@ -1,11 +1,19 @@
 #pragma once
-// Edits of fixes that put a statement somewhere else, laid out like the text around them.
+// What fixes write: values that become part of others, and statements that go somewhere else, laid
+// out like the text around them.
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "check/checker.hpp"
 
 namespace armlet::lang {
+
+// The text of a value, in parentheses if it is made by an operator: to be multiplied or divided.
+[[nodiscard]] std::string as_operand(const std::string& text);
+// Whether a value is written as a decimal number and nothing else.
+[[nodiscard]] bool is_decimal_number(std::string_view text);
 
 // Puts a statement at the end of the block that `brace` closes.
 [[nodiscard]] Edit at_end_of_block(const Checker& checker, Span brace,

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "check/edits.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -308,13 +310,12 @@ std::optional<Fix> matrix_operator_fix(const Checker& checker, const ast::Binary
       left.kind == ExprKind::kVariable) {
     const std::string A = checker.text_of(left.span);
     const std::string all = "ones(" + A + ".rows, " + A + ".cols)";
-    const Span behind{right.span.end, right.span.end, right.span.source};
-    return Fix{.text = "to every element: " + checker.text_of(right.span) + " * " + all,
-               .edits = {{behind, " * " + all}}};
+    const std::string each = as_operand(checker.text_of(right.span)) + " * " + all;
+    return Fix{.text = "to every element: " + each, .edits = {{right.span, each}}};
   }
   if (!right.type->is(Kind::kMatrix)) return std::nullopt;
-  const std::string a = checker.text_of(left.span);
-  const std::string b = checker.text_of(right.span);
+  const std::string a = as_operand(checker.text_of(left.span));
+  const std::string b = as_operand(checker.text_of(right.span));
   const auto write = [&](const std::string& text, const std::string& purpose) {
     return Fix{.text = "write " + text + purpose, .edits = {{node.span, text}}};
   };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "check/checker.hpp"
+#include "check/edits.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -34,12 +35,6 @@ bool is_number_literal(const hir::Expr& value) {
   return value.kind == hir::ExprKind::kInt || value.kind == hir::ExprKind::kReal;
 }
 
-// A product or sum needs parentheses before it is multiplied or divided.
-std::string in_parentheses(const std::string& text) {
-  return text.find_first_of(" ?") == std::string::npos || text.ends_with(')') ? text
-                                                                              : '(' + text + ')';
-}
-
 std::string short_number(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", value);
@@ -57,8 +52,8 @@ void Checker::plain_number_for_quantity(const hir::Expr& value, const Target& ta
   }
   const std::string text = text_of(value.span);
   const std::string unit = usual_unit(target.type->dim);
-  if (!is_number_literal(value)) {
-    const std::string written = in_parentheses(text) + " * 1" + unit;
+  if (!is_number_literal(value) || !is_decimal_number(text)) {
+    const std::string written = as_operand(text) + " * 1" + unit;
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
   } else {
     const auto constant = constant_of(value);
@@ -86,7 +81,7 @@ void Checker::quantity_for_number(const hir::Expr& value) {
     out.why = "the program would not say which unit the number counts";
   }
   const std::string unit = dim == dims::kLength ? "mm" : display_unit(dim, 1.0).name;
-  const std::string written = in_parentheses(text_of(value.span)) + " / 1" + unit;
+  const std::string written = as_operand(text_of(value.span)) + " / 1" + unit;
   out.fix = Fix{.text = "divide by the unit you want: " + written,
                 .edits = {{value.span, written}},
                 .confidence = Confidence::kMaybe};

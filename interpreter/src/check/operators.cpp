@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "check/checker.hpp"
+#include "check/edits.hpp"
 #include "check/matrices.hpp"
 
 namespace armlet::lang {
@@ -197,7 +198,11 @@ hir::Expr* Checker::arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir
         Diagnostic advice = make_diagnostic(
             "W0701", node.span,
             {text_of(node.span), std::to_string(left->as<hir::IntExpr>().value / by)});
-        const std::string written = text_of(left->span) + ".0 / " + text_of(right->span);
+        const std::string above = text_of(left->span);
+        const bool is_whole =
+            is_decimal_number(above) && above.find_first_of(".eE") == std::string::npos;
+        const std::string written = (is_whole ? above + ".0" : "double(" + above + ')') + " / " +
+                                    as_operand(text_of(right->span));
         advice.fix = Fix{.text = "write " + written, .edits = {{node.span, written}}};
         report(std::move(advice));
       }
@@ -327,13 +332,13 @@ hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& le
                                 : type_name(left.type) + " and " + type_name(right.type);
     const std::string a = text_of(left.span);
     const std::string b = text_of(right.span);
-    const std::string element_wise = a + " ." + op + ' ' + b + " for element by element";
-    diagnostic.fix =
-        node.op == BinaryOp::kMul
-            ? Fix{.text =
-                      "write dot(" + a + ", " + b + ") for the inner product or " + element_wise,
-                  .edits = {{node.span, "dot(" + a + ", " + b + ")"}}}
-            : Fix{.text = "write " + element_wise, .edits = {{node.span, a + " ." + op + ' ' + b}}};
+    const std::string each = as_operand(a) + " ." + op + ' ' + as_operand(b);
+    const std::string element_wise = each + " for element by element";
+    diagnostic.fix = node.op == BinaryOp::kMul
+                         ? Fix{.text = "write dot(" + a + ", " + b + ") for the inner product or " +
+                                       element_wise,
+                               .edits = {{node.span, "dot(" + a + ", " + b + ")"}}}
+                         : Fix{.text = "write " + element_wise, .edits = {{node.span, each}}};
     report(std::move(diagnostic));
     return failed(node.span);
   }
