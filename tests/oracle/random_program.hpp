@@ -108,6 +108,13 @@ class RandomProgram {
   std::string constant(const Ty* type);
   void line(const std::string& text) { out_ += text + "\n"; }
 
+  // ---- loops over doubles (random_kernel.cpp)
+  void declare_kernel();
+  void kernel_loop();
+  void kernel_statement();
+  void kernel_fields();
+  std::string kernel_term(int depth, const std::string& index);
+
   // ---- names in sight
   std::vector<const Var*> visible(const Ty* type, bool to_change);
   const Var* find(const Ty* type, bool to_change = false);

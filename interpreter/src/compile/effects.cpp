@@ -7,11 +7,6 @@ namespace armlet::lang {
 
 namespace {
 
-bool is_operand_word(OpCode op) {
-  return op == OpCode::TYPE || op == OpCode::WITH || op == OpCode::FACTORS || op == OpCode::PAIR ||
-         op == OpCode::WITHK;
-}
-
 // Their results depend on their operands alone.
 constexpr OpCode kPure[] = {
     OpCode::INT,    OpCode::CONST, OpCode::ADDI,  OpCode::SUBI,  OpCode::MULI,   OpCode::DIVI,
@@ -30,8 +25,8 @@ constexpr OpCode kLoads[] = {
 };
 // And on what the register held.
 constexpr OpCode kUpdates[] = {
-    OpCode::MADD,  OpCode::MSUB, OpCode::MADDLD, OpCode::MADDLDLD,
-    OpCode::LDMUL, OpCode::FORI, OpCode::FORX,
+    OpCode::MADD, OpCode::MSUB, OpCode::MADDLD,  OpCode::MADDLDLD, OpCode::LDMUL,
+    OpCode::FORI, OpCode::FORX,
 };
 // Instructions that change more than a number register, but nothing that they do not name.
 constexpr OpCode kPlain[] = {
@@ -76,8 +71,10 @@ Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at) {
   const char first = operand_of(instr.op, 0);
   effects.defines = first == 'd' || first == 'D' || effects.effect == Effect::kUpdate;
   effects.empties = instr.op == OpCode::TAKE;
-  const bool has_word = at + 1 < code.size() && is_operand_word(code[at + 1].op);
-  effects.words = has_word || is_compare_and_branch(instr.op) ? 2 : 1;
+  if (is_compare_and_branch(instr.op)) ++effects.words;
+  while (at + effects.words < code.size() && is_operand_word(code[at + effects.words].op)) {
+    ++effects.words;
+  }
   switch (instr.op) {
     case OpCode::CALL:
     case OpCode::CALLV:

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "compile/effects.hpp"
-#include "compile/repeats.hpp"
 
 namespace armlet::lang {
 
@@ -43,6 +42,11 @@ bool ends_flow(OpCode op) {
     default:
       return false;
   }
+}
+
+bool is_operand_word(OpCode op) {
+  return op == OpCode::TYPE || op == OpCode::WITH || op == OpCode::FACTORS || op == OpCode::PAIR ||
+         op == OpCode::WITHK;
 }
 
 Emitter::Emitter(Span span) : whole_(span), span_(span) {}
@@ -282,45 +286,6 @@ Instr Emitter::narrow(const WideInstr& wide, std::uint32_t pc) const {
     instr.c = static_cast<std::uint16_t>(offset >> 16U);
   }
   return instr;
-}
-
-CodeShape Emitter::shape() const {
-  CodeShape shape;
-  shape.numbers = most_numbers_;
-  for (const LabelInfo& label : labels_) {
-    shape.labels.push_back(label.used ? label.position : kUnbound);
-  }
-  for (const Handler& h : handlers_) shape.handlers.push_back({h.begin, h.end, h.handler});
-  for (const WideLoop& l : loops_) shape.counters.push_back(l.counter);
-  return shape;
-}
-
-void Emitter::remove_repeats() {
-  const std::vector<bool> removed = find_repeats(code_, shape(), [this] { return pinned(); });
-  if (std::ranges::find(removed, true) != removed.end()) take_out(removed);
-}
-
-void Emitter::take_out(const std::vector<bool>& removed) {
-  std::vector<std::uint32_t> moved(code_.size() + 1);  // by old position
-  std::uint32_t kept = 0;
-  for (std::uint32_t at = 0; at < code_.size(); ++at) {
-    moved[at] = kept;
-    if (!removed[at]) code_[kept++] = code_[at];
-  }
-  moved[code_.size()] = kept;
-  code_.resize(kept);
-  for (LabelInfo& label : labels_) {
-    if (label.position != kUnbound) label.position = moved[label.position];
-  }
-  for (Handler& h : handlers_) {
-    h = {moved[h.begin], moved[h.end], moved[h.handler], h.is_finally};
-  }
-  for (WideFinally& f : finals_) f = {moved[f.begin], moved[f.end], f.held};
-  for (WideLoop& l : loops_) l.range = {moved[l.range.begin], moved[l.range.end]};
-  for (ExpandedCall& call : expanded_) {
-    call.begin = moved[call.begin];
-    call.end = moved[call.end];
-  }
 }
 
 // Pinned constants are loaded before anything else.

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-#include "compile/liveness.hpp"
+#include "compile/flow.hpp"
 #include "compile/wide.hpp"
 
 namespace armlet::lang {
@@ -112,8 +112,8 @@ class Emitter {
   std::uint32_t type(const Type* type);
   void shown(std::uint32_t assert_index, std::vector<Reg> registers);
 
-  // Takes out what computes a value that a register holds already.
-  void remove_repeats();
+  // Makes the code faster, now that all of it is there.
+  void improve();
   // Registers become numbers, labels offsets. Patches the registers of asserts.
   void finish(FunctionCode& into, CompiledProgram& program);
 
@@ -145,7 +145,9 @@ class Emitter {
   [[nodiscard]] std::uint16_t place(Reg reg) const;
   [[nodiscard]] Instr narrow(const WideInstr& wide, std::uint32_t pc) const;
   [[nodiscard]] CodeShape shape() const;
-  void take_out(const std::vector<bool>& removed);
+  void edit(const Edits& edits);
+  void relocate(const std::vector<std::uint32_t>& moved,
+                const std::vector<std::uint32_t>& moved_loops);
   void add_prologue();
   void fill_tables(FunctionCode& into, std::uint32_t shift) const;
   void check_limits() const;

@@ -62,7 +62,7 @@ void Lowering::finish(FunctionCode& into) {
     if (has_result && !is_program_) throw std::logic_error("a function can end without a result");
     code_.emit(is_program_ ? OpCode::HALT : OpCode::RETVOID);
   }
-  if (options_.optimise) code_.remove_repeats();
+  if (options_.optimise) code_.improve();
   code_.finish(into, tables_.program());
 }
 

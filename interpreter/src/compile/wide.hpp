@@ -44,6 +44,8 @@ struct WideInstr {
 }
 // After these nothing follows.
 [[nodiscard]] bool ends_flow(OpCode op);
+// Only operands of the instruction before.
+[[nodiscard]] bool is_operand_word(OpCode op);
 // The next word is a jump that is taken or skipped.
 [[nodiscard]] inline bool is_compare_and_branch(OpCode op) {
   return op >= OpCode::IFLTI && op <= OpCode::FORX;

@@ -157,7 +157,9 @@ inline void retain_object(Obj* object) {
 // the heap is full.
 [[nodiscard]] bool copy_shared(Heap& heap, Slot& place);
 [[nodiscard]] inline bool own(Heap& heap, Slot& place) {
-  return place.o->refs == 1 || copy_shared(heap, place);
+  if (place.o->refs == 1) [[likely]]
+    return true;
+  return copy_shared(heap, place);
 }
 
 // Makes room for at least `capacity` elements. False: the heap is full.

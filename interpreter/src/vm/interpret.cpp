@@ -78,16 +78,29 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
     }                                          \
   } while (false)
 #endif
+// Nothing takes `last` from before here. Saying so behind calls keeps it in a register of the
+// processor, which calls do not preserve; where it is needed they are rare.
+#define FORGET() static_cast<void>(last = 0.0)
+#define SET_REFERENCE(place, object)    \
+  do {                                  \
+    set_reference(heap, place, object); \
+    FORGET();                           \
+  } while (false)
 #define FAIL(call) \
   do {             \
     SAVE();        \
     (void)(call);  \
     goto failed;   \
   } while (false)
+// The object in the slot will be changed: it is copied first if others see it too.
+#define OWN(slot)                    \
+  if (!own(heap, slot)) [[unlikely]] \
+  FAIL(raise_out_of_memory(state))
 #define OUT_OF_LINE(name, function, words)       \
   CASE(name) {                                   \
     SAVE();                                      \
     if (!function(state, base, pc)) goto failed; \
+    FORGET();                                    \
     pc += words;                                 \
     GO;                                          \
   }
@@ -102,6 +115,9 @@ Exit interpret(VmState& state, Task& task) {
   Frame* frame = task.top;
   Slot* base = frame->base;
   const Instr* pc = frame->pc;
+  // The double computed last. Instructions that need it take it from here rather than from its
+  // register, which lies in memory: getting it back from there takes longer than the arithmetic.
+  double last = 0.0;
   GO;
 
 #include "vm/ops_data.inc"
@@ -114,6 +130,7 @@ failed:
   frame = task.top;
   base = frame->base;
   pc = frame->pc;
+  FORGET();
   GO;
 }
 

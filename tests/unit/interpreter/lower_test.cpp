@@ -79,7 +79,7 @@ TEST_CASE("a sum of products is accumulated in place, a counted loop ends in one
        b.when(b.binary(Op::kEqR, b.read(s), b.real(333328333350000.0)), print_int(b, b.read(i)))});
   REQUIRE_FALSE(lower(*program).has_value());
   const FunctionCode& code = program->functions[0];
-  CHECK(count(code, OpCode::MADD) == 1);
+  CHECK(count(code, OpCode::MADD_B) == 1);
   CHECK(count(code, OpCode::FORI_LOOP) == 1);
   CHECK(count(code, OpCode::ADDIK) == 0);
   REQUIRE(code.loops.size() == 1);
