@@ -22,6 +22,7 @@ inline std::int32_t offset_of(const Instr& jump) {
 }
 inline std::int64_t small(std::uint16_t bits) { return static_cast<std::int16_t>(bits); }
 inline ListObj& list_in(Slot s) { return *static_cast<ListObj*>(s.o); }
+inline TextObj& text_in(Slot s) { return *static_cast<TextObj*>(s.o); }
 inline MatrixObj& matrix_in(Slot s) { return *static_cast<MatrixObj*>(s.o); }
 inline RecordObj& record_in(Slot s) { return *static_cast<RecordObj*>(s.o); }
 inline Slot& place_in(Slot s) { return *reinterpret_cast<Slot*>(s.o); }

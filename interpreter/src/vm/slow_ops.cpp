@@ -316,11 +316,6 @@ bool op_pop(VmState& state, Slot* base, const Instr* pc) {
 
 // ---- text -----------------------------------------------------------------------------------
 
-bool op_lentext(VmState&, Slot* base, const Instr* pc) {
-  base[pc->a].i = character_count(text_in(base[pc->b]));
-  return true;
-}
-
 static Obj* part_of_text(VmState& state, TextObj& text, std::uint32_t first, std::uint32_t last) {
   const std::uint32_t begin = character_offset(text, first);
   const std::uint32_t end = character_offset(text, last);
