@@ -234,6 +234,35 @@ Obj* Heap::bury_children(const Slot* slots, std::uint32_t count, Obj* waiting) {
   return waiting;
 }
 
+// A part of `destroy`, which is half of what short-lived objects cost.
+[[gnu::always_inline]] inline void Heap::free_object(Obj* object) {
+  switch (object->kind) {
+    case ObjKind::kText:
+      return give_back(object, text_bytes(static_cast<TextObj*>(object)->capacity));
+    case ObjKind::kList: {
+      auto* list = static_cast<ListObj*>(object);
+      if (list->data != own_room(*list)) give_back(list->data, list->capacity * sizeof(Slot));
+      return give_back(object, sizeof(ListObj) + room_of(*list) * sizeof(Slot));
+    }
+    case ObjKind::kRecord:
+      return give_back(
+          object, sizeof(RecordObj) + sizeof(Slot) * static_cast<RecordObj*>(object)->layout->size);
+    case ObjKind::kMatrix:
+      return give_back(object, matrix_bytes(*static_cast<MatrixObj*>(object)));
+    case ObjKind::kClosure:
+      return give_back(object, sizeof(ClosureObj) + sizeof(ClosureReferences) +
+                                   sizeof(Slot) * static_cast<ClosureObj*>(object)->reserved);
+    case ObjKind::kBox:
+      return give_back(object, sizeof(BoxObj));
+    case ObjKind::kHost: {
+      auto* host = static_cast<HostObj*>(object);
+      const HostType& type = *host->type;
+      if (type.destroy != nullptr) type.destroy(host->payload());
+      return give_back(object, host_bytes(type));
+    }
+  }
+}
+
 void Heap::destroy(Obj* object) {
   link_dead(object, nullptr);
   for (Obj* waiting = object; waiting != nullptr;) {
@@ -269,34 +298,6 @@ void Heap::destroy(Obj* object) {
         break;
     }
     free_object(dead);
-  }
-}
-
-void Heap::free_object(Obj* object) {
-  switch (object->kind) {
-    case ObjKind::kText:
-      return give_back(object, text_bytes(static_cast<TextObj*>(object)->capacity));
-    case ObjKind::kList: {
-      auto* list = static_cast<ListObj*>(object);
-      if (list->data != own_room(*list)) give_back(list->data, list->capacity * sizeof(Slot));
-      return give_back(object, sizeof(ListObj) + room_of(*list) * sizeof(Slot));
-    }
-    case ObjKind::kRecord:
-      return give_back(
-          object, sizeof(RecordObj) + sizeof(Slot) * static_cast<RecordObj*>(object)->layout->size);
-    case ObjKind::kMatrix:
-      return give_back(object, matrix_bytes(*static_cast<MatrixObj*>(object)));
-    case ObjKind::kClosure:
-      return give_back(object, sizeof(ClosureObj) + sizeof(ClosureReferences) +
-                                   sizeof(Slot) * static_cast<ClosureObj*>(object)->reserved);
-    case ObjKind::kBox:
-      return give_back(object, sizeof(BoxObj));
-    case ObjKind::kHost: {
-      auto* host = static_cast<HostObj*>(object);
-      const HostType& type = *host->type;
-      if (type.destroy != nullptr) type.destroy(host->payload());
-      return give_back(object, host_bytes(type));
-    }
   }
 }
 

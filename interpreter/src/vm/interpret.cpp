@@ -34,6 +34,14 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
   heap.release(old);
 }
 
+// Few slots: the memset that compilers make of such a loop would cost more than the rest of a call.
+inline void clear(Slot* slots, unsigned count) {
+  for (; count != 0; --count, ++slots) {
+    slots->o = nullptr;
+    asm volatile("" : "+r"(slots));
+  }
+}
+
 }  // namespace
 
 #ifndef ARMLET_NOTE_EXECUTED  // tests count which instructions they reach
