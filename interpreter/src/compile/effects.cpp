@@ -15,7 +15,7 @@ constexpr OpCode kPure[] = {
     OpCode::ADDRI,  OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI, OpCode::SQRT,   OpCode::NOT,
     OpCode::ITOR,   OpCode::RTOI,  OpCode::LTI,   OpCode::LEI,   OpCode::EQI,    OpCode::NEI,
     OpCode::LTR,    OpCode::LER,   OpCode::EQR,   OpCode::NER,   OpCode::CALLD1, OpCode::CALLD2,
-    OpCode::CALLD3, OpCode::ADDRK, OpCode::MULRK, OpCode::SCALE,
+    OpCode::CALLD3, OpCode::ADDRK, OpCode::MULRK, OpCode::SCALE, OpCode::SUMP,   OpCode::DIFFP,
 };
 // And on memory.
 constexpr OpCode kLoads[] = {
@@ -26,7 +26,7 @@ constexpr OpCode kLoads[] = {
 // And on what the register held.
 constexpr OpCode kUpdates[] = {
     OpCode::MADD, OpCode::MSUB, OpCode::MADDLD,  OpCode::MADDLDLD, OpCode::LDMUL,
-    OpCode::FORI, OpCode::FORX,
+    OpCode::FORI, OpCode::FORX, OpCode::MADDTWO, OpCode::MADDROW,
 };
 // Instructions that change more than a number register, but nothing that they do not name.
 constexpr OpCode kPlain[] = {

@@ -4,7 +4,10 @@
 #include <functional>
 #include <utility>
 
+#include "compile/elements.hpp"
 #include "compile/emitter.hpp"
+#include "compile/fuse.hpp"
+#include "compile/hoist.hpp"
 #include "compile/last_double.hpp"
 #include "compile/repeats.hpp"
 
@@ -24,6 +27,9 @@ CodeShape Emitter::shape() const {
 void Emitter::improve() {
   const std::function<Reg()> fresh = [this] { return pinned(); };
   edit({find_repeats(code_, shape(), fresh), {}});
+  edit(hoist_rows(code_, shape(), fresh));
+  edit(fuse(code_, shape()));
+  edit(share_elements(code_, shape(), fresh));
   edit(use_last_double(code_, shape()));
 }
 

@@ -46,6 +46,11 @@ constexpr Form kForms[] = {
     {OpCode::MADDLD, Operand::kNextA, OpCode::MADDLD_W},
     {OpCode::MADDLDLD, Operand::kA, OpCode::MADDLDLD_A},
     {OpCode::MADDLDLD, Operand::kNextA, OpCode::MADDLDLD_W},
+    {OpCode::MADDTWO, Operand::kA, OpCode::MADDTWO_A},
+    {OpCode::MADDROW, Operand::kA, OpCode::MADDROW_A},
+    {OpCode::ADDF, Operand::kNextA, OpCode::ADDF_W},
+    {OpCode::SUBF, Operand::kNextA, OpCode::SUBF_W},
+    {OpCode::MULF, Operand::kNextA, OpCode::MULF_W},
     {OpCode::ADDLDF, Operand::kNextA, OpCode::ADDLDF_W},
     {OpCode::SUBLDF, Operand::kNextA, OpCode::SUBLDF_W},
     {OpCode::MULLDF, Operand::kNextA, OpCode::MULLDF_W},
@@ -81,7 +86,7 @@ constexpr ChangeTable kChanges = [] {
     set(form.usual, Change::kMakes);
     set(form.chosen, Change::kMakes);
   }
-  for (const OpCode op : {OpCode::NEGR, OpCode::MODR, OpCode::ITOR,
+  for (const OpCode op : {OpCode::SUMP, OpCode::DIFFP, OpCode::NEGR, OpCode::MODR, OpCode::ITOR,
                           OpCode::CALLD1, OpCode::CALLD2, OpCode::CALLD3}) {
     set(op, Change::kMakes);
   }
@@ -93,7 +98,7 @@ constexpr ChangeTable kChanges = [] {
         OpCode::EQR,    OpCode::NER,   OpCode::LEN,   OpCode::LD,      OpCode::LDLD,
         OpCode::LDI,    OpCode::LDF,   OpCode::FLD,   OpCode::BSTORE,  OpCode::PUT,
         OpCode::ST,     OpCode::STF,   OpCode::STLF,  OpCode::MADDLF,  OpCode::STM,
-        OpCode::ADDRL,   OpCode::ADDRG,
+        OpCode::OWNED,  OpCode::SETF,  OpCode::MADDF, OpCode::ADDRL,   OpCode::ADDRG,
         OpCode::ADDRB,  OpCode::ADDRE, OpCode::ADDRF, OpCode::ADDRM,   OpCode::LDM,
         OpCode::BLOAD,  OpCode::JT,    OpCode::JF,    OpCode::EXPANDED}) {
     set(op, Change::kKeeps);

@@ -62,7 +62,35 @@ void run_random(std::uint64_t number, bool optimise) {
   (void)vm.run();
 }
 
+// Instructions that only the last passes of the compiler make, as random programs contain them.
+std::set<lang::OpCode> chosen_late() {
+  std::set<lang::OpCode> found;
+  for (std::uint64_t number = 1; number <= 300; ++number) {
+    const std::string text = oracle::RandomProgram(number).text();
+    const Compilation compilation =
+        lang::compile_text(library_engine().registry(), text, "random.rbt", {}, {});
+    if (compilation.program == nullptr) continue;
+    const std::string listing = compilation.program->disassemble();
+    for (std::size_t i = 0; i < kRows.size(); ++i) {
+      if (listing.find("  " + kRows[i].name + " ") != std::string::npos)
+        found.insert(static_cast<lang::OpCode>(i));
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+TEST_CASE("random programs, which fuzzing runs too, contain what only the last passes make") {
+  const std::set<lang::OpCode> found = chosen_late();
+  using lang::OpCode;
+  for (const OpCode op :
+       {OpCode::SCALE, OpCode::WITHK, OpCode::RETHERE, OpCode::SUMP, OpCode::DIFFP, OpCode::MADDTWO,
+        OpCode::MADDROW, OpCode::OWNED, OpCode::SETF, OpCode::MADDF, OpCode::ADDF_W, OpCode::SUBF,
+        OpCode::MULF_W, OpCode::LAST, OpCode::MADD_A, OpCode::SUBR_C}) {
+    CHECK_MESSAGE(found.contains(op), kRows[static_cast<std::size_t>(op)].name << " is missing");
+  }
+}
 
 TEST_CASE("every instruction is executed by a script, an example or a random program") {
   for (const char* folder : {"tests/scripts", "examples"}) {

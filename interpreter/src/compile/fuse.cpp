@@ -1,0 +1,110 @@
+#include "compile/fuse.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "compile/effects.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::uint32_t kFarthest = 300;  // instructions that are looked at for one value
+
+class Fuser {
+ public:
+  Fuser(std::vector<WideInstr>& code, const CodeShape& shape)
+      : code_(code), shape_(shape), flow_(find_flow(code, shape)) {}
+
+  Edits run() {
+    edits_.removed.assign(code_.size(), false);
+    for (std::uint32_t at = 0; at < code_.size();) {
+      const std::uint32_t next = at + effects_of(code_, at).words;
+      if (next < code_.size() && !flow_.targets[next]) {
+        if (code_[at].op == OpCode::MULR) join_products(at);
+        if (code_[at].op == OpCode::LD) join_elements(at);
+      }
+      at = std::max(next, at + effects_of(code_, at).words);
+    }
+    return std::move(edits_);
+  }
+
+ private:
+  // t = a * b; t = t + c * d
+  void join_products(std::uint32_t at) {
+    WideInstr& product = code_[at];
+    WideInstr& sum = code_[at + 1];
+    if (sum.op != OpCode::MADD && sum.op != OpCode::MSUB) return;
+    if (sum.a != product.a || sum.b == product.a || sum.c == product.a) return;
+    product.op = sum.op == OpCode::MADD ? OpCode::SUMP : OpCode::DIFFP;
+    sum.op = OpCode::PAIR;
+    sum.a = sum.b;
+    sum.b = sum.c;
+    sum.c = 0;
+  }
+
+  // t = x[k]; s = s + t * y[j], or + t * rows[i][j], when nobody else reads t.
+  void join_elements(std::uint32_t at) {
+    WideInstr& load = code_[at];
+    WideInstr& sum = code_[at + 1];
+    const std::uint32_t t = load.a;
+    const bool from_row = sum.op == OpCode::MADDLDLD;
+    if (!from_row && sum.op != OpCode::MADDLD) return;
+    WideInstr& word = code_[at + 2];
+    const bool other_use = sum.a == t || sum.b == t || sum.c == t || (from_row && word.b == t);
+    if (word.a != t || other_use || !dies(t, at + 1)) return;
+    load.op = from_row ? OpCode::MADDROW : OpCode::MADDTWO;
+    load.a = sum.a;
+    sum.op = OpCode::PAIR;
+    sum.a = sum.b;
+    sum.b = sum.c;
+    sum.c = 0;
+    if (from_row) {
+      word.op = OpCode::WITH;
+      word.a = word.b;
+      word.b = 0;
+    } else {
+      edits_.removed[at + 2] = true;
+    }
+  }
+
+  // Nobody reads what register `bits` holds after the instruction at `at`.
+  bool dies(std::uint32_t bits, std::uint32_t at) {
+    const Reg reg{bits};
+    if (reg.reg_class() != RegClass::kNumber) return false;
+    if (!liveness_) liveness_.emplace(code_, shape_);
+    if (!liveness_->is_known()) return false;
+    const auto& blocks = liveness_->blocks();
+    const auto block = std::ranges::upper_bound(blocks, at, {}, &CodeBlock::end);
+    const auto index = static_cast<std::uint32_t>(block - blocks.begin());
+    if (liveness_->is_live_in_handler(index, reg)) return false;
+    const std::uint32_t begin = at + effects_of(code_, at).words;
+    for (std::uint32_t i = begin; i < block->end;) {
+      if (i - begin > kFarthest) return false;
+      const Effects effects = effects_of(code_, i);
+      bool reads = effects.effect == Effect::kUnknown ||
+                   (effects.has_window && reg.bits >= effects.window.bits) ||
+                   (effects.has_fixed && effects.fixed == reg) ||
+                   (effects.effect == Effect::kUpdate && code_[i].a == bits);
+      for_each_read(code_, i, effects, [&](std::uint32_t read) { reads = reads || read == bits; });
+      if (reads) return false;
+      if (effects.defines && code_[i].a == bits) return true;
+      i += effects.words;
+    }
+    return !liveness_->is_live_after(index, reg);
+  }
+
+  std::vector<WideInstr>& code_;
+  const CodeShape& shape_;
+  Flow flow_;
+  std::optional<Liveness> liveness_;  // when it is first needed; fusing changes it for no other use
+  Edits edits_;
+};
+
+}  // namespace
+
+Edits fuse(std::vector<WideInstr>& code, const CodeShape& shape) {
+  return Fuser(code, shape).run();
+}
+
+}  // namespace armlet::lang

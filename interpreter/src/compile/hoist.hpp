@@ -1,0 +1,18 @@
+#pragma once
+// Rows of nested lists that stay the same in all passes of a loop.
+
+#include <functional>
+#include <vector>
+
+#include "compile/flow.hpp"
+
+namespace armlet::lang {
+
+// rows[i][j] in a loop that changes neither rows nor i: rows[i] is looked up once, before the loop,
+// if that is the first thing there that can fail.
+//
+// fresh  a register of its own for every call.
+[[nodiscard]] Edits hoist_rows(std::vector<WideInstr>& code, const CodeShape& shape,
+                               const std::function<Reg()>& fresh);
+
+}  // namespace armlet::lang
