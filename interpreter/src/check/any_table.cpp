@@ -32,6 +32,8 @@ bool settle(Checker& checker, const hir::Expr& table) {
     waiting.declaration->file->check_body(waiting);
   }
   if (!table.type->is_open_table()) return true;
+  // What puts a table there may have failed.
+  if (checker.sink_.has_errors()) return false;
   Diagnostic diagnostic = make_diagnostic("E0323", table.span, {"the columns of this table"});
   diagnostic.message = "the columns of this table are not known here";
   diagnostic.why = "nothing above this line puts a table there";
