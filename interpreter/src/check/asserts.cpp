@@ -32,24 +32,41 @@ bool can_be_shown(const Type* type) {
   return !type->is(Kind::kFunction) && !type->is(Kind::kVoid) && !type->is(Kind::kAny);
 }
 
+// a && b && c: the conditions that have to hold, from left to right.
+void take_apart(hir::Expr* test, std::vector<hir::Expr*>& out) {
+  if (test->kind != hir::ExprKind::kAnd) {
+    out.push_back(test);
+    return;
+  }
+  take_apart(test->as<hir::BinaryExpr>().left, out);
+  take_apart(test->as<hir::BinaryExpr>().right, out);
+}
+
 }  // namespace
 
+// One assertion for each part of a && b, so that the message marks the part that does not hold.
 hir::Stmt* Checker::check_assert(const ast::CallExpr& call) {
   mentioned_.insert("assert");
   if (!takes(call, "assert", 1, 2)) return nullptr;
   const ast::Expr& written = *call.args[0].value;
-  hir::Expr* test = condition(written);
-  hir::Expr* note = call.args.size() > 1
-                        ? check_as(*call.args[1].value, {.role = Target::Role::kArgument,
-                                                         .type = types_.text(),
-                                                         .function = "assert",
-                                                         .position = 2})
-                        : nullptr;
-  auto* out = make<hir::AssertStmt>(hir::StmtKind::kAssert, call.span, hir::Seq<hir::InitStmt*>{},
-                                    test, note, hir::Seq<hir::AssertPart>{}, nullptr,
-                                    into_.sources->slice(written.span), written.span);
-  if (!test->type->is(Kind::kAny)) split_condition(*out, test);
-  return out;
+  std::vector<hir::Expr*> tests;
+  take_apart(condition(written), tests);
+  std::vector<hir::Stmt*> out;
+  for (hir::Expr* test : tests) {
+    hir::Expr* note = call.args.size() > 1
+                          ? check_as(*call.args[1].value, {.role = Target::Role::kArgument,
+                                                           .type = types_.text(),
+                                                           .function = "assert",
+                                                           .position = 2})
+                          : nullptr;
+    const Span mark = tests.size() == 1 ? written.span : test->span;
+    auto* one = make<hir::AssertStmt>(hir::StmtKind::kAssert, call.span, hir::Seq<hir::InitStmt*>{},
+                                      test, note, hir::Seq<hir::AssertPart>{}, nullptr,
+                                      into_.sources->slice(written.span), mark);
+    if (!test->type->is(Kind::kAny)) split_condition(*one, test);
+    out.push_back(one);
+  }
+  return out.size() == 1 ? out[0] : make<hir::Block>(hir::StmtKind::kBlock, call.span, seq(out));
 }
 
 // The sides of a comparison, or the values of a call, are computed once into hidden variables, so

@@ -80,9 +80,14 @@ hir::Expr* Checker::waiting_argument(std::string_view name, const Argument& argu
   }
   hir::Expr* value = check(*argument.written, expected);
   if (match(pattern, value->type, false, bindings) < 0) {
-    const std::string need = pattern_name(pattern, bindings, types_);
-    report(
-        make_diagnostic("E0313", value->span, {std::string(name), need, type_phrase(value->type)}));
+    const std::string name_of_it = pattern_name(pattern, bindings, types_);
+    std::string need = std::string(article(name_of_it)) + ' ' + name_of_it;
+    std::string have = type_phrase(value->type);
+    if (value->type->is(Kind::kFunction) && value->type->result->is(Kind::kVoid)) {
+      need = "a function that gives a value";
+      have = "one that gives none";
+    }
+    report(make_diagnostic("E0313", value->span, {std::string(name), need, have}));
     return failed(value->span);
   }
   return value;
