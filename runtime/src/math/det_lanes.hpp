@@ -15,6 +15,12 @@ using Lanes = double __attribute__((vector_size(16)));
 template <class V>
 using LaneBits = decltype(V{} < V{});
 
+// The same without sign: nothing overflows.
+template <class V>
+struct PlainBits {
+  typedef unsigned long type __attribute__((vector_size(sizeof(V))));
+};
+
 template <class V>
 struct LaneSinCos {
   V sin, cos;
@@ -72,9 +78,9 @@ struct LaneCheck {
 // signs.
 template <class V>
 [[gnu::always_inline]] inline LaneSinCos<V> in_quadrant(V rest_sine, V rest_cosine, V shifted) {
-  using Bits = LaneBits<V>;
-  constexpr long kSignBit = static_cast<long>(1UL << 63);
-  constexpr long kLowerBit = 1L << 62;
+  using Bits = typename PlainBits<V>::type;
+  constexpr unsigned long kSignBit = 1UL << 63;
+  constexpr unsigned long kLowerBit = 1UL << 62;
   const Bits sine = Bits(rest_sine);
   const Bits cosine = Bits(rest_cosine);
   const Bits quadrant = Bits(shifted);
@@ -82,7 +88,7 @@ template <class V>
   const Bits sign = Bits{} + kSignBit;
   Bits swapped_sine, swapped_cosine;
   if constexpr (sizeof(V) > sizeof(Lanes)) {  // from AVX2 on, lanes are chosen in one instruction
-    const Bits lower = quadrant << 63;
+    const auto lower = LaneBits<V>(quadrant << 63);
     swapped_sine = Bits(lower < 0 ? rest_cosine : rest_sine);
     swapped_cosine = Bits(lower < 0 ? rest_sine : rest_cosine);
   } else {
