@@ -11,14 +11,13 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "armlet/math/pose.hpp"
 #include "armlet/model/urdf.hpp"
-#include "urdf_numbers.hpp"
+#include "urdf_faults.hpp"
 #include "xml_guard.hpp"
 
 namespace armlet {
@@ -170,48 +169,16 @@ class Reader {
   }
 
   Result<MechanismSpec> read() {
-    if (auto error = check_parents()) return *error;
     const auto root = model_.getRoot();
     if (root == nullptr) return broken("there is no link that all others hang on");
     spec_.base_name = root->name;
     if (auto error = check_meshes(*root)) return *error;
     if (auto error = add_children(*root)) return *error;
-    if (spec_.bodies.size() + 1 != model_.links_.size()) return not_connected();
     if (auto error = couple()) return *error;
     return std::move(spec_);
   }
 
  private:
-  // urdfdom lets a link hang on two joints, or on itself.
-  std::optional<Error> check_parents() const {
-    std::map<std::string, std::string> joint_of;
-    for (const auto& [name, joint] : model_.joints_) {
-      if (joint->parent_link_name == joint->child_link_name) {
-        return broken(
-            fmt::format("link `{}` is its own parent (joint `{}`)", joint->child_link_name, name));
-      }
-      const auto [other, is_new] = joint_of.emplace(joint->child_link_name, name);
-      if (!is_new) {
-        return broken(
-            fmt::format("link `{}` hangs on two joints, `{}` and `{}`; every link has one parent",
-                        joint->child_link_name, other->second, name));
-      }
-    }
-    return std::nullopt;
-  }
-
-  Error not_connected() const {
-    std::set<std::string> reached{spec_.base_name};
-    for (const Body& body : spec_.bodies) reached.insert(body.name);
-    for (const auto& [name, link] : model_.links_) {
-      if (reached.contains(name)) continue;
-      return broken(
-          fmt::format("link `{}` belongs to a circle of joints, none of which hangs on `{}`", name,
-                      spec_.base_name));
-    }
-    return broken("the links do not form a tree");
-  }
-
   std::optional<Error> check_meshes(const urdf::Link& link) const {
     if (!options_.has_mesh) return std::nullopt;
     for (const std::string& mesh : meshes_of(link)) {
@@ -351,6 +318,8 @@ class Reader {
 
 Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options) {
   if (const std::string fault = xml_fault(text); !fault.empty()) return broken(fault);
+  // urdfdom would hold on to links in a circle for ever.
+  if (const std::string fault = structure_fault(text); !fault.empty()) return broken(fault);
   const Parsed parsed = parse(std::string(text));
   // urdfdom reports some faults and goes on without what it could not read.
   if (parsed.model == nullptr || !parsed.reason.empty()) {

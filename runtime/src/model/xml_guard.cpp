@@ -10,14 +10,14 @@ namespace {
 constexpr std::size_t kMaxBytes = 16 << 20;
 constexpr int kMaxDepth = 100;
 
-// Where a piece that begins at `at` ends, after its last letter.
-std::size_t after(std::string_view text, std::size_t at, std::string_view end) {
-  const std::size_t found = text.find(end, at);
-  return found == std::string_view::npos ? text.size() : found + end.size();
+}  // namespace
+
+std::size_t after_xml(std::string_view text, std::size_t at, std::string_view last) {
+  const std::size_t found = text.find(last, at);
+  return found == std::string_view::npos ? text.size() : found + last.size();
 }
 
-// Where the tag that begins at `at` ends, after its >; quoted text may hold one too.
-std::size_t after_tag(std::string_view text, std::size_t at) {
+std::size_t after_xml_tag(std::string_view text, std::size_t at) {
   char quote = 0;
   for (; at < text.size(); ++at) {
     const char c = text[at];
@@ -32,8 +32,6 @@ std::size_t after_tag(std::string_view text, std::size_t at) {
   return at;
 }
 
-}  // namespace
-
 std::string xml_fault(std::string_view text) {
   if (text.size() > kMaxBytes) {
     return fmt::format("the file has {} bytes; at most {} are read", text.size(), kMaxBytes);
@@ -45,16 +43,16 @@ std::string xml_fault(std::string_view text) {
   for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at)) {
     const std::string_view rest = text.substr(at);
     if (rest.starts_with("<!--")) {
-      at = after(text, at, "-->");
+      at = after_xml(text, at, "-->");
     } else if (rest.starts_with("<![CDATA[")) {
-      at = after(text, at, "]]>");
+      at = after_xml(text, at, "]]>");
     } else if (rest.starts_with("<!")) {
       return "the file declares its own document type; a robot description needs none";
     } else if (rest.starts_with("</") || rest.starts_with("<?")) {
       depth -= rest.starts_with("</") ? 1 : 0;
       at += 2;
     } else {
-      const std::size_t end = after_tag(text, at);
+      const std::size_t end = after_xml_tag(text, at);
       if (!text.substr(at, end - at).ends_with("/>")) ++depth;
       if (depth > kMaxDepth) {
         return fmt::format(

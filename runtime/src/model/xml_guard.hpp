@@ -10,4 +10,10 @@ namespace armlet {
 // it may; whether it is XML, the parser says.
 std::string xml_fault(std::string_view text);
 
+// Where a piece of XML that begins at `at` ends, after its last letters; at the end of the text if
+// it does not.
+std::size_t after_xml(std::string_view text, std::size_t at, std::string_view last);
+// Where the tag that begins at `at` ends, after its >; quoted text may hold one too.
+std::size_t after_xml_tag(std::string_view text, std::size_t at);
+
 }  // namespace armlet

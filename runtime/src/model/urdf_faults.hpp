@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// Faults of robot descriptions that the library does not tell, or not by name. Each is a sentence
+// without an end, and empty if there is none. Whether the text is XML, the library says.
+namespace armlet {
+
+// The first link that is its own parent, hangs on two joints or belongs to a circle: "link `fore`
+// is its own parent (joint `elbow`)".
+std::string structure_fault(std::string_view text);
+
+// The first link or joint with a number that is none: "link `upper` has xyz=\"0 0 nan\" in its
+// origin; expected finite numbers".
+std::string number_fault(std::string_view text);
+
+}  // namespace armlet
