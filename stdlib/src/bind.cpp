@@ -46,18 +46,22 @@ Signal size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t
                  fmt::format("{}: the sizes do not fit: {} and {}", what, left, right));
 }
 
-Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter,
-                  std::string fix) {
+std::string clause_of(const std::exception& error) {
   std::string sentence = error.what();
   if (sentence.ends_with('.')) sentence.pop_back();
-  // A headline goes on from its own words: only a name or abbreviation keeps its capital.
+  // Only a name or an abbreviation keeps its capital.
   if (sentence.size() > 1 && std::isupper(static_cast<unsigned char>(sentence[0])) != 0 &&
       std::isupper(static_cast<unsigned char>(sentence[1])) == 0) {
     sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
   }
+  return sentence;
+}
+
+Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter,
+                  std::string fix) {
   Failure f;
   f.code = code;
-  f.arguments = {std::move(sentence)};
+  f.arguments = {clause_of(error)};
   f.mark_parameter = parameter;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));

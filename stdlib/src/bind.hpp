@@ -81,6 +81,10 @@ Signal failure(Vm& vm, std::string_view code, std::string message, int parameter
 Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter = -1,
                   std::string fix = {});
 
+// The sentence of a broken precondition as it goes on from other words, without capital and full
+// stop.
+[[nodiscard]] std::string clause_of(const std::exception& error);
+
 [[nodiscard]] inline bool is_absent(Slot s) { return is_absent_scalar(s); }
 
 }  // namespace armlet::bind

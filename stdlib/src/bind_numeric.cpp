@@ -54,10 +54,8 @@ Signal polyfit(Vm& vm, Slot* args) {
   try {
     return give(args, list_of(vm, fit_polynomial(x, y, static_cast<int>(degree)).reverse()));
   } catch (const ArgumentError& error) {
-    std::string why = error.what();
-    why.pop_back();
     return failure(vm, "R0609", "these points do not decide a polynomial of that degree", 0,
-                   std::move(why));
+                   clause_of(error));
   }
 }
 
@@ -89,9 +87,7 @@ Signal roots(Vm& vm, Slot* args) {
   try {
     return give(args, new_reals(vm, real_roots(vector_of(args[0]).reverse())));
   } catch (const ArgumentError& error) {
-    std::string why = error.what();
-    why.pop_back();
-    return failure(vm, "R0609", "the roots of this polynomial cannot be told", 0, std::move(why));
+    return failure(vm, "R0609", "the roots of this polynomial cannot be told", 0, clause_of(error));
   }
 }
 

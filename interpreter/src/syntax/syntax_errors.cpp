@@ -366,6 +366,9 @@ Answer something_missing(const FailureSite& site) {
                      is_compound(type);
   if (!stops) return std::nullopt;
   const char* wanted = wanted_after(site.before());
+  if (type == RbtLexer::RBRACE && site.before() == RbtLexer::LBRACE &&
+      site.type(site.statement) == RbtLexer::ENUM)
+    wanted = "the name of a value";
   if (type == RbtLexer::ASSIGN && site.before() == RbtLexer::COLON) wanted = "a type";
   if (wanted == nullptr) {
     // A header or a declaration that stops before its block.
