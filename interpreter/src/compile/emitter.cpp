@@ -31,6 +31,8 @@ bool ends_flow(OpCode op) {
     case OpCode::RET:
     case OpCode::RETPLAIN:
     case OpCode::RETHERE:
+    case OpCode::RET_A:
+    case OpCode::RETHERE_A:
     case OpCode::RETREF:
     case OpCode::RETTAKE:
     case OpCode::RETVOID:

@@ -192,9 +192,11 @@ class LastDouble {
   }
 
   void choose_form(std::uint32_t at, std::uint32_t held) {
-    const Form* form = held == kNone ? nullptr : form_of(at, held);
-    if (form == nullptr) return;
+    if (held == kNone) return;
     WideInstr& instr = code_[at];
+    if (instr.op == OpCode::RET && instr.a == held) instr.op = OpCode::RET_A;
+    const Form* form = form_of(at, held);
+    if (form == nullptr) return;
     if (form->operand == Operand::kB && instr.b != held) std::swap(instr.b, instr.c);
     instr.op = form->chosen;
   }

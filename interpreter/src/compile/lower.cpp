@@ -80,8 +80,11 @@ void choose_plain_calls(CompiledProgram& program) {
       if (instr.op == OpCode::CALL && is_plain(program.functions[instr.b])) {
         instr.op = OpCode::CALLPLAIN;
       }
-      if (instr.op == OpCode::RET && is_plain(function)) {
-        instr.op = instr.a == 0 && function.parameters > 0 ? OpCode::RETHERE : OpCode::RETPLAIN;
+      const bool just_computed = instr.op == OpCode::RET_A;
+      if ((instr.op == OpCode::RET || just_computed) && is_plain(function)) {
+        instr.op = instr.a != 0 || function.parameters == 0 ? OpCode::RETPLAIN
+                   : just_computed                          ? OpCode::RETHERE_A
+                                                            : OpCode::RETHERE;
       }
     }
   }

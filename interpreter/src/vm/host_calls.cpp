@@ -29,17 +29,18 @@ void push_host(const Task& task, Frame* below, Slot* window) {
 bool count_step(VmState& state) { return --state.steps.left >= 0 || count_slowly(state); }
 
 bool refuse(VmState& state, const Callee& callee) {
-  if (state.host_calls >= VmState::kHostCalls) {
+  if (state.host_calls > VmState::kHostCalls) {
     return raise_too_deep(state, callee, VmState::kHostCalls);
   }
   return count_step(state) && raise_too_deep(state, callee, state.options.limits.call_depth);
 }
 
-[[gnu::always_inline]] inline void push_function(Task& task, Frame* below, const Frame& function) {
+// The frame of the function above that; the loop is told where it is.
+[[gnu::always_inline]] inline void push_function(Frame* below, const Frame& function) {
   below[2] = function;
-  task.top = below + 2;
   unsigned count = function.callee->references;
-  if (count == 0) return;
+  if (count == 0) [[likely]]
+    return;
   for (Slot* reference = function.base + function.callee->references_begin; count > 0; --count) {
     reference++->o = nullptr;
   }
@@ -55,7 +56,8 @@ bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
     return raise_too_deep(*this, callee, options.limits.call_depth);
   }
   push_host(*running, below, window);
-  push_function(*running, below, {callee.code, window, &callee, closure});
+  push_function(below, {callee.code, window, &callee, closure});
+  running->top = below + 2;
   return true;
 }
 
@@ -87,35 +89,35 @@ PreparedCall::PreparedCall(Vm& vm, Obj* function)
       below_(task_.top),
       window_(lang::window_above(*below_)),
       callee_(&state_.callees[static_cast<ClosureObj*>(function)->function]),
-      function_(static_cast<ClosureObj*>(function)),
-      nesting_(state_.host_calls) {
+      function_(static_cast<ClosureObj*>(function)) {
   code_ = callee_->code;
-  if (nesting_ < lang::VmState::kHostCalls && lang::has_room(task_, below_, window_)) {
+  if (++state_.host_calls <= lang::VmState::kHostCalls && lang::has_room(task_, below_, window_)) {
     lang::push_host(task_, below_, window_);  // every call leaves it as it is
   } else {
     below_ = nullptr;  // run refuses
   }
 }
 
-bool PreparedCall::run() const {
+PreparedCall::~PreparedCall() { --state_.host_calls; }
+
+PreparedCall::Outcome PreparedCall::run() const {
   lang::VmState& state = state_;
   if (below_ == nullptr) [[unlikely]]
-    return lang::refuse(state, *callee_);
+    return {lang::refuse(state, *callee_)};
   if (!lang::count_step(state)) [[unlikely]]
-    return false;
-  lang::push_function(task_, below_, {code_, window_, callee_, function_});
-  state.host_calls = nesting_ + 1;
-  const lang::Exit exit = lang::interpret(state, task_);
-  state.host_calls = nesting_;
-  if (exit != lang::Exit::kDone) return false;
+    return {false};
+  lang::push_function(below_, {code_, window_, callee_, function_});
+  const lang::Left left = lang::interpret(state, task_, below_ + 2, window_, code_);
+  if (left.exit != lang::Exit::kDone) [[unlikely]]
+    return {false};
   task_.top = below_;
-  return true;
+  return {true, left.result};
 }
 
 bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
   const PreparedCall call(*this, function);
   std::ranges::copy(arguments, call.window());
-  if (!call.run()) return false;
+  if (!call.run().done) return false;
   result = *call.window();
   return true;
 }

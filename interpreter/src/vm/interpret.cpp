@@ -114,16 +114,13 @@ inline void clear(Slot* slots, unsigned count) {
     GO;                                          \
   }
 
-Exit interpret(VmState& state, Task& task) {
+Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc) {
   static const void* const labels[] = {
 #define OP(name, operands, text) &&L_##name,
 #include "compile/bytecode.def"
 #undef OP
   };
   Heap& heap = state.heap;
-  Frame* frame = task.top;
-  Slot* base = frame->base;
-  const Instr* pc = frame->pc;
   // The double computed last. Instructions that need it take it from here rather than from its
   // register, which lies in memory: getting it back from there takes longer than the arithmetic.
   double last = 0.0;
@@ -135,7 +132,7 @@ Exit interpret(VmState& state, Task& task) {
 #include "vm/ops_objects.inc"
 
 failed:
-  if (!unwind(state, task)) return Exit::kFailed;
+  if (!unwind(state, task)) return {Exit::kFailed};
   frame = task.top;
   base = frame->base;
   pc = frame->pc;

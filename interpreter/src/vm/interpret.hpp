@@ -12,8 +12,18 @@ enum class Exit : std::uint8_t {
   kPaused,  // task.waiting is set; task.result says where the result goes
 };
 
+// How the loop was left. If a function called by the host returned a double, here it is too: the
+// host gets it sooner than from memory.
+struct Left {
+  Exit exit;
+  double result = 0.0;
+};
+
 // Runs task.top until the host frame below it is reached.
-[[nodiscard]] Exit interpret(VmState& state, Task& task);
+[[nodiscard]] Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc);
+[[nodiscard]] inline Left interpret(VmState& state, Task& task) {
+  return interpret(state, task, task.top, task.top->base, task.top->pc);
+}
 
 // What a host frame does when the function above it returns.
 extern const Instr kReturnToHost[2];

@@ -83,7 +83,7 @@ struct VmState {
   std::unique_ptr<Task> condition_task;  // runs conditions; they never pause
   Task* running = nullptr;
   std::unique_ptr<Recordings> recordings;  // under way; null before the first one
-  std::uint32_t host_calls = 0;            // nested calls of the program by native functions
+  std::uint32_t host_calls = 0;            // that native functions have prepared
   std::unique_ptr<Waiting> pending;        // left by a native function that pauses
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run

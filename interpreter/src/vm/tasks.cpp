@@ -34,7 +34,7 @@ bool is_quiet(const Task& task) {
 Exit Scheduler::run(std::uint32_t function) {
   state_.running = &state_.main;
   if (!state_.enter(function, nullptr)) return Exit::kFailed;
-  Exit exit = interpret(state_, state_.main);
+  Exit exit = interpret(state_, state_.main).exit;
   while (exit == Exit::kPaused) {
     exit = run_instant();
     if (exit == Exit::kPaused) exit = advance();
@@ -126,7 +126,7 @@ Exit Scheduler::begin(Task& task) {
   state_.steps.paused();
   auto* closure = static_cast<ClosureObj*>(task.entry);
   if (!state_.enter(closure->function, closure)) return Exit::kFailed;
-  return interpret(state_, task);
+  return interpret(state_, task).exit;
 }
 
 Exit Scheduler::resume(Task& task) {
@@ -153,7 +153,7 @@ Exit Scheduler::resume(Task& task) {
     failed = waiting->finish(state_.vm, result) != Signal::kDone;
   }
   if (failed && !unwind(state_, task)) return Exit::kFailed;
-  return interpret(state_, task);
+  return interpret(state_, task).exit;
 }
 
 std::int64_t Scheduler::next_instant() const {

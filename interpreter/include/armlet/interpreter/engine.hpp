@@ -184,15 +184,21 @@ class Vm {
 };
 
 // A function of the program that the running native function calls, perhaps many times: what all
-// these calls have in common is looked up once. Good until the native function returns; the
-// function may not pause.
+// these calls have in common is looked up once. It lives in the native function and no longer;
+// while it does, functions of the program may not pause.
 class PreparedCall {
  public:
   PreparedCall(Vm& vm, Obj* function);
+  PreparedCall(const PreparedCall&) = delete;
+  PreparedCall& operator=(const PreparedCall&) = delete;
+  ~PreparedCall();
   // The arguments go here, one slot for each parameter; the first one then holds the result.
   [[nodiscard]] Slot* window() const { return window_; }
-  // False: the call failed, and the failure is set in the Vm.
-  [[nodiscard]] bool run() const;
+  struct Outcome {
+    bool done;            // false: the call failed, and the failure is set in the Vm
+    double result = 0.0;  // if it is a double; sooner than from the window
+  };
+  [[nodiscard]] Outcome run() const;
 
  private:
   lang::VmState& state_;
@@ -203,7 +209,6 @@ class PreparedCall {
   Slot* window_;
   const lang::Callee* callee_;
   ClosureObj* function_;
-  std::uint32_t nesting_;  // calls of the program by the host around this one
 };
 
 }  // namespace armlet

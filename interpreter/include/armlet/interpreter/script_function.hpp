@@ -38,8 +38,13 @@ class ScriptFunction<Result(Arguments...)> {
   [[nodiscard]] bool call(Result& result, Arguments... arguments) const {
     [[maybe_unused]] Slot* next = call_.window();
     ((*next++ = slot_of(arguments)), ...);
-    if (!call_.run()) return false;
-    result = number_in<Result>(*call_.window());
+    const PreparedCall::Outcome outcome = call_.run();
+    if (!outcome.done) return false;
+    if constexpr (std::is_same_v<Result, double>) {
+      result = outcome.result;
+    } else {
+      result = number_in<Result>(*call_.window());
+    }
     return true;
   }
 
