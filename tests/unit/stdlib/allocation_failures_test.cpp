@@ -70,7 +70,7 @@ std::shared_ptr<const Program> compiled(const std::filesystem::path& path) {
 
 TEST_CASE("any allocation of any program may fail: a clean error, nothing left behind") {
   // The first ones and, of longer programs, every so many-th; all of them if asked for.
-  const std::uint64_t each = std::getenv("ARMLET_EVERY_ALLOCATION") != nullptr ? kNever : 80;
+  const std::uint64_t each = std::getenv("ARMLET_EVERY_ALLOCATION") != nullptr ? kNever : 50;
   int programs_run = 0;
   int failed = 0;
   for (const std::filesystem::path& path : programs()) {
