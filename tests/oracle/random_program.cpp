@@ -294,7 +294,7 @@ void RandomProgram::declare_late() {
 std::string RandomProgram::constant(const Ty* type) {
   const Ty* item = type->is(Sort::kList) ? type->element : type;
   if (item->is(Sort::kList) || item->is(Sort::kStruct) || item->is(Sort::kFunction)) return "";
-  const std::vector<Var> hidden = std::exchange(vars_, {});
+  const std::deque<Var> hidden = std::exchange(vars_, {});
   std::string out = literal(type);
   vars_ = hidden;
   return out;

@@ -205,7 +205,7 @@ class RandomProgram {
     bool in_format;
   };
   std::vector<Recent> recent_;
-  std::vector<Var> vars_;             // in sight, innermost last
+  std::deque<Var> vars_;              // in sight, innermost last; those found stay where they are
   std::size_t first_changeable_ = 0;  // lambdas cannot change what lies before
   const Ty* result_ = nullptr;  // of the function that is being written; null: the program itself
   int names_ = 0;
