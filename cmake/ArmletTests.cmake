@@ -65,7 +65,7 @@ endfunction()
 
 # What the sources must be like, what the documents say, and input that nobody would mean.
 function(armlet_add_source_tests)
-  foreach(source layers messages sizes)
+  foreach(source layers messages names sizes)
     add_test(NAME source.${source} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${source}.py)
   endforeach()
   add_test(NAME docs.stdlib

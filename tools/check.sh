@@ -9,9 +9,10 @@ ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^g
 step format
 ours '*.cpp' '*.hpp' '*.h' | xargs -r clang-format --dry-run --Werror
 
-step layers, messages and sizes
+step layers, messages, names and sizes
 python3 tools/check_layers.py
 python3 tools/check_messages.py
+python3 tools/check_names.py
 python3 tools/check_sizes.py
 
 if command -v antlr4 >/dev/null; then

@@ -118,7 +118,7 @@ class ElementSharer {
   }
 
   std::vector<WideInstr>& code_;
-  Flow flow_;
+  CodeFlow flow_;
   const std::function<Reg()>& fresh_;
   std::vector<std::uint32_t> uses_;
   Edits edits_;

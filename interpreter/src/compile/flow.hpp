@@ -9,7 +9,7 @@
 
 namespace armlet::lang {
 
-struct Flow {
+struct CodeFlow {
   static constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
   static constexpr std::uint32_t kLongestLoop = 300;  // instructions
 
@@ -18,7 +18,7 @@ struct Flow {
   // By position: the only LOOP that leads back here, of a loop that is not too long; kNone.
   std::vector<std::uint32_t> loop_ends;
 };
-[[nodiscard]] Flow find_flow(const std::vector<WideInstr>& code, const CodeShape& shape);
+[[nodiscard]] CodeFlow find_flow(const std::vector<WideInstr>& code, const CodeShape& shape);
 
 struct Insertion {
   std::uint32_t at;  // before the instruction there

@@ -96,7 +96,7 @@ class Fuser {
 
   std::vector<WideInstr>& code_;
   const CodeShape& shape_;
-  Flow flow_;
+  CodeFlow flow_;
   std::optional<Liveness> liveness_;  // when it is first needed; fusing changes it for no other use
   Edits edits_;
 };

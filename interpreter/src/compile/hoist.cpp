@@ -54,8 +54,8 @@ class RowHoister {
   Edits run() {
     edits_.removed.assign(code_.size(), false);
     for (std::uint32_t at = 0; at < code_.size(); ++at) {
-      if (flow_.loop_ends[at] == Flow::kNone || !is_quiet(at, flow_.loop_ends[at])) continue;
-      if (const std::uint32_t row = first_row(at); row != Flow::kNone) hoist(at, row);
+      if (flow_.loop_ends[at] == CodeFlow::kNone || !is_quiet(at, flow_.loop_ends[at])) continue;
+      if (const std::uint32_t row = first_row(at); row != CodeFlow::kNone) hoist(at, row);
     }
     return std::move(edits_);
   }
@@ -65,7 +65,7 @@ class RowHoister {
   bool is_quiet(std::uint32_t begin, std::uint32_t end) {
     written_.clear();
     for (std::uint32_t at = begin; at < end;) {
-      if (at != begin && flow_.loop_ends[at] != Flow::kNone) return false;
+      if (at != begin && flow_.loop_ends[at] != CodeFlow::kNone) return false;
       const Effects effects = effects_of(code_, at);
       if (!leaves_memory(code_[at], effects)) return false;
       if (effects.defines) written_.push_back(code_[at].a);
@@ -80,12 +80,12 @@ class RowHoister {
     for (std::uint32_t at = begin; at == begin || !flow_.targets[at];) {
       const WideInstr& instr = code_[at];
       if (instr.op == OpCode::LDLD || instr.op == OpCode::MADDLDLD) {
-        return stays(instr.b) && stays(instr.c) ? at : Flow::kNone;
+        return stays(instr.b) && stays(instr.c) ? at : CodeFlow::kNone;
       }
-      if (can_fail(instr.op)) return Flow::kNone;
+      if (can_fail(instr.op)) return CodeFlow::kNone;
       at += effects_of(code_, at).words;
     }
-    return Flow::kNone;
+    return CodeFlow::kNone;
   }
 
   void hoist(std::uint32_t loop, std::uint32_t at) {
@@ -113,7 +113,7 @@ class RowHoister {
   }
 
   std::vector<WideInstr>& code_;
-  Flow flow_;
+  CodeFlow flow_;
   const std::function<Reg()>& fresh_;
   Edits edits_;
   std::vector<std::uint32_t> written_;  // by the loop that is looked at

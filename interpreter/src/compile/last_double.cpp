@@ -135,7 +135,7 @@ class LastDouble {
   // first pass too.
   std::uint32_t enter(std::uint32_t at) {
     const std::uint32_t end = flow_.loop_ends[at];
-    if (end == Flow::kNone) return kNone;
+    if (end == CodeFlow::kNone) return kNone;
     std::uint32_t carried = kNone;
     for (std::uint32_t i = at; i < end; i += effects_of(code_, i).words) {
       if (i != at && flow_.targets[i]) carried = kNone;
@@ -202,7 +202,7 @@ class LastDouble {
   }
 
   std::vector<WideInstr>& code_;
-  Flow flow_;
+  CodeFlow flow_;
   Edits edits_;
 };
 

@@ -5,7 +5,8 @@ namespace armlet {
 namespace {
 
 // v and w of a joint that turns about `axis` through a point at -r from the tool.
-[[gnu::always_inline]] inline void store_turning(double* column, const Axis& axis, const Axis& r) {
+[[gnu::always_inline]] inline void store_turning(double* column, const WalkAxis& axis,
+                                                 const WalkAxis& r) {
   const Lanes axis_yx = {axis.xy[1], axis.xy[0]};
   const Lanes r_yx = {r.xy[1], r.xy[0]};
   const Lanes v = axis_yx * both(r.z) - both(axis.z) * r_yx;
@@ -15,7 +16,7 @@ namespace {
   store_pair(column + 4, Lanes{axis.xy[1], axis.z});
 }
 
-[[gnu::always_inline]] inline void store_sliding(double* column, const Axis& axis) {
+[[gnu::always_inline]] inline void store_sliding(double* column, const WalkAxis& axis) {
   axis.store(column, 0.0);
   store_pair(column + 4, both(0.0));
 }
@@ -25,7 +26,7 @@ template <int N>
 [[gnu::always_inline]] inline WalkFrame walk_jacobian(const WalkPlan& plan, const double* q,
                                                       double* J) {
   constexpr std::size_t kCapacity = N == kAnyCount ? kMaxJoints : N;
-  std::array<Axis, kCapacity> axis, point;
+  std::array<WalkAxis, kCapacity> axis, point;
   WalkFrame frame = walk_out<N>(
       plan, q,
       [&](std::size_t i, const WalkFrame& f) {

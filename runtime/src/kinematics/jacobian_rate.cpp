@@ -5,7 +5,7 @@
 namespace armlet {
 namespace {
 
-Eigen::Vector3d to_eigen(const Axis& v) { return {v.xy[0], v.xy[1], v.z}; }
+Eigen::Vector3d to_eigen(const WalkAxis& v) { return {v.xy[0], v.xy[1], v.z}; }
 
 // What the walk passes: the axis of each joint, its true sense included, and a point on it.
 struct Axes {

@@ -5,25 +5,29 @@
 namespace armlet {
 
 // A vector of which two elements are worked on at once.
-struct Axis {
+struct WalkAxis {
   Lanes xy;
   double z;
 
-  static Axis load(const double* p) { return {load_pair(p), p[2]}; }
+  static WalkAxis load(const double* p) { return {load_pair(p), p[2]}; }
   // Followed by `last`, as a column of a 4x4 matrix.
   void store(double* p, double last) const {
     store_pair(p, xy);
     store_pair(p + 2, Lanes{z, last});
   }
-  friend Axis operator+(const Axis& a, const Axis& b) { return {a.xy + b.xy, a.z + b.z}; }
-  friend Axis operator-(const Axis& a, const Axis& b) { return {a.xy - b.xy, a.z - b.z}; }
-  friend Axis operator*(Lanes s, const Axis& a) { return {s * a.xy, s[0] * a.z}; }
-  friend Axis operator-(const Axis& a) { return {-a.xy, -a.z}; }
+  friend WalkAxis operator+(const WalkAxis& a, const WalkAxis& b) {
+    return {a.xy + b.xy, a.z + b.z};
+  }
+  friend WalkAxis operator-(const WalkAxis& a, const WalkAxis& b) {
+    return {a.xy - b.xy, a.z - b.z};
+  }
+  friend WalkAxis operator*(Lanes s, const WalkAxis& a) { return {s * a.xy, s[0] * a.z}; }
+  friend WalkAxis operator-(const WalkAxis& a) { return {-a.xy, -a.z}; }
 };
 
 // A frame as four vectors: its axes and its origin in the world.
 struct WalkFrame {
-  Axis x, y, z, p;
+  WalkAxis x, y, z, p;
 
   // A column-major 4x4 matrix; flip is the sign of the y and z axes.
   void store(double* T, double flip) const {
@@ -36,7 +40,7 @@ struct WalkFrame {
   // X_i
   [[gnu::always_inline]] void step_x(const WalkPlan& plan, std::size_t i) {
     if (plan.has_a[i]) p = p + both(plan.a[i]) * x;
-    const Axis y_before = y;
+    const WalkAxis y_before = y;
     if (plan.twist[i] == Twist::kRightAngle) {
       y = z;
       z = -y_before;
@@ -51,7 +55,7 @@ struct WalkFrame {
   // T of the plan.
   [[gnu::always_inline]] void step_tool(const WalkPlan& plan) {
     const double* T = plan.tool.data();
-    const auto sum = [T](int column, const Axis& a, const Axis& b, const Axis& c) {
+    const auto sum = [T](int column, const WalkAxis& a, const WalkAxis& b, const WalkAxis& c) {
       return both(T[column]) * a + both(T[4 + column]) * b + both(T[8 + column]) * c;
     };
     p = p + sum(3, x, y, z);
@@ -60,7 +64,7 @@ struct WalkFrame {
       z = both(T[10]) * z;
       return;
     }
-    const Axis x0 = x, y0 = y, z0 = z;
+    const WalkAxis x0 = x, y0 = y, z0 = z;
     x = sum(0, x0, y0, z0);
     y = sum(1, x0, y0, z0);
     z = sum(2, x0, y0, z0);
@@ -79,7 +83,8 @@ template <int N, class AtAxis, class AtLink>
                                                  const AtAxis& at_axis, const AtLink& at_link) {
   const Turns<N> turns(plan, q);
   const double* B = plan.base.data();
-  WalkFrame frame = {Axis::load(B), Axis::load(B + 3), Axis::load(B + 6), Axis::load(B + 9)};
+  WalkFrame frame = {WalkAxis::load(B), WalkAxis::load(B + 3), WalkAxis::load(B + 6),
+                     WalkAxis::load(B + 9)};
   const int n = joint_count<N>(plan);
 #pragma GCC unroll 8
   for (int joint = 0; joint < n; ++joint) {
@@ -91,7 +96,7 @@ template <int N, class AtAxis, class AtLink>
     if (plan.has_d[i]) frame.p = frame.p + both(plan.d[i] + q[i] * plan.slide[i]) * frame.z;
     const Lanes s = turns.sine(joint);
     const Lanes c = turns.cosine(joint);
-    const Axis x_before = frame.x;
+    const WalkAxis x_before = frame.x;
     frame.x = c * x_before + s * frame.y;
     frame.y = c * frame.y - s * x_before;
     at_axis(i, frame);
