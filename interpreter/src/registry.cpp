@@ -58,8 +58,8 @@ std::vector<std::string_view> Registry::public_names() const {
   std::ranges::for_each(functions_, add);
   std::ranges::for_each(constants_, add);
   std::ranges::sort(names);
-  const auto repeated = std::ranges::unique(names);
-  names.erase(repeated.begin(), repeated.end());
+  // clang 14 cannot read std::ranges::unique of g++ 12.
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 
