@@ -14,8 +14,6 @@
 namespace armlet {
 namespace {
 
-constexpr std::size_t kMaxBodies = 1000;
-
 [[noreturn]] void fail(const MechanismSpec& spec, std::size_t body, const std::string& what) {
   throw ArgumentError(
       fmt::format("Link `{}` of `{}` {}.", spec.bodies[body].name, spec.name, what));

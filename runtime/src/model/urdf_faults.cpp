@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "armlet/model/mechanism.hpp"
 #include "xml_guard.hpp"
 
 namespace armlet {
@@ -98,6 +99,22 @@ struct JointEnds {
   std::string_view name, parent, child;
 };
 
+// The library makes something of every link and joint before anybody can count them.
+std::string too_many(std::string_view text) {
+  constexpr std::size_t kMost = Mechanism::kMaxBodies;
+  std::size_t links = 0, joints = 0;
+  for_each_element(text, [&](const std::vector<Tag>& open, const Tag& tag) {
+    if (open.size() == 1) links += tag.name == "link" ? 1 : 0;
+    if (open.size() == 1) joints += tag.name == "joint" ? 1 : 0;
+    return false;
+  });
+  if (links > kMost + 1)  // and the base
+    return fmt::format("the description has {} links; at most {} are read", links, kMost + 1);
+  if (joints > kMost)
+    return fmt::format("the description has {} joints; at most {} are read", joints, kMost);
+  return {};
+}
+
 std::vector<JointEnds> joints_of(std::string_view text) {
   std::vector<JointEnds> joints;
   for_each_element(text, [&](const std::vector<Tag>& open, const Tag& tag) {
@@ -146,6 +163,7 @@ std::string fault_of(const Tag& part, const Tag& tag) {
 }  // namespace
 
 std::string structure_fault(std::string_view text) {
+  if (std::string fault = too_many(text); !fault.empty()) return fault;
   const std::vector<JointEnds> joints = joints_of(text);
   JointOfChild joint_of;
   for (const JointEnds& joint : joints) {

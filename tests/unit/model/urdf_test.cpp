@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/mechanism_forward.hpp"
@@ -276,6 +277,76 @@ TEST_CASE("text that is no description, and text that attacks its reader, is ref
   CHECK(refusal(deep).find("nested more than 100 deep (line 1)") != std::string::npos);
   CHECK(refusal(quoted).find("nested more than 100 deep") != std::string::npos);
   CHECK(refusal(std::string(17 << 20, 'x')).find("bytes; at most") != std::string::npos);
+}
+
+TEST_CASE("what would keep the parser busy for minutes is counted before it sees the text") {
+  const auto many = [](int count, const std::function<std::string(int)>& piece) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += piece(i);
+    return text;
+  };
+  const auto robot = [](const std::string& inside) {
+    return "<robot name=\"r\"><link name=\"l\"" + inside + "</robot>";
+  };
+  const std::string attributes =
+      many(200'000, [](int i) { return " a" + std::to_string(i) + "=\"\""; });
+  CHECK(refusal(robot(attributes + "/>")) ==
+        "<link> has 200001 attributes; at most 100 are read (line 1)");
+  CHECK(refusal(robot("/>" + many(150'000, [](int) { return "<a/>"; }))) ==
+        "the file has 150002 elements; at most 100000 are read");
+  CHECK(refusal(robot("/>" + many(150'000, [](int) { return "&lt;"; }))) ==
+        "the file has 150000 entities; at most 100000 are read");
+  CHECK(refusal(robot("/>" + many(20'000, [](int) { return "<!-- -->"; }))) ==
+        "the file has 20000 comments, instructions and sections of plain text; at most 10000 are "
+        "read");
+  CHECK(refusal(robot("/>\n<" + std::string(300'000, 'n') + "/>")) ==
+        "a name has 300000 bytes; at most 200 are read (line 2)");
+  CHECK(refusal(robot(" type=\"" + std::string(300'000, '0') + "\"/>")) ==
+        "a value in <link> has 300000 bytes; at most 10000 are read (line 1)");
+  CHECK(refusal(robot("/>" + std::string(1'000'001, 'x'))) ==
+        "the text between two tags has 1000001 bytes; at most 1000000 are read (line 1)");
+  const auto chain = [&](int links) {
+    return robot("/>" + many(links - 1, [](int i) {
+                   const std::string n = std::to_string(i);
+                   return "<link name=\"l" + n + "\"/><joint name=\"j" + n +
+                          "\" type=\"fixed\"><parent link=\"l" +
+                          (i == 0 ? "" : std::to_string(i - 1)) + "\"/><child link=\"l" + n +
+                          "\"/></joint>";
+                 }));
+  };
+  CHECK(refusal(chain(1001)) == "accepted");
+  CHECK(refusal(chain(1002)) == "the description has 1002 links; at most 1001 are read");
+  CHECK(refusal(chain(20'000)) == "the description has 20000 links; at most 1001 are read");
+}
+
+TEST_CASE("a text that our scan and the parser might read differently is refused, with its line") {
+  const auto said = [](const std::string& text) {
+    return refusal("<robot name=\"r\">\n" + text + "</robot>");
+  };
+  CHECK(said("<link name=\"a\"b=\"c\"/>") == "a blank is missing in the tag <link> (line 2)");
+  CHECK(said("<link name=a/>") == "an attribute of <link> is not written name=\"value\" (line 2)");
+  CHECK(said("<link name/>") == "an attribute of <link> is not written name=\"value\" (line 2)");
+  CHECK(said("<link =\"a\"/>") == "an attribute of <link> has no name (line 2)");
+  CHECK(said("<link name=\"a<b\"/>") ==
+        "the value of an attribute of <link> holds a <, which is written &lt; (line 2)");
+  CHECK(said("<link name=\"a & b\"/>") ==
+        "a & begins no entity; a & itself is written &amp; (line 2)");
+  CHECK(said("a &#x00000000000041; b") ==
+        "a & begins no entity; a & itself is written &amp; (line 2)");
+  CHECK(said("a < b") == "a < begins no tag; a < itself is written &lt; (line 2)");
+  CHECK(said("</ >") == "a </ is not followed by a name (line 2)");
+  CHECK(said("</robot a>") == "a closing tag holds more than a name (line 2)");
+  CHECK(said("<!-- ") == "a comment does not end (line 2)");
+  CHECK(said("<![CDATA[ ") == "a section of plain text does not end (line 2)");
+  CHECK(said("<?xml ") == "an instruction does not end (line 2)");
+  CHECK(said("<link name=\"a") == "the value of an attribute of <link> does not end (line 2)");
+  CHECK(refusal("<robot name=\"a\"").find("the tag <robot> does not end") == 0);
+  // Each of these begins a tag that has no end: looking for it from each would never end.
+  std::string open;
+  for (int i = 0; i < 2'000'000; ++i) open += "<a ";
+  CHECK(refusal(open) == "an attribute of <a> has no name (line 1)");
+  CHECK(refusal("<robot name=\"&quot;a&#65;&#x42;&apos;\"><link name=\"&lt;b&gt;\"/></robot>")
+            .find("1 to 1000") != std::string::npos);
 }
 
 TEST_CASE("a long chain is read, and is too long for an arm") {

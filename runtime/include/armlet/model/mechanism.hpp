@@ -63,6 +63,8 @@ struct MechanismSpec {
 // source  R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 4.
 class Mechanism {
  public:
+  static constexpr std::size_t kMaxBodies = 1000;
+
   // Throws ArgumentError naming the link and the number that is wrong.
   explicit Mechanism(MechanismSpec spec);
 
