@@ -41,6 +41,8 @@ function(armlet_add_format_tests)
   add_test(NAME source.examples COMMAND armlet fmt --check ${examples})
   add_test(NAME fmt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fmt_command.py
            $<TARGET_FILE:armlet>)
+  add_test(NAME files.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/files_command.py
+           $<TARGET_FILE:armlet>)
   add_test(NAME robot.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/robot_command.py
            $<TARGET_FILE:armlet>)
 endfunction()

@@ -1,5 +1,6 @@
 #include "console.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,9 +10,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "armlet/core/files.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/stdlib/install.hpp"
-#include "files.hpp"
 #include "imports.hpp"
 
 namespace armlet::cli {
@@ -19,14 +20,33 @@ namespace {
 
 std::atomic<Session*> running{nullptr};
 std::atomic<bool> was_interrupted{false};
+int output_failure = 0;  // errno of the first one
 
+// The first one asks the program to stop, if there is one; otherwise nothing is worth waiting for.
 extern "C" void on_interrupt(int) {
-  if (was_interrupted.exchange(true)) _exit(kStopped);
-  if (Session* session = running.load()) session->cancel();
+  Session* session = running.load();
+  if (was_interrupted.exchange(true) || session == nullptr) {
+    remove_unfinished_files();
+    _exit(kStopped);
+  }
+  session->cancel();
+}
+
+// Nobody reads on, as behind `| head -1`: there is no reason to go on.
+void note_output_failure() {
+  if (output_failure != 0) return;
+  output_failure = errno != 0 ? errno : EIO;
+  Session* session = running.load();
+  if (output_failure == EPIPE && session != nullptr) session->cancel();
+}
+
+void flush_output() {
+  errno = 0;
+  if (std::fflush(stdout) != 0) note_output_failure();
 }
 
 void write_error(std::string_view text) {
-  std::fflush(stdout);
+  flush_output();
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
@@ -39,10 +59,13 @@ void show_unreadable(const std::string& path, std::string_view reason, bool json
 }  // namespace
 
 std::optional<std::string> read_file(const std::string& path, bool json) {
-  std::string reason;
-  std::optional<std::string> text = read_text(path, reason);
-  if (!text) show_unreadable(path, reason, json);
-  return text;
+  const std::size_t most = ParseLimits{}.bytes;
+  // Standard input is asked for by name, and may well be a pipe.
+  Result<std::string> text =
+      path == "/dev/stdin" ? read_all(STDIN_FILENO, most) : armlet::read_file(path, most);
+  if (text.ok()) return std::move(text).value();
+  show_unreadable(path, text.error().message, json);
+  return std::nullopt;
 }
 
 const Engine& engine() {
@@ -97,29 +120,49 @@ void show(const std::vector<Problem>& problems, bool json) {
 
 void progress(std::string_view line) { write_error(fmt::format("{}\n", line)); }
 
-void print_out(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void print_out(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) note_output_failure();
+}
+
+bool output_is_read() { return output_failure != EPIPE; }
 
 bool finish_output() {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  write_error(fmt::format("armlet: what the program printed could not be written: {}\n",
-                          std::strerror(errno)));
+  flush_output();
+  if (output_failure == 0) return true;
+  if (output_is_read()) {
+    write_error(fmt::format("armlet: what the program printed could not be written: {}\n",
+                            std::strerror(output_failure)));
+  }
   return false;
 }
 
-Interruptible::Interruptible(Session& session) {
-  was_interrupted = false;
-  running = &session;
+void prepare_process() {
+  // What is opened later must not take the place of a standard stream that is closed.
+  while (true) {
+    const int file = open("/dev/null", O_RDONLY);
+    if (file > STDERR_FILENO) close(file);
+    if (file < 0 || file > STDERR_FILENO) break;
+  }
   struct sigaction action {};
-  action.sa_handler = on_interrupt;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = on_interrupt;
+  for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
+  // Failing to write is seen where it happens.
+  action.sa_handler = SIG_IGN;
+  for (const int number : {SIGPIPE, SIGXFSZ}) sigaction(number, &action, nullptr);
 }
 
+void end_as_others_do() {
+  if (output_is_read()) return;
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+}
+
+Interruptible::Interruptible(Session& session) { running = &session; }
 Interruptible::~Interruptible() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
   running = nullptr;
+  flush_output();  // the next interrupt ends the process at once
 }
 
 bool interrupted() { return was_interrupted; }

@@ -33,10 +33,18 @@ void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json);
 void show(const std::vector<Problem>& problems, bool json);
 // A line of progress on standard error, after everything that the program printed.
 void progress(std::string_view line);
-// What the program prints.
+// What the program prints. When nobody reads it any more the program is stopped.
 void print_out(std::string_view text);
-// Everything printed arrived. False after a message: the outside could not take it.
+[[nodiscard]] bool output_is_read();
+// Everything printed arrived. False, after a message unless nobody reads: the outside could not
+// take it.
 bool finish_output();
+
+// Before anything else: from here on Ctrl-C ends the process and leaves no unfinished files, and
+// output that nobody reads ends it quietly (end_as_others_do).
+void prepare_process();
+// Ends the process by SIGPIPE, as commands in a pipe end whose reader has left.
+void end_as_others_do();
 
 // While one of these lives, Ctrl-C stops the session under control; a second one ends the process.
 class Interruptible {

@@ -1,68 +1,59 @@
 #include "imports.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <system_error>
+#include <memory>
+#include <optional>
 #include <utility>
 
-#include "files.hpp"
-
-namespace fs = std::filesystem;
+#include "armlet/core/files.hpp"
 
 namespace armlet::cli {
 namespace {
 
-bool lies_below(const fs::path& path, const fs::path& folder) {
-  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  return end == folder.end();
+// As far as the last /, with it.
+std::string_view folder_of(std::string_view path) {
+  return path.substr(0, path.find_last_of('/') + 1);
 }
 
 class ProgramFolder {
  public:
-  explicit ProgramFolder(const std::string& program)
-      : shown_(program.substr(0, program.find_last_of('/') + 1)) {
-    std::error_code error;
-    root_ = fs::canonical(shown_.empty() ? "." : shown_, error);
+  explicit ProgramFolder(const std::string& program) : shown_(folder_of(program)) {
+    Result<Folder> opened = Folder::open(shown_);
+    if (opened.ok()) folder_ = std::make_shared<const Folder>(std::move(opened).value());
   }
 
   ImportedText load(const std::string& path, const std::string& from) const {
-    const fs::path folder = fs::path(from).parent_path();
-    std::error_code error;
-    const fs::path file = fs::weakly_canonical(folder / path, error);
     ImportedText out;
-    if (error || root_.empty() || !lies_below(file, root_) || fs::path(path).is_absolute()) {
-      out.why = "files are imported from the folder of the program and those below it";
-      return out;
+    out.why = "files are imported from the folder of the program and those below it";
+    if (folder_ == nullptr || path.starts_with('/')) return out;
+    const std::string_view inside =
+        from.starts_with(shown_) ? std::string_view(from).substr(shown_.size()) : "";
+    const std::string name = std::string(folder_of(inside)) + path;
+    const Result<std::string> clean = folder_->clean(name);
+    if (!clean.ok()) return out;
+    out.why.clear();
+    if (clean->ends_with(".rbt")) {
+      Result<std::string> text = folder_->read(*clean, ParseLimits{}.bytes);
+      if (text.ok()) {
+        out.text = std::move(text).value();
+        out.name = shown_ + *clean;
+        return out;
+      }
+      if (text.error().code != "missing") {
+        out.why = text.error().message;
+        return out;
+      }
+    } else if (folder_->has_file(*clean)) {
+      out.why = "only files that end in .rbt are programs";
     }
-    if (file.extension() == ".rbt" && fs::is_regular_file(file, error)) {
-      std::string reason;
-      out.text = read_text(file.string(), reason);
-      out.why = reason;
-      out.name = shown_ + fs::relative(file, root_, error).string();
-      return out;
-    }
-    if (fs::is_regular_file(file, error)) out.why = "only files that end in .rbt are programs";
-    out.others = programs_in(file.parent_path(), fs::path(path).parent_path());
+    // As a program would write them.
+    for (const std::string& other : folder_->names(folder_of(*clean), ".rbt"))
+      out.others.push_back(std::string(folder_of(path)) + other);
     return out;
   }
 
  private:
-  // As a program would write them.
-  static std::vector<std::string> programs_in(const fs::path& folder, const fs::path& before) {
-    constexpr std::size_t kMost = 1000;
-    std::vector<std::string> names;
-    std::error_code error;
-    for (auto at = fs::directory_iterator(folder, error);
-         !error && at != fs::directory_iterator() && names.size() < kMost; at.increment(error)) {
-      if (at->path().extension() == ".rbt")
-        names.push_back((before / at->path().filename()).string());
-    }
-    std::ranges::sort(names);
-    return names;
-  }
-
   std::string shown_;  // the folder as the user wrote it, with its last /
-  fs::path root_;
+  std::shared_ptr<const Folder> folder_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace armlet::cli {
 
 // Reads imported files, relative to the file that imports them. A program gets files of its own
-// folder and of the folders below it, wherever a path or a link leads.
+// folder and of the folders below it, wherever a path leads; links are not followed there.
 [[nodiscard]] ModuleLoader imports_of(const std::string& program);
 
 }  // namespace armlet::cli

@@ -8,7 +8,7 @@
 #include <new>
 
 #include "armlet/core/similar.hpp"
-#include "commands.hpp"
+#include "console.hpp"
 
 namespace {
 
@@ -173,6 +173,7 @@ int dispatch(int argc, char** argv) {
 
 // Ends without taking down the tables of the parser, which the system reclaims at once.
 [[noreturn]] void leave(int status) {
+  end_as_others_do();
 #ifdef __SANITIZE_ADDRESS__
   std::exit(status);  // looks for leaks
 #else
@@ -184,6 +185,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  prepare_process();
   int status = kFailed;
   try {
     status = dispatch(argc, argv);

@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
-#include <cstring>
-#include <fstream>
+#include <memory>
+#include <optional>
+#include <ostream>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
+#include "armlet/core/files.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/plot/braille.hpp"
 #include "console.hpp"
@@ -19,31 +21,70 @@
 namespace armlet::cli {
 namespace {
 
-// The trace file and the backend that writes it.
-struct Trace {
-  std::ofstream file;
-  std::unique_ptr<Backend> backend;
+// The backend of a trace and the file that it writes to, which takes the place of the one before
+// when the run has ended, however it has.
+class Trace {
+ public:
+  // The exit status after a message if there is no such trace.
+  int choose(const std::string& path) {
+    path_ = path;
+    if (path.ends_with(".csv")) {
+      backend_ = std::make_unique<CsvBackend>(out_);
+    } else if (path.ends_with(".jsonl")) {
+      backend_ = std::make_unique<JsonlBackend>(out_);
+    } else if (!path.empty()) {
+      progress(fmt::format("armlet: a trace is a .csv or .jsonl file, not \"{}\"", path));
+      return kUsage;
+    }
+    return kDone;
+  }
+
+  [[nodiscard]] Backend* backend() const { return backend_.get(); }
+
+  // Once it is known that the program runs. The texts are what it was made of.
+  int open(const std::vector<std::string>& texts) {
+    if (backend_ == nullptr) return kDone;
+    for (const std::string& text : texts) {
+      if (!is_same_file(path_, text)) continue;
+      progress(fmt::format("armlet: the trace {} would take the place of {}", path_, text));
+      return kUsage;
+    }
+    Result<NewFile> made = create_file(path_);
+    if (!made.ok()) return refuse(made.error().message, kNoFile);
+    file_.emplace(std::move(made).value());
+    stream_.emplace(*file_);
+    out_.rdbuf(stream_->rdbuf());
+    return kDone;
+  }
+
+  // Puts the file in its place. Nothing to say if all of it was written.
+  int finish() {
+    if (backend_ == nullptr) return kDone;
+    if (const auto error = file_->finish())
+      return refuse(error->message + "; what was there before is as it was", kFailed);
+    if (backend_->error().empty()) return kDone;
+    progress(fmt::format("armlet: {}", backend_->error()));
+    return kFailed;
+  }
+
+ private:
+  int refuse(const std::string& why, int exit) const {
+    progress(fmt::format("armlet: the trace {} cannot be written: {}", path_, why));
+    return exit;
+  }
+
+  std::string path_;
+  std::ostream out_{nullptr};  // to the file, when that is open
+  std::unique_ptr<Backend> backend_;
+  std::optional<NewFile> file_;
+  std::optional<FileStream> stream_;
 };
 
-// Nothing to say if there is no trace; the exit status after a message otherwise.
-int open_trace(const std::string& path, Trace& trace) {
-  if (path.empty()) return kDone;
-  const bool csv = path.ends_with(".csv");
-  if (!csv && !path.ends_with(".jsonl")) {
-    progress(fmt::format("armlet: a trace is a .csv or .jsonl file, not \"{}\"", path));
-    return kUsage;
-  }
-  trace.file.open(path, std::ios::binary | std::ios::trunc);
-  if (!trace.file) {
-    progress(fmt::format("armlet: the trace {} cannot be written: {}", path, std::strerror(errno)));
-    return kNoFile;
-  }
-  if (csv) {
-    trace.backend = std::make_unique<CsvBackend>(trace.file);
-  } else {
-    trace.backend = std::make_unique<JsonlBackend>(trace.file);
-  }
-  return kDone;
+// The files that a program consists of.
+std::vector<std::string> texts_of(const RunOptions& options, const SourceSet& sources) {
+  std::vector<std::string> texts{options.file, options.program.world};
+  for (std::uint32_t i = 0; i < sources.size(); ++i) texts.push_back(sources[i].name());
+  return texts;
 }
 
 std::string seconds(double s) { return fmt::format("{:.2f} s", s); }
@@ -107,8 +148,8 @@ int run(const RunOptions& options) {
   Setup setup = make_setup(options.program, options.file);
   if (setup.exit != kDone) return setup.exit;
   Trace trace;
-  if (const int exit = open_trace(options.trace, trace); exit != kDone) return exit;
-  if (trace.backend) setup.session.backends.push_back(trace.backend.get());
+  if (const int exit = trace.choose(options.trace); exit != kDone) return exit;
+  if (trace.backend() != nullptr) setup.session.backends.push_back(trace.backend());
   if (options.realtime) setup.session.pace = real_time();
   const bool talks = !json && !options.quiet;
   if (talks) setup.session.on_move = show_move;
@@ -120,22 +161,21 @@ int run(const RunOptions& options) {
   show(session.problems(), json);
   if (!runs) return kRejected;
   sources = &session.sources();
+  if (const int exit = trace.open(texts_of(options, *sources)); exit != kDone) return exit;
 
   RunResult result;
   {
     const Interruptible guard(session);
     result = session.run();
   }
-  if (result.error) show(*result.error, session.sources(), json);
+  if (result.error && output_is_read()) show(*result.error, session.sources(), json);
   if (options.plots) draw_figures(session);
   const bool written = finish_output();
-  if (talks) show_summary(session, options.trace, result.status);
-  if (trace.backend && !trace.backend->error().empty()) {
-    progress(fmt::format("armlet: {}", trace.backend->error()));
-    return kFailed;
-  }
+  const bool traced = trace.finish() == kDone;
+  if (talks && output_is_read())
+    show_summary(session, traced ? options.trace : std::string(), result.status);
   if (result.status == RunStatus::kCancelled) return kStopped;
-  return result.status == RunStatus::kDone && written ? kDone : kFailed;
+  return result.status == RunStatus::kDone && written && traced ? kDone : kFailed;
 }
 
 }  // namespace armlet::cli

@@ -149,6 +149,9 @@ Signal scatter3(Vm& vm, Slot* args) {
   return give_nothing();
 }
 
+constexpr std::string_view kPictureEndings[] = {".svg", ".txt"};
+constexpr FileKind kPicture{"a picture", kPictureEndings};
+
 // (path, figure)
 Signal save_plot(Vm& vm, Slot* args) {
   const Host& host = Host::of(vm);
@@ -173,7 +176,7 @@ Signal save_plot(Vm& vm, Slot* args) {
     return failure(vm, "R0626", fmt::format("a picture is a .svg or .txt file, not \"{}\"", path),
                    0);
   }
-  const auto saved = host.save_file(path, content);
+  const auto saved = host.save_file(kPicture, path, content);
   if (saved.ok()) return give_nothing();
   return failure(vm, "R0626",
                  fmt::format("\"{}\" cannot be written: {}", path, saved.error().message), 0);

@@ -71,6 +71,9 @@ std::string header_of(const std::string& name, std::size_t width) {
   return out;
 }
 
+constexpr std::string_view kTableEndings[] = {".csv"};
+constexpr FileKind kTable{"a table", kTableEndings};
+
 // (t: table, file: string)
 Signal save(Vm& vm, Slot* args) {
   const auto& info = *static_cast<const RecordObj*>(args[0].o)->layout->type->record;
@@ -97,7 +100,7 @@ Signal save(Vm& vm, Slot* args) {
     body += '\n';
   }
   const std::string file(text_value(args[1]));
-  const auto saved = Host::of(vm).save_file(file, header + '\n' + body);
+  const auto saved = Host::of(vm).save_file(kTable, file, header + '\n' + body);
   if (saved.ok()) return give_nothing();
   Failure f;
   f.code = "R0626";
@@ -109,7 +112,8 @@ Signal save(Vm& vm, Slot* args) {
 
 constexpr NativeFunction kFunctions[] = {
     {"save", "(t: table, file: string)",
-     "Writes a table into a file of comma-separated values, in SI units: a line with the names of "
+     "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
+     "names of "
      "the columns, then one line for each row. A list, a posJ and a posC become several columns.",
      "record run every (10ms) { q: joints() }; run.save(\"run.csv\")", save},
 };

@@ -1,10 +1,10 @@
 // Files of a program: only below the folder that the host grants (language reference, ruling 34).
 
+#include "armlet/core/files.hpp"
+
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/host.hpp"
@@ -14,50 +14,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_below(const fs::path& file, const fs::path& folder) {
-  const fs::path relative = file.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != ".." && *relative.begin() != ".";
-}
-
 Error refuse(std::string why) { return Error{"file", std::move(why)}; }
+
+// In the words of a program, which knows nothing of the host's folders.
+Error refusal(const Error& error, std::string_view does) {
+  if (error.code != "outside") return refuse(error.message);
+  return refuse(fmt::format("programs {} files only below their own folder", does));
+}
 
 }  // namespace
 
-Result<fs::path> Host::save_file(const std::string& name, std::string_view content) const {
+Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
+                                 std::string_view content) const {
   if (options_.folder.empty()) return refuse("this host lets programs write no files");
-  if (name.empty()) return refuse("the name of the file is empty");
-  std::error_code problem;
-  const fs::path folder = fs::weakly_canonical(options_.folder, problem);
-  // Links are followed, so that none leads out of the folder.
-  const fs::path file = fs::weakly_canonical(folder / name, problem);
-  if (problem || !is_below(file, folder))
-    return refuse("programs write files only below their own folder");
-  if (fs::is_directory(file, problem)) return refuse("there is a folder of that name");
-  if (!fs::is_directory(file.parent_path(), problem)) {
-    return refuse(fmt::format("there is no folder \"{}\" in the folder of the program",
-                              file.parent_path().lexically_relative(folder).string()));
+  const auto ends_so = [&](std::string_view ending) { return name.ends_with(ending); };
+  if (!name.empty() && std::ranges::none_of(kind.endings, ends_so)) {
+    return refuse(fmt::format("{} is a {} file", kind.what, fmt::join(kind.endings, " or ")));
   }
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  if (!out) return refuse("the file cannot be written");
-  return file;
+  const Result<Folder> folder = Folder::open(options_.folder.string());
+  if (!folder.ok()) return refuse("the folder of the program cannot be opened");
+  const Result<std::string> clean = folder->clean(name);
+  if (!clean.ok()) return refusal(clean.error(), "write");
+  if (const auto error = folder->save(*clean, content)) return refusal(*error, "write");
+  return options_.folder / *clean;
 }
 
 Result<std::string> Host::load_file(const std::string& name) const {
-  constexpr std::uintmax_t kMaxBytes = 16 << 20;
+  constexpr std::size_t kMaxBytes = 16 << 20;
   if (options_.folder.empty()) return refuse("this host lets programs read no files");
-  std::error_code problem;
-  const fs::path folder = fs::weakly_canonical(options_.folder, problem);
-  const fs::path file = fs::weakly_canonical(folder / name, problem);
-  if (problem || !is_below(file, folder))
-    return refuse("programs read files only below their own folder");
-  if (!fs::exists(file, problem)) return refuse("there is no such file");
-  if (!fs::is_regular_file(file, problem)) return refuse("it is no file");
-  if (fs::file_size(file, problem) > kMaxBytes) return refuse("it is larger than 16 MB");
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.good() && !in.eof()) return refuse("reading failed");
+  const Result<Folder> folder = Folder::open(options_.folder.string());
+  if (!folder.ok()) return refuse("the folder of the program cannot be opened");
+  Result<std::string> text = folder->read(name, kMaxBytes);
+  if (!text.ok()) return refusal(text.error(), "read");
   return text;
 }
 

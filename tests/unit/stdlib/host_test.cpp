@@ -1,6 +1,7 @@
 #include "armlet/stdlib/host.hpp"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -33,6 +34,9 @@ class Folder {
  private:
   fs::path path_;
 };
+
+constexpr std::string_view kTableEndings[] = {".csv"};
+constexpr FileKind kTable{"a table", kTableEndings};
 
 std::string content(const fs::path& file) {
   std::ostringstream out;
@@ -77,23 +81,23 @@ std::string run_halted(const std::string& text, RunResult& result) {
 
 TEST_CASE("a host without a folder writes no files") {
   const Host host((HostOptions()));
-  CHECK_FALSE(host.save_file("run.csv", "x").ok());
+  CHECK_FALSE(host.save_file(kTable, "run.csv", "x").ok());
 }
 
 TEST_CASE("files are written below the granted folder and nowhere else") {
   const Folder folder("armlet_files_");
   fs::create_directories(folder.path() / "inner" / "deep");
   const Host host = host_in(folder.path() / "inner");
-  REQUIRE(host.save_file("run.csv", "a,b\n").ok());
+  REQUIRE(host.save_file(kTable, "run.csv", "a,b\n").ok());
   CHECK(content(folder.path() / "inner" / "run.csv") == "a,b\n");
-  CHECK(host.save_file("deep/../deep/run.csv", "c\n").ok());
+  CHECK(host.save_file(kTable, "deep/../deep/run.csv", "c\n").ok());
   CHECK(content(folder.path() / "inner" / "deep" / "run.csv") == "c\n");
-  CHECK(host.save_file("run.csv", "d\n").ok());
+  CHECK(host.save_file(kTable, "run.csv", "d\n").ok());
   CHECK(content(folder.path() / "inner" / "run.csv") == "d\n");
   for (const char* name :
        {"../run.csv", "deep/../../run.csv", "/run.csv", "", ".", "deep", "missing/run.csv"}) {
     CAPTURE(name);
-    CHECK_FALSE(host.save_file(name, "x").ok());
+    CHECK_FALSE(host.save_file(kTable, name, "x").ok());
   }
   CHECK_FALSE(fs::exists(folder.path() / "run.csv"));
 }
@@ -104,8 +108,37 @@ TEST_CASE("a link out of the folder leads nowhere") {
   fs::create_directories(folder.path() / "outer");
   fs::create_directory_symlink(folder.path() / "outer", folder.path() / "inner" / "way");
   const Host host = host_in(folder.path() / "inner");
-  CHECK_FALSE(host.save_file("way/run.csv", "x").ok());
+  CHECK_FALSE(host.save_file(kTable, "way/run.csv", "x").ok());
   CHECK(fs::is_empty(folder.path() / "outer"));
+}
+
+TEST_CASE("a link in the granted folder leads nowhere, even if nothing is there yet") {
+  const Folder folder("armlet_dangling_");
+  fs::create_directories(folder.path() / "inner");
+  fs::create_symlink(folder.path() / "made.csv", folder.path() / "inner" / "run.csv");
+  const Host host = host_in(folder.path() / "inner");
+  const auto saved = host.save_file(kTable, "run.csv", "x");
+  REQUIRE_FALSE(saved.ok());
+  CHECK(saved.error().message == "it is a link, and links are not followed here");
+  CHECK_FALSE(fs::exists(folder.path() / "made.csv"));
+  CHECK(host.load_file("run.csv").error().message ==
+        "it is a link, and links are not followed here");
+  REQUIRE(mkfifo((folder.path() / "inner" / "pipe.csv").c_str(), 0600) == 0);
+  CHECK(host.save_file(kTable, "pipe.csv", "x").error().message == "it is a pipe, not a file");
+  CHECK(host.load_file("pipe.csv").error().message == "it is a pipe, not a file");
+}
+
+TEST_CASE("a function writes only files of its kind") {
+  const Folder folder("armlet_kinds_");
+  const Host host = host_in(folder.path());
+  for (const char* name : {"p.rbt", ".bashrc", "csv", "run.csv.sh", "run.CSV", "run.csv/"}) {
+    CAPTURE(name);
+    const auto saved = host.save_file(kTable, name, "x");
+    REQUIRE_FALSE(saved.ok());
+    CHECK(saved.error().message == "a table is a .csv file");
+  }
+  CHECK_FALSE(host.save_file(kTable, std::string("p.rbt\0.csv", 10), "x").ok());
+  CHECK(fs::is_empty(folder.path()));
 }
 
 TEST_CASE("a table is saved with a heading and one line for each row") {

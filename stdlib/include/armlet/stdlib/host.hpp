@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +76,12 @@ struct HostOptions {
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
 };
 
+// What a function of the language writes: "a table" in a file that ends in one of these.
+struct FileKind {
+  std::string_view what;
+  std::span<const std::string_view> endings;
+};
+
 class Host : public Timeline {
  public:
   explicit Host(HostOptions options);
@@ -112,8 +119,10 @@ class Host : public Timeline {
   [[nodiscard]] bool first_contact_pick();
 
   // Writes a file of the program: `name` is relative to the folder that was granted and stays below
-  // it. Fails with the reason.
-  [[nodiscard]] Result<std::filesystem::path> save_file(const std::string& name,
+  // it, has an ending of its kind and leads through no link. A file that cannot be written to its
+  // end leaves the one before as it was. Fails with the reason.
+  [[nodiscard]] Result<std::filesystem::path> save_file(const FileKind& kind,
+                                                        const std::string& name,
                                                         std::string_view content) const;
 
   // The text of a file of the program, under the same rule. Fails with the reason.
