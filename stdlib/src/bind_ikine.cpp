@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/ik_report.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
@@ -95,6 +96,8 @@ std::optional<Question> question_of(Vm& vm, Slot* args) {
   // A place alone keeps the orientation that there is.
   if (options.task == IkTask::kMasked && !target.has_orientation)
     out.T_world_tool.linear() = forward(robot, options.seed).linear();
+  if (options.task == IkTask::kMasked && task == IkTask::kTurn)
+    out.T_world_tool = turned_like(robot, target.T, options.seed);
   return out;
 }
 
@@ -113,9 +116,7 @@ Signal ikine(Vm& vm, Slot* args) {
 Signal give_report(Vm& vm, Slot* args, const Question& question) {
   const CellRobot& state = state_of(vm, args[kArm]);
   if (question.tilted) {
-    return give(args, new_text(vm, fmt::format("{}: its tool always points straight up or down, "
-                                               "and this position is tilted",
-                                               state.name)));
+    return give(args, new_text(vm, fmt::format("{}: {}", state.name, tilt_reason(*state.model))));
   }
   const Robot& robot = *state.model;
   const IkReport report = report_ik(robot, question.T_world_tool, question.options);

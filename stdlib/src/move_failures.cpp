@@ -7,7 +7,9 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
+#include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/math/angles.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "bind.hpp"
@@ -17,6 +19,27 @@ namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
+
+// The angle between a line and the vertical.
+double lean_of(const Vector3d& line) {
+  return det::atan2(line.head<2>().norm(), std::abs(line.z()));
+}
+
+// With as many digits as show that it is not zero.
+std::string lean_text(double angle) {
+  const double degrees = angle * (180.0 / kPi);
+  int digits = 1;
+  while (digits < 6 && degrees < 0.5 * std::pow(10.0, 1 - digits)) ++digits;
+  return format_number(degrees, degrees > 0.0 ? digits : 1) + " deg";
+}
+
+constexpr double kVertical = 1e-6;  // rad
+
+// Whether the tool always points straight up or down.
+bool is_vertical(const Robot& robot) {
+  const auto up = fixed_tilt(robot);
+  return up && lean_of(*up) <= kVertical;
+}
 
 Failure start(Vm& vm, const MoveCall& call, std::string_view code, int mark) {
   Failure f;
@@ -160,14 +183,37 @@ Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
 }
 
 Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
+  const Robot& robot = model_of(vm, call);
+  const Eigen::VectorXd& q = Host::of(vm).cell().robot(call.robot).q;
+  const IkResult place = solve_ik(robot, target.T, {.seed = q, .task = IkTask::kPlace});
+  if (!place.ok()) return fail_unreachable(vm, call, target.T, place);
   Failure f = start(vm, call, "R0601", call.target);
-  const double tilt = det::acos(std::clamp(std::abs(target.T.linear()(2, 2)), 0.0, 1.0));
   f.arguments = {"the hand gets there, but not with this orientation"};
+  const Vector3d up = fixed_tilt(robot).value_or(Vector3d::UnitZ());
+  const std::string error = lean_text(tilt_error(robot, target.T));
+  const std::string tilt = lean_text(lean_of(target.T.linear().row(2)));
+  if (is_vertical(robot)) {
+    f.why = fmt::format(
+        "the tool of `{}` always points straight up or down, and this target is tilted by {}",
+        f.robot, tilt);
+    f.fix = "give only a place and a turn about z";
+    return fail(vm, std::move(f));
+  }
   f.why = fmt::format(
-      "the tool of `{}` always points straight up or down, and this target is tilted by {}",
-      f.robot, format_deg(tilt));
-  f.fix = "give only a place and a turn about z";
+      "no joint of `{}` tilts its tool, which always leans by {}; this target leans by {}{}, and "
+      "the closest orientation differs by {}",
+      f.robot, lean_text(lean_of(up)), tilt,
+      lean_text(lean_of(up)) == tilt ? " to another side of the tool" : "", error);
+  f.fix = fmt::format("turn the target by {} or more, or give only a place", error);
   return fail(vm, std::move(f));
+}
+
+std::string tilt_reason(const Robot& robot) {
+  if (is_vertical(robot))
+    return "its tool always points straight up or down, and this position is tilted";
+  const Vector3d up = fixed_tilt(robot).value_or(Vector3d::UnitZ());
+  return fmt::format("its tool always leans by {}, and this position leans otherwise",
+                     lean_text(lean_of(up)));
 }
 
 namespace {

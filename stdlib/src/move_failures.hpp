@@ -10,6 +10,8 @@ namespace armlet::bind {
 
 // A robot that cannot tilt its tool is asked to.
 Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target);
+// The same in half a sentence.
+std::string tilt_reason(const Robot& robot);
 // `start` are the joints at the beginning of the line.
 Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start, const PosC& target,
                  const LineFault& fault);

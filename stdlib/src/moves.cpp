@@ -6,6 +6,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
+#include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/joint_move.hpp"
@@ -19,22 +20,6 @@
 #include "tracking.hpp"
 
 namespace armlet::bind {
-namespace {
-
-constexpr double kUprightTolerance = 1e-6;
-
-// Whether the tool axis always stays parallel to the world's z axis: all joints turn about it or
-// slide along it.
-bool keeps_tilt(const Robot& robot) {
-  const Chain& chain = robot.chain();
-  for (int i = 1; i < robot.n(); ++i) {
-    if (std::abs(chain.sin_alpha[i]) > 0.0) return false;
-  }
-  return std::abs(std::abs(robot.T_world_base().linear()(2, 2)) - 1.0) < kUprightTolerance &&
-         chain.sin_alpha[0] == 0.0;
-}
-
-}  // namespace
 
 std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
                              const PosC& target) {
@@ -114,9 +99,7 @@ bool check_duration(Vm& vm, double seconds, int parameter) {
 
 std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {
   if (!target.has_orientation) return IkTask::kPlace;
-  if (!keeps_tilt(robot)) return IkTask::kPose;
-  if (std::abs(std::abs(target.T.linear()(2, 2)) - 1.0) > kUprightTolerance) return std::nullopt;
-  return IkTask::kTurn;
+  return frame_task(robot, target.T);
 }
 
 std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,

@@ -54,7 +54,7 @@ struct MoveSettings {
 // The robot that a call plans with.
 [[nodiscard]] const Robot& model_of(Vm& vm, const MoveCall& call);
 
-// What of a target counts for this arm (ruling 14). Empty if its orientation cannot agree with the
+// What of a target counts for this arm (rulings 14 and 54). Empty if its orientation cannot agree with the
 // arm at all.
 [[nodiscard]] std::optional<IkTask> task_of(const Robot& robot, const PosC& target);
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "armlet/core/format.hpp"
+#include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/manipulability.hpp"
-#include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "ik_closed.hpp"
@@ -23,12 +23,6 @@ constexpr int kKeepStarts = 20;        // to find out whether an orientation can
 constexpr double kLargestValue = 1e6;  // m or rad, of a goal or a seed
 constexpr double kSameTurn = 1e-6;     // rad
 constexpr double kPlaceFirst = 100;    // weight of position while orientation changes least
-
-// Heading of the x axis seen from above, or of the y axis less a right angle if x is vertical.
-double turn_about_z(const Eigen::Matrix3d& R) {
-  if (det::hypot(R(0, 0), R(1, 0)) > 1e-9) return det::atan2(R(1, 0), R(0, 0));
-  return det::atan2(-R(0, 1), R(1, 1));
-}
 
 // Finite, and of a size whose rounding lies far below the tolerances.
 bool is_moderate(const Eigen::Ref<const Eigen::VectorXd>& values) {
@@ -233,11 +227,9 @@ IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
     case IkTask::kPlace:
       goal.R = forward(robot, options.seed).linear();
       break;
-    case IkTask::kTurn: {
-      const Eigen::Matrix3d R_seed = forward(robot, options.seed).linear();
-      goal.R = rot_z(turn_about_z(goal.R) - turn_about_z(R_seed)) * R_seed;
+    case IkTask::kTurn:
+      goal.R = turned_like(robot, T_world_tool, options.seed).linear();
       break;
-    }
     case IkTask::kMasked:
       for (std::size_t i = 0; i < 6; ++i) {
         goal.weights[static_cast<Eigen::Index>(i)] = options.mask[i] ? 1.0 : 0.0;

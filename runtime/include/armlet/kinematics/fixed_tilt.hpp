@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "armlet/kinematics/ik.hpp"
+
+namespace armlet {
+
+// The world's z axis in the axes of the tool, if no joint changes it: every joint that turns does
+// so about a vertical axis, as in a SCARA or a gantry. Its length is 1; nothing for other arms.
+//
+// The arm reaches those orientations R alone whose third row is this axis.
+std::optional<Eigen::Vector3d> fixed_tilt(const Robot& robot);
+
+// What a frame asks of an arm: the whole pose; or, where tool and frame are both vertical and no
+// joint changes that, the place and the turn about z, whichever of the two points down.
+//
+// T_world_frame  the frame, in the world.
+// returns        kPose or kTurn; nothing if no joint values whatever lean the tool like the frame,
+//                to 1e-6 rad.
+std::optional<IkTask> frame_task(const Robot& robot, const Eigen::Isometry3d& T_world_frame);
+
+// How far the frame leans away from the tool of an arm that cannot change it, rad; 0 for others.
+double tilt_error(const Robot& robot, const Eigen::Isometry3d& T_world_frame);
+
+// The pose of the tool that a frame means with IkTask::kTurn: the place and the turn about z of the
+// frame, with the tilt that the tool has at q.
+Eigen::Isometry3d turned_like(const Robot& robot, const Eigen::Isometry3d& T_world_frame,
+                              JointsIn q);
+
+}  // namespace armlet

@@ -1,0 +1,74 @@
+#include "armlet/kinematics/fixed_tilt.hpp"
+
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// An axis that leans by less, rad, tilts the tool by less than what is seen of an orientation,
+// however many of them there are.
+constexpr double kVertical = 1e-8;
+constexpr double kSameTilt = 1e-6;  // rad, as exact as every other orientation
+
+Matrix3d about_x(double c, double s) {
+  Matrix3d R;
+  R << 1, 0, 0, 0, c, -s, 0, s, c;
+  return R;
+}
+
+double lean(const Vector3d& axis) { return axis.head<2>().norm(); }
+
+// Between directions, also where the cosine says nothing.
+double angle_of(const Vector3d& a, const Vector3d& b) {
+  return det::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// Heading of the x axis seen from above, or of the y axis less a right angle if x is vertical.
+double turn_about_z(const Matrix3d& R) {
+  if (det::hypot(R(0, 0), R(1, 0)) > 1e-9) return det::atan2(R(1, 0), R(0, 0));
+  return det::atan2(-R(0, 1), R(1, 1));
+}
+
+}  // namespace
+
+std::optional<Vector3d> fixed_tilt(const Robot& robot) {
+  const Chain& chain = robot.chain();
+  Matrix3d R = chain.T_world_base.linear();
+  const std::size_t n = static_cast<std::size_t>(chain.n);
+  for (std::size_t i = 0; i < n; ++i) {
+    R = R * about_x(chain.cos_alpha[i], chain.sin_alpha[i]);
+    if (chain.revolute[i] && lean(R.col(2)) > kVertical) return std::nullopt;
+    R = R * rot_z(chain.theta[i]);
+  }
+  R = R * about_x(chain.cos_alpha[n], chain.sin_alpha[n]) * chain.T_flange_tool.linear();
+  return R.row(2).transpose().normalized();
+}
+
+double tilt_error(const Robot& robot, const Eigen::Isometry3d& T_world_frame) {
+  const auto up = fixed_tilt(robot);
+  return up ? angle_of(*up, T_world_frame.linear().row(2).transpose()) : 0.0;
+}
+
+std::optional<IkTask> frame_task(const Robot& robot, const Eigen::Isometry3d& T_world_frame) {
+  const auto up = fixed_tilt(robot);
+  if (!up) return IkTask::kPose;
+  const Vector3d frame_up = T_world_frame.linear().row(2).transpose();
+  if (lean(*up) <= kSameTilt && lean(frame_up) <= kSameTilt) return IkTask::kTurn;
+  if (angle_of(*up, frame_up) <= kSameTilt) return IkTask::kPose;
+  return std::nullopt;
+}
+
+Eigen::Isometry3d turned_like(const Robot& robot, const Eigen::Isometry3d& T_world_frame,
+                              JointsIn q) {
+  const Matrix3d R_seed = forward(robot, q).linear();
+  const Matrix3d& R = T_world_frame.linear();
+  return make_pose(rot_z(turn_about_z(R) - turn_about_z(R_seed)) * R_seed,
+                   T_world_frame.translation());
+}
+
+}  // namespace armlet
