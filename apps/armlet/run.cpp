@@ -168,6 +168,8 @@ int run(const RunOptions& options) {
     const Interruptible guard(session);
     result = session.run();
   }
+  // What a program does after Ctrl-C can fail too, for example by its steps: the user has stopped it all the same.
+  if (interrupted() && result.status == RunStatus::kFailed) result.status = RunStatus::kCancelled;
   if (result.error && output_is_read()) show(*result.error, session.sources(), json);
   if (options.plots) draw_figures(session);
   const bool written = finish_output();
