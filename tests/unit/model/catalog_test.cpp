@@ -24,7 +24,8 @@ const std::map<std::string, std::string> kReferenceOf = {
 
 TEST_CASE("the arms are those of the reference files") {
   for (const auto& [name, file] : kReferenceOf) {
-    CAPTURE(name);
+    const auto& shown = name;  // clang 14 captures no binding
+    CAPTURE(shown);
     const Robot robot = *make_robot(name);
     const Robot reference = reference::robot_of(reference::load(file).at("robot"));
     REQUIRE(robot.n() == reference.n());

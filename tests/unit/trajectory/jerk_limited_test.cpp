@@ -84,7 +84,8 @@ TEST_CASE("durations are those of Ruckig") {
                {0.1, 0.9, 0.5, 1.560497860}, {-0.5, 0.8, 1.0, 2.205247396},
                {0.2, 0.8, 0.0, 1.047189382}};
   for (const auto& [D, v, a, T] : cases) {
-    CAPTURE(D);
+    const auto& shown = D;  // clang 14 captures no binding
+    CAPTURE(shown);
     const JerkProfile profile = fastest_jerk_limited({.q = 0.3, .v = v, .a = a}, 0.3 + D, limits);
     CHECK(profile.duration() == doctest::Approx(T).epsilon(2e-9));
   }

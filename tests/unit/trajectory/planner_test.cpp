@@ -158,7 +158,8 @@ TEST_CASE("too short a time names the joint, its travel, its limit and the least
   request.time = 2.0;
   for (const auto& [name, least] :
        {std::pair{"Syn", 2.5}, {"Asyn", 2.5}, {"Cubic", 2.0}, {"Lin", 2.0 / 1.5 + 1.5e-3}}) {
-    CAPTURE(name);
+    const auto& shown = name;  // clang 14 captures no binding
+    CAPTURE(shown);
     request.time = 0.999 * least;
     const Plan plan = kPlanners.plan(name, request);
     CHECK_FALSE(plan.trajectory.has_value());
@@ -248,7 +249,8 @@ TEST_CASE("planners are as smooth at every knot as their law promises") {
       {"Fastest", 1}, {"Septic", 3}, {"Cycloid", 2}, {"Seq", 2},   {"Lin0", 0}};
   CHECK(promised.size() == kPlanners.names().size());
   for (const auto& [name, smooth] : promised) {
-    CAPTURE(name);
+    const auto& shown = name;  // clang 14 captures no binding
+    CAPTURE(shown);
     for (int k = 0; k < 50; ++k) {
       const MoveRequest request = random_request(generator, 3);
       const Trajectory motion = *kPlanners.plan(name, request).trajectory;
