@@ -65,16 +65,13 @@ hir::Expr* Checker::block_value(const ast::ObjectStmt& stmt, const Type* type) {
 // The rows of each part as one list, named like the part.
 std::vector<Argument> Checker::block_rows(const ast::ObjectStmt& stmt) {
   std::vector<std::pair<ast::Name, std::vector<hir::Expr*>>> parts;
+  std::unordered_map<std::string_view, std::size_t> places;  // of the parts, by name
   for (const ast::BlockItem& item : stmt.items) {
     if (!item.is_row) continue;
     hir::Expr* row = block_row(stmt, item);
-    const auto known =
-        std::ranges::find(parts, item.name.text, [](const auto& part) { return part.first.text; });
-    if (known == parts.end()) {
-      parts.push_back({item.name, {row}});
-    } else {
-      known->second.push_back(row);
-    }
+    const auto [place, is_new] = places.try_emplace(item.name.text, parts.size());
+    if (is_new) parts.push_back({item.name, {}});
+    parts[place->second].second.push_back(row);
   }
   std::vector<Argument> out;
   for (const auto& [name, rows] : parts) {

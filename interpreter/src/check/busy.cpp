@@ -67,13 +67,8 @@ void look(const hir::Stmt& stmt, Beginning& out) {
 const hir::Variable* declared_robot(const hir::Expr& robot) {
   if (robot.kind != ExprKind::kVariable) return nullptr;
   const hir::Variable* variable = robot.as<hir::VariableExpr>().variable;
-  for (;;) {
-    const hir::Function* owner = variable->owner;
-    const auto capture = owner == nullptr ? hir::Seq<hir::Capture>() : owner->captures;
-    const auto found = std::ranges::find(capture, variable, &hir::Capture::inner);
-    if (found == capture.end()) return variable;
-    variable = found->outer;
-  }
+  while (variable->outer != nullptr) variable = variable->outer;
+  return variable;
 }
 
 // `left.moveJ`, without the arguments.
@@ -107,6 +102,7 @@ void refuse_busy_robots(Checker& checker, Span word,
   };
   static constexpr const char* kOrdinals[] = {"first", "second", "third", "fourth", "fifth"};
   std::vector<Command> commands;
+  std::unordered_map<const hir::Variable*, std::size_t> places;  // of the commands, by robot
   for (std::size_t i = 0; i < branches.size(); ++i) {
     Beginning beginning;
     look(*branches[i]->body, beginning);
@@ -115,13 +111,14 @@ void refuse_busy_robots(Checker& checker, Span word,
     const hir::Variable* variable = declared_robot(robot);
     if (variable == nullptr && robot.kind != ExprKind::kCallNative) continue;
     if (variable != nullptr && checker.changed_names_.contains(variable->name)) continue;
-    const auto same = std::ranges::find(commands, variable, &Command::robot);
+    const auto [place, is_new] = places.try_emplace(variable, commands.size());
     const std::string branch = i < std::size(kOrdinals) ? std::string(kOrdinals[i]) + " branch"
                                                         : "branch " + std::to_string(i + 1);
-    if (same == commands.end()) {
+    if (is_new) {
       commands.push_back({beginning.command, variable, branch, i});
       continue;
     }
+    const Command* const same = &commands[place->second];
     const std::string name(variable != nullptr ? variable->name : std::string_view("robot"));
     Diagnostic diagnostic = make_diagnostic("E0501", command_span(*beginning.command), {name});
     diagnostic.mark.label = branch;

@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/long_lists.hpp"
 #include "check/printf.hpp"
 #include "check/unknown_names.hpp"
 
@@ -122,7 +123,7 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   const Type* type = object->type;
   if (type->is(Kind::kAny)) return failed(call.span);
   if (type->is(Kind::kRecord)) {
-    const int field = type->record->index_of(name);
+    const int field = field_index(*this, *type->record, name);
     if (field >= 0 && type->record->fields[field].type->is(Kind::kFunction)) {
       return call_value(field_of(object, member), call);
     }
@@ -138,7 +139,7 @@ hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr
   const bool exists =
       find_function(name) != nullptr || elsewhere != nullptr || !registry_.functions(name).empty();
   if (methods.empty() && !exists) {
-    if (type->is(Kind::kRecord) && type->record->index_of(name) >= 0) {
+    if (type->is(Kind::kRecord) && field_index(*this, *type->record, name) >= 0) {
       report(make_diagnostic("E0217", callee,
                              {std::string(name), type_phrase(field_of(object, member)->type)}));
       return failed(call.span);

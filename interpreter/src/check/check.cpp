@@ -17,8 +17,8 @@ void Checker::look_ahead(const ast::Block& program) {
   }
   const auto declare = [&](const ast::Name& name, const ast::TypeExpr* type,
                            const ast::Expr* init) {
-    top_level_names_.emplace(name.text, name.span);
-    if (const HostType* host = ambient_type(type, init))
+    const bool is_new = top_level_names_.emplace(name.text, name.span).second;
+    if (const HostType* host = is_new ? ambient_type(type, init) : nullptr)
       ambient_names_[host->name].push_back(name.text);
   };
   for (const ast::Stmt* stmt : program.body) {

@@ -109,6 +109,7 @@ struct Checker : CheckerState {
 
   // ---- constants.cpp
   [[nodiscard]] std::optional<Constant> constant_of(const hir::Expr& expr, int depth = 0) const;
+  void note_constant(const hir::Variable& variable);
   [[nodiscard]] const Fact* fact_of(const hir::Expr& expr) const;
   // The expression behind fixed variables.
   [[nodiscard]] const hir::Expr& origin_of(const hir::Expr& expr) const;
@@ -174,7 +175,8 @@ struct Checker : CheckerState {
   hir::Expr* ambient_value(const HostType& type, Span callee);
   [[nodiscard]] const Fact* ambient_fact(std::string_view type);
   // The variables that a call without a robot may mean, and the names of all that it could mean.
-  Ambient find_ambient(const HostType& type);
+  // all: every name that it could mean, not only two that differ.
+  Ambient find_ambient(const HostType& type, bool all = false);
   void note_pause(Span span);
   hir::Expr* run_rule(std::string_view name, const std::vector<Argument>& arguments, const Fit& fit,
                       hir::CallNativeExpr* call);  // rules.cpp
@@ -184,7 +186,6 @@ struct Checker : CheckerState {
                          std::vector<Argument> arguments);
   hir::Expr* construct(const StructDecl& structure, Span callee, Span span,
                        std::vector<Argument> arguments);
-  hir::Expr* default_value(const ast::Expr& expr, const Target& target, std::string_view what);
   // The arguments by parameter; empty with a message if they do not fit.
   std::optional<std::vector<Argument*>> by_parameter(std::string_view name,
                                                      ast::Seq<ast::Param> parameters, Span callee,
@@ -249,10 +250,9 @@ struct Checker : CheckerState {
   hir::Variable* loop_variable(const ast::ForInStmt& stmt, const Type* type);
   // switches.cpp
   hir::Stmt* check_switch(const ast::SwitchStmt& stmt);
-  hir::Expr* case_test(hir::Variable* subject, const ast::Expr& value,
-                       std::vector<std::string>& seen);
+  hir::Expr* case_test(hir::Variable* subject, const ast::Expr& value, std::set<std::string>& seen);
   void missing_cases(const ast::SwitchStmt& stmt, const Type* type,
-                     const std::vector<std::string>& seen);
+                     const std::set<std::string>& seen);
   void advise_missing_break(const ast::SwitchStmt& stmt);
   // asserts.cpp
   hir::Stmt* check_assert(const ast::CallExpr& call);
@@ -266,7 +266,7 @@ struct Checker : CheckerState {
   void check_functions();
   void collect_types(const ast::Block& program);
   void collect_functions(const ast::Block& program);
-  bool refuse_endless(const ast::StructStmt& node, const Type* whole, const Type* part, int depth);
+  void refuse_endless();
   void fill_struct(const ast::StructStmt& node);
   hir::Stmt* check_var(const ast::VarStmt& stmt);
   hir::Stmt* declare(const ast::VarStmt& stmt, const ast::Declarator& declarator);
@@ -290,7 +290,7 @@ struct Checker : CheckerState {
   void mark_unset_globals();
   void prepare_tests();
   void check_conditions();
-  [[nodiscard]] Use closure_of(Use seed);
+  [[nodiscard]] bool may_pause(const Use& use);
 
   // ---- names
   Local* find_local(std::string_view name, FunctionContext*& where);

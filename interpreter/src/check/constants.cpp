@@ -66,6 +66,13 @@ bool is_number(const Constant& constant) {
   return constant.kind == Constant::Kind::kInt || constant.kind == Constant::Kind::kReal;
 }
 
+// How much there is to copy.
+std::size_t size_of(const Constant& constant) {
+  std::size_t size = 1 + constant.text.size();
+  for (const Constant& item : constant.items) size += size_of(item);
+  return size;
+}
+
 Constant to_real(Constant constant) {
   if (constant.kind == Constant::Kind::kInt) constant.kind = Constant::Kind::kReal;
   for (Constant& item : constant.items) item = to_real(std::move(item));
@@ -88,8 +95,11 @@ std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) c
       return Constant{.kind = Constant::Kind::kText,
                       .text = std::string(expr.as<hir::TextExpr>().value)};
     case ExprKind::kVariable: {
-      const hir::Expr* init = expr.as<hir::VariableExpr>().variable->init;
-      return init != nullptr ? constant_of(*init, depth + 1) : std::nullopt;
+      const hir::Variable* variable = expr.as<hir::VariableExpr>().variable;
+      while (variable->outer != nullptr) variable = variable->outer;
+      const auto known = shared_.constants.find(variable);
+      if (known != shared_.constants.end()) return known->second;
+      return variable->init != nullptr ? constant_of(*variable->init, depth + 1) : std::nullopt;
     }
     case ExprKind::kConvert: {
       const auto& node = expr.as<hir::ConvertExpr>();
@@ -125,6 +135,15 @@ std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) c
     default:
       return std::nullopt;
   }
+}
+
+// What a variable stands for is found once, when it is declared: `let b = a + a; let c = b + b ...`
+// would take twice as long with every line. What is large is not known through variables.
+void Checker::note_constant(const hir::Variable& variable) {
+  constexpr std::size_t kLargest = 1000;
+  std::optional<Constant> value = constant_of(*variable.init);
+  if (value && size_of(*value) > kLargest) value.reset();
+  shared_.constants.insert_or_assign(&variable, std::move(value));
 }
 
 const Fact* Checker::fact_of(const hir::Expr& expr) const {

@@ -1,6 +1,7 @@
 // Declarations: variables, structs, enums, functions, tests.
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
@@ -35,7 +36,7 @@ void Checker::close_block() {
   const bool in_function = here_->root().kind != FunctionContext::Kind::kProgram;
   for (std::size_t i = begin; i < here_->locals.size(); ++i) {
     const Local& local = here_->locals[i];
-    std::erase(here_->flow.unset, local.variable);
+    here_->flow.assign(local.variable);
     const bool declared = local.how == Declared::kLet || local.how == Declared::kFinal ||
                           local.how == Declared::kVar || local.how == Declared::kClassic;
     const Type* type = local.variable->type;
@@ -164,10 +165,12 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
                        : stmt.classic ? Declared::kFinal
                                       : Declared::kLet;
   // Fixed in fact, when nothing in the text changes it.
-  if (value != nullptr && (stmt.fixed || !changed_names_.contains(name.text)))
+  if (value != nullptr && (stmt.fixed || !changed_names_.contains(name.text))) {
     variable->init = value;
+    note_constant(*variable);
+  }
   if (fresh) add_local(variable, how, stmt.keyword);
-  if (fresh && value == nullptr) here_->flow.unset.push_back(variable);
+  if (fresh && value == nullptr) here_->flow.unset.insert(variable);
   auto* init = make<hir::InitStmt>(
       hir::StmtKind::kInit,
       cover(stmt.keyword, declarator.init != nullptr ? declarator.init->span : name.span), variable,
@@ -206,8 +209,9 @@ void Checker::collect_types(const ast::Block& program) {
     } else if (stmt->kind == ast::StmtKind::kEnum) {
       const auto& node = stmt->as<ast::EnumStmt>();
       std::vector<std::string> values;
+      std::unordered_set<std::string_view> known;
       for (const ast::Name& value : node.values) {
-        if (std::ranges::find(values, value.text) != values.end()) {
+        if (!known.insert(value.text).second) {
           sink_.begin_statement();
           report(make_diagnostic("E0204", value.span, {std::string(value.text)}));
           continue;
@@ -220,9 +224,7 @@ void Checker::collect_types(const ast::Block& program) {
   for (const ast::Stmt* stmt : program.body) {
     if (stmt->kind == ast::StmtKind::kStruct) fill_struct(stmt->as<ast::StructStmt>());
   }
-  for (const auto& [name, type] : named_types_) {
-    if (type->is(Kind::kRecord)) refuse_endless(*structs_[type->record].node, type, type, 0);
-  }
+  refuse_endless();
 }
 
 void Checker::fill_struct(const ast::StructStmt& node) {
@@ -230,32 +232,17 @@ void Checker::fill_struct(const ast::StructStmt& node) {
   if (found == named_types_.end() || !found->second->is(Kind::kRecord)) return;
   RecordInfo& record = *found->second->record;
   if (structs_[&record].node != &node) return;
+  std::unordered_set<std::string_view> known;
   for (const ast::Param& field : node.fields) {
     sink_.begin_statement();
     const Type* type = field.type != nullptr ? resolve(*field.type) : types_.any();
     if (field.type == nullptr)
       report(make_diagnostic("E0323", field.name.span, {"`" + std::string(field.name.text) + "`"}));
-    if (record.index_of(field.name.text) >= 0) {
+    if (!known.insert(field.name.text).second) {
       report(make_diagnostic("E0204", field.name.span, {std::string(field.name.text)}));
     }
     record.fields.push_back({std::string(field.name.text), type, field.default_value != nullptr});
   }
-}
-
-// A record that holds itself, directly or through others, would never end.
-bool Checker::refuse_endless(const ast::StructStmt& node, const Type* whole, const Type* part,
-                             int depth) {
-  if (depth > 64) return true;
-  for (const RecordField& field : part->record->fields) {
-    if (!field.type->is(Kind::kRecord)) continue;
-    if (field.type == whole) {
-      sink_.begin_statement();
-      report(make_diagnostic("E0333", node.name.span, {std::string(node.name.text)}));
-      return false;
-    }
-    if (!refuse_endless(node, whole, field.type, depth + 1)) return false;
-  }
-  return true;
 }
 
 void Checker::collect_functions(const ast::Block& program) {
@@ -278,17 +265,17 @@ void Checker::collect_functions(const ast::Block& program) {
     FunctionDecl& function = functions_[node.name.text];
     function.node = &node;
     function.file = this;
+    std::unordered_map<std::string_view, Span> known;
     for (std::size_t i = 0; i < node.params.size(); ++i) {
       const ast::Param& param = node.params[i];
       function.parameters.push_back(resolve_open(*this, param.type));
-      for (std::size_t k = 0; k < i; ++k) {
-        if (node.params[k].name.text != param.name.text) continue;
-        Diagnostic diagnostic =
-            make_diagnostic("E0204", param.name.span, {std::string(param.name.text)});
-        diagnostic.mark.label = "declared again";
-        diagnostic.related.push_back({node.params[k].name.span, "first declared here"});
-        report(std::move(diagnostic));
-      }
+      const auto [earlier, is_new] = known.try_emplace(param.name.text, param.name.span);
+      if (is_new) continue;
+      Diagnostic diagnostic =
+          make_diagnostic("E0204", param.name.span, {std::string(param.name.text)});
+      diagnostic.mark.label = "declared again";
+      diagnostic.related.push_back({earlier->second, "first declared here"});
+      report(std::move(diagnostic));
     }
     if (node.result != nullptr) {
       function.result = resolve_open(*this, node.result);

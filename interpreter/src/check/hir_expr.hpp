@@ -22,8 +22,7 @@ struct Function;
 
 // ---- variables
 
-// Where a variable lives. The checker starts with kLocal and raises it when it sees a use from
-// elsewhere.
+// Where a variable lives. It starts as kLocal, until a use from elsewhere is seen.
 enum class Storage : std::uint8_t {
   kLocal,   // a register of its function
   kGlobal,  // of the top level, and used by a function, test, condition or task: has a number
@@ -36,6 +35,7 @@ struct Variable {
   const Type* type = nullptr;
   Span declared;
   Function* owner = nullptr;
+  Variable* outer = nullptr;  // captured: the variable of the enclosing function
   Storage storage = Storage::kLocal;
   bool fixed = false;  // let, final, parameters, loop variables
   bool is_parameter = false;
@@ -58,10 +58,11 @@ struct Function {
   Seq<Capture> captures;
   const Type* result = nullptr;  // void type if none
   Block* body = nullptr;
-  std::uint32_t index = 0;    // in the program's functions
-  bool is_condition = false;  // the condition of until, wait until, when: may not pause
-  bool expands = false;       // the compiler's: small enough to stand in place of its calls
-  bool is_task = false;       // a block of parallel, when, every: `name` is what the task is called
+  std::uint32_t index = 0;         // in the program's functions
+  bool is_condition = false;       // the condition of until, wait until, when: may not pause
+  bool expands = false;            // the compiler's: small enough to stand in place of its calls
+  bool gives_fixed_value = false;  // a default value, the same at every call
+  bool is_task = false;  // a block of parallel, when, every: `name` is what the task is called
 };
 
 // ---- expressions

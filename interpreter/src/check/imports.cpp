@@ -81,6 +81,10 @@ bool refuse_member(Checker& checker, const Checker& file, std::string_view impor
   if (checker.syntax_failed_ || file.syntax_failed_ || !checker.told_.emplace(whole).second)
     return true;
   Diagnostic diagnostic = make_diagnostic("E0201", member.span, {whole});
+  if (!checker.takes_errors()) {
+    checker.report(std::move(diagnostic));
+    return true;
+  }
   const std::vector<std::string_view> names = public_names(file);
   if (const auto meant = suggest(member.text, std::span<const std::string_view>(names))) {
     const std::string better = std::string(import) + '.' + std::string(*meant);
@@ -314,13 +318,14 @@ Importer importer_of(const Checker& file) {
 }
 
 void refuse(Checker& file, Span statement, bool moves) {
+  file.sink_.begin_statement();
+  if (!file.takes_errors()) return;
   const Importer by = importer_of(file);
   const std::string importer = file_name(*by.file);
   Diagnostic diagnostic = make_diagnostic(moves ? "E0504" : "E0221", statement);
   diagnostic.mark.label = "top level of " + file_name(file) + ", imported from " + importer + ':' +
                           std::to_string(by.file->line_of(by.span));
   diagnostic.fix = Fix{.text = "put this line inside a function and call it from " + importer};
-  file.sink_.begin_statement();
   file.report(std::move(diagnostic));
 }
 
@@ -329,11 +334,11 @@ void refuse(Checker& file, Span statement, bool moves) {
 void refuse_active_statements(Checker& checker) {
   if (is_main_file(checker)) return;
   for (auto& [span, used] : checker.active_statements_)
-    refuse(checker, span, checker.closure_of(std::move(used)).pauses);
+    refuse(checker, span, checker.may_pause(used));
   for (const auto& [variable, init] : checker.top_level_) {
     if (init->span.source != checker.program_.span.source) continue;
     const auto used = checker.init_uses_.find(variable);
-    if (used != checker.init_uses_.end() && checker.closure_of(used->second).pauses)
+    if (used != checker.init_uses_.end() && checker.may_pause(used->second))
       refuse(checker, init->span, true);
   }
 }

@@ -11,8 +11,7 @@ namespace armlet::lang {
 
 void Checker::make_global(hir::Variable& variable) {
   if (std::exchange(variable.storage, hir::Storage::kGlobal) == hir::Storage::kGlobal) return;
-  const auto is_it = [&](const auto& declared) { return declared.first == &variable; };
-  if (std::ranges::none_of(top_level_, is_it)) inner_globals_.push_back(&variable);
+  if (!init_uses_.contains(&variable)) inner_globals_.push_back(&variable);  // not at top level
 }
 
 // The variable that `here` uses for a variable of `owner` outside of it.
@@ -33,10 +32,11 @@ hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionC
     make_global(*outer);
     return outer;
   }
-  const auto known = std::ranges::find(here.captures, outer, &hir::Capture::outer);
-  if (known != here.captures.end()) return known->inner;
+  if (const auto known = here.inner_of.find(outer); known != here.inner_of.end())
+    return known->second;
   hir::Variable* inner = new_variable(outer->name, outer->type, outer->declared);
   inner->owner = here.function;
+  inner->outer = outer;
   inner->fixed = true;
   inner->init = outer->init;
   if (shares && !outer->fixed) {
@@ -45,6 +45,7 @@ hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionC
     inner->storage = outer->storage = hir::Storage::kBoxed;
   }
   here.captures.push_back({outer, inner});
+  here.inner_of.emplace(outer, inner);
   return inner;
 }
 

@@ -34,7 +34,7 @@ hir::Stmt* Checker::loop_body(const hir::Stmt* loop, const ast::Stmt& body, bool
   close_block();
   Flow after = before;
   if (endless) after.reachable = false;
-  for (const Flow& exit : here_->targets.back().exits) after.merge(exit);
+  after.merge(merged(std::move(here_->targets.back().exits)));
   here_->targets.pop_back();
   here_->flow = std::move(after);
   if (out == nullptr)
@@ -66,12 +66,12 @@ hir::Stmt* Checker::check_do(const ast::DoStmt& stmt) {
   // The body runs at least once, so what it stores on every way to the condition is stored.
   here_->targets.push_back({JumpTarget::Kind::kLoop, loop});
   loop->body = check_block(stmt.body->body, stmt.body->span);
-  for (const Flow& repeat : here_->targets.back().repeats) here_->flow.merge(repeat);
+  here_->flow.merge(merged(std::move(here_->targets.back().repeats)));
   Flow after = here_->flow;
   sink_.begin_statement();
   loop->condition = condition(*stmt.condition);
   if (is_always_true(loop->condition)) after.reachable = false;
-  for (const Flow& exit : here_->targets.back().exits) after.merge(exit);
+  after.merge(merged(std::move(here_->targets.back().exits)));
   here_->targets.pop_back();
   here_->flow = std::move(after);
   return loop;

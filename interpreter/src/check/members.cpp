@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/long_lists.hpp"
 #include "check/matrices.hpp"
 #include "check/recordings.hpp"
 
@@ -74,17 +75,14 @@ hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string
     const auto value = [&](std::int64_t i) {
       return make<hir::IntExpr>(hir::ExprKind::kEnum, type, member.span, i);
     };
-    if (const int i = info.index_of(field); i >= 0) return value(i);
-    if (field == "values") {
-      std::vector<hir::Expr*> all;
-      for (std::size_t i = 0; i < info.values.size(); ++i)
-        all.push_back(value(static_cast<std::int64_t>(i)));
-      return make<hir::ListExpr>(hir::ExprKind::kList, types_.list(type), member.span, seq(all));
-    }
+    if (const int i = value_index(*this, info, field); i >= 0) return value(i);
+    if (field == "values") return enum_values(*this, type, member.span);
     Diagnostic diagnostic =
         make_diagnostic("E0218", member.member.span, {std::string(name), std::string(field)});
-    diagnostic.fix =
-        did_you_mean(field, member.member.span, {info.values.begin(), info.values.end()});
+    if (takes_errors()) {
+      diagnostic.fix =
+          did_you_mean(field, member.member.span, {info.values.begin(), info.values.end()});
+    }
     report(std::move(diagnostic));
     return failed(member.span);
   }
@@ -109,7 +107,7 @@ hir::Expr* Checker::field_of(hir::Expr* object, const ast::MemberExpr& member) {
   if (type->is(Kind::kEnum) && field == "name") return enum_name(object, member.span);
   if (type->is_table()) return column_of(*this, object, member);
   if (type->is(Kind::kRecord)) {
-    const int i = type->record->index_of(field);
+    const int i = field_index(*this, *type->record, field);
     if (i < 0) return unknown_field(*object, member.member);
     return make<hir::FieldExpr>(hir::ExprKind::kField, type->record->fields[i].type, member.span,
                                 object, static_cast<std::uint32_t>(i));
@@ -131,23 +129,15 @@ hir::Expr* Checker::last_of(hir::Expr* list, Span span) {
   return make<hir::ElementExpr>(hir::ExprKind::kElement, element, span, list, index);
 }
 
-// The names in a list, picked by number.
-hir::Expr* Checker::enum_name(hir::Expr* value, Span span) {
-  std::vector<hir::Expr*> names;
-  for (const std::string& name : value->type->enumeration->values) {
-    names.push_back(
-        make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), span, arena_.copy(name)));
-  }
-  hir::Expr* list =
-      make<hir::ListExpr>(hir::ExprKind::kList, types_.list(types_.text()), span, seq(names));
-  hir::Expr* number = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.integer(), span,
-                                             hir::Conversion::kSame, value);
-  return make<hir::ElementExpr>(hir::ExprKind::kElement, types_.text(), span, list, number);
-}
-
 hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& field) {
+  // A field may have this name in a struct whose text failed.
+  if (syntax_failed_ || told_.contains(field.text)) return failed(field.span);
   std::vector<std::string> names;
   const Type* type = object.type;
+  if (!takes_errors()) {
+    report(make_diagnostic("E0208", field.span, {"", ""}));
+    return failed(field.span);
+  }
   if (type->is(Kind::kRecord)) {
     for (const RecordField& known : type->record->fields) names.push_back(known.name);
     if (type->is_table()) names.emplace_back("length");
@@ -163,8 +153,6 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
   } else if (type->is(Kind::kEnum)) {
     names = {"name"};
   }
-  // A field may have this name in a struct whose text failed.
-  if (syntax_failed_ || told_.contains(field.text)) return failed(field.span);
   const std::string whole = type_name(type) + '.' + std::string(field.text);
   if (registry_.is_planned(whole)) return not_available(field.span, '`' + whole + '`');
   Diagnostic diagnostic =

@@ -69,6 +69,7 @@ std::string Checker::line_name(Span span) const {
 
 std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
                                          const std::vector<std::string_view>& names) const {
+  if (!takes_errors()) return std::nullopt;
   const auto found = suggest(name, std::span<const std::string_view>(names));
   if (!found) return std::nullopt;
   return Fix{.text = "did you mean " + quoted(*found) + "?",
@@ -78,6 +79,7 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
 
 std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
                                          const Type* wanted) const {
+  if (!takes_errors()) return std::nullopt;
   std::vector<Candidate> own;
   std::map<std::string_view, Span> declared;
   const auto add = [&](const Local& local) {
@@ -111,6 +113,10 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
 
 hir::Expr* Checker::unknown_name(std::string_view name, Span span, const Type* expected) {
   if (syntax_failed_ || !told_.emplace(name).second) return failed(span);
+  if (!takes_errors()) {
+    report(make_diagnostic("E0201", span, {std::string(name)}));
+    return failed(span);
+  }
   constexpr std::array<std::string_view, 6> kNothings = {"null", "None",      "nil",
                                                          "NULL", "undefined", "nullptr"};
   if (std::ranges::find(kNothings, name) != kNothings.end()) {
@@ -206,6 +212,10 @@ Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, con
 hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
   const Type* have = value.type;
   const Type* want = target.type;
+  if (!takes_errors()) {  // what is said below may quote the whole call
+    report(make_diagnostic("E0315", value.span, {"", ""}));
+    return failed(value.span);
+  }
   const std::string have_text = table_phrase(have);
   const std::string want_text = table_phrase(want);
   if (!have_text.empty() && !want_text.empty()) {

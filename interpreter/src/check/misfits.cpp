@@ -43,6 +43,7 @@ int receivers(const std::vector<Argument>& arguments) {
 
 void Checker::report_misfit(std::string_view name, const Signature& signature, Span callee,
                             Span span, const std::vector<Argument>& arguments, const Fit& fit) {
+  if (!takes_errors()) return report(make_diagnostic("E0312", callee, {"", "", ""}));
   if (refuse_decimal_comma(*this, arguments)) return;
   switch (fit.problem) {
     case Fit::Problem::kUnknownName:

@@ -168,7 +168,7 @@ void Checker::note_pause(Span span) {
 
 // ---- the robot that is not written -------------------------------------------------------------
 
-Ambient Checker::find_ambient(const HostType& type) {
+Ambient Checker::find_ambient(const HostType& type, bool all) {
   Ambient out;
   for (FunctionContext* context = here_; context != nullptr; context = context->outer) {
     for (auto with = context->ambients.rbegin(); with != context->ambients.rend(); ++with) {
@@ -176,9 +176,10 @@ Ambient Checker::find_ambient(const HostType& type) {
     }
   }
   const auto look_in = [&](FunctionContext& context, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      Local& local = context.locals[i];
-      if (!local.variable->type->is(Kind::kHost) || local.variable->type->host != &type) continue;
+    for (const std::size_t place : context.ambient_places) {
+      if (place >= count || (!all && out.names.size() > 1)) return;
+      Local& local = context.locals[place];
+      if (local.variable->type->host != &type) continue;
       out.local = &local;
       out.where = &context;
       out.names.push_back(local.variable->name);
@@ -189,25 +190,28 @@ Ambient Checker::find_ambient(const HostType& type) {
     look_in(*context, context->locals.size());
   }
   if (!out.names.empty()) return out;
-  std::vector<std::string_view> all;
+  std::vector<std::string_view> found;
   for (Checker* file : shared_.files) {
     FunctionContext& top = file->main_;
     const bool whole = &here_->root() == &top || top.blocks.size() < 2;
     look_in(top, whole ? top.locals.size() : top.blocks[1]);
-    for (const std::string_view declared : file->ambient_names_[type.name])
+    for (const std::string_view declared : file->ambient_names_[type.name]) {
+      if (!all && out.names.size() > 2) break;  // two of them differ
       out.names.push_back(declared);
+    }
     std::ranges::sort(out.names);
     out.names.erase(std::unique(out.names.begin(), out.names.end()), out.names.end());
     // Robots of two files may have the same name.
-    std::ranges::move(out.names, std::back_inserter(all));
+    std::ranges::move(out.names, std::back_inserter(found));
     out.names.clear();
+    if (!all && found.size() > 1) break;
   }
-  out.names = std::move(all);
+  out.names = std::move(found);
   return out;
 }
 
 hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
-  const Ambient found = find_ambient(type);
+  const Ambient found = find_ambient(type, takes_errors());
   if (found.names.size() > 1) {
     static constexpr std::array<std::string_view, 8> kCounts = {"",     "",     "two", "three",
                                                                 "four", "five", "six", "seven"};

@@ -194,7 +194,7 @@ hir::Expr* Checker::arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir
     hir::Expr* result = binary(types_.integer(), ops.integer, left, right);
     if (node.op == BinaryOp::kDiv && is_int_literal(*left) && is_int_literal(*right)) {
       const std::int64_t by = right->as<hir::IntExpr>().value;
-      if (by != 0 && by != -1 && left->as<hir::IntExpr>().value % by != 0) {
+      if (by != 0 && by != -1 && left->as<hir::IntExpr>().value % by != 0 && takes_advice()) {
         Diagnostic advice = make_diagnostic(
             "W0701", node.span,
             {text_of(node.span), std::to_string(left->as<hir::IntExpr>().value / by)});
@@ -324,6 +324,10 @@ hir::Expr* Checker::operator_native(std::string_view op, Span op_span, Span span
 hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& left,
                                 const hir::Expr& right) {
   const std::string op(operator_text(node.op));
+  if (!takes_errors()) {
+    report(make_diagnostic("E0316", node.op_span, {"", "", ""}));
+    return failed(node.span);
+  }
   if (left.type->is(Kind::kList) && right.type->is(Kind::kList) &&
       (node.op == BinaryOp::kMul || node.op == BinaryOp::kDiv)) {
     Diagnostic diagnostic = make_diagnostic("E0304", node.span, {op});

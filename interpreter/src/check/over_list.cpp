@@ -85,7 +85,7 @@ void note_callbacks(Checker& checker, const NativeFunction& function,
 
 void check_callbacks(Checker& checker) {
   for (const Callback& callback : checker.callbacks_) {
-    if (!checker.closure_of(checker.uses_[callback.function]).pauses) continue;
+    if (!checker.may_pause(checker.uses_[callback.function])) continue;
     checker.sink_.begin_statement();
     checker.report(make_diagnostic("E0520", callback.span, {std::string(callback.called_by)}));
   }

@@ -18,6 +18,27 @@ bool is_ambient_first(const Signature& signature) {
          first.type->host->is_ambient;
 }
 
+// Finds parameters by name; in a table when there are many of both.
+class ParameterNames {
+ public:
+  ParameterNames(const Signature& signature, std::size_t searches) : signature_(signature) {
+    constexpr std::size_t kMany = 16;
+    if (signature.parameters.size() < kMany || searches < kMany) return;
+    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+      table_.emplace(signature.parameters[i].name, static_cast<int>(i));
+  }
+
+  [[nodiscard]] int find(std::string_view name) const {
+    if (table_.empty()) return signature_.index_of(name);
+    const auto found = table_.find(name);
+    return found == table_.end() ? -1 : found->second;
+  }
+
+ private:
+  const Signature& signature_;
+  std::unordered_map<std::string_view, int> table_;
+};
+
 auto rank(const Fit& fit) { return std::tuple(fit.cost, fit.generic, fit.ambient); }
 
 }  // namespace
@@ -37,6 +58,7 @@ const Signature& Checker::signature_of(const NativeFunction& function) {
 bool Checker::place_arguments(const Signature& signature, const std::vector<Argument>& arguments,
                               Fit& fit) const {
   const auto& parameters = signature.parameters;
+  const ParameterNames names(signature, arguments.size());
   fit.from.assign(parameters.size(), -1);
   std::size_t next = fit.ambient ? 1 : 0;
   bool named = false;
@@ -49,7 +71,7 @@ bool Checker::place_arguments(const Signature& signature, const std::vector<Argu
     const Argument& argument = arguments[i];
     if (!argument.name.empty()) {
       named = true;
-      const int at = signature.index_of(argument.name);
+      const int at = names.find(argument.name);
       if (at < (fit.ambient ? 1 : 0)) return problem(Problem::kUnknownName, i);
       if (fit.from[at] >= 0) return problem(Problem::kTwice, i);
       fit.from[at] = i;

@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/long_lists.hpp"
 #include "check/matrices.hpp"
 #include "check/tasks.hpp"
 #include "check/unknown_names.hpp"
@@ -191,7 +192,7 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
       report(std::move(diagnostic));
       return std::nullopt;
     }
-    const int i = type->is(Kind::kRecord) ? type->record->index_of(field.text) : -1;
+    const int i = type->is(Kind::kRecord) ? field_index(*this, *type->record, field.text) : -1;
     if (i < 0 && type->is(Kind::kRecord)) {
       unknown_field(hir::Expr{.kind = hir::ExprKind::kVariable, .type = type, .span = at.span},
                     field);

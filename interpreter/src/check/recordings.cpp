@@ -7,8 +7,11 @@
 #include "check/recordings.hpp"
 
 #include <algorithm>
+#include <string>
+#include <unordered_set>
 
 #include "check/any_table.hpp"
+#include "check/long_lists.hpp"
 #include "table_functions.hpp"
 
 namespace armlet::lang {
@@ -41,12 +44,11 @@ hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
   std::vector<hir::Expr*> values{
       checker.make<hir::RealExpr>(hir::ExprKind::kReal, time, stmt.name.span, 0.0)};
   bool well = true;
+  std::unordered_set<std::string> names = {"t", "length"};
   for (const ast::BlockItem& item : stmt.items) {
     checker.sink_.begin_statement();
     const std::string name(item.name.text);
-    const bool taken = name == "length" || std::ranges::any_of(columns, [&](const auto& column) {
-                         return column.name == name;
-                       });
+    const bool taken = !item.is_row && !names.insert(name).second;
     if (item.is_row || taken) {
       Diagnostic diagnostic = item.is_row ? make_diagnostic("E0516", item.span, {name})
                                           : make_diagnostic("E0212", item.name.span, {name});
@@ -141,7 +143,7 @@ hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& 
     return builtin(checker, kTableLength, checker.types_.integer(), member.span, {table});
   if (!settle(checker, *table)) return checker.failed(member.span);
   const RecordInfo& info = *table->type->record;
-  const int column = info.index_of(member.member.text);
+  const int column = field_index(checker, info, member.member.text);
   if (column < 0) return checker.unknown_field(*table, member.member);
   hir::Expr* number = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types_.integer(),
                                                  member.span, static_cast<std::int64_t>(column));

@@ -1,6 +1,9 @@
 #include "check/scope.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "armlet/interpreter/native.hpp"
 
 namespace armlet::lang {
 
@@ -10,15 +13,27 @@ void Flow::merge(const Flow& other) {
     *this = other;
     return;
   }
-  for (const hir::Variable* variable : other.unset) {
-    if (!is_unset(variable)) unset.push_back(variable);
+  unset.unite(other.unset);
+}
+
+void Flow::add_values_of(const Flow& other) {
+  if (other.reachable) {
+    unset.intersect(other.unset);
+  } else {
+    unset = {};
   }
 }
 
-void Flow::assign(const hir::Variable* variable) { std::erase(unset, variable); }
-
 bool Flow::is_unset(const hir::Variable* variable) const {
-  return reachable && std::ranges::find(unset, variable) != unset.end();
+  return reachable && unset.contains(variable);
+}
+
+Flow merged(std::vector<Flow> ways) {
+  if (ways.empty()) return {.reachable = false};
+  for (std::size_t step = 1; step < ways.size(); step *= 2) {
+    for (std::size_t i = 0; i + step < ways.size(); i += 2 * step) ways[i].merge(ways[i + step]);
+  }
+  return std::move(ways.front());
 }
 
 void Use::add(hir::Variable* variable) {
@@ -36,6 +51,9 @@ Local* FunctionContext::find(std::string_view name) {
 
 void FunctionContext::add(Local local) {
   places[local.variable->name] = locals.size();
+  const Type& type = *local.variable->type;
+  if (type.is(armlet::Kind::kHost) && type.host->is_ambient)
+    ambient_places.push_back(locals.size());
   locals.push_back(local);
 }
 
@@ -44,6 +62,7 @@ void FunctionContext::drop(std::size_t first) {
     const auto found = places.find(locals[i].variable->name);
     if (found != places.end() && found->second == i) places.erase(found);
   }
+  while (!ambient_places.empty() && ambient_places.back() >= first) ambient_places.pop_back();
   locals.resize(first);
 }
 

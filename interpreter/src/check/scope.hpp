@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/hir.hpp"
+#include "check/variable_set.hpp"
 #include "syntax/ast.hpp"
 
 namespace armlet::lang {
@@ -36,13 +37,18 @@ struct Local {
 // some way.
 struct Flow {
   bool reachable = true;
-  std::vector<const hir::Variable*> unset{};
+  VariableSet unset{};
 
   // Where two ways meet.
   void merge(const Flow& other);
-  void assign(const hir::Variable* variable);
+  // After what has run besides: what has a value there has one here too.
+  void add_values_of(const Flow& other);
+  void assign(const hir::Variable* variable) { unset.erase(variable); }
   [[nodiscard]] bool is_unset(const hir::Variable* variable) const;
 };
+
+// Where many ways meet. In pairs, then pairs of pairs, so that sets that are much alike meet first.
+[[nodiscard]] Flow merged(std::vector<Flow> ways);
 
 // A statement that break, continue or retry can leave; kFinally and kPath: one that nothing can
 // leave.
@@ -116,9 +122,13 @@ struct FunctionContext {
   Instance* instance = nullptr;         // kNamed
   std::vector<Local> locals{};          // all that can be seen, innermost last
   std::unordered_map<std::string_view, std::size_t> places{};  // of names in locals
+  std::vector<std::size_t>
+      ambient_places{};                 // of the locals that calls can leave out, such as robots
   std::vector<std::size_t> blocks{};    // where each open block begins in locals
   std::vector<WithAmbient> ambients{};  // innermost last
   std::vector<hir::Capture> captures{};
+  std::unordered_map<const hir::Variable*, hir::Variable*>
+      inner_of{};  // what captures has, by outer
   std::vector<JumpTarget> targets{};
   Flow flow{};
   const Type* result = nullptr;  // declared, or of the first return; null: none so far

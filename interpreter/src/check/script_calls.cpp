@@ -4,6 +4,7 @@
 
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
+#include "check/long_lists.hpp"
 
 namespace armlet::lang {
 
@@ -28,55 +29,6 @@ std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view nam
   return out;
 }
 
-namespace {
-
-// A value that is the same at every call: written in the text, or a value of the host made from
-// such values.
-bool is_fixed_value(const hir::Expr& value) {
-  const auto all = [](const auto& items) {
-    return std::ranges::all_of(items, [](const hir::Expr* item) { return is_fixed_value(*item); });
-  };
-  switch (value.kind) {
-    case hir::ExprKind::kBool:
-    case hir::ExprKind::kInt:
-    case hir::ExprKind::kReal:
-    case hir::ExprKind::kText:
-    case hir::ExprKind::kEnum:
-    case hir::ExprKind::kAbsent:
-    case hir::ExprKind::kFunctionValue:
-      return true;
-    case hir::ExprKind::kConvert:
-      return is_fixed_value(*value.as<hir::ConvertExpr>().operand);
-    case hir::ExprKind::kUnary:
-      return is_fixed_value(*value.as<hir::UnaryExpr>().operand);
-    case hir::ExprKind::kBinary:
-      return is_fixed_value(*value.as<hir::BinaryExpr>().left) &&
-             is_fixed_value(*value.as<hir::BinaryExpr>().right);
-    case hir::ExprKind::kList:
-      return all(value.as<hir::ListExpr>().items);
-    case hir::ExprKind::kMatrix:
-      return all(value.as<hir::MatrixExpr>().items);
-    case hir::ExprKind::kRecord:
-      return all(value.as<hir::RecordExpr>().fields);
-    case hir::ExprKind::kCallNative:
-      return value.type->is(Kind::kHost) && all(value.as<hir::CallNativeExpr>().arguments);
-    default:
-      return false;
-  }
-}
-
-}  // namespace
-
-hir::Expr* Checker::default_value(const ast::Expr& expr, const Target& target,
-                                  std::string_view what) {
-  const bool before = std::exchange(only_top_level_, true);
-  hir::Expr* value = target.type != nullptr ? check_as(expr, target) : check_value(expr);
-  only_top_level_ = before;
-  if (value->type->is(Kind::kAny) || is_fixed_value(*value)) return value;
-  report(make_diagnostic("E0334", expr.span, {std::string(what), "a value written in the text"}));
-  return failed(expr.span);
-}
-
 hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
                                 std::vector<Argument> arguments) {
   const ast::FunctionStmt& node = *function.node;
@@ -99,7 +51,7 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
                                         : Span{callee.end, callee.end, callee.source});
     hir::Expr* value = nullptr;
     if (argument == nullptr) {
-      value = function.file->default_value(*node.params[p].default_value, target, "a default");
+      value = default_value(*this, *function.file, *node.params[p].default_value, target);
     } else {
       if (!argument->name.empty()) target.role = Target::Role::kSetting;
       target.position = static_cast<int>(argument - arguments.data()) + 1 - receiver;
@@ -146,7 +98,7 @@ hir::Expr* Checker::construct(const StructDecl& structure, Span callee, Span spa
                   .call = span};
     if (argument == nullptr) {
       values.push_back(
-          structure.file->default_value(*node.fields[i].default_value, target, "a default"));
+          default_value(*this, *structure.file, *node.fields[i].default_value, target));
     } else {
       if (argument->waits()) argument->value = check_value(*argument->written, target.type);
       values.push_back(require(argument->value, target));

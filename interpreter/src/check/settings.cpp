@@ -7,6 +7,7 @@
 #include "check/settings.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace armlet::lang {
 namespace {
@@ -17,6 +18,8 @@ constexpr std::string_view kClose = "with}";
 
 void unknown_setting(Checker& checker, std::string_view word, const ast::Arg& setting) {
   const std::string prefix = std::string(word) + '.';
+  if (!checker.takes_errors())
+    return checker.report(make_diagnostic("E0207", setting.span, {std::string(word), ""}));
   std::vector<std::string_view> known;
   for (const std::string_view name : checker.registry_.public_names()) {
     if (name.starts_with(prefix)) known.push_back(name.substr(prefix.size()));
@@ -85,10 +88,10 @@ void check_setting(Checker& checker, std::string_view word, const ast::Arg& sett
 CheckedSettings check_settings(Checker& checker, std::string_view word,
                                ast::Seq<ast::Arg> settings) {
   CheckedSettings out;
+  std::unordered_set<std::string_view> given;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const std::string_view name = settings[i].name.text;
-    const auto is_same = [&](const ast::Arg& other) { return other.name.text == name; };
-    if (!name.empty() && std::ranges::any_of(settings.first(i), is_same)) {
+    if (!name.empty() && !given.insert(name).second) {
       checker.report(make_diagnostic("E0212", settings[i].name.span, {std::string(name)}));
       continue;
     }

@@ -4,10 +4,12 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,14 @@ struct Callback {
 struct PathBlock {
   const hir::Block* body;
   Span head;  // where it begins
+};
+
+// A default value that was needed once.
+struct Default {
+  hir::Expr* value = nullptr;
+  hir::Function* function = nullptr;  // gives the value; null: it is so small that it is repeated
+  Use use{};                          // what the value mentions
+  bool is_open = false;               // being checked
 };
 
 // What the files of one program have in common.
@@ -56,6 +66,16 @@ struct SharedState {
   std::set<std::string> mentioned{};
   std::map<std::string, Span> later{};  // what the program uses and nothing stands behind yet
   const Type* error_type = nullptr;
+  // By record or enum with many names: where each stands.
+  std::unordered_map<const void*, std::unordered_map<std::string_view, int>> places{};
+  // By enum with many values: the functions that give the names of values, and all values.
+  std::unordered_map<const EnumInfo*, hir::Function*> enum_names{};
+  std::unordered_map<const EnumInfo*, hir::Function*> enum_values{};
+  std::unordered_map<const ast::Expr*, Default> defaults{};
+  // Functions that may wait or move, through others too; known when all have been checked.
+  std::optional<std::unordered_set<const hir::Function*>> pausing{};
+  std::size_t defaults_taken = 0;                                                 // by all calls
+  std::unordered_map<const hir::Variable*, std::optional<Constant>> constants{};  // of variables
 };
 
 // What is known of one file.
@@ -85,6 +105,12 @@ struct CheckerState {
   template <class T>
   hir::Seq<T> seq(const std::vector<T>& items) {
     return arena_.copy(items);
+  }
+
+  // Whether an error, or advice, would be kept now: what is dear to say need not be made otherwise.
+  [[nodiscard]] bool takes_errors() const { return !sink_.statement_failed() && !sink_.full(); }
+  [[nodiscard]] bool takes_advice() const {
+    return static_cast<int>(sink_.all().size()) < options_.limits.errors;
   }
 
   const FileTree& file_;

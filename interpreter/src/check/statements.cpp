@@ -419,8 +419,7 @@ hir::Stmt* Checker::check_try(const ast::TryStmt& stmt) {
     out->finally = check_block(stmt.finally->body, stmt.finally->span);
     here_->targets.pop_back();
     // What finally stores is stored on every way on.
-    std::erase_if(after.unset,
-                  [&](const hir::Variable* variable) { return !here_->flow.is_unset(variable); });
+    after.add_values_of(here_->flow);
     after.reachable = after.reachable && here_->flow.reachable;
     here_->flow = std::move(after);
   }

@@ -21,7 +21,7 @@ const ast::Stmt* last_statement(ast::Seq<ast::Stmt*> body) {
 // subject == value, with `value` written in the text. Notes what was compared with, to find what is
 // missing or double.
 hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value,
-                              std::vector<std::string>& seen) {
+                              std::set<std::string>& seen) {
   hir::Expr* wanted =
       require(check_value(value, subject->type), {.type = subject->type, .name = "case"});
   if (wanted->type->is(Kind::kAny)) return wanted;
@@ -36,11 +36,10 @@ hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value,
     report(make_diagnostic("E0334", value.span, {"a case", "a value written in the text"}));
     return failed(value.span);
   }
-  if (std::ranges::find(seen, shown) != seen.end()) {
+  if (!seen.insert(shown).second) {
     report(make_diagnostic("E0329", value.span, {text_of(value.span)}));
     return failed(value.span);
   }
-  seen.push_back(shown);
   hir::Expr* left =
       make<hir::VariableExpr>(hir::ExprKind::kVariable, subject->type, value.span, subject);
   const hir::Op op = subject->type->is(Kind::kText) ? hir::Op::kEqText : hir::Op::kEqI;
@@ -61,9 +60,9 @@ hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
   }
   out->subject = hidden(type, stmt.value->span);
   const Flow before = here_->flow;
-  Flow after{.reachable = false};
+  std::vector<Flow> ways;  // out of each case
   bool has_default = false;
-  std::vector<std::string> seen;
+  std::set<std::string> seen;
   std::vector<hir::SwitchCase> cases;
   std::vector<hir::Expr*> tests;
   bool is_default = false;
@@ -77,15 +76,16 @@ hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
     if (last_statement(at.body) == nullptr && i + 1 < stmt.cases.size()) continue;
     here_->flow = before;
     hir::Block* body = check_block(at.body, at.span);
-    after.merge(here_->flow);
+    ways.push_back(here_->flow);
     cases.push_back({seq(tests), is_default, body});
     has_default = has_default || is_default;
     tests.clear();
     is_default = false;
   }
   const bool complete = type->is(Kind::kEnum) && seen.size() == type->enumeration->values.size();
-  if (!has_default && !complete) after.merge(before);
-  for (const Flow& exit : here_->targets.back().exits) after.merge(exit);
+  if (!has_default && !complete) ways.push_back(before);
+  Flow after = merged(std::move(ways));
+  after.merge(merged(std::move(here_->targets.back().exits)));
   here_->targets.pop_back();
   here_->flow = std::move(after);
   sink_.begin_statement();
@@ -96,11 +96,11 @@ hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
 }
 
 void Checker::missing_cases(const ast::SwitchStmt& stmt, const Type* type,
-                            const std::vector<std::string>& seen) {
+                            const std::set<std::string>& seen) {
+  if (!takes_errors()) return report(make_diagnostic("E0307", stmt.header, {""}));
   std::vector<std::string> missing;
   for (const std::string& value : type->enumeration->values) {
-    if (std::ranges::find(seen, value) == seen.end())
-      missing.push_back(type->enumeration->name + '.' + value);
+    if (!seen.contains(value)) missing.push_back(type->enumeration->name + '.' + value);
   }
   std::string list;
   std::string cases;

@@ -99,7 +99,7 @@ hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
         is_block ? one.as<ast::Block>().body : statements.subspan(i, 1), one.span, context));
     branches.push_back(task_value(checker, context));
     // What one branch has given a value has one when all have ended.
-    std::erase_if(after.unset, [&](const hir::Variable* v) { return !context.flow.is_unset(v); });
+    after.add_values_of(context.flow);
   }
   checker.close_block();
   checker.here_->flow = std::move(after);
@@ -157,9 +157,8 @@ void note_assigned(FunctionContext& here, const hir::Variable* variable) {
   here.flow.assign(variable);
   const FunctionContext* context = &here;
   while (context->kind == FunctionContext::Kind::kTask) {
-    const auto capture = std::ranges::find(context->captures, variable, &hir::Capture::inner);
-    if (capture == context->captures.end()) return;
-    variable = capture->outer;
+    if (variable->owner != context->function || variable->outer == nullptr) return;
+    variable = variable->outer;
     here.flow.assign(variable);
     context = context->outer;
   }

@@ -35,6 +35,10 @@ const Type* Checker::resolve_named(const ast::TypeExpr& type) {
     return types_.any();
   }
   if (refuse_foreign_type(*this, name, type.span)) return types_.any();
+  if (!takes_errors()) {
+    report(make_diagnostic("E0216", type.span, {name}));
+    return types_.any();
+  }
   std::vector<std::string_view> names = {"int",    "double", "bool", "string",
                                          "matrix", "table",  "void"};
   std::ranges::copy(dimension_names(), std::back_inserter(names));

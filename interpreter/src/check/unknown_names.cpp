@@ -59,6 +59,8 @@ void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& 
     checker.unknown_name(name, root.span);
     return;
   }
+  if (!checker.takes_errors())
+    return checker.report(make_diagnostic("E0201", root.span, {std::string(name)}));
   std::vector<std::string_view> variables;
   for (const FunctionContext* context = checker.here_; context != nullptr;
        context = context->outer) {

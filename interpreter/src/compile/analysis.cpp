@@ -87,13 +87,7 @@ bool is_plain_node(const Expr& e) {
 // variable.
 const Expr* only_value(const Variable& variable) {
   const Variable* v = &variable;
-  while (v->owner != nullptr) {
-    const auto& captures = v->owner->captures;
-    const auto capture = std::find_if(captures.begin(), captures.end(),
-                                      [&](const Capture& c) { return c.inner == v; });
-    if (capture == captures.end()) break;
-    v = capture->outer;
-  }
+  while (v->outer != nullptr) v = v->outer;
   if (!v->fixed || v->is_parameter || v->maybe_unset || v->init == nullptr) return nullptr;
   return v->init->kind == ExprKind::kVariable ? nullptr : v->init;
 }

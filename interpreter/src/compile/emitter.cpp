@@ -242,11 +242,11 @@ void Emitter::loop(Range range, Reg counter, std::int64_t first, std::int64_t st
 }
 
 std::uint32_t Emitter::type(const Type* type) {
-  const auto known = std::find(types_.begin(), types_.end(), type);
-  if (known != types_.end()) return static_cast<std::uint32_t>(known - types_.begin());
+  const auto [known, is_new] = type_index_.emplace(type, static_cast<std::uint32_t>(types_.size()));
+  if (!is_new) return known->second;
   if (types_.size() >= kMostIndices) throw TooLarge{span_, "types in one function", kMostIndices};
   types_.push_back(type);
-  return static_cast<std::uint32_t>(types_.size() - 1);
+  return known->second;
 }
 
 void Emitter::shown(std::uint32_t assert_index, std::vector<Reg> registers) {

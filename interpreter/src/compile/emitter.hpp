@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "compile/flow.hpp"
@@ -162,6 +163,7 @@ class Emitter {
   std::vector<WideLoop> loops_;
   std::vector<ExpandedCall> expanded_;
   std::vector<const Type*> types_;
+  std::unordered_map<const Type*, std::uint32_t> type_index_;
   std::vector<Slot> constants_;
   std::map<std::int64_t, std::uint32_t> constant_index_;
   std::vector<Shown> shown_;

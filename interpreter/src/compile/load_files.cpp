@@ -86,6 +86,15 @@ class Loader {
   // The number of the imported file; -1 after a message.
   int follow(const Source& from, const ast::ImportStmt& import) {
     const std::string path = path_of(import);
+    const auto followed = followed_.find({from.id(), path});
+    if (followed != followed_.end()) return followed->second;  // the host need not read it again
+    if (sink_.full()) return -1;
+    const int file = look_up(from, import, path);
+    if (file >= 0) followed_.emplace(std::pair(from.id(), path), file);
+    return file;
+  }
+
+  int look_up(const Source& from, const ast::ImportStmt& import, const std::string& path) {
     ImportedText found;
     if (options_.load) found = options_.load(path, from.name());
     const auto known = numbers_.find(found.name);
@@ -152,8 +161,9 @@ class Loader {
   const CompileOptions& options_;
   DiagnosticSink& sink_;
   std::vector<FileTree> files_;
-  std::map<std::string, int> numbers_;  // of files by name
-  std::vector<Step> path_;              // from the main file to the one being read
+  std::map<std::string, int> numbers_;                             // of files by name
+  std::map<std::pair<std::uint32_t, std::string>, int> followed_;  // by file and what it says
+  std::vector<Step> path_;  // from the main file to the one being read
   std::size_t bytes_ = 0;
 };
 

@@ -53,12 +53,10 @@ std::uint32_t Lowering::line_of(Span span) const {
 }
 
 bool Lowering::pinned_global(const Variable* variable, Reg& out) const {
-  for (const auto& [known, reg] : pinned_globals_) {
-    if (known != variable) continue;
-    out = reg;
-    return true;
-  }
-  return false;
+  const auto known = pinned_registers_.find(variable);
+  if (known == pinned_registers_.end()) return false;
+  out = known->second;
+  return true;
 }
 
 // While a quiet loop runs, nobody else changes the program's variables: they stay in registers.
@@ -72,7 +70,8 @@ void Lowering::pin_globals(const Summary& summary) {
     if (use.element && use.whole) continue;
     reg = code_.number();
     code_.push(use.element ? OpCode::GOWN : OpCode::GLOAD, reg.bits, variable.index, 0);
-    pinned_globals_.emplace_back(&variable, reg);
+    pinned_globals_.push_back(&variable);
+    pinned_registers_.emplace(&variable, reg);
   }
 }
 
@@ -309,7 +308,10 @@ void Lowering::end_loop(Emitter::Mark mark, std::size_t pinned) {
   const Label leave = exits_.back().leave;
   exits_.pop_back();
   --loop_depth_;
-  pinned_globals_.resize(pinned);
+  while (pinned_globals_.size() > pinned) {
+    pinned_registers_.erase(pinned_globals_.back());
+    pinned_globals_.pop_back();
+  }
   code_.bind(leave);
   code_.release(mark);
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -271,8 +272,8 @@ class Lowering {
   bool is_program_;
   std::vector<Exit> exits_;
   std::vector<TryScope> tries_;
-  std::vector<std::pair<const hir::Variable*, Reg>>
-      pinned_globals_;                 // held in registers during a quiet loop
+  std::vector<const hir::Variable*> pinned_globals_;  // held in registers during a quiet loop
+  std::unordered_map<const hir::Variable*, Reg> pinned_registers_;
   std::vector<Expansion> expansions_;  // the innermost last
   int loop_depth_ = 0;
 };

@@ -6,16 +6,18 @@
 namespace armlet {
 
 bool DiagnosticSink::report(Diagnostic diagnostic) {
+  const bool is_full = static_cast<int>(all_.size()) >= limit_;
+  const bool is_error = diagnostic.severity == Severity::kError;
+  if (is_error && statement_failed_) return false;
+  if (is_error) statement_failed_ = true;
+  if (is_error ? full() : is_full) return false;
   // A function without parameter types is checked once per use; its mistake is told once.
   const bool known = std::ranges::any_of(all_, [&](const Diagnostic& other) {
     return other.code == diagnostic.code && other.mark.span == diagnostic.mark.span;
   });
-  const bool is_error = diagnostic.severity == Severity::kError;
-  if (is_error && statement_failed_) return false;
-  if (is_error) statement_failed_ = true;
   if (known) return false;
 
-  if (static_cast<int>(all_.size()) >= limit_) {
+  if (is_full) {
     // Advice makes room for errors.
     const auto advice = std::ranges::find(all_, Severity::kAdvice, &Diagnostic::severity);
     if (!is_error || advice == all_.end()) return false;

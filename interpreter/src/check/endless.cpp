@@ -1,0 +1,88 @@
+// Structs that hold themselves, directly or through others: a value of one would never end.
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// Records that hold each other in a circle: R. Tarjan, "Depth-first search and linear graph
+// algorithms", SIAM J. Comput. 1972, with a stack of its own, because circles may be long.
+class Circles {
+ public:
+  void look_from(const RecordInfo* first) {
+    if (numbers_.contains(first)) return;
+    enter(first);
+    while (!open_.empty()) {
+      Visit& top = open_.back();
+      if (top.next == top.record->fields.size()) {
+        leave();
+        continue;
+      }
+      const Type* type = top.record->fields[top.next++].type;
+      if (!type->is(Kind::kRecord)) continue;
+      if (type->record == top.record) endless_.insert(top.record);
+      const auto known = numbers_.find(type->record);
+      if (known == numbers_.end()) {
+        enter(type->record);
+      } else if (waiting_.contains(type->record)) {
+        top.lowest = std::min(top.lowest, known->second);
+      }
+    }
+  }
+
+  [[nodiscard]] bool has(const RecordInfo* record) const { return endless_.contains(record); }
+
+ private:
+  struct Visit {
+    const RecordInfo* record;
+    std::size_t next;    // of its fields
+    std::size_t lowest;  // number that can be reached from here
+  };
+
+  void enter(const RecordInfo* record) {
+    const std::size_t number = numbers_.size();
+    numbers_.emplace(record, number);
+    waiting_.insert(record);
+    component_.push_back(record);
+    open_.push_back({record, 0, number});
+  }
+
+  void leave() {
+    const Visit done = open_.back();
+    open_.pop_back();
+    if (!open_.empty()) open_.back().lowest = std::min(open_.back().lowest, done.lowest);
+    if (done.lowest != numbers_.at(done.record)) return;
+    const bool alone = component_.back() == done.record;
+    while (true) {
+      const RecordInfo* member = component_.back();
+      component_.pop_back();
+      waiting_.erase(member);
+      if (!alone) endless_.insert(member);
+      if (member == done.record) return;
+    }
+  }
+
+  std::unordered_map<const RecordInfo*, std::size_t> numbers_;
+  std::unordered_set<const RecordInfo*> waiting_;
+  std::vector<const RecordInfo*> component_;
+  std::vector<Visit> open_;
+  std::unordered_set<const RecordInfo*> endless_;
+};
+
+}  // namespace
+
+void Checker::refuse_endless() {
+  Circles circles;
+  for (const auto& [name, type] : named_types_) {
+    if (!type->is(Kind::kRecord)) continue;
+    circles.look_from(type->record);
+    if (!circles.has(type->record)) continue;
+    const ast::Name& written = structs_[type->record].node->name;
+    sink_.begin_statement();
+    report(make_diagnostic("E0333", written.span, {std::string(written.text)}));
+  }
+}
+
+}  // namespace armlet::lang
