@@ -175,8 +175,21 @@ Signal speed_c(Vm& vm, Slot* args, const Eigen::Matrix3d& R, int during_paramete
   Vector6d twist;
   twist << R * v.head<3>(), R * v.tail<3>();
   choose_model(vm, call, {}, 1.0);
-  return drive(vm, call, plan_tool_velocity(model_of(vm, call), start_of(vm, call, *during), twist),
-               *during);
+  VelocityStart start = start_of(vm, call, *during);
+  Host& host = Host::of(vm);
+  constexpr double kSame = 1e-12;  // relative
+  const LastVelocity* last = host.last_velocity(call.robot);
+  if (last != nullptr && (last->twist - twist).norm() <= kSame * twist.norm())
+    start.same = last->take_up;
+  VelocityPlan plan = plan_tool_velocity(model_of(vm, call), start, twist);
+  const ToolTakeUp take_up = plan.take_up;
+  const bool moves = plan.motion.has_value();
+  const Signal signal = drive(vm, call, std::move(plan), *during);
+  if (moves) {
+    const int motion = host.cell().robot(call.robot).motion_id;
+    host.remember_velocity(call.robot, {.motion = motion, .twist = twist, .take_up = take_up});
+  }
+  return signal;
 }
 
 // (r, v, during): along the axes of the frame of the blocks around it, or of the world.

@@ -61,6 +61,20 @@ const LastMotion* Host::last_motion(int robot) const {
   return &*last_motions_[index];
 }
 
+void Host::remember_velocity(int robot, LastVelocity velocity) {
+  const auto index = static_cast<std::size_t>(robot);
+  if (index >= last_velocities_.size()) last_velocities_.resize(index + 1);
+  last_velocities_[index] = std::move(velocity);
+}
+
+const LastVelocity* Host::last_velocity(int robot) const {
+  const auto index = static_cast<std::size_t>(robot);
+  if (index >= last_velocities_.size() || !last_velocities_[index]) return nullptr;
+  const bool moves = cell_.is_moving(robot);
+  const LastVelocity& last = *last_velocities_[index];
+  return moves && cell_.robot(robot).motion_id == last.motion ? &last : nullptr;
+}
+
 void Host::report_move(const MoveReport& report) {
   ++moves_;
   if (options_.on_move) options_.on_move(report);

@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
@@ -171,4 +174,238 @@ TEST_CASE("velocity commands reject sizes that differ, numbers that are none, an
   CHECK_THROWS_AS(static_cast<void>(plan_joint_velocity(robot, start, none)), ArgumentError);
   CHECK_THROWS_AS(static_cast<void>(plan_tool_velocity(robot, start, Vector6d::Zero())),
                   ArgumentError);
+}
+
+namespace {
+
+// Random numbers for the laws below.
+struct Dice {
+  std::mt19937_64 engine;
+  double from(double lower, double upper) {
+    return std::uniform_real_distribution<double>(lower, upper)(engine);
+  }
+  Eigen::VectorXd within(const Eigen::VectorXd& most) {
+    Eigen::VectorXd x(most.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = from(-most[i], most[i]);
+    return x;
+  }
+};
+
+// Of random positions in the middle of the joint ranges the farthest from a singular one.
+Eigen::VectorXd good_position(const Robot& robot, Dice& dice) {
+  Eigen::VectorXd best = robot.home();
+  double farthest = 0.0;
+  for (int k = 0; k < 20; ++k) {
+    Eigen::VectorXd q(robot.n());
+    for (int i = 0; i < robot.n(); ++i) {
+      const double lower = std::max(robot.lower()[i], -3.0);
+      const double upper = std::min(robot.upper()[i], 3.0);
+      q[i] = dice.from(0.7 * lower + 0.3 * upper, 0.3 * lower + 0.7 * upper);
+    }
+    const Eigen::MatrixXd J = jacobian(robot, q);
+    const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
+    const double least = s[std::min<Eigen::Index>(robot.n(), 6) - 1];
+    if (least <= farthest) continue;
+    farthest = least;
+    best = q;
+  }
+  return best;
+}
+
+// A velocity that the tool of this arm can hold, of at most `most` m/s and rad/s; zero if it cannot
+// hold any: two joints of a plane, or three of a shoulder, move the tool on circles only.
+Vector6d holdable(const Robot& robot, double most, Dice& dice) {
+  Vector6d twist = Vector6d::Zero();
+  const auto any = [&](int k) { twist[k] = dice.from(-most, most); };
+  if (robot.n() >= 6) {
+    for (int k = 0; k < 6; ++k) any(k);
+  } else if (robot.name() == "planar3") {
+    for (const int k : {0, 1, 5}) any(k);
+  } else if (robot.n() == 4) {
+    for (const int k : {0, 1, 2, 5}) any(k);
+  } else if (robot.n() == 5) {
+    any(2);
+  }
+  return twist;
+}
+
+VelocityStart standing(const Eigen::VectorXd& q, double during) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(q.size());
+  return {.q = q, .qd = none, .qdd = none, .during = during};
+}
+
+// Periods of 1 ms to 200 ms, the short ones as often as the long ones.
+double some_period(Dice& dice) {
+  return 1e-3 * std::round(std::exp(dice.from(0.0, std::log(200.0))));
+}
+
+struct Resent {
+  double apart = 0.0;  // of positions, rad or m, and speeds
+  int compared = 0;
+};
+
+// Sends random commands, each of them once for the whole time and again and again.
+template <class Plan>
+Resent resend(Dice& dice, VelocityStart start, int commands, const Plan& plan) {
+  Resent result;
+  for (int c = 0; c < commands; ++c) {
+    const double period = some_period(dice);
+    const int times = period < 0.01 ? 12 : 3;
+    const auto command = plan(start);
+    VelocityStart once = start, often = start;
+    once.during = period * times;
+    often.during = period;
+    once.same.reset();
+    often.same.reset();
+    const VelocityPlan whole = command(once);
+    bool done = whole.motion.has_value();
+    for (int k = 0; done && k < times; ++k) {
+      const VelocityPlan part = command(often);
+      done = part.motion.has_value();
+      if (!done) break;
+      go_on(*part.motion, often);
+      often.same = part.take_up;
+    }
+    if (!done) continue;
+    go_on(*whole.motion, once);
+    ++result.compared;
+    result.apart = std::max({result.apart, (once.q - often.q).cwiseAbs().maxCoeff(),
+                             (once.qd - often.qd).cwiseAbs().maxCoeff()});
+    start = once;
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("joint speeds sent again and again move every arm like speeds sent once") {
+  Dice dice{std::mt19937_64(50)};
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(std::string(name));
+    const Robot robot = *make_robot(name);
+    const Resent result =
+        resend(dice, standing(good_position(robot, dice), 0.0), 60, [&](const VelocityStart&) {
+          Eigen::VectorXd rates = dice.within(0.5 * robot.max_speed());
+          return [&robot, rates](const VelocityStart& from) {
+            return plan_joint_velocity(robot, from, rates);
+          };
+        });
+    CHECK(result.compared > 20);
+    CHECK(result.apart < 1e-9);
+  }
+}
+
+TEST_CASE("a velocity of the tool sent again and again moves every arm like one sent once") {
+  Dice dice{std::mt19937_64(51)};
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(std::string(name));
+    const Robot robot = *make_robot(name);
+    if (holdable(robot, 1.0, dice).isZero()) continue;
+    for (int k = 0; k < 4; ++k) {
+      const VelocityStart start = standing(good_position(robot, dice), 0.0);
+      const Resent result = resend(dice, start, 6, [&](const VelocityStart&) {
+        const Vector6d twist = holdable(robot, 0.15, dice);
+        return [&robot, twist](const VelocityStart& from) {
+          return plan_tool_velocity(robot, from, twist);
+        };
+      });
+      CHECK(result.compared > 1);
+      CHECK(result.apart < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("no tool is faster than the fastest velocity that is still being taken up") {
+  Dice dice{std::mt19937_64(52)};
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(std::string(name));
+    const Robot robot = *make_robot(name);
+    if (holdable(robot, 1.0, dice).isZero()) continue;
+    for (int k = 0; k < 3; ++k) {
+      VelocityStart start = standing(good_position(robot, dice), 0.0);
+      double fastest = 0.0, reached = 0.0;
+      for (int c = 0; c < 12; ++c) {
+        Vector6d twist = holdable(robot, 0.1, dice);
+        if (robot.n() >= 6) twist.tail<3>().setZero();
+        start.during = std::min(some_period(dice), 0.05);
+        const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
+        if (!plan.motion) break;
+        fastest = std::max(fastest, twist.head<3>().norm());
+        for (int i = 0; i <= 10; ++i) {
+          const State s = state_at(*plan.motion, start.during * i / 10);
+          const Vector6d moving = jacobian(robot, s.q) * s.qd;
+          reached = std::max(reached, moving.head<3>().norm() / fastest);
+        }
+        check_motion(robot, start, *plan.motion);
+        go_on(*plan.motion, start);
+      }
+      CHECK(reached > 0.0);
+      CHECK(reached < 1.01);
+    }
+  }
+}
+
+// The report that led to the law: beats of 20 ms made the tool swing between -0.046 and 0.148 m/s.
+TEST_CASE("short beats of one velocity of the tool take it up without swinging") {
+  const Robot robot = *make_robot("puma560");
+  Dice dice{std::mt19937_64(53)};
+  const Eigen::VectorXd q = good_position(robot, dice);
+  Vector6d twist = Vector6d::Zero();
+  twist[0] = 0.05;
+  for (const double beat : {0.001, 0.005, 0.02, 0.04}) {
+    CAPTURE(beat);
+    VelocityStart start = standing(q, beat);
+    double before = 0.0;
+    for (double t = 0.0; t < 0.4; t += beat) {
+      const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
+      REQUIRE(plan.motion);
+      go_on(*plan.motion, start);
+      const Vector6d moving = jacobian(robot, start.q) * start.qd;
+      CHECK(moving[0] >= before - 1e-9);
+      CHECK(moving[0] <= 0.05 + 1e-9);
+      before = moving[0];
+    }
+    CHECK(before == doctest::Approx(0.05).epsilon(1e-9));
+  }
+}
+
+// A joint needs the acceleration k^2 d and the jerk k^3 d for a joint distance of d: with a tenth
+// of what it has, the delay of the take-up is small beside 1 / k.
+TEST_CASE("a loop v = k (goal - p) brings every tool to its goal without going past it") {
+  Dice dice{std::mt19937_64(54)};
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(std::string(name));
+    const Robot robot = *make_robot(name);
+    if (holdable(robot, 1.0, dice).isZero()) continue;
+    for (const double beat : {0.01, 0.02, 0.04}) {
+      const double k = dice.from(1.0, 10.0);
+      CAPTURE(beat);
+      CAPTURE(k);
+      VelocityStart start = standing(good_position(robot, dice), beat);
+      Vector6d towards = holdable(robot, 1.0, dice);
+      towards.tail<3>().setZero();
+      towards /= towards.norm();
+      const Eigen::MatrixXd J = jacobian(robot, start.q);
+      const Eigen::VectorXd per_metre = J.completeOrthogonalDecomposition().solve(towards);
+      const Eigen::ArrayXd joints = per_metre.array().abs().max(1e-9);
+      const double distance =
+          std::min({0.03, (0.1 * robot.max_accel().array() / joints).minCoeff() / (k * k),
+                    (0.1 * robot.max_jerk().array() / joints).minCoeff() / (k * k * k)});
+      const Eigen::Vector3d goal =
+          forward(robot, start.q).translation() + distance * towards.head<3>();
+      double past = 0.0;
+      Eigen::Vector3d left = distance * towards.head<3>();
+      for (double t = 0.0; t < 10.0 / k + 0.5; t += beat) {
+        Vector6d twist = Vector6d::Zero();
+        twist.head<3>() = k * left;
+        const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
+        REQUIRE(plan.motion);
+        go_on(*plan.motion, start);
+        left = goal - forward(robot, start.q).translation();
+        past = std::max(past, -left.dot(towards.head<3>()));
+      }
+      CHECK(past <= 0.02 * distance);
+      CHECK(left.norm() <= 1e-3 * distance);
+    }
+  }
 }

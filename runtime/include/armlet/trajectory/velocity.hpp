@@ -12,14 +12,30 @@
 
 namespace armlet {
 
+// How the tool takes up a velocity.
+//
+// share  part of the limits on acceleration and jerk that is for the take-up itself; the rest is
+// for
+//        the joints turning under it.
+// ref    position of the joints to which the law of the take-up refers; empty if it is in joint
+//          speeds.
+struct ToolTakeUp {
+  double share = 1.0;
+  double turning = 1.0;
+  Eigen::VectorXd ref{};
+};
+
 // The state of a robot when a command comes, and for how long the command holds, s, > 0.
 //
-// qdd  none gains speed if empty.
+// qdd    none gains speed if empty.
+// same   how the plan before took up its velocity, if this command sends the same velocity of the
+//        tool again: the take-up is then gone on with, also where the limits need a special one.
 struct VelocityStart {
   Eigen::VectorXd q{};
   Eigen::VectorXd qd{};
   Eigen::VectorXd qdd{};
   double during = 0.0;
+  std::optional<ToolTakeUp> same{};
 };
 
 // A joint would have to exceed a limit on its speed, acceleration or jerk.
@@ -33,17 +49,21 @@ struct RateTooHigh {
 // What planning a velocity command gave: a motion, or why there is none.
 //
 // motion    begins with the state of the start. The speeds are taken up as fast as the limits on
-//           acceleration and jerk allow, all joints together if none gains speed at the start, and
-//           held. When the command ends, also before the speeds are reached, the joints come to
-//           rest the same way. Accelerations never jump.
+//           acceleration and jerk allow, all joints together, and held. When the command ends, also
+//           before the speeds are reached, the joints come to rest the same way. Accelerations
+//           never jump. The same command sent again from a state within its time goes on with the
+//           same motion, and while a velocity is taken up no speed exceeds the fastest velocity
+//           that was still being taken up (but for 1 %).
 // outside   a joint would leave its limits, at the latest while it stops.
 // too_high  a joint would be too fast, or gain speed or acceleration too fast.
 // lacking   part of the velocity of the tool that no joint speeds give, as a fraction of it.
+// take_up   how the tool takes up its velocity, for the command after this one.
 struct VelocityPlan {
   std::optional<Trajectory> motion{};
   std::optional<LimitViolation> outside{};
   std::optional<RateTooHigh> too_high{};
   double lacking = 0.0;
+  ToolTakeUp take_up{};
 };
 
 // Holds joint speeds, rad/s or m/s.

@@ -19,6 +19,7 @@
 #include "armlet/model/robot.hpp"
 #include "armlet/plot/figure.hpp"
 #include "armlet/trajectory/planner.hpp"
+#include "armlet/trajectory/velocity.hpp"
 
 namespace armlet {
 
@@ -53,6 +54,13 @@ struct LastMotion {
   std::string function;  // as called: "moveJ"
   Trajectory motion;
   MotionNotes notes{};
+};
+
+// The velocity of the tool that a motion was asked for, and how it takes it up.
+struct LastVelocity {
+  int motion = -1;
+  Vector6d twist = Vector6d::Zero();
+  ToolTakeUp take_up{};
 };
 
 // A planner of the host, as PlannerSet::add takes it.
@@ -138,6 +146,10 @@ class Host : public Timeline {
   // Null if it has not moved.
   [[nodiscard]] const LastMotion* last_motion(int robot) const;
 
+  void remember_velocity(int robot, LastVelocity velocity);
+  // Null unless the robot still moves after it.
+  [[nodiscard]] const LastVelocity* last_velocity(int robot) const;
+
   void report_move(const MoveReport& report);
   [[nodiscard]] int move_count() const { return moves_; }
 
@@ -151,6 +163,7 @@ class Host : public Timeline {
   Cell cell_;
   PlannerSet planners_;
   std::vector<std::optional<LastMotion>> last_motions_;
+  std::vector<std::optional<LastVelocity>> last_velocities_;
   int default_robot_ = -1;
   std::string world_name_;
   std::vector<Figure> figures_;

@@ -1,0 +1,55 @@
+// How joints take up new speeds: all together, from any speeds and accelerations.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace armlet {
+
+// Largest accelerations and jerks of the joints, > 0.
+//
+// turn  jerk while the acceleration turns, not below `jerk`.
+struct TakeUpLimits {
+  Eigen::VectorXd acceleration;
+  Eigen::VectorXd jerk;
+  Eigen::VectorXd turn;
+};
+
+// Constant jerks of all joints for a while.
+struct TakeUpPiece {
+  double duration = 0.0;  // s, > 0
+  Eigen::VectorXd jerk;
+};
+
+// Speeds that are wrong by x0, with the accelerations a0, become right: the error is 0 after the
+// last piece.
+struct TakeUp {
+  Eigen::VectorXd x0;
+  Eigen::VectorXd a0;
+  std::vector<TakeUpPiece> pieces{};
+
+  struct State {
+    Eigen::VectorXd x;  // error of the speeds
+    Eigen::VectorXd a;  // accelerations
+  };
+  [[nodiscard]] State at(double t) const;
+  [[nodiscard]] double duration() const;
+};
+
+// The take-up from speeds that are wrong by x with accelerations a.
+//
+// First the acceleration turns, with one jerk, into the direction in which the error then dies out
+// along a straight line as fast as the limits allow. Of all such turns the shortest is taken after
+// which the error dies out without changing its sign; it is never longer than bringing the
+// acceleration to zero. Two properties follow.
+//
+// * Planned again from any state on the take-up it is the rest of the same take-up, because the
+//   rest of a shortest turn is the shortest turn.
+// * The speeds stay in the triangle of the present speeds, the speeds which they would have if the
+//   acceleration was brought to zero, and the new ones, because the turn is a parabola that leaves
+//   along the first side and arrives in a line through the last corner. So no speed, of a joint or
+//   of a tool that moves with the joints, exceeds the largest at the corners.
+TakeUp plan_take_up(const Eigen::VectorXd& x, const Eigen::VectorXd& a, const TakeUpLimits& limits);
+
+}  // namespace armlet
