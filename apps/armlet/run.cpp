@@ -122,7 +122,7 @@ void show_summary(const Session& session, const std::string& trace, RunStatus st
     const Object& object = world.object(i);
     if (object.fixed) continue;
     std::string where = world.resting_on(object.name);
-    if (const auto& held = world.attachment(object.name))
+    if (const auto& held = world.attachment(object.name); held && held->on.empty())
       where = fmt::format("held by {}", host.cell().robot(held->carrier).name);
     else if (!where.empty())
       where = "on " + where;

@@ -90,7 +90,7 @@ constexpr NativeFunction kFunctions[] = {
     commanding({"grasp", "(r: robot, o: object)",
                 "Closes the hand on an object whose centre or grasp point is within the grasp "
                 "distance of the tool point; "
-                "a long object can be taken along its length.",
+                "a long object can be taken along its length. What rests on it travels with it.",
                 "grasp(object(\"cube\"))", grasp_object}),
     commanding(
         {"grasp", "(r: robot)",

@@ -1,4 +1,4 @@
-// Objects of the world (language reference, 14 and 19.5).
+// Objects of the world (language reference, sections 14 and 19).
 
 #include <fmt/format.h>
 
@@ -113,21 +113,49 @@ Signal pose_of(Vm& vm, Slot* args) {
   return give(args,
               new_posc(vm, {object->T_world_obj, std::holds_alternative<Box>(object->shape)}));
 }
+// What a hand holds is neither put elsewhere nor taken away: true, and the failure is set.
+bool refuse_held(Vm& vm, const Object& object, std::string_view what) {
+  const Cell& cell = Host::of(vm).cell();
+  const auto holder = cell.holder_of(object.name);
+  if (!holder) return false;
+  const std::string& name = cell.robot(*holder).name;
+  static_cast<void>(
+      failure(vm, "R0631",
+              fmt::format("\"{}\" is held by `{}`, so it cannot be {}", object.name, name, what), 0,
+              {}, fmt::format("write {}.release() first", name)));
+  return true;
+}
+
+// W0714, once in a program.
+void tell_of_falls(Vm& vm, const std::vector<Fall>& falls) {
+  if (falls.empty() || !Host::of(vm).first_fall()) return;
+  const Fall& first = falls.front();
+  Failure advice;
+  advice.code = "W0714";
+  advice.arguments = {first.name, format_mm(first.drop.distance),
+                      first.drop.support == "floor" ? std::string("the floor")
+                                                    : fmt::format("\"{}\"", first.drop.support)};
+  advice.mark_parameter = 0;
+  for (std::size_t i = 1; i < falls.size(); ++i)
+    advice.why += fmt::format("{}\"{}\"", i == 1 ? "so did " : ", ", falls[i].name);
+  vm.advise(advice);
+}
+
 Signal set_pose(Vm& vm, Slot* args) try {
   const Object* object = object_of(vm, args[0], 0);
-  if (object == nullptr) return Signal::kFail;
+  if (object == nullptr || refuse_held(vm, *object, "put elsewhere")) return Signal::kFail;
   const PosC& p = posc(args[1]);
   Isometry3d T = p.T;
   if (!p.has_orientation) T.linear() = object->T_world_obj.linear();
-  Host::of(vm).cell().set_pose(object->name, T);
+  tell_of_falls(vm, Host::of(vm).cell().set_pose(object->name, T));
   return give_nothing();
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0631", error);
 }
 Signal remove_object(Vm& vm, Slot* args) {
   const Object* object = object_of(vm, args[0], 0);
-  if (object == nullptr) return Signal::kFail;
-  Host::of(vm).cell().remove(std::string(object->name));
+  if (object == nullptr || refuse_held(vm, *object, "removed")) return Signal::kFail;
+  tell_of_falls(vm, Host::of(vm).cell().remove(std::string(object->name)));
   return give_nothing();
 }
 
@@ -212,10 +240,14 @@ constexpr NativeFunction kFunctions[] = {
     {"object.name", "(o: object) -> string", "The name.", "object(\"cube\").name", object_name},
     {"poseOf", "(o: object) -> posC", "The frame of an object's centre.",
      "poseOf(object(\"cube\"))", pose_of},
-    {"setPose", "(o: object, p: posC)", "Puts an object somewhere else.",
+    {"setPose", "(o: object, p: posC)",
+     "Puts an object that no hand holds somewhere else; what rested on it falls to the next "
+     "surface.",
      "setPose(object(\"cube\"), xyz(300mm, 0mm, 300mm))", set_pose},
-    {"remove", "(o: object)", "Takes an object out of the world.", "remove(object(\"cube\"))",
-     remove_object},
+    {"remove", "(o: object)",
+     "Takes an object that no hand holds out of the world; what rested on it falls to the next "
+     "surface.",
+     "remove(object(\"cube\"))", remove_object},
     {"objects", "() -> object[]", "All objects of the world.", "objects()", objects},
     {"objectAt", "(p: posC, within: length) -> bool",
      "Whether an object that is not fixed has its centre near p.",

@@ -10,6 +10,8 @@ std::string_view to_text(ObjectChange change) {
       return "detached";
     case ObjectChange::kRemoved:
       return "removed";
+    case ObjectChange::kFell:
+      return "fell";
   }
   return "";
 }

@@ -135,24 +135,35 @@ void Cell::insert(Object object) {
   if (listening()) backend_->object_added(now_ns(), object_info(inserted));
 }
 
-void Cell::remove(std::string_view name) {
-  const std::string removed(name);  // the caller's text may live in the object itself
-  world_.remove(removed);
-  std::erase(task_objects_, removed);
-  for (CellRobot& each : robots_) {
-    if (each.held == removed) each.held.clear();
-  }
-  publish_event(ObjectChange::kRemoved, removed, -1);
+std::optional<int> Cell::holder_of(std::string_view name) const {
+  const auto found = std::ranges::find(robots_, name, &CellRobot::held);
+  if (name.empty() || found == robots_.end()) return std::nullopt;
+  return static_cast<int>(found - robots_.begin());
 }
 
-void Cell::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
-  world_.set_pose(name, T_world_obj);
-  for (int i = 0; i < robot_count(); ++i) {
-    if (robot(i).held != name) continue;
-    state(i).held.clear();
-    publish_event(ObjectChange::kDetached, name, i);
-  }
+void Cell::refuse_held(std::string_view name, std::string_view what) const {
+  const auto holder = holder_of(name);
+  if (!holder) return;
+  throw ArgumentError(
+      fmt::format("\"{}\" is held by `{}`, so it cannot be {}.", name, robot(*holder).name, what));
+}
+
+std::vector<Fall> Cell::remove(std::string_view name) {
+  const std::string removed(name);  // the caller's text may live in the object itself
+  refuse_held(removed, "removed");
+  std::vector<Fall> falls = world_.remove(removed);
+  std::erase(task_objects_, removed);
+  publish_event(ObjectChange::kRemoved, removed, -1);
+  publish_falls(falls);
+  return falls;
+}
+
+std::vector<Fall> Cell::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
+  refuse_held(name, "put elsewhere");
+  std::vector<Fall> falls = world_.set_pose(name, T_world_obj);
   publish_object(name);
+  publish_falls(falls);
+  return falls;
 }
 
 void Cell::add_to_task(std::string_view name) {
@@ -186,8 +197,10 @@ Drop Cell::let_go(int index) {
     }
     return {};
   }
+  const std::vector<std::string> above = world_.stacked_on(name);
   const Drop drop = world_.drop(name);
   publish_object(name);
+  for (const std::string& each : above) publish_object(each);
   return drop;
 }
 
@@ -239,8 +252,9 @@ void Cell::publish(int index) {
                           .qd = as_span(arm.qd),
                           .qdd = as_span(arm.qdd),
                           .T_world_tool = T_world_tool(index)});
-  if (const std::string_view carried = world_.carried_by(index); !carried.empty()) {
-    publish_object(carried);
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    const auto& carried = world_.attachment_of(i);
+    if (carried && carried->carrier == index) publish_object(world_.object(i).name);
   }
 }
 
@@ -249,6 +263,13 @@ void Cell::publish_object(std::string_view name) {
   const Object& object = world_.at(name);
   backend_->object_sample(
       {.t_ns = now_ns(), .name = object.name, .T_world_obj = object.T_world_obj});
+}
+
+void Cell::publish_falls(const std::vector<Fall>& falls) {
+  for (const Fall& each : falls) {
+    publish_event(ObjectChange::kFell, each.name, -1);
+    publish_object(each.name);
+  }
 }
 
 void Cell::publish_event(ObjectChange change, std::string_view name, int index) {

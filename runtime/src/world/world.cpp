@@ -23,11 +23,14 @@ const Object& World::insert(Object object) {
   }
   object.T_world_obj = renormalised(object.T_world_obj);
   bodies_.push_back({.object = std::move(object), .attachment = std::nullopt});
+  ride(bodies_.back());
   return bodies_.back().object;
 }
 
-void World::remove(std::string_view name) {
+std::vector<Fall> World::remove(std::string_view name) {
+  const std::vector<std::string> above = stacked_on(name);
   bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index_of(name)));
+  return settle(above);
 }
 
 std::vector<std::string> World::names() const {
@@ -60,21 +63,70 @@ std::size_t World::index_of(std::string_view name) const {
                                   similar ? fmt::format("; did you mean \"{}\"?", *similar) : "."));
 }
 
-void World::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
+std::vector<Fall> World::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
   Body& moved = bodies_[index_of(name)];
   check_pose(fmt::format("the pose of \"{}\"", name), T_world_obj);
+  const std::vector<std::string> above = stacked_on(name);
   moved.attachment.reset();
   moved.object.T_world_obj = renormalised(T_world_obj);
+  ride(moved);
+  return settle(above);
+}
+
+bool World::is_carried_on(const Body& upper, const Body& lower) const {
+  if (&upper == &lower || upper.object.fixed) return false;
+  if (upper.attachment) return upper.attachment->on == lower.object.name;
+  const auto z_rest = resting_height(upper.object, lower.object);
+  return z_rest && std::abs(upper.object.T_world_obj.translation().z() - *z_rest) <= kRestTolerance;
+}
+
+std::vector<std::string> World::stacked_on(std::string_view name) const {
+  std::vector<bool> in_stack(bodies_.size(), false);
+  std::vector<std::size_t> open = {index_of(name)};
+  in_stack[open.front()] = true;
+  while (!open.empty()) {
+    const Body& lower = bodies_[open.back()];
+    open.pop_back();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (in_stack[i] || !is_carried_on(bodies_[i], lower)) continue;
+      in_stack[i] = true;
+      open.push_back(i);
+    }
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (in_stack[i] && bodies_[i].object.name != name) names.push_back(bodies_[i].object.name);
+  }
+  return names;
 }
 
 void World::attach(std::string_view name, int carrier, const Eigen::Isometry3d& T_world_carrier) {
-  Body& carried = bodies_[index_of(name)];
   const Eigen::Isometry3d T_carrier_world = T_world_carrier.inverse();
-  carried.attachment =
-      Attachment{.carrier = carrier, .T_carrier_obj = T_carrier_world * carried.object.T_world_obj};
+  const std::vector<std::string> above = stacked_on(name);
+  const auto carry = [&](Body& body, std::string on) {
+    body.attachment = Attachment{.carrier = carrier,
+                                 .T_carrier_obj = T_carrier_world * body.object.T_world_obj,
+                                 .on = std::move(on)};
+  };
+  // What each one rests on is asked before any of them counts as carried.
+  std::vector<std::string> lower;
+  for (const std::string& each : above) {
+    const Body& upper = bodies_[index_of(each)];
+    const auto is_lower = [&](const Body& body) {
+      return is_carried_on(upper, body) &&
+             (body.object.name == name ||
+              std::ranges::find(above, body.object.name) != above.end());
+    };
+    lower.push_back(std::ranges::find_if(bodies_, is_lower)->object.name);
+  }
+  carry(bodies_[index_of(name)], {});
+  for (std::size_t i = 0; i < above.size(); ++i) carry(bodies_[index_of(above[i])], lower[i]);
 }
 
-void World::detach(std::string_view name) { bodies_[index_of(name)].attachment.reset(); }
+void World::detach(std::string_view name) {
+  for (const std::string& each : stacked_on(name)) bodies_[index_of(each)].attachment.reset();
+  bodies_[index_of(name)].attachment.reset();
+}
 
 const std::optional<Attachment>& World::attachment(std::string_view name) const {
   return bodies_[index_of(name)].attachment;
@@ -82,7 +134,8 @@ const std::optional<Attachment>& World::attachment(std::string_view name) const 
 
 std::string_view World::carried_by(int carrier) const {
   for (const Body& each : bodies_) {
-    if (each.attachment && each.attachment->carrier == carrier) return each.object.name;
+    if (each.attachment && each.attachment->carrier == carrier && each.attachment->on.empty())
+      return each.object.name;
   }
   return {};
 }
@@ -106,18 +159,62 @@ Drop World::fall(const Body& falling) const {
   };
   if (floor_z_) consider(*floor_z_ + half_height(falling.object), "floor");
   for (const Body& each : bodies_) {
-    if (&each == &falling || each.attachment) continue;
+    if (&each == &falling) continue;
     const auto z_rest = resting_height(falling.object, each.object);
     if (z_rest) consider(*z_rest, each.object.name);
   }
   return drop;
 }
 
+// A body that rests on a carried one is carried by the same hand.
+void World::ride(Body& body) {
+  const auto is_carried = [](const Body& each) { return each.attachment.has_value(); };
+  if (body.object.fixed || std::ranges::none_of(bodies_, is_carried)) return;
+  const Drop under = fall(body);
+  if (std::abs(under.distance) > kRestTolerance) return;
+  for (const Body& lower : bodies_) {
+    if (lower.object.name != under.support || !lower.attachment) continue;
+    const Eigen::Isometry3d T_lower_body =
+        lower.object.T_world_obj.inverse() * body.object.T_world_obj;
+    body.attachment = Attachment{.carrier = lower.attachment->carrier,
+                                 .T_carrier_obj = lower.attachment->T_carrier_obj * T_lower_body,
+                                 .on = lower.object.name};
+    return;
+  }
+}
+
+// From the lowest up, so that each finds where those below it have come to rest.
+std::vector<Fall> World::settle(const std::vector<std::string>& names) {
+  std::vector<std::size_t> order;
+  for (const std::string& name : names) order.push_back(index_of(name));
+  const auto bottom = [this](std::size_t i) {
+    const Object& object = bodies_[i].object;
+    return object.T_world_obj.translation().z() - half_height(object);
+  };
+  std::ranges::stable_sort(order, {}, bottom);
+  for (const std::size_t i : order) bodies_[i].attachment.reset();
+  std::vector<Fall> falls;
+  for (const std::size_t i : order) {
+    Body& body = bodies_[i];
+    Drop drop = fall(body);
+    if (drop.distance > kRestTolerance) {
+      body.object.T_world_obj.translation().z() -= drop.distance;
+      falls.push_back({.name = body.object.name, .drop = std::move(drop)});
+    }
+    ride(body);
+  }
+  return falls;
+}
+
 Drop World::drop(std::string_view name) {
+  const std::vector<std::string> above = stacked_on(name);
+  for (const std::string& each : above) bodies_[index_of(each)].attachment.reset();
   Body& falling = bodies_[index_of(name)];
   falling.attachment.reset();
   const Drop drop = fall(falling);
   falling.object.T_world_obj.translation().z() -= drop.distance;
+  ride(falling);
+  settle(above);
   return drop;
 }
 

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "armlet/backend/recorder.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
@@ -202,7 +204,7 @@ TEST_CASE("notes before the first motion wait for the robots; later robots are a
   CHECK(recorder.joints().back().robot == 1);
 }
 
-TEST_CASE("objects that are removed or put elsewhere leave the hand") {
+TEST_CASE("what a hand holds is neither removed nor put elsewhere") {
   Recorder recorder;
   Cell cell;
   cell.set_backend(&recorder);
@@ -213,15 +215,44 @@ TEST_CASE("objects that are removed or put elsewhere leave the hand") {
   cell.add_to_task("cube");
   CHECK(cell.task_objects().size() == 1);
   cell.take(arm, "cube");
-  cell.set_pose("cube", make_translation({0.1, 0.2, 0.3}));
-  CHECK(cell.robot(arm).held.empty());
-  cell.take(arm, "cube");
-  cell.remove(cell.robot(arm).held);
-  CHECK(cell.robot(arm).held.empty());
+  CHECK(cell.holder_of("cube") == arm);
+  CHECK_THROWS_AS((void)cell.set_pose("cube", make_translation({0.1, 0.2, 0.3})), ArgumentError);
+  CHECK_THROWS_AS((void)cell.remove(cell.robot(arm).held), ArgumentError);
+  CHECK(cell.robot(arm).held == "cube");
+  cell.let_go(arm);
+  CHECK_FALSE(cell.holder_of("cube").has_value());
+  cell.remove("cube");
   CHECK(cell.task_objects().empty());
-  REQUIRE(recorder.events().size() == 4);
+  REQUIRE(recorder.events().size() == 3);
   CHECK(recorder.events()[1].change == ObjectChange::kDetached);
-  CHECK(recorder.events()[3].change == ObjectChange::kRemoved);
+  CHECK(recorder.events()[2].change == ObjectChange::kRemoved);
+}
+
+TEST_CASE("what rests on a held body is reported with it, and what loses its support as fallen") {
+  Recorder recorder;
+  Cell cell(World(0.0));
+  cell.set_backend(&recorder);
+  const int arm = cell.add_robot(make_robot("scara"));
+  cell.begin();
+  cell.insert(cube({0.5, 0.1, 0.02}));
+  Object lid = cube({0.5, 0.1, 0.06});
+  lid.name = "lid";
+  cell.insert(lid);
+  cell.take(arm, "cube");
+  cell.start(arm, move_to(cell, arm, kPick, 1.0));
+  cell.advance_to(1'000'000'000);
+  const Eigen::Isometry3d T =
+      cell.world().at("cube").T_world_obj.inverse() * cell.world().at("lid").T_world_obj;
+  CHECK((T.translation() - Eigen::Vector3d(0.0, 0.0, 0.04)).norm() < 1e-15);
+  const auto is_lid = [](const auto& sample) { return sample.name == "lid"; };
+  CHECK(std::ranges::count_if(recorder.objects(), is_lid) > 50);
+  cell.let_go(arm);
+  CHECK(cell.world().resting_on("lid") == "cube");
+  const auto falls = cell.set_pose("cube", make_translation({0.2, -0.3, 0.02}));
+  REQUIRE(falls.size() == 1);
+  CHECK(falls[0].drop.support == "floor");
+  CHECK(recorder.events().back().change == ObjectChange::kFell);
+  CHECK(recorder.events().back().name == "lid");
 }
 
 TEST_CASE("what cannot be is refused") {

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/core/random.hpp"
 #include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
 
 using namespace armlet;
 
@@ -204,10 +206,110 @@ TEST_CASE("resting means within two millimetres of a surface") {
   CHECK(world.resting_on("cube").empty());
 }
 
-TEST_CASE("a carried body holds nothing up") {
+TEST_CASE("what falls onto a carried body travels with it") {
   World world = table_world();
   world.insert(at("held", kCube, 0.0, 0.0, 0.4));
   world.insert(at("cube", kCube, 0.0, 0.0, 0.5));
   world.attach("held", 0, Eigen::Isometry3d::Identity());
-  CHECK(world.drop("cube").support == "table");
+  CHECK_FALSE(world.attachment("cube").has_value());
+  CHECK(world.drop("cube").support == "held");
+  CHECK(world.attachment("cube")->on == "held");
+  CHECK(world.carried_by(0) == "held");
+  world.move_carried(0, make_pose(rot_z(1.0), {0.1, 0.2, 0.3}));
+  const Eigen::Isometry3d T = world.at("held").T_world_obj.inverse() * world.at("cube").T_world_obj;
+  CHECK((T.matrix() - make_translation({0.0, 0.0, 0.04}).matrix()).cwiseAbs().maxCoeff() < 1e-15);
+}
+
+TEST_CASE("a stack travels with its lowest body and is let go with it") {
+  Random random(61);
+  for (int k = 0; k < 200; ++k) {
+    World world = table_world();
+    const int height = 1 + static_cast<int>(random.below(5));
+    std::vector<std::string> names;
+    double z = 0.22;
+    for (int i = 0; i < height; ++i) {
+      const double h = random.uniform(0.02, 0.06);
+      names.push_back("b" + std::to_string(i));
+      world.insert(at(names.back(), Box{{0.1, 0.1, h}}, random.uniform(-0.02, 0.02),
+                      random.uniform(-0.02, 0.02), z + 0.5 * h));
+      z += h;
+    }
+    // A hand takes one of them: those above travel, those below stay.
+    const auto taken = random.below(static_cast<std::uint64_t>(height));
+    std::vector<Eigen::Isometry3d> before;
+    for (const std::string& name : names) before.push_back(world.at(name).T_world_obj);
+    const Eigen::Isometry3d T_0 = pose_from_rpy({0.1, 0.2, 0.9}, {0.3, 0.2, 0.1});
+    world.attach(names[taken], 3, T_0);
+    const Eigen::Isometry3d T_1 =
+        pose_from_rpy({0.4, -0.2, 0.95}, {0.3, 0.2, random.uniform(-3, 3)});
+    world.move_carried(3, T_1);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const Eigen::Isometry3d moved = i < taken ? before[i] : T_1 * T_0.inverse() * before[i];
+      CHECK((world.at(names[i]).T_world_obj.matrix() - moved.matrix()).cwiseAbs().maxCoeff() <
+            1e-14);
+      CHECK(world.attachment(names[i]).has_value() == (i >= taken));
+    }
+    // Put back upright over the same place, it is let go and rests as it did.
+    world.move_carried(3, T_0);
+    world.drop(names[taken]);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      CHECK_FALSE(world.attachment(names[i]).has_value());
+      CHECK(std::abs(world.at(names[i]).T_world_obj.translation().z() -
+                     before[i].translation().z()) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE(
+    "what rested on a body that is moved or removed falls, all of it, onto the next surface") {
+  for (const bool removed : {false, true}) {
+    World world = table_world();
+    world.insert(at("low", kCube, 0.0, 0.0, 0.24));
+    world.insert(at("middle", kCube, 0.0, 0.0, 0.28));
+    world.insert(at("high", kCube, 0.01, 0.0, 0.32));
+    world.insert(at("aside", kCube, 0.3, 0.0, 0.24));
+    const auto falls =
+        removed ? world.remove("low") : world.set_pose("low", make_translation({0.5, 0.3, 0.24}));
+    REQUIRE(falls.size() == 2);
+    CHECK(falls[0].name == "middle");
+    CHECK(falls[0].drop.support == "table");
+    CHECK(falls[0].drop.distance == doctest::Approx(0.04).epsilon(1e-12));
+    CHECK(falls[1].name == "high");
+    CHECK(falls[1].drop.support == "middle");
+    CHECK(world.at("high").T_world_obj.translation().z() == doctest::Approx(0.28).epsilon(1e-12));
+    CHECK(world.at("aside").T_world_obj.translation().z() == 0.24);
+  }
+}
+
+TEST_CASE("a beam on two bodies stays on the one that is left; fixed and hanging bodies stay too") {
+  World world = table_world();
+  world.insert(at("left", kCube, -0.1, 0.0, 0.24));
+  world.insert(at("right", kCube, 0.1, 0.0, 0.24));
+  world.insert(at("beam", Box{{0.3, 0.04, 0.02}}, 0.0, 0.0, 0.27));
+  Object shelf = at("shelf", kCube, 0.1, 0.0, 0.30);
+  shelf.fixed = true;
+  world.insert(shelf);
+  world.insert(at("hanging", kCube, 0.1, 0.0, 0.50));
+  CHECK(world.remove("right").empty());
+  CHECK(world.at("beam").T_world_obj.translation().z() == 0.27);
+  CHECK(world.remove("left").size() == 1);
+  CHECK(world.at("shelf").T_world_obj.translation().z() == 0.30);
+  CHECK(world.at("hanging").T_world_obj.translation().z() == 0.50);
+}
+
+TEST_CASE("a body put onto a carried one travels with it, taken from it it does not") {
+  World world = table_world();
+  world.insert(at("tray", Box{{0.2, 0.2, 0.02}}, 0.0, 0.0, 0.5));
+  world.attach("tray", 0, Eigen::Isometry3d::Identity());
+  world.insert(at("a", kCube, 0.05, 0.0, 0.53));
+  world.insert(at("b", kCube, 0.4, 0.0, 0.24));
+  world.set_pose("b", make_translation({-0.05, 0.0, 0.53}));
+  world.move_carried(0, make_translation({0.0, 0.0, 0.1}));
+  CHECK(world.at("a").T_world_obj.translation().z() == doctest::Approx(0.63));
+  CHECK(world.at("b").T_world_obj.translation().z() == doctest::Approx(0.63));
+  // Another hand takes one of them, which no longer follows the tray.
+  world.attach("a", 1, Eigen::Isometry3d::Identity());
+  world.move_carried(0, make_translation({0.0, 0.0, 0.2}));
+  CHECK(world.at("a").T_world_obj.translation().z() == doctest::Approx(0.63));
+  CHECK(world.at("b").T_world_obj.translation().z() == doctest::Approx(0.73));
 }

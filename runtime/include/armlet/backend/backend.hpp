@@ -53,8 +53,10 @@ struct ObjectSample {
   Eigen::Isometry3d T_world_obj = Eigen::Isometry3d::Identity();
 };
 
-// kAttached and kDetached say which robot; kRemoved has none (-1).
-enum class ObjectChange { kAttached, kDetached, kRemoved };
+// kAttached and kDetached say which robot; kRemoved and kFell (what it rested on went away) have
+// none
+// (-1).
+enum class ObjectChange { kAttached, kDetached, kRemoved, kFell };
 struct ObjectEvent {
   std::int64_t t_ns = 0;
   ObjectChange change = ObjectChange::kAttached;

@@ -150,8 +150,15 @@ class Cell {
   // --- objects --------------------------------------------------------------------------------
   [[nodiscard]] const World& world() const { return world_; }
   void insert(Object object);
-  void remove(std::string_view name);
-  void set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
+
+  // What rested on the object falls straight down to the first surface; returns what fell, from the
+  // lowest.
+  // throws  ArgumentError if a hand holds the object.
+  std::vector<Fall> remove(std::string_view name);
+  std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
+
+  // The robot whose hand is closed on an object; nothing if none is.
+  [[nodiscard]] std::optional<int> holder_of(std::string_view name) const;
 
   // Makes an object part of the task: it is counted, and contact picking considers it. Naming it
   // twice counts once.
@@ -198,6 +205,8 @@ class Cell {
   void bring_to_now();
   void publish(int index);
   void publish_object(std::string_view name);
+  void publish_falls(const std::vector<Fall>& falls);
+  void refuse_held(std::string_view name, std::string_view what) const;
   void publish_event(ObjectChange change, std::string_view name, int robot);
   void end_due_motions();
   void end_motion(int index);

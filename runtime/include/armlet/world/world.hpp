@@ -15,9 +15,12 @@ inline constexpr double kRestTolerance = 0.002;  // m
 
 // A body carried by a frame of a robot. The pose in that frame is stored once, so that carrying
 // never drifts.
+//
+// on  name of the carried body that it rests on and travels with; empty: the hand itself holds it.
 struct Attachment {
   int carrier = 0;
   Eigen::Isometry3d T_carrier_obj = Eigen::Isometry3d::Identity();
+  std::string on{};
 };
 
 // What a falling body found.
@@ -29,6 +32,12 @@ struct Drop {
   std::string support;
 };
 
+// A body that fell because what it rested on went away.
+struct Fall {
+  std::string name;
+  Drop drop;
+};
+
 // Bodies by name, in the order in which they were inserted.
 class World {
  public:
@@ -38,11 +47,14 @@ class World {
   [[nodiscard]] std::optional<double> floor_z() const { return floor_z_; }
 
   // Throws ArgumentError for a name that exists already and for what check_object refuses. The
-  // rotation is made orthonormal to rounding.
+  // rotation is made orthonormal to rounding. A body put onto a carried one travels with it.
   const Object& insert(Object object);
 
-  // Throws ArgumentError for an unknown name; so do all functions below that take a name.
-  void remove(std::string_view name);
+  // Takes a body away and returns what fell, from the lowest: all that rested on it, directly or
+  // not, falls straight down to the first surface; fixed bodies and what a hand holds stay.
+  //
+  // throws  ArgumentError for an unknown name; so do all functions below that take a name.
+  std::vector<Fall> remove(std::string_view name);
 
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
   [[nodiscard]] const Object& object(std::size_t index) const { return bodies_[index].object; }
@@ -55,23 +67,33 @@ class World {
   // The existing name most like a mistyped one, for "did you mean"; nothing if none is similar.
   [[nodiscard]] std::optional<std::string> similar_name(std::string_view name) const;
 
-  // Puts a body somewhere; one that is carried is let go first.
-  void set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
+  // Puts a body somewhere; one that is carried is let go first. Returns what fell, as `remove`
+  // does.
+  std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
-  // The body keeps its present pose relative to the carrier from now on.
+  // The body keeps its present pose relative to the carrier from now on; what rests on it, directly
+  // or not, travels with it.
   void attach(std::string_view name, int carrier, const Eigen::Isometry3d& T_world_carrier);
+  // Lets it go, and with it what travels on it: all stay in place.
   void detach(std::string_view name);
   [[nodiscard]] const std::optional<Attachment>& attachment(std::string_view name) const;
+  [[nodiscard]] const std::optional<Attachment>& attachment_of(std::size_t index) const {
+    return bodies_[index].attachment;
+  }
 
-  // Name of the body that a carrier holds; empty if none.
+  // Name of the body that a carrier's hand holds; empty if none.
   [[nodiscard]] std::string_view carried_by(int carrier) const;
 
-  // Moves what the carrier holds: T_world_obj = T_world_carrier T_carrier_obj.
+  // Moves what the carrier carries: T_world_obj = T_world_carrier T_carrier_obj.
   void move_carried(int carrier, const Eigen::Isometry3d& T_world_carrier);
 
-  // Lets a body fall straight down to the first surface below it, keeping its orientation. Bodies
-  // that are carried are not surfaces.
+  // Lets a body fall straight down to the first surface below it, keeping its orientation, and what
+  // rests on it after it. A body that falls onto a carried one travels with it.
   Drop drop(std::string_view name);
+
+  // What rests on a body or travels on it, directly or not, in the order of insertion; neither
+  // fixed bodies nor what a hand holds.
+  [[nodiscard]] std::vector<std::string> stacked_on(std::string_view name) const;
 
   // What the body rests on within kRestTolerance ("floor" or a name); empty if it hangs in the air.
   [[nodiscard]] std::string resting_on(std::string_view name) const;
@@ -83,6 +105,10 @@ class World {
   };
   [[nodiscard]] std::size_t index_of(std::string_view name) const;
   [[nodiscard]] Drop fall(const Body& falling) const;
+  // Whether `upper` would fall or travel with `lower`.
+  [[nodiscard]] bool is_carried_on(const Body& upper, const Body& lower) const;
+  void ride(Body& body);
+  std::vector<Fall> settle(const std::vector<std::string>& names);
 
   std::optional<double> floor_z_;
   std::vector<Body> bodies_;
