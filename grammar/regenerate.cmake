@@ -1,5 +1,6 @@
 # Runs the ANTLR tool (Java) over the two grammars into the folder ${generated}. Only for those who change the grammar.
 # Also a script: cmake -D generated=FOLDER -P grammar/regenerate.cmake
+cmake_path(ABSOLUTE_PATH generated)  # the tool runs in the folder of the grammars
 find_program(ARMLET_ANTLR_TOOL NAMES antlr4 REQUIRED)
 foreach(grammar RbtLexer RbtParser)
   execute_process(

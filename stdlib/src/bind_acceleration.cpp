@@ -1,4 +1,4 @@
-// The acceleration parameters of a trajectory and their integration (language reference, 19.2).
+// The acceleration parameters of a trajectory and their integration (language reference, section 19).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Linear algebra: equations, decompositions, functions of matrices (language reference, 19.2).
+// Linear algebra: equations, decompositions, functions of matrices (language reference, section 19).
 
 #include <fmt/format.h>
 

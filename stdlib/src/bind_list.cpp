@@ -1,5 +1,5 @@
 // Lists: making, statistics, order, and the functions that visit every element (language reference,
-// 19.2).
+// section 19).
 
 #include <fmt/format.h>
 

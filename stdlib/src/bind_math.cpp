@@ -1,4 +1,4 @@
-// Mathematics (language reference, 19.1). The same functions are found under Math.
+// Mathematics (language reference, section 19). The same functions are found under Math.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Matrices: making them, and arithmetic (language reference, sections 8 and 19.2).
+// Matrices: making them, and arithmetic (language reference, sections 8 and 19).
 
 #include <fmt/format.h>
 

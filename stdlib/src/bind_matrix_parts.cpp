@@ -1,5 +1,5 @@
 // Matrices put together, summed up, and taken element by element; and the matrices of a posC
-// (language reference, sections 8 and 19.2).
+// (language reference, sections 8 and 19).
 
 #include <fmt/format.h>
 

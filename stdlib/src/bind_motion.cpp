@@ -1,4 +1,4 @@
-// Moves (language reference, 13.2 and 19.4).
+// Moves (language reference, sections 13.2 and 19).
 
 #include <optional>
 

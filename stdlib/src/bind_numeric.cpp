@@ -1,4 +1,4 @@
-// Fits, roots, equations and their relatives (language reference, 19.2).
+// Fits, roots, equations and their relatives (language reference, section 19).
 
 #include <fmt/format.h>
 

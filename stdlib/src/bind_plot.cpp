@@ -1,4 +1,4 @@
-// Figures (language reference, 16 and 19.5).
+// Figures (language reference, sections 16 and 19).
 
 #include <fmt/format.h>
 

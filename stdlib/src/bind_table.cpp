@@ -1,4 +1,4 @@
-// Tables that `record` makes (language reference, 16 and 19.5).
+// Tables that `record` makes (language reference, sections 16 and 19).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Text (language reference, 19.2). Positions count characters, not bytes.
+// Text (language reference, section 19). Positions count characters, not bytes.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Time and signals (language reference, 12 and 19.4).
+// Time and signals (language reference, sections 12 and 19).
 
 #include <fmt/format.h>
 

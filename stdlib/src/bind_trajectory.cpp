@@ -1,4 +1,4 @@
-// Trajectories as values: making and reading them (language reference, 13.2 and 19.4).
+// Trajectories as values: making and reading them (language reference, sections 13.2 and 19).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Velocity commands (language reference, 13.2 and 19.4).
+// Velocity commands (language reference, sections 13.2 and 19).
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Trajectories as values (language reference, 13.2 and 19.4), and planning through points.
+// Trajectories as values (language reference, sections 13.2 and 19), and planning through points.
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-// Arms of one to four turning joints of any structure (ALGORITHMS of the subproblems: every one of
+// Arms of one to four turning joints of any structure (with the subproblems of Paden and Kahan: every one of
 // them that has no joint to spare has a closed form).
 #include <doctest/doctest.h>
 

@@ -95,7 +95,7 @@ TEST_CASE("LU reproduces the matrix with exchanged rows, by pivots that are the 
   }
 }
 
-TEST_CASE("LU gives the factors of Golub and Van Loan's example, section 3.4") {
+TEST_CASE("LU gives the factors of Golub and Van Loan's example (1996, section 3.4)") {
   const MatrixXd A{{3, 17, 10}, {2, 4, -2}, {6, 18, -12}};
   const LuParts lu = lu_decomposition(A);
   CHECK(distance(lu.L, MatrixXd{{1, 0, 0}, {0.5, 1, 0}, {1 / 3.0, -0.25, 1}}) < 1e-15);
@@ -244,7 +244,7 @@ TEST_CASE("the determinant of a product is the product of the determinants") {
   }
 }
 
-// Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 28.1.
+// Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 2002, section 28.1.
 TEST_CASE("Hilbert's matrix has the inverse and the determinant of the books") {
   MatrixXd H(5, 5);
   for (Index i = 0; i < 5; ++i) {

@@ -1,9 +1,9 @@
 #pragma once
 // A message about a program: a code, one sentence, marks in the text, why, and a fix.
 //
-// Diagnostics are data. `render` (diagnostic/render.hpp) turns them into the text form of the
+// Diagnostics are data. `render` (render.hpp) turns them into the text form of the
 // language reference, section 20.1, and into one line of JSON (ruling 26). The headlines and the
-// help pages live in diagnostic/catalog.def.
+// help pages live in the catalogue, src/diagnostic/catalog_*.def.
 
 #include <cstdint>
 #include <optional>
