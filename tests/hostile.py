@@ -43,7 +43,7 @@ PROGRAMS = {
     "endless_loop": ("while (true) { }", FAILED, "R0622", ["--steps", "1000000"]),
     "endless_growth": ('var s = "x"\nwhile (true) { s = s + s }', FAILED, "R0628", []),
     "huge_array": ("double[] a = new double[1000000000000];", FAILED, "R0628", []),
-    "table_with_nan": ('robot arm = dh([[0.0, 0.0, 0.0 / 0.0, 0.0]], types: "R")', FAILED, "R0630", []),
+    "table_with_nan": ('robot arm = dh([[0.0, 0.0, 0.0 / 0.0, 0.0]], types: "R", limits: [[-1.0, 1.0]])', FAILED, "R0630", []),
     "robot_without_joints": ("robot arm { base: xyz(0mm, 0mm, 0mm) }", REJECTED, "E0508", []),
     "negative_time": ("moveJ(home(), time: -1s)", REJECTED, "E0513", []),
     "negative_time_at_run_time": ("fn t() => 0.0 - 1.0\nmoveJ('Syn', home(), t())", FAILED, "R0609", []),

@@ -6,6 +6,7 @@
 
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/reference.hpp"
+#include "armlet/stdlib/install.hpp"
 #include "console.hpp"
 
 namespace armlet::cli {
@@ -49,7 +50,11 @@ int not_found(const std::string& name) {
 
 }  // namespace
 
-int help(const std::string& name, bool markdown) {
+int help(const std::string& name, bool markdown, bool later) {
+  if (later) {
+    for (const std::string& feature : later_features()) print_out(feature + "\n");
+    return finish_output() ? kDone : kFailed;
+  }
   if (markdown) {
     print_out(kPreface);
     print_out(reference_markdown(engine()));

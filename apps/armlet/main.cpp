@@ -60,6 +60,7 @@ struct Asked {
   std::string code;
   std::string name;
   bool markdown = false;
+  bool later = false;
 };
 
 void add_run_options(CLI::App& command, Asked& asked) {
@@ -116,6 +117,8 @@ void add_help_options(CLI::App& command, Asked& asked) {
   command.add_option("NAME", asked.name,
                      "for example moveL, or a word to look for; without it, all names");
   command.add_flag("--markdown", asked.markdown, "the whole reference, as in docs/stdlib.md");
+  command.add_flag("--later", asked.later,
+                   "what the language reference describes but is not there yet");
 }
 
 struct Command {
@@ -141,7 +144,7 @@ constexpr Command kCommands[] = {
     {"explain", "say what a message means, with a wrong and a right program", add_explain_options,
      [](const Asked& asked) { return explain(asked.code); }},
     {"help", "say what a function does, with an example", add_help_options,
-     [](const Asked& asked) { return help(asked.name, asked.markdown); }},
+     [](const Asked& asked) { return help(asked.name, asked.markdown, asked.later); }},
 };
 
 int dispatch(int argc, char** argv) {

@@ -1,5 +1,6 @@
 #include "format_value.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -86,7 +87,9 @@ std::string styled_number(double value, int digits, char style) {
 
 class Writer {
  public:
-  Writer(const Format& format, std::size_t limit) : format_(format), limit_(limit) {}
+  // is_shown: the value is what the program shows, not a part of a message.
+  Writer(const Format& format, std::size_t limit, bool is_shown)
+      : format_(format), limit_(limit), is_shown_(is_shown) {}
 
   void value(Slot s, const Type& type);
   std::string out;
@@ -105,6 +108,7 @@ class Writer {
 
   const Format& format_;
   std::size_t limit_;
+  bool is_shown_;
   int level_ = 0;
 };
 
@@ -206,7 +210,10 @@ void Writer::reference(Slot s, const Type& type) {
   if (type.is(Kind::kHost)) {
     const auto* host = static_cast<HostObj*>(s.o);
     if (host->type->text != nullptr) {
+      const std::size_t begin = out.size();
       host->type->text(host->payload(), out);
+      // Only a value that the program shows by itself has room for more than a line.
+      if (!is_shown_ || level_ > 1) out.resize(std::min(out.find('\n', begin), out.size()));
     } else {
       out += host->type->name;
     }
@@ -256,11 +263,14 @@ std::string quantity_text(double si, Dim dim) {
 }
 
 std::string value_text(Slot value, const Type& type, std::size_t limit) {
-  return format_value(value, Format{&type, -1, 0, {}, 1.0}, limit);
+  const Format plain{&type, -1, 0, {}, 1.0};
+  Writer writer(plain, limit, false);
+  writer.value(value, type);
+  return std::move(writer.out);
 }
 
 std::string format_value(Slot value, const Format& format, std::size_t limit) {
-  Writer writer(format, limit);
+  Writer writer(format, limit, true);
   writer.value(value, *format.type);
   return std::move(writer.out);
 }

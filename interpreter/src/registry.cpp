@@ -46,8 +46,15 @@ const NativeConstant* Registry::constant(std::string_view name) const {
   return find_or(constants_, name, nullptr);
 }
 
+// A type of the host may be written with a capital letter if the library makes its values by a
+// function of that name, as the classic subset does: Robot.
 const HostType* Registry::type(std::string_view name) const {
-  return find_or(types_, name, nullptr);
+  const bool is_classic = !name.empty() && name[0] >= 'A' && name[0] <= 'Z' &&
+                          !types_.contains(name) && functions_.contains(name);
+  if (!is_classic) return find_or(types_, name, nullptr);
+  std::string small(name);
+  small[0] = static_cast<char>(small[0] - 'A' + 'a');
+  return find_or(types_, small, nullptr);
 }
 
 std::vector<std::string_view> Registry::public_names() const {

@@ -1,4 +1,4 @@
-// Inverse kinematics and what it says about itself (language reference, 19.4).
+// Inverse kinematics and what it says about itself (language reference, section 19).
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "give.hpp"
 #include "move_failures.hpp"
 #include "moves.hpp"
+#include "rules.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -74,7 +75,7 @@ struct Question {
   bool tilted = false;  // an orientation that this arm cannot take, whatever its joints do
 };
 
-template <bool kWord>
+template <bool kWord, bool kNearList>
 std::optional<Question> question_of(Vm& vm, Slot* args) {
   const CellRobot& state = state_of(vm, args[kArm]);
   const Robot& robot = *state.model;
@@ -83,7 +84,7 @@ std::optional<Question> question_of(Vm& vm, Slot* args) {
   IkOptions& options = out.options;
   options.seed = state.q;
   if (args[kNear].o != nullptr) {
-    auto near = joint_argument(vm, robot, args[kNear], false, kNear);
+    auto near = joint_argument(vm, robot, args[kNear], kNearList, kNear);
     if (!near) return std::nullopt;
     options.seed = *std::move(near);
   }
@@ -101,9 +102,9 @@ std::optional<Question> question_of(Vm& vm, Slot* args) {
   return out;
 }
 
-template <bool kWord>
+template <bool kWord, bool kNearList = false>
 Signal ikine(Vm& vm, Slot* args) {
-  const auto question = question_of<kWord>(vm, args);
+  const auto question = question_of<kWord, kNearList>(vm, args);
   if (!question) return Signal::kFail;
   const MoveCall call{.function = "ikine", .robot = robot_id(args[kArm])};
   if (question->tilted) return fail_tilted(vm, call, posc(args[kTarget]));
@@ -123,9 +124,9 @@ Signal give_report(Vm& vm, Slot* args, const Question& question) {
   return give(args, new_text(vm, to_text(robot, question.T_world_tool, report)));
 }
 
-template <bool kWord>
+template <bool kWord, bool kNearList = false>
 Signal explain_ikine(Vm& vm, Slot* args) {
-  const auto question = question_of<kWord>(vm, args);
+  const auto question = question_of<kWord, kNearList>(vm, args);
   return question ? give_report(vm, args, *question) : Signal::kFail;
 }
 
@@ -202,6 +203,21 @@ constexpr NativeFunction kFunctions[] = {
                "every joint counted by its range.",
                "ikine(here(), posture: home())", ikine<false>},
               explain_ikine<false>),
+    explained({"ikine",
+               "(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", "
+               "posture: string?) -> posJ",
+               "Joint values that bring the tool point to p, near joint values in rad and m.",
+               "ikine(here(), near: [0.0, 0.5, 0.1, 0.0])", ikine<true, true>, nullptr, nullptr,
+               check_joint_list<kNear>},
+              explain_ikine<true, true>),
+    explained({"ikine",
+               "(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", "
+               "posture: posJ) -> posJ",
+               "Joint values that bring the tool point to p, near joint values in rad and m and "
+               "near a posture.",
+               "ikine(here(), near: [0.0, 0.5, 0.1, 0.0], posture: home())", ikine<false, true>,
+               nullptr, nullptr, check_joint_list<kNear>},
+              explain_ikine<false, true>),
     {"ikineAll", "(r: robot, p: posC, limits: bool = true) -> posJ[]",
      "All joint values that bring the tool point to p, the nearest to the present ones first: "
      "every branch of an arm with a closed form; limits: false lists those beyond the joint limits "

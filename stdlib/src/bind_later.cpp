@@ -13,8 +13,9 @@ constexpr NativeFunction later(std::string_view name, std::string_view signature
   return {.name = name, .signature = signature, .help = feature, .later = true};
 }
 
-constexpr NativeFunction later_motion(std::string_view name, std::string_view signature) {
-  NativeFunction function = later(name, signature);
+constexpr NativeFunction later_motion(std::string_view name, std::string_view signature,
+                                      std::string_view feature = {}) {
+  NativeFunction function = later(name, signature, feature);
   function.pauses = true;
   return function;
 }
@@ -23,12 +24,14 @@ constexpr NativeFunction kFunctions[] = {
     // trajectories and motion
     later("plan", "(r: robot, to: posJ, avoid: bool = true) -> trajectory"),
     later("plan", "(r: robot, to: posC, avoid: bool = true) -> trajectory"),
-    later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)"),
+    later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)",
+                 "`speedC` in the frame of a camera"),
     // hands with fingers
     later("robots.barrettHand", "(name: string?, on: robot) -> robot"),
     later("finger", "(h: robot, i: int) -> finger"),
-    later_motion("moveJ", "(f: finger, target: posJ, time: time?, speed: double?) -> Move"),
-    later("force", "(f: finger) -> force"),
+    later_motion("moveJ", "(f: finger, target: posJ, time: time?, speed: double?) -> Move",
+                 "`moveJ` of a finger"),
+    later("force", "(f: finger) -> force", "`force` of a finger"),
     later("graspQuality", "(h: robot, o: object) -> GraspQuality"),
     later_motion("closeHand", "(h: robot, force: force?)"),
     later_motion("openHand", "(h: robot)"),
@@ -59,7 +62,9 @@ constexpr NativeFunction kFunctions[] = {
           "double = 0.5, color: "
           "string = \"gray\", fixed: bool = false) -> object",
           "an object with a texture"),
-    later("corners", "(o: object) -> length[][]"),
+    later("corners", "(o: object) -> length[][]", "`corners` of an object"),
+    later("distance", "(a: object, b: object) -> length", "`distance` of objects"),
+    later("touching", "(a: object, b: object) -> bool"),
     later("capture", "(c: camera) -> image"),
     later("project", "(c: camera, points: length[][], from: posC?) -> matrix"),
     later("depth", "(c: camera, s: matrix) -> length[]"),
@@ -71,13 +76,14 @@ constexpr NativeFunction kFunctions[] = {
     later("threshold", "(img: image, level: double) -> image"),
     later("edges", "(img: image, low: double, high: double) -> image"),
     later("corners",
-          "(img: image, method: string = \"susan\", nearTo: matrix?, max: int = 1000) -> matrix"),
+          "(img: image, method: string = \"susan\", nearTo: matrix?, max: int = 1000) -> matrix",
+          "`corners` of an image"),
     later("blobs", "(img: image, minArea: double = 1.0) -> Blob[]"),
     later("lines", "(img: image) -> matrix"),
     later("circles", "(img: image) -> matrix"),
     later("match", "(img: image, template: image) -> Match"),
     later("loadImage", "(path: string) -> image"),
-    later("save", "(img: image, path: string)"),
+    later("save", "(img: image, path: string)", "`save` of an image"),
     // pictures
     later("show", "(img: image)"),
     later("trail", "(r: robot)"),

@@ -1,15 +1,17 @@
 // Robots: blocks of joints, tables, ready arms, and what is mounted on them (language
-// reference, 13.1 and 19.4).
+// reference, sections 13.1 and 19).
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "armlet/model/catalog.hpp"
+#include "armlet/model/joint_limits.hpp"
 #include "armlet/model/serial_arm.hpp"
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
+#include "models.hpp"
 #include "rules.hpp"
 #include "values.hpp"
 
@@ -103,13 +105,8 @@ bool read_friction(Vm& vm, Slot slot, Link& link) {
 
 template <JointKind kKind>
 Signal joint_row(Vm& vm, Slot* args) {
-  JointRow row;
+  JointRow row{.joint = joint_without_limits(kKind), .link = {}};
   Joint& joint = row.joint;
-  joint.kind = kKind;
-  if (kKind == JointKind::kPrismatic) {
-    joint.lower = 0.0;
-    joint.upper = 1.0;
-  }
   joint.dh = {args[kTheta].d, args[kD].d, args[kA].d, args[kAlpha].d};
   joint.max_speed = or_zero(args[kMaxSpeed]);
   joint.max_accel = or_zero(args[kMaxAccel]);
@@ -131,10 +128,12 @@ Signal joint_row(Vm& vm, Slot* args) {
 // ---- robots
 // ----------------------------------------------------------------------------------------------------
 
+}  // namespace
+
 Signal add_robot(Vm& vm, Slot* args, Robot robot) {
   Result<int> id = Host::of(vm).add_robot(std::make_shared<const Robot>(std::move(robot)));
   if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
-  return give(args, new_host_value(vm, kRobot, RobotRef{*id}));
+  return give(args, new_host_value(vm, kRobot, RobotRef{*id, &Host::of(vm).cell()}));
 }
 
 // What every way to make a robot accepts: base, tool and a name, all optional.
@@ -155,6 +154,8 @@ DhConvention convention_of(std::string_view word) {
   throw ArgumentError(
       fmt::format("The convention is \"standard\" or \"modified\", not \"{}\".", word));
 }
+
+namespace {
 
 InertiaCheck inertia_check_of(std::string_view word) {
   if (word == "rigid") return InertiaCheck::kRigidBody;
@@ -205,24 +206,6 @@ Signal robot_block(Vm& vm, Slot* args) try {
   return failure_of(vm, "R0630", error);
 }
 
-Signal robot_from_table(Vm& vm, Slot* args) try {
-  enum { kTable, kTypes, kConvention, kBase, kTool, kName };
-  RobotSpec spec;
-  std::vector<std::vector<double>> rows;
-  for (const Slot row : items_value(args[kTable])) {
-    const auto values = reals_value(row);
-    rows.emplace_back(values.begin(), values.end());
-  }
-  if (args[kName].o != nullptr) spec.name = std::string(text_value(args[kName]));
-  spec.source = "a table in the program";
-  spec.convention = convention_of(text_value(args[kConvention]));
-  spec.joints = joints_from_table(rows, text_value(args[kTypes]));
-  return add_robot(vm, args,
-                   finished(Robot(std::move(spec)), args[kBase], args[kTool], Slot{.o = nullptr}));
-} catch (const ArgumentError& error) {
-  return failure_of(vm, "R0630", error);
-}
-
 // A robot from a file in the folder of the program.
 Signal robot_from_urdf(Vm& vm, Slot* args) try {
   enum { kPath, kTip, kInertias, kBase, kTool, kName };
@@ -263,7 +246,7 @@ Signal ready_robot(Vm& vm, Slot* args) try {
 Signal default_robot(Vm& vm, Slot* args) {
   const Result<int> id = Host::of(vm).default_robot();
   if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
-  return give(args, new_host_value(vm, kRobot, RobotRef{*id}));
+  return give(args, new_host_value(vm, kRobot, RobotRef{*id, &Host::of(vm).cell()}));
 }
 
 // ---- tools
@@ -313,13 +296,6 @@ constexpr NativeFunction kFunctions[] = {
      "it; "
      "inertias: \"published\" keeps numbers that no rigid body has.",
      "robot arm { joint revolute(a: 300mm) }", robot_block, nullptr, nullptr, check_robot_block},
-    {"dh",
-     "(table: double[][], types: string, convention: string = \"standard\", base: posC?, tool: "
-     "tool?, name: string?) -> robot",
-     "A robot from a table with rows theta, d, a, alpha (rad, m) and a word with R or P for each "
-     "joint.",
-     "dh([[0.0, 0.0, 0.3, 0.0]], types: \"R\")", robot_from_table, nullptr, nullptr,
-     check_dh_table},
     {"urdf",
      "(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, name: "
      "string?) -> robot",

@@ -1,4 +1,4 @@
-// Positions and frames (language reference, 8 and 19.3).
+// Positions and frames (language reference, sections 8 and 19).
 
 #include <fmt/format.h>
 
@@ -55,7 +55,8 @@ Signal pose(Vm& vm, Slot* args) {
 }
 Signal quaternion(Vm& vm, Slot* args) {
   if (!all_finite(vm, args, 4, "a value of the quaternion")) return Signal::kFail;
-  const Eigen::Vector4d q(args[0].d, args[1].d, args[2].d, args[3].d);
+  Eigen::Vector4d q(args[0].d, args[1].d, args[2].d, args[3].d);
+  if (!std::isfinite(q.norm())) q /= q.cwiseAbs().maxCoeff();  // its length does not matter
   if (q.norm() < 1e-9) return failure(vm, "R0609", "a quaternion of zeros has no direction");
   return give_pose(vm, args, make_pose(R_from_quaternion(q), Vector3d::Zero()), true);
 }
@@ -63,8 +64,9 @@ Signal axis_angle(Vm& vm, Slot* args) {
   const auto axis = reals_value(args[0]);
   if (axis.size() != 3)
     return failure(vm, "R0613", fmt::format("an axis has 3 values, not {}", axis.size()), 0);
-  const Vector3d v(axis[0], axis[1], axis[2]);
+  Vector3d v(axis[0], axis[1], axis[2]);
   if (!v.allFinite()) return not_finite(vm, "a value of the axis", v.sum(), 0);
+  if (!std::isfinite(v.norm())) v /= v.cwiseAbs().maxCoeff();
   if (!std::isfinite(args[1].d)) return not_finite(vm, "the angle", args[1].d, 1);
   if (v.norm() < 1e-12) return failure(vm, "R0609", "an axis of zeros has no direction", 0);
   return give_pose(vm, args, make_pose(R_from_axis_angle(v, args[1].d), Vector3d::Zero()), true);
@@ -92,8 +94,7 @@ Signal angle_of_turn(Vm&, Slot* args) {
   return give(args, angle_between(posc(args[0]).T, posc(args[1]).T));
 }
 
-// The frame at `from` whose z axis looks at `to` and whose x axis stays level (a camera's axes,
-// ALGORITHMS F1).
+// The frame at `from` whose z axis looks at `to` and whose x axis stays level (a camera's axes).
 Signal look_at(Vm& vm, Slot* args) {
   const auto a = reals_value(args[0]);
   const auto b = reals_value(args[1]);

@@ -1,4 +1,4 @@
-// The state of robots and their kinematics (language reference, 19.4).
+// The state of robots and their kinematics (language reference, section 19).
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "bind.hpp"
 #include "give.hpp"
 #include "moves.hpp"
+#include "rules.hpp"
 #include "values.hpp"
 
 namespace armlet::bind {
@@ -144,6 +145,28 @@ Signal jacobian_of(Vm& vm, Slot* args) {
   return give_matrix(vm, args, armlet::jacobian(robot, *q, *frame));
 }
 
+// (r, q, qd)
+template <bool kList, bool kRates>
+Signal jacobian_dot(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  const auto q = joint_argument(vm, robot, args[1], kList, 1);
+  if (!q) return Signal::kFail;
+  const auto qd = joint_argument(vm, robot, args[2], kRates, 2);
+  if (!qd) return Signal::kFail;
+  const Vector6d rate = jacobian_dot_qd(robot, *q, *qd);
+  return give(args, new_reals(vm, {rate.data(), 6}));
+}
+
+// (r, q, qd)
+template <bool kList>
+Signal jacobian_rate_of(Vm& vm, Slot* args) {
+  const Robot& robot = *state_of(vm, args[0]).model;
+  const auto q = joint_argument(vm, robot, args[1], kList, 1);
+  if (!q) return Signal::kFail;
+  const auto qd = joint_argument(vm, robot, args[2], true, 2);
+  return qd ? give_matrix(vm, args, armlet::jacobian_rate(robot, *q, *qd)) : Signal::kFail;
+}
+
 Signal dh_table(Vm& vm, Slot* args) {
   const Robot& robot = *state_of(vm, args[0]).model;
   Eigen::MatrixXd table(robot.n(), 4);
@@ -161,6 +184,10 @@ Signal random_joints(Vm& vm, Slot* args) {
     q[i] = vm.random().uniform(robot.lower()[i], robot.upper()[i]);
   return give(args, new_posj(vm, make_posj(robot, q)));
 }
+
+constexpr std::string_view kJacobianDot =
+    "The acceleration of the tool point that the joint speeds qd cause while they do not change: "
+    "the rate of the Jacobian times qd, three values in m/s^2 and three in rad/s^2, in the world.";
 
 constexpr NativeFunction kFunctions[] = {
     {"joints", "(r: robot) -> posJ", "The joint values now.", "joints()", joints},
@@ -192,17 +219,17 @@ constexpr NativeFunction kFunctions[] = {
      "fkine(joints())", fkine<false>},
     {"fkine", "(r: robot, q: double[], joint: int?) -> posC",
      "Where the tool point is for these joint values (SI).", "fkine([0.0, 0.0, 0.1, 0.0])",
-     fkine<true>},
+     fkine<true>, nullptr, nullptr, check_joint_list<1>},
     {"linkFrames", "(r: robot, q: posJ) -> posC[]", "The frames after each joint.",
      "linkFrames(joints())", link_frames<false>},
     {"linkFrames", "(r: robot, q: double[]) -> posC[]", "The frames after each joint.",
-     "linkFrames([0.0, 0.0, 0.1, 0.0])", link_frames<true>},
+     "linkFrames([0.0, 0.0, 0.1, 0.0])", link_frames<true>, nullptr, nullptr, check_joint_list<1>},
     {"manipulability", "(r: robot, q: posJ) -> double",
      "Yoshikawa's measure: zero where the arm is singular.", "manipulability(joints())",
      manipulability_of<false>},
     {"manipulability", "(r: robot, q: double[]) -> double",
      "Yoshikawa's measure: zero where the arm is singular.", "manipulability([0.0, 0.5, 0.1, 0.0])",
-     manipulability_of<true>},
+     manipulability_of<true>, nullptr, nullptr, check_joint_list<1>},
     {"jacobian", "(r: robot, q: posJ, frame: string = \"world\") -> matrix",
      "Maps joint speeds to the velocity of the tool point: three rows in m/s, three in rad/s, "
      "along "
@@ -212,7 +239,22 @@ constexpr NativeFunction kFunctions[] = {
      "Maps joint speeds to the velocity of the tool point: three rows in m/s, three in rad/s, "
      "along "
      "the axes of the frame \"world\", \"base\" or \"tool\".",
-     "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")", jacobian_of<true>},
+     "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")", jacobian_of<true>, nullptr, nullptr,
+     check_joint_list<1>},
+    {"jacobianDot", "(r: robot, q: posJ, qd: double[]) -> double[]", kJacobianDot,
+     "jacobianDot(joints(), jointSpeeds())", jacobian_dot<false, true>},
+    {"jacobianDot", "(r: robot, q: posJ, qd: posJ) -> double[]", kJacobianDot,
+     "jacobianDot(joints(), joints())", jacobian_dot<false, false>},
+    {"jacobianDot", "(r: robot, q: double[], qd: double[]) -> double[]", kJacobianDot,
+     "jacobianDot([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])", jacobian_dot<true, true>, nullptr,
+     nullptr, check_joint_list<1>},
+    {"jacobianRate", "(r: robot, q: posJ, qd: double[]) -> matrix",
+     "The rate of change of the Jacobian while the joints move with qd, in the world's axes.",
+     "jacobianRate(joints(), jointSpeeds())", jacobian_rate_of<false>},
+    {"jacobianRate", "(r: robot, q: double[], qd: double[]) -> matrix",
+     "The rate of change of the Jacobian while the joints move with qd, in the world's axes.",
+     "jacobianRate([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])", jacobian_rate_of<true>, nullptr,
+     nullptr, check_joint_list<1>},
     {"dhTable", "(r: robot) -> matrix",
      "The Denavit-Hartenberg parameters, one row theta, d, a, alpha for each joint, in rad and m.",
      "dhTable()", dh_table},

@@ -1,8 +1,12 @@
 #include "armlet/stdlib/install.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
+#include "armlet/interpreter/later.hpp"
 #include "bind.hpp"
 #include "values.hpp"
 
@@ -15,7 +19,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"simulate", "mesh", "touching", "lab",
+constexpr std::string_view kPlanned[] = {"simulate", "mesh", "lab",
                                          // settings of with
                                          "with.collisions"};
 
@@ -35,9 +39,12 @@ std::span<const Chapter> chapters() {
       {"Differential equations", ode_functions()},
       {"Text", text_functions()},
       {"Positions and frames", pose_functions()},
+      {"Positions and frames: orientations", rotation_functions()},
       {"Robots: models", model_functions()},
+      {"Robots: tables", dh_functions()},
       {"Robots: state and kinematics", robot_functions()},
       {"Robots: inverse kinematics", ikine_functions()},
+      {"Robots: inverse kinematics as values", ikine_info_functions()},
       {"Robots: motion", motion_functions()},
       {"Robots: velocity commands", velocity_functions()},
       {"Trajectories", trajectory_functions()},
@@ -71,6 +78,10 @@ void install(Engine& engine) {
   engine.add_record("Eigenvalues", "re: double[], im: double[]");
   engine.add_record("Move",
                     "reached: bool, stopped: bool, time: time, length: length, deviation: length");
+  engine.add_record("IkInfo",
+                    "found: bool, q: posJ, method: string, branch: string, iterations: int, "
+                    "residual: length, tilt: angle, distance: length, nearest: posC, worstJoint: "
+                    "int, margin: double[]");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
   engine.add_record("GraspQuality",
                     "contacts: int, minSingular: double, volume: double, forceClosure: bool");
@@ -81,6 +92,26 @@ void install(Engine& engine) {
   engine.add_planned(kPlanned);
   for (const bind::Chapter& chapter : bind::chapters())
     engine.add_functions(chapter.functions, chapter.title);
+}
+
+std::vector<std::string> later_features() {
+  std::vector<std::string> features;
+  const auto add = [&features](std::string feature) {
+    if (std::ranges::find(features, feature) == features.end())
+      features.push_back(std::move(feature));
+  };
+  for (const bind::Chapter& chapter : bind::chapters()) {
+    for (const NativeFunction& function : chapter.functions) {
+      if (function.later) add(later_feature(function));
+    }
+  }
+  for (const std::string_view name : kPlanned) {
+    const std::size_t dot = name.find('.');
+    add(dot == std::string_view::npos ? fmt::format("`{}`", name)
+                                      : fmt::format("the setting `{}`", name.substr(dot + 1)));
+  }
+  for (const std::string_view feature : kLaterInLanguage) add(std::string(feature));
+  return features;
 }
 
 }  // namespace armlet

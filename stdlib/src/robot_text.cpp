@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
+#include "armlet/core/format.hpp"
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
@@ -162,6 +165,45 @@ std::string robot_block(const Robot& robot) {
   std::vector<std::string> home;
   for (int i = 0; i < robot.n(); ++i) home.push_back(of_joint(robot.joint(i), robot.home()[i]));
   text += fmt::format("    home: posJ({})\n}}\n", fmt::join(home, ", "));
+  return text;
+}
+
+namespace {
+
+std::string degrees(double x) { return format_number(rad_to_deg(x), 4) + " deg"; }
+std::string millimetres(double x) { return format_number(x * 1000.0, 3) + " mm"; }
+
+using Line = std::array<std::string, 7>;
+
+Line line_of(const Robot& robot, int i) {
+  const Joint& joint = robot.joint(i);
+  const auto value = joint.is_revolute() ? degrees : millimetres;
+  return {fmt::format("{} {}", i + 1, joint.is_revolute() ? 'R' : 'P'),
+          degrees(joint.dh.theta),
+          millimetres(joint.dh.d),
+          millimetres(joint.dh.a),
+          degrees(joint.dh.alpha),
+          value(joint.lower),
+          value(joint.upper)};
+}
+
+}  // namespace
+
+std::string robot_table(const Robot& robot, std::string_view name) {
+  std::vector<Line> lines = {{"joint", "theta", "d", "a", "alpha", "from", "to"}};
+  for (int i = 0; i < robot.n(); ++i) lines.push_back(line_of(robot, i));
+  std::array<std::size_t, 7> width{};
+  for (const Line& line : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) width[k] = std::max(width[k], line[k].size());
+  }
+  const bool standard = robot.spec().convention == DhConvention::kStandard;
+  std::string text = fmt::format("robot {}\n{} DH table", name.empty() ? robot.name() : name,
+                                 standard ? "standard" : "modified");
+  for (const Line& line : lines) {
+    text += fmt::format("\n{:<{}}", line[0], width[0]);
+    for (std::size_t k = 1; k < line.size(); ++k)
+      text += fmt::format("  {:>{}}", line[k], width[k]);
+  }
   return text;
 }
 

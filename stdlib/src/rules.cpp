@@ -34,10 +34,6 @@ std::string count_of(int count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::shared_ptr<const RobotFact> ambient_robot(const CheckCall& call) {
-  return std::dynamic_pointer_cast<const RobotFact>(call.ambient_fact("robot"));
-}
-
 void set_position_fact(CheckCall& call, int count) {
   auto fact = std::make_shared<PositionFact>();
   fact->count = count;
@@ -155,41 +151,6 @@ void check_posj_values(CheckCall& call) {
   }
 }
 
-namespace {
-
-// W0702: radians that look like degrees.
-constexpr double kManyTurns = 4.0 * std::numbers::pi;
-constexpr double kNoAngle = 1e6;  // from here on, infinity included, it is no angle in degrees
-
-void advise_degrees(CheckCall& call, const std::vector<Constant>& items, const RobotFact* robot) {
-  int first = -1;
-  std::string rewritten;
-  std::vector<Edit> edits;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool turns = robot == nullptr || i >= robot->turns.size() || robot->turns[i];
-    const double size = std::abs(items[i].real);
-    const bool many = turns && size > kManyTurns && size < kNoAngle;
-    if (many && first < 0) first = static_cast<int>(i);
-    const Span origin = call.origin(0, static_cast<int>(i));
-    if (origin.empty()) return;
-    rewritten += fmt::format("{}{}{}", i > 0 ? ", " : "", call.text_of(origin), many ? "deg" : "");
-    if (many) edits.push_back({{origin.end, origin.end, origin.source}, "deg"});
-  }
-  if (first < 0) return;
-  const Span origin = call.origin(0, first);
-  const double value = items[first].real;
-  Diagnostic d = make_diagnostic(
-      "W0702", call.span(0),
-      {fmt::format("{} rad", call.text_of(origin)),
-       std::to_string(static_cast<int>(std::abs(value) / (2.0 * std::numbers::pi)))});
-  d.mark.label = "plain numbers count as radians and metres";
-  d.related.push_back({origin, ""});
-  d.fix = Fix{.text = fmt::format("write {{{}}}", rewritten), .edits = std::move(edits)};
-  call.report(std::move(d));
-}
-
-}  // namespace
-
 void check_posj_list(CheckCall& call) {
   const auto constant = call.constant(0);
   const auto robot = ambient_robot(call);
@@ -202,7 +163,7 @@ void check_posj_list(CheckCall& call) {
   set_position_fact(call, count);
   const Type* type = call.type(0);
   const bool plain = type != nullptr && type->is(Kind::kList) && !type->element->is_quantity();
-  if (plain) advise_degrees(call, constant->items, robot.get());
+  if (plain) advise_degrees(call, 0, constant->items, robot.get());
 }
 
 // ---- robots
@@ -274,39 +235,6 @@ void check_robot_block(CheckCall& call) {
   call.set_result_fact(std::move(fact));
 }
 
-// (table: double[][], types: string, convention, base, tool, name)
-void check_dh_table(CheckCall& call) {
-  constexpr std::size_t kRow = 4;
-  const auto table = call.constant(0);
-  const bool known = table && table->kind == Constant::Kind::kList;
-  for (std::size_t i = 0; known && i < table->items.size(); ++i) {
-    const std::size_t found = table->items[i].items.size();
-    if (table->items[i].kind != Constant::Kind::kList || found == kRow) continue;
-    Diagnostic d =
-        make_diagnostic("E0509", call.item_span(0, static_cast<int>(i)),
-                        {std::to_string(i + 1), count_of(static_cast<int>(found), "value")});
-    d.why = "a row is theta, d, a, alpha";
-    return call.report(std::move(d));
-  }
-  const auto types = call.constant(1);
-  if (!types) return;
-  const bool letters = types->text.find_first_not_of("RP") == std::string::npos;
-  if (!letters || (known && types->text.size() != table->items.size())) {
-    Diagnostic d = make_diagnostic("E0510", call.span(1), {types->text});
-    if (letters)
-      d.mark.label =
-          fmt::format("{} for {}", count_of(static_cast<int>(types->text.size()), "joint"),
-                      count_of(static_cast<int>(table->items.size()), "row"));
-    d.why = "R is a joint that turns, P one that slides";
-    return call.report(std::move(d));
-  }
-  auto fact = std::make_shared<RobotFact>();
-  const auto name = call.constant(5);
-  fact->name = name ? name->text : "this robot";
-  for (const char c : types->text) fact->turns.push_back(c == 'R');
-  call.set_result_fact(std::move(fact));
-}
-
 void check_default_robot(CheckCall& call) {
   const auto* host = static_cast<const Host*>(call.host());
   if (host == nullptr) return;
@@ -341,11 +269,6 @@ void check_planner(CheckCall& call, int parameter) {
 }
 
 namespace {
-
-std::shared_ptr<const RobotFact> robot_of(const CheckCall& call) {
-  if (call.given(0)) return std::dynamic_pointer_cast<const RobotFact>(call.fact(0));
-  return ambient_robot(call);
-}
 
 void check_joint_target(CheckCall& call, int parameter) {
   const auto robot = robot_of(call);

@@ -34,6 +34,17 @@ struct PositionFact : Fact {
 void check_posj_values(CheckCall& call);
 void check_posj_list(CheckCall& call);
 
+// W0702: radians that look like degrees, in a list of joint values that is known from the text.
+void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>& items,
+                    const RobotFact* robot);
+// The same for a parameter that takes joint values as a list.
+template <int kParameter>
+void check_joint_list(CheckCall& call);
+
+// The robot that a call without a robot uses, and that of a call whose first parameter is one.
+[[nodiscard]] std::shared_ptr<const RobotFact> ambient_robot(const CheckCall& call);
+[[nodiscard]] std::shared_ptr<const RobotFact> robot_of(const CheckCall& call);
+
 // Robots and their parts: E0508 to E0511.
 void check_revolute_row(CheckCall& call);
 void check_prismatic_row(CheckCall& call);
@@ -82,6 +93,14 @@ void check_cylinder(CheckCall& call);
 void check_sphere(CheckCall& call);
 // The first parameter is an object's name: E0203.
 void check_object_name(CheckCall& call);
+
+// Joint values in parameter `parameter`, of a call whose first one is the robot.
+void check_list_of_joints(CheckCall& call, int parameter);
+
+template <int kParameter>
+void check_joint_list(CheckCall& call) {
+  check_list_of_joints(call, kParameter);
+}
 
 template <Robot (*kMake)()>
 void check_ready_robot(CheckCall& call) {

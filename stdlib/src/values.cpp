@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "armlet/cell/cell.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
+#include "armlet/stdlib/robot_text.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -37,7 +39,8 @@ bool equal_object(const void* a, const void* b) {
 void text_posj(const void* value, std::string& out) { out += posj_text(as<PosJ>(value)); }
 void text_posc(const void* value, std::string& out) { out += posc_text(as<PosC>(value)); }
 void text_robot(const void* value, std::string& out) {
-  out += fmt::format("robot {}", as<RobotRef>(value).id + 1);
+  const auto& robot = as<RobotRef>(value);
+  out += robot_table(*robot.cell->robot(robot.id).model, robot.cell->robot(robot.id).name);
 }
 void text_object(const void* value, std::string& out) {
   out += fmt::format("object \"{}\"", as<ObjectRef>(value).name);

@@ -16,6 +16,10 @@
 #include "armlet/model/tool.hpp"
 #include "armlet/world/object.hpp"
 
+namespace armlet {
+class Cell;
+}
+
 namespace armlet::bind {
 
 // Joint values, SI. The kinds are known when the robot is; they decide how the values print.
@@ -39,7 +43,8 @@ struct PosC {
 };
 
 struct RobotRef {
-  int id = 0;  // in the cell
+  int id = 0;                  // in the cell
+  const Cell* cell = nullptr;  // which outlives the values of its programs
 };
 struct ObjectRef {
   std::string name;

@@ -181,7 +181,9 @@ hir::Expr* Checker::call_value(hir::Expr* function, const ast::CallExpr& call) {
 hir::Expr* Checker::check_new_object(const ast::NewObjectExpr& expr) {
   const Type* type = resolve(*expr.type);
   if (type->is(Kind::kAny)) return failed(expr.span);
-  const std::string_view name = arena_.copy(type_name(type));
+  std::string_view name = arena_.copy(type_name(type));
+  // Another name of a type of the host has a constructor of its own.
+  if (type->is(Kind::kHost)) name = arena_.copy(text_of(expr.type->span));
   if (type->is(Kind::kRecord) && structs_.contains(type->record)) {
     return construct(structs_[type->record], expr.type->span, expr.span,
                      arguments_of(expr.args, name));

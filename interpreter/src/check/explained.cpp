@@ -1,5 +1,7 @@
 #include "check/explained.hpp"
 
+#include "check/printf.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -34,6 +36,21 @@ hir::Expr* explained_call(Checker& checker, std::string_view name,
   const auto* function = checker.arena_.make<NativeFunction>(told);
   return checker.make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, checker.types_.text(), span,
                                            function, call.arguments, call.site);
+}
+
+hir::Expr* shown_explanation(Checker& checker, const ast::ExprStmt& stmt, hir::Expr* value) {
+  constexpr std::string_view kName = "explain";
+  if (stmt.value->kind != ast::ExprKind::kCall || value->kind != hir::ExprKind::kCallNative ||
+      !value->type->is(Kind::kText)) {
+    return nullptr;
+  }
+  const auto& call = stmt.value->as<ast::CallExpr>();
+  const bool is_method = call.callee->kind == ast::ExprKind::kMember;
+  if (is_method ? call.callee->as<ast::MemberExpr>().member.text != kName
+                : checker.text_of(call.callee->span) != kName) {
+    return nullptr;
+  }
+  return print_line(checker, call, value);
 }
 
 }  // namespace armlet::lang

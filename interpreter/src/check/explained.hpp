@@ -12,4 +12,8 @@ namespace armlet::lang {
 [[nodiscard]] hir::Expr* explained_call(Checker& checker, std::string_view name,
                                         const std::vector<Argument>& arguments, Span span);
 
+// explain(x) as a statement: the call that prints it; null if the statement is another one.
+[[nodiscard]] hir::Expr* shown_explanation(Checker& checker, const ast::ExprStmt& stmt,
+                                           hir::Expr* value);
+
 }  // namespace armlet::lang

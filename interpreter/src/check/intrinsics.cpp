@@ -111,6 +111,13 @@ hir::Expr* Checker::print_call(const ast::CallExpr& call, bool line) {
   return print_parts(*this, call, parts);
 }
 
+hir::Expr* print_line(Checker& checker, const ast::CallExpr& call, hir::Expr* text) {
+  checker.mentioned_.insert("print");
+  hir::Expr* end =
+      checker.make<hir::TextExpr>(hir::ExprKind::kText, checker.types_.text(), call.span, "\n");
+  return print_parts(checker, call, {text, end});
+}
+
 hir::Expr* print_formatted(Checker& checker, const ast::CallExpr& call) {
   checker.mentioned_.insert("print");
   const auto parts = printf_parts(checker, call);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "armlet/interpreter/later.hpp"
 #include "check/edits.hpp"
 
 namespace armlet::lang {
@@ -170,7 +171,7 @@ hir::Expr* check_matrix_index(Checker& checker, const ast::IndexExpr& index, hir
 std::optional<hir::Step> matrix_step(Checker& checker, const ast::IndexExpr& index) {
   if (!has_two_places(checker, index)) return std::nullopt;
   if (index.items[0].is_range || index.items[1].is_range) {
-    checker.not_available(index.span, "storing into several parts at once");
+    checker.not_available(index.span, kStoringParts);
     return std::nullopt;
   }
   hir::Step step{};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "armlet/interpreter/later.hpp"
 #include "check/checker.hpp"
 #include "check/explained.hpp"
 #include "check/over_list.hpp"
@@ -39,12 +40,6 @@ std::optional<std::string> unit_for(const Signature& signature, const Parameter&
 const Type* type_of(const Parameter& parameter, const Bindings& bindings, TypePool& types) {
   const Type* type = instantiate(parameter.type, bindings, types);
   return type != nullptr ? type : types.any();
-}
-
-// What a program has to wait for: "`camera`" of the row "camera{}".
-std::string later_feature(const NativeFunction& function) {
-  if (!function.help.empty()) return std::string(function.help);
-  return '`' + std::string(function.name.substr(0, function.name.find_first_of("[{("))) + '`';
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "armlet/interpreter/later.hpp"
 #include "check/checker.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
@@ -208,7 +209,7 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
   const auto& index = at.as<ast::IndexExpr>();
   if (type->is(Kind::kMatrix)) return matrix_step(*this, index);
   if (index.items.size() != 1 || index.items[0].is_range) {
-    not_available(at.span, "storing into several places at once");
+    not_available(at.span, kStoringPlaces);
     return std::nullopt;
   }
   if (!type->is(Kind::kList)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/explained.hpp"
 #include "check/imports.hpp"
 #include "check/paths.hpp"
 #include "check/recordings.hpp"
@@ -221,6 +222,7 @@ hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {
     refuse_idle_statement(*this, stmt, *value);
     return nullptr;
   }
+  if (hir::Expr* shown = shown_explanation(*this, stmt, value)) value = shown;
   return make<hir::ExprStmt>(hir::StmtKind::kExpr, stmt.span, value);
 }
 

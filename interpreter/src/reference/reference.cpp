@@ -95,7 +95,10 @@ std::string written_call(const lang::Registry& registry, const NativeFunction& f
   if (const std::size_t row = rest.find('.'); row != std::string_view::npos)
     return fmt::format("{} {}({})", rest.substr(0, row), rest.substr(row + 1),
                        parameters_of(signature));
-  return fmt::format("{}{}", name, result_of(signature));
+  const std::string_view parameters = parameters_of(signature);
+  const std::size_t second = parameters.find(", ");
+  if (second == std::string_view::npos) return fmt::format("{}{}", name, result_of(signature));
+  return fmt::format("{}({}){}", name, parameters.substr(second + 2), result_of(signature));
 }
 
 // The heading of an entry: "robot NAME { ... }" is found under robot, operators under their sign.

@@ -111,6 +111,12 @@ Eigen::Vector3d euler_from_R(std::string_view sequence, const Eigen::Matrix3d& R
   return i == k ? proper_euler(R, i, j) : three_axis_euler(R, i, j, k);
 }
 
+bool is_euler_singular(std::string_view sequence, const Eigen::Matrix3d& R) {
+  const auto [i, j, k] = parse_sequence(sequence);
+  const int other = i == k ? 3 - i - j : i;
+  return det::hypot(R(i, j), R(i, other)) <= kGimbalLock;
+}
+
 Eigen::Matrix3d R_from_axis_angle(const Eigen::Vector3d& axis, double angle) {
   const double length = axis.norm();
   if (!(length > 1e-300) || !std::isfinite(length)) {
@@ -142,6 +148,12 @@ Eigen::Vector3d rotation_log(const Eigen::Matrix3d& R) {
   const double length = v.norm();
   if (length < 1e-12) return 2.0 * v;
   return (2.0 * det::atan2(length, q[0]) / length) * v;
+}
+
+Eigen::Vector3d axis_of_rotation(const Eigen::Matrix3d& R) {
+  const Eigen::Vector3d v = quaternion_from_R(R).tail<3>();
+  const double length = v.norm();
+  return length == 0.0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(v / length);
 }
 
 Eigen::Vector4d quaternion_from_R(const Eigen::Matrix3d& R) {

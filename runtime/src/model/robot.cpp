@@ -10,6 +10,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
+#include "armlet/model/joint_limits.hpp"
 #include "validate.hpp"
 
 namespace armlet {
@@ -164,13 +165,10 @@ std::vector<Joint> joints_from_table(const std::vector<std::vector<double>>& row
           fmt::format("Row {} of the table has {} numbers; expected 4: theta, d, a, alpha.", i + 1,
                       rows[i].size()));
     }
-    Joint joint;
+    const bool slides = kinds[i] == 'P' || kinds[i] == 'p';
+    Joint joint = joint_without_limits(slides ? JointKind::kPrismatic : JointKind::kRevolute);
     joint.dh = {rows[i][0], rows[i][1], rows[i][2], rows[i][3]};
-    if (kinds[i] == 'P' || kinds[i] == 'p') {
-      joint.kind = JointKind::kPrismatic;
-      joint.lower = 0.0;
-      joint.upper = 1.0;
-    } else if (kinds[i] != 'R' && kinds[i] != 'r') {
+    if (!slides && kinds[i] != 'R' && kinds[i] != 'r') {
       throw ArgumentError(fmt::format(
           "Joint {} has the kind '{}'; expected R for a turning joint or P for a sliding one.",
           i + 1, kinds[i]));

@@ -292,7 +292,7 @@ const std::vector<MessageSample> kMessageSamples = {
      "rounding can push a cosine just past 1: acos(clamp(c, -1, 1))"},
     {"W0701", {"1 / 2", "0"}, {3, "1 / 2"}, {}, "", "write 1.0 / 2"},
     {"W0702",
-     {"45 rad", "7"},
+     {"45 rad", "7 turns"},
      {3, "q", "plain numbers count as radians and metres"},
      {{2, "45"}},
      "",

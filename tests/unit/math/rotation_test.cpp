@@ -65,6 +65,54 @@ TEST_CASE("round trips hold at gimbal lock too") {
   }
 }
 
+TEST_CASE("Euler angles lie in the ranges of their sequence, and the first is 0 where it is free") {
+  Random random(8);
+  for (const std::string sequence :
+       {"XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ", "XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"}) {
+    const bool proper = sequence[0] == sequence[2];
+    for (int i = 0; i < 200; ++i) {
+      const Matrix3d R = random_rotation(random);
+      const double middle = euler_from_R(sequence, R)[1];
+      CHECK(middle >= (proper ? 0.0 : -kPi / 2));
+      CHECK(middle <= (proper ? kPi : kPi / 2));
+      CHECK_FALSE(is_euler_singular(sequence, R));
+      // The first and third axis are made to coincide.
+      const double side = random.below(2) == 0 ? 0.0 : kPi;
+      const double locked = proper ? side : kPi / 2 - side;
+      const Matrix3d L =
+          R_from_euler(sequence, {random.uniform(-3, 3), locked, random.uniform(-3, 3)});
+      CHECK(is_euler_singular(sequence, L));
+      CHECK(euler_from_R(sequence, L)[0] == 0.0);
+      CHECK(difference(R_from_euler(sequence, euler_from_R(sequence, L)), L) < 1e-14);
+    }
+  }
+}
+
+// Corke, Robotics, Vision and Control, 2011, section 2.2.1: four decimals are printed there.
+TEST_CASE("the angles and the quaternion of a textbook") {
+  const Matrix3d R = R_from_euler("ZYZ", {0.1, 0.2, 0.3});
+  Matrix3d printed;
+  printed << 0.9021, -0.3836, 0.1977, 0.3875, 0.9216, 0.0198, -0.1898, 0.0587, 0.9801;
+  CHECK(difference(R, printed) < 5e-5);
+  const Vector3d flipped = euler_from_R("ZYZ", R_from_euler("ZYZ", {0.1, -0.2, 0.3}));
+  CHECK((flipped - Vector3d(-3.0416, 0.2, -2.8416)).cwiseAbs().maxCoeff() < 5e-5);
+  const Eigen::Vector4d q = quaternion_from_R(R_from_rpy({0.1, 0.2, 0.3}));
+  CHECK((q - Eigen::Vector4d(0.98335, 0.034271, 0.10602, 0.14357)).cwiseAbs().maxCoeff() < 5e-6);
+}
+
+TEST_CASE("the axis of a rotation is a unit vector along its logarithm; that of none is z") {
+  Random random(9);
+  CHECK(axis_of_rotation(Matrix3d::Identity()) == Vector3d::UnitZ());
+  for (const double angle : {1e-12, 1e-6, 0.3, 3.0, kPi}) {
+    for (int i = 0; i < 100; ++i) {
+      const Matrix3d R = R_from_axis_angle(random_direction(random), angle);
+      const Vector3d axis = axis_of_rotation(R);
+      CHECK(axis.norm() == doctest::Approx(1.0).epsilon(1e-14));
+      CHECK((angle * axis - rotation_log(R)).norm() < 1e-14);
+    }
+  }
+}
+
 TEST_CASE("roll, pitch and yaw turn about the fixed axes x, y and z in this order") {
   CHECK(difference(R_from_rpy({0.1, 0.2, 0.3}), rot_z(0.3) * rot_y(0.2) * rot_x(0.1)) < 1e-16);
   CHECK(difference(R_from_rpy({0.1, 0.2, 0.3}), R_from_euler("ZYX", {0.3, 0.2, 0.1})) < 1e-16);

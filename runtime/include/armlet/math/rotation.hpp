@@ -26,6 +26,11 @@ Eigen::Vector3d rpy_from_R(const Eigen::Matrix3d& R);
 Eigen::Matrix3d R_from_euler(std::string_view sequence, const Eigen::Vector3d& angles);
 Eigen::Vector3d euler_from_R(std::string_view sequence, const Eigen::Matrix3d& R);
 
+// Whether only the sum or difference of the first and the third angle of the sequence is defined:
+// the sine (ZYZ) or cosine (XYZ) of the second angle is below 1e-9, and euler_from_R says that the
+// first is 0.
+bool is_euler_singular(std::string_view sequence, const Eigen::Matrix3d& R);
+
 // Rotation by an angle about an axis, which need not be a unit vector.
 //
 // throws  ArgumentError if the axis has no direction.
@@ -38,6 +43,9 @@ Eigen::Matrix3d R_from_axis_angle(const Eigen::Vector3d& axis, double angle);
 // source  S. W. Shepperd, Quaternion from rotation matrix, J. Guidance and Control 1(3), 1978.
 Eigen::Matrix3d rotation_exp(const Eigen::Vector3d& phi);
 Eigen::Vector3d rotation_log(const Eigen::Matrix3d& R);
+
+// Unit vector along rotation_log(R); the z axis if R does not turn.
+Eigen::Vector3d axis_of_rotation(const Eigen::Matrix3d& R);
 
 // Unit quaternions as (w, x, y, z), Hamilton's convention. quaternion_from_R returns w >= 0.
 //

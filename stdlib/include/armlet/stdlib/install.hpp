@@ -1,6 +1,9 @@
 #pragma once
 // Adds the vocabulary of robot programs to an engine.
 
+#include <string>
+#include <vector>
+
 #include "armlet/interpreter/engine.hpp"
 
 namespace armlet {
@@ -9,5 +12,9 @@ namespace armlet {
 // engine need a Host as CompileOptions::host and VmOptions::host (see session.hpp, which does
 // both).
 void install(Engine& engine);
+
+// What programs may say but is refused because nothing stands behind it yet (E0199), in the words
+// of that message and in the order of the tables that refuse it.
+[[nodiscard]] std::vector<std::string> later_features();
 
 }  // namespace armlet
