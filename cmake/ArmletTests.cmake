@@ -70,6 +70,11 @@ function(armlet_add_source_tests)
   foreach(source layers messages names sizes)
     add_test(NAME source.${source} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${source}.py)
   endforeach()
+  add_test(NAME source.citations COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_citations.py)
+  add_test(NAME docs.mathematics
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_mathematics.py $<TARGET_FILE:armlet>)
+  add_test(NAME docs.grammar
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/grammar_command.py ${PROJECT_SOURCE_DIR})
   add_test(NAME docs.stdlib
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py $<TARGET_FILE:armlet>)
   add_test(NAME docs.programs
