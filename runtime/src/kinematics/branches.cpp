@@ -14,10 +14,13 @@ Elbow elbow_without_length(const Links& links, double X, double Y, const Turn& x
   bool whole = true;
   if (first && second) {
     out.x2[0] = turn_between(mx, my, -lx, -ly, whole);
+    out.open1 = true;
   } else if (first) {
     out.x1[0] = turn_between(lx, ly, X, Y, whole);
+    out.open2 = true;
   } else if (second) {
     out.x2[0] = inverse(x1) * turn_between(mx, my, X, Y, whole);
+    out.open1 = true;
   }
   return out;
 }
@@ -89,6 +92,7 @@ Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
     out.singular = out.singular || near1 < kNearAxis * kNearAxis;
     if (near1 < 1e-20) {
       out.count = 1;
+      out.open = true;
       out.x1[i] = x1_if_free;
       // Rz(x3) = (Rz(x1) Rx(alpha) Rz(x2) Rx(beta))^T M; its first column says it.
       const Eigen::Vector3d m =

@@ -28,10 +28,14 @@ struct Branches {
   std::array<Branch, kMaxBranches> at;
   int count = 0;
   bool free = false;      // a joint may take any value, or nearly so
+  unsigned open = 0;      // bits of the joints that keep their value because nothing else says it
   double arm_turn = 0.0;  // of an arm of seven joints, added to its arm angle
 
   Branch& add(const Branch& b) {
     return at[static_cast<std::size_t>(count < kMaxBranches ? count++ : count - 1)] = b;
+  }
+  void leave_open(unsigned joint, bool is_open = true) {
+    if (is_open) open |= 1U << joint;
   }
 };
 
@@ -97,6 +101,7 @@ inline constexpr double kNearAxis = 1e-6;
 struct Elbow {
   int count = 0;
   bool free = false;
+  bool open1 = false, open2 = false;  // x1 or x2 is taken as given
   std::array<Turn, 2> x1{}, x2{};
 };
 struct Links {
@@ -110,6 +115,7 @@ Elbow solve_elbow(const Links& links, double X, double Y, const Turn& x1_if_free
 struct Euler {
   int count = 0;
   bool singular = false;
+  bool open = false;  // x1 is taken as given
   std::array<Turn, 2> x1{}, x2{}, x3{};
 };
 Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,

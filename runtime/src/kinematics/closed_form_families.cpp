@@ -22,6 +22,7 @@ void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, cons
 // common point.
 struct Third {
   int count = 0;
+  bool open = false;
   std::array<Turn, 2> x{};
   std::array<double, 2> z{};
 };
@@ -36,8 +37,9 @@ Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w,
       a * a + w.x() * w.x() + w.y() * w.y() + z * z + h * h + 2.0 * h * alpha.c * z;
   const double A = 2.0 * (a * w.x() + h * alpha.s * w.y());
   const double B = 2.0 * (h * alpha.s * w.x() - a * w.y());
-  const TurnPair pair = or_present(circle_meets_plane(A, B, distance2 - fixed), present, free);
-  return {pair.count, pair.x, {rows.h[2], rows.h[2]}};
+  const TurnPair found = circle_meets_plane(A, B, distance2 - fixed);
+  const TurnPair pair = or_present(found, present, free);
+  return {pair.count, found.count < 0, pair.x, {rows.h[2], rows.h[2]}};
 }
 
 Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w) {
@@ -51,7 +53,7 @@ Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w
   if (square < -kSlack * (distance2 + rest)) return {};
   const double root = std::sqrt(std::fmax(square, 0.0));
   const double middle = -h * alpha.c - v.z();
-  return {root == 0.0 ? 1 : 2, {rows.phi[2], rows.phi[2]}, {middle + root, middle - root}};
+  return {root == 0.0 ? 1 : 2, false, {rows.phi[2], rows.phi[2]}, {middle + root, middle - root}};
 }
 
 // Axes 1 and 2 meet: the distance from their common point gives joint 3.
@@ -60,6 +62,7 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
   const Vector3d u = u_base - Vector3d(0, 0, rows.h[0]);
   const Third third = rows.revolute[2] ? third_turn(rows, u.squaredNorm(), w, near.phi[2], out.free)
                                        : third_slide(rows, u.squaredNorm(), w);
+  out.leave_open(2, third.open);
   for (int i = 0; i < third.count; ++i) {
     const Turn x3 = third.x[static_cast<std::size_t>(i)];
     const double z3 = third.z[static_cast<std::size_t>(i)];
@@ -68,8 +71,9 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
     // Height above the plane of axis 1: alpha1.s (x2 t)_y + alpha1.c t_z = u_z.
     const Turn& alpha1 = rows.alpha[1];
     const double height = (u.z() - alpha1.c * t.z()) / alpha1.s;
-    const TurnPair second =
-        or_present(circle_meets_plane(t.y(), t.x(), height), near.phi[1], out.free);
+    const TurnPair turns = circle_meets_plane(t.y(), t.x(), height);
+    const TurnPair second = or_present(turns, near.phi[1], out.free);
+    out.leave_open(1, turns.count < 0);
     out.free = out.free || t.head<2>().norm() < kNearAxis;
     for (int j = 0; j < second.count; ++j) {
       const Turn x2 = second.x[static_cast<std::size_t>(j)];
@@ -78,6 +82,7 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
       Turn x1 = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
       if (!whole || v.head<2>().norm() < kNoLength) {
         x1 = near.phi[0];
+        out.leave_open(0);
       }
       out.free = out.free || v.head<2>().norm() < kNearAxis;
       Branch& branch = out.add(near);
@@ -93,7 +98,7 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
 }  // namespace
 
 int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height, const Turn& near,
-                    std::array<PlaneView, 2>& out, bool& free) {
+                    std::array<PlaneView, 2>& out, Branches& branches) {
   const Turn& alpha = rows.alpha[1];
   const double z = u.z() - rows.h[0];
   // Along the parallel axes: -alpha.s r_y + alpha.c z = height, with r = Rz(-x) u.
@@ -103,9 +108,10 @@ int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height,
   const auto view = [&](const Turn& x, double along) {
     return PlaneView{x, along - rows.a[1], alpha.c * m + alpha.s * z};
   };
-  free = free || rho < kNearAxis;
+  branches.free = branches.free || rho < kNearAxis;
   if (rho < kNoLength) {
     if (std::abs(m) > kNoLength) return 0;
+    branches.leave_open(0);
     out[0] = view(near, 0.0);
     out[1] = view({-near.c, -near.s}, 0.0);
     return 2;
@@ -127,12 +133,14 @@ void reach_place(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w
   if (!rows.parallel(2) || !rows.revolute[2]) return reach_meeting(rows, u, w, near, out);
   std::array<PlaneView, 2> views;
   const int count =
-      turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views, out.free);
+      turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views, out);
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Elbow elbow =
         solve_elbow({rows.a[2], 0.0, w.x(), w.y()}, view.X, view.Y, near.phi[1], near.phi[2]);
     out.free = out.free || elbow.free;
+    out.leave_open(1, elbow.open1);
+    out.leave_open(2, elbow.open2);
     for (int j = 0; j < elbow.count; ++j) {
       Branch& branch = out.add(near);
       branch.phi[0] = view.turn;
@@ -177,6 +185,7 @@ void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const
   Branches arms;
   reach_place(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
   out.free = arms.free;
+  out.open = arms.open;
   for (int i = 0; i < arms.count; ++i) {
     const Branch& branch = arms.at[static_cast<std::size_t>(i)];
     turn_wrist(rows, left_for_wrist(rows, branch, G.linear()), near, branch, out);
@@ -190,13 +199,14 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
   const Vector3d last = placed(rows, 4, Vector3d(0, 0, rows.h[4]));
   std::array<PlaneView, 2> views;
   const double height = rows.h[1] + rows.h[2] + rows.h[3] + last.z();
-  const int count = turn_into_plane(rows, centre, height, near.phi[0], views, out.free);
+  const int count = turn_into_plane(rows, centre, height, near.phi[0], views, out);
   const Turn near_sum = near.phi[1] * near.phi[2] * near.phi[3];
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Matrix3d M = unturned(view.turn, rows.alpha[1], Matrix3d(G.linear()));
     const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near_sum);
     out.free = out.free || wrist.singular;
+    out.leave_open(3, wrist.open);  // the sum of the turns 1 to 3
     for (int j = 0; j < wrist.count; ++j) {
       const std::size_t k = static_cast<std::size_t>(j);
       const Turn sum = wrist.x1[k];
@@ -223,13 +233,16 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
   std::array<PlaneView, 2> views;
   const double height = rows.h[1] + rows.h[2] + rows.h[3];
   Turn heading = near.phi[0];
+  bool open = true;
   if (w.head<2>().norm() < kNoLength) {
     // The wrist is on axis 1: the tool's axis tells which way the plane faces.
     const TurnPair x = circle_meets_plane(-rows.alpha[1].s * z.y(), rows.alpha[1].s * z.x(),
                                           rows.alpha[4].c - rows.alpha[1].c * z.z());
     if (x.count > 0) heading = x.x[0];
+    open = x.count <= 0;
   }
-  const int count = turn_into_plane(rows, w, height, heading, views, out.free);
+  const int count = turn_into_plane(rows, w, height, heading, views, out);
+  if (!open) out.open = 0;
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Matrix3d M = unturned(view.turn, rows.alpha[1], Matrix3d(G.linear()));
@@ -391,6 +404,7 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Isometry3d& G, 
         (R03 * about_x(alpha3) * about_z(x4) * about_x(rows.alpha[4])).transpose() * G.linear();
     const Euler shoulder = solve_euler(R03, rows.alpha[1], rows.alpha[2], near.phi[0]);
     const Euler wrist = solve_euler(M, rows.alpha[5], rows.alpha[6], near.phi[4]);
+    out.free = out.free || shoulder.singular || wrist.singular;
     for (int s = 0; s < shoulder.count; ++s) {
       for (int w = 0; w < wrist.count; ++w) {
         const std::size_t j = static_cast<std::size_t>(s);

@@ -36,14 +36,14 @@ void turn_wrist(const CanonicalRows& rows, const Eigen::Matrix3d& M, const Branc
                 Branch branch, Branches& out);
 
 // The first turn of an arm whose axes 2, 3 (and 4) are parallel: the place u lies at `height` along
-// them. For each turn the place in the plane of these axes, (X, Y); free becomes true where every
-// turn will do.
+// them. For each turn the place in the plane of these axes, (X, Y); the branches become free, and
+// joint 1 open, where every turn will do.
 struct PlaneView {
   Turn turn;
   double X = 0.0;
   double Y = 0.0;
 };
 int turn_into_plane(const CanonicalRows& rows, const Eigen::Vector3d& u, double height,
-                    const Turn& near, std::array<PlaneView, 2>& out, bool& free);
+                    const Turn& near, std::array<PlaneView, 2>& out, Branches& branches);
 
 }  // namespace armlet

@@ -138,12 +138,12 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
 
 // The ways that the lanes found; each was checked by forward kinematics.
 int ClosedForm::take_ways(const Eigen::Isometry3d& goal, double tolerance,
-                          const ClosedSolution& start, const ClosedLanes& lanes,
+                          const ClosedSolution& start, const ClosedLanes& lanes, unsigned wanted,
                           ClosedSolutions& solutions) const {
   const double verified = std::fmin(kVerified, tolerance);
   const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
   for (std::size_t way = 0; way < kWays; ++way) {
-    if (!(lanes.miss2[way] <= kImproved * kImproved)) continue;
+    if (!(lanes.miss2[way] <= kImproved * kImproved) || (wanted >> way & 1U) == 0) continue;
     ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
     if (hold_ != Hold::kNone) solution = start;
     for (std::size_t i = 0; i < kSixJoints; ++i) solution.q[first + i] = lanes.q[i][way];
@@ -168,9 +168,11 @@ Eigen::Isometry3d ClosedForm::without_held(const Eigen::Isometry3d& T_world_tool
 }
 
 int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
-                      ClosedSolutions& solutions, double tolerance, double arm_turn) const {
+                      ClosedSolutions& solutions, double tolerance, double arm_turn,
+                      unsigned wanted) const {
   solutions.count = 0;
   solutions.free = false;
+  solutions.open = 0;
   if (!exists()) return 0;
   ClosedSolution start;
   start.n = chain_.n;
@@ -182,14 +184,18 @@ int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
     goal = without_held(T_world_tool, held);
   }
   if (ClosedLanes lanes; lanes_ && lanes_->solve(goal, lanes))
-    return take_ways(T_world_tool, tolerance, start, lanes, solutions);
+    return take_ways(T_world_tool, tolerance, start, lanes, wanted, solutions);
   const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
   Branches branches;
   branches.arm_turn = arm_turn;
   solver_of(kind_)(*rows_, rows_->goal(goal), branch_of(*rows_, start.q.data() + first), branches);
   solutions.free = branches.free;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rows_->n); ++i) {
+    if ((branches.open >> i & 1U) != 0) solutions.open |= 1U << (joint_of(*rows_, i) + first);
+  }
   for (int i = 0; i < branches.count; ++i) {
     const Branch& branch = branches.at[static_cast<std::size_t>(i)];
+    if ((wanted >> branch.ways & 1U) == 0) continue;
     ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
     solution = start;
     solution.branch = branch.ways;

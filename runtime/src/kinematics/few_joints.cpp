@@ -49,13 +49,18 @@ void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Turn* sum
     add(out, branch);
   }
   out.free = out.free || elbow.free;
+  out.leave_open(0, elbow.open1);
+  out.leave_open(1, elbow.open2);
 }
 
 // Rz(x1) v = u seen along the axis.
 void place_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branches& out) {
   bool whole = true;
   const Turn first = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
-  if (whole && !on_axis(v)) branch.phi[0] = first;
+  if (whole && !on_axis(v))
+    branch.phi[0] = first;
+  else
+    out.leave_open(0);
   out.free = out.free || near_axis(v);
   add(out, branch);
 }
@@ -83,6 +88,7 @@ void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& 
         turn_between(t.x(), t.y(), (r2 - a * a - t.squaredNorm()) / (2.0 * a), along, whole);
     if (!whole || on_axis(t)) second.count = -1;
   }
+  out.leave_open(1, second.count < 0);
   second = or_present(second, branch.phi[1], out.free);
   out.free = out.free || near_axis(t);
   for (int i = 0; i < second.count; ++i) {
@@ -194,11 +200,15 @@ void place_by_three(const CanonicalRows& rows, const Vector3d& u, const Vector3d
   std::vector<Turn> thirds;
   if (rows.parallel(1)) {
     const double height = u.z() - rows.h[0] - circle.along[0];
-    const TurnPair pair = or_present(circle_meets_plane(circle.along[1], circle.along[2], height),
-                                     near.phi[2], out.free);
+    const TurnPair turns = circle_meets_plane(circle.along[1], circle.along[2], height);
+    const TurnPair pair = or_present(turns, near.phi[2], out.free);
+    out.leave_open(2, turns.count < 0);
     for (int i = 0; i < pair.count; ++i) thirds.push_back(pair.x[static_cast<std::size_t>(i)]);
   } else {
-    thirds = zeros_of(place_equation(rows, u, circle), near.phi[2], out.free);
+    bool open = false;
+    thirds = zeros_of(place_equation(rows, u, circle), near.phi[2], open);
+    out.free = out.free || open;
+    out.leave_open(2, open);
   }
   for (const Turn& third : thirds) {
     Branch branch = near;
@@ -350,6 +360,7 @@ void solve_any_wrist(const CanonicalRows& rows, const Isometry3d& G, const Branc
   Branches arms;
   place_by_three(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
   out.free = arms.free;
+  out.open = arms.open;
   for (int i = 0; i < arms.count; ++i) {
     Branch branch = arms.at[static_cast<std::size_t>(i)];
     const Matrix3d M = left_for_wrist(rows, branch, G.linear());

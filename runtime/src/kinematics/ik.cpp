@@ -11,14 +11,21 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "ik_closed.hpp"
+#include "ik_free.hpp"
 #include "ik_search.hpp"
 
 namespace armlet {
 namespace {
 
 constexpr int kNearestStarts = 32;     // after the first solution
+constexpr int kNearStarts = 12;        // around the seed
+constexpr int kRedundantStarts = 4;    // of an arm of seven joints with a closed form
+constexpr std::size_t kSlid = 4;       // of the solutions that the iterations found
+constexpr std::size_t kFollowed = 3;   // branches of such an arm
 constexpr int kNearestWanted = 16;     // distinct solutions
-constexpr double kSoonEnough = 0.1;    // s: solutions reached sooner need not be looked for
+constexpr double kSameChoice = 1e-6;   // rad or m
+constexpr double kThere = 1e-9;        // m and rad: as exact as solutions are
+constexpr double kFar = 1e-3;          // rad or m
 constexpr int kKeepStarts = 20;        // to find out whether an orientation can be kept
 constexpr double kLargestValue = 1e6;  // m or rad, of a goal or a seed
 constexpr double kSameTurn = 1e-6;     // rad
@@ -74,35 +81,75 @@ FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptio
   return answer;
 }
 
-// An arm of seven joints: where the iterations lead from the seed, or of all branches at all arm
-// angles the one that is reached soonest.
+// An arm of seven joints: of all branches at all arm angles the nearest one.
 bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                     IkResult& result) {
   if (options.choice != IkChoice::kNearest || robot.n() != 7 ||
       !formula_applies(robot, goal, options))
     return false;
-  IkOptions once = options;
-  once.starts = 1;
-  const IkSearch search = search_ik(robot, goal, once, 1, 0);
-  result.iterations += search.iterations;
-  result.starts += search.starts;
-  const bool found = !search.solutions.empty();
-  const double time =
-      found ? least_way_time(robot, search.solutions.front(), options.seed) : INFINITY;
-  if (time > kSoonEnough) {
-    const auto nearest = soonest_over_arm_angles(robot, goal, options);
-    if (nearest && least_way_time(robot, to_vector(nearest->q, robot.n()), options.seed) < time) {
-      take_branch(robot, goal, *nearest, result);
-      return true;
-    }
+  const auto found = nearest_over_arm_angles(robot, goal, options);
+  double change = INFINITY;
+  if (!found.empty()) {
+    take_branch(robot, goal, found.front(), result);
+    change = change_of(found.front().q, options.seed);
   }
-  if (found) take_solution(robot, goal, search.solutions.front(), result);
-  return found;
+  // Where the arm angle says little, next to a singularity, the joints are followed themselves.
+  std::vector<JointArray> starts;
+  for (const FormulaSolution& solution : found) {
+    if (starts.size() < kFollowed) starts.push_back(solution.q);
+  }
+  std::vector<Eigen::VectorXd> around;
+  search_near(robot, goal, options, kRedundantStarts, around);
+  for (const Eigen::VectorXd& q : around) starts.push_back(to_array(q));
+  for (JointArray& q : starts) {
+    slide_nearer(robot, goal, options, q);
+    if (change_of(q, options.seed) >= change - kSameChoice) continue;
+    change = change_of(q, options.seed);
+    take_solution(robot, goal, to_vector(q, robot.n()), result);
+    result.branch = -1;
+    result.starts = kRedundantStarts;
+    result.solver = IkResult().solver;
+  }
+  return change < INFINITY;
+}
+
+// What several joints share of the solutions that the iterations found, divided anew, and the
+// nearest of them followed where they have freedom to spare.
+void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                  std::vector<Eigen::VectorXd>& solutions) {
+  IkSolver solver(robot, goal);
+  for (Eigen::VectorXd& solution : solutions) {
+    JointArray q = to_array(solution);
+    const bool inside = bring_near(robot, goal, options, true, q) <= 0.0;
+    if (inside && goal.is_met(solver.error_of(q)) &&
+        change_of(q, options.seed) < largest_change(solution, options.seed))
+      solution = to_vector(q, robot.n());
+  }
+  sort_by_nearness(robot, options.seed, solutions);
+  for (std::size_t k = 0; k < std::min(solutions.size(), kSlid); ++k) {
+    JointArray q = to_array(solutions[k]);
+    slide_nearer(robot, goal, options, q);
+    solutions[k] = to_vector(q, robot.n());
+  }
+}
+
+// An arm that stands at the goal, or as good as there while the solution is far: it stays.
+void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                   IkResult& result) {
+  if (options.choice != IkChoice::kNearest || options.posture) return;
+  const double change = result.ok() ? largest_change(result.q, options.seed) : INFINITY;
+  if (change <= kSameChoice) return;
+  if (options.respect_limits && !within_limits(robot, options.seed, 0.0)) return;
+  const IkError error = IkSolver(robot, goal).error_of(to_array(options.seed));
+  const double exact = std::max(error.position, error.rotation);
+  if (!(exact <= kThere || (change > kFar && goal.is_met(error)))) return;
+  take_solution(robot, goal, options.seed, result);
+  result.branch = -1;
+  result.solver = kStands;
 }
 
 // By formula or by search: takes the first or the nearest solution. False if there is none.
-bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                 IkResult& result) {
+bool find_into(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
   switch (formula_into(robot, goal, options, result)) {
     case FormulaAnswer::kSome:
     case FormulaAnswer::kAll:
@@ -125,9 +172,21 @@ bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& option
     result.rotation_error = search.closest_error.rotation;
     return false;
   }
-  if (nearest) sort_by_nearness(robot, options.seed, search.solutions);
+  if (nearest) {
+    search_near(robot, goal, options, kNearStarts, search.solutions);
+    bring_nearer(robot, goal, options, search.solutions);
+    sort_by_nearness(robot, options.seed, search.solutions);
+  }
   take_solution(robot, goal, search.solutions.front(), result);
   return true;
+}
+
+bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                 IkResult& result) {
+  result.status = IkStatus::kUnreachable;
+  if (find_into(robot, goal, options, result)) result.status = IkStatus::kOk;
+  stay_if_there(robot, goal, options, result);
+  return result.ok();
 }
 
 // From q with the place right, the nearby configuration that turns the tool least.

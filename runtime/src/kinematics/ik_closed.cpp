@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "armlet/math/angles.hpp"
+#include "ik_free.hpp"
+#include "ik_scan.hpp"
 #include "ik_search.hpp"
 
 namespace armlet {
@@ -11,8 +13,6 @@ namespace {
 
 constexpr int kArmAngles = 36;  // of a turn, tried for an arm of seven joints
 constexpr double kArmStep = 2.0 * kPi / kArmAngles;
-constexpr int kArmHalvings = 8;      // of the step, around the best of them
-constexpr std::size_t kValleys = 3;  // that are looked at more closely
 
 // How far a joint may lie beyond its limit by rounding, next to a singularity; it is put back and
 // the goal checked again.
@@ -22,31 +22,121 @@ constexpr double kRounding = 1e-6;
 // goal, rad, and are improved.
 constexpr double kNearlyTurned = 0.1;
 
+constexpr int kNearStarts = 4;  // around the seed, to follow the joints from
+
+constexpr double kSame = 1e-6;  // rad or m, of solutions and their changes
+constexpr double kTie = 1e-7;   // rad or m, of changes between which what is given decides
+
 bool counts_all(const IkGoal& goal) { return (goal.weights.array() == 1.0).all(); }
 bool counts_place(const IkGoal& goal) {
   return (goal.weights.head<3>().array() == 1.0).all() && goal.weights.tail<3>().isZero();
 }
 
-// Turns the joints to the copies nearest to the seed. False if one lies beyond its limits.
-bool bring_within(const Robot& robot, const IkOptions& options, JointArray& q, bool& moved) {
-  moved = false;
+// Puts joints that lie beyond a limit by rounding back onto it.
+bool put_inside(const Robot& robot, JointArray& q) {
+  bool moved = false;
   for (int i = 0; i < robot.n(); ++i) {
     double& value = q[static_cast<std::size_t>(i)];
-    const double near = options.seed[i];
-    if (!options.respect_limits) {
-      if (robot.is_revolute(i) && std::abs(value - near) > kPi) value = nearest_turn(value, near);
-      continue;
-    }
-    const double lower = robot.lower()[i];
-    const double upper = robot.upper()[i];
-    if (robot.is_revolute(i))
-      value = turned_within(value, near, lower - kRounding, upper + kRounding);
-    if (value >= lower && value <= upper) continue;
-    if (!(value >= lower - kRounding && value <= upper + kRounding)) return false;
-    value = std::clamp(value, lower, upper);
-    moved = true;
+    const double inside = std::clamp(value, robot.lower()[i], robot.upper()[i]);
+    moved = moved || inside != value;
+    value = inside;
+  }
+  return moved;
+}
+
+// A solution of the formula at the copies nearest to the seed, inside the limits if they count, and
+// checked again wherever that changes it. False if there is none.
+bool settle_in(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
+               bool check, JointArray& q) {
+  if (bring_near(robot, goal, options, shares, q) > kRounding) return false;
+  const bool moved = options.respect_limits && put_inside(robot, q);
+  if (!moved && !check && !shares) return true;
+  IkSolver solver(robot, goal);
+  const IkError error = solver.error_of(q);
+  if (goal.is_met(error)) return true;
+  if (error.rotation >= kNearlyTurned) return false;
+  return options.respect_limits ? solver.solve_in_box(q, options.iterations)
+                                : solver.solve_free(q, options.iterations);
+}
+
+// The same where joints may share an angle: what the formula took stays if nothing else is nearer.
+bool settle_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool free,
+                 bool check, JointArray& q) {
+  JointArray as_found = q;
+  const bool found = settle_in(robot, goal, options, false, check, as_found);
+  if (free && settle_in(robot, goal, options, true, check, q) &&
+      !(found && change_of(as_found, options.seed) <= change_of(q, options.seed) + kTie))
+    return true;
+  q = as_found;
+  return found;
+}
+
+// Joints are compared modulo whole turns.
+bool is_same(const Robot& robot, const JointArray& a, const JointArray& b) {
+  for (int i = 0; i < robot.n(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const double change = robot.is_revolute(i) ? angle_difference(a[k], b[k]) : a[k] - b[k];
+    if (std::abs(change) > kSame) return false;
   }
   return true;
+}
+
+void add_new(const Robot& robot, const FormulaSolution& solution,
+             std::vector<FormulaSolution>& solutions) {
+  const auto same = [&](const FormulaSolution& s) { return is_same(robot, s.q, solution.q); };
+  if (std::ranges::none_of(solutions, same)) solutions.push_back(solution);
+}
+
+// Of each branch the solution over all values of a joint that the goal leaves open, if it is nearer
+// than the one with the present value.
+void take_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                 const std::vector<FormulaSolution>& found,
+                 std::vector<FormulaSolution>& solutions) {
+  for (FormulaSolution candidate : found) {
+    if (!settle_near(robot, goal, options, true, true, candidate.q)) continue;
+    const auto at = std::ranges::find(solutions, candidate.branch, &FormulaSolution::branch);
+    if (at == solutions.end())
+      add_new(robot, candidate, solutions);
+    else if (change_of(candidate.q, options.seed) < change_of(at->q, options.seed) - kSame)
+      *at = candidate;
+  }
+  std::ranges::sort(solutions, {}, &FormulaSolution::branch);
+  if (solutions.empty()) return;
+  // What the scan left of the way to the nearest one.
+  const auto nearest = [&](const FormulaSolution& s) { return change_of(s.q, options.seed); };
+  slide_nearer(robot, goal, options, std::ranges::min_element(solutions, {}, nearest)->q);
+}
+
+// The joints followed from around the seed, where the scan has passed over a narrow interval.
+void follow_near(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                 std::vector<FormulaSolution>& solutions) {
+  std::vector<Eigen::VectorXd> around;
+  search_near(robot, goal, options, kNearStarts, around);
+  for (const Eigen::VectorXd& start : around) {
+    FormulaSolution found{to_array(start), -1};
+    slide_nearer(robot, goal, options, found.q);
+    const auto nearer = [&](const FormulaSolution& s) {
+      return change_of(s.q, options.seed) <= change_of(found.q, options.seed) + kSame;
+    };
+    if (std::ranges::none_of(solutions, nearer)) add_new(robot, found, solutions);
+  }
+}
+
+void search_open_joints(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                        unsigned open, std::vector<FormulaSolution>& solutions) {
+  Eigen::VectorXd near = options.seed;
+  const int rounds = (open & (open - 1)) != 0 ? 2 : 1;  // several of them in turn
+  for (int round = 0; round < rounds; ++round) {
+    for (int joint = 0; joint < robot.n(); ++joint) {
+      if ((open >> joint & 1U) == 0) continue;
+      const auto found = scan_open_joint(robot, goal, options, joint, near);
+      take_nearer(robot, goal, options, found, solutions);
+      if (!solutions.empty())
+        near[joint] =
+            nearest_branch(robot, options.seed, solutions).q[static_cast<std::size_t>(joint)];
+    }
+  }
+  follow_near(robot, goal, options, solutions);
 }
 
 }  // namespace
@@ -70,17 +160,11 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
   const bool check_turn = closed.place_only() && counts_all(goal);
   for (const ClosedSolution& solution : found) {
     FormulaSolution candidate{solution.q, solution.branch};
-    bool moved = false;
-    if (!bring_within(robot, options, candidate.q, moved)) continue;
-    if (moved || check_turn) {
-      IkSolver solver(robot, goal);
-      const IkError error = solver.error_of(candidate.q);
-      if (!goal.is_met(error) &&
-          !(error.rotation < kNearlyTurned && solver.solve_in_box(candidate.q, options.iterations)))
-        continue;
-    }
-    solutions.push_back(candidate);
+    if (settle_near(robot, goal, options, found.free, check_turn, candidate.q))
+      add_new(robot, candidate, solutions);
   }
+  if (found.open != 0 && robot.n() <= 6 && counts_all(goal))
+    search_open_joints(robot, goal, options, found.open, solutions);
   const bool all = closed.complete() && !found.free;
   if (solutions.empty()) return all ? FormulaAnswer::kNone : FormulaAnswer::kSilent;
   return all ? FormulaAnswer::kAll : FormulaAnswer::kSome;
@@ -97,60 +181,14 @@ std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkG
   return solutions;
 }
 
-namespace {
-
-// The solution that is reached soonest at one arm angle.
-struct AtAngle {
-  double angle = 0.0;
-  double time = INFINITY;  // s
-  FormulaSolution solution;
-};
-
-AtAngle soonest_at(const Robot& robot, const IkGoal& goal, const IkOptions& options, double angle) {
+std::vector<FormulaSolution> nearest_over_arm_angles(const Robot& robot, const IkGoal& goal,
+                                                     const IkOptions& options) {
   std::vector<FormulaSolution> solutions;
-  solve_by_formula(robot, goal, options, solutions, angle);
-  AtAngle out{.angle = angle};
-  for (const FormulaSolution& solution : solutions) {
-    const double time = least_way_time(robot, to_vector(solution.q, robot.n()), options.seed);
-    if (time < out.time) {
-      out.time = time;
-      out.solution = solution;
-    }
-  }
-  return out;
-}
-
-}  // namespace
-
-std::optional<FormulaSolution> soonest_over_arm_angles(const Robot& robot, const IkGoal& goal,
-                                                       const IkOptions& options) {
-  std::vector<AtAngle> tried;
-  for (int k = 0; k < kArmAngles; ++k)
-    tried.push_back(soonest_at(robot, goal, options, k * kArmStep));
-  // The time is not convex in the arm angle: the best few valleys are followed down.
-  std::vector<AtAngle> valleys;
-  for (std::size_t k = 0; k < tried.size(); ++k) {
-    const double before = tried[(k + tried.size() - 1) % tried.size()].time;
-    const double after = tried[(k + 1) % tried.size()].time;
-    if (tried[k].time <= before && tried[k].time <= after && tried[k].time < INFINITY)
-      valleys.push_back(tried[k]);
-  }
-  const auto sooner = [](const AtAngle& a, const AtAngle& b) { return a.time < b.time; };
-  std::ranges::stable_sort(valleys, sooner);
-  if (valleys.size() > kValleys) valleys.resize(kValleys);
-  AtAngle best;
-  for (AtAngle& valley : valleys) {
-    double step = kArmStep;
-    for (int k = 0; k < kArmHalvings; ++k) {
-      step *= 0.5;
-      const double middle = valley.angle;
-      for (const double angle : {middle + step, middle - step})
-        valley = std::min(valley, soonest_at(robot, goal, options, angle), sooner);
-    }
-    best = std::min(best, valley, sooner);
-  }
-  if (best.time == INFINITY) return std::nullopt;
-  return best.solution;
+  const auto found = scan_open_joint(robot, goal, options, kArmAngle, options.seed);
+  take_nearer(robot, goal, options, found, solutions);
+  std::ranges::stable_sort(solutions, {},
+                           [&](const FormulaSolution& s) { return change_of(s.q, options.seed); });
+  return solutions;
 }
 
 }  // namespace armlet

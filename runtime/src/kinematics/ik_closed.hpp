@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "armlet/kinematics/closed_form.hpp"
 #include "ik_numeric.hpp"
@@ -33,8 +33,8 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
 std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkGoal& goal,
                                                    const IkOptions& options);
 
-// Of all arm angles the solution that is reached soonest from the seed.
-std::optional<FormulaSolution> soonest_over_arm_angles(const Robot& robot, const IkGoal& goal,
-                                                       const IkOptions& options);
+// Of each branch the solution nearest to the seed at any arm angle, the nearest of them first.
+std::vector<FormulaSolution> nearest_over_arm_angles(const Robot& robot, const IkGoal& goal,
+                                                     const IkOptions& options);
 
 }  // namespace armlet

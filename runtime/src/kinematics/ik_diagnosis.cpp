@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/manipulability.hpp"
 #include "armlet/math/pose.hpp"
 #include "ik_search.hpp"
@@ -10,6 +11,13 @@ namespace {
 
 constexpr int kSpreadStarts = 12;  // with one start a third of the distances would be too long
 constexpr int kTurnStarts = 60;    // orientations have more local minima
+constexpr int kSamples = 2'000;    // of the joint space, of which the nearest are followed
+constexpr std::size_t kFollowed = 32;
+constexpr std::size_t kDeepest = 4;
+constexpr int kFewTurnStarts = 20;  // at the border of the reach there is less choice
+constexpr double kApart = 0.08;     // of the joints' ranges, between those
+constexpr int kSampleSteps = 40;
+constexpr double kSamePlace = 1e-7;  // m
 constexpr int kLeastSquaresSteps = 200;
 constexpr double kPositionFirst = 100.0;  // weight that makes position come before orientation
 constexpr double kPositionFixed = 1e4;    // and one that hardly moves it
@@ -40,6 +48,59 @@ Nearest nearest(const Robot& robot, const IkGoal& goal, const std::vector<JointA
   return best;
 }
 
+// How far apart two configurations are, as a part of the ranges.
+double parts_apart(const Robot& robot, const JointArray& a, const JointArray& b) {
+  double largest = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const double range = std::max(robot.upper()[i] - robot.lower()[i], 1e-9);
+    largest = std::max(largest, std::abs(a[k] - b[k]) / range);
+  }
+  return largest;
+}
+
+// The configurations of an even sample of the joint space whose tool points are nearest to a place,
+// and which are not neighbours of each other: where the valleys of the distance are.
+std::vector<JointArray> nearest_samples(const Robot& robot, const Eigen::Vector3d& p) {
+  struct Sample {
+    double distance = 0.0;
+    JointArray q{};
+  };
+  std::vector<Sample> samples;
+  for (int k = 1; k <= kSamples; ++k) {
+    const JointArray q = halton_start(robot, k);
+    const Eigen::Map<const Eigen::VectorXd> joints(q.data(), robot.n());
+    samples.push_back({(forward(robot, joints).translation() - p).norm(), q});
+  }
+  std::ranges::stable_sort(samples, {}, &Sample::distance);
+  std::vector<JointArray> out;
+  for (const Sample& sample : samples) {
+    if (out.size() >= kFollowed) break;
+    const auto is_near = [&](const JointArray& q) {
+      return parts_apart(robot, q, sample.q) < kApart;
+    };
+    if (std::ranges::none_of(out, is_near)) out.push_back(sample.q);
+  }
+  return out;
+}
+
+// Of all valleys the deepest: each is followed a little, and the best few to their end.
+Nearest nearest_place(const Robot& robot, const IkGoal& place, std::vector<JointArray> starts) {
+  for (const JointArray& q : nearest_samples(robot, place.p)) starts.push_back(q);
+  for (int k = 1; k <= kSpreadStarts; ++k) starts.push_back(halton_start(robot, k));
+  IkSolver solver(robot, place);
+  std::vector<Nearest> valleys;
+  for (JointArray& q : starts) {
+    solver.minimise_in_box(q, kSampleSteps);
+    valleys.push_back({q, solver.error_of(q)});
+  }
+  const auto distance = [](const Nearest& n) { return n.error.position; };
+  std::ranges::stable_sort(valleys, {}, distance);
+  std::vector<JointArray> best;
+  for (std::size_t k = 0; k < std::min(valleys.size(), kDeepest); ++k) best.push_back(valleys[k].q);
+  return nearest(robot, place, best, 0, [](const IkError& e) { return e.position; });
+}
+
 // The light weight traded a little of the place for orientation.
 void put_in_place(const Robot& robot, const IkGoal& goal, const IkOptions& options, Nearest& near) {
   IkGoal both = goal;
@@ -48,6 +109,26 @@ void put_in_place(const Robot& robot, const IkGoal& goal, const IkOptions& optio
   IkSolver(robot, both).minimise_in_box(q, kLeastSquaresSteps);
   if (!IkSolver(robot, goal.without_turn()).solve_in_box(q, options.iterations)) return;
   near = {q, IkSolver(robot, goal).error_of(q)};
+}
+
+// Of the configurations with the tool point where it is the one whose orientation is nearest.
+void turn_in_place(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                   const JointArray& q_failed, int starts, Nearest& best) {
+  IkGoal there = goal;
+  there.p =
+      forward(robot, Eigen::Map<const Eigen::VectorXd>(best.q.data(), robot.n())).translation();
+  IkGoal both = there;
+  both.weights.head<3>() *= kPositionFirst;
+  Nearest turned = nearest(robot, both, {best.q, q_failed}, starts, [](const IkError& e) {
+    return kPositionFirst * e.position + e.rotation;
+  });
+  put_in_place(robot, there, options, turned);
+  IkSolver solver(robot, goal);
+  turned.error = solver.error_of(turned.q);
+  best.error = solver.error_of(best.q);
+  const bool same_place =
+      turned.error.position <= std::max(best.error.position + kSamePlace, goal.position_tolerance);
+  if (same_place && turned.error.rotation < best.error.rotation) best = turned;
 }
 
 double total_excess(const Robot& robot, const Eigen::VectorXd& q) {
@@ -93,20 +174,16 @@ ReachGap gap_of(const Robot& robot, const IkGoal& goal, const IkOptions& options
 bool diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
   IkDiagnosis& diagnosis = result.diagnosis;
 
-  const IkGoal place = goal.without_turn();
-  Nearest best = nearest(robot, place, {to_array(options.seed), to_array(result.q)}, kSpreadStarts,
-                         [](const IkError& e) { return e.position; });
-  diagnosis.distance = best.error.position <= goal.position_tolerance ? 0.0 : best.error.position;
+  Nearest best =
+      nearest_place(robot, goal.without_turn(), {to_array(options.seed), to_array(result.q)});
+  const bool at_place = best.error.position <= goal.position_tolerance;
+  diagnosis.distance = at_place ? 0.0 : best.error.position;
   result.status = IkStatus::kUnreachable;
-
-  if (diagnosis.distance == 0.0 && counts_rotation(goal)) {
-    IkGoal both = goal;
-    both.weights.head<3>() *= kPositionFirst;
-    best = nearest(robot, both, {best.q, to_array(result.q)}, kTurnStarts,
-                   [](const IkError& e) { return kPositionFirst * e.position + e.rotation; });
-    put_in_place(robot, goal, options, best);
+  if (counts_rotation(goal)) {
+    turn_in_place(robot, goal, options, to_array(result.q), at_place ? kTurnStarts : kFewTurnStarts,
+                  best);
     diagnosis.angle = best.error.rotation;
-    result.status = IkStatus::kOrientationUnreachable;
+    if (at_place) result.status = IkStatus::kOrientationUnreachable;
   }
   diagnosis.q_nearest = to_vector(best.q, robot.n());
   diagnosis.nearest = forward(robot, diagnosis.q_nearest);

@@ -277,22 +277,28 @@ void IkSolver::minimise_in_box(JointArray& q, int iterations) {
   }
 }
 
-JointArray halton_start(const Robot& robot, int index) {
+double halton_share(int joint, int index) {
   constexpr std::array<int, kMaxJoints> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+  const int base = kPrimes[static_cast<std::size_t>(joint)];
+  double share = index == 0 ? 0.5 : 0.0;
+  double digit = 1.0 / base;
+  for (int rest = index; rest > 0; rest /= base) {
+    share += digit * (rest % base);
+    digit /= base;
+  }
+  return share;
+}
+
+JointArray halton_start(const Robot& robot, int index, bool inside_limits) {
   JointArray q{};
   for (int i = 0; i < robot.n(); ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    const int base = kPrimes[k];
-    double share = index == 0 ? 0.5 : 0.0;
-    double digit = 1.0 / base;
-    for (int rest = index; rest > 0; rest /= base) {
-      share += digit * (rest % base);
-      digit /= base;
-    }
     const double middle = 0.5 * (robot.lower()[i] + robot.upper()[i]);
     double range = robot.upper()[i] - robot.lower()[i];
-    if (robot.is_revolute(i)) range = std::min(range, 2.0 * kPi);
-    q[k] = middle + (share - 0.5) * range;
+    if (robot.is_revolute(i))
+      range = inside_limits ? std::min(range, 2.0 * kPi) : 2.0 * kPi;
+    else if (!inside_limits)
+      range += 2.0 * robot.length();
+    q[static_cast<std::size_t>(i)] = middle + (halton_share(i, index) - 0.5) * range;
   }
   return q;
 }

@@ -96,8 +96,11 @@ class IkSolver {
 };
 
 // Element `index` of a low-discrepancy sequence spread over the joints' ranges (Halton, 1960);
-// ranges of turning joints count as one turn at most. Index 0 is the middle.
-JointArray halton_start(const Robot& robot, int index);
+// ranges of turning joints count as one turn at most. Index 0 is the middle. Without limits turning
+// joints take a whole turn, sliding ones the arm's length more on either side.
+JointArray halton_start(const Robot& robot, int index, bool inside_limits = true);
+// Element `index` of the sequence for a joint, between 0 and 1.
+double halton_share(int joint, int index);
 
 JointArray to_array(const Eigen::VectorXd& q);
 Eigen::VectorXd to_vector(const JointArray& q, int n);

@@ -113,8 +113,10 @@ IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
   std::vector<FormulaSolution> solutions;
   solve_by_formula(robot, goal, options, solutions);
   for (const FormulaSolution& solution : solutions) {
-    report.branches.push_back(
-        report_branch(robot, seed, solution.branch, to_vector(solution.q, robot.n())));
+    // What the goal leaves free of the branch taken is as it was chosen.
+    const bool taken = report.result.ok() && solution.branch == report.result.branch;
+    report.branches.push_back(report_branch(
+        robot, seed, solution.branch, taken ? report.result.q : to_vector(solution.q, robot.n())));
   }
   std::stable_sort(
       report.branches.begin(), report.branches.end(),
@@ -141,7 +143,9 @@ std::string to_text(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
     text += "\n" + explain(robot, T_world_tool, result);
     return result.diagnosis.q_nearest.size() > 0 ? text + "\n" + nearest_line(robot, result) : text;
   }
-  if (result.branch < 0) {
+  if (result.solver == kStands) {
+    text += "\nthe robot stands there already";
+  } else if (result.branch < 0) {
     text += fmt::format("\nsolved by iterations: {} in {} start{}", result.iterations,
                         result.starts, result.starts == 1 ? "" : "s");
   }

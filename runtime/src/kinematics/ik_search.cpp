@@ -10,6 +10,7 @@ namespace armlet {
 namespace {
 
 constexpr double kSameSolution = 1e-4;  // rad or m
+constexpr double kAround = 0.6;         // rad or m, in which starts around the seed lie
 
 bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
             const Eigen::VectorXd& q) {
@@ -62,15 +63,6 @@ double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2) {
   return (q_1 - q_2).cwiseAbs().maxCoeff();
 }
 
-double least_way_time(const Robot& robot, const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2) {
-  double time = 0.0;
-  for (int i = 0; i < robot.n(); ++i) {
-    const double speed = robot.joint(i).max_speed;
-    time = std::max(time, std::abs(q_1[i] - q_2[i]) / (std::isfinite(speed) ? speed : 1.0));
-  }
-  return time;
-}
-
 IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,
                    int extra_starts) {
   IkSolver solver(robot, goal);
@@ -78,7 +70,8 @@ IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   double best = INFINITY;
   int last_start = options.starts;
   for (int start = 0; start < last_start; ++start) {
-    JointArray q = start == 0 ? to_array(options.seed) : halton_start(robot, start);
+    JointArray q =
+        start == 0 ? to_array(options.seed) : halton_start(robot, start, options.respect_limits);
     const bool found = solve_from(robot, solver, q, options);
     ++search.starts;
     Eigen::VectorXd candidate = to_vector(q, robot.n());
@@ -99,6 +92,21 @@ IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   }
   search.iterations = solver.iterations_used();
   return search;
+}
+
+void search_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, int starts,
+                 std::vector<Eigen::VectorXd>& solutions) {
+  if (!options.respect_limits) return;
+  IkSolver solver(robot, goal);
+  for (int start = 0; start < starts; ++start) {
+    JointArray q = to_array(options.seed);
+    for (int i = 0; start > 0 && i < robot.n(); ++i) {
+      const double range = robot.upper()[i] - robot.lower()[i];
+      q[static_cast<std::size_t>(i)] +=
+          kAround * std::min(range, 1.0) * (halton_share(i, start) - 0.5);
+    }
+    if (solver.solve_in_box(q, options.iterations)) solutions.push_back(to_vector(q, robot.n()));
+  }
 }
 
 namespace {

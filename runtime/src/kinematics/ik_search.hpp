@@ -8,6 +8,9 @@ namespace armlet {
 IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                  const IkOptions& options);
 
+// The solver of a result that is the seed itself.
+inline constexpr std::string_view kStands = "the robot stands there";
+
 // What the restarts found.
 struct IkSearch {
   std::vector<Eigen::VectorXd> solutions;  // distinct, in the order in which they were found
@@ -24,12 +27,13 @@ struct IkSearch {
 IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,
                    int extra_starts);
 
+// Solutions that the iterations find inside the limits from the seed and from around it; none
+// without limits.
+void search_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, int starts,
+                 std::vector<Eigen::VectorXd>& solutions);
+
 // The largest change of one joint between two configurations.
 double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
-
-// How long the slowest joint needs from one to the other at its greatest speed, s; a joint without
-// a limit counts as 1 rad/s or 1 m/s.
-double least_way_time(const Robot& robot, const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
 
 // Sorts solutions by the largest change from the seed; within 1e-9 the positive elbow comes first,
 // then the one found first.

@@ -95,12 +95,6 @@ TEST_CASE("the closed form finds nearer solutions than the iterations") {
        {"scara", "scorbot", "puma560", "stanford", "ur5", "pa10", "panda"}) {
     CAPTURE(name);
     const Robot robot = *make_robot(name);
-    const auto time_to = [&](const VectorXd& q, const VectorXd& seed) {
-      double time = 0.0;
-      for (int i = 0; i < robot.n(); ++i)
-        time = std::max(time, std::abs(q[i] - seed[i]) / robot.joint(i).max_speed);
-      return time;
-    };
     double sum_formula = 0.0, sum_search = 0.0;
     for (int k = 0; k < 60; ++k) {
       const VectorXd seed = random_joints(robot, random);
@@ -113,11 +107,11 @@ TEST_CASE("the closed form finds nearer solutions than the iterations") {
       const double change_search = (search.q - seed).cwiseAbs().maxCoeff();
       // Next to a singularity a pose within the tolerance may have joints that differ by 1e-4.
       if (robot.n() <= 6) CHECK(change <= change_search + 1e-4);
-      sum_formula += time_to(formula.q, seed);
-      sum_search += time_to(search.q, seed);
+      sum_formula += change;
+      sum_search += change_search;
     }
-    // Arm angles are tried in steps, so a few of the soonest solutions of seven joints are missed.
-    if (robot.n() > 6) CHECK(sum_formula < sum_search);
+    // Arm angles are tried in steps, so a few of the nearest solutions of seven joints are missed.
+    CHECK(sum_formula <= sum_search + 1e-3);
   }
 }
 

@@ -34,6 +34,7 @@ enum class ClosedFormKind {
 std::string_view to_text(ClosedFormKind kind);
 
 inline constexpr int kMaxBranches = 16;
+inline constexpr unsigned kEveryBranch = (1U << kMaxBranches) - 1U;
 
 // One way of reaching a pose.
 //
@@ -52,10 +53,13 @@ struct ClosedSolution {
 //
 // free  some joint may take any value, at a singular configuration or within 1e-6 of one: there may
 //       be more solutions than these, even if these are none.
+// open  a bit for each joint that keeps its given value because the goal does not say it, where
+//       others have to follow it; joints about one line, which only share an angle, are not listed.
 struct ClosedSolutions {
   std::array<ClosedSolution, kMaxBranches> at;
   int count = 0;
   bool free = false;
+  unsigned open = 0;
 
   const ClosedSolution* begin() const { return at.data(); }
   const ClosedSolution* end() const { return at.data() + count; }
@@ -98,10 +102,11 @@ class ClosedForm {
   // tolerance     largest error of a solution, m and rad, found by forward kinematics. Solutions
   //               are made as exact as 1e-9 where the goal allows it.
   // arm_turn      added to the arm angle or the held joint of an arm of seven joints, rad.
+  // wanted        bits of the branches that are asked for.
   // solutions     in the order of their branches; limits are not looked at.
   // returns       how many there are.
   int solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near, ClosedSolutions& solutions,
-            double tolerance = 1e-9, double arm_turn = 0.0) const;
+            double tolerance = 1e-9, double arm_turn = 0.0, unsigned wanted = kEveryBranch) const;
 
   // Why there is no solution, if the geometry of the arm rules it out whatever its limits are; no
   // gap if something else does, or for an arm of which one joint is held.
@@ -121,7 +126,7 @@ class ClosedForm {
   Eigen::Isometry3d without_held(const Eigen::Isometry3d& T_world_tool, double held) const;
   bool accept(const Eigen::Isometry3d& goal, double tolerance, ClosedSolution& solution) const;
   int take_ways(const Eigen::Isometry3d& goal, double tolerance, const ClosedSolution& start,
-                const ClosedLanes& lanes, ClosedSolutions& solutions) const;
+                const ClosedLanes& lanes, unsigned wanted, ClosedSolutions& solutions) const;
 
   Chain chain_;
   WalkPlan plan_;

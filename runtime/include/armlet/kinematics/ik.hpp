@@ -29,9 +29,10 @@ enum class IkTask { kPose, kPosition, kPlace, kTurn, kMasked };
 enum class IkMaskFrame { kWorld, kTool };
 
 // kFirst    the first solution found, starting at the seed.
-// kNearest  of all solutions found, the one with the smallest largest joint change from the seed;
-//           equal within 1e-9, the one with the positive elbow. An arm of seven joints with a
-//           closed form: of its infinitely many, the one that its slowest joint reaches soonest.
+// kNearest  of all solutions found, the one with the smallest largest joint change from the seed
+//           (SI numbers); equal within 1e-9, the one with the positive elbow. Joints that the goal
+//           leaves free are chosen so among all their values inside the limits. An arm that stands
+//           at the goal stays.
 enum class IkChoice { kFirst, kNearest };
 
 // kAuto     the arm's closed form where it has one that answers the question (the whole pose, or
@@ -73,8 +74,8 @@ std::string_view to_text(IkStatus status);
 
 // Why there is no solution, in numbers. Filled as far as the status needs it.
 //
-// distance    from the goal to the nearest reachable tool point, m.
-// angle       from the goal's orientation to the nearest one reachable at that place, rad.
+// distance    from the goal to the nearest reachable tool point, of all branches, m.
+// angle       from the goal's orientation to the nearest one found at that point, rad.
 // nearest     that pose of the tool in the world, and q_nearest the joints that reach it.
 // violations  joints that would be outside their limits at the best solution without limits.
 // gap         what the geometry of an arm with a closed form rules out, whatever the limits are.
@@ -99,8 +100,9 @@ struct IkResult {
   double rotation_error = 0.0;  // rad
   int iterations = 0;           // 0 if a formula gave the answer
   int starts = 0;
-  std::string_view solver = "numeric";  // or the structure that the closed form goes by
-  int branch = -1;                      // of the closed form, see ClosedSolution; -1: numeric
+  // Or the structure that the closed form goes by, or "the robot stands there".
+  std::string_view solver = "numeric";
+  int branch = -1;          // of the closed form, see ClosedSolution; -1: numeric
   Eigen::VectorXd margins;  // from each joint to its nearer limit, rad or m; below 0: beyond it
   double posture = 0.0;     // value of the posture asked for (posture_value)
   IkDiagnosis diagnosis;

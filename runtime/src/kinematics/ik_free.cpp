@@ -1,0 +1,330 @@
+#include "ik_free.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/angles.hpp"
+
+namespace armlet {
+namespace {
+
+// Columns of the Jacobian that differ by less, m and rad, are those of one line; what comes of it
+// is checked by forward kinematics.
+constexpr double kOneLine = 1e-6;
+constexpr double kRounding = 1e-7;  // rad or m beyond what limits allow
+
+struct Range {
+  double lower = -INFINITY;
+  double upper = INFINITY;
+};
+
+Range range_of(const Robot& robot, const IkOptions& options, std::size_t i) {
+  if (!options.respect_limits) return {};
+  const Eigen::Index k = static_cast<Eigen::Index>(i);
+  return {robot.lower()[k], robot.upper()[k]};
+}
+
+// A joint with its part of what is shared: the value nearest to the seed, how far that is, and the
+// room from there.
+struct Member {
+  std::size_t joint = 0;
+  double sign = 1.0;
+  double nearest = 0.0;
+  double away = 0.0;
+  double up = 0.0, down = 0.0;
+};
+
+struct Members {
+  std::array<Member, kMaxJoints> at;
+  std::size_t count = 0;
+
+  const Member* begin() const { return at.data(); }
+  const Member* end() const { return at.data() + count; }
+};
+
+// The smallest largest change with which the members together make up `delta` from where they are
+// nearest; more than they can is left over.
+struct Division {
+  double change = 0.0;
+  double left_over = 0.0;
+};
+
+double room(const Member& m, double delta) { return m.sign * delta > 0.0 ? m.up : m.down; }
+
+// What one member gives if none may change by more.
+double part(const Member& m, double delta, double change) {
+  return std::clamp(change - m.away, 0.0, room(m, delta));
+}
+
+double sum_of_parts(const Members& members, double delta, double change) {
+  double sum = 0.0;
+  for (const Member& m : members) sum += part(m, delta, change);
+  return sum;
+}
+
+// The sum of the parts is piecewise linear in the change and never falls.
+Division divide(const Members& members, double delta) {
+  const double wanted = std::abs(delta);
+  Division out;
+  std::array<double, 2 * kMaxJoints> knots{};
+  std::size_t count = 0;
+  double all = 0.0;
+  for (const Member& m : members) {
+    const double most = room(m, delta);
+    all += most;
+    knots[count++] = m.away;
+    if (std::isfinite(most)) knots[count++] = m.away + most;
+  }
+  std::sort(knots.begin(), knots.begin() + static_cast<std::ptrdiff_t>(count));
+  if (all < wanted) {
+    out.left_over = wanted - all;
+    out.change = knots[count - 1];
+    return out;
+  }
+  double low = 0.0, sum_low = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double sum = sum_of_parts(members, delta, knots[k]);
+    if (sum >= wanted) {
+      const double slope = knots[k] > low ? (sum - sum_low) / (knots[k] - low) : 0.0;
+      out.change = slope > 0.0 ? low + (wanted - sum_low) / slope : knots[k];
+      return out;
+    }
+    low = knots[k];
+    sum_low = sum;
+  }
+  // Beyond the last knot those without limits go on alike.
+  const double slope = sum_of_parts(members, delta, low + 1.0) - sum_low;
+  out.change = low + (wanted - sum_low) / slope;
+  return out;
+}
+
+// Divides the shared value, which counts modulo a period (0: not at all).
+double settle(Members& members, const Robot& robot, const IkOptions& options, double period,
+              JointArray& q) {
+  double excess = 0.0, away = 0.0;
+  for (std::size_t k = 0; k < members.count; ++k) {
+    Member& m = members.at[k];
+    const Range range = range_of(robot, options, m.joint);
+    const double seed = options.seed[static_cast<Eigen::Index>(m.joint)];
+    m.nearest = std::clamp(seed, range.lower, range.upper);
+    m.away = std::abs(m.nearest - seed);
+    m.up = range.upper - m.nearest;
+    m.down = m.nearest - range.lower;
+    excess += m.sign * (q[m.joint] - m.nearest);
+    away = std::max(away, m.away);
+  }
+  double delta = excess;
+  Division best;
+  if (period > 0.0) {
+    const double first = excess - period * std::floor(excess / period);  // 0 or more
+    const Division up = divide(members, first);
+    const Division down = divide(members, first - period);
+    const auto key = [away](const Division& d) {
+      return std::pair(d.left_over > kRounding ? d.left_over : 0.0, std::max(d.change, away));
+    };
+    const bool upwards = key(up) <= key(down);
+    delta = upwards ? first : first - period;
+    best = upwards ? up : down;
+  } else {
+    best = divide(members, delta);
+  }
+  for (const Member& m : members) {
+    const double more = part(m, delta, best.change);
+    q[m.joint] = m.nearest + (m.sign * delta > 0.0 ? more : -more);
+  }
+  return best.left_over;
+}
+
+// Which joints move the tool alike. The first of each set stands for it.
+class Shares {
+ public:
+  Shares(const Robot& robot, const IkGoal& goal, const JointArray& q)
+      : robot_(robot), n_(static_cast<std::size_t>(robot.n())) {
+    J_ = jacobian(robot, Eigen::Map<const Eigen::VectorXd>(q.data(), robot.n()));
+    place_only_ = goal.weights.tail<3>().isZero();
+  }
+
+  // The joints that move the tool like joint i, itself first; those are marked as taken.
+  Members with(std::size_t i) {
+    Members out;
+    if (taken_[i]) return out;
+    const auto column = [this](std::size_t k) { return J_.col(static_cast<Eigen::Index>(k)); };
+    for (std::size_t k = i; k < n_; ++k) {
+      if (taken_[k] || turns(k) != turns(i)) continue;
+      const double plus = (column(k) - column(i)).cwiseAbs().maxCoeff();
+      const double minus = (column(k) + column(i)).cwiseAbs().maxCoeff();
+      if (std::min(plus, minus) > kOneLine) continue;
+      out.at[out.count].joint = k;
+      out.at[out.count++].sign = plus < minus ? 1.0 : -1.0;
+      taken_[k] = true;
+    }
+    return out;
+  }
+  // A joint about the tool point, where its orientation does not count.
+  bool alone(std::size_t i) const {
+    return place_only_ &&
+           J_.col(static_cast<Eigen::Index>(i)).head<3>().cwiseAbs().maxCoeff() <= kOneLine;
+  }
+  bool turns(std::size_t i) const { return robot_.is_revolute(static_cast<int>(i)); }
+
+ private:
+  const Robot& robot_;
+  std::size_t n_;
+  Jacobian J_;
+  bool place_only_ = false;
+  std::array<bool, kMaxJoints> taken_{};
+};
+
+double bring_one(const Robot& robot, const IkOptions& options, std::size_t i, Copies copies,
+                 double& value) {
+  const Range range = range_of(robot, options, i);
+  const double near = options.seed[static_cast<Eigen::Index>(i)];
+  if (robot.is_revolute(static_cast<int>(i))) {
+    if (options.respect_limits && copies == Copies::kInside)
+      value = turned_within(value, near, range.lower - 1e-6, range.upper + 1e-6);
+    else if (std::abs(value - near) > kPi)
+      value = nearest_turn(value, near);
+  }
+  return std::max({range.lower - value, value - range.upper, 0.0});
+}
+
+}  // namespace
+
+double change_of(const JointArray& q, const Eigen::VectorXd& seed) {
+  double change = 0.0;
+  for (Eigen::Index i = 0; i < seed.size(); ++i)
+    change = std::max(change, std::abs(q[static_cast<std::size_t>(i)] - seed[i]));
+  return change;
+}
+
+double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
+                  JointArray& q, Copies copies) {
+  double beyond = 0.0;
+  const std::size_t n = static_cast<std::size_t>(robot.n());
+  if (!shares) {
+    for (std::size_t i = 0; i < n; ++i)
+      beyond = std::max(beyond, bring_one(robot, options, i, copies, q[i]));
+    return beyond;
+  }
+  Shares alike(robot, goal, q);
+  for (std::size_t i = 0; i < n; ++i) {
+    Members members = alike.with(i);
+    if (members.count == 0) continue;
+    if (alike.alone(i)) {
+      for (const Member& m : members) {
+        const Range range = range_of(robot, options, m.joint);
+        q[m.joint] =
+            std::clamp(options.seed[static_cast<Eigen::Index>(m.joint)], range.lower, range.upper);
+      }
+    } else if (members.count == 1) {
+      beyond = std::max(beyond, bring_one(robot, options, i, copies, q[i]));
+    } else {
+      beyond =
+          std::max(beyond, settle(members, robot, options, alike.turns(i) ? 2.0 * kPi : 0.0, q));
+    }
+  }
+  return beyond;
+}
+
+namespace {
+
+constexpr double kSingular = 1e-6;    // of the rows that count, rad or m per rad or m
+constexpr double kFirstSlide = 0.3;   // rad or m
+constexpr double kLastSlide = 1e-8;   // and the progress that counts
+constexpr double kWorthwhile = 1e-3;  // rad or m
+constexpr int kSlides = 60;
+constexpr int kCorrections = 8;
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Directions, as columns, in which the joints move without what counts of the tool.
+MatrixXd idle_directions(const Robot& robot, const IkGoal& goal, const JointArray& q) {
+  const JacobianFrame frame = goal.in_tool_axes ? JacobianFrame::kTool : JacobianFrame::kWorld;
+  Jacobian J = jacobian(robot, Eigen::Map<const Eigen::VectorXd>(q.data(), robot.n()), frame);
+  for (Eigen::Index r = 0; r < 6; ++r) {
+    if (goal.weights[r] == 0.0) J.row(r).setZero();
+  }
+  const MatrixXd H = J.transpose() * J;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
+  Eigen::Index count = 0;
+  while (count < H.rows() && eigen.eigenvalues()[count] <= kSingular * kSingular) ++count;
+  return eigen.eigenvectors().leftCols(count);
+}
+
+// How far to go along a direction, at most `most` either way, so that the largest change becomes
+// smallest; the function is convex and piecewise linear.
+double best_length(const Robot& robot, const IkOptions& options, const JointArray& q,
+                   const VectorXd& v, double most) {
+  double low = -most, high = most;
+  const auto n = static_cast<std::size_t>(robot.n());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Range range = range_of(robot, options, i);
+    const double vi = v[static_cast<Eigen::Index>(i)];
+    if (std::abs(vi) < 1e-12) continue;
+    const double to_lower = (range.lower - q[i]) / vi;
+    const double to_upper = (range.upper - q[i]) / vi;
+    low = std::max(low, std::min(to_lower, to_upper));
+    high = std::min(high, std::max(to_lower, to_upper));
+  }
+  if (!(low <= 0.0 && high >= 0.0)) return 0.0;
+  const auto change = [&](double t) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      largest = std::max(largest, std::abs(q[i] + t * v[k] - options.seed[k]));
+    }
+    return largest;
+  };
+  for (int round = 0; round < 60; ++round) {
+    const double third = (high - low) / 3.0;
+    if (change(low + third) <= change(high - third))
+      high -= third;
+    else
+      low += third;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+void slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q) {
+  IkSolver solver(robot, goal);
+  double change = change_of(q, options.seed);
+  double most = kFirstSlide;
+  for (int slide = 0; slide < kSlides && most > kLastSlide; ++slide) {
+    const MatrixXd idle = idle_directions(robot, goal, q);
+    if (idle.cols() == 0) return;
+    bool nearer = false;
+    for (Eigen::Index k = 0; k <= idle.cols() && !nearer; ++k) {
+      // Towards the seed first, then each by itself.
+      VectorXd v;
+      if (k == 0)
+        v = idle * (idle.transpose() *
+                    (options.seed - Eigen::Map<const Eigen::VectorXd>(q.data(), robot.n())));
+      else
+        v = idle.col(k - 1);
+      const double size = v.norm();
+      if (!(size > 1e-12)) continue;
+      v /= size;
+      const double t = best_length(robot, options, q, v, most);
+      JointArray next = q;
+      for (Eigen::Index i = 0; i < v.size(); ++i) next[static_cast<std::size_t>(i)] += t * v[i];
+      const bool met = options.respect_limits ? solver.solve_in_box(next, kCorrections)
+                                              : solver.solve_free(next, kCorrections);
+      if (!met || !goal.is_met(solver.error_of(next))) continue;
+      const double shorter = change_of(next, options.seed);
+      if (shorter >= change - 1e-10) continue;
+      // With several directions to go the way is long and ends nowhere exactly.
+      nearer = idle.cols() == 1 || shorter < change - kWorthwhile;
+      change = shorter;
+      q = next;
+    }
+    if (!nearer && idle.cols() > 1) return;
+    most = nearer ? std::min(2.0 * most, kFirstSlide) : 0.5 * most;
+  }
+}
+
+}  // namespace armlet

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ik_numeric.hpp"
+
+namespace armlet {
+
+// Joints about one line, or sliding along parallel ones, only share an angle or a length: between
+// them it can be divided without moving the tool. Where only the place counts, a joint about the
+// tool point is free by itself.
+
+// Which of its copies, whole turns apart, a joint takes: the nearest one inside the limits, or the
+// nearest one wherever it lies.
+enum class Copies { kInside, kAll };
+
+// Turns each joint to the copy nearest to the seed and divides what joints share so that the
+// largest change from the seed is smallest, inside the limits if the options ask for that.
+//
+// shares whether to look for such joints. returns how far the joint that is farthest beyond its
+// limits lies beyond them; 0 if none does.
+double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
+                  JointArray& q, Copies copies = Copies::kInside);
+
+// The largest change of one joint.
+double change_of(const JointArray& q, const Eigen::VectorXd& seed);
+
+// Follows the solutions that are connected with q, where there are infinitely many, to one that is
+// nearer to the seed. q meets the goal before and after.
+void slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q);
+
+}  // namespace armlet

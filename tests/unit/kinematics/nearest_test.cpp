@@ -1,0 +1,385 @@
+// Of the joint values that reach a goal the nearest ones are taken (ruling 53),
+// against a dense search over the joint that the goal leaves free. The search
+// has its own code: it fixes that joint and finds the others by division of
+// what two joints share, or by Newton's method.
+#include <doctest/doctest.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/closed_form.hpp"
+#include "armlet/kinematics/ik.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/angles.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+#include "armlet/model/catalog.hpp"
+#include "random_arm.hpp"
+
+using namespace armlet;
+using Eigen::Isometry3d;
+using Eigen::VectorXd;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kScale = 20;
+#else
+constexpr int kScale = 1;
+#endif
+
+// A joint at its copy inside the limits that is nearest to the seed; how far
+// that is.
+double nearest_copy(const Robot& robot, int i, double value, double seed) {
+  double best = INFINITY;
+  const int turns = robot.is_revolute(i) ? 3 : 0;
+  for (int k = -turns; k <= turns; ++k) {
+    const double copy = value + 2.0 * kPi * k;
+    if (copy >= robot.lower()[i] - 1e-12 && copy <= robot.upper()[i] + 1e-12)
+      best = std::min(best, std::abs(copy - seed));
+  }
+  return best;
+}
+
+double change_of(const Robot& robot, const VectorXd& q, const VectorXd& seed) {
+  double change = 0.0;
+  for (int i = 0; i < robot.n(); ++i)
+    change = std::max(change, nearest_copy(robot, i, q[i], seed[i]));
+  return change;
+}
+
+// The least value of a function of one variable: on a grid, then around its
+// best point.
+template <class Function>
+double least_of(double from, double to, int steps, const Function& f) {
+  const double h = (to - from) / steps;
+  double best = INFINITY, at = from;
+  for (int k = 0; k <= steps; ++k) {
+    const double value = f(from + k * h);
+    if (value < best) {
+      best = value;
+      at = from + k * h;
+    }
+  }
+  double low = std::max(from, at - h), high = std::min(to, at + h);
+  for (int k = 0; k < 60; ++k) {
+    const double a = low + 0.382 * (high - low), b = high - 0.382 * (high - low);
+    const double fa = f(a), fb = f(b);
+    best = std::min({best, fa, fb});
+    (fa <= fb ? high : low) = fa <= fb ? b : a;
+  }
+  return best;
+}
+
+// Joints a and b turn about one line at q, the same way (sign 1) or against
+// each other.
+struct Pair {
+  int a, b;
+  double sign;
+};
+
+double least_of_pair(const Robot& robot, const Pair& pair, const VectorXd& q,
+                     const VectorXd& seed) {
+  double others = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    if (i != pair.a && i != pair.b)
+      others = std::max(others, nearest_copy(robot, i, q[i], seed[i]));
+  }
+  return least_of(robot.lower()[pair.a], robot.upper()[pair.a], 400, [&](double t) {
+    const double b = q[pair.b] + pair.sign * (q[pair.a] - t);
+    return std::max(
+        {others, std::abs(t - seed[pair.a]), nearest_copy(robot, pair.b, b, seed[pair.b])});
+  });
+}
+
+// The other joints by Newton's method while one is turned on step by step from
+// q.
+class Followed {
+ public:
+  Followed(const Robot& robot, const VectorXd& q, int joint, const VectorXd& seed)
+      : robot_(robot), goal_(forward(robot, q)), joint_(joint), seed_(seed), q_(q) {}
+
+  double least() {
+    constexpr int kSteps = 72;
+    const double h = 2.0 * kPi / kSteps;
+    double best = change_of(robot_, q_, seed_);
+    VectorXd at = q_;
+    for (const double way : {h, -h}) {
+      VectorXd q = q_;
+      for (int k = 0; k < kSteps / 2 && step(q, q[joint_] + way); ++k) {
+        const double change = change_of(robot_, q, seed_);
+        if (change >= best) continue;
+        best = change;
+        at = q;
+      }
+    }
+    double width = h;
+    for (int k = 0; k < 60; ++k) {  // downhill in ever smaller steps
+      bool better = false;
+      for (const double way : {width, -width}) {
+        VectorXd q = at;
+        if (!step(q, q[joint_] + way)) continue;
+        const double change = change_of(robot_, q, seed_);
+        if (change >= best) continue;
+        best = change;
+        at = q;
+        better = true;
+      }
+      if (!better) width *= 0.6;
+    }
+    return best;
+  }
+
+ private:
+  bool step(VectorXd& q, double value) const {
+    q[joint_] = value;
+    for (int k = 0; k < 8; ++k) {
+      Jacobian J;
+      const Isometry3d T = forward_and_jacobian(robot_, q, J);
+      Vector6d e;
+      e << goal_.translation() - T.translation(),
+          rotation_log(goal_.linear() * T.linear().transpose());
+      if (e.norm() < 1e-10) return true;
+      J.col(joint_).setZero();
+      Eigen::MatrixXd H = J.transpose() * J;
+      H.diagonal().array() += 1e-13;
+      H(joint_, joint_) = 1.0;
+      const VectorXd more = H.ldlt().solve(J.transpose() * e);
+      if (!(more.cwiseAbs().maxCoeff() < 0.5)) return false;
+      q += more;
+    }
+    return false;
+  }
+
+  const Robot& robot_;
+  Isometry3d goal_;
+  int joint_;
+  const VectorXd& seed_;
+  VectorXd q_;
+};
+
+VectorXd perturbed(const Robot& robot, const VectorXd& q, Random& random) {
+  VectorXd seed = q;
+  switch (random.below(3)) {
+    case 0:
+      seed[static_cast<int>(random.below(static_cast<std::uint64_t>(robot.n())))] +=
+          random.below(2) == 0 ? kPi / 18 : -kPi / 18;
+      break;
+    case 1:
+      for (double& value : seed) value += random.uniform(-0.3, 0.3);
+      break;
+    default:
+      seed = random_joints(robot, random);
+  }
+  return clamp_to_limits(robot, seed);
+}
+
+// Within the limits, every other time with a joint or two at theirs.
+VectorXd on_limits(const Robot& robot, Random& random) {
+  VectorXd q = random_joints(robot, random);
+  for (int k = static_cast<int>(random.below(3)); k > 0; --k) {
+    const int i = static_cast<int>(random.below(static_cast<std::uint64_t>(robot.n())));
+    q[i] = random.below(2) == 0 ? robot.lower()[i] : robot.upper()[i];
+  }
+  return q;
+}
+
+struct Score {
+  int farther = 0;
+  int missed = 0;
+  double worst = 0.0;
+};
+
+void judge(const Robot& robot, const VectorXd& q, const VectorXd& seed, double least,
+           IkMethod method, Score& score) {
+  const Isometry3d goal = forward(robot, q);
+  const IkResult ik = solve_ik(robot, goal, {.seed = seed, .method = method});
+  const bool good = ik.ok() && within_limits(robot, ik.q, 0.0) &&
+                    (forward(robot, ik.q).translation() - goal.translation()).norm() < 1.001e-6 &&
+                    angle_between(forward(robot, ik.q), goal) < 1.001e-6;
+  score.missed += good ? 0 : 1;
+  if (!good) return;
+  const double more = (ik.q - seed).cwiseAbs().maxCoeff() - least;
+  score.farther += more > 1e-6 ? 1 : 0;
+  score.worst = std::max(score.worst, more);
+}
+
+Robot with_limits(RobotSpec spec, Random& random) {
+  for (Joint& joint : spec.joints) {
+    if (!joint.is_revolute()) {
+      joint.lower = -0.5;
+      joint.upper = 0.5;
+      continue;
+    }
+    joint.lower = -random.uniform(1.0, 5.0);
+    joint.upper = random.uniform(3.2, 5.0);
+  }
+  return Robot(spec);
+}
+
+Robot arm_of(std::initializer_list<DhRow> rows, Random& random, std::size_t slide = 99) {
+  RobotSpec spec;
+  for (const DhRow& row : rows) {
+    Joint joint;
+    if (spec.joints.size() == slide) joint.kind = JointKind::kPrismatic;
+    joint.dh = row;
+    spec.joints.push_back(joint);
+  }
+  return with_limits(std::move(spec), random);
+}
+
+void check_pairs(const Robot& robot, Pair pair, int joint, double value, int count,
+                 Random& random) {
+  Score score;
+  for (int k = 0; k < count / kScale; ++k) {
+    VectorXd q = on_limits(robot, random);
+    q[joint] = value;
+    VectorXd moved = q;
+    moved[pair.a] += 0.3;
+    moved[pair.b] -= 0.3 * pair.sign;
+    REQUIRE((forward(robot, moved).matrix() - forward(robot, q).matrix()).norm() < 1e-9);
+    const VectorXd seed = perturbed(robot, q, random);
+    judge(robot, q, seed, least_of_pair(robot, pair, q, seed), IkMethod::kAuto, score);
+  }
+  CHECK(score.missed == 0);
+  CHECK(score.farther == 0);
+  CHECK(score.worst < 1e-6);
+}
+
+void check_followed(const Robot& robot, int joint, std::optional<int> zero, IkMethod method,
+                    int count) {
+  Random random(static_cast<std::uint64_t>(joint + 20));
+  Score score;
+  for (int k = 0; k < (count + kScale - 1) / kScale; ++k) {
+    VectorXd q = on_limits(robot, random);
+    if (zero) q[*zero] = 0.0;
+    // A UR whose elbow is stretched as well has its free joint in an interval of less than 1 deg.
+    if (zero && robot.name().starts_with("ur")) q[2] = 0.9 * q[2];
+    const VectorXd seed = perturbed(robot, q, random);
+    judge(robot, q, seed, Followed(robot, q, joint, seed).least(), method, score);
+  }
+  CHECK(score.missed == 0);
+  CHECK(score.farther == 0);
+  CHECK(score.worst < 1e-6);
+}
+
+}  // namespace
+
+TEST_CASE("two joints about one line share their angle so that neither turns far") {
+  Random random(53);
+  for (const char* name : {"puma560", "irb120", "stanford", "pa10_6"}) {
+    CAPTURE(name);
+    check_pairs(*make_robot(name), {3, 5, 1.0}, 4, 0.0, 2'800, random);
+  }
+  constexpr double kRight = kPi / 2;
+  for (int k = 0; k < 5; ++k) {
+    // Equal links folded onto the first of the parallel axes.
+    CHECK_NOTHROW(check_pairs(arm_of({{0, 0, .3, 0}, {0, 0, .3, 0}, {0, 0, .1, 0}}, random),
+                              {0, 2, 1.0}, 1, kPi, 500, random));
+    check_pairs(arm_of({{0, .2, .3, 0}, {0, 0, .3, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}, random, 2),
+                {0, 3, 1.0}, 1, kPi, 500, random);
+    check_pairs(arm_of({{0, .2, 0, kRight},
+                        {0, 0, .4, 0},
+                        {0, 0, .4, 0},
+                        {0, .1, 0, kRight},
+                        {0, .1, 0, -kRight},
+                        {0, .1, 0, 0}},
+                       random),
+                {1, 3, 1.0}, 2, kPi, 500, random);
+  }
+}
+
+TEST_CASE(
+    "a joint that the goal leaves free takes the value from which no "
+    "joint turns far") {
+  check_followed(*make_robot("ur5"), 5, 4, IkMethod::kAuto, 250);
+  check_followed(*make_robot("ur10"), 5, 4, IkMethod::kAuto, 100);
+  for (const char* name : {"pa10", "iiwa14", "arm7"}) {
+    CAPTURE(name);
+    check_followed(*make_robot(name), 2, {}, IkMethod::kAuto, 100);
+  }
+  check_followed(*make_robot("panda"), 6, {}, IkMethod::kAuto, 150);
+}
+
+TEST_CASE("arms solved by iteration choose their free joints too") {
+  check_followed(*make_robot("puma560"), 3, 4, IkMethod::kNumeric, 80);
+  check_followed(*make_robot("ur5"), 5, 4, IkMethod::kNumeric, 60);
+  check_followed(*make_robot("pa10"), 2, {}, IkMethod::kNumeric, 40);
+}
+
+TEST_CASE("where the wrist lies on the first axis, that joint is free") {
+  const Robot robot = *make_robot("pa10_6");
+  Random random(54);
+  Score score;
+  for (int k = 0; k < 100 / kScale; ++k) {
+    VectorXd q = on_limits(robot, random);
+    q[0] = 0.0;
+    const auto aside = [&](double q2) {
+      q[1] = q2;
+      return link_frame(robot, q, 4).translation().x();
+    };
+    double low = -1.0, high = 1.0;
+    if (aside(low) * aside(high) > 0.0) continue;
+    for (int round = 0; round < 80; ++round) {
+      const double middle = 0.5 * (low + high);
+      (aside(low) * aside(middle) <= 0.0 ? high : low) = middle;
+    }
+    aside(low);
+    q[0] = random.uniform(robot.lower()[0], robot.upper()[0]);
+    if (!within_limits(robot, q)) continue;
+    const VectorXd seed = perturbed(robot, q, random);
+    judge(robot, q, seed, Followed(robot, q, 0, seed).least(), IkMethod::kAuto, score);
+  }
+  CHECK(score.missed == 0);
+  CHECK(score.farther == 0);
+}
+
+TEST_CASE("a goal one joint and 10 deg away is reached with a change of 10 deg") {
+  // The partner of the free joint stands at its limit.
+  const Robot robot = make_puma560();
+  VectorXd seed = VectorXd::Zero(6);
+  seed << 0.2, -0.7, 1.0, robot.upper()[3], 0.0, 0.3;
+  VectorXd q = seed;
+  q[3] -= kPi / 18;
+  const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = seed});
+  REQUIRE(ik.ok());
+  CHECK((ik.q - seed).cwiseAbs().maxCoeff() <= kPi / 18 + 1e-6);
+}
+
+TEST_CASE("every branch is listed once") {
+  Random random(55);
+  int same = 0;
+  for (int k = 0; k < 3'000 / kScale; ++k) {
+    RobotSpec spec;
+    for (int i = 0; i < 1 + k % 3; ++i) {
+      Joint joint;
+      joint.dh = {0, 0.3 * random.below(2), 0.3 * random.below(2),
+                  kPi / 2 * (static_cast<double>(random.below(4)) - 1.0)};
+      spec.joints.push_back(joint);
+    }
+    const Robot robot(spec);
+    if (!closed_form(robot).exists()) continue;
+    VectorXd q = random_joints(robot, random);
+    for (double& value : q) value = random.below(2) == 0 ? value : kPi / 2 * random.below(3);
+    q = clamp_to_limits(robot, q);
+    for (const bool respect : {true, false}) {
+      const auto all = solve_ik_all(robot, forward(robot, q),
+                                    {.seed = random_joints(robot, random),
+                                     .task = IkTask::kPosition,
+                                     .respect_limits = respect});
+      for (std::size_t a = 0; a < all.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+          double most = 0.0;
+          for (int i = 0; i < robot.n(); ++i)
+            most = std::max(most, std::abs(angle_difference(all[a][i], all[b][i])));
+          same += most < 1e-6 ? 1 : 0;
+        }
+      }
+    }
+  }
+  CHECK(same == 0);
+}
