@@ -234,8 +234,8 @@ TEST_CASE("what rests on a held body is reported with it, and what loses its sup
   cell.set_backend(&recorder);
   const int arm = cell.add_robot(make_robot("scara"));
   cell.begin();
-  cell.insert(cube({0.5, 0.1, 0.02}));
-  Object lid = cube({0.5, 0.1, 0.06});
+  cell.insert(cube({0.5, 0.1, 0.22}));  // the arm lowers it by 0.11 m
+  Object lid = cube({0.5, 0.1, 0.26});
   lid.name = "lid";
   cell.insert(lid);
   cell.take(arm, "cube");

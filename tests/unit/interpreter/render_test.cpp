@@ -208,7 +208,7 @@ TEST_CASE("parts that are absent are left out of JSON") {
 TEST_CASE("JSON survives text that is no UTF-8") {
   SourceSet sources;
   const Source& source = sources.add("a\xff.rbt", "\xff\xfe 2");
-  CHECK_NOTHROW((void)nlohmann::json::parse(render_json(about(source, "\xff\xfe"), sources)));
+  CHECK(nlohmann::json::parse(render_json(about(source, "\xff\xfe"), sources)).is_object());
 }
 
 }  // namespace armlet

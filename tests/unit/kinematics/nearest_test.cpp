@@ -357,14 +357,16 @@ TEST_CASE("every branch is listed once") {
     RobotSpec spec;
     for (int i = 0; i < 1 + k % 3; ++i) {
       Joint joint;
-      joint.dh = {0, 0.3 * random.below(2), 0.3 * random.below(2),
+      joint.dh = {0, 0.3 * static_cast<double>(random.below(2)),
+                  0.3 * static_cast<double>(random.below(2)),
                   kPi / 2 * (static_cast<double>(random.below(4)) - 1.0)};
       spec.joints.push_back(joint);
     }
     const Robot robot(spec);
     if (!closed_form(robot).exists()) continue;
     VectorXd q = random_joints(robot, random);
-    for (double& value : q) value = random.below(2) == 0 ? value : kPi / 2 * random.below(3);
+    for (double& value : q)
+      value = random.below(2) == 0 ? value : kPi / 2 * static_cast<double>(random.below(3));
     q = clamp_to_limits(robot, q);
     for (const bool respect : {true, false}) {
       const auto all = solve_ik_all(robot, forward(robot, q),
