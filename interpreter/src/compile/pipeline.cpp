@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "armlet/core/ample_stack.hpp"
 #include "check/check.hpp"
 #include "compile/load_files.hpp"
 
@@ -46,7 +47,8 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
   result.sources = compiled->sources;
   compiled->sources->add(std::move(name), std::move(text));
   try {
-    result.program = build(registry, std::move(compiled), options, lowering, sink);
+    on_ample_stack(
+        [&] { result.program = build(registry, std::move(compiled), options, lowering, sink); });
     result.diagnostics = sink.take_sorted();
   } catch (const std::bad_alloc&) {
     result.diagnostics.push_back(defect("the computer has no memory left"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "armlet/core/ample_stack.hpp"
 #include "format/columns.hpp"
 #include "format/lay_out.hpp"
 #include "format/layout.hpp"
@@ -85,19 +86,28 @@ bool same_comments(const Shape& a, const Source& a_text, const Shape& b, const S
   });
 }
 
+namespace {
+
+Formatted formatted(const Source& source) {
+  DiagnosticSink sink(ParseLimits{}.errors);
+  const Reading before = read(source, sink);
+  if (!before.ok) return {.problems = sink.take_sorted()};
+  const Source result(source.name(), lay_out(source, before.shape));
+  DiagnosticSink none;
+  const Reading after = read(result, none);
+  const bool same = after.ok && same_shape(before.shape, source, after.shape, result) &&
+                    same_comments(before.shape, source, after.shape, result);
+  if (!same) return {.text = std::string(source.text()), .changed_meaning = true};
+  return {.text = std::string(result.text())};
+}
+
+}  // namespace
 }  // namespace lang
 
 Formatted format_program(const Source& source) {
-  DiagnosticSink sink(ParseLimits{}.errors);
-  const lang::Reading before = lang::read(source, sink);
-  if (!before.ok) return {.problems = sink.take_sorted()};
-  const Source result(source.name(), lang::lay_out(source, before.shape));
-  DiagnosticSink none;
-  const lang::Reading after = lang::read(result, none);
-  const bool same = after.ok && lang::same_shape(before.shape, source, after.shape, result) &&
-                    lang::same_comments(before.shape, source, after.shape, result);
-  if (!same) return {.text = std::string(source.text()), .changed_meaning = true};
-  return {.text = std::string(result.text())};
+  Formatted out;
+  on_ample_stack([&] { out = lang::formatted(source); });
+  return out;
 }
 
 }  // namespace armlet

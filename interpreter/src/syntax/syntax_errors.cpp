@@ -1,5 +1,7 @@
 #include "syntax/syntax_errors.hpp"
 
+#include <vector>
+
 #include "syntax/failure_site.hpp"
 
 namespace armlet::lang {
@@ -94,26 +96,38 @@ Answer assignment_as_test(const FailureSite& site) {
   return out;
 }
 
-// The last token of the `if`, `while` or `for` at token `word`, with its body.
-std::size_t statement_end(const FailureSite& site, std::size_t word) {
-  std::size_t i = word + 1;
-  if (site.type(i) == RbtLexer::LPAREN) i = site.closer(i) + 1;
+// The last token of a body that is no header itself and begins at token `i`.
+std::size_t body_end(const FailureSite& site, std::size_t i) {
+  if (site.type(i) == RbtLexer::LBRACE) return site.closer(i);
   std::size_t last = i;
-  if (is_header_word(site.type(i))) {
-    last = statement_end(site, i);
-  } else if (site.type(i) == RbtLexer::LBRACE) {
-    last = site.closer(i);
-  } else {
-    while (site.type(i) != RbtLexer::SEMI && site.type(i) != RbtLexer::RBRACE &&
-           site.type(i) != kEndOfText) {
-      last = is_opener(site.type(i)) ? site.closer(i) : i;
-      i = last + 1;
-    }
+  while (site.type(i) != RbtLexer::SEMI && site.type(i) != RbtLexer::RBRACE &&
+         site.type(i) != kEndOfText) {
+    last = is_opener(site.type(i)) ? site.closer(i) : i;
+    i = last + 1;
   }
-  const bool has_end = site.type(last + 1) == RbtLexer::SEMI;
-  const std::size_t otherwise = has_end ? last + 2 : last + 1;
-  if (site.type(word) != RbtLexer::IF || site.type(otherwise) != RbtLexer::ELSE) return last;
-  return statement_end(site, otherwise);
+  return last;
+}
+
+// The last token of the `if`, `while` or `for` at token `word`, with its body. Bodies may be
+// headers again, as deep as the text is long.
+std::size_t statement_end(const FailureSite& site, std::size_t word) {
+  std::vector<std::size_t> outer;  // the words whose bodies are not over yet
+  while (true) {
+    std::size_t i = word + 1;
+    if (site.type(i) == RbtLexer::LPAREN) i = site.closer(i) + 1;
+    outer.push_back(word);
+    word = i;
+    if (is_header_word(site.type(i))) continue;
+    const std::size_t last = body_end(site, i);
+    const std::size_t otherwise = site.type(last + 1) == RbtLexer::SEMI ? last + 2 : last + 1;
+    bool goes_on = false;
+    while (!outer.empty() && !goes_on) {
+      goes_on = site.type(outer.back()) == RbtLexer::IF && site.type(otherwise) == RbtLexer::ELSE;
+      outer.pop_back();
+    }
+    if (!goes_on) return last;
+    word = otherwise;
+  }
 }
 
 // if (a) if (b) ...
