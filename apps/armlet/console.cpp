@@ -102,7 +102,12 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   session.folder = folder.empty() ? std::filesystem::path(".") : folder;
   session.limits.steps = options.steps;
-  session.output = print_out;
+  session.output = [](std::string_view text) {
+    print_out(text);
+    // Where nobody reads any more the program is stopped, quietly.
+    const bool said = output_failure != 0 && output_is_read();
+    return said ? std::string(std::strerror(output_failure)) : std::string();
+  };
   return setup;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "armlet/interpreter/work.hpp"
+
 namespace armlet::lang {
 
 namespace {
@@ -90,8 +92,11 @@ class Writer {
   // is_shown: the value is what the program shows, not a part of a message.
   Writer(const Format& format, std::size_t limit, bool is_shown)
       : format_(format), limit_(limit), is_shown_(is_shown) {}
+  Writer(const Format& format, Vm& vm, TextMaker& text) : format_(format), vm_(&vm), text_(&text) {}
 
   void value(Slot s, const Type& type);
+  // What has been written since the last time goes into the text. False: no more can be written.
+  bool flush();
   std::string out;
 
  private:
@@ -106,11 +111,29 @@ class Writer {
   void matrix(const MatrixObj& matrix);
   void reference(Slot s, const Type& type);
 
+  // Whether more is wanted.
+  bool goes_on() {
+    if (text_ == nullptr) return out.size() <= limit_;
+    return !failed_ && (out.size() < kPiece || flush());
+  }
+
+  static constexpr std::size_t kPiece = std::size_t{1} << 15U;
+
   const Format& format_;
-  std::size_t limit_;
-  bool is_shown_;
+  std::size_t limit_ = kNoLimit;
+  bool is_shown_ = true;
+  Vm* vm_ = nullptr;
+  TextMaker* text_ = nullptr;
+  bool failed_ = false;
   int level_ = 0;
 };
+
+bool Writer::flush() {
+  constexpr std::uint64_t kCost = 8;  // of a byte of a number
+  failed_ = failed_ || !charge_work(*vm_, kCost * out.size()) || !text_->add(out);
+  out.clear();
+  return !failed_;
+}
 
 void Writer::real(double value, Dim dim) {
   const bool styled = format_.digits >= 0 || format_.style != 0;
@@ -133,11 +156,16 @@ void Writer::real(double value, Dim dim) {
 
 void Writer::text(std::string_view text) {
   if (level_ == 0) {
-    out += text;
+    if (text_ == nullptr) {
+      out += text;
+    } else {
+      failed_ = !flush() || !text_->add(text);
+    }
     return;
   }
   out += '"';
   for (const char c : text) {
+    if (!goes_on()) return;
     if (c == '"' || c == '\\') out += '\\';
     if (c == '\n') {
       out += "\\n";
@@ -150,7 +178,7 @@ void Writer::text(std::string_view text) {
 
 void Writer::list(const ListObj& list, const Type& element) {
   out += '[';
-  for (std::uint32_t i = 0; i < list.size && out.size() <= limit_; ++i) {
+  for (std::uint32_t i = 0; i < list.size && goes_on(); ++i) {
     if (i > 0) out += ", ";
     value(list.data[i], element);
   }
@@ -160,7 +188,7 @@ void Writer::list(const ListObj& list, const Type& element) {
 void Writer::record(const RecordObj& record, const RecordInfo& info) {
   out += info.name;
   out += '(';
-  for (std::size_t i = 0; i < info.fields.size() && out.size() <= limit_; ++i) {
+  for (std::size_t i = 0; i < info.fields.size() && goes_on(); ++i) {
     if (i > 0) out += ", ";
     out += info.fields[i].name;
     out += ": ";
@@ -183,7 +211,7 @@ void Writer::table(Slot s, const RecordInfo& info) {
 void Writer::matrix(const MatrixObj& matrix) {
   out += '[';
   const std::size_t count = std::size_t{matrix.rows} * matrix.cols;
-  for (std::size_t i = 0; i < count && out.size() <= limit_; ++i) {
+  for (std::size_t i = 0; i < count && goes_on(); ++i) {
     if (i > 0) out += i % matrix.cols == 0 ? "; " : ", ";
     real(matrix.data()[i], dims::kNone);
   }
@@ -267,6 +295,12 @@ std::string value_text(Slot value, const Type& type, std::size_t limit) {
   Writer writer(plain, limit, false);
   writer.value(value, type);
   return std::move(writer.out);
+}
+
+bool write_value(Vm& vm, TextMaker& text, Slot value, const Format& format) {
+  Writer writer(format, vm, text);
+  writer.value(value, *format.type);
+  return writer.flush();
 }
 
 std::string format_value(Slot value, const Format& format, std::size_t limit) {

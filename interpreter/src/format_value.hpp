@@ -9,6 +9,11 @@
 #include "armlet/interpreter/type.hpp"
 #include "compile/program.hpp"
 
+namespace armlet {
+class TextMaker;
+class Vm;
+}  // namespace armlet
+
 namespace armlet::lang {
 
 // Output beyond this is cut; whoever needs all of it asks for less.
@@ -29,5 +34,7 @@ inline constexpr std::size_t kNoLimit = SIZE_MAX;
 // In a format, which applies to every number in the value.
 [[nodiscard]] std::string format_value(Slot value, const Format& format,
                                        std::size_t limit = kNoLimit);
+// The same at the end of a text of the program, counted as work. False: the failure is set.
+[[nodiscard]] bool write_value(Vm& vm, TextMaker& text, Slot value, const Format& format);
 
 }  // namespace armlet::lang

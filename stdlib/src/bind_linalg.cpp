@@ -10,6 +10,7 @@
 #include "armlet/math/decompose.hpp"
 #include "armlet/math/linalg.hpp"
 #include "armlet/math/matrix_product.hpp"
+#include "blocks.hpp"
 #include "matrices.hpp"
 
 namespace armlet::bind {
@@ -43,13 +44,12 @@ struct Task {
 };
 
 bool is_finite(Vm& vm, const MatrixObj& A, int parameter) {
-  for (std::size_t i = 0; i < count_of(A); ++i) {
-    if (std::isfinite(A.data()[i])) continue;
-    (void)not_finite(vm, fmt::format("element [{}, {}] of the matrix", i / A.cols, i % A.cols),
-                     A.data()[i], parameter);
-    return false;
-  }
-  return true;
+  std::size_t bad = count_of(A);
+  if (!find_number(vm, elements(A), bad, [](double x) { return !std::isfinite(x); })) return false;
+  if (bad == count_of(A)) return true;
+  (void)not_finite(vm, fmt::format("element [{}, {}] of the matrix", bad / A.cols, bad % A.cols),
+                   A.data()[bad], parameter);
+  return false;
 }
 
 bool is_ready(Vm& vm, const MatrixObj& A, const Task& task) {
@@ -149,10 +149,9 @@ Signal solve_list(Vm& vm, Slot* args) {
     return sizes_differ(vm, fmt::format("{} \\ {}", size_text(A.rows, A.cols), b.size()), 1,
                         "the matrix needs as many rows as the list has values");
   }
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    if (!std::isfinite(b[i]))
-      return not_finite(vm, fmt::format("element {} of the list", i), b[i], 1);
-  }
+  std::size_t bad = b.size();
+  if (!find_number(vm, b, bad, [](double x) { return !std::isfinite(x); })) return Signal::kFail;
+  if (bad != b.size()) return not_finite(vm, fmt::format("element {} of the list", bad), b[bad], 1);
   return on_matrix(vm, args, {.name = "solving", .work = 2, .copies = 4}, [&](const MatrixXd& a) {
     const auto x =
         solve(a, Eigen::Map<const VectorXd>(b.data(), static_cast<Eigen::Index>(b.size())));
@@ -195,8 +194,10 @@ Signal trace_of(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
   if (A.rows != A.cols) return not_square(vm, "trace", A);
   double sum = 0.0;
-  for (std::size_t i = 0; i < A.rows; ++i) sum += A.data()[i * A.cols + i];
-  return give(args, sum);
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sum += A.data()[i * A.cols + i];
+  };
+  return in_blocks(vm, A.rows, kFunctionCost, add) ? give(args, sum) : Signal::kFail;
 }
 
 // ---- decompositions ----------------------------------------------------------------------------

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "armlet/interpreter/sorting.hpp"
+#include "armlet/interpreter/work.hpp"
 #include "bind.hpp"
+#include "blocks.hpp"
 #include "matrices.hpp"
 
 namespace armlet::bind {
@@ -24,11 +26,9 @@ Signal make_range(Vm& vm, Slot* args, std::int64_t first, std::int64_t last, std
   if (count > kLongestRange)
     return failure(vm, "R0613",
                    fmt::format("range would have more than {} numbers", kLongestRange));
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::uint32_t i = 0; i < list->size; ++i)
-    list->data[i].i = first + static_cast<std::int64_t>(i) * step;
-  return give(args, list);
+  return give_numbers(vm, args, static_cast<std::size_t>(count), [=](Slot& to, std::size_t i) {
+    to.i = first + static_cast<std::int64_t>(i) * step;
+  });
 }
 Signal range_to(Vm& vm, Slot* args) { return make_range(vm, args, 0, args[0].i, 1); }
 Signal range_between(Vm& vm, Slot* args) {
@@ -44,13 +44,10 @@ Signal linspace(Vm& vm, Slot* args) {
   }
   if (n < 2 || n > kLongestRange)
     return failure(vm, "R0609", fmt::format("linspace with {} values: it needs at least 2", n), 2);
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(n), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::uint32_t i = 0; i < list->size; ++i) {
-    list->data[i].d =
-        i + 1 == list->size ? b : a + (b - a) * static_cast<double>(i) / static_cast<double>(n - 1);
-  }
-  return give(args, list);
+  const auto last = static_cast<std::size_t>(n - 1);
+  return give_numbers(vm, args, last + 1, [=](Slot& to, std::size_t i) {
+    to.d = i == last ? b : a + (b - a) * static_cast<double>(i) / static_cast<double>(last);
+  });
 }
 
 template <int kValue>
@@ -58,40 +55,53 @@ Signal filled(Vm& vm, Slot* args) {
   const std::int64_t n = args[0].i;
   if (n < 0 || n > kLongestRange)
     return failure(vm, "R0613", fmt::format("a list cannot have {} values", n), 0);
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(n), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::uint32_t i = 0; i < list->size; ++i) list->data[i].d = kValue;
-  return give(args, list);
+  return give_numbers(vm, args, static_cast<std::size_t>(n),
+                      [](Slot& to, std::size_t) { to.d = kValue; });
 }
 
 Signal sum_int(Vm& vm, Slot* args) {
   std::int64_t sum = 0;
-  for (const Slot x : items_value(args[0])) {
-    if (__builtin_add_overflow(sum, x.i, &sum))
-      return failure(vm, "R0610", "the sum is too large for an int", 0);
-  }
-  return give(args, sum);
+  bool fits = true;
+  const auto xs = items_value(args[0]);
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && fits; ++i)
+      fits = !__builtin_add_overflow(sum, xs[i].i, &sum);
+    return fits;
+  };
+  if (in_blocks(vm, xs.size(), kCost, add)) return give(args, sum);
+  return fits ? Signal::kFail : failure(vm, "R0610", "the sum is too large for an int", 0);
 }
-double total(std::span<const double> xs) {
-  double sum = 0.0;
-  for (const double x : xs) sum += x;
-  return sum;
+// The sum of f(i) in the order of i. False: the failure is set.
+template <class F>
+bool add_up(Vm& vm, std::size_t count, double& sum, F f) {
+  sum = 0.0;
+  return in_blocks(vm, count, kCost, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sum += f(i);
+  });
+}
+bool total(Vm& vm, std::span<const double> xs, double& sum) {
+  return add_up(vm, xs.size(), sum, [xs](std::size_t i) { return xs[i]; });
 }
 // The result, unless it is undefined: then the first element that is not finite is to blame.
 Signal give_defined(Vm& vm, Slot* args, double result, std::string_view what) {
   if (!std::isnan(result)) return give(args, result);
   const auto xs = reals_value(args[0]);
-  const auto bad = std::ranges::find_if(xs, [](double x) { return !std::isfinite(x); });
-  if (bad == xs.end()) return not_finite(vm, what, result, 0);
-  return not_finite(vm, fmt::format("element {} of the list", bad - xs.begin()), *bad, 0);
+  std::size_t bad = xs.size();
+  if (!find_number(vm, xs, bad, [](double x) { return !std::isfinite(x); })) return Signal::kFail;
+  if (bad == xs.size()) return not_finite(vm, what, result, 0);
+  return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad], 0);
 }
 Signal sum_real(Vm& vm, Slot* args) {
-  return give_defined(vm, args, total(reals_value(args[0])), "the sum");
+  double sum = 0.0;
+  if (!total(vm, reals_value(args[0]), sum)) return Signal::kFail;
+  return give_defined(vm, args, sum, "the sum");
 }
 Signal mean(Vm& vm, Slot* args) {
   const auto xs = reals_value(args[0]);
   if (xs.empty()) return failure(vm, "R0613", "an empty list has no mean", 0);
-  return give_defined(vm, args, total(xs) / static_cast<double>(xs.size()), "the mean");
+  double sum = 0.0;
+  if (!total(vm, xs, sum)) return Signal::kFail;
+  return give_defined(vm, args, sum / static_cast<double>(xs.size()), "the mean");
 }
 // The sample deviation: divided by n - 1.
 Signal deviation(Vm& vm, Slot* args) {
@@ -101,25 +111,27 @@ Signal deviation(Vm& vm, Slot* args) {
         vm, "R0613",
         fmt::format("the deviation of {} values is not defined; it needs at least 2", xs.size()),
         0);
-  const double m = total(xs) / static_cast<double>(xs.size());
+  double sum = 0.0;
   double squares = 0.0;
-  for (const double x : xs) squares += (x - m) * (x - m);
+  if (!total(vm, xs, sum)) return Signal::kFail;
+  const double m = sum / static_cast<double>(xs.size());
+  const auto square = [&](std::size_t i) { return (xs[i] - m) * (xs[i] - m); };
+  if (!add_up(vm, xs.size(), squares, square)) return Signal::kFail;
   return give_defined(vm, args, std::sqrt(squares / static_cast<double>(xs.size() - 1)),
                       "the deviation");
 }
 Signal differences(Vm& vm, Slot* args) {
   const auto xs = reals_value(args[0]);
-  ListObj* list = new_list(vm, xs.empty() ? 0 : static_cast<std::uint32_t>(xs.size() - 1), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::uint32_t i = 0; i < list->size; ++i) list->data[i].d = xs[i + 1] - xs[i];
-  return give(args, list);
+  return give_numbers(vm, args, xs.empty() ? 0 : xs.size() - 1,
+                      [xs](Slot& to, std::size_t i) { to.d = xs[i + 1] - xs[i]; });
 }
 Signal trapezoids(Vm& vm, Slot* args) {
   const auto y = reals_value(args[0]);
   const auto x = reals_value(args[1]);
   if (y.size() != x.size()) return size_failure(vm, "trapz", y.size(), x.size());
   double area = 0.0;
-  for (std::size_t i = 1; i < y.size(); ++i) area += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
+  const auto strip = [&](std::size_t i) { return 0.5 * (y[i + 1] + y[i]) * (x[i + 1] - x[i]); };
+  if (!add_up(vm, y.empty() ? 0 : y.size() - 1, area, strip)) return Signal::kFail;
   return give_defined(vm, args, area, "the area");
 }
 
@@ -128,49 +140,21 @@ Signal trapezoids(Vm& vm, Slot* args) {
 
 // Of these two, equals cannot be told apart.
 Signal sort_int(Vm& vm, Slot* args) {
-  const auto xs = items_value(args[0]);
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  std::copy(xs.begin(), xs.end(), list->data);
-  std::sort(list->data, list->data + list->size, [](Slot a, Slot b) { return a.i < b.i; });
-  return give(args, list);
+  return give_sorted(vm, args, [](Slot a, Slot b) { return a.i < b.i; });
 }
 Signal sort_real(Vm& vm, Slot* args) {
   const auto xs = reals_value(args[0]);
-  for (const double x : xs) {
-    if (std::isnan(x)) return not_finite(vm, "a value of the list to sort", x, 0);
-  }
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) list->data[i].d = xs[i];
-  std::stable_sort(list->data, list->data + list->size, [](Slot a, Slot b) { return a.d < b.d; });
-  return give(args, list);
+  std::size_t bad = xs.size();
+  if (!find_number(vm, xs, bad, [](double x) { return std::isnan(x); })) return Signal::kFail;
+  if (bad != xs.size()) return not_finite(vm, "a value of the list to sort", xs[bad], 0);
+  return give_sorted(vm, args, [](Slot a, Slot b) { return a.d < b.d; });
 }
-ListObj* shared_copy(Vm& vm, std::vector<Slot> items) {
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(items.size()), true);
-  if (list == nullptr) return nullptr;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    retain(items[i].o);
-    list->data[i] = items[i];
-  }
-  return list;
-}
-Signal sort_text(Vm& vm, Slot* args) {
-  const auto xs = items_value(args[0]);
-  std::vector<Slot> sorted(xs.begin(), xs.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](Slot a, Slot b) { return text_value(a) < text_value(b); });
-  return give(args, shared_copy(vm, std::move(sorted)));
-}
+Signal sort_text(Vm& vm, Slot* args) { return give_sorted(vm, args, TextOrder(vm)); }
 Signal reverse(Vm& vm, Slot* args) {
   const auto xs = items_value(args[0]);
   const bool references = static_cast<const ListObj*>(args[0].o)->holds_references();
-  std::vector<Slot> items(xs.rbegin(), xs.rend());
-  if (references) return give(args, shared_copy(vm, std::move(items)));
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(items.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  std::copy(items.begin(), items.end(), list->data);
-  return give(args, list);
+  return give_items(vm, args, xs.size(), references,
+                    [xs](Slot& to, std::size_t i) { to = xs[xs.size() - 1 - i]; });
 }
 
 constexpr NativeFunction kFunctions[] = {

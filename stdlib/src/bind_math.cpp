@@ -9,6 +9,7 @@
 #include "armlet/math/det_math.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
+#include "blocks.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -36,18 +37,22 @@ Signal each(Vm& vm, Slot* args) {
   const std::span<const double> xs = reals_value(args[0]);
   ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
   if (result == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
-    result->data[i].d = kFunction(xs[i]);
-    if (std::isnan(result->data[i].d)) {
-      release(vm, result);
-      return failure(
+  const auto compute = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result->data[i].d = kFunction(xs[i]);
+      if (!std::isnan(result->data[i].d)) continue;
+      (void)failure(
           vm, "R0609",
           fmt::format("element {} of the list is {:.15g}, where the function has no value", i,
                       xs[i]),
           0);
+      return false;
     }
-  }
-  return give(args, result);
+    return true;
+  };
+  if (in_blocks(vm, xs.size(), kFunctionCost, compute)) return give(args, result);
+  release(vm, result);
+  return Signal::kFail;
 }
 
 // The same with whole numbers as the result.
@@ -56,31 +61,43 @@ Signal each_to_int(Vm& vm, Slot* args) {
   const std::span<const double> xs = reals_value(args[0]);
   ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
   if (result == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
-    const double x = kRound(xs[i]);
-    if (fits_int(x)) {
-      result->data[i].i = static_cast<std::int64_t>(x);
-      continue;
+  const auto compute = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double x = kRound(xs[i]);
+      if (fits_int(x)) {
+        result->data[i].i = static_cast<std::int64_t>(x);
+        continue;
+      }
+      if (!std::isfinite(x)) {
+        (void)not_finite(vm, fmt::format("element {} of the list", i), x, 0);
+      } else {
+        (void)failure(vm, "R0610",
+                      fmt::format("element {} of the list is {:.15g}, too large for an int", i, x),
+                      0);
+      }
+      return false;
     }
-    release(vm, result);
-    if (!std::isfinite(x)) return not_finite(vm, fmt::format("element {} of the list", i), x, 0);
-    return failure(vm, "R0610",
-                   fmt::format("element {} of the list is {:.15g}, too large for an int", i, x), 0);
-  }
-  return give(args, result);
+    return true;
+  };
+  if (in_blocks(vm, xs.size(), kCost, compute)) return give(args, result);
+  release(vm, result);
+  return Signal::kFail;
 }
 template <Signal (*kFunction)(Vm&, Slot*)>
 Signal each_int(Vm& vm, Slot* args) {
   const std::span<const Slot> xs = items_value(args[0]);
   ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
   if (result == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
-    result->data[i] = xs[i];
-    if (kFunction(vm, &result->data[i]) == Signal::kDone) continue;
-    release(vm, result);
-    return Signal::kFail;
-  }
-  return give(args, result);
+  const auto compute = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result->data[i] = xs[i];
+      if (kFunction(vm, &result->data[i]) != Signal::kDone) return false;
+    }
+    return true;
+  };
+  if (in_blocks(vm, xs.size(), kCost, compute)) return give(args, result);
+  release(vm, result);
+  return Signal::kFail;
 }
 
 double square_root(double x) { return x >= 0.0 ? std::sqrt(x) : std::nan(""); }
@@ -196,16 +213,21 @@ Signal extreme(Vm& vm, Slot* args) {
     return failure(vm, "R0613",
                    fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
   if (!kInt) {
-    const auto bad = std::ranges::find_if(xs, [](Slot x) { return std::isnan(x.d); });
-    if (bad != xs.end())
-      return not_finite(vm, fmt::format("element {} of the list", bad - xs.begin()), bad->d, 0);
+    std::size_t bad = xs.size();
+    if (!find_number(vm, reals_value(args[0]), bad, [](double x) { return std::isnan(x); }))
+      return Signal::kFail;
+    if (bad != xs.size())
+      return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
   }
   Slot best = xs[0];
-  for (const Slot x : xs.subspan(1)) {
-    const bool less = kInt ? x.i < best.i : x.d < best.d;
-    const bool more = kInt ? x.i > best.i : x.d > best.d;
-    if (kMax ? more : less) best = x;
-  }
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (const Slot x : xs.subspan(begin, end - begin)) {
+      const bool less = kInt ? x.i < best.i : x.d < best.d;
+      const bool more = kInt ? x.i > best.i : x.d > best.d;
+      if (kMax ? more : less) best = x;
+    }
+  };
+  if (!in_blocks(vm, xs.size(), kCost, look)) return Signal::kFail;
   args[0] = best;
   return Signal::kDone;
 }
@@ -250,23 +272,25 @@ Signal lerp_list(Vm& vm, Slot* args) {
   const double s = args[2].d;
   if (a.size() != b.size()) return size_failure(vm, "lerp", a.size(), b.size());
   if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, 2);
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(a.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < a.size(); ++i) list->data[i].d = a[i] + (b[i] - a[i]) * s;
-  return give(args, list);
+  return give_numbers(vm, args, a.size(),
+                      [=](Slot& to, std::size_t i) { to.d = a[i] + (b[i] - a[i]) * s; });
 }
 
 Signal near_real(Vm&, Slot* args) {
   return give(args, std::abs(args[0].d - args[1].d) <= args[2].d);
 }
-Signal near_list(Vm&, Slot* args) {
+Signal near_list(Vm& vm, Slot* args) {
   const auto a = reals_value(args[0]);
   const auto b = reals_value(args[1]);
   if (a.size() != b.size()) return give(args, false);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!(std::abs(a[i] - b[i]) <= args[2].d)) return give(args, false);
-  }
-  return give(args, true);
+  bool is_near = true;
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && is_near; ++i)
+      is_near = std::abs(a[i] - b[i]) <= args[2].d;
+    return is_near;
+  };
+  const bool seen = in_blocks(vm, a.size(), kCost, look) || !is_near;
+  return seen ? give(args, is_near) : Signal::kFail;
 }
 
 // ---- chance: seeded generators, one for the program and one for each branch of a parallel

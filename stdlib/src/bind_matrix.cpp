@@ -7,11 +7,34 @@
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/matrix_product.hpp"
+#include "blocks.hpp"
 #include "matrices.hpp"
 #include "values.hpp"
 
 namespace armlet::bind {
 namespace {
+
+// A new matrix as the result, after fill(i, first, last) for the columns of every row, which may be
+// long or many.
+template <class F>
+Signal give_rows(Vm& vm, Slot* args, MatrixObj& A, F fill) {
+  const std::size_t cols = A.cols;
+  const auto rows = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) fill(i, std::size_t{0}, cols);
+  };
+  const auto parts_of_rows = [&] {
+    for (std::size_t i = 0; i < A.rows; ++i) {
+      const auto part = [&](std::size_t begin, std::size_t end) { fill(i, begin, end); };
+      if (!in_blocks(vm, cols, kCost, part)) return false;
+    }
+    return true;
+  };
+  const bool long_rows = cols * kCost > kBlockWork;
+  const bool done = long_rows ? parts_of_rows() : in_blocks(vm, A.rows, 16 + kCost * A.cols, rows);
+  if (done) return give(args, &A);
+  release(vm, &A);
+  return Signal::kFail;
+}
 
 // ---- making ------------------------------------------------------------------------------------
 
@@ -19,15 +42,20 @@ template <bool kInts>
 Signal matrix_from(Vm& vm, Slot* args) {
   const auto rows = items_value(args[0]);
   const std::size_t cols = rows.empty() ? 0 : items_value(rows[0]).size();
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const std::size_t count = items_value(rows[i]).size();
-    if (count == cols) continue;
-    return sizes_differ(
-        vm,
-        fmt::format("row 0 has {}, row {} has {}", values_text(static_cast<std::int64_t>(cols)), i,
-                    values_text(static_cast<std::int64_t>(count))),
-        0);
-  }
+  const auto is_even = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t count = items_value(rows[i]).size();
+      if (count == cols) continue;
+      (void)sizes_differ(
+          vm,
+          fmt::format("row 0 has {}, row {} has {}", values_text(static_cast<std::int64_t>(cols)),
+                      i, values_text(static_cast<std::int64_t>(count))),
+          0);
+      return false;
+    }
+    return true;
+  };
+  if (!in_blocks(vm, rows.size(), 8, is_even)) return Signal::kFail;
   if (!possible_size(vm, static_cast<std::int64_t>(rows.size()), static_cast<std::int64_t>(cols),
                      0)) {
     return Signal::kFail;
@@ -36,10 +64,10 @@ Signal matrix_from(Vm& vm, Slot* args) {
                                   static_cast<std::uint32_t>(cols));
   if (A == nullptr) return Signal::kFail;
   double* to = A->data();
-  for (const Slot row : rows) {
-    for (const Slot x : items_value(row)) *to++ = kInts ? static_cast<double>(x.i) : x.d;
-  }
-  return give(args, A);
+  return give_rows(vm, args, *A, [&](std::size_t i, std::size_t first, std::size_t last) {
+    for (const Slot x : items_value(rows[i]).subspan(first, last - first))
+      *to++ = kInts ? static_cast<double>(x.i) : x.d;
+  });
 }
 
 template <int kValue>
@@ -50,8 +78,9 @@ Signal filled(Vm& vm, Slot* args) {
   MatrixObj* A =
       new_matrix_unset(vm, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(cols));
   if (A == nullptr) return Signal::kFail;
-  std::fill_n(A->data(), count_of(*A), kValue);
-  return give(args, A);
+  return give_rows(vm, args, *A, [A](std::size_t i, std::size_t first, std::size_t last) {
+    std::fill_n(A->data() + i * A->cols + first, last - first, kValue);
+  });
 }
 
 Signal identity(Vm& vm, Slot* args) {
@@ -59,8 +88,9 @@ Signal identity(Vm& vm, Slot* args) {
   const auto n = static_cast<std::uint32_t>(args[0].i);
   MatrixObj* A = new_matrix(vm, n, n);
   if (A == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < n; ++i) A->data()[i * n + i] = 1.0;
-  return give(args, A);
+  // Each touches a page of its own, which is fetched then.
+  return give_rows(vm, args, *A,
+                   [A, n](std::size_t i, std::size_t, std::size_t) { A->data()[i * n + i] = 1.0; });
 }
 
 Signal diagonal_matrix(Vm& vm, Slot* args) {
@@ -69,17 +99,21 @@ Signal diagonal_matrix(Vm& vm, Slot* args) {
   if (!possible_size(vm, n, n, 0)) return Signal::kFail;
   MatrixObj* A = new_matrix(vm, static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n));
   if (A == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < v.size(); ++i) A->data()[i * v.size() + i] = v[i];
-  return give(args, A);
+  return give_rows(vm, args, *A, [A, v](std::size_t i, std::size_t, std::size_t) {
+    A->data()[i * v.size() + i] = v[i];
+  });
 }
 
 Signal diagonal_of(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
   ListObj* list = new_list(vm, std::min(A.rows, A.cols), false);
   if (list == nullptr) return Signal::kFail;
-  for (std::uint32_t i = 0; i < list->size; ++i)
-    list->data[i].d = A.data()[std::size_t{i} * A.cols + i];
-  return give(args, list);
+  const auto fill = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) list->data[i].d = A.data()[i * A.cols + i];
+  };
+  if (in_blocks(vm, list->size, kFunctionCost, fill)) return give(args, list);
+  release(vm, list);
+  return Signal::kFail;
 }
 
 Signal outer(Vm& vm, Slot* args) {
@@ -93,10 +127,9 @@ Signal outer(Vm& vm, Slot* args) {
                                   static_cast<std::uint32_t>(w.size()));
   if (A == nullptr) return Signal::kFail;
   double* to = A->data();
-  for (const double x : v) {
-    for (const double y : w) *to++ = x * y;
-  }
-  return give(args, A);
+  return give_rows(vm, args, *A, [&](std::size_t i, std::size_t first, std::size_t last) {
+    for (const double y : w.subspan(first, last - first)) *to++ = v[i] * y;
+  });
 }
 
 Signal rows(Vm&, Slot* args) {
@@ -110,14 +143,15 @@ Signal transposed(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
   MatrixObj* B = new_matrix_unset(vm, A.cols, A.rows);
   if (B == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < A.rows; ++i) {
-    for (std::size_t j = 0; j < A.cols; ++j) B->data()[j * A.rows + i] = A.data()[i * A.cols + j];
-  }
-  return give(args, B);
+  return give_rows(vm, args, *B, [&](std::size_t j, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) B->data()[j * A.rows + i] = A.data()[i * A.cols + j];
+  });
 }
 
 Signal flattened(Vm& vm, Slot* args) {
-  return give(args, new_reals(vm, elements(matrix_value(args[0]))));
+  const auto values = elements(matrix_value(args[0]));
+  return give_numbers(vm, args, values.size(),
+                      [values](Slot& to, std::size_t i) { to.d = values[i]; });
 }
 
 // ---- element by element ------------------------------------------------------------------------
@@ -126,8 +160,10 @@ template <class F>
 Signal map_elements(Vm& vm, Slot* args, const MatrixObj& A, F f) {
   MatrixObj* B = new_matrix_unset(vm, A.rows, A.cols);
   if (B == nullptr) return Signal::kFail;
-  std::ranges::transform(elements(A), B->data(), f);
-  return give(args, B);
+  return give_rows(vm, args, *B, [&](std::size_t i, std::size_t first, std::size_t last) {
+    const double* row = A.data() + i * A.cols;
+    std::transform(row + first, row + last, B->data() + i * A.cols + first, f);
+  });
 }
 bool same_size(Vm& vm, const Slot* args, std::string_view word) {
   const MatrixObj& A = matrix_value(args[0]);
@@ -144,8 +180,11 @@ Signal zip_elements(Vm& vm, Slot* args, std::string_view word, F f) {
   const MatrixObj& A = matrix_value(args[0]);
   MatrixObj* C = new_matrix_unset(vm, A.rows, A.cols);
   if (C == nullptr) return Signal::kFail;
-  std::ranges::transform(elements(A), elements(matrix_value(args[1])), C->data(), f);
-  return give(args, C);
+  return give_rows(vm, args, *C, [&](std::size_t i, std::size_t first, std::size_t last) {
+    const double* a = A.data() + i * A.cols;
+    const double* b = matrix_value(args[1]).data() + i * A.cols + first;
+    std::transform(a + first, a + last, b, C->data() + i * A.cols + first, f);
+  });
 }
 
 Signal add(Vm& vm, Slot* args) {
@@ -181,18 +220,23 @@ template <class Exponent>
 Signal raise_elements(Vm& vm, Slot* args, const MatrixObj& A, Exponent exponent) {
   MatrixObj* C = new_matrix_unset(vm, A.rows, A.cols);
   if (C == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < count_of(A); ++i) {
-    const double a = A.data()[i];
-    const double k = exponent(i);
-    C->data()[i] = det::pow(a, k);
-    if (!std::isnan(C->data()[i]) || std::isnan(a) || std::isnan(k)) continue;
-    release(vm, C);
-    return failure(vm, "R0609",
-                   fmt::format("element [{}, {}] is {:.15g}, which has no power {:.15g}",
-                               i / A.cols, i % A.cols, a, k),
-                   0, "a negative number has only whole powers");
-  }
-  return give(args, C);
+  const auto raise = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double a = A.data()[i];
+      const double k = exponent(i);
+      C->data()[i] = det::pow(a, k);
+      if (!std::isnan(C->data()[i]) || std::isnan(a) || std::isnan(k)) continue;
+      (void)failure(vm, "R0609",
+                    fmt::format("element [{}, {}] is {:.15g}, which has no power {:.15g}",
+                                i / A.cols, i % A.cols, a, k),
+                    0, "a negative number has only whole powers");
+      return false;
+    }
+    return true;
+  };
+  if (in_blocks(vm, count_of(A), 2 * kFunctionCost, raise)) return give(args, C);
+  release(vm, C);
+  return Signal::kFail;
 }
 Signal powers_of_elements(Vm& vm, Slot* args) {
   const MatrixObj& B = matrix_value(args[1]);
@@ -244,12 +288,13 @@ Signal product_with(Vm& vm, Slot* args, std::span<const double> x) {
   }
   ListObj* y = new_list(vm, A.rows, false);
   if (y == nullptr) return Signal::kFail;
-  if (!charge_work(vm, count_of(A))) {
-    release(vm, y);
-    return Signal::kFail;
-  }
-  multiply_vector(A.data(), x.data(), reinterpret_cast<double*>(y->data), A.rows, A.cols);
-  return give(args, y);
+  auto* to = reinterpret_cast<double*>(y->data);
+  const auto multiply_band = [&](std::size_t begin, std::size_t end) {
+    multiply_vector(A.data() + begin * A.cols, x.data(), to + begin, end - begin, A.cols);
+  };
+  if (in_blocks(vm, A.rows, 1 + A.cols, multiply_band)) return give(args, y);
+  release(vm, y);
+  return Signal::kFail;
 }
 Signal product_with_list(Vm& vm, Slot* args) {
   return product_with(vm, args, reals_value(args[1]));
@@ -261,14 +306,18 @@ Signal product_with_joints(Vm& vm, Slot* args) {
 
 // ---- comparing ---------------------------------------------------------------------------------
 
-Signal near(Vm&, Slot* args) {
+Signal near(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
   const MatrixObj& B = matrix_value(args[1]);
   if (A.rows != B.rows || A.cols != B.cols) return give(args, false);
-  for (std::size_t i = 0; i < count_of(A); ++i) {
-    if (!(std::abs(A.data()[i] - B.data()[i]) <= args[2].d)) return give(args, false);
-  }
-  return give(args, true);
+  bool is_near = true;
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && is_near; ++i)
+      is_near = std::abs(A.data()[i] - B.data()[i]) <= args[2].d;
+    return is_near;
+  };
+  const bool seen = in_blocks(vm, count_of(A), kCost, look) || !is_near;
+  return seen ? give(args, is_near) : Signal::kFail;
 }
 
 Signal explain_near(Vm& vm, Slot* args) {
@@ -280,13 +329,15 @@ Signal explain_near(Vm& vm, Slot* args) {
   }
   std::size_t worst = 0;
   double most = -1.0;
-  for (std::size_t i = 0; i < count_of(A); ++i) {
-    const double difference = std::abs(A.data()[i] - B.data()[i]);
-    if (difference <= most) continue;
-    worst = i;
-    most = difference;
-    if (std::isnan(difference)) break;
-  }
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !std::isnan(most); ++i) {
+      const double difference = std::abs(A.data()[i] - B.data()[i]);
+      if (difference <= most) continue;
+      worst = i;
+      most = difference;
+    }
+  };
+  if (!in_blocks(vm, count_of(A), kCost, look)) return Signal::kFail;
   return give(args, new_text(vm, fmt::format("they differ by {:.3g} at [{}, {}]", most,
                                              worst / A.cols, worst % A.cols)));
 }

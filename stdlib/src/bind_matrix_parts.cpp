@@ -11,6 +11,7 @@
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/rotation.hpp"
+#include "blocks.hpp"
 #include "matrices.hpp"
 #include "values.hpp"
 
@@ -53,10 +54,16 @@ Signal beside(Vm& vm, Slot* args, std::span<const Block> blocks) {
   MatrixObj* A = new_joined(vm, rows, cols);
   if (A == nullptr) return Signal::kFail;
   double* to = A->data();
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (const Block& block : blocks) to = std::copy_n(block.data + i * block.cols, block.cols, to);
-  }
-  return give(args, A);
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const Block& block : blocks)
+        to = std::copy_n(block.data + i * block.cols, block.cols, to);
+    }
+  };
+  const unsigned cost = 16 + kCost * std::min(A->cols, 100'000'000U);
+  if (in_blocks(vm, rows, cost, copy)) return give(args, A);
+  release(vm, A);
+  return Signal::kFail;
 }
 
 Signal above_each_other(Vm& vm, Slot* args, std::span<const Block> blocks) {
@@ -71,7 +78,17 @@ Signal above_each_other(Vm& vm, Slot* args, std::span<const Block> blocks) {
   MatrixObj* A = new_joined(vm, rows, blocks.empty() ? 0 : blocks[0].cols);
   if (A == nullptr) return Signal::kFail;
   double* to = A->data();
-  for (const Block& block : blocks) to = std::copy_n(block.data, block.rows * block.cols, to);
+  for (const Block& block : blocks) {
+    const std::size_t count = block.rows * block.cols;
+    const auto copy = [&](std::size_t begin, std::size_t end) {
+      std::copy(block.data + begin, block.data + end, to + begin);
+    };
+    if (!in_blocks(vm, count, kCost, copy)) {
+      release(vm, A);
+      return Signal::kFail;
+    }
+    to += count;
+  }
   return give(args, A);
 }
 
@@ -96,21 +113,35 @@ Signal join_list_and_matrix(Vm& vm, Slot* args) {
 }
 template <Join kJoin>
 Signal join_all(Vm& vm, Slot* args) {
+  const auto items = items_value(args[0]);
+  const Scratch scratch(vm, items.size() * sizeof(Block));
+  if (!scratch.granted()) return Signal::kFail;
   std::vector<Block> blocks;
-  for (const Slot item : items_value(args[0])) blocks.push_back(block_of(matrix_value(item)));
-  return kJoin(vm, args, blocks);
+  blocks.reserve(items.size());
+  const auto take = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) blocks.push_back(block_of(matrix_value(items[i])));
+  };
+  return in_blocks(vm, items.size(), 8, take) ? kJoin(vm, args, blocks) : Signal::kFail;
 }
 
 // ---- one number --------------------------------------------------------------------------------
 
-Signal frobenius(Vm&, Slot* args) { return give(args, length_of(elements(matrix_value(args[0])))); }
-
-double total(const MatrixObj& A) {
-  double sum = 0.0;
-  for (const double x : elements(A)) sum += x;
-  return sum;
+Signal frobenius(Vm& vm, Slot* args) {
+  double length = 0.0;
+  const bool done = length_of(vm, elements(matrix_value(args[0])), length);
+  return done ? give(args, length) : Signal::kFail;
 }
-Signal sum_of(Vm&, Slot* args) { return give(args, total(matrix_value(args[0]))); }
+
+bool total(Vm& vm, const MatrixObj& A, double& sum) {
+  sum = 0.0;
+  return in_blocks(vm, count_of(A), kCost, [&](std::size_t begin, std::size_t end) {
+    for (const double x : elements(A).subspan(begin, end - begin)) sum += x;
+  });
+}
+Signal sum_of(Vm& vm, Slot* args) {
+  double sum = 0.0;
+  return total(vm, matrix_value(args[0]), sum) ? give(args, sum) : Signal::kFail;
+}
 
 bool has_elements(Vm& vm, const MatrixObj& A, std::string_view what) {
   if (count_of(A) > 0) return true;
@@ -120,17 +151,21 @@ bool has_elements(Vm& vm, const MatrixObj& A, std::string_view what) {
 Signal mean_of(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
   if (!has_elements(vm, A, "mean")) return Signal::kFail;
-  return give(args, total(A) / static_cast<double>(count_of(A)));
+  double sum = 0.0;
+  if (!total(vm, A, sum)) return Signal::kFail;
+  return give(args, sum / static_cast<double>(count_of(A)));
 }
 template <bool kMax>
 Signal extreme(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
   if (!has_elements(vm, A, kMax ? "largest value" : "smallest value")) return Signal::kFail;
   double best = A.data()[0];
-  for (const double x : elements(A)) {
-    if (kMax ? x > best : x < best) best = x;
-  }
-  return give(args, best);
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (const double x : elements(A).subspan(begin, end - begin)) {
+      if (kMax ? x > best : x < best) best = x;
+    }
+  };
+  return in_blocks(vm, count_of(A), kCost, look) ? give(args, best) : Signal::kFail;
 }
 
 // ---- element by element ------------------------------------------------------------------------
@@ -142,18 +177,23 @@ Signal each(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
   MatrixObj* B = new_matrix_unset(vm, A.rows, A.cols);
   if (B == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < count_of(A); ++i) {
-    const double x = A.data()[i];
-    B->data()[i] = kFunction(x);
-    if (!std::isnan(B->data()[i]) || std::isnan(x)) continue;
-    release(vm, B);
-    return failure(vm, "R0609",
-                   fmt::format("element [{}, {}] of the matrix is {:.15g}, where the function has "
-                               "no value",
-                               i / A.cols, i % A.cols, x),
-                   0);
-  }
-  return give(args, B);
+  const auto compute = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double x = A.data()[i];
+      B->data()[i] = kFunction(x);
+      if (!std::isnan(B->data()[i]) || std::isnan(x)) continue;
+      (void)failure(vm, "R0609",
+                    fmt::format("element [{}, {}] of the matrix is {:.15g}, where the function has "
+                                "no value",
+                                i / A.cols, i % A.cols, x),
+                    0);
+      return false;
+    }
+    return true;
+  };
+  if (in_blocks(vm, count_of(A), kFunctionCost, compute)) return give(args, B);
+  release(vm, B);
+  return Signal::kFail;
 }
 
 double absolute(double x) { return std::abs(x); }

@@ -12,6 +12,7 @@
 #include "armlet/math/ode.hpp"
 #include "armlet/math/real_roots.hpp"
 #include "bind.hpp"
+#include "blocks.hpp"
 #include "matrices.hpp"
 
 namespace armlet::bind {
@@ -31,10 +32,11 @@ Obj* list_of(Vm& vm, const VectorXd& values) {
 // R0612 for the first element that is infinite or undefined; false if there is one.
 bool all_finite(Vm& vm, Slot list, std::string_view what, int parameter) {
   const auto values = reals_value(list);
-  const auto bad = std::ranges::find_if(values, [](double x) { return !std::isfinite(x); });
-  if (bad == values.end()) return true;
+  std::size_t bad = values.size();
+  if (!find_number(vm, values, bad, [](double x) { return !std::isfinite(x); })) return false;
+  if (bad == values.size()) return true;
   static_cast<void>(
-      not_finite(vm, fmt::format("element {} of {}", bad - values.begin(), what), *bad, parameter));
+      not_finite(vm, fmt::format("element {} of {}", bad, what), values[bad], parameter));
   return false;
 }
 
@@ -48,9 +50,9 @@ Signal polyfit(Vm& vm, Slot* args) {
   const std::int64_t degree = args[2].i;
   if (degree < 0 || degree > 50)
     return failure(vm, "R0609", fmt::format("polyfit of degree {}: it must be 0 to 50", degree), 2);
-  const auto columns = static_cast<std::uint64_t>(degree + 1);
-  if (!charge_work(vm, static_cast<std::uint64_t>(x.size()) * columns * columns))
-    return Signal::kFail;
+  // The points and their x in order.
+  const Scratch scratch(vm, static_cast<std::uint64_t>(x.size()) * 3 * sizeof(double));
+  if (!scratch.granted()) return Signal::kFail;
   try {
     return give(args, list_of(vm, fit_polynomial(x, y, static_cast<int>(degree)).reverse()));
   } catch (const ArgumentError& error) {
@@ -59,13 +61,20 @@ Signal polyfit(Vm& vm, Slot* args) {
   }
 }
 
-double horner(std::span<const double> c, double x) {
-  double value = 0.0;
+double horner(std::span<const double> c, double x, double value = 0.0) {
   for (const double coefficient : c) value = value * x + coefficient;
   return value;
 }
+// The same for any number of coefficients. False: the failure is set.
+bool long_horner(Vm& vm, std::span<const double> c, double x, double& value) {
+  value = 0.0;
+  return in_blocks(vm, c.size(), kCost, [&](std::size_t begin, std::size_t end) {
+    value = horner(c.subspan(begin, end - begin), x, value);
+  });
+}
 Signal polyval(Vm& vm, Slot* args) {
-  const double value = horner(reals_value(args[0]), args[1].d);
+  double value = 0.0;
+  if (!long_horner(vm, reals_value(args[0]), args[1].d, value)) return Signal::kFail;
   if (std::isnan(value)) return not_finite(vm, "the polynomial's value", value, -1);
   return give(args, value);
 }
@@ -73,16 +82,36 @@ Signal polyval_list(Vm& vm, Slot* args) {
   const auto xs = reals_value(args[1]);
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
   if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
-    list->data[i].d = horner(reals_value(args[0]), xs[i]);
-    if (!std::isnan(list->data[i].d)) continue;
-    release(vm, list);
-    return not_finite(vm, fmt::format("the polynomial's value at element {}", i), std::nan(""), -1);
-  }
-  return give(args, list);
+  const auto c = reals_value(args[0]);
+  const bool is_long = c.size() * kCost > kBlockWork;
+  const auto compute = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!is_long) {
+        list->data[i].d = horner(c, xs[i]);
+      } else if (!long_horner(vm, c, xs[i], list->data[i].d)) {
+        return false;
+      }
+      if (!std::isnan(list->data[i].d)) continue;
+      (void)not_finite(vm, fmt::format("the polynomial's value at element {}", i), std::nan(""),
+                       -1);
+      return false;
+    }
+    return true;
+  };
+  const auto cost = static_cast<unsigned>(kCost + (is_long ? 0 : kCost * c.size()));
+  if (in_blocks(vm, xs.size(), cost, compute)) return give(args, list);
+  release(vm, list);
+  return Signal::kFail;
 }
 
 Signal roots(Vm& vm, Slot* args) {
+  constexpr std::size_t kMost = 100'000;  // coefficients, zeros in front included
+  const std::size_t count = reals_value(args[0]).size();
+  if (count > kMost) {
+    return failure(vm, "R0609",
+                   fmt::format("roots of {} coefficients: at most {} are possible", count, kMost),
+                   0);
+  }
   if (!all_finite(vm, args[0], "the coefficients", 0)) return Signal::kFail;
   try {
     return give(args, new_reals(vm, real_roots(vector_of(args[0]).reverse())));
@@ -101,13 +130,21 @@ Signal interpolate(Vm& vm, Slot* args) {
   if (x.empty()) return failure(vm, "R0613", "interp needs at least one point", 0);
   if (!all_finite(vm, args[0], "x", 0) || !all_finite(vm, args[1], "y", 1)) return Signal::kFail;
   if (!std::isfinite(at)) return not_finite(vm, "the place", at, 2);
-  const auto turn = std::ranges::adjacent_find(x, [](double a, double b) { return !(a < b); });
-  if (turn != x.end()) {
-    const auto i = turn - x.begin();
+  std::size_t turn = x.size();
+  const auto rises = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (x[i] < x[i + 1]) continue;
+      turn = i;
+      return false;
+    }
+    return true;
+  };
+  if (!in_blocks(vm, x.size() - 1, kCost, rises) && turn == x.size()) return Signal::kFail;
+  if (turn != x.size()) {
     return failure(vm, "R0609",
                    fmt::format("interp needs x in rising order: element {} is {:.15g} and element "
                                "{} is {:.15g}",
-                               i, turn[0], i + 1, turn[1]),
+                               turn, x[turn], turn + 1, x[turn + 1]),
                    0, {}, "sort the points by x first");
   }
   if (at < x.front() || at > x.back()) {
@@ -120,7 +157,12 @@ Signal interpolate(Vm& vm, Slot* args) {
                                "points",
                                gap));
   }
-  return give(args, value_between(vector_of(args[0]), vector_of(args[1]), at));
+  // Only the neighbours are left to look at.
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+  const std::size_t first = above < 2 ? 0 : above - 2;
+  const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(4, x.size() - first));
+  return give(args, value_between(Map<const VectorXd>(x.data() + first, count),
+                                  Map<const VectorXd>(y.data() + first, count), at));
 }
 
 // ---- functions of the program ---------------------------------------------------------------
@@ -133,15 +175,17 @@ class ListArgument {
   ListArgument(const ListArgument&) = delete;
   ListArgument& operator=(const ListArgument&) = delete;
 
-  // Null: the heap is full.
+  // Null: the failure is set.
   ListObj* with(std::span<const double> values) {
     if (list_ == nullptr || list_->refs != 1) {
       release(vm_, list_);
       list_ = new_list(vm_, static_cast<std::uint32_t>(values.size()), false);
       if (list_ == nullptr) return nullptr;
     }
-    for (std::size_t i = 0; i < values.size(); ++i) list_->data[i].d = values[i];
-    return list_;
+    const auto copy = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) list_->data[i].d = values[i];
+    };
+    return in_blocks(vm_, values.size(), kCost, copy) ? list_ : nullptr;
   }
 
  private:
@@ -212,6 +256,10 @@ Signal minimum(Vm& vm, Slot* args) {
   if (reals_value(args[1]).empty())
     return failure(vm, "R0613", "minimise needs a start of at least one value", 1);
   if (!all_finite(vm, args[1], "the start", 1)) return Signal::kFail;
+  // The corners of the simplex, one more than there are variables.
+  const std::uint64_t n = reals_value(args[1]).size();
+  const Scratch scratch(vm, (n + 5) * n * sizeof(double));
+  if (!scratch.granted()) return Signal::kFail;
   ListArgument argument(vm);
   const auto call = [&](const VectorXd& x, double& value) {
     const Slot list{.o = argument.with({x.data(), static_cast<std::size_t>(x.size())})};

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
+#include "armlet/interpreter/sorting.hpp"
 #include "armlet/math/ode.hpp"
 #include "bind.hpp"
+#include "blocks.hpp"
 #include "ode_steps.hpp"
 
 namespace armlet::bind {
@@ -56,7 +59,11 @@ class Rate {
       state_ = new_list(vm_, static_cast<std::uint32_t>(y.size()), false);
       if (state_ == nullptr) return false;
     }
-    for (std::size_t i = 0; i < y.size(); ++i) state_->data[i].d = y[i];
+    const auto copy = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) state_->data[i].d = y[i];
+    };
+    // With the sums that the method makes of them.
+    if (!in_blocks(vm_, y.size(), 4 * kCost, copy)) return false;
     const Slot arguments[] = {slot_of(t), slot_of(state_)};
     Slot result;
     if (!vm_.call(f_, arguments, result)) return false;
@@ -109,24 +116,38 @@ std::optional<std::vector<double>> times_of(Vm& vm, const Slot* args) {
   constexpr double kSameTime = 1e-12;  // relative
   const double t0 = args[kFrom].d, t1 = args[kTo].d;
   const double apart = kSameTime * std::max(std::abs(t0), std::abs(t1));
+  constexpr std::size_t kMostKnots = 1'000'000;
   std::vector<double> given;
   if (args[kKnots].o != nullptr) {
     const auto values = reals_value(args[kKnots]);
+    if (values.size() > kMostKnots) {
+      static_cast<void>(failure(
+          vm, "R0613",
+          fmt::format("ode with {} knots; {} are the limit", values.size(), kMostKnots), kKnots));
+      return std::nullopt;
+    }
     given.assign(values.begin(), values.end());
   }
-  for (const double knot : given) {
-    if (std::isfinite(knot)) continue;
-    static_cast<void>(not_finite(vm, "a knot given to ode", knot, kKnots));
+  std::size_t bad = given.size();
+  if (!find_number(vm, given, bad, [](double x) { return !std::isfinite(x); })) return std::nullopt;
+  if (bad != given.size()) {
+    static_cast<void>(not_finite(vm, "a knot given to ode", given[bad], kKnots));
     return std::nullopt;
   }
-  std::ranges::sort(given);
+  std::vector<double> room(given.size());
+  std::less<double> order;
+  if (!sort_stably(vm, std::span<double>(given), std::span<double>(room), order))
+    return std::nullopt;
   std::vector<double> knots = {t0};
   for (const double knot : given) {
     if (knot > knots.back() + apart && knot < t1 - apart) knots.push_back(knot);
   }
   knots.push_back(t1);
   const double steps = count_steps(knots, args[kStep].d);
-  if (steps <= kMostSteps) return step_times(knots, args[kStep].d);
+  if (steps <= kMostSteps) {
+    if (!charge_work(vm, static_cast<std::uint64_t>(8.0 * steps))) return std::nullopt;
+    return step_times(knots, args[kStep].d);
+  }
   static_cast<void>(
       failure(vm, "R0613",
               fmt::format("ode would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps),
@@ -158,6 +179,10 @@ Signal integrate(Vm& vm, Slot* args, OdeIntegrator& integrator, std::span<const 
   for (std::uint32_t row = 0;; ++row) {
     const double t = instants[row];
     times->data[row].d = t;
+    if (!charge_work(vm, 2 * y.size())) {
+      release(vm, solution);
+      return Signal::kFail;
+    }
     std::ranges::copy(y, states->data() + std::size_t{row} * columns);
     if (row + 1 == rows) return give(args, solution);
     const OdeOutcome outcome = integrator.advance(call, t, instants[row + 1] - t, y);
@@ -180,10 +205,11 @@ Signal ode(Vm& vm, Slot* args) {
   }
   const auto start = reals_value(args[kStart]);
   if (start.empty()) return failure(vm, "R0613", "ode needs a state of at least one value", kStart);
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    if (!std::isfinite(start[i]))
-      return not_finite(vm, fmt::format("element {} of the start", i), start[i], kStart);
-  }
+  std::size_t bad = start.size();
+  if (!find_number(vm, start, bad, [](double x) { return !std::isfinite(x); }))
+    return Signal::kFail;
+  if (bad != start.size())
+    return not_finite(vm, fmt::format("element {} of the start", bad), start[bad], kStart);
   const double tolerance = args[kTolerance].d;
   if (!(tolerance > 0.0 && std::isfinite(tolerance)))
     return domain_failure(vm, "ode with a tolerance", tolerance, "be greater than 0", {},
@@ -191,6 +217,9 @@ Signal ode(Vm& vm, Slot* args) {
   if (!check_times(vm, args)) return Signal::kFail;
   const auto instants = times_of(vm, args);
   if (!instants) return Signal::kFail;
+  constexpr std::uint64_t kStages = 10;  // of the state, and copies of it
+  const Scratch scratch(vm, kStages * start.size() * sizeof(double));
+  if (!scratch.granted()) return Signal::kFail;
   OdeIntegrator integrator(static_cast<int>(start.size()), *method, tolerance);
   return integrate(vm, args, integrator, *instants);
 }

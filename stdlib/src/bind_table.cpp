@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <optional>
 
+#include "armlet/interpreter/work.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
 #include "values.hpp"
@@ -63,6 +65,27 @@ std::vector<std::string> cells_of(Slot value, const Type& type) {
   return cells;
 }
 
+// How many cells that makes, as far as it is no more than `most`.
+std::uint64_t cell_count(Slot value, const Type& type, std::uint64_t most) {
+  if (type.is(Kind::kMatrix))
+    return std::uint64_t{matrix_value(value).rows} * matrix_value(value).cols;
+  std::uint64_t count = 0;
+  if (type.is(Kind::kList)) {
+    for (const Slot item : items_value(value)) {
+      count += cell_count(item, *type.element, most);
+      if (count > most) return count;
+    }
+    return count;
+  }
+  if (type.is(Kind::kRecord) && !type.is_table()) {
+    const auto& record = *static_cast<const RecordObj*>(value.o);
+    for (std::size_t i = 0; i < type.record->fields.size() && count <= most; ++i)
+      count += cell_count(record.fields()[i], *type.record->fields[i].type, most);
+    return count;
+  }
+  return 1;
+}
+
 // "t", "q1", "q2": a column of several cells numbers them.
 std::string header_of(const std::string& name, std::size_t width) {
   if (width == 1) return name;
@@ -74,6 +97,33 @@ std::string header_of(const std::string& name, std::size_t width) {
 constexpr std::string_view kTableEndings[] = {".csv"};
 constexpr FileKind kTable{"a table", kTableEndings};
 
+// A text on its way to a file: counted as work and against the heap limit while it grows.
+class Growth {
+ public:
+  explicit Growth(Vm& vm) : vm_(vm) {}
+  // The text has so many bytes now. False: the failure is set.
+  bool add(std::size_t size) {
+    constexpr std::uint64_t kCost = 16;  // of a byte of a number
+    constexpr std::size_t kStep = std::size_t{1} << 14U;
+    if (size < counted_ + kStep) return true;
+    if (!charge_work(vm_, kCost * (size - counted_))) return false;
+    // Twice: a string that is full doubles.
+    if (2 * size > (scratch_ ? granted_ : 0)) {
+      scratch_.reset();
+      granted_ = 4 * size;
+      scratch_.emplace(vm_, granted_);
+    }
+    counted_ = size;
+    return scratch_->granted();
+  }
+
+ private:
+  Vm& vm_;
+  std::optional<Scratch> scratch_;
+  std::uint64_t granted_ = 0;
+  std::size_t counted_ = 0;
+};
+
 // (t: table, file: string)
 Signal save(Vm& vm, Slot* args) {
   const auto& info = *static_cast<const RecordObj*>(args[0].o)->layout->type->record;
@@ -81,10 +131,19 @@ Signal save(Vm& vm, Slot* args) {
   std::vector<std::size_t> widths;
   std::string header;
   std::string body;
+  Growth room(vm);
   const auto rows = table_rows(args[0]);
   for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (!room.add(header.size() + body.size())) return Signal::kFail;
     const Slot* fields = static_cast<const RecordObj*>(rows[row].o)->fields();
     for (std::size_t i = 0; i < columns.size(); ++i) {
+      constexpr std::uint64_t kMostCells = 100'000;
+      if (cell_count(fields[i], *columns[i].type, kMostCells) > kMostCells) {
+        return failure(vm, "R0613",
+                       fmt::format("the column `{}` has more than {} values in row {}",
+                                   columns[i].name, kMostCells, row),
+                       0, "that is the limit for a file");
+      }
       const std::vector<std::string> cells = cells_of(fields[i], *columns[i].type);
       if (row == 0) {
         widths.push_back(cells.size());

@@ -5,53 +5,100 @@
 #include <charconv>
 #include <cmath>
 #include <string>
-#include <vector>
 
+#include "armlet/interpreter/output.hpp"
+#include "armlet/interpreter/work.hpp"
 #include "bind.hpp"
+#include "blocks.hpp"
 #include "letters.hpp"
 
 namespace armlet::bind {
 namespace {
 
+constexpr std::size_t kPiece = std::size_t{1} << 13U;  // bytes
+
+bool count_characters(Vm& vm, std::string_view s, std::int64_t& count) {
+  count = 0;
+  return in_blocks(vm, s.size(), 1, [&](std::size_t begin, std::size_t end) {
+    count += characters(s.substr(begin, end - begin));
+  });
+}
+
+// Byte offset of character `index`, which the text has or which would follow its last one.
+bool find_character(Vm& vm, std::string_view s, std::int64_t index, std::size_t& at) {
+  at = s.size();
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    const std::string_view block = s.substr(begin, end - begin);
+    const std::int64_t inside = characters(block);
+    if (inside > index) at = begin + offset_of(block, index);
+    index -= inside;
+    return at == s.size();
+  };
+  return in_blocks(vm, s.size(), 2, look) || at != s.size();
+}
+
 template <bool kUpper>
 Signal change_case(Vm& vm, Slot* args) {
-  return give(args, new_text(vm, with_case(text_value(args[0]), kUpper)));
+  const std::string_view s = text_value(args[0]);
+  TextMaker out(vm);
+  for (std::size_t begin = 0; begin < s.size();) {
+    const std::string_view piece = whole_characters(s.substr(begin), kPiece);
+    if (!charge_work(vm, kFunctionCost * piece.size()) || !out.add(with_case(piece, kUpper)))
+      return Signal::kFail;
+    begin += piece.size();
+  }
+  return give(args, out.take());
 }
 
-constexpr std::string_view kBlanks = " \t\r\n";
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-// Without blanks at its ends; of nothing else nothing is left.
-std::string_view trimmed(std::string_view s) {
-  const std::size_t first = s.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return s.substr(first, s.find_last_not_of(kBlanks) - first + 1);
+// Takes the blanks at its ends off a text. False: the failure is set.
+bool trim_ends(Vm& vm, std::string_view& s) {
+  std::size_t front = 0;
+  std::size_t back = 0;
+  const auto count_front = [&](std::size_t begin, std::size_t end) {
+    while (begin < end && is_blank(s[begin])) ++begin;
+    front = begin;
+    return begin == end;
+  };
+  if (!in_blocks(vm, s.size(), 2, count_front) && (front == s.size() || is_blank(s[front])))
+    return false;
+  s.remove_prefix(front);
+  const auto count_back = [&](std::size_t begin, std::size_t end) {
+    while (begin < end && is_blank(s[s.size() - 1 - begin])) ++begin;
+    back = begin;
+    return begin == end;
+  };
+  if (!in_blocks(vm, s.size(), 2, count_back) && is_blank(s[s.size() - 1 - back])) return false;
+  s.remove_suffix(back);
+  return true;
 }
 
-Signal trim(Vm& vm, Slot* args) { return give(args, new_text(vm, trimmed(text_value(args[0])))); }
+// A copy of a text as the result.
+Signal give_text(Vm& vm, Slot* args, std::string_view text) {
+  TextMaker out(vm);
+  return out.add(text) ? give(args, out.take()) : Signal::kFail;
+}
+
+Signal trim(Vm& vm, Slot* args) {
+  std::string_view s = text_value(args[0]);
+  return trim_ends(vm, s) ? give_text(vm, args, s) : Signal::kFail;
+}
 
 Signal split(Vm& vm, Slot* args) {
   const std::string_view s = text_value(args[0]);
   const std::string_view separator = text_value(args[1]);
   if (separator.empty())
     return failure(vm, "R0609", "split needs a text to split at, and this one is empty", 1);
-  std::vector<std::string_view> parts;
+  ListMaker parts(vm);
   std::size_t begin = 0;
-  for (std::size_t at = s.find(separator); at != std::string_view::npos;
-       at = s.find(separator, begin)) {
-    parts.push_back(s.substr(begin, at - begin));
-    begin = at + separator.size();
+  for (std::size_t at = 0; at != std::string_view::npos; begin = at + separator.size()) {
+    if (!find_text(vm, s, separator, begin, at)) return Signal::kFail;
+    TextMaker part(vm);
+    if (!part.add(s.substr(begin, at - begin)) || !parts.push(part.take())) return Signal::kFail;
+    if (at == std::string_view::npos) break;
   }
-  parts.push_back(s.substr(begin));
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(parts.size()), true);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    list->data[i].o = new_text(vm, parts[i]);
-    if (list->data[i].o == nullptr) {
-      release(vm, list);
-      return Signal::kFail;
-    }
-  }
-  return give(args, list);
+  return give(args, parts.take());
 }
 
 Signal replace(Vm& vm, Slot* args) {
@@ -60,66 +107,105 @@ Signal replace(Vm& vm, Slot* args) {
   const std::string_view to = text_value(args[2]);
   if (from.empty())
     return failure(vm, "R0609", "replace needs a text to look for, and this one is empty", 1);
-  std::string out;
+  TextMaker out(vm);
   std::size_t begin = 0;
-  for (std::size_t at = s.find(from); at != std::string_view::npos; at = s.find(from, begin)) {
-    out.append(s.substr(begin, at - begin)).append(to);
+  while (true) {
+    std::size_t at = 0;
+    if (!find_text(vm, s, from, begin, at) || !out.add(s.substr(begin, at - begin)))
+      return Signal::kFail;
+    if (at == std::string_view::npos) return give(args, out.take());
+    if (!out.add(to)) return Signal::kFail;
     begin = at + from.size();
-    if (out.size() > vm.options().limits.heap_bytes) break;  // new_text reports the limit
   }
-  out.append(s.substr(begin));
-  return give(args, new_text(vm, out));
 }
 
-Signal starts_with(Vm&, Slot* args) {
-  return give(args, text_value(args[0]).starts_with(text_value(args[1])));
+// Whether two texts of one length are the same.
+Signal give_same(Vm& vm, Slot* args, std::string_view a, std::string_view b) {
+  bool same = true;
+  const auto compare = [&](std::size_t begin, std::size_t end) {
+    same = a.substr(begin, end - begin) == b.substr(begin, end - begin);
+    return same;
+  };
+  const bool seen = in_blocks(vm, a.size(), 1, compare) || !same;
+  return seen ? give(args, same) : Signal::kFail;
 }
-Signal ends_with(Vm&, Slot* args) {
-  return give(args, text_value(args[0]).ends_with(text_value(args[1])));
-}
-Signal index_of_text(Vm&, Slot* args) {
+Signal starts_with(Vm& vm, Slot* args) {
   const std::string_view s = text_value(args[0]);
-  const std::size_t at = s.find(text_value(args[1]));
-  return give(args, at == std::string_view::npos ? std::int64_t{-1} : characters(s.substr(0, at)));
+  const std::string_view t = text_value(args[1]);
+  if (t.size() > s.size()) return give(args, false);
+  return give_same(vm, args, s.substr(0, t.size()), t);
 }
-Signal contains_text(Vm&, Slot* args) {
-  return give(args, text_value(args[0]).find(text_value(args[1])) != std::string_view::npos);
+Signal ends_with(Vm& vm, Slot* args) {
+  const std::string_view s = text_value(args[0]);
+  const std::string_view t = text_value(args[1]);
+  if (t.size() > s.size()) return give(args, false);
+  return give_same(vm, args, s.substr(s.size() - t.size()), t);
 }
-Signal equals(Vm&, Slot* args) { return give(args, text_value(args[0]) == text_value(args[1])); }
+Signal index_of_text(Vm& vm, Slot* args) {
+  const std::string_view s = text_value(args[0]);
+  std::size_t at = 0;
+  if (!find_text(vm, s, text_value(args[1]), 0, at)) return Signal::kFail;
+  std::int64_t index = -1;
+  if (at != std::string_view::npos && !count_characters(vm, s.substr(0, at), index))
+    return Signal::kFail;
+  return give(args, index);
+}
+Signal contains_text(Vm& vm, Slot* args) {
+  std::size_t at = 0;
+  if (!find_text(vm, text_value(args[0]), text_value(args[1]), 0, at)) return Signal::kFail;
+  return give(args, at != std::string_view::npos);
+}
+Signal equals(Vm& vm, Slot* args) {
+  const std::string_view a = text_value(args[0]);
+  const std::string_view b = text_value(args[1]);
+  return a.size() == b.size() ? give_same(vm, args, a, b) : give(args, false);
+}
 
 Signal substring(Vm& vm, Slot* args) {
   const std::string_view s = text_value(args[0]);
   const std::int64_t a = args[1].i;
-  const std::int64_t b = is_absent(args[2]) ? characters(s) : args[2].i;
-  const std::size_t begin = a < 0 ? std::string_view::npos : offset_of(s, a);
-  const std::size_t end = b < a ? std::string_view::npos : offset_of(s, b);
-  if (begin != std::string_view::npos && b < a) {
+  std::int64_t count = 0;
+  if (!count_characters(vm, s, count)) return Signal::kFail;
+  const std::int64_t b = is_absent(args[2]) ? count : args[2].i;
+  if (a >= 0 && a <= count && b < a) {
     return failure(vm, "R0606", fmt::format("the characters from {} to {} run backwards", a, b));
   }
-  if (begin == std::string_view::npos || end == std::string_view::npos) {
-    return failure(vm, "R0606",
-                   fmt::format("characters {} to {} are outside a text of {} characters", a, b,
-                               characters(s)));
+  if (a < 0 || a > count || b > count) {
+    return failure(
+        vm, "R0606",
+        fmt::format("characters {} to {} are outside a text of {} characters", a, b, count));
   }
-  return give(args, new_text(vm, s.substr(begin, end - begin)));
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  if (!find_character(vm, s, a, begin) || !find_character(vm, s.substr(begin), b - a, end))
+    return Signal::kFail;
+  return give_text(vm, args, s.substr(begin, end));
 }
 
 Signal join(Vm& vm, Slot* args) {
-  std::string out;
+  const auto parts = items_value(args[0]);
   const std::string_view separator = text_value(args[1]);
-  bool first = true;
-  for (const Slot part : items_value(args[0])) {
-    if (!first) out.append(separator);
-    out.append(text_value(part));
-    first = false;
-    if (out.size() > vm.options().limits.heap_bytes) break;  // new_text reports the limit
-  }
-  return give(args, new_text(vm, out));
+  TextMaker out(vm);
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if ((i > 0 && !out.add(separator)) || !out.add(text_value(parts[i]))) return false;
+    }
+    return true;
+  };
+  return in_blocks(vm, parts.size(), 16, add) ? give(args, out.take()) : Signal::kFail;
 }
 
-// "2.5x" is not a number, with the place where it stops being one. `end` points into `whole`.
-Signal not_a_number(Vm& vm, std::string_view whole, const char* end, std::string_view what) {
-  const std::string_view s = trimmed(whole);
+// The beginning of a text in quotes, as messages show it.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kShown = 60;
+  const std::string_view shown = whole_characters(text, kShown);
+  return fmt::format("\"{}{}\"", shown, shown.size() < text.size() ? "..." : "");
+}
+
+// "2.5x" is not a number, with the place where it stops being one. `end` points into `whole`, `s`
+// is what it says without blanks.
+Signal not_a_number(Vm& vm, std::string_view whole, std::string_view s, const char* end,
+                    std::string_view what) {
   std::string why;
   const auto at = static_cast<std::size_t>(end - whole.data());
   if (s.empty()) {
@@ -128,53 +214,53 @@ Signal not_a_number(Vm& vm, std::string_view whole, const char* end, std::string
     why = "it ends too early";
   } else {
     std::size_t behind = at;
+    std::int64_t before = 0;
+    if (!count_characters(vm, whole.substr(0, at), before)) return Signal::kFail;
     std::string character;
     append_character(character, next_character(whole, behind));
-    why = fmt::format("`{}`, character {}, does not belong to {}", character,
-                      characters(whole.substr(0, at)) + 1, what);
+    why = fmt::format("`{}`, character {}, does not belong to {}", character, before + 1, what);
   }
-  return failure(vm, "R0609", fmt::format("\"{}\" is not {}", whole, what), 0, std::move(why));
+  return failure(vm, "R0609", fmt::format("{} is not {}", quoted(whole), what), 0, std::move(why));
 }
 
-// The text without blanks and without a plus sign in front of a digit or point.
-std::string_view number_in(std::string_view whole) {
-  std::string_view s = trimmed(whole);
-  if (s.size() > 1 && s[0] == '+' && s[1] != '-') s.remove_prefix(1);
-  return s;
-}
-
-Signal parse_double(Vm& vm, Slot* args) {
+// A number as a text says it, after blanks and a plus sign in front of a digit or point.
+template <class Number>
+Signal parse_number(Vm& vm, Slot* args, std::string_view what, std::string_view limits) {
+  constexpr std::size_t kLongest = 10'000;  // beyond that reading it would take long
   const std::string_view whole = text_value(args[0]);
-  const std::string_view s = number_in(whole);
-  double value = 0.0;
+  std::string_view s = whole;
+  if (!trim_ends(vm, s)) return Signal::kFail;
+  const std::string_view trimmed = s;
+  if (s.size() > kLongest) {
+    return failure(vm, "R0609", fmt::format("{} is not {}", quoted(s), what), 0,
+                   fmt::format("{} bytes are too many for a number", s.size()));
+  }
+  if (s.size() > 1 && s[0] == '+' && s[1] != '-') s.remove_prefix(1);
+  Number value{};
   const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
   if (error == std::errc::result_out_of_range && end == s.data() + s.size())
-    return failure(vm, "R0610", fmt::format("{} is too large or too small for a double", s), 0);
+    return failure(vm, "R0610", fmt::format("{} is {}", s, limits), 0);
   // "inf" and "nan" are read by the C++ library, but are no numbers here.
-  if (error == std::errc() && !std::isfinite(value))
-    return not_a_number(vm, whole, s.data() + (s[0] == '-' ? 1 : 0), "a number");
+  if (error == std::errc() && !std::isfinite(static_cast<double>(value)))
+    return not_a_number(vm, whole, trimmed, s.data() + (s[0] == '-' ? 1 : 0), what);
   if (error != std::errc() || end != s.data() + s.size())
-    return not_a_number(vm, whole, end, "a number");
+    return not_a_number(vm, whole, trimmed, end, what);
   return give(args, value);
+}
+Signal parse_double(Vm& vm, Slot* args) {
+  return parse_number<double>(vm, args, "a number", "too large or too small for a double");
 }
 Signal parse_int(Vm& vm, Slot* args) {
-  const std::string_view whole = text_value(args[0]);
-  const std::string_view s = number_in(whole);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
-  if (error == std::errc::result_out_of_range && end == s.data() + s.size())
-    return failure(vm, "R0610", fmt::format("{} is too large for an int", s), 0);
-  if (error != std::errc() || end != s.data() + s.size())
-    return not_a_number(vm, whole, end, "a whole number");
-  return give(args, value);
+  return parse_number<std::int64_t>(vm, args, "a whole number", "too large for an int");
 }
 
 Signal code_of(Vm& vm, Slot* args) {
   const std::string_view s = text_value(args[0]);
-  if (characters(s) != 1)
+  std::int64_t count = 0;
+  if (!count_characters(vm, s, count)) return Signal::kFail;
+  if (count != 1)
     return failure(vm, "R0613",
-                   fmt::format("codeOf needs one character, and this text has {}", characters(s)),
-                   0);
+                   fmt::format("codeOf needs one character, and this text has {}", count), 0);
   std::size_t at = 0;
   return give(args, static_cast<std::int64_t>(next_character(s, at)));
 }

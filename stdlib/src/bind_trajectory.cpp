@@ -154,11 +154,14 @@ Signal reversed(Vm& vm, Slot* args) {
 // ---- in words
 // --------------------------------------------------------------------------------------------------
 
+Signal print_line(Vm& vm, const std::string& text) {
+  return vm.print(text + '\n') ? give_nothing() : Signal::kFail;
+}
+
 Signal explain_trajectory(Vm& vm, Slot* args) {
   const PlannedMotion& plan = planned(args[0]);
   const std::string what = fmt::format("trajectory {} of {}", plan.planner, plan.robot->name());
-  vm.print(explain_motion(what, *plan.robot, plan.motion) + '\n');
-  return give_nothing();
+  return print_line(vm, explain_motion(what, *plan.robot, plan.motion));
 }
 
 Signal explain_robot(Vm& vm, Slot* args) {
@@ -167,16 +170,14 @@ Signal explain_robot(Vm& vm, Slot* args) {
   const CellRobot& robot = host.cell().robot(id);
   const LastMotion* last = host.last_motion(id);
   if (last == nullptr) {
-    vm.print(fmt::format("{} has not moved\n", robot.name));
-    return give_nothing();
+    return print_line(vm, fmt::format("{} has not moved", robot.name));
   }
   bool moving = false;  // it took over from a velocity command
   for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
-  vm.print(explain_motion(fmt::format("{} of {}", last->function, robot.name), *robot.model,
-                          last->motion, last->notes,
-                          moving ? Trajectory::Start::kMoving : Trajectory::Start::kAtRest) +
-           '\n');
-  return give_nothing();
+  return print_line(
+      vm, explain_motion(fmt::format("{} of {}", last->function, robot.name), *robot.model,
+                         last->motion, last->notes,
+                         moving ? Trajectory::Start::kMoving : Trajectory::Start::kAtRest));
 }
 
 constexpr std::string_view kMakeHelp =

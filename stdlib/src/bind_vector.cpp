@@ -8,6 +8,7 @@
 
 #include "armlet/math/det_math.hpp"
 #include "bind.hpp"
+#include "blocks.hpp"
 #include "matrices.hpp"
 
 namespace armlet::bind {
@@ -18,7 +19,10 @@ Signal dot(Vm& vm, Slot* args) {
   const auto b = reals_value(args[1]);
   if (a.size() != b.size()) return size_failure(vm, "dot", a.size(), b.size());
   double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sum += a[i] * b[i];
+  };
+  if (!in_blocks(vm, a.size(), kCost, add)) return Signal::kFail;
   if (std::isnan(sum)) return not_finite(vm, "the product", sum, -1);
   return give(args, sum);
 }
@@ -32,7 +36,8 @@ Signal cross(Vm& vm, Slot* args) {
   return give(args, new_reals(vm, c));
 }
 Signal norm(Vm& vm, Slot* args) {
-  const double length = length_of(reals_value(args[0]));
+  double length = 0.0;
+  if (!length_of(vm, reals_value(args[0]), length)) return Signal::kFail;
   if (std::isnan(length)) return not_finite(vm, "the length of the list", length, 0);
   return give(args, length);
 }
@@ -44,17 +49,11 @@ Signal zip_reals(Vm& vm, Slot* args, std::string_view what, F f) {
   const auto a = reals_value(args[0]);
   const auto b = reals_value(args[1]);
   if (a.size() != b.size()) return size_failure(vm, what, a.size(), b.size());
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(a.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < a.size(); ++i) list->data[i].d = f(a[i], b[i]);
-  return give(args, list);
+  return give_numbers(vm, args, a.size(), [&](Slot& to, std::size_t i) { to.d = f(a[i], b[i]); });
 }
 template <class F>
 Signal map_reals(Vm& vm, Slot* args, std::span<const double> xs, F f) {
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) list->data[i].d = f(xs[i]);
-  return give(args, list);
+  return give_numbers(vm, args, xs.size(), [&](Slot& to, std::size_t i) { to.d = f(xs[i]); });
 }
 constexpr double plus(double a, double b) { return a + b; }
 constexpr double minus(double a, double b) { return a - b; }
@@ -94,19 +93,27 @@ Signal negate(Vm& vm, Slot* args) {
 Signal raise(Vm& vm, Slot* args, std::span<const double> xs, std::span<const double> exponents) {
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
   if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
+  const auto power_of = [&](std::size_t i) {
     const double n = exponents[exponents.size() == 1 ? 0 : i];
     const double power = det::pow(xs[i], n);
     list->data[i].d = power;
-    if (!std::isnan(power) || std::isnan(xs[i]) || std::isnan(n)) continue;
-    release(vm, list);
-    return failure(vm, "R0609",
-                   fmt::format("element {} of the list is {:.15g}, and a negative number has no "
-                               "power of {:.15g}",
-                               i, xs[i], n),
-                   0);
-  }
-  return give(args, list);
+    if (!std::isnan(power) || std::isnan(xs[i]) || std::isnan(n)) return true;
+    (void)failure(vm, "R0609",
+                  fmt::format("element {} of the list is {:.15g}, and a negative number has no "
+                              "power of {:.15g}",
+                              i, xs[i], n),
+                  0);
+    return false;
+  };
+  const auto fill = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!power_of(i)) return false;
+    }
+    return true;
+  };
+  if (in_blocks(vm, xs.size(), 2 * kFunctionCost, fill)) return give(args, list);
+  release(vm, list);
+  return Signal::kFail;
 }
 Signal raise_lists(Vm& vm, Slot* args) {
   const auto a = reals_value(args[0]);
@@ -131,14 +138,19 @@ Signal whole_numbers(Vm& vm, Slot* args, std::span<const Slot> a, std::span<cons
   const std::size_t size = std::max(a.size(), b.size());
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(size), false);
   if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::int64_t left = a[i < a.size() ? i : 0].i;
-    const std::int64_t right = b[i < b.size() ? i : 0].i;
-    if (combine<kOperator>(left, right, list->data[i].i)) continue;
-    release(vm, list);
-    return failure(vm, "R0610", fmt::format("element {} is too large for an int", i));
-  }
-  return give(args, list);
+  const auto fill = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::int64_t left = a[i < a.size() ? i : 0].i;
+      const std::int64_t right = b[i < b.size() ? i : 0].i;
+      if (combine<kOperator>(left, right, list->data[i].i)) continue;
+      (void)failure(vm, "R0610", fmt::format("element {} is too large for an int", i));
+      return false;
+    }
+    return true;
+  };
+  if (in_blocks(vm, size, kCost, fill)) return give(args, list);
+  release(vm, list);
+  return Signal::kFail;
 }
 template <char kOperator>
 Signal int_lists(Vm& vm, Slot* args) {

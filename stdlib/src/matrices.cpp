@@ -42,26 +42,24 @@ bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter) 
   return false;
 }
 
-double length_of(std::span<const double> values) {
+bool length_of(Vm& vm, std::span<const double> values, double& length) {
   double scale = 0.0;
   double sum = 1.0;
-  for (const double x : values) {
-    const double size = std::abs(x);
-    if (size == 0.0) continue;
-    if (scale < size) {
-      sum = 1.0 + sum * (scale / size) * (scale / size);
-      scale = size;
-    } else {
-      sum += (size / scale) * (size / scale);
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (const double x : values.subspan(begin, end - begin)) {
+      const double size = std::abs(x);
+      if (size == 0.0) continue;
+      if (scale < size) {
+        sum = 1.0 + sum * (scale / size) * (scale / size);
+        scale = size;
+      } else {
+        sum += (size / scale) * (size / scale);
+      }
     }
-  }
-  return scale * std::sqrt(sum);
-}
-
-bool charge_work(Vm& vm, std::uint64_t operations) {
-  // A step of the program, a call or one pass of a loop, takes about as long.
-  constexpr std::uint64_t kPerStep = 256;
-  return operations < kPerStep || charge_steps(vm, operations / kPerStep);
+  };
+  if (!in_blocks(vm, values.size(), 8, add)) return false;
+  length = scale * std::sqrt(sum);
+  return true;
 }
 
 }  // namespace armlet::bind

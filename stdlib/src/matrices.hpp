@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "armlet/interpreter/work.hpp"
 #include "bind.hpp"
 
 namespace armlet::bind {
@@ -27,11 +28,9 @@ Signal not_square(Vm& vm, std::string_view function, const MatrixObj& A);
 // Whether a matrix of this size can be made; fails with R0613 if not.
 [[nodiscard]] bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
 
-// The root of the sum of squares, scaled so that neither large nor small values are lost.
-[[nodiscard]] double length_of(std::span<const double> values);
-
-// Counts steps for so many multiplications and additions.
-[[nodiscard]] bool charge_work(Vm& vm, std::uint64_t operations);
+// The root of the sum of squares, scaled so that neither large nor small values are lost. False:
+// the program has to stop and the failure is set.
+[[nodiscard]] bool length_of(Vm& vm, std::span<const double> values, double& length);
 
 // ---- rules checked before running: E0305, and the sizes of results that the text shows
 

@@ -96,7 +96,7 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
   vm_options.host = host_.get();
   vm_options.output = [this, &cell](std::string_view text) {
     cell.note(NoteKind::kOutput, text);
-    if (options_.output) options_.output(text);
+    return options_.output ? options_.output(text) : std::string();
   };
   vm_options.advice = options_.advice;
   Vm vm(compilation_.program, std::move(vm_options));

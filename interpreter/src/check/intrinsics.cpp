@@ -9,8 +9,7 @@ namespace armlet::lang {
 namespace {
 
 Signal print_text(Vm& vm, Slot* args) {
-  vm.print(text_value(args[0]));
-  return give_nothing();
+  return vm.print(text_value(args[0])) ? give_nothing() : Signal::kFail;
 }
 
 constexpr NativeFunction kPrint = {

@@ -1,10 +1,10 @@
 #include "compile/list_natives.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
+
+#include "armlet/interpreter/sorting.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -21,21 +21,40 @@ Signal common_length(Vm& vm, Slot* args) {
 }
 
 template <class Less>
+struct ByKey {
+  std::span<const Slot> keys;
+  Less less;
+  bool operator()(std::uint32_t a, std::uint32_t b) { return less(keys[a], keys[b]); }
+  [[nodiscard]] bool was_stopped() const { return armlet::was_stopped(less); }
+};
+
+template <class Less>
 Signal sorted(Vm& vm, Slot* args, Less less) {
   const auto xs = items_value(args[0]);
-  const auto keys = items_value(args[1]);
+  const Scratch scratch(vm, 2 * xs.size() * sizeof(std::uint32_t));
+  if (!scratch.granted()) return Signal::kFail;
   std::vector<std::uint32_t> order(xs.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return less(keys[a], keys[b]); });
+  std::vector<std::uint32_t> room(xs.size());
+  const auto number = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) order[i] = static_cast<std::uint32_t>(i);
+  };
+  ByKey<Less> by_key{items_value(args[1]), less};
+  if (!in_blocks(vm, xs.size(), 4, number) ||
+      !sort_stably(vm, std::span(order), std::span(room), by_key, 16)) {
+    return Signal::kFail;
+  }
   const bool references = static_cast<const ListObj*>(args[0].o)->holds_references();
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), references);
   if (list == nullptr) return Signal::kFail;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    list->data[i] = xs[order[i]];
-    if (references) retain(list->data[i].o);
-  }
-  return give(args, list);
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      list->data[i] = xs[order[i]];
+      if (references) retain(list->data[i].o);
+    }
+  };
+  if (in_blocks(vm, order.size(), 8, copy)) return give(args, list);
+  release(vm, list);
+  return Signal::kFail;
 }
 
 Signal sort_by_int(Vm& vm, Slot* args) {
@@ -44,20 +63,25 @@ Signal sort_by_int(Vm& vm, Slot* args) {
 
 Signal sort_by_real(Vm& vm, Slot* args) {
   const auto keys = reals_value(args[1]);
-  const auto bad = std::ranges::find_if(keys, [](double x) { return std::isnan(x); });
-  if (bad != keys.end()) {
+  std::size_t bad = keys.size();
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && bad == keys.size(); ++i) {
+      if (std::isnan(keys[i])) bad = i;
+    }
+    return bad == keys.size();
+  };
+  if (!in_blocks(vm, keys.size(), 2, look) && bad == keys.size()) return Signal::kFail;
+  if (bad != keys.size()) {
     Failure failure;
     failure.code = "R0612";
-    failure.arguments = {"the key of element " + std::to_string(bad - keys.begin()), "nan"};
+    failure.arguments = {"the key of element " + std::to_string(bad), "nan"};
     failure.mark_parameter = 1;
     return fail(vm, std::move(failure));
   }
   return sorted(vm, args, [](Slot a, Slot b) { return a.d < b.d; });
 }
 
-Signal sort_by_text(Vm& vm, Slot* args) {
-  return sorted(vm, args, [](Slot a, Slot b) { return text_value(a) < text_value(b); });
-}
+Signal sort_by_text(Vm& vm, Slot* args) { return sorted(vm, args, TextOrder(vm)); }
 
 }  // namespace
 

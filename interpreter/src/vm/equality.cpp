@@ -1,78 +1,252 @@
 #include "vm/equality.hpp"
 
 #include <algorithm>
+#include <cstring>
+#include <memory>
 #include <vector>
+
+#include "armlet/interpreter/work.hpp"
+#include "vm/failures.hpp"
 
 namespace armlet::lang {
 
 namespace {
 
-struct Pair {
-  Slot a;
-  Slot b;
-  const Type* type;
+// A vector whose memory counts against the heap limit.
+template <class T>
+class Counted {
+ public:
+  explicit Counted(VmState& state) : state_(state) {}
+  ~Counted() { state_.heap.discharge(charged_); }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
+
+  // False: the heap is full, and the failure is set.
+  [[nodiscard]] bool push(const T& item) {
+    return (items.size() < items.capacity() || grow()) && (items.push_back(item), true);
+  }
+  [[nodiscard]] bool resize(std::size_t size, const T& item) {
+    if (!charge(size)) return false;
+    items.assign(size, item);
+    return true;
+  }
+  std::vector<T> items;
+
+ private:
+  bool charge(std::size_t capacity) {
+    const std::uint64_t more = (capacity - items.capacity()) * sizeof(T);
+    if (!state_.heap.charge(more)) return raise_out_of_memory(state_);
+    charged_ += more;
+    return true;
+  }
+  bool grow() {
+    const std::size_t capacity = 2 * items.capacity() + 16;
+    if (!charge(capacity)) return false;
+    items.reserve(capacity);
+    return true;
+  }
+
+  VmState& state_;
+  std::uint64_t charged_ = 0;
 };
 
-bool equal_matrices(const MatrixObj& a, const MatrixObj& b) {
-  const std::size_t count = std::size_t{a.rows} * a.cols;
-  return a.rows == b.rows && a.cols == b.cols && std::equal(a.data(), a.data() + count, b.data());
-}
+// Which shared objects are known to be equal if all comparisons come out so: disjoint sets, since
+// equality is symmetric and transitive. With as many unions as there are objects at most, every
+// other pair is known (R. Tarjan, 1975). An object alone in its set may still hold a number that
+// is not equal to itself.
+class Known {
+ public:
+  explicit Known(VmState& state) : entries_(state) {}
+
+  // Whether the pair need not be compared again. False: the failure is set.
+  [[nodiscard]] bool look_up(const Obj* a, const Obj* b, bool& known) {
+    if (2 * (used_ + 2) > entries_.items.size() && !rehash()) return false;
+    const std::size_t i = root(place_of(a));
+    const std::size_t j = root(place_of(b));
+    known = i == j && entries_.items[i].compared;
+    entries_.items[i].compared = entries_.items[j].compared = true;
+    if (i != j) entries_.items[j].parent = entries_.items[i].object;
+    return true;
+  }
+
+ private:
+  struct Entry {
+    const Obj* object = nullptr;
+    const Obj* parent = nullptr;
+    bool compared = false;
+  };
+
+  [[nodiscard]] std::size_t slot_of(const Obj* object) const {
+    const std::size_t mask = entries_.items.size() - 1;
+    auto at = (reinterpret_cast<std::uintptr_t>(object) >> 4U) * 0x9E3779B97F4A7C15ULL >> 20U;
+    while (entries_.items[at & mask].object != nullptr &&
+           entries_.items[at & mask].object != object) {
+      ++at;
+    }
+    return at & mask;
+  }
+  std::size_t place_of(const Obj* object) {
+    const std::size_t at = slot_of(object);
+    Entry& entry = entries_.items[at];
+    if (entry.object == nullptr) {
+      entry = {object, object, false};
+      ++used_;
+    }
+    return at;
+  }
+  std::size_t root(std::size_t at) {
+    while (true) {
+      Entry& entry = entries_.items[at];
+      if (entry.parent == entry.object) return at;
+      const std::size_t up = slot_of(entry.parent);
+      entry.parent = entries_.items[up].parent;  // halves the way for whoever comes next
+      at = up;
+    }
+  }
+  bool rehash() {
+    std::vector<Entry> old = entries_.items;
+    if (!entries_.resize(old.empty() ? 64 : 4 * old.size(), Entry{})) return false;
+    for (const Entry& entry : old) {
+      if (entry.object != nullptr) entries_.items[slot_of(entry.object)] = entry;
+    }
+    return true;
+  }
+
+  Counted<Entry> entries_;
+  std::size_t used_ = 0;
+};
 
 bool equal_hosts(const HostObj& a, const HostObj& b) {
   return &a == &b || (a.type->equal != nullptr && a.type->equal(a.payload(), b.payload()));
 }
 
-void open_items(const ListObj& a, const ListObj& b, const Type* element, std::vector<Pair>& open) {
-  for (std::uint32_t i = a.size; i-- > 0;) open.push_back({a.data[i], b.data[i], element});
-}
+class Comparison {
+ public:
+  explicit Comparison(VmState& state) : state_(state), open_(state), known_(state) {}
 
-void open_fields(const RecordObj& a, const RecordObj& b, const RecordInfo& info,
-                 std::vector<Pair>& open) {
-  for (std::size_t i = info.fields.size(); i-- > 0;) {
-    open.push_back({a.fields()[i], b.fields()[i], info.fields[i].type});
+  // False: the failure is set.
+  bool run(Slot a, Slot b, const Type& type, bool& equal) {
+    equal_ = true;
+    bool goes_on = compare(a, b, type);
+    while (goes_on && equal_ && !open_.items.empty()) goes_on = next_part();
+    equal = equal_;
+    return goes_on && charge_work(state_.vm, work_);
   }
-}
 
-// Compares what lies at hand; parts that are values themselves are left in `open`.
-bool equal_so_far(const Pair& pair, std::vector<Pair>& open) {
-  const auto [a, b, type] = pair;
-  if (type->is(Kind::kReal)) return a.d == b.d;
-  if (!type->is_reference()) return a.i == b.i;
-  if (a.o == nullptr || b.o == nullptr) return a.o == b.o;
-  switch (type->kind) {
-    case Kind::kText:
-      return static_cast<TextObj*>(a.o)->view() == static_cast<TextObj*>(b.o)->view();
-    case Kind::kMatrix:
-      return equal_matrices(*static_cast<MatrixObj*>(a.o), *static_cast<MatrixObj*>(b.o));
-    case Kind::kHost:
-      return equal_hosts(*static_cast<HostObj*>(a.o), *static_cast<HostObj*>(b.o));
-    case Kind::kList: {
-      const auto& left = *static_cast<ListObj*>(a.o);
-      const auto& right = *static_cast<ListObj*>(b.o);
-      if (left.size != right.size) return false;
-      open_items(left, right, type->element, open);
-      return true;
+ private:
+  // Two objects of which the parts before `next` have been compared.
+  struct Open {
+    const Obj* a;
+    const Obj* b;
+    const Type* type;
+    std::uint32_t next;
+  };
+
+  // What lies at hand is compared; of what has parts that are values themselves these are next.
+  bool compare(Slot a, Slot b, const Type& type) {
+    if (type.is(Kind::kReal)) return settle(a.d == b.d);
+    if (!type.is_reference()) return settle(a.i == b.i);
+    if (a.o == nullptr || b.o == nullptr) return settle(a.o == b.o);
+    switch (type.kind) {
+      case Kind::kText:
+        return compare_texts(*static_cast<TextObj*>(a.o), *static_cast<TextObj*>(b.o));
+      case Kind::kMatrix:
+        return compare_matrices(*static_cast<MatrixObj*>(a.o), *static_cast<MatrixObj*>(b.o));
+      case Kind::kHost:
+        return settle(equal_hosts(*static_cast<HostObj*>(a.o), *static_cast<HostObj*>(b.o)));
+      case Kind::kList:
+        return compare_lists(*static_cast<ListObj*>(a.o), *static_cast<ListObj*>(b.o), type);
+      case Kind::kRecord:
+        if (type.is_table()) return settle(a.o == b.o);  // a handle
+        return open(a.o, b.o, type);
+      default:
+        return settle(a.o == b.o);  // functions
     }
-    case Kind::kRecord:
-      if (type->is_table()) return a.o == b.o;  // a handle
-      open_fields(*static_cast<RecordObj*>(a.o), *static_cast<RecordObj*>(b.o), *type->record,
-                  open);
-      return true;
-    default:
-      return a.o == b.o;  // functions
   }
-}
+
+  bool settle(bool equal) {
+    equal_ = equal_ && equal;
+    return true;
+  }
+
+  bool compare_texts(const TextObj& a, const TextObj& b) {
+    if (a.size != b.size || &a == &b) return settle(a.size == b.size);
+    return in_blocks(state_.vm, a.size, 1,
+                     [&](std::size_t begin, std::size_t end) {
+                       equal_ = std::memcmp(a.data() + begin, b.data() + begin, end - begin) == 0;
+                       return equal_;
+                     }) ||
+           !equal_;
+  }
+
+  bool compare_numbers(const double* a, const double* b, std::size_t count) {
+    return in_blocks(state_.vm, count, 1,
+                     [&](std::size_t begin, std::size_t end) {
+                       equal_ = std::equal(a + begin, a + end, b + begin);
+                       return equal_;
+                     }) ||
+           !equal_;
+  }
+
+  bool compare_matrices(const MatrixObj& a, const MatrixObj& b) {
+    if (a.rows != b.rows || a.cols != b.cols) return settle(false);
+    return compare_numbers(a.data(), b.data(), std::size_t{a.rows} * a.cols);
+  }
+
+  bool compare_lists(const ListObj& a, const ListObj& b, const Type& type) {
+    if (a.size != b.size) return settle(false);
+    if (a.size == 0) return true;
+    if (type.element->is(Kind::kReal)) {
+      return compare_numbers(a.reals().data(), b.reals().data(), a.size);
+    }
+    return open(&a, &b, type);
+  }
+
+  // An object that only one other refers to is reached only through that one.
+  bool open(const Obj* a, const Obj* b, const Type& type) {
+    if (a->refs > 1 || b->refs > 1) {
+      bool known = false;
+      if (!known_.look_up(a, b, known)) return false;
+      if (known) return true;
+    }
+    return open_.push({a, b, &type, 0});
+  }
+
+  bool next_part() {
+    constexpr std::uint64_t kCost = 8;  // of a part
+    if ((work_ += kCost) >= kBlockWork) {
+      if (!charge_work(state_.vm, work_)) return false;
+      work_ = 0;
+    }
+    Open& at = open_.items.back();
+    const std::uint32_t i = at.next++;
+    if (at.type->is(Kind::kRecord)) {
+      const auto& fields = at.type->record->fields;
+      if (i == fields.size()) return close();
+      return compare(static_cast<const RecordObj*>(at.a)->fields()[i],
+                     static_cast<const RecordObj*>(at.b)->fields()[i], *fields[i].type);
+    }
+    const auto& a = *static_cast<const ListObj*>(at.a);
+    if (i == a.size) return close();
+    return compare(a.data[i], static_cast<const ListObj*>(at.b)->data[i], *at.type->element);
+  }
+
+  bool close() {
+    open_.items.pop_back();
+    return true;
+  }
+
+  VmState& state_;
+  Counted<Open> open_;
+  Known known_;
+  std::uint64_t work_ = 0;
+  bool equal_ = true;
+};
 
 }  // namespace
 
-bool equal_values(Slot a, Slot b, const Type& type) {
-  std::vector<Pair> open{{a, b, &type}};
-  while (!open.empty()) {
-    const Pair pair = open.back();
-    open.pop_back();
-    if (!equal_so_far(pair, open)) return false;
-  }
-  return true;
+bool compare_values(VmState& state, Slot a, Slot b, const Type& type, bool& equal) {
+  return Comparison(state).run(a, b, type, equal);
 }
 
 }  // namespace armlet::lang

@@ -194,12 +194,23 @@ bool raise(VmState& state, const Failure& failure) {
   return false;
 }
 
-bool raise_out_of_memory(VmState& state) {
+// "1024 MB", "100 bytes".
+static std::string bytes_text(std::uint64_t bytes) {
   constexpr std::uint64_t kMega = 1024 * 1024;
-  const std::uint64_t limit = state.options.limits.heap_bytes;
-  const std::string size =
-      limit >= kMega ? std::to_string(limit / kMega) + " MB" : std::to_string(limit) + " bytes";
-  return raise(state, "R0628", {size});
+  return bytes >= kMega ? std::to_string(bytes / kMega) + " MB" : std::to_string(bytes) + " bytes";
+}
+
+bool raise_out_of_memory(VmState& state) {
+  return raise(state, "R0628", {bytes_text(state.options.limits.heap_bytes)});
+}
+
+bool raise_out_of_output(VmState& state) {
+  Diagnostic failure = start_failure(
+      state, "R0626",
+      {"the program printed more than " + bytes_text(state.options.limits.output_bytes)});
+  failure.why = "this is the limit for the output of a program here";
+  failure.fix = Fix{"print less, for example not in every pass of a loop", {}, Confidence::kMaybe};
+  return raise(state, std::move(failure));
 }
 
 bool raise_out_of_steps(VmState& state) {

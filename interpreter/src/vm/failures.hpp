@@ -45,6 +45,7 @@ bool raise(VmState& state, std::string_view code, const std::vector<std::string>
 bool raise(VmState& state, const Failure& failure);
 
 bool raise_out_of_memory(VmState& state);
+bool raise_out_of_output(VmState& state);
 bool raise_out_of_steps(VmState& state);
 bool raise_cancelled(VmState& state);
 // what: "list", "text", or "row" or "column" of a matrix.

@@ -11,8 +11,7 @@ namespace {
 constexpr std::uint64_t kMaxCount = std::numeric_limits<std::uint32_t>::max() - 1;
 
 template <class T>
-T* begin_object(Heap& heap, ObjKind kind, std::size_t extra_bytes) {
-  void* block = heap.take(sizeof(T) + extra_bytes);
+T* begin_object(void* block, ObjKind kind) {
   if (block == nullptr) return nullptr;
   T* object = static_cast<T*>(block);
   object->refs = 1;
@@ -70,6 +69,23 @@ void* Heap::take_slowly(std::size_t units) {
     block = units < kClasses ? carve(units) : reserve(bytes);
   }
   if (block != nullptr) used_ += bytes;
+  return block;
+}
+
+// Fresh pages of the system are zeros.
+void* Heap::take_zeros(std::size_t bytes) {
+  const std::size_t units = units_of(bytes);
+  const std::uint64_t size = std::uint64_t{units} * kUnit;
+  if (size < kChunk) {
+    void* block = take(bytes);
+    if (block != nullptr) std::memset(block, 0, bytes);
+    return block;
+  }
+  if (is_refused() || size > limit_ || used_ > limit_ - size || !has_room(size)) return nullptr;
+  void* block = std::calloc(units, kUnit);
+  if (block == nullptr) return nullptr;
+  used_ += size;
+  reserved_ += size;
   return block;
 }
 
@@ -135,7 +151,7 @@ void* Heap::resize(void* block, std::size_t old_bytes, std::size_t new_bytes) {
 
 TextObj* Heap::new_text_buffer(std::size_t size) {
   if (size > kMaxCount) return nullptr;
-  auto* text = begin_object<TextObj>(*this, ObjKind::kText, size);
+  auto* text = begin_object<TextObj>(take(sizeof(TextObj) + size), ObjKind::kText);
   if (text == nullptr) return nullptr;
   text->size = static_cast<std::uint32_t>(size);
   text->capacity = text->size;
@@ -152,16 +168,18 @@ TextObj* Heap::new_text(std::string_view characters) {
 }
 
 ListObj* Heap::new_list(std::uint64_t size, bool references) {
-  ListObj* list = new_list_unset(size, references);
-  if (list != nullptr && size > 0)
-    std::memset(static_cast<void*>(list->data), 0, size * sizeof(Slot));
-  return list;
+  return make_list(size, references, true);
 }
 
 ListObj* Heap::new_list_unset(std::uint64_t size, bool references) {
+  return make_list(size, references, false);
+}
+
+ListObj* Heap::make_list(std::uint64_t size, bool references, bool zero) {
   if (size > kMaxCount) return nullptr;
   const bool is_short = size <= kShortList;
-  auto* list = begin_object<ListObj>(*this, ObjKind::kList, is_short ? size * sizeof(Slot) : 0);
+  auto* list = begin_object<ListObj>(take(sizeof(ListObj) + (is_short ? size * sizeof(Slot) : 0)),
+                                     ObjKind::kList);
   if (list == nullptr) return nullptr;
   list->size = static_cast<std::uint32_t>(size);
   list->capacity = list->size;
@@ -169,24 +187,36 @@ ListObj* Heap::new_list_unset(std::uint64_t size, bool references) {
                                           (references ? ListObj::kReferences : 0U));
   if (is_short) {
     list->data = own_room(*list);
+    if (zero && size > 0) std::memset(static_cast<void*>(list->data), 0, size * sizeof(Slot));
     return list;
   }
-  list->data = static_cast<Slot*>(take(size * sizeof(Slot)));
+  const std::uint64_t bytes = size * sizeof(Slot);
+  list->data = static_cast<Slot*>(zero ? take_zeros(bytes) : take(bytes));
   if (list->data != nullptr) return list;
   give_back(list, sizeof(ListObj));
   return nullptr;
 }
 
 RecordObj* Heap::new_record(const RecordLayout& layout) {
-  auto* record = begin_object<RecordObj>(*this, ObjKind::kRecord, sizeof(Slot) * layout.size);
+  auto* record = begin_object<RecordObj>(take(sizeof(RecordObj) + sizeof(Slot) * layout.size),
+                                         ObjKind::kRecord);
   if (record != nullptr) record->layout = &layout;
   return record;
 }
 
 MatrixObj* Heap::new_matrix(std::uint32_t rows, std::uint32_t cols) {
+  return make_matrix(rows, cols, false);
+}
+
+MatrixObj* Heap::new_zero_matrix(std::uint32_t rows, std::uint32_t cols) {
+  return make_matrix(rows, cols, true);
+}
+
+MatrixObj* Heap::make_matrix(std::uint32_t rows, std::uint32_t cols, bool zero) {
   const std::uint64_t count = static_cast<std::uint64_t>(rows) * cols;
   if (count > kMaxCount) return nullptr;
-  auto* matrix = begin_object<MatrixObj>(*this, ObjKind::kMatrix, sizeof(double) * count);
+  const std::uint64_t bytes = sizeof(MatrixObj) + sizeof(double) * count;
+  auto* matrix = begin_object<MatrixObj>(zero ? take_zeros(bytes) : take(bytes), ObjKind::kMatrix);
   if (matrix == nullptr) return nullptr;
   matrix->rows = rows;
   matrix->cols = cols;
@@ -196,7 +226,7 @@ MatrixObj* Heap::new_matrix(std::uint32_t rows, std::uint32_t cols) {
 ClosureObj* Heap::new_closure(std::uint32_t function, std::uint16_t captures,
                               const std::vector<std::uint16_t>* references) {
   const std::size_t bytes = sizeof(Slot) * captures + sizeof(ClosureReferences);
-  auto* closure = begin_object<ClosureObj>(*this, ObjKind::kClosure, bytes);
+  auto* closure = begin_object<ClosureObj>(take(sizeof(ClosureObj) + bytes), ObjKind::kClosure);
   if (closure == nullptr) return nullptr;
   closure->extra = captures;
   closure->function = function;
@@ -206,7 +236,7 @@ ClosureObj* Heap::new_closure(std::uint32_t function, std::uint16_t captures,
 }
 
 BoxObj* Heap::new_box(bool reference) {
-  auto* box = begin_object<BoxObj>(*this, ObjKind::kBox, 0);
+  auto* box = begin_object<BoxObj>(take(sizeof(BoxObj)), ObjKind::kBox);
   if (box == nullptr) return nullptr;
   box->flags = reference ? 1 : 0;
   box->value.i = 0;
@@ -214,7 +244,7 @@ BoxObj* Heap::new_box(bool reference) {
 }
 
 HostObj* Heap::new_host(const HostType& type) {
-  auto* host = begin_object<HostObj>(*this, ObjKind::kHost, host_bytes(type) - sizeof(HostObj));
+  auto* host = begin_object<HostObj>(take(host_bytes(type)), ObjKind::kHost);
   if (host == nullptr) return nullptr;
   host->reserved = 0;
   host->type = &type;
@@ -388,26 +418,55 @@ bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
   return true;
 }
 
+TextObj* append_bytes(Heap& heap, TextObj* text, std::string_view piece) {
+  if (text == nullptr) return heap.new_text(piece);
+  const std::uint64_t size = std::uint64_t{text->size} + piece.size();
+  if (size > text->capacity) {
+    std::uint64_t capacity = size + size / 2;
+    if (capacity > kMaxCount) capacity = size;
+    void* grown = size > kMaxCount
+                      ? nullptr
+                      : heap.resize(text, text_bytes(text->capacity), text_bytes(capacity));
+    // A third less than asked for may still fit.
+    if (grown == nullptr && size <= kMaxCount) {
+      capacity = size;
+      grown = heap.resize(text, text_bytes(text->capacity), text_bytes(capacity));
+    }
+    if (grown == nullptr) {
+      heap.release(text);
+      return nullptr;
+    }
+    text = static_cast<TextObj*>(grown);
+    text->capacity = static_cast<std::uint32_t>(capacity);
+  }
+  if (!piece.empty()) std::memcpy(text->data() + text->size, piece.data(), piece.size());
+  text->size = static_cast<std::uint32_t>(size);
+  text->characters = TextObj::kUncounted;
+  return text;
+}
+
 static bool starts_character(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
 
-std::uint32_t character_count(TextObj& text) {
-  if (text.characters == TextObj::kUncounted) {
-    std::uint32_t count = 0;
-    for (const char byte : text.view()) count += starts_character(byte) ? 1 : 0;
-    text.characters = count;
-  }
-  return text.characters;
+std::uint32_t characters_in(std::string_view piece) {
+  std::uint32_t count = 0;
+  for (const char byte : piece) count += starts_character(byte) ? 1 : 0;
+  return count;
 }
 
-std::uint32_t character_offset(TextObj& text, std::uint32_t index) {
-  if (character_count(text) == text.size) return index;
+std::uint32_t offset_in(std::string_view piece, std::uint32_t index) {
   std::uint32_t seen = 0;
-  for (std::uint32_t at = 0; at < text.size; ++at) {
-    if (starts_character(text.data()[at]) && seen++ == index) return at;
+  std::uint32_t at = 0;
+  for (; at < piece.size(); ++at) {
+    if (starts_character(piece[at]) && seen++ == index) break;
   }
-  return text.size;
+  return at;
+}
+
+std::uint32_t character_count(TextObj& text) {
+  if (text.characters == TextObj::kUncounted) text.characters = characters_in(text.view());
+  return text.characters;
 }
 
 }  // namespace armlet::lang

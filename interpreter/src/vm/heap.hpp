@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,8 @@ class Heap {
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
 
+  // A block of zeros, which costs no time for each byte if it is large.
+  [[nodiscard]] void* take_zeros(std::size_t bytes);
   // A 16-aligned block, or null if it would pass the limit.
   [[nodiscard]] void* take(std::size_t bytes) {
     const std::size_t units = units_of(bytes);
@@ -68,6 +71,7 @@ class Heap {
   [[nodiscard]] ListObj* new_list_unset(std::uint64_t size, bool references);   // elements not set
   [[nodiscard]] RecordObj* new_record(const RecordLayout& layout);              // fields not set
   [[nodiscard]] MatrixObj* new_matrix(std::uint32_t rows, std::uint32_t cols);  // elements not set
+  [[nodiscard]] MatrixObj* new_zero_matrix(std::uint32_t rows, std::uint32_t cols);
   [[nodiscard]] ClosureObj* new_closure(
       std::uint32_t function, std::uint16_t captures,
       const std::vector<std::uint16_t>* references);      // captures not set
@@ -126,6 +130,8 @@ class Heap {
   bool is_refused() {
     return refuse_from_ != 0 && ++attempts_ >= refuse_from_ && attempts_ - refuse_from_ < refused_;
   }
+  ListObj* make_list(std::uint64_t size, bool references, bool zero);
+  MatrixObj* make_matrix(std::uint32_t rows, std::uint32_t cols, bool zero);
   void* take_slowly(std::size_t units);
   void* carve(std::size_t units);
   void free_large(void* block, std::size_t units);
@@ -153,24 +159,29 @@ inline void retain_object(Obj* object) {
   if (object != nullptr) ++object->refs;
 }
 
-// Makes the object in `place` the only owner of its contents, copying it if it is shared. False:
-// the heap is full.
+// Makes the shared object in `place` the only owner of its contents by copying it. False: the heap
+// is full.
 [[nodiscard]] bool copy_shared(Heap& heap, Slot& place);
-[[nodiscard]] inline bool own(Heap& heap, Slot& place) {
-  if (place.o->refs == 1) [[likely]]
-    return true;
-  return copy_shared(heap, place);
-}
 
 // Makes room for at least `capacity` elements. False: the heap is full.
 [[nodiscard]] bool reserve_list(Heap& heap, ListObj& list, std::uint64_t capacity);
 
 // Adds `tail` to the text in `place`, in place when nobody else sees it. False: the heap is full.
 [[nodiscard]] bool append_text(Heap& heap, Slot& place, const TextObj& tail);
+// The text, which nobody else may see, with a piece more; null begins one. Null if the heap is
+// full, and the text is released.
+[[nodiscard]] TextObj* append_bytes(Heap& heap, TextObj* text, std::string_view piece);
 
-// Code points in a text; counted once.
+// Code points in a text that have been counted already, or are now.
 [[nodiscard]] std::uint32_t character_count(TextObj& text);
-// Byte offset of character `index` <= character_count.
-[[nodiscard]] std::uint32_t character_offset(TextObj& text, std::uint32_t index);
+// Code points that begin in a piece of a text, and the byte at which one of these begins.
+[[nodiscard]] std::uint32_t characters_in(std::string_view piece);
+[[nodiscard]] std::uint32_t offset_in(std::string_view piece, std::uint32_t index);
+
+// Copies elements, counting those that are references.
+inline void copy_slots(Slot* to, const Slot* from, std::size_t count, bool references) {
+  if (count > 0) std::memcpy(static_cast<void*>(to), from, count * sizeof(Slot));
+  for (std::size_t i = 0; references && i < count; ++i) retain_object(to[i].o);
+}
 
 }  // namespace armlet::lang

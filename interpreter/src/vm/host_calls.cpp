@@ -21,6 +21,10 @@ bool has_room(const Task& task, const Frame* below, const Slot* window) {
   return below + 2 < task.frames_end && window < task.slots_end;
 }
 
+bool fits(const Task& task, const Frame* below, const Slot* window) {
+  return below + 2 < task.frames_limit && window < task.slots_limit;
+}
+
 // The host's frame above `below`, which ends the loop when the function above it returns.
 void push_host(const Task& task, Frame* below, Slot* window) {
   below[1] = {kReturnToHost, window, task.frames->callee, nullptr};
@@ -28,11 +32,13 @@ void push_host(const Task& task, Frame* below, Slot* window) {
 
 bool count_step(VmState& state) { return --state.steps.left >= 0 || count_slowly(state); }
 
-bool refuse(VmState& state, const Callee& callee) {
+bool refuse(VmState& state, const Callee& callee, bool deep) {
   if (state.host_calls > VmState::kHostCalls) {
     return raise_too_deep(state, callee, VmState::kHostCalls);
   }
-  return count_step(state) && raise_too_deep(state, callee, state.options.limits.call_depth);
+  if (!count_step(state)) return false;
+  return deep ? raise_too_deep(state, callee, state.options.limits.call_depth)
+              : raise_out_of_memory(state);
 }
 
 // The frame of the function above that; the loop is told where it is.
@@ -48,12 +54,19 @@ bool refuse(VmState& state, const Callee& callee) {
 
 }  // namespace
 
+bool make_room(VmState& state, Task& task, const Frame* frame, Slot* window, const Callee& callee) {
+  if (frame >= task.frames_limit || window >= task.slots_limit)
+    return raise_too_deep(state, callee, state.options.limits.call_depth);
+  return task.grow(state.heap, frame, window, callee.registers) || raise_out_of_memory(state);
+}
+
 bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
   Frame* below = running->top;
   Slot* window = window_above(*below);
   const Callee& callee = callees[function];
-  if (!has_room(*running, below, window)) {
-    return raise_too_deep(*this, callee, options.limits.call_depth);
+  if (!has_room(*running, below, window) &&
+      !make_room(*this, *running, below + 2, window, callee)) {
+    return false;
   }
   push_host(*running, below, window);
   push_function(below, {callee.code, window, &callee, closure});
@@ -91,7 +104,10 @@ PreparedCall::PreparedCall(Vm& vm, Obj* function)
       callee_(&state_.callees[static_cast<ClosureObj*>(function)->function]),
       function_(static_cast<ClosureObj*>(function)) {
   code_ = callee_->code;
-  if (++state_.host_calls <= lang::VmState::kHostCalls && lang::has_room(task_, below_, window_)) {
+  const bool has_room = lang::has_room(task_, below_, window_) ||
+                        (lang::fits(task_, below_, window_) &&
+                         task_.grow(state_.heap, below_ + 2, window_, callee_->registers));
+  if (++state_.host_calls <= lang::VmState::kHostCalls && has_room) [[likely]] {
     lang::push_host(task_, below_, window_);  // every call leaves it as it is
   } else {
     below_ = nullptr;  // run refuses
@@ -103,11 +119,16 @@ PreparedCall::~PreparedCall() { --state_.host_calls; }
 PreparedCall::Outcome PreparedCall::run() const {
   lang::VmState& state = state_;
   if (below_ == nullptr) [[unlikely]]
-    return {lang::refuse(state, *callee_)};
+    return {lang::refuse(state, *callee_, !lang::fits(task_, task_.top, window_))};
   if (!lang::count_step(state)) [[unlikely]]
     return {false};
   lang::push_function(below_, {code_, window_, callee_, function_});
-  const lang::Left left = lang::interpret(state, task_, below_ + 2, window_, code_);
+  lang::Left left{};
+  try {
+    left = lang::interpret(state, task_, below_ + 2, window_, code_);
+  } catch (const Stopped&) {
+    left = lang::resume_stopped(state, task_);
+  }
   if (left.exit != lang::Exit::kDone) [[unlikely]]
     return {false};
   task_.top = below_;

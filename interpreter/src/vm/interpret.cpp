@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "armlet/interpreter/work.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 
@@ -102,9 +103,12 @@ inline void clear(Slot* slots, unsigned count) {
     goto failed;   \
   } while (false)
 // The object in the slot will be changed: it is copied first if others see it too.
-#define OWN(slot)                    \
-  if (!own(heap, slot)) [[unlikely]] \
-  FAIL(raise_out_of_memory(state))
+#define OWN(slot)                               \
+  if ((slot).o->refs != 1) [[unlikely]] {       \
+    SAVE();                                     \
+    if (!copy_to_own(state, slot)) goto failed; \
+  }                                             \
+  static_cast<void>(0)
 #define OUT_OF_LINE(name, function, words)       \
   CASE(name) {                                   \
     SAVE();                                      \
@@ -138,6 +142,19 @@ failed:
   pc = frame->pc;
   FORGET();
   GO;
+}
+
+// What native functions own goes with the exception, and the frames were saved before the call.
+Left resume_stopped(VmState& state, Task& task) {
+  return unwind(state, task) ? interpret(state, task) : Left{Exit::kFailed};
+}
+
+Left interpret(VmState& state, Task& task) {
+  try {
+    return interpret(state, task, task.top, task.top->base, task.top->pc);
+  } catch (const Stopped&) {
+  }
+  return resume_stopped(state, task);
 }
 
 }  // namespace armlet::lang

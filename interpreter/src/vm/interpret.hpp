@@ -20,10 +20,13 @@ struct Left {
 };
 
 // Runs task.top until the host frame below it is reached.
+//
+// throws  Stopped when a kernel was stopped; the failure is set, and resume_stopped goes on.
 [[nodiscard]] Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc);
-[[nodiscard]] inline Left interpret(VmState& state, Task& task) {
-  return interpret(state, task, task.top, task.top->base, task.top->pc);
-}
+// Goes on after a kernel was stopped: with whoever handles the failure.
+[[nodiscard]] Left resume_stopped(VmState& state, Task& task);
+// The same from task.top on, whatever kernels do.
+[[nodiscard]] Left interpret(VmState& state, Task& task);
 
 // What a host frame does when the function above it returns.
 extern const Instr kReturnToHost[2];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "armlet/interpreter/work.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 
@@ -49,6 +50,9 @@ std::string size_text(std::uint32_t rows, std::uint32_t cols) {
   return std::to_string(rows) + 'x' + std::to_string(cols);
 }
 
+// Operations for copying a row.
+unsigned cost_of_row(std::uint32_t cols) { return 32U + 2U * std::min(cols, 100'000'000U); }
+
 void put(VmState& state, Slot& place, Obj* object) {
   Obj* old = place.o;
   place.o = object;
@@ -90,9 +94,15 @@ bool op_part(VmState& state, Slot* base, const Instr* pc) {
     made = list;
     to = reinterpret_cast<double*>(list->data);
   }
-  for (std::uint32_t i = 0; i < part.rows; ++i) {
-    const double* row = from.data() + std::size_t{part.row + i} * from.cols + part.col;
-    to = std::copy(row, row + part.cols, to);
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double* row = from.data() + (part.row + i) * from.cols + part.col;
+      to = std::copy(row, row + part.cols, to);
+    }
+  };
+  if (!in_blocks(state.vm, part.rows, cost_of_row(part.cols), copy)) {
+    state.heap.release(made);
+    return false;
   }
   put(state, base[pc->a], made);
   return true;
@@ -100,7 +110,7 @@ bool op_part(VmState& state, Slot* base, const Instr* pc) {
 
 bool op_putpart(VmState& state, Slot* base, const Instr* pc) {
   Slot& place = *reinterpret_cast<Slot*>(base[pc->a].o);
-  if (!own(state.heap, place)) return raise_out_of_memory(state);
+  if (!own(state, place)) return false;
   MatrixObj& matrix = matrix_in(place);
   Part part;
   if (!read_part(state, matrix, base + pc->b, pc[1].b, part)) return false;
@@ -119,27 +129,33 @@ bool op_putpart(VmState& state, Slot* base, const Instr* pc) {
   }
   const double* from =
       is_matrix ? matrix_in(value).data() : reinterpret_cast<const double*>(list_in(value).data);
-  for (std::uint32_t i = 0; i < part.rows; ++i) {
-    double* row = matrix.data() + std::size_t{part.row + i} * matrix.cols + part.col;
-    std::copy(from, from + part.cols, row);
-    from += part.cols;
-  }
-  return true;
+  return in_blocks(state.vm, part.rows, cost_of_row(part.cols),
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       double* row = matrix.data() + (part.row + i) * matrix.cols + part.col;
+                       std::copy(from, from + part.cols, row);
+                       from += part.cols;
+                     }
+                   });
 }
 
 bool op_rowsof(VmState& state, Slot* base, const Instr* pc) {
   const MatrixObj& matrix = matrix_in(base[pc->b]);
   ListObj* rows = state.heap.new_list(matrix.rows, true);
   if (rows == nullptr) return raise_out_of_memory(state);
-  for (std::uint32_t i = 0; i < matrix.rows; ++i) {
-    ListObj* row = state.heap.new_list_unset(matrix.cols, false);
-    if (row == nullptr) {
-      state.heap.release(rows);
-      return raise_out_of_memory(state);
+  const auto make = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      ListObj* row = state.heap.new_list_unset(matrix.cols, false);
+      if (row == nullptr) return raise_out_of_memory(state);
+      const double* from = matrix.data() + i * matrix.cols;
+      std::copy(from, from + matrix.cols, reinterpret_cast<double*>(row->data));
+      rows->data[i].o = row;
     }
-    const double* from = matrix.data() + std::size_t{i} * matrix.cols;
-    std::copy(from, from + matrix.cols, reinterpret_cast<double*>(row->data));
-    rows->data[i].o = row;
+    return true;
+  };
+  if (!in_blocks(state.vm, matrix.rows, cost_of_row(matrix.cols), make)) {
+    state.heap.release(rows);
+    return false;
   }
   put(state, base[pc->a], rows);
   return true;

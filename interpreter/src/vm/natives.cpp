@@ -4,7 +4,6 @@
 
 #include "armlet/interpreter/native.hpp"
 #include "vm/failures.hpp"
-#include "vm/slow_ops.hpp"
 
 namespace armlet {
 
@@ -32,34 +31,11 @@ Obj* new_reals(Vm& vm, std::span<const double> values) {
 }
 
 MatrixObj* new_matrix(Vm& vm, std::uint32_t rows, std::uint32_t cols) {
-  MatrixObj* matrix = checked(vm, vm.state().heap.new_matrix(rows, cols));
-  if (matrix != nullptr) std::fill_n(matrix->data(), std::size_t{rows} * cols, 0.0);
-  return matrix;
+  return checked(vm, vm.state().heap.new_zero_matrix(rows, cols));
 }
 
 MatrixObj* new_matrix_unset(Vm& vm, std::uint32_t rows, std::uint32_t cols) {
   return checked(vm, vm.state().heap.new_matrix(rows, cols));
-}
-
-bool charge_steps(Vm& vm, std::uint64_t steps) {
-  lang::VmState& state = vm.state();
-  const auto left = [&state] { return static_cast<std::uint64_t>(state.steps.left); };
-  while (steps > left()) {
-    steps -= left();
-    if (!lang::count_slowly(state)) return false;
-    --steps;  // the first step of a new chunk is counted there
-  }
-  state.steps.left -= static_cast<std::int64_t>(steps);
-  return true;
-}
-
-Scratch::Scratch(Vm& vm, std::uint64_t bytes)
-    : vm_(vm), bytes_(bytes), granted_(vm.state().heap.charge(bytes)) {
-  if (!granted_) lang::raise_out_of_memory(vm.state());
-}
-
-Scratch::~Scratch() {
-  if (granted_) vm_.state().heap.discharge(bytes_);
 }
 
 RecordObj* new_record(Vm& vm, const Type* record) {

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "armlet/interpreter/work.hpp"
 #include "format_value.hpp"
 #include "table_functions.hpp"
 #include "vm/failures.hpp"
+#include "vm/slow_ops.hpp"
 
 namespace armlet::lang {
 
@@ -24,11 +26,12 @@ std::uint16_t column_count(const RecordObj& table) {
 // Behind the columns, which are made of them when they are asked for.
 Slot& rows_of(RecordObj& table) { return table.fields()[column_count(table)]; }
 
-bool append(Heap& heap, RecordObj& table, Slot row) {
+bool append(VmState& state, RecordObj& table, Slot row) {
+  Heap& heap = state.heap;
   Slot& rows = rows_of(table);
-  if (!own(heap, rows)) return false;
+  if (!own(state, rows)) return false;
   auto& list = *static_cast<ListObj*>(rows.o);
-  if (!reserve_list(heap, list, std::uint64_t{list.size} + 1)) return false;
+  if (!reserve_list(heap, list, std::uint64_t{list.size} + 1)) return raise_out_of_memory(state);
   list.data[list.size++] = row;
   for (std::uint16_t i = 0; i < column_count(table); ++i) {
     heap.release(table.fields()[i].o);
@@ -70,12 +73,23 @@ Signal end_recording(Vm& vm, Slot* args) {
 Obj* make_matrix(VmState& state, RecordObj& table, std::uint16_t column) {
   const auto& rows = *static_cast<ListObj*>(rows_of(table).o);
   const RecordField& field = table.layout->type->record->row->record->fields[column];
-  const auto list_in = [&](std::uint32_t row) {
+  const auto list_in = [&](std::size_t row) {
     return items_value(table_in(rows.data[row]).fields()[column]);
   };
   const std::size_t cols = list_in(0).size();  // the first sample is always there
-  for (std::uint32_t i = 0; i < rows.size; ++i) {
-    if (list_in(i).size() == cols) continue;
+  std::size_t other = rows.size;               // a row with another number of values
+  const auto find_other = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (list_in(i).size() != cols) {
+        other = i;
+        return false;
+      }
+    }
+    return true;
+  };
+  if (!in_blocks(state.vm, rows.size, 16, find_other)) {
+    if (other == rows.size) return nullptr;
+    const std::size_t i = other;
     Failure failure;
     failure.code = "R0613";
     failure.message = "the column `" + field.name + "` has " + std::to_string(list_in(i).size()) +
@@ -92,10 +106,15 @@ Obj* make_matrix(VmState& state, RecordObj& table, std::uint16_t column) {
   }
   double* out = matrix->data();
   const bool is_int = field.type->element->is(Kind::kInt);
-  for (std::uint32_t i = 0; i < rows.size; ++i) {
-    for (const Slot item : list_in(i)) *out++ = is_int ? static_cast<double>(item.i) : item.d;
-  }
-  return matrix;
+  const auto fill = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const Slot item : list_in(i)) *out++ = is_int ? static_cast<double>(item.i) : item.d;
+    }
+  };
+  const auto cost = static_cast<unsigned>(16 + 2 * std::min<std::size_t>(cols, 100'000'000));
+  if (in_blocks(state.vm, rows.size, cost, fill)) return matrix;
+  state.heap.release(matrix);
+  return nullptr;
 }
 
 // Null: it failed.
@@ -105,12 +124,19 @@ Obj* make_column(VmState& state, RecordObj& table, std::uint16_t column) {
   const auto& rows = *static_cast<ListObj*>(rows_of(table).o);
   const Type* type = table.layout->type->record->row->record->fields[column].type;
   ListObj* list = state.heap.new_list(rows.size, type->is_reference());
-  for (std::uint32_t i = 0; list != nullptr && i < rows.size; ++i) {
-    list->data[i] = table_in(rows.data[i]).fields()[column];
-    if (type->is_reference()) retain_object(list->data[i].o);
+  if (list == nullptr) {
+    raise_out_of_memory(state);
+    return nullptr;
   }
-  if (list == nullptr) raise_out_of_memory(state);
-  return list;
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      list->data[i] = table_in(rows.data[i]).fields()[column];
+      if (type->is_reference()) retain_object(list->data[i].o);
+    }
+  };
+  if (in_blocks(state.vm, rows.size, 16, copy)) return list;
+  state.heap.release(list);
+  return nullptr;
 }
 
 Signal table_column(Vm& vm, Slot* args) {
@@ -158,9 +184,9 @@ bool Recordings::take(Recording& recording) {
   if (!done) return false;
   table_in(row).fields()[0].d = static_cast<double>(now) * 1e-9;
   recording.last_ns = now;
-  if (append(state_.heap, *recording.table, row)) return true;
+  if (append(state_, *recording.table, row)) return true;
   state_.heap.release(row.o);
-  return raise_out_of_memory(state_);
+  return false;
 }
 
 RecordObj* Recordings::start(ClosureObj* sample, std::int64_t period_ns) {

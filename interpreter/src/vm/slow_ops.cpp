@@ -1,8 +1,10 @@
 #include "vm/slow_ops.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "armlet/interpreter/work.hpp"
 #include "armlet/math/det_math.hpp"
 #include "format_value.hpp"
 #include "vm/equality.hpp"
@@ -27,6 +29,16 @@ bool put_new(VmState& state, Slot& place, Obj* object) {
   if (object == nullptr) return raise_out_of_memory(state);
   set_reference(state, place, object);
   return true;
+}
+
+// A new object that holds nothing unset; it is released if making it failed, which is set.
+bool put_filled(VmState& state, Slot& place, Obj* object, bool filled) {
+  if (filled) {
+    set_reference(state, place, object);
+  } else {
+    state.heap.release(object);
+  }
+  return filled;
 }
 
 Slot taken(Slot& from) {
@@ -80,15 +92,11 @@ bool op_rtoi(VmState& state, Slot* base, const Instr* pc) {
   return true;
 }
 
-bool op_cmptext(VmState&, Slot* base, const Instr* pc) {
-  const int order = text_in(base[pc->b]).view().compare(text_in(base[pc->c]).view());
-  base[pc->a].i = (order > 0 ? 1 : 0) - (order < 0 ? 1 : 0);
-  return true;
-}
-
 bool op_eqdeep(VmState& state, Slot* base, const Instr* pc) {
   const Type* type = state.running->top->callee->function->types[pc[1].b];
-  base[pc->a].i = equal_values(base[pc->b], base[pc->c], *type) ? 1 : 0;
+  bool equal = false;
+  if (!compare_values(state, base[pc->b], base[pc->c], *type, equal)) return false;
+  base[pc->a].i = equal ? 1 : 0;
   return true;
 }
 
@@ -175,11 +183,16 @@ bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
       if (inner_references) state.heap.release(inner.o);
       return false;
     }
-    for (std::uint32_t i = 0; inner_references && i < list->size; ++i) {
-      ++inner.o->refs;
-      list->data[i] = inner;
-    }
+    const auto fill = [&](std::size_t begin, std::size_t end) {
+      std::fill(list->data + begin, list->data + end, inner);
+      inner.o->refs += static_cast<std::uint32_t>(end - begin);
+    };
+    const bool filled = !inner_references || in_blocks(state.vm, list->size, 4, fill);
     if (inner_references) state.heap.release(inner.o);
+    if (!filled) {
+      state.heap.release(list);
+      return false;
+    }
     inner.o = list;
     inner_references = true;
   }
@@ -202,10 +215,10 @@ bool op_listtoreal(VmState& state, Slot* base, const Instr* pc) {
   const ListObj& from = list_in(base[pc->b]);
   ListObj* list = state.heap.new_list_unset(from.size, false);
   if (list == nullptr) return raise_out_of_memory(state);
-  for (std::uint32_t i = 0; i < from.size; ++i)
-    list->data[i].d = static_cast<double>(from.data[i].i);
-  set_reference(state, base[pc->a], list);
-  return true;
+  const auto convert = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) list->data[i].d = static_cast<double>(from.data[i].i);
+  };
+  return put_filled(state, base[pc->a], list, in_blocks(state.vm, list->size, 4, convert));
 }
 
 // ---- lists ----------------------------------------------------------------------------------
@@ -226,20 +239,18 @@ bool op_slice(VmState& state, Slot* base, const Instr* pc) {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
   if (!slice_ends(state, base + pc->c, from.size, "list", first, last)) return false;
-  ListObj* list = state.heap.new_list_unset(last - first, from.holds_references());
+  ListObj* list = state.heap.new_list(last - first, from.holds_references());
   if (list == nullptr) return raise_out_of_memory(state);
-  for (std::uint32_t i = 0; i < list->size; ++i) {
-    list->data[i] = from.data[first + i];
-    if (from.holds_references()) retain_object(list->data[i].o);
-  }
-  set_reference(state, base[pc->a], list);
-  return true;
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    copy_slots(list->data + begin, from.data + first + begin, end - begin, from.holds_references());
+  };
+  return put_filled(state, base[pc->a], list, in_blocks(state.vm, list->size, 4, copy));
 }
 
 // The new elements are counted before the old ones are released, which may be the same.
 bool op_putslice(VmState& state, Slot* base, const Instr* pc) {
   Slot& place = place_in(base[pc->a]);
-  if (!own(state.heap, place)) return raise_out_of_memory(state);
+  if (!own(state, place)) return false;
   ListObj& list = list_in(place);
   const ListObj& from = list_in(base[pc->c]);
   std::uint32_t first = 0;
@@ -252,26 +263,28 @@ bool op_putslice(VmState& state, Slot* base, const Instr* pc) {
                   (from.size == 1 ? " value" : " values")});
   }
   Slot* to = list.data + first;
-  if (!list.holds_references()) {
-    std::memmove(static_cast<void*>(to), from.data, count * sizeof(Slot));
-    return true;
-  }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Obj* object = from.data[i].o;
-    retain_object(object);
-    set_reference(state, to[i], object);
-  }
-  return true;
+  return in_blocks(state.vm, count, 4, [&](std::size_t begin, std::size_t end) {
+    if (!list.holds_references()) {
+      std::memmove(static_cast<void*>(to + begin), from.data + begin, (end - begin) * sizeof(Slot));
+      return;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      Obj* object = from.data[i].o;
+      retain_object(object);
+      set_reference(state, to[i], object);
+    }
+  });
 }
 
 static bool insert_at(VmState& state, Slot& place, std::int64_t index, Slot value) {
-  if (!own(state.heap, place)) return raise_out_of_memory(state);
+  if (!own(state, place)) return false;
   ListObj& list = list_in(place);
   if (static_cast<std::uint64_t>(index) > list.size) {
     return raise_end(state, index, list.size, list.size);
   }
   if (!reserve_list(state.heap, list, std::uint64_t{list.size} + 1))
     return raise_out_of_memory(state);
+  if (!charge_work(state.vm, list.size - static_cast<std::uint64_t>(index))) return false;
   std::memmove(static_cast<void*>(list.data + index + 1), list.data + index,
                (list.size - index) * sizeof(Slot));
   list.data[index] = value;
@@ -302,69 +315,16 @@ bool op_insertref(VmState& state, Slot* base, const Instr* pc) {
 
 bool op_pop(VmState& state, Slot* base, const Instr* pc) {
   Slot& place = place_in(base[pc->b]);
-  if (!own(state.heap, place)) return raise_out_of_memory(state);
+  if (!own(state, place)) return false;
   ListObj& list = list_in(place);
   const Slot wanted = base[pc->c];
   const std::int64_t index = is_absent_scalar(wanted) ? std::int64_t{list.size} - 1 : wanted.i;
   if (static_cast<std::uint64_t>(index) >= list.size) return raise_index(state, index, list.size);
+  if (!charge_work(state.vm, list.size - static_cast<std::uint64_t>(index))) return false;
   base[pc->a] = list.data[index];
   --list.size;
   std::memmove(static_cast<void*>(list.data + index), list.data + index + 1,
                (list.size - index) * sizeof(Slot));
-  return true;
-}
-
-// ---- text -----------------------------------------------------------------------------------
-
-static Obj* part_of_text(VmState& state, TextObj& text, std::uint32_t first, std::uint32_t last) {
-  const std::uint32_t begin = character_offset(text, first);
-  const std::uint32_t end = character_offset(text, last);
-  const auto byte = begin < text.size ? static_cast<unsigned char>(text.data()[begin]) : 0U;
-  if (end - begin == 1 && byte < 128) {
-    Obj* shared = state.character(static_cast<unsigned char>(byte));
-    retain_object(shared);
-    return shared;
-  }
-  return state.heap.new_text(text.view().substr(begin, end - begin));
-}
-
-bool op_slicetext(VmState& state, Slot* base, const Instr* pc) {
-  TextObj& text = text_in(base[pc->b]);
-  std::uint32_t first = 0;
-  std::uint32_t last = 0;
-  if (!slice_ends(state, base + pc->c, character_count(text), "text", first, last)) return false;
-  return put_new(state, base[pc->a], part_of_text(state, text, first, last));
-}
-
-bool op_charat(VmState& state, Slot* base, const Instr* pc) {
-  TextObj& text = text_in(base[pc->b]);
-  const std::int64_t index = base[pc->c].i;
-  if (static_cast<std::uint64_t>(index) >= character_count(text)) {
-    return raise_index(state, index, character_count(text), "text");
-  }
-  const auto at = static_cast<std::uint32_t>(index);
-  return put_new(state, base[pc->a], part_of_text(state, text, at, at + 1));
-}
-
-bool op_totext(VmState& state, Slot* base, const Instr* pc) {
-  const std::string text = format_value(base[pc->b], state.program.formats[pc->c],
-                                        state.heap.limit() - state.heap.used());
-  return put_new(state, base[pc->a], state.heap.new_text(text));
-}
-
-bool op_concat(VmState& state, Slot* base, const Instr* pc) {
-  const Slot* parts = base + pc->b;
-  std::size_t size = 0;
-  for (int i = 0; i < pc->c; ++i) size += text_in(parts[i]).size;
-  TextObj* whole = state.heap.new_text_buffer(size);
-  if (whole == nullptr) return raise_out_of_memory(state);
-  char* to = whole->data();
-  for (int i = 0; i < pc->c; ++i) {
-    const TextObj& part = text_in(parts[i]);
-    std::memcpy(to, part.data(), part.size);
-    to += part.size;
-  }
-  set_reference(state, base[pc->a], whole);
   return true;
 }
 

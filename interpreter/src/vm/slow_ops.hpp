@@ -25,8 +25,21 @@ SlowOp op_makeerr, op_throw, op_rethrow, op_catch, op_hold, op_retry, op_assertf
 
 // The direct call gave no number: the whole function is called, which may say why.
 bool op_calld_again(VmState& state, Slot* base, const Instr* pc);
+// Makes the object in `place` the only owner of its contents, copying it if it is shared. False:
+// the failure is set.
+[[nodiscard]] bool copy_to_own(VmState& state, Slot& place);
+[[nodiscard]] inline bool own(VmState& state, Slot& place) {
+  return place.o->refs == 1 || copy_to_own(state, place);
+}
+// Adds a long tail to the text in `place`. False: the failure is set.
+bool append_slowly(VmState& state, Slot& place, const TextObj& tail);
+// Makes sure that the characters of a text have been counted, as work. False: the failure is set.
+bool count_characters(VmState& state, TextObj& text);
 // The running chunk of steps is used up: looks at the limit and at the wish to cancel.
 bool count_slowly(VmState& state);
+// Makes room for a frame of `callee` at `frame` with its slots at `window`. False: calls are nested
+// too deep or the heap is full, and the failure is set.
+bool make_room(VmState& state, Task& task, const Frame* frame, Slot* window, const Callee& callee);
 // The ends of a slice, either of them absent or both inside 0 to size, the second not before the
 // first. `what` has them: "list", "text".
 bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::string_view what,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "armlet/interpreter/work.hpp"
 #include "vm/failures.hpp"
 #include "vm/recordings.hpp"
 #include "vm/slow_ops.hpp"
@@ -24,6 +25,13 @@ bool StepMeter::refill() {
   return chunk > 0;
 }
 
+bool KernelWork::go_on(std::uint64_t operations) {
+  rest_ += operations;
+  const std::uint64_t steps = rest_ / kWorkPerStep;
+  rest_ %= kWorkPerStep;
+  return steps == 0 || charge_steps(vm_, steps);
+}
+
 // ---- making and clearing --------------------------------------------------------------------
 
 VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm_options)
@@ -32,6 +40,7 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
       options(vm_options),
       natives(compiled.natives.data()),
       heap(vm_options.limits.heap_bytes),
+      kernels(owner),
       main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)),
       output_left(vm_options.limits.output_bytes) {
   steps.limit = options.limits.steps;
@@ -80,6 +89,7 @@ void VmState::clear() {
   recordings.reset();
   for (Task* task : {&main, condition_task.get()}) {
     while (task != nullptr && task->top > task->frames) leave_frame(*this, *task);
+    if (task != nullptr) task->shrink(heap);
   }
   pending.reset();
   fault.reset();
@@ -124,6 +134,7 @@ Obj* VmState::character(unsigned char code) {
 }
 
 bool VmState::take_cancellation() {
+  if (on_look) on_look();
   return vm.cancelled_.exchange(false, std::memory_order_relaxed);
 }
 

@@ -2,10 +2,12 @@
 // Everything a running Vm consists of, and the operations on it that several parts share.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "vm/heap.hpp"
 #include "vm/task.hpp"
@@ -53,6 +55,17 @@ struct StepMeter {
 
 class Recordings;
 
+// Counts what kernels of the library do as steps.
+class KernelWork final : public Supervisor {
+ public:
+  explicit KernelWork(Vm& vm) : vm_(vm) {}
+  [[nodiscard]] bool go_on(std::uint64_t operations) override;
+
+ private:
+  Vm& vm_;
+  std::uint64_t rest_ = 0;  // operations that have not made a whole step
+};
+
 struct VmState {
   VmState(Vm& vm, const CompiledProgram& program, const VmOptions& options);
   ~VmState();
@@ -68,6 +81,8 @@ struct VmState {
   const NativeFunction* const* natives;
   Heap heap;
   StepMeter steps;
+  KernelWork kernels;
+  std::function<void()> on_look;  // for tests: called at every look at the wish to cancel
 
   std::vector<Callee> callees;
   std::vector<Slot> globals;

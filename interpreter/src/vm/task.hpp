@@ -82,6 +82,11 @@ constexpr std::size_t ample_slots(std::uint32_t call_depth) {
   return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64;
 }
 
+// Bytes of its stack that every task begins with.
+inline constexpr std::size_t kFirstBytes = 8192;
+
+class Heap;
+
 // A task waits while `waiting` is set.
 struct Task {
   // call_depth  calls that may be nested.
@@ -90,10 +95,13 @@ struct Task {
 
   AddressSpace slot_space;
   AddressSpace frame_space;
-  Slot* slots_end;  // a frame that starts before it fits
+  Slot* slots_end;  // a frame that starts before it fits; what lies before it has been counted
   Frame* frames;    // frames[0] belongs to the host
   Frame* frames_end;
   Frame* top;
+  Slot* slots_limit;  // how far slots_end and frames_end can move
+  Frame* frames_limit;
+  std::uint64_t charged = 0;  // bytes counted against the heap limit besides those at the beginning
 
   std::unique_ptr<Waiting> waiting;
   Slot* result = nullptr;              // where the waiting call leaves its result
@@ -124,6 +132,13 @@ struct Task {
   bool joins = false;                   // it waits for its branches
   std::vector<Region> regions;
   std::size_t ending = kNoRegion;  // it waits for the tasks of this region and those inside
+
+  // Counts so much more of its stack against the limit of the heap that a frame can be put at
+  // `frame` with its slots, `registers` of them, at `window`, which lie within the limits. False:
+  // the heap is full.
+  [[nodiscard]] bool grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers);
+  // Gives back what grew.
+  void shrink(Heap& heap);
 
   [[nodiscard]] bool waits_for_its_tasks() const { return joins || ending != kNoRegion; }
 };

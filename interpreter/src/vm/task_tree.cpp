@@ -8,7 +8,6 @@ namespace armlet::lang {
 
 namespace {
 
-constexpr std::size_t kCharge = 8192;  // counted for the stack of a task: the pages it begins with
 constexpr std::size_t kMostSpare = 64;
 
 std::size_t slots_for(std::uint32_t call_depth) {
@@ -64,7 +63,7 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
     return too_many("more than " + std::to_string(kMostTasks) + " at the same time");
   if (parent.depth >= kDeepest)
     return too_many("tasks start tasks more than " + std::to_string(kDeepest) + " deep");
-  const bool fits = state_.heap.charge(kCharge);
+  const bool fits = state_.heap.charge(kFirstBytes);
   std::unique_ptr<Task> task;
   try {
     if (tasks_.size() == tasks_.capacity()) tasks_.reserve(2 * tasks_.size() + 8);
@@ -76,7 +75,7 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
       spare_.pop_back();
     }
   } catch (const std::bad_alloc&) {
-    if (fits) state_.heap.discharge(kCharge);
+    if (fits) state_.heap.discharge(kFirstBytes);
   }
   if (task == nullptr) {
     raise_out_of_memory(state_);
@@ -106,7 +105,8 @@ void TaskTree::end(Task& task, FaultPtr fault) {
   abandon(task);
   state_.heap.release(task.entry);
   task.entry = nullptr;
-  state_.heap.discharge(kCharge);
+  state_.heap.discharge(kFirstBytes);
+  task.shrink(state_.heap);
   const bool counts = fault != nullptr && (!task.is_cancelled || fault->is_leaving);
   if (Watch* watch = task.watch) {
     skip_beats(*watch);

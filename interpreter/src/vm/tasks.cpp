@@ -150,7 +150,7 @@ Exit Scheduler::resume(Task& task) {
     state_.fault = std::move(fault);
   } else {
     Slot& result = task.result != nullptr ? *task.result : nowhere;
-    failed = waiting->finish(state_.vm, result) != Signal::kDone;
+    failed = !finish(*waiting, result);
   }
   if (failed && !unwind(state_, task)) return Exit::kFailed;
   return interpret(state_, task).exit;
@@ -181,6 +181,20 @@ std::int64_t Scheduler::next_instant() const {
   return next;
 }
 
+bool Scheduler::finish(Waiting& waiting, Slot& result) {
+  try {
+    return waiting.finish(state_.vm, result) == Signal::kDone;
+  } catch (const Stopped&) {  // the failure is set
+    return false;
+  }
+}
+
+// The world moves on as a whole: what it computes is not stopped half way.
+bool Scheduler::advance_to(std::int64_t t_ns) {
+  const Supervised nobody(nullptr);
+  return state_.vm.timeline().advance_to(t_ns);
+}
+
 Exit Scheduler::advance() {
   if (state_.take_cancellation()) return stop();
   const std::int64_t next = next_instant();
@@ -188,7 +202,7 @@ Exit Scheduler::advance() {
     fail_everywhere("R0621", {}, waited_for());
     return Exit::kPaused;
   }
-  if (state_.vm.timeline().advance_to(next)) return Exit::kPaused;
+  if (advance_to(next)) return Exit::kPaused;
   return state_.is_leaving ? abandon() : stop();
 }
 

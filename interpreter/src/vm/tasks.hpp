@@ -35,6 +35,10 @@ class Scheduler {
   // The next instant at which something can happen; kNever if there is none.
   [[nodiscard]] std::int64_t next_instant() const;
   Exit advance();
+  // False: the failure is set.
+  bool finish(Waiting& waiting, Slot& result);
+  // False: the host wants the program to stop.
+  bool advance_to(std::int64_t t_ns);
   Exit stop();
   Exit abandon();
   void fail_everywhere(const char* code, const std::vector<std::string>& arguments,

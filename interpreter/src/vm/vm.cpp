@@ -1,8 +1,10 @@
 #include <cassert>
 #include <utility>
 
+#include "armlet/core/ample_stack.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/work.hpp"
 #include "vm/failures.hpp"
 #include "vm/tasks.hpp"
 
@@ -46,6 +48,18 @@ RunResult finish_run(lang::VmState& state, lang::Exit exit) {
   return result;
 }
 
+// Functions of the library call the program, which calls functions of the library, and so on.
+RunResult run_function(lang::VmState& state, std::uint32_t function) {
+  RunResult result;
+  on_ample_stack([&] {
+    const Supervised kernels(&state.kernels);
+    lang::Scheduler scheduler(state);
+    const bool ready = state.make_texts();
+    result = finish_run(state, ready ? scheduler.run(function) : lang::Exit::kFailed);
+  });
+  return result;
+}
+
 }  // namespace
 
 Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
@@ -59,9 +73,7 @@ Vm::~Vm() = default;
 
 RunResult Vm::run() {
   if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  lang::Scheduler scheduler(*state_);
-  const bool ready = state_->make_texts();
-  return finish_run(*state_, ready ? scheduler.run(0) : lang::Exit::kFailed);
+  return run_function(*state_, 0);
 }
 
 RunResult Vm::run_test(std::size_t index) {
@@ -71,10 +83,7 @@ RunResult Vm::run_test(std::size_t index) {
                         std::to_string(program.module.tests.size()) + " tests.");
   }
   if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  lang::Scheduler scheduler(*state_);
-  const std::uint32_t test = program.module.tests[index].function->index;
-  const bool ready = state_->make_texts();
-  return finish_run(*state_, ready ? scheduler.run(test) : lang::Exit::kFailed);
+  return run_function(*state_, program.module.tests[index].function->index);
 }
 
 namespace {
@@ -104,17 +113,22 @@ void Vm::advise(const Failure& advice) {
   options_.advice(diagnostic);
 }
 
-void Vm::print(std::string_view text) {
+bool Vm::print(std::string_view text) {
+  constexpr std::size_t kPiece = 1U << 16U;
+  if (!options_.output) return true;
   std::uint64_t& left = state_->output_left;
-  if (!options_.output || left == 0) return;
-  if (text.size() <= left) {
-    left -= text.size();
-    options_.output(text);
-    return;
+  const std::string_view fitting = whole_characters(text, left);
+  left -= fitting.size();
+  for (std::size_t at = 0; at < fitting.size();) {
+    const std::string_view piece = whole_characters(fitting.substr(at), kPiece);
+    if (!charge_work(*this, 4 * piece.size())) return false;
+    const std::string why = options_.output(piece);
+    if (!why.empty()) return lang::raise(*state_, "R0626", {"print cannot write: " + why});
+    at += piece.size();
   }
-  options_.output(text.substr(0, left));
-  options_.output("\n... the limit for output is reached; the rest is left out\n");
+  if (fitting.size() == text.size()) return true;
   left = 0;
+  return lang::raise_out_of_output(*state_);
 }
 
 }  // namespace armlet

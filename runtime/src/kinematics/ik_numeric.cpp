@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
 
@@ -14,6 +15,8 @@ constexpr double kLargestStep = 1.0;    // rad or m, per iteration
 constexpr double kSmallestStep = 1e-9;  // rad or m; nothing more happens below it
 constexpr int kStall = 7;               // iterations without progress
 constexpr double kTinyStep = 1e-8;      // rad or m; what a linear model leaves out is below 1e-15
+
+constexpr std::uint64_t kIterationWork = 50;  // operations; few starts need all their iterations
 
 double length_of(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
@@ -151,6 +154,7 @@ void IkSolver::clamp(JointArray& q) const {
 }
 
 bool IkSolver::solve_free(JointArray& q, int iterations) {
+  checkpoint(kIterationWork * static_cast<std::uint64_t>(iterations));
   double best = INFINITY;
   int stalled = 0;
   for (int it = 0; it < iterations; ++it) {
@@ -175,6 +179,7 @@ bool IkSolver::solve_free(JointArray& q, int iterations) {
 }
 
 bool IkSolver::solve_in_box(JointArray& q, int iterations) {
+  checkpoint(kIterationWork * static_cast<std::uint64_t>(iterations));
   double best = INFINITY;
   int stalled = 0;
   clamp(q);

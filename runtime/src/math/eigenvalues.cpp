@@ -4,12 +4,27 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/math/decompose.hpp"
 #include "math/decompose_checks.hpp"
+
+// What Eigen asks before every rotation, so that a long decomposition passes checkpoints. The
+// matrix is real, so there is nothing else to do.
+template <>
+struct Eigen::internal::svd_precondition_2x2_block_to_be_real<
+    Eigen::MatrixXd, Eigen::ColPivHouseholderQRPreconditioner, false> {
+  using SVD = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::ColPivHouseholderQRPreconditioner>;
+  static bool run(Eigen::MatrixXd& work, SVD&, Eigen::Index, Eigen::Index, double&) {
+    constexpr std::uint64_t kPerRow = 16;  // rows and columns of four matrices are turned
+    armlet::checkpoint(kPerRow * static_cast<std::uint64_t>(work.rows()));
+    return true;
+  }
+};
 
 namespace armlet {
 

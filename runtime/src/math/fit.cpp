@@ -4,8 +4,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <vector>
+#include <set>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 
 namespace armlet {
@@ -16,10 +17,18 @@ using Eigen::VectorXd;
 
 constexpr int kHighestDegree = 50;
 
+constexpr Index kBlock = 4096;  // points between two checkpoints
+
+// Different values, as far as they matter.
 Index count_different(const VectorXd& x) {
-  std::vector<double> sorted(x.begin(), x.end());
-  std::ranges::sort(sorted);
-  return std::unique(sorted.begin(), sorted.end()) - sorted.begin();
+  // More than a fit can need are not looked for.
+  constexpr Index kEnough = kHighestDegree + 1;
+  std::set<double> seen;
+  for (Index i = 0; i < x.size() && static_cast<Index>(seen.size()) < kEnough; ++i) {
+    if (i % kBlock == 0) checkpoint(64 * kBlock);
+    seen.insert(x[i]);
+  }
+  return static_cast<Index>(seen.size());
 }
 
 // p((x - middle) / half) as a polynomial in x, by Horner's scheme on polynomials.
@@ -30,6 +39,42 @@ VectorXd unscaled(const VectorXd& p, double middle, double half) {
     out[0] = p[k] - middle * out[0] / half;
   }
   return out;
+}
+
+// 1, t, t^2 ... for the points from `first` on, and behind them y.
+template <class Place>
+void write_rows(Index first, Index count, const VectorXd& y, int degree, const Place& place,
+                Eigen::MatrixXd& out, Index at) {
+  for (Index i = 0; i < count; ++i) {
+    out(at + i, 0) = 1.0;
+    for (int k = 1; k <= degree; ++k) out(at + i, k) = out(at + i, k - 1) * place(first + i);
+    out(at + i, degree + 1) = y[first + i];
+  }
+}
+
+// Least squares by orthogonal factors: of all rows at once, or, if there are many, block after
+// block, each below the triangle that stands for those before (G. H. Golub and C. F. Van Loan,
+// Matrix Computations, 2013, section 6.5.3).
+template <class Place>
+VectorXd fit_scaled(Index count, const VectorXd& y, int degree, const Place& place) {
+  const Index width = degree + 2;
+  Index done = std::min(count, kBlock);
+  Eigen::MatrixXd rows(done, width);
+  write_rows(0, done, y, degree, place, rows, 0);
+  while (done < count) {
+    checkpoint(static_cast<std::uint64_t>(rows.rows() * width * width));
+    const Eigen::MatrixXd before = rows;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(before);
+    const Index kept = std::min(before.rows(), width);
+    const Index more = std::min(count - done, kBlock);
+    rows.setZero(kept + more, width);
+    rows.topRows(kept) = qr.matrixQR().topRows(kept).triangularView<Eigen::Upper>();
+    write_rows(done, more, y, degree, place, rows, kept);
+    done += more;
+  }
+  checkpoint(static_cast<std::uint64_t>(rows.rows() * width * width));
+  const Eigen::MatrixXd powers = rows.leftCols(degree + 1);
+  return powers.colPivHouseholderQr().solve(rows.col(degree + 1));
 }
 
 }  // namespace
@@ -50,12 +95,8 @@ VectorXd fit_polynomial(const VectorXd& x, const VectorXd& y, int degree) {
   const double middle = 0.5 * (x.minCoeff() + x.maxCoeff());
   const double width = 0.5 * (x.maxCoeff() - x.minCoeff());
   const double half = width > 0.0 ? width : 1.0;
-  Eigen::MatrixXd powers(x.size(), degree + 1);
-  powers.col(0).setOnes();
-  for (int k = 1; k <= degree; ++k) {
-    for (Index i = 0; i < x.size(); ++i) powers(i, k) = powers(i, k - 1) * ((x[i] - middle) / half);
-  }
-  const VectorXd scaled = powers.colPivHouseholderQr().solve(y);
+  const auto place = [&](Index i) { return (x[i] - middle) / half; };
+  const VectorXd scaled = fit_scaled(x.size(), y, degree, place);
   return unscaled(scaled, middle, half);
 }
 

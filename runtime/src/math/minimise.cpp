@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 
 namespace armlet {
@@ -82,6 +83,7 @@ class Simplex {
   [[nodiscard]] bool is_within(double part) const {
     const Corner& best = corners_.front();
     for (const Corner& corner : corners_) {
+      checkpoint(4 * static_cast<std::uint64_t>(best.x.size()));
       for (Eigen::Index i = 0; i < best.x.size(); ++i) {
         const double scale = std::max(std::abs(best.x[i]), 1.0);
         if (!(std::abs(corner.x[i] - best.x[i]) <= part * scale)) return false;
@@ -109,7 +111,10 @@ class Simplex {
     const double stretch = n > 1 ? 1.0 + 2.0 / n : 2.0;
     const double contract = n > 1 ? 0.75 - 0.5 / n : 0.5;
     middle_ = VectorXd::Zero(out_.x.size());
-    for (std::size_t i = 0; i + 1 < corners_.size(); ++i) middle_ += corners_[i].x;
+    for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
+      checkpoint(static_cast<std::uint64_t>(middle_.size()));
+      middle_ += corners_[i].x;
+    }
     middle_ /= n;
     const Corner& worst = corners_.back();
     Corner reflected;

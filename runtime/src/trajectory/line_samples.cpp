@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/spline.hpp"
@@ -113,6 +114,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
 }
 
 IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
+  checkpoint(1000);
   const Eigen::Isometry3d T_world_tool = pose_at(x);
   if (task_ == IkTask::kPose && respect_limits) {
     if (auto q = slide(T_world_tool, seed)) {

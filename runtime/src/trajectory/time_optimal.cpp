@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/spline.hpp"
 
@@ -97,6 +98,7 @@ class Grid {
   // What holds between place k and the next: the limits at k, and those at k + 1 with the speed
   // reached there.
   const Strips& between(std::size_t k) {
+    checkpoint(40 * n_);
     const double twice = 2.0 * (s_[k + 1] - s_[k]);
     rows_ = 0;
     strips_.x_most = bound_[k];

@@ -19,6 +19,7 @@
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/native.hpp"
+#include "armlet/interpreter/output.hpp"
 #include "armlet/interpreter/source.hpp"
 
 namespace armlet {
@@ -127,7 +128,7 @@ struct VmOptions {
   RunLimits limits;
   Timeline* timeline = nullptr;                   // null: a clock without a world
   void* host = nullptr;                           // what native functions find with Vm::host
-  std::function<void(std::string_view)> output;   // what `print` writes
+  Output output;                                  // what `print` writes
   std::function<void(const Diagnostic&)> advice;  // advice given while running
 };
 
@@ -166,7 +167,9 @@ class Vm {
   [[nodiscard]] bool call(Obj* function, std::span<const Slot> arguments, Slot& result);
   // Advice at the call that is running now.
   void advise(const Failure& advice);
-  void print(std::string_view text);
+  // Writes output, in pieces if it is long. False: the limit of output is reached, it could not be
+  // written, or the program has to stop; the failure is set.
+  [[nodiscard]] bool print(std::string_view text);
   // Chance for the running task: each branch of a `parallel` has a stream of its own.
   [[nodiscard]] Random& random();
   // Begins its stream anew, and those of the branches that it starts from here on.

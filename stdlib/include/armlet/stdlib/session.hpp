@@ -34,7 +34,7 @@ struct SessionOptions {
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
-  std::function<void(std::string_view)> output;
+  Output output;
   std::function<void(const Diagnostic&)> advice;
   std::function<void(const MoveReport&)> on_move;
 };

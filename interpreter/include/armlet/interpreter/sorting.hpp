@@ -1,0 +1,128 @@
+#pragma once
+// Sorting that can be stopped.
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "armlet/interpreter/work.hpp"
+
+namespace armlet {
+
+// Slots of texts in the order of their bytes. A comparison that takes long counts as work.
+class TextOrder {
+ public:
+  explicit TextOrder(Vm& vm) : vm_(&vm) {}
+
+  [[nodiscard]] bool operator()(Slot a, Slot b) {
+    const std::string_view left = text_value(a);
+    const std::string_view right = text_value(b);
+    const std::size_t common = std::min(left.size(), right.size());
+    int order = 0;
+    const auto compare = [&](std::size_t begin, std::size_t end) {
+      order = std::memcmp(left.data() + begin, right.data() + begin, end - begin);
+      return order == 0;
+    };
+    if (stopped_ || (!in_blocks(*vm_, common, 1, compare) && order == 0)) {
+      stopped_ = true;  // whatever the order is: nobody will see it
+      return false;
+    }
+    return order != 0 ? order < 0 : left.size() < right.size();
+  }
+  [[nodiscard]] bool was_stopped() const { return stopped_; }
+
+ private:
+  Vm* vm_;
+  bool stopped_ = false;
+};
+
+template <class Less>
+[[nodiscard]] bool was_stopped(const Less& less) {
+  if constexpr (requires { less.was_stopped(); }) {
+    return less.was_stopped();
+  } else {
+    return false;
+  }
+}
+
+// Sorts by merging runs that double, equals in the order in which they stood. `room` is as long as
+// `items`. `cost`: operations for a comparison.
+// False: the program has to stop and the failure is set; the items stand in some order.
+template <class T, class Less>
+[[nodiscard]] bool sort_stably(Vm& vm, std::span<T> items, std::span<T> room, Less& less,
+                               unsigned cost = 8) {
+  constexpr std::size_t kRun = 32;
+  const std::size_t n = items.size();
+  const auto insert = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t run = begin * kRun; run < std::min(n, end * kRun); run += kRun) {
+      for (std::size_t i = run + 1; i < std::min(n, run + kRun); ++i) {
+        const T item = items[i];
+        std::size_t at = i;
+        for (; at > run && less(item, items[at - 1]); --at) items[at] = items[at - 1];
+        items[at] = item;
+      }
+    }
+    return !was_stopped(less);
+  };
+  if (!in_blocks(vm, (n + kRun - 1) / kRun, kRun * kRun / 4 * cost, insert)) return false;
+  std::span<T> from = items;
+  std::span<T> to = room;
+  for (std::size_t length = kRun; length < n; length *= 2) {
+    // Where the merge stands: the next of each of the two runs that are merged at present.
+    std::size_t pair = 0;
+    std::size_t left = 0;
+    std::size_t right = std::min(n, length);
+    const auto merge = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t at = begin; at < end; ++at) {
+        const std::size_t middle = std::min(n, pair + length);
+        const std::size_t last = std::min(n, pair + 2 * length);
+        const bool take_right = right < last && (left == middle || less(from[right], from[left]));
+        to[at] = take_right ? from[right++] : from[left++];
+        if (left == middle && right == last) {
+          pair = left = last;
+          right = std::min(n, pair + length);
+        }
+      }
+      return !was_stopped(less);
+    };
+    if (!in_blocks(vm, n, cost, merge)) return false;
+    std::swap(from, to);
+  }
+  if (from.data() != items.data()) std::copy(from.begin(), from.end(), items.begin());
+  return true;
+}
+
+// A new list of the items of the list args[0] in order, as the result.
+template <class Less>
+Signal give_sorted(Vm& vm, Slot* args, Less less, unsigned cost = 8) {
+  const auto xs = items_value(args[0]);
+  const bool references = static_cast<const ListObj*>(args[0].o)->holds_references();
+  const Scratch scratch(vm, 2 * xs.size() * sizeof(Slot));
+  if (!scratch.granted()) return Signal::kFail;
+  std::vector<Slot> items(xs.size());
+  std::vector<Slot> room(xs.size());
+  const auto take = [&](std::size_t begin, std::size_t end) {
+    std::copy(xs.begin() + static_cast<std::ptrdiff_t>(begin),
+              xs.begin() + static_cast<std::ptrdiff_t>(end),
+              items.begin() + static_cast<std::ptrdiff_t>(begin));
+  };
+  if (!in_blocks(vm, xs.size(), 4, take) ||
+      !sort_stably(vm, std::span<Slot>(items), std::span<Slot>(room), less, cost)) {
+    return Signal::kFail;
+  }
+  ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), references);
+  if (list == nullptr) return Signal::kFail;
+  const auto put = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      list->data[i] = items[i];
+      if (references) retain(items[i].o);
+    }
+  };
+  if (in_blocks(vm, xs.size(), 8, put)) return give(args, list);
+  release(vm, list);
+  return Signal::kFail;
+}
+
+}  // namespace armlet

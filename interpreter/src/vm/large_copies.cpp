@@ -1,0 +1,69 @@
+// Copies of large objects, made in blocks so that they can be stopped.
+
+#include <cstring>
+
+#include "armlet/interpreter/work.hpp"
+#include "vm/failures.hpp"
+#include "vm/slow_ops.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::size_t kLarge = 1U << 14U;  // elements
+
+std::size_t elements_of(const Obj& object) {
+  if (object.kind == ObjKind::kList) return static_cast<const ListObj&>(object).size;
+  if (object.kind != ObjKind::kMatrix) return 0;
+  const auto& matrix = static_cast<const MatrixObj&>(object);
+  return std::size_t{matrix.rows} * matrix.cols;
+}
+
+// The references in it are counted only as far as they are copied: the others are null.
+ListObj* copy_of(VmState& state, const ListObj& old) {
+  ListObj* list = state.heap.new_list(old.size, old.holds_references());
+  if (list == nullptr) {
+    raise_out_of_memory(state);
+    return nullptr;
+  }
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    copy_slots(list->data + begin, old.data + begin, end - begin, old.holds_references());
+  };
+  if (in_blocks(state.vm, old.size, 4, copy)) return list;
+  state.heap.release(list);
+  return nullptr;
+}
+
+MatrixObj* copy_of(VmState& state, const MatrixObj& old) {
+  MatrixObj* matrix = state.heap.new_matrix(old.rows, old.cols);
+  if (matrix == nullptr) {
+    raise_out_of_memory(state);
+    return nullptr;
+  }
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    std::memcpy(matrix->data() + begin, old.data() + begin, (end - begin) * sizeof(double));
+  };
+  if (in_blocks(state.vm, elements_of(old), 4, copy)) return matrix;
+  state.heap.release(matrix);
+  return nullptr;
+}
+
+}  // namespace
+
+bool copy_to_own(VmState& state, Slot& place) {
+  Obj* old = place.o;
+  const std::size_t count = elements_of(*old);
+  if (count < kLarge) {
+    return (charge_work(state.vm, count)) &&
+           (copy_shared(state.heap, place) || raise_out_of_memory(state));
+  }
+  Obj* copy = old->kind == ObjKind::kList
+                  ? static_cast<Obj*>(copy_of(state, *static_cast<ListObj*>(old)))
+                  : copy_of(state, *static_cast<MatrixObj*>(old));
+  if (copy == nullptr) return false;
+  --old->refs;  // it is shared, so it stays alive
+  place.o = copy;
+  return true;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,188 @@
+// Texts: comparing, cutting, joining, and the texts of values.
+
+#include <algorithm>
+#include <cstring>
+
+#include "armlet/interpreter/work.hpp"
+#include "format_value.hpp"
+#include "vm/failures.hpp"
+#include "vm/slow_ops.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+TextObj& text_in(Slot s) { return *static_cast<TextObj*>(s.o); }
+
+void set_reference(VmState& state, Slot& place, Obj* object) {
+  Obj* old = place.o;
+  place.o = object;
+  state.heap.release(old);
+}
+
+}  // namespace
+
+bool op_cmptext(VmState& state, Slot* base, const Instr* pc) {
+  const std::string_view a = text_in(base[pc->b]).view();
+  const std::string_view b = text_in(base[pc->c]).view();
+  const std::size_t common = std::min(a.size(), b.size());
+  int order = 0;
+  const auto compare = [&](std::size_t begin, std::size_t end) {
+    order = a.substr(begin, end - begin).compare(b.substr(begin, end - begin));
+    return order == 0;
+  };
+  if (!in_blocks(state.vm, common, 1, compare) && order == 0) return false;
+  if (order == 0) order = (a.size() > b.size() ? 1 : 0) - (a.size() < b.size() ? 1 : 0);
+  base[pc->a].i = (order > 0 ? 1 : 0) - (order < 0 ? 1 : 0);
+  return true;
+}
+
+bool count_characters(VmState& state, TextObj& text) {
+  if (text.characters != TextObj::kUncounted) return true;
+  std::uint32_t count = 0;
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    count += characters_in(text.view().substr(begin, end - begin));
+  };
+  if (!in_blocks(state.vm, text.size, 1, add)) return false;
+  text.characters = count;
+  return true;
+}
+
+// Byte offset of character `index` <= the number of characters, looked for from one that is known.
+static bool find_character(VmState& state, TextObj& text, std::uint32_t index,
+                           std::uint32_t from_index, std::uint32_t from, std::uint32_t& offset) {
+  if (text.characters == text.size) {
+    offset = index;
+    return true;
+  }
+  offset = text.size;
+  std::uint32_t left = index - from_index;
+  const auto search = [&](std::size_t begin, std::size_t end) {
+    const std::string_view block = text.view().substr(from + begin, end - begin);
+    const std::uint32_t inside = characters_in(block);
+    if (inside <= left) {
+      left -= inside;
+      return true;
+    }
+    offset = from + static_cast<std::uint32_t>(begin) + offset_in(block, left);
+    return false;
+  };
+  return in_blocks(state.vm, text.size - from, 1, search) || offset != text.size;
+}
+
+// A piece of a text whose characters have been counted; null: the failure is set.
+static Obj* part_of_text(VmState& state, TextObj& text, std::uint32_t first, std::uint32_t last) {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  if (!find_character(state, text, first, 0, 0, begin) ||
+      !find_character(state, text, last, first, begin, end)) {
+    return nullptr;
+  }
+  const auto byte = begin < text.size ? static_cast<unsigned char>(text.data()[begin]) : 0U;
+  if (end - begin == 1 && byte < 128) {
+    Obj* shared = state.character(static_cast<unsigned char>(byte));
+    retain_object(shared);
+    if (shared == nullptr) raise_out_of_memory(state);
+    return shared;
+  }
+  TextMaker piece(state.vm);
+  return piece.add(text.view().substr(begin, end - begin)) ? piece.take() : nullptr;
+}
+
+static bool put_part(VmState& state, Slot& place, Obj* part) {
+  if (part == nullptr) return false;
+  set_reference(state, place, part);
+  return true;
+}
+
+bool op_slicetext(VmState& state, Slot* base, const Instr* pc) {
+  TextObj& text = text_in(base[pc->b]);
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  if (!count_characters(state, text)) return false;
+  if (!slice_ends(state, base + pc->c, character_count(text), "text", first, last)) return false;
+  return put_part(state, base[pc->a], part_of_text(state, text, first, last));
+}
+
+bool op_charat(VmState& state, Slot* base, const Instr* pc) {
+  TextObj& text = text_in(base[pc->b]);
+  const std::int64_t index = base[pc->c].i;
+  if (!count_characters(state, text)) return false;
+  if (static_cast<std::uint64_t>(index) >= character_count(text)) {
+    return raise_index(state, index, character_count(text), "text");
+  }
+  const auto at = static_cast<std::uint32_t>(index);
+  return put_part(state, base[pc->a], part_of_text(state, text, at, at + 1));
+}
+
+bool op_totext(VmState& state, Slot* base, const Instr* pc) {
+  TextMaker text(state.vm);
+  if (!write_value(state.vm, text, base[pc->b], state.program.formats[pc->c])) return false;
+  set_reference(state, base[pc->a], text.take());
+  return true;
+}
+
+bool op_concat(VmState& state, Slot* base, const Instr* pc) {
+  const Slot* parts = base + pc->b;
+  std::size_t size = 0;
+  for (int i = 0; i < pc->c; ++i) size += text_in(parts[i]).size;
+  TextObj* whole = state.heap.new_text_buffer(size);
+  if (whole == nullptr) return raise_out_of_memory(state);
+  char* to = whole->data();
+  for (int i = 0; i < pc->c; ++i) {
+    const TextObj& part = text_in(parts[i]);
+    const auto copy = [&](std::size_t begin, std::size_t end) {
+      std::memcpy(to + begin, part.data() + begin, end - begin);
+    };
+    if (!in_blocks(state.vm, part.size, 1, copy)) {
+      state.heap.release(whole);
+      return false;
+    }
+    to += part.size;
+  }
+  set_reference(state, base[pc->a], whole);
+  return true;
+}
+
+// There is room for all of it.
+static bool append_in_blocks(VmState& state, TextObj& text, const TextObj& tail) {
+  const std::uint32_t before = text.size;
+  const std::uint32_t more = tail.size;
+  text.characters = TextObj::kUncounted;
+  return in_blocks(state.vm, more, 1, [&](std::size_t begin, std::size_t end) {
+    std::memcpy(text.data() + before + begin, tail.data() + begin, end - begin);
+    text.size = before + static_cast<std::uint32_t>(end);
+  });
+}
+
+// The tail has been taken up to its end only if that was not refused.
+bool append_slowly(VmState& state, Slot& place, const TextObj& tail) {
+  Heap& heap = state.heap;
+  const std::uint64_t size = std::uint64_t{text_in(place).size} + tail.size;
+  const bool doubles = &tail == place.o;
+  if (place.o->refs != 1 || size > text_in(place).capacity) {
+    TextObj* whole = heap.new_text_buffer(size + size / 2);
+    if (whole == nullptr) whole = heap.new_text_buffer(size);
+    if (whole == nullptr) return raise_out_of_memory(state);
+    const TextObj& old = text_in(place);
+    whole->size = old.size;
+    const auto copy = [&](std::size_t begin, std::size_t end) {
+      std::memcpy(whole->data() + begin, old.data() + begin, end - begin);
+    };
+    if (!in_blocks(state.vm, old.size, 1, copy)) {
+      heap.release(whole);
+      return false;
+    }
+    // The old text may be the tail: it is needed a little longer.
+    if (doubles) retain_object(place.o);
+    Obj* kept = doubles ? place.o : nullptr;
+    set_reference(state, place, whole);
+    const bool done =
+        append_in_blocks(state, *whole, kept != nullptr ? text_in({.o = kept}) : tail);
+    heap.release(kept);
+    return done;
+  }
+  return append_in_blocks(state, text_in(place), tail);
+}
+
+}  // namespace armlet::lang

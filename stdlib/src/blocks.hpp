@@ -1,0 +1,54 @@
+#pragma once
+// Lists made element by element and numbers looked through, in blocks that count as work.
+
+#include <cstdint>
+#include <span>
+
+#include "armlet/interpreter/work.hpp"
+
+namespace armlet::bind {
+
+// Operations for reading, computing and writing an element that is cheap to compute.
+inline constexpr unsigned kCost = 4;
+// The same where a function such as the sine is computed, or a number is made a text.
+inline constexpr unsigned kFunctionCost = 32;
+
+// A list of `count` elements, each set by make(slot, i), as the result; references are counted
+// here.
+template <class F>
+Signal give_items(Vm& vm, Slot* args, std::size_t count, bool references, F make,
+                  unsigned cost = kCost) {
+  ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), references);
+  if (list == nullptr) return Signal::kFail;
+  const auto fill = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      make(list->data[i], i);
+      if (references) retain(list->data[i].o);
+    }
+  };
+  if (in_blocks(vm, count, references ? cost + 4 : cost, fill)) return give(args, list);
+  release(vm, list);
+  return Signal::kFail;
+}
+
+template <class F>
+Signal give_numbers(Vm& vm, Slot* args, std::size_t count, F make, unsigned cost = kCost) {
+  return give_items(vm, args, count, false, make, cost);
+}
+
+// The first number that `is_wanted`; `at` is left as it is if there is none. False: the program has
+// to stop and the failure is set.
+template <class F>
+[[nodiscard]] bool find_number(Vm& vm, std::span<const double> xs, std::size_t& at, F is_wanted) {
+  bool found = false;
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !found; ++i) {
+      found = is_wanted(xs[i]);
+      if (found) at = i;
+    }
+    return !found;
+  };
+  return in_blocks(vm, xs.size(), kCost, look) || found;
+}
+
+}  // namespace armlet::bind
