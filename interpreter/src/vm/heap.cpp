@@ -1,14 +1,12 @@
 #include "vm/heap.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 
 namespace armlet::lang {
 
 namespace {
-
-constexpr std::uint64_t kMaxCount = std::numeric_limits<std::uint32_t>::max() - 1;
 
 template <class T>
 T* begin_object(void* block, ObjKind kind) {
@@ -25,7 +23,6 @@ T* begin_object(void* block, ObjKind kind) {
 std::size_t room_of(const ListObj& list) { return list.flags >> 1U; }
 Slot* own_room(ListObj& list) { return reinterpret_cast<Slot*>(&list + 1); }
 
-std::size_t text_bytes(std::uint64_t capacity) { return sizeof(TextObj) + capacity; }
 std::size_t host_bytes(const HostType& type) { return HostObj::kPayloadOffset + type.size; }
 std::size_t matrix_bytes(const MatrixObj& m) {
   return sizeof(MatrixObj) + sizeof(double) * m.rows * m.cols;
@@ -60,6 +57,7 @@ Heap::~Heap() {
 void* Heap::take_slowly(std::size_t units) {
   const std::uint64_t bytes = static_cast<std::uint64_t>(units) * kUnit;
   if (is_refused()) return nullptr;
+  make_way(bytes);
   if (bytes > limit_ || used_ > limit_ - bytes) return nullptr;
   void* block = nullptr;
   if (units < kClasses && free_[units] != nullptr) {
@@ -72,6 +70,13 @@ void* Heap::take_slowly(std::size_t units) {
   return block;
 }
 
+// Dead objects are freed until there is room, and some of them before the heap grows.
+void Heap::make_way(std::uint64_t bytes) {
+  if (dead_ != nullptr) reclaim(kReclaimed);
+  while (dead_ != nullptr && (bytes > limit_ - std::min(limit_, used_) || !has_room(bytes)))
+    reclaim(kReclaimed);
+}
+
 // Fresh pages of the system are zeros.
 void* Heap::take_zeros(std::size_t bytes) {
   const std::size_t units = units_of(bytes);
@@ -81,7 +86,9 @@ void* Heap::take_zeros(std::size_t bytes) {
     if (block != nullptr) std::memset(block, 0, bytes);
     return block;
   }
-  if (is_refused() || size > limit_ || used_ > limit_ - size || !has_room(size)) return nullptr;
+  if (is_refused()) return nullptr;
+  make_way(size);
+  if (size > limit_ || used_ > limit_ - size || !has_room(size)) return nullptr;
   void* block = std::calloc(units, kUnit);
   if (block == nullptr) return nullptr;
   used_ += size;
@@ -90,7 +97,9 @@ void* Heap::take_zeros(std::size_t bytes) {
 }
 
 bool Heap::charge(std::uint64_t bytes) {
-  if (is_refused() || bytes > limit_ || used_ > limit_ - bytes || !has_room(bytes)) return false;
+  if (is_refused()) return false;
+  make_way(bytes);
+  if (bytes > limit_ || used_ > limit_ - bytes || !has_room(bytes)) return false;
   used_ += bytes;
   reserved_ += bytes;
   return true;
@@ -133,6 +142,7 @@ void* Heap::resize(void* block, std::size_t old_bytes, std::size_t new_bytes) {
   const std::size_t new_units = units_of(new_bytes);
   if (block != nullptr && old_units == new_units) return block;
   if (block != nullptr && old_units >= kClasses && new_units >= kClasses && refuse_from_ == 0) {
+    if (new_units > old_units) make_way((new_units - old_units) * kUnit);
     const std::uint64_t others = used_ - old_units * kUnit;
     if (new_units * kUnit > limit_ || others > limit_ - new_units * kUnit) return nullptr;
     if (new_units > old_units && !has_room((new_units - old_units) * kUnit)) return nullptr;
@@ -294,14 +304,36 @@ Obj* Heap::bury_children(const Slot* slots, std::uint32_t count, Obj* waiting) {
 }
 
 void Heap::destroy(Obj* object) {
-  link_dead(object, nullptr);
-  for (Obj* waiting = object; waiting != nullptr;) {
+  link_dead(object, dead_);
+  dead_ = object;
+  reclaim(kReclaimed);
+}
+
+void Heap::drain() {
+  while (dead_ != nullptr) reclaim(kReclaimed);
+}
+
+// A part of a long list, from its end; what is left of it waits with the others.
+Obj* Heap::bury_elements(ListObj& list, std::size_t most, Obj* waiting) {
+  const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(list.size, most));
+  list.size -= count;
+  if (list.size > 0) {
+    link_dead(&list, waiting);
+    waiting = &list;
+  }
+  return bury_children(list.data + list.size, count, waiting);
+}
+
+void Heap::reclaim(std::size_t most) {
+  Obj* waiting = dead_;
+  for (; waiting != nullptr && most > 0; --most) {
     Obj* dead = waiting;
     waiting = linked_dead(dead);
     switch (dead->kind) {
       case ObjKind::kList:
-        if (const auto* list = static_cast<ListObj*>(dead); list->holds_references()) {
-          waiting = bury_children(list->data, list->size, waiting);
+        if (auto* list = static_cast<ListObj*>(dead); list->holds_references()) {
+          waiting = bury_elements(*list, kReclaimed, waiting);
+          if (list->size > 0) continue;
         }
         break;
       case ObjKind::kRecord: {
@@ -329,6 +361,7 @@ void Heap::destroy(Obj* object) {
     }
     free_object(dead);
   }
+  dead_ = waiting;
 }
 
 // ---- copy on write --------------------------------------------------------------------------
@@ -385,88 +418,6 @@ bool reserve_list(Heap& heap, ListObj& list, std::uint64_t capacity) {
   list.data = static_cast<Slot*>(data);
   list.capacity = static_cast<std::uint32_t>(wanted);
   return true;
-}
-
-// ---- text -----------------------------------------------------------------------------------
-
-bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
-  auto* text = static_cast<TextObj*>(place.o);
-  const std::uint64_t size = std::uint64_t{text->size} + tail.size;
-  if (size > kMaxCount) return false;
-  const bool shared = text->refs != 1;
-  const bool doubles = &tail == text;
-  if (shared || size > text->capacity) {
-    std::uint64_t capacity = size + size / 2;
-    if (capacity > kMaxCount) capacity = size;
-    TextObj* grown = shared ? heap.new_text_buffer(capacity)
-                            : static_cast<TextObj*>(heap.resize(text, text_bytes(text->capacity),
-                                                                text_bytes(capacity)));
-    if (grown == nullptr) return false;
-    if (shared) {
-      std::memcpy(grown->data(), text->data(), text->size);
-      grown->size = text->size;
-      --text->refs;
-    }
-    grown->capacity = static_cast<std::uint32_t>(capacity);
-    text = grown;
-    place.o = grown;
-  }
-  const char* from = doubles ? text->data() : tail.data();
-  std::memmove(text->data() + text->size, from, size - text->size);
-  text->size = static_cast<std::uint32_t>(size);
-  text->characters = TextObj::kUncounted;
-  return true;
-}
-
-TextObj* append_bytes(Heap& heap, TextObj* text, std::string_view piece) {
-  if (text == nullptr) return heap.new_text(piece);
-  const std::uint64_t size = std::uint64_t{text->size} + piece.size();
-  if (size > text->capacity) {
-    std::uint64_t capacity = size + size / 2;
-    if (capacity > kMaxCount) capacity = size;
-    void* grown = size > kMaxCount
-                      ? nullptr
-                      : heap.resize(text, text_bytes(text->capacity), text_bytes(capacity));
-    // A third less than asked for may still fit.
-    if (grown == nullptr && size <= kMaxCount) {
-      capacity = size;
-      grown = heap.resize(text, text_bytes(text->capacity), text_bytes(capacity));
-    }
-    if (grown == nullptr) {
-      heap.release(text);
-      return nullptr;
-    }
-    text = static_cast<TextObj*>(grown);
-    text->capacity = static_cast<std::uint32_t>(capacity);
-  }
-  if (!piece.empty()) std::memcpy(text->data() + text->size, piece.data(), piece.size());
-  text->size = static_cast<std::uint32_t>(size);
-  text->characters = TextObj::kUncounted;
-  return text;
-}
-
-static bool starts_character(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-}
-
-std::uint32_t characters_in(std::string_view piece) {
-  std::uint32_t count = 0;
-  for (const char byte : piece) count += starts_character(byte) ? 1 : 0;
-  return count;
-}
-
-std::uint32_t offset_in(std::string_view piece, std::uint32_t index) {
-  std::uint32_t seen = 0;
-  std::uint32_t at = 0;
-  for (; at < piece.size(); ++at) {
-    if (starts_character(piece[at]) && seen++ == index) break;
-  }
-  return at;
-}
-
-std::uint32_t character_count(TextObj& text) {
-  if (text.characters == TextObj::kUncounted) text.characters = characters_in(text.view());
-  return text.characters;
 }
 
 }  // namespace armlet::lang

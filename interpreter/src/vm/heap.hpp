@@ -4,7 +4,8 @@
 // blocks of one size are of no use for another.
 //
 // Small blocks come from free lists, one per size; large ones from malloc. Destroying an object
-// never recurses: dead objects wait in a list threaded through their own headers.
+// never recurses: dead objects wait in a list threaded through their own headers. Of many only some
+// are freed at once, the others when the next ones die or memory is needed.
 
 #include <cstddef>
 #include <cstdint>
@@ -78,6 +79,9 @@ class Heap {
   [[nodiscard]] BoxObj* new_box(bool reference);          // holds zero
   [[nodiscard]] HostObj* new_host(const HostType& type);  // payload not constructed
 
+  // Frees all dead objects that are still waiting.
+  void drain();
+
   [[nodiscard]] std::uint64_t used() const { return used_; }
   [[nodiscard]] std::uint64_t limit() const { return limit_; }
 
@@ -123,6 +127,7 @@ class Heap {
   static constexpr std::uint64_t kShortList =
       16;  // longer ones have their elements in a block of their own
   static constexpr std::uint64_t kReserve = 64 * 1024;
+  static constexpr std::size_t kReclaimed = 1024;  // dead objects that are freed in one go
 
   static std::size_t units_of(std::size_t bytes) { return (bytes + kUnit - 1) / kUnit; }
   // While allocations are counted for a test, the fast way is shut.
@@ -138,11 +143,15 @@ class Heap {
   [[nodiscard]] bool has_room(std::size_t bytes) const;
   [[nodiscard]] void* reserve(std::size_t bytes);
   void destroy(Obj* object);
+  void reclaim(std::size_t most);
+  void make_way(std::uint64_t bytes);
+  Obj* bury_elements(ListObj& list, std::size_t most, Obj* waiting);
   Obj* bury(Obj* object, Obj* waiting);
   Obj* bury_children(const Slot* slots, std::uint32_t count, Obj* waiting);
   void free_object(Obj* object);
 
   FreeBlock* free_[kClasses] = {};
+  Obj* dead_ = nullptr;  // waiting to be freed
   std::uint64_t used_ = 0;
   std::uint64_t limit_;
   std::uint64_t gate_;
@@ -154,6 +163,12 @@ class Heap {
   std::uint64_t refused_ = 0;
   std::uint64_t attempts_ = 0;
 };
+
+// Elements and bytes that an object holds at most.
+inline constexpr std::uint64_t kMaxCount = 0xFFFFFFFEULL;
+[[nodiscard]] constexpr std::size_t text_bytes(std::uint64_t capacity) {
+  return sizeof(TextObj) + capacity;
+}
 
 inline void retain_object(Obj* object) {
   if (object != nullptr) ++object->refs;

@@ -103,6 +103,7 @@ void VmState::clear() {
     heap.release(text);
     text = nullptr;
   }
+  heap.drain();
 }
 
 const RecordLayout& VmState::layout_of(const Type* record) {

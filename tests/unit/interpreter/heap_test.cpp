@@ -74,6 +74,8 @@ TEST_CASE("a chain of a million lists is destroyed without recursion") {
   Obj* chain = heap.new_list(0, true);
   for (int i = 0; i < 1'000'000; ++i) chain = list_of(heap, chain);
   heap.release(chain);
+  CHECK(heap.used() > 0);  // only some of it at once
+  heap.drain();
   CHECK(heap.used() == 0);
 }
 
@@ -86,6 +88,35 @@ TEST_CASE("an object with two owners survives the first") {
   CHECK(text->refs == 1);
   CHECK(text->view() == "shared");
   heap.release(text);
+  CHECK(heap.used() == 0);
+}
+
+TEST_CASE("what is dead is freed bit by bit, and when memory is needed") {
+  Heap heap(24'000'000);
+  // A list of many, and a chain.
+  ListObj* many = heap.new_list(200'000, true);
+  for (std::uint32_t i = 0; i < many->size; ++i) many->data[i].o = heap.new_text("item");
+  Obj* chain = heap.new_list(0, true);
+  for (int i = 0; i < 200'000; ++i) chain = list_of(heap, chain);
+  const std::uint64_t full = heap.used();
+  heap.release(many);
+  heap.release(chain);
+  CHECK(heap.used() > full / 2);
+  // More dead ones free more than themselves.
+  for (int i = 0; i < 20; ++i) heap.release(heap.new_text("another"));
+  const std::uint64_t less = heap.used();
+  CHECK(less < full);
+  // These have room only where the dead ones were.
+  ListObj* others = heap.new_list(400'000, true);
+  REQUIRE(others != nullptr);
+  bool all = true;
+  for (std::uint32_t i = 0; i < others->size; ++i) {
+    others->data[i].o = heap.new_text("item");
+    all = all && others->data[i].o != nullptr;
+  }
+  CHECK(all);
+  heap.release(others);
+  heap.drain();
   CHECK(heap.used() == 0);
 }
 
