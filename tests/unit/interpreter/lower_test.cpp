@@ -15,8 +15,7 @@ using hir::Op;
 namespace {
 
 Signal show(Vm& vm, Slot* args) {
-  vm.print(std::to_string(args[0].i) + "\n");
-  return give_nothing();
+  return vm.print(std::to_string(args[0].i) + "\n") ? give_nothing() : Signal::kFail;
 }
 const NativeFunction kShow = {.name = "show",
                               .signature = "(x: int) -> void",
