@@ -1,8 +1,11 @@
 #include "armlet/interpreter/engine.hpp"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 
+#include "armlet/core/error.hpp"
 #include "compile/pipeline.hpp"
 #include "compile/program.hpp"
 #include "registry.hpp"
@@ -17,24 +20,50 @@ Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
+namespace {
+
+[[noreturn]] void refuse_again(std::string_view what, std::string_view name) {
+  throw ArgumentError("The " + std::string(what) + " `" + std::string(name) +
+                      "` is known to this engine already.");
+}
+
+}  // namespace
+
 Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::string_view chapter) {
+  std::set<std::pair<std::string_view, std::string_view>> met;
+  for (const NativeFunction& function : functions) {
+    const auto is_it = [&](const NativeFunction* other) {
+      return other->signature == function.signature;
+    };
+    if (!met.emplace(function.name, function.signature).second ||
+        std::ranges::any_of(registry_->functions(function.name), is_it)) {
+      refuse_again("function", std::string(function.name) + std::string(function.signature));
+    }
+  }
   registry_->add_chapter({chapter, functions, {}});
   for (const NativeFunction& function : functions) registry_->add_function(function);
   return *this;
 }
 
 Engine& Engine::add_constants(std::span<const NativeConstant> constants, std::string_view chapter) {
+  std::set<std::string_view> met;
+  for (const NativeConstant& constant : constants) {
+    if (!met.insert(constant.name).second || registry_->constant(constant.name) != nullptr)
+      refuse_again("constant", constant.name);
+  }
   registry_->add_chapter({chapter, {}, constants});
   for (const NativeConstant& constant : constants) registry_->add_constant(constant);
   return *this;
 }
 
 Engine& Engine::add_type(const HostType& type) {
+  if (registry_->type(type.name) != nullptr) refuse_again("type", type.name);
   registry_->add_type(type);
   return *this;
 }
 
 Engine& Engine::add_record(std::string_view name, std::string_view fields) {
+  if (registry_->records().contains(name)) refuse_again("record", name);
   registry_->add_record(name, fields);
   return *this;
 }

@@ -16,6 +16,11 @@ Host::Host(HostOptions options) : options_(std::move(options)), cell_(World(0.0)
   for (const NamedPlanner& own : options_.planners) planners_.add(own.name, own.plan, own.through);
 }
 
+void Host::refuse_no_host() {
+  throw ArgumentError(
+      "this program runs without a cell: the host has to set VmOptions::host, or to use a Session");
+}
+
 Result<int> Host::add_robot(std::shared_ptr<const Robot> robot) {
   try {
     return cell_.add_robot(std::move(robot));

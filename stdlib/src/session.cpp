@@ -1,11 +1,64 @@
 #include "armlet/stdlib/session.hpp"
 
+#include <thread>
 #include <utility>
 
 #include "armlet/backend/fan_out.hpp"
+#include "armlet/core/error.hpp"
 
 namespace armlet {
 namespace {
+
+// One run at a time; what somebody wished of it ends with it, however it ends.
+class OneRun {
+ public:
+  OneRun(std::atomic<bool>& is_running, std::atomic<bool>& cancelled)
+      : is_running_(is_running), cancelled_(cancelled) {
+    if (is_running_.exchange(true))
+      throw ArgumentError("The session runs already; use another one.");
+  }
+  ~OneRun() {
+    cancelled_.store(false);
+    is_running_.store(false);
+  }
+  OneRun(const OneRun&) = delete;
+  OneRun& operator=(const OneRun&) = delete;
+
+ private:
+  std::atomic<bool>& is_running_;
+  std::atomic<bool>& cancelled_;
+};
+
+// The machine that `cancel` reaches. It goes only when nobody is about to touch it.
+class InReach {
+ public:
+  InReach(Vm& vm, std::atomic<Vm*>& running, const std::atomic<int>& cancelling)
+      : running_(running), cancelling_(cancelling) {
+    running_.store(&vm);
+  }
+  ~InReach() {
+    running_.store(nullptr);
+    while (cancelling_.load() != 0) std::this_thread::yield();
+  }
+  InReach(const InReach&) = delete;
+  InReach& operator=(const InReach&) = delete;
+
+ private:
+  std::atomic<Vm*>& running_;
+  const std::atomic<int>& cancelling_;
+};
+
+// The cell tells the backend until this goes.
+class Listening {
+ public:
+  Listening(Cell& cell, Backend* backend) : cell_(cell) { cell_.set_backend(backend); }
+  ~Listening() { cell_.set_backend(nullptr); }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+
+ private:
+  Cell& cell_;
+};
 
 // A program may end while a robot still slows down after a velocity command.
 void come_to_rest(Host& host) {
@@ -57,7 +110,23 @@ bool Session::fill_world(Host& host, const WorldText& world) {
   return false;
 }
 
+const SourceSet& Session::sources() const {
+  if (compilation_.sources == nullptr)
+    throw ArgumentError("A session has no sources before its first compile().");
+  return *compilation_.sources;
+}
+
+void Session::cancel() noexcept {
+  cancelled_.store(true);
+  cancelling_.fetch_add(1);
+  if (Vm* vm = running_.load()) vm->cancel();
+  cancelling_.fetch_sub(1);
+}
+
 bool Session::compile(std::string text, std::string name) {
+  if (is_running_.load())
+    throw ArgumentError("A session cannot compile while its program runs; use another one.");
+  can_run_ = false;
   problems_.clear();
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     auto sources = std::make_shared<SourceSet>();
@@ -77,15 +146,21 @@ bool Session::compile(std::string text, std::string name) {
     problems_.push_back({d, compilation_.sources});
   wants_default_world_ = !options_.world && host->has_world();
   declared_objects_ = host->skipped_names();
-  return world_is_well && compilation_.program != nullptr;
+  can_run_ = world_is_well && compilation_.program != nullptr;
+  return can_run_;
 }
 
 RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
+  if (!can_run_) {
+    throw ArgumentError(
+        "There is no program to run: compile() was not called, or has found mistakes.");
+  }
+  const OneRun one_run(is_running_, cancelled_);
   host_ = make_host(true);
   if (wants_default_world_) host_->want_world(declared_objects_);
   FanOut fan_out(options_.backends);
   Cell& cell = host_->cell();
-  if (!options_.backends.empty()) cell.set_backend(&fan_out);
+  const Listening listening(cell, options_.backends.empty() ? nullptr : &fan_out);
   const Program& program = *compilation_.program;
   cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
                            !program.mentions("release"));
@@ -100,14 +175,12 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
   };
   vm_options.advice = options_.advice;
   Vm vm(compilation_.program, std::move(vm_options));
-  running_.store(&vm);
+  const InReach in_reach(vm, running_, cancelling_);
   if (cancelled_.load()) vm.cancel();
   RunResult result = start(vm);
   if (result.status == RunStatus::kDone) come_to_rest(*host_);
-  running_.store(nullptr);
   for (const Figure& figure : host_->figures()) cell.figure(figure);
   cell.end();
-  cell.set_backend(nullptr);
   return result;
 }
 
@@ -116,11 +189,6 @@ RunResult Session::run() {
 }
 RunResult Session::run_test(std::size_t index) {
   return run_with([index](Vm& vm) { return vm.run_test(index); });
-}
-
-void Session::cancel() noexcept {
-  cancelled_.store(true);
-  if (Vm* vm = running_.load()) vm->cancel();
 }
 
 }  // namespace armlet

@@ -1,7 +1,12 @@
 #include "vm/failures.hpp"
 
-#include <algorithm>
+#include <cxxabi.h>
 
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/catalog.hpp"
 #include "format_value.hpp"
 #include "vm/interpret.hpp"
@@ -192,6 +197,60 @@ bool raise(VmState& state, const Failure& failure) {
   raise(state, diagnostic_of(state, failure));
   if (!failure.kind.empty()) state.fault->kind = failure.kind;
   return false;
+}
+
+namespace {
+
+// "`grasp`", for the native function whose call the task is at.
+std::string native_name(const VmState& state, const Task& task) {
+  const Frame* frame = innermost(task);
+  if (frame == nullptr || frame->pc == frame->callee->code) return "a function of the host";
+  const Instr& call = frame->pc[-1];
+  switch (call.op) {
+    case OpCode::CALLN:
+      return '`' + std::string(state.natives[call.b]->name) + '`';
+    case OpCode::CALLD1:
+    case OpCode::CALLD2:
+    case OpCode::CALLD3:
+      return '`' + std::string(state.natives[call.c]->name) + '`';
+    default:
+      return "a function of the host";
+  }
+}
+
+// What the exception that is being handled says; empty if it is that of a kernel that was stopped,
+// whose failure is set.
+std::string thrown_words() {
+  try {
+    throw;
+  } catch (const Stopped&) {
+    return {};
+  } catch (const abi::__forced_unwind&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return "there is not enough memory";
+  } catch (const std::exception& error) {
+    const std::string words = error.what();
+    return words.empty() ? "it says nothing" : words;
+  } catch (...) {
+    return "it threw what is no std::exception";
+  }
+}
+
+}  // namespace
+
+void raise_thrown(VmState& state, Task& task) {
+  const std::string words = thrown_words();
+  state.pending.reset();
+  state.running = &task;
+  if (!words.empty() || state.fault == nullptr)
+    raise(state, "R0626", {native_name(state, task) + " failed: " + words});
+}
+
+bool require_failure(VmState& state) {
+  if (state.fault != nullptr) return false;
+  return raise(state, "R0626",
+               {native_name(state, *state.running) + " failed and did not say why"});
 }
 
 // "1024 MB", "100 bytes".

@@ -44,6 +44,12 @@ bool raise(VmState& state, std::string_view code, const std::vector<std::string>
 [[nodiscard]] Diagnostic diagnostic_of(const VmState& state, const Failure& failure);
 bool raise(VmState& state, const Failure& failure);
 
+// In the handler of an exception that a function of the host has thrown while the task ran: its
+// words become a failure of the program (R0626). The end of a thread goes on as it was.
+void raise_thrown(VmState& state, Task& task);
+// A native function has failed: it should have said why.
+bool require_failure(VmState& state);
+
 bool raise_out_of_memory(VmState& state);
 bool raise_out_of_output(VmState& state);
 bool raise_out_of_steps(VmState& state);

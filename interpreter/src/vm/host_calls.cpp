@@ -1,7 +1,11 @@
 // Calls of the program by the host.
 
 #include <algorithm>
+#include <string>
 
+#include "armlet/core/error.hpp"
+#include "armlet/interpreter/script_function.hpp"
+#include "vm/checked.hpp"
 #include "vm/failures.hpp"
 #include "vm/interpret.hpp"
 #include "vm/slow_ops.hpp"
@@ -77,13 +81,16 @@ bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
 bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
   const std::uint32_t depth = options.limits.call_depth;
   if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, ample_slots(depth));
-  Task* before = running;
+  struct Restore {
+    Task*& running;
+    Task* before;
+    ~Restore() { running = before; }
+  };
+  const Restore restore{running, running};
   running = condition_task.get();
   running->parent = &owner;
   running->host_data = owner.host_data;
-  const bool done = vm.call(function, {}, result);
-  running = before;
-  return done;
+  return vm.call(function, {}, result);
 }
 
 bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
@@ -96,12 +103,49 @@ bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
 }  // namespace lang
 
 // A window always has room for arguments (vm/task.cpp), even when there is none for the frames.
+namespace {
+
+// The machine, when its program may be called here and now.
+lang::VmState& require_running(lang::VmState& state) {
+  if (state.thread == lang::this_thread()) [[likely]]
+    return state;
+  throw ArgumentError(
+      state.thread == nullptr
+          ? "Functions of a program can be called only while it runs."
+          : "Functions of a program can be called only by the thread that runs it.");
+}
+
+const ClosureObj* require_function(const Obj* function) {
+  if (function == nullptr || function->kind != ObjKind::kClosure)
+    throw ArgumentError("What is to be called is no function value of the program.");
+  return static_cast<const ClosureObj*>(function);
+}
+
+std::string function_name(const lang::Callee& callee) {
+  const std::string& name = callee.function->name;
+  return name.empty() ? "The function" : '`' + name + '`';
+}
+
+const lang::Callee& callee_of(const lang::VmState& state, const Obj* function) {
+  return state.callees[require_function(function)->function];
+}
+
+void require_count(const lang::Callee& callee, std::size_t arguments) {
+  const std::size_t parameters = callee.function->function->parameters.size();
+  if (arguments == parameters) return;
+  throw ArgumentError(function_name(callee) + " has " + std::to_string(parameters) +
+                      " parameters; it was called with " + std::to_string(arguments) +
+                      " arguments.");
+}
+
+}  // namespace
+
 PreparedCall::PreparedCall(Vm& vm, Obj* function)
-    : state_(vm.state()),
+    : state_(require_running(vm.state())),
       task_(*state_.running),
       below_(task_.top),
       window_(lang::window_above(*below_)),
-      callee_(&state_.callees[static_cast<ClosureObj*>(function)->function]),
+      callee_(&callee_of(state_, function)),
       function_(static_cast<ClosureObj*>(function)) {
   code_ = callee_->code;
   const bool has_room = lang::has_room(task_, below_, window_) ||
@@ -126,8 +170,8 @@ PreparedCall::Outcome PreparedCall::run() const {
   lang::Left left{};
   try {
     left = lang::interpret(state, task_, below_ + 2, window_, code_);
-  } catch (const Stopped&) {
-    left = lang::resume_stopped(state, task_);
+  } catch (...) {
+    left = lang::resume_thrown(state, task_);
   }
   if (left.exit != lang::Exit::kDone) [[unlikely]]
     return {false};
@@ -135,8 +179,28 @@ PreparedCall::Outcome PreparedCall::run() const {
   return {true, left.result};
 }
 
+void require_types(Vm& vm, const Obj* function, std::span<const Kind> parameters, Kind result) {
+  const lang::Callee& callee = callee_of(vm.state(), function);
+  const lang::hir::Function& declared = *callee.function->function;
+  const auto is = [](const Type* type, Kind kind) {
+    return type->is(kind) || (kind == Kind::kInt && type->is(Kind::kEnum));
+  };
+  require_count(callee, parameters.size());
+  bool fits = is(declared.result, result);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    fits = fits && is(declared.parameters[i]->type, parameters[i]);
+  if (fits) return;
+  throw ArgumentError(function_name(callee) +
+                      " has other types than the ScriptFunction that calls it.");
+}
+
 bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
   const PreparedCall call(*this, function);
+  const lang::Callee& callee = callee_of(*state_, function);
+  require_count(callee, arguments.size());
+#ifdef ARMLET_CHECKED
+  lang::require_values(*callee.function->function, arguments);
+#endif
   std::ranges::copy(arguments, call.window());
   if (!call.run().done) return false;
   result = *call.window();

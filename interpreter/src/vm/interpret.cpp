@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "armlet/interpreter/work.hpp"
+#include "vm/checked.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 
@@ -76,6 +77,12 @@ inline void clear(Slot* slots, unsigned count) {
     frame->pc = pc + 1; \
     task.top = frame;   \
   } while (false)
+// Costly checks of what functions of the host leave (vm/checked.hpp).
+#ifdef ARMLET_CHECKED
+#define CHECKED_CALL(thunk, args) call_checked(state, *frame, thunk, args)
+#else
+#define CHECKED_CALL(thunk, args) (thunk)(state.vm, args)
+#endif
 // A build that counts no steps shows what counting costs (bench/CMakeLists.txt).
 #ifdef ARMLET_UNCOUNTED
 #define STEP() static_cast<void>(0)
@@ -145,16 +152,20 @@ failed:
 }
 
 // What native functions own goes with the exception, and the frames were saved before the call.
-Left resume_stopped(VmState& state, Task& task) {
-  return unwind(state, task) ? interpret(state, task) : Left{Exit::kFailed};
+Left interpret(VmState& state, Task& task) {
+  while (true) {
+    try {
+      return interpret(state, task, task.top, task.top->base, task.top->pc);
+    } catch (...) {
+      raise_thrown(state, task);
+    }
+    if (!unwind(state, task)) return {Exit::kFailed};
+  }
 }
 
-Left interpret(VmState& state, Task& task) {
-  try {
-    return interpret(state, task, task.top, task.top->base, task.top->pc);
-  } catch (const Stopped&) {
-  }
-  return resume_stopped(state, task);
+Left resume_thrown(VmState& state, Task& task) {
+  raise_thrown(state, task);
+  return unwind(state, task) ? interpret(state, task) : Left{Exit::kFailed};
 }
 
 }  // namespace armlet::lang

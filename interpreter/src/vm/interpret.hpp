@@ -21,12 +21,13 @@ struct Left {
 
 // Runs task.top until the host frame below it is reached.
 //
-// throws  Stopped when a kernel was stopped; the failure is set, and resume_stopped goes on.
+// throws  what functions of the host and kernels throw; the task is as it was when they were
+// called.
 [[nodiscard]] Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc);
-// Goes on after a kernel was stopped: with whoever handles the failure.
-[[nodiscard]] Left resume_stopped(VmState& state, Task& task);
-// The same from task.top on, whatever kernels do.
+// The same from task.top on; what is thrown becomes a failure of the program.
 [[nodiscard]] Left interpret(VmState& state, Task& task);
+// Goes on, in the handler of an exception that came out of the first, with whoever handles it.
+[[nodiscard]] Left resume_thrown(VmState& state, Task& task);
 
 // What a host frame does when the function above it returns.
 extern const Instr kReturnToHost[2];

@@ -109,7 +109,7 @@ bool op_calld_again(VmState& state, Slot* base, const Instr* pc) {
   if (native.thunk == nullptr) {
     scratch[0].d = std::nan("");
   } else if (native.thunk(state.vm, scratch) != Signal::kDone) {
-    return false;
+    return require_failure(state);
   }
   base[pc->a] = scratch[0];
   return true;

@@ -66,6 +66,12 @@ class KernelWork final : public Supervisor {
   std::uint64_t rest_ = 0;  // operations that have not made a whole step
 };
 
+// Tells threads apart for less than asking the system.
+[[nodiscard]] inline const void* this_thread() {
+  static thread_local char mark = 0;
+  return &mark;
+}
+
 struct VmState {
   VmState(Vm& vm, const CompiledProgram& program, const VmOptions& options);
   ~VmState();
@@ -103,6 +109,7 @@ struct VmState {
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
   bool has_run = false;
+  const void* thread = nullptr;  // that runs the program (this_thread); null: none does
   std::uint64_t output_left;
 
   // Makes the objects of the program's literals. False: the heap is full.

@@ -156,6 +156,15 @@ Exit Scheduler::resume(Task& task) {
   return interpret(state_, task).exit;
 }
 
+bool Scheduler::finish(Waiting& waiting, Slot& result) {
+  try {
+    return waiting.finish(state_.vm, result) == Signal::kDone || require_failure(state_);
+  } catch (...) {
+    raise_thrown(state_, *state_.running);
+  }
+  return false;
+}
+
 std::int64_t Scheduler::next_instant() const {
   const Timeline& timeline = state_.vm.timeline();
   const std::int64_t now = timeline.now_ns();
@@ -181,14 +190,6 @@ std::int64_t Scheduler::next_instant() const {
   return next;
 }
 
-bool Scheduler::finish(Waiting& waiting, Slot& result) {
-  try {
-    return waiting.finish(state_.vm, result) == Signal::kDone;
-  } catch (const Stopped&) {  // the failure is set
-    return false;
-  }
-}
-
 // The world moves on as a whole: what it computes is not stopped half way.
 bool Scheduler::advance_to(std::int64_t t_ns) {
   const Supervised nobody(nullptr);
@@ -202,7 +203,14 @@ Exit Scheduler::advance() {
     fail_everywhere("R0621", {}, waited_for());
     return Exit::kPaused;
   }
-  if (advance_to(next)) return Exit::kPaused;
+  try {
+    if (advance_to(next)) return Exit::kPaused;
+  } catch (...) {
+    if (state_.is_leaving) return abandon();
+    raise_thrown(state_, state_.main);
+    tree_.interrupt(state_.main, std::move(state_.fault));
+    return Exit::kPaused;
+  }
   return state_.is_leaving ? abandon() : stop();
 }
 

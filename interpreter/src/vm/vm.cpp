@@ -35,6 +35,20 @@ RunResult refuse_second_run() {
   return result;
 }
 
+// The program belongs to this thread while it runs.
+class OnThisThread {
+ public:
+  explicit OnThisThread(lang::VmState& state) : state_(state) {
+    state_.thread = lang::this_thread();
+  }
+  ~OnThisThread() { state_.thread = nullptr; }
+  OnThisThread(const OnThisThread&) = delete;
+  OnThisThread& operator=(const OnThisThread&) = delete;
+
+ private:
+  lang::VmState& state_;
+};
+
 RunResult finish_run(lang::VmState& state, lang::Exit exit) {
   RunResult result;
   state.steps.settle();
@@ -49,21 +63,33 @@ RunResult finish_run(lang::VmState& state, lang::Exit exit) {
 }
 
 // Functions of the library call the program, which calls functions of the library, and so on.
-RunResult run_function(lang::VmState& state, std::uint32_t function) {
+RunResult start(lang::VmState& state, std::uint32_t function) {
   RunResult result;
+  const OnThisThread here(state);
   on_ample_stack([&] {
     const Supervised kernels(&state.kernels);
-    lang::Scheduler scheduler(state);
-    const bool ready = state.make_texts();
-    result = finish_run(state, ready ? scheduler.run(function) : lang::Exit::kFailed);
+    lang::Exit exit = lang::Exit::kFailed;
+    try {
+      lang::Scheduler scheduler(state);
+      if (state.make_texts()) exit = scheduler.run(function);
+    } catch (...) {  // of the host, where no instruction of the program is to blame
+      lang::raise_thrown(state, state.main);
+      exit = lang::Exit::kFailed;
+    }
+    result = finish_run(state, exit);
   });
   return result;
 }
 
 }  // namespace
 
+static std::shared_ptr<const Program> require_program(std::shared_ptr<const Program> program) {
+  if (program != nullptr) return program;
+  throw ArgumentError("A Vm needs a program; there is none when compiling found mistakes.");
+}
+
 Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
-    : program_(std::move(program)),
+    : program_(require_program(std::move(program))),
       options_(std::move(options)),
       own_timeline_(options_.timeline == nullptr ? std::make_unique<Clock>() : nullptr),
       timeline_(options_.timeline == nullptr ? own_timeline_.get() : options_.timeline),
@@ -73,7 +99,7 @@ Vm::~Vm() = default;
 
 RunResult Vm::run() {
   if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  return run_function(*state_, 0);
+  return start(*state_, 0);
 }
 
 RunResult Vm::run_test(std::size_t index) {
@@ -83,7 +109,7 @@ RunResult Vm::run_test(std::size_t index) {
                         std::to_string(program.module.tests.size()) + " tests.");
   }
   if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  return run_function(*state_, program.module.tests[index].function->index);
+  return start(*state_, program.module.tests[index].function->index);
 }
 
 namespace {

@@ -135,6 +135,8 @@ bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
+  if (state.pending == nullptr)  // a native function that said so without calling pause()
+    return raise(state, "R0626", {"a function of the host waits for nothing"});
   if (state.host_calls > 0) {  // a native function that did not say that it pauses
     state.pending->stop();
     state.pending.reset();

@@ -4,12 +4,14 @@
 
 #include <chrono>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
 #include "armlet/backend/recorder.hpp"
+#include "armlet/core/error.hpp"
 #include "armlet/trajectory/law_planner.hpp"
 #include "library.hpp"
 
@@ -186,4 +188,121 @@ TEST_CASE("a robot that slows down when the program ends comes to rest in the tr
   CHECK_FALSE(session.host()->cell().is_moving(0));
   CHECK(session.host()->cell().robot(0).qd.norm() == 0.0);
   CHECK(session.host()->now_ns() > 300'000'000);
+}
+
+TEST_CASE("a session without a program that can run says so") {
+  Session session(library_engine(), at_the_table());
+  CHECK_THROWS_AS((void)session.run(), ArgumentError);
+  CHECK_THROWS_AS((void)session.run_test(0), ArgumentError);
+  CHECK_THROWS_AS((void)session.sources(), ArgumentError);
+  CHECK_FALSE(session.compile("let = 3", "p.rbt"));
+  CHECK_THROWS_AS((void)session.run(), ArgumentError);
+  CHECK_FALSE(session.compile(" ", "p.rbt"));
+  CHECK_THROWS_AS((void)session.run(), ArgumentError);
+  REQUIRE(session.compile("print(1)", "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK_THROWS_AS((void)session.run_test(0), ArgumentError);
+  CHECK(session.run().status == RunStatus::kDone);
+  // The program is well, its world is not.
+  SessionOptions broken = at_the_table();
+  broken.world = WorldText{"lab", "object ball { shape: sphere(15); at: xyz(300mm, 0mm, 300mm) }"};
+  Session other(library_engine(), std::move(broken));
+  CHECK_FALSE(other.compile("print(1)", "p.rbt"));
+  CHECK_THROWS_AS((void)other.run(), ArgumentError);
+}
+
+TEST_CASE("a wish to cancel ends with the run that it stops, and one that comes too soon is kept") {
+  Session session(library_engine(), at_the_table());
+  REQUIRE(session.compile("wait(1s)\nmoveJ(home())", "p.rbt"));
+  session.cancel();
+  CHECK(session.run().status == RunStatus::kCancelled);
+  CHECK(session.run().status == RunStatus::kDone);
+}
+
+TEST_CASE("what functions of the host throw is a failure, and the session runs again") {
+  SessionOptions made = at_the_table();
+  int moves = 0;
+  made.on_move = [&](const MoveReport&) {
+    if (++moves == 1) throw std::runtime_error("nobody listens");
+  };
+  std::string printed;
+  made.output = [&](std::string_view part) { printed += part; };
+  std::ostringstream out;
+  JsonlBackend backend(out);
+  made.backends = {&backend};
+  Session session(library_engine(), std::move(made));
+  REQUIRE(session.compile(
+      "try { moveJ(home() + [0.1, 0, 0, 0], time: 1s) } catch (e) { print(e.kind) }\n"
+      "moveJ(home(), time: 1s)\nprint(now() == 2s)\n",
+      "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(printed == "Host\ntrue\n");
+  session.cancel();
+  CHECK(session.run().status == RunStatus::kCancelled);
+  CHECK(session.run().status == RunStatus::kDone);
+}
+
+TEST_CASE("a backend that throws fails the program, and leaves nothing that points to it") {
+  class Throws : public Backend {
+   public:
+    void joint_sample(const JointSample&) override {
+      throw std::runtime_error("the screen is off");
+    }
+  };
+  Throws backend;
+  SessionOptions made = at_the_table();
+  made.backends = {&backend};
+  Session session(library_engine(), std::move(made));
+  REQUIRE(session.compile("moveJ(home() + [0.1, 0, 0, 0], time: 1s)\n", "p.rbt"));
+  bool thrown = false;
+  try {
+    const RunResult result = session.run();
+    CHECK(result.status != RunStatus::kDone);
+  } catch (const std::runtime_error&) {
+    thrown = true;  // outside the program
+  }
+  session.cancel();  // there is no machine of that run any more
+  (void)thrown;
+  CHECK(session.compile("print(1)", "p.rbt"));
+}
+
+TEST_CASE("a session runs one program at a time") {
+  SessionOptions made = at_the_table();
+  Session* itself = nullptr;
+  std::string said;
+  made.on_move = [&](const MoveReport&) {
+    try {
+      (void)itself->run();
+    } catch (const ArgumentError& error) {
+      said = error.what();
+    }
+    CHECK_THROWS_AS(itself->compile("print(1)", "p.rbt"), ArgumentError);
+  };
+  Session session(library_engine(), std::move(made));
+  itself = &session;
+  REQUIRE(session.compile("moveJ(home() + [0.1, 0, 0, 0], time: 1s)", "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(said == "The session runs already; use another one.");
+}
+
+TEST_CASE("the library is installed once, and its functions fail where there is no cell") {
+  Engine engine;
+  install(engine);
+  CHECK_THROWS_AS(install(engine), ArgumentError);
+  // Nothing that needs a cell, in functions of every chapter, brings the host down.
+  for (const char* call :
+       {"print(now())", "print(joints())", "moveJ(home())", "insertObj(\"cube\")",
+        "print(reachable(here()))", "plot([0, 1], [0, 1])", "savePlot(\"a.svg\")",
+        "setNumber(\"a\", 1.0)", "print(robots.scara())", "let r = urdf(\"a.urdf\")", "wait(1s)",
+        "setJoints(home())", "speedJ([0.1, 0, 0, 0])"}) {
+    const Compilation compiled =
+        engine.compile(std::string("try { ") + call + " } catch (e) { print(e.kind) }", "p.rbt");
+    if (compiled.program == nullptr) continue;
+    CAPTURE(call);
+    Vm vm(compiled.program, {});
+    const RunResult result = vm.run();
+    if (result.status == RunStatus::kDone) continue;
+    REQUIRE(result.error);
+    CHECK_FALSE(result.error->message.empty());
+  }
 }

@@ -95,7 +95,13 @@ class Host : public Timeline {
   explicit Host(HostOptions options);
 
   // The host of a running program.
-  static Host& of(Vm& vm) { return *static_cast<Host*>(vm.host()); }
+  //
+  // throws  ArgumentError if the Vm was made without one.
+  static Host& of(Vm& vm) {
+    if (vm.host() == nullptr) [[unlikely]]
+      refuse_no_host();
+    return *static_cast<Host*>(vm.host());
+  }
 
   [[nodiscard]] Cell& cell() { return cell_; }
   [[nodiscard]] const Cell& cell() const { return cell_; }
@@ -161,6 +167,8 @@ class Host : public Timeline {
   bool advance_to(std::int64_t t_ns) override;
 
  private:
+  [[noreturn]] static void refuse_no_host();
+
   HostOptions options_;
   Cell cell_;
   PlannerSet planners_;

@@ -57,16 +57,23 @@ class Session {
   bool compile(std::string text, std::string name);
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
   [[nodiscard]] const Program* program() const { return compilation_.program.get(); }
-  [[nodiscard]] const SourceSet& sources() const { return *compilation_.sources; }
+  // throws  ArgumentError before the first compile().
+  [[nodiscard]] const SourceSet& sources() const;
 
   // Runs the program, or one of its tests, in a fresh cell at time 0.
+  //
+  // throws  ArgumentError unless the last compile() has said that it can run, or if the session
+  // runs
+  //         already; what backends and other functions of the host throw outside the program.
   [[nodiscard]] RunResult run();
   [[nodiscard]] RunResult run_test(std::size_t index);
 
   // The cell of the last run, as it was left.
   [[nodiscard]] const Host* host() const { return host_.get(); }
 
-  // Asks the running program to stop. Safe in a signal handler and from any thread.
+  // Asks the running program to stop; when none runs, the next one, so that a wish that comes a
+  // moment too soon is not lost. It is over with the end of the run that it stopped. Safe in a
+  // signal handler and from any thread.
   void cancel() noexcept;
 
  private:
@@ -81,7 +88,10 @@ class Session {
   std::unique_ptr<Host> host_;
   bool wants_default_world_ = false;  // the check found that the program names an object of it
   std::vector<std::string> declared_objects_;  // which then give way
+  bool can_run_ = false;
+  std::atomic<bool> is_running_{false};
   std::atomic<Vm*> running_{nullptr};
+  std::atomic<int> cancelling_{0};  // calls of cancel that are under way
   std::atomic<bool> cancelled_{false};
 };
 
