@@ -48,12 +48,13 @@ Signal leave(Vm& vm, Slot*) {
 template <double BlockSettings::*kMember>
 Signal set_fraction(Vm& vm, Slot* args) {
   const double value = args[0].d;
-  if (!(value > 0.0 && value <= 1.0)) {
-    return failure(vm, "R0609",
-                   fmt::format("{} is no fraction of the joint limits: it must lie above 0 and not "
-                               "above 1",
-                               format_number(value)),
-                   0);
+  constexpr double kLeast = 1e-9;  // a turn would take years
+  if (!(value >= kLeast && value <= 1.0)) {
+    return failure(
+        vm, "R0609",
+        fmt::format("{:.6g} is no fraction of the joint limits: it must lie {}", value,
+                    value > 0.0 && value < kLeast ? "from 1e-9 to 1" : "above 0 and not above 1"),
+        0);
   }
   BlockSettings settings = settings_of(vm);
   settings.*kMember = value;

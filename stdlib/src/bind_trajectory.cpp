@@ -96,10 +96,16 @@ Signal value_at(Vm& vm, Slot* args) {
   const PlannedMotion& plan = planned(args[0]);
   const double t = args[1].d;
   if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
-  PosJ values = plan.joints;
-  for (int i = 0; i < values.n; ++i)
-    values.q[static_cast<std::size_t>(i)] = plan.motion.value(i, t, kOrder);
-  return give(args, new_posj(vm, values));
+  if constexpr (kOrder == 0) {
+    PosJ values = plan.joints;
+    for (int i = 0; i < values.n; ++i)
+      values.q[static_cast<std::size_t>(i)] = plan.motion.value(i, t, kOrder);
+    return give(args, new_posj(vm, values));
+  } else {
+    std::vector<double> values;
+    for (int i = 0; i < plan.motion.n(); ++i) values.push_back(plan.motion.value(i, t, kOrder));
+    return give(args, new_reals(vm, values));
+  }
 }
 
 Signal duration(Vm&, Slot* args) { return give(args, planned(args[0]).motion.duration()); }
@@ -218,13 +224,15 @@ constexpr NativeFunction kFunctions[] = {
     {"trajectory.q", "(tr: trajectory, t: time) -> posJ",
      "The joint values at that time; before the start and after the end those of the ends.",
      "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)", value_at<0>},
-    {"trajectory.qd", "(tr: trajectory, t: time) -> posJ", "The joint speeds at that time.",
+    {"trajectory.qd", "(tr: trajectory, t: time) -> double[]",
+     "The joint speeds at that time, rad/s and m/s.",
      "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)", value_at<1>},
-    {"trajectory.qdd", "(tr: trajectory, t: time) -> posJ",
-     "The joint accelerations at that time. Where one jumps, the later value.",
+    {"trajectory.qdd", "(tr: trajectory, t: time) -> double[]",
+     "The joint accelerations at that time, rad/s^2 and m/s^2. Where one jumps, the later value.",
      "trajectory(\"Syn\", [home(), home()], time: 2s).qdd(1s)", value_at<2>},
-    {"trajectory.jerk", "(tr: trajectory, t: time) -> posJ",
-     "How fast the joint accelerations change at that time. Where it jumps, the later value.",
+    {"trajectory.jerk", "(tr: trajectory, t: time) -> double[]",
+     "How fast the joint accelerations change at that time, rad/s^3 and m/s^3. Where it jumps, the "
+     "later value.",
      "trajectory(\"Syn\", [home(), home()], time: 2s).jerk(1s)", value_at<3>},
     {"trajectory.duration", "(tr: trajectory) -> time", "How long it takes.",
      "trajectory(\"Syn\", [home(), home()], time: 2s).duration", duration},

@@ -10,6 +10,7 @@
 #include "bind.hpp"
 #include "moves.hpp"
 #include "objects.hpp"
+#include "time_left.hpp"
 #include "values.hpp"
 
 namespace armlet::bind {
@@ -118,15 +119,17 @@ std::optional<std::int64_t> holding_time(Vm& vm, double seconds, int parameter) 
     static_cast<void>(not_finite(vm, "the time", seconds, parameter));
     return std::nullopt;
   }
-  const std::int64_t ns = seconds > 0.0 && seconds < 1e9 ? to_ns(seconds) : 0;
+  if (!check_time_left(vm, "a velocity", seconds, parameter)) return std::nullopt;
+  const std::int64_t ns = seconds > 0.0 ? to_ns(seconds) : 0;
   if (ns > 0) return ns;
-  static_cast<void>(domain_failure(vm, "a velocity held for a time", seconds,
-                                   "be longer than 0 s and shorter than 1e9 s", {}, parameter));
+  static_cast<void>(domain_failure(vm, "a velocity held for a time", seconds, "be longer than 0 s",
+                                   {}, parameter));
   return std::nullopt;
 }
 
 Signal drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t during_ns) {
   if (!plan.motion) return fail_velocity(vm, call, plan);
+  if (!check_time_left(vm, "a motion", plan.motion->duration(), kMarkCallee)) return Signal::kFail;
   Host& host = Host::of(vm);
   const int motion =
       host.cell().drive(call.robot, *std::move(plan.motion), host.now_ns() + during_ns);
@@ -183,9 +186,8 @@ Signal speed_c(Vm& vm, Slot* args, const Eigen::Matrix3d& R, int during_paramete
     start.same = last->take_up;
   VelocityPlan plan = plan_tool_velocity(model_of(vm, call), start, twist);
   const ToolTakeUp take_up = plan.take_up;
-  const bool moves = plan.motion.has_value();
   const Signal signal = drive(vm, call, std::move(plan), *during);
-  if (moves) {
+  if (signal == Signal::kPause) {
     const int motion = host.cell().robot(call.robot).motion_id;
     host.remember_velocity(call.robot, {.motion = motion, .twist = twist, .take_up = take_up});
   }

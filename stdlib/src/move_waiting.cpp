@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armlet/kinematics/forward.hpp"
+#include "time_left.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -115,6 +116,7 @@ class HaltWaiting : public Waiting {
 Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, double length,
                     MotionNotes notes) {
   Host& host = Host::of(vm);
+  if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Signal::kFail;
   const bool instant = trajectory.duration() <= 0.0;
   const double deviation = notes.deviation;
   host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});

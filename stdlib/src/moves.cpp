@@ -17,6 +17,7 @@
 #include "move_waiting.hpp"
 #include "objects.hpp"
 #include "paths.hpp"
+#include "time_left.hpp"
 #include "tracking.hpp"
 
 namespace armlet::bind {
@@ -47,12 +48,13 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
 }
 
 bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
-  if (value > 0.0 && value <= 1.0) return true;
-  static_cast<void>(
-      failure(vm, "R0609",
-              fmt::format("{} of {}: a fraction of the joint limits lies above 0 and not above 1",
-                          what, format_number(value)),
-              parameter));
+  constexpr double kLeast = 1e-9;  // a turn would take years
+  if (value >= kLeast && value <= 1.0) return true;
+  const char* range = value > 0.0 && value < kLeast ? "from 1e-9 to 1" : "above 0 and not above 1";
+  static_cast<void>(failure(
+      vm, "R0609",
+      fmt::format("{} of {:.6g}: a fraction of the joint limits lies {}", what, value, range),
+      parameter));
   return false;
 }
 
@@ -86,7 +88,8 @@ const Robot& model_of(Vm& vm, const MoveCall& call) {
 }
 
 bool check_duration(Vm& vm, double seconds, int parameter) {
-  if (std::isfinite(seconds) && seconds >= 0.0) return true;
+  if (std::isfinite(seconds) && seconds >= 0.0)
+    return check_time_left(vm, "a motion", seconds, parameter);
   if (!std::isfinite(seconds)) {
     static_cast<void>(not_finite(vm, "the time", seconds, parameter));
   } else {
@@ -220,6 +223,9 @@ Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
   const double distance = (target->T.translation() - T_world_tool.translation()).norm();
   if (settings.time && *settings.time == 0.0 && distance > 0.0)
     return fail_no_time(vm, call, distance);
+  const double least = least_time(distance, settings.speed, settings.accel);
+  const int slow = settings.speed ? call.speed : call.accel;
+  if (!settings.time && !check_time_left(vm, "a motion", least, slow)) return Signal::kFail;
   LineMove move{.q0 = state.q,
                 .T_world_goal = target->T,
                 .task = *task,

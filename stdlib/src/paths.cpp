@@ -13,6 +13,7 @@
 #include "goals.hpp"
 #include "move_failures.hpp"
 #include "move_waiting.hpp"
+#include "time_left.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -163,6 +164,14 @@ Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) try {
   if (!corners.lay()) return Signal::kFail;
   PathMove move{.q0 = state.q, .points = corners.points(), .time = path.time};
   if (!move.time) move.speed = block.speed;
+  double slowest = 0.0;  // what the moves with speeds of their own take together
+  Eigen::Vector3d from = forward(*model, state.q).translation();
+  for (const auto& point : move.points) {
+    const Eigen::Vector3d to = point.T_world_tool.translation();
+    slowest += least_time((to - from).norm(), point.tool_speed, point.tool_accel);
+    from = to;
+  }
+  if (!check_time_left(vm, "a motion", slowest, kMarkCallee)) return Signal::kFail;
   PathPlan plan = plan_path(*model, move);
   if (plan.fault && corners.only_places()) {
     // The orientation cannot be kept all the way: the hand may turn as little as it must.

@@ -8,6 +8,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "bind.hpp"
 #include "move_failures.hpp"
+#include "time_left.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -60,6 +61,7 @@ bool check_settings(Vm& vm, const MoveCall& call, std::size_t points,
       static_cast<void>(not_finite(vm, "a duration", T, settings.durations_parameter));
       return false;
     }
+    if (!check_time_left(vm, "a leg", T, settings.durations_parameter)) return false;
     if (T > 1e-9) continue;
     static_cast<void>(domain_failure(vm, "a leg with a duration", T, "be longer than 0 s", {},
                                      settings.durations_parameter));

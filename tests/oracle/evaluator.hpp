@@ -136,7 +136,14 @@ class Evaluator {
   void every(const lang::hir::EveryStmt& s);
   // A block with `when` or `every`, which watch until it is left.
   [[nodiscard]] Completion watched(const lang::hir::Block& s);
-  [[nodiscard]] std::int64_t nanoseconds(double seconds, Span where, const std::string& what) const;
+  // How times are called in messages: "a wait" and "the time to wait".
+  struct TimeNames {
+    std::string what;
+    std::string time;
+    std::string too_short = "time only runs forwards";
+  };
+  [[nodiscard]] std::int64_t nanoseconds(double seconds, const Type& type, Span where,
+                                         const TimeNames& names) const;
   [[nodiscard]] Tasks::Body body_of(const lang::hir::Expr& e);
   [[nodiscard]] Tasks::Condition condition_of(const lang::hir::Expr& e);
   void refuse_to_pause(Span where) const;

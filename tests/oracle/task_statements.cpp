@@ -27,10 +27,16 @@ void Evaluator::time_and_tasks(const Stmt& s) {
   }
 }
 
-// Negative times are none.
-std::int64_t Evaluator::nanoseconds(double seconds, Span where, const std::string& what) const {
-  if (!std::isfinite(seconds)) fail("R0612", where, {what, show_number(seconds)});
-  return std::llround(std::clamp(seconds, 0.0, 4e9) * 1e9);
+// A time that ends before virtual time does, a hundred years after the start.
+std::int64_t Evaluator::nanoseconds(double seconds, const Type& type, Span where,
+                                    const TimeNames& names) const {
+  constexpr std::int64_t kEnd = 100LL * 36525 * 86400 * 10'000'000;
+  if (!std::isfinite(seconds)) fail("R0612", where, {names.time, show_number(seconds)});
+  const double left = static_cast<double>(kEnd - tasks_.now_ns()) * 1e-9;
+  if (seconds > left)
+    fail("R0636", where, {names.what + " of " + show({seconds}, type), show({left}, type)});
+  if (seconds < 0.0) fail("R0609", where, {names.what, show({seconds}, type), names.too_short});
+  return std::llround(seconds * 1e9);
 }
 
 // Functions of the library cannot wait for functions of the text.
@@ -43,7 +49,8 @@ void Evaluator::refuse_to_pause(Span where) const {
 void Evaluator::wait(const WaitStmt& s) {
   const double seconds = evaluate(*s.duration).real();
   refuse_to_pause(s.duration->span);
-  const std::int64_t ns = nanoseconds(seconds, s.duration->span, "the time to wait");
+  const std::int64_t ns =
+      nanoseconds(seconds, *s.duration->type, s.duration->span, {"a wait", "the time to wait"});
   const Aside aside(*this);
   tasks_.sleep(ns);
 }
@@ -54,7 +61,10 @@ void Evaluator::wait_until(const WaitUntilStmt& s) {
       s.timeout == nullptr ? std::nullopt : std::optional(evaluate(*s.timeout));
   refuse_to_pause(s.condition_span);
   std::optional<std::int64_t> ns;
-  if (timeout) ns = nanoseconds(timeout->real(), s.condition_span, "the time to wait");
+  if (timeout) {
+    ns = nanoseconds(timeout->real(), *s.timeout->type, s.condition_span,
+                     {"a timeout", "the time to wait"});
+  }
   const Aside aside(*this);
   if (tasks_.wait_until(std::move(condition), ns)) return;
   fail("R0607", s.condition_span,
@@ -80,7 +90,9 @@ void Evaluator::when(const WhenStmt& s) {
 void Evaluator::every(const EveryStmt& s) {
   const double seconds = evaluate(*s.period).real();
   Tasks::Body body = body_of(*s.body);
-  const std::int64_t ns = nanoseconds(seconds, s.head, "the time between two beats");
+  const std::int64_t ns = nanoseconds(
+      seconds, *s.period->type, s.head,
+      {"a beat", "the time between two beats", "the time between two beats must be at least 1 ns"});
   if (ns == 0) {
     fail("R0609", s.head,
          {"a beat", show({seconds}, *s.period->type),

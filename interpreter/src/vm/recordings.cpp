@@ -7,6 +7,7 @@
 #include "armlet/interpreter/work.hpp"
 #include "format_value.hpp"
 #include "table_functions.hpp"
+#include "vm/durations.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 
@@ -15,8 +16,6 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-constexpr double kLongest = 4e9;  // seconds; more than a century
-
 RecordObj& table_in(Slot s) { return *static_cast<RecordObj*>(s.o); }
 
 std::uint16_t column_count(const RecordObj& table) {
@@ -45,13 +44,13 @@ bool append(VmState& state, RecordObj& table, Slot row) {
 Signal start_recording(Vm& vm, Slot* args) {
   VmState& state = vm.state();
   const double period = args[1].d;
-  if (!std::isfinite(period)) {
-    raise(state, "R0612", {"the period", number_text(period)});
+  std::int64_t period_ns = 1;
+  const bool is_time = period * 1e9 >= 0.5;
+  if (!(period <= 0.0 || (std::isfinite(period) && !is_time)) &&
+      !check_time(state, {.what = "a period", .time = "the period", .parameter = 1}, period,
+                  period_ns))
     return Signal::kFail;
-  }
-  const auto period_ns =
-      static_cast<std::int64_t>(std::llround(std::clamp(period, 0.0, kLongest) * 1e9));
-  if (period_ns <= 0) {
+  if (!is_time) {
     Failure failure;
     failure.code = "R0609";
     failure.message = "samples cannot be taken every " + quantity_text(period, dims::kTime) +

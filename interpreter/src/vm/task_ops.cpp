@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "format_value.hpp"
+#include "vm/durations.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 
@@ -110,15 +111,12 @@ bool op_watchwhen(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_watchevery(VmState& state, Slot* base, const Instr* pc) {
-  constexpr double kLongest = 4e9;  // seconds
-  const double seconds = base[pc->a].d;
-  if (!std::isfinite(seconds))
-    return raise(state, "R0612", {"the time between two beats", number_text(seconds)});
-  const std::int64_t period_ns = std::llround(std::fmin(seconds, kLongest) * 1e9);
-  if (period_ns <= 0)
-    return raise(state, "R0609",
-                 {"a beat", quantity_text(seconds, dims::kTime),
-                  "the time between two beats must be at least 1 ns"});
+  std::int64_t period_ns = 0;
+  const TimeUse use{.what = "a beat",
+                    .time = "the time between two beats",
+                    .least_ns = 1,
+                    .requirement = "the time between two beats must be at least 1 ns"};
+  if (!check_time(state, use, base[pc->a].d, period_ns)) return false;
   Task& task = *state.running;
   Watch& watch = state.tree.watch(task, nullptr, base[pc->b].o);
   watch.head = code_span(state)->span;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "armlet/interpreter/virtual_time.hpp"
+#include "format_value.hpp"
 #include "vm/failures.hpp"
 #include "vm/recordings.hpp"
 
@@ -201,6 +203,12 @@ Exit Scheduler::advance() {
   const std::int64_t next = next_instant();
   if (next == kNever) {
     fail_everywhere("R0621", {}, waited_for());
+    return Exit::kPaused;
+  }
+  if (next > kEndOfTime_ns) {
+    fail_everywhere(
+        "R0636", {"what the program waits for", quantity_text(time_left(state_.vm), dims::kTime)},
+        waited_for());
     return Exit::kPaused;
   }
   try {

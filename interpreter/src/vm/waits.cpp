@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "format_value.hpp"
+#include "vm/durations.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 
@@ -13,8 +14,6 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-constexpr double kLongest = 4e9;  // seconds; more than a century
-
 class Sleep final : public Waiting {
  public:
   Sleep(Timeline& timeline, std::int64_t due_ns) : timeline_(timeline), due_ns_(due_ns) {}
@@ -57,12 +56,14 @@ std::string others(const VmState& state) {
 // The task's armed condition stops it when it comes true; a timeout is the other way out.
 class WaitUntil final : public Waiting {
  public:
-  WaitUntil(VmState& state, const hir::WaitUntilStmt& statement, double timeout)
+  // timeout_ns  below 0: none.
+  WaitUntil(VmState& state, const hir::WaitUntilStmt& statement, double timeout,
+            std::int64_t timeout_ns)
       : state_(state),
         statement_(statement),
         timeout_(timeout),
         armed_ns_(state.vm.timeline().now_ns()) {
-    if (timeout < kLongest) due_ns_ = armed_ns_ + std::llround(timeout * 1e9);
+    if (timeout_ns >= 0) due_ns_ = armed_ns_ + timeout_ns;
   }
 
   [[nodiscard]] std::int64_t due_ns() const override { return due_ns_; }
@@ -98,14 +99,6 @@ class WaitUntil final : public Waiting {
   bool stopped_ = false;
 };
 
-// Seconds that can be waited; negative ones are none.
-bool check_seconds(VmState& state, double& seconds) {
-  if (!std::isfinite(seconds))
-    return raise(state, "R0612", {"the time to wait", number_text(seconds)});
-  seconds = std::clamp(seconds, 0.0, kLongest);
-  return true;
-}
-
 }  // namespace
 
 bool raise_may_not_pause(VmState& state) {
@@ -116,21 +109,25 @@ bool raise_may_not_pause(VmState& state) {
 }
 
 bool op_wait(VmState& state, Slot* base, const Instr* pc) {
-  double seconds = base[pc->a].d;
+  const double seconds = base[pc->a].d;
   if (state.host_calls > 0) return raise_may_not_pause(state);
-  if (!check_seconds(state, seconds)) return false;
+  std::int64_t ns = 0;
+  if (!check_time(state, {.what = "a wait", .time = "the time to wait"}, seconds, ns)) return false;
   Timeline& timeline = state.vm.timeline();
-  state.pending =
-      std::make_unique<Sleep>(timeline, timeline.now_ns() + std::llround(seconds * 1e9));
+  state.pending = std::make_unique<Sleep>(timeline, timeline.now_ns() + ns);
   return true;
 }
 
 bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
   if (state.host_calls > 0) return raise_may_not_pause(state);
   const Slot timeout = base[pc->b];
-  double seconds = is_absent_scalar(timeout) ? kLongest : timeout.d;
-  if (!check_seconds(state, seconds)) return false;
-  state.pending = std::make_unique<WaitUntil>(state, *state.program.waits[pc->c], seconds);
+  std::int64_t ns = -1;
+  const bool limited = !is_absent_scalar(timeout);
+  if (limited &&
+      !check_time(state, {.what = "a timeout", .time = "the time to wait"}, timeout.d, ns))
+    return false;
+  const double seconds = limited ? timeout.d : 0.0;
+  state.pending = std::make_unique<WaitUntil>(state, *state.program.waits[pc->c], seconds, ns);
   return true;
 }
 

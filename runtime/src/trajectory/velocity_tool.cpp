@@ -17,9 +17,11 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double kShortestQuintic = 1e-4;  // s
-constexpr double kLongestStep = 5e-3;      // s, between solved joint speeds
-constexpr double kLacking = 1e-6;          // of the velocity asked for
-constexpr double kRankThreshold = 1e-9;    // of the largest pivot
+// Between solved joint speeds: s while they change, and rad or m while they are held.
+constexpr double kLongestStep = 5e-3;
+constexpr double kFarthestStep = 2e-3;
+constexpr double kLacking = 1e-6;        // of the velocity asked for
+constexpr double kRankThreshold = 1e-9;  // of the largest pivot
 // Parts of the limits on acceleration and jerk with which the tool takes up a velocity; the rest is
 // for the joints turning under it. The first that suffices is taken.
 constexpr double kShares[] = {0.9, 0.75, 0.6, 0.45, 0.3, 0.2, 0.12, 0.07};
@@ -172,20 +174,37 @@ void add_step(VelocityPieces& pieces, const VectorXd& q, const VectorXd& qd, con
   }
 }
 
+// A joint that is outside its limits, farther than at the start.
+std::optional<LimitViolation> leaves_limits(const ToolCommand& command, const VectorXd& q) {
+  constexpr double kSlack = 1e-9;  // rad or m
+  for (int i = 0; i < command.robot.n(); ++i) {
+    const double start = command.start.q[i];
+    const double lower = command.robot.lower()[i], upper = command.robot.upper()[i];
+    if (q[i] < std::min(lower, start) - kSlack) return LimitViolation{i, q[i], lower};
+    if (q[i] > std::max(upper, start) + kSlack) return LimitViolation{i, q[i], upper};
+  }
+  return std::nullopt;
+}
+
 // Follows a command until `end`. Nothing, or why the joints cannot.
 VelocityPlan follow(const ToolCommand& command, double end, VelocityPieces& pieces) {
   const double taken_up = command.take_up.duration();
   double begin = 0.0;
   for (const double knot : knots_of(command, end)) {
     if (knot - begin < kShortestVelocity) continue;
-    const auto steps = static_cast<int>(std::ceil((knot - begin) / kLongestStep));
-    const double h = (knot - begin) / steps;
-    for (int k = 0; k < steps; ++k) {
-      const double t = begin + k * h;
-      const Step next = step_on(command, t, pieces.q(), pieces.qd(), h);
-      if (t >= taken_up && next.rates.lacking > kLacking) return {.lacking = next.rates.lacking};
-      if (auto fast = too_fast(command.robot, next.rates.qd)) return {.too_high = fast};
-      add_step(pieces, next.q, next.rates.qd, command.slope(t + h, next.q, next.rates.qd), h);
+    while (knot - begin >= kShortestVelocity) {
+      const double fast = pieces.qd().cwiseAbs().maxCoeff();
+      const bool slow = begin >= taken_up && fast * kLongestStep < kFarthestStep;
+      const double most = slow ? kFarthestStep / fast : kLongestStep;
+      const double left = knot - begin;
+      const double h = left > most ? left / std::ceil(left / most) : left;
+      const Step next = step_on(command, begin, pieces.q(), pieces.qd(), h);
+      if (begin >= taken_up && next.rates.lacking > kLacking)
+        return {.lacking = next.rates.lacking};
+      if (auto high = too_fast(command.robot, next.rates.qd)) return {.too_high = high};
+      if (auto outside = leaves_limits(command, next.q)) return {.outside = outside};
+      add_step(pieces, next.q, next.rates.qd, command.slope(begin + h, next.q, next.rates.qd), h);
+      begin = h < left ? begin + h : knot;
     }
     begin = knot;
   }
@@ -243,7 +262,7 @@ Trial try_take_up(const ToolCommand& command) {
 VelocityPlan run_command(const ToolCommand& command) {
   VelocityPieces pieces(command.start);
   VelocityPlan plan = follow(command, command.start.during, pieces);
-  if (plan.too_high || plan.lacking > 0.0) return plan;
+  if (plan.too_high || plan.outside || plan.lacking > 0.0) return plan;
   come_to_rest(command.robot, pieces);
   return checked(command.robot, std::move(pieces).made());
 }
