@@ -2,8 +2,8 @@
 """Checks the one-definition rule: no type and no inline function is defined twice under one full name.
 
 A linker keeps one of two definitions with the same name and says nothing. What only one file needs belongs into an
-anonymous namespace. Reads namespaces, types and inline functions with a small scanner, not a compiler: `./dev check`
-also links everything once with -flto -Wodr.
+anonymous namespace. Reads namespaces, types and inline functions with a small scanner, not a compiler; the preset
+`odr` links everything with -flto -Wodr.
 """
 
 import re
