@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
@@ -133,7 +134,38 @@ void say_joints(const Robot& robot, const IkDiagnosis& d, Failure& f) {
   }
 }
 
-std::string seconds(double s) { return fmt::format("{} s", format_number(s, 2)); }
+// The first significant digits of a number above 0, and the power of ten of the first of them.
+struct Digits {
+  long mantissa;
+  int exponent;
+};
+Digits digits_of(double value, int count) {
+  const std::string text = fmt::format("{:.{}e}", value, count - 1);
+  const std::size_t e = text.find('e');
+  std::string mantissa = text.substr(0, e);
+  std::erase(mantissa, '.');
+  return {std::stol(mantissa), std::stoi(text.substr(e + 1))};
+}
+
+// The shortest time with so many significant digits that suffices where `least` is needed. Planners
+// allow for a rounding of 1e-9.
+std::string rounded_up(double least, int count) {
+  if (!std::isfinite(least) || !(least > 0.0)) return format_number(least);
+  auto [mantissa, exponent] = digits_of(least, count);
+  const auto number = [&] {
+    return std::stod(fmt::format("{}e{}", mantissa, exponent - count + 1));
+  };
+  if (number() < least * (1.0 - 1e-10)) ++mantissa;
+  return format_number(number(), std::max(count - 1 - exponent, 0));
+}
+
+std::string at_least(double least) { return rounded_up(least, 3) + " s"; }
+
+// A time as it was given: with more digits than the least that it is compared with.
+std::string given_time(double s) {
+  if (!std::isfinite(s) || !(s > 0.0)) return format_number(s) + " s";
+  return format_number(s, std::max(5 - digits_of(s, 6).exponent, 0)) + " s";
+}
 
 std::string rate(const Robot& robot, int joint, LimitKind kind, double value) {
   const char* per = kind == LimitKind::kSpeed          ? "/s"
@@ -271,30 +303,31 @@ Signal fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   const JointKind kind = robot.joint(fast.joint).kind;
   Failure f = start(vm, call, "R0604", call.time);
   f.moved.reset();
-  f.arguments = {seconds(fast.given), seconds(std::ceil(fast.least_time * 100.0 - 1e-9) / 100.0)};
+  f.arguments = {given_time(fast.given), at_least(fast.least_time)};
   const std::string travel = format_joint_value(kind, std::abs(fast.travel));
   const char* verb = kind == JointKind::kRevolute ? "turns" : "slides";
   const std::string limit = rate(robot, fast.joint, fast.kind, fast.limit);
-  f.why =
-      fast.kind == LimitKind::kSpeed
-          ? fmt::format("joint {} {} {} and is limited to {}", fast.joint + 1, verb, travel, limit)
-          : fmt::format("joint {} {} {} and gains speed by at most {}", fast.joint + 1, verb,
-                        travel, limit);
+  const char* may = fast.kind == LimitKind::kSpeed          ? "is limited to"
+                    : fast.kind == LimitKind::kAcceleration ? "gains speed by at most"
+                                                            : "changes its acceleration by at most";
+  f.why = fmt::format("joint {} {} {} and {} {}", fast.joint + 1, verb, travel, may, limit);
   f.fix = fmt::format("use time: {}s, or leave time out to move as fast as the joints allow",
-                      format_number(std::ceil(fast.least_time * 10.0 - 1e-9) / 10.0, 1));
+                      rounded_up(fast.least_time, fast.least_time < 10.0 ? 2 : 3));
   return fail(vm, std::move(f));
 }
 
 void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   const Robot& robot = model_of(vm, call);
   const double excess = fast.given > 0.0 ? fast.least_time / fast.given : 0.0;
-  const double needed = fast.limit * (fast.kind == LimitKind::kSpeed ? excess : excess * excess);
+  const double needed =
+      fast.limit * (fast.kind == LimitKind::kSpeed          ? excess
+                    : fast.kind == LimitKind::kAcceleration ? excess * excess
+                                                            : excess * excess * excess);
   Failure f = start(vm, call, "W0707", call.time);
   f.moved.reset();
   f.arguments = {std::to_string(fast.joint + 1), rate(robot, fast.joint, fast.kind, needed),
                  rate(robot, fast.joint, fast.kind, fast.limit)};
-  f.fix = fmt::format("give it at least {}",
-                      seconds(std::ceil(fast.least_time * 100.0 - 1e-9) / 100.0));
+  f.fix = fmt::format("give it at least {}", at_least(fast.least_time));
   vm.advise(f);
 }
 
