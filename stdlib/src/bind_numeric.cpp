@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/interpreter/script_function.hpp"
 #include "armlet/math/find_root.hpp"
 #include "armlet/math/fit.hpp"
 #include "armlet/math/minimise.hpp"
@@ -215,19 +216,13 @@ Signal cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
 }
 
 Signal solve(Vm& vm, Slot* args) {
-  const Slot f = args[0];
   const double lo = args[1].d;
   const double hi = args[2].d;
   if (!std::isfinite(lo)) return not_finite(vm, "the lower end", lo, 1);
   if (!std::isfinite(hi)) return not_finite(vm, "the upper end", hi, 2);
-  const auto call = [&](double x, double& value) {
-    const Slot argument{.d = x};
-    Slot result;
-    if (!vm.call(f.o, {&argument, 1}, result)) return false;
-    value = result.d;
-    return true;
-  };
-  const RootSearch found = find_root(call, lo, hi);
+  const ScriptFunction<double(double)> f(vm, args[0]);
+  const RootSearch found =
+      find_root([&](double x, double& value) { return f.call(value, x); }, lo, hi);
   if (found.status == RootSearch::Status::kFound) return give(args, found.x);
   if (found.status == RootSearch::Status::kStopped) return Signal::kFail;
   return cannot_solve(vm, found, lo, hi);

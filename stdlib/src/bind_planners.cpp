@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "armlet/interpreter/script_function.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/law_planner.hpp"
 #include "bind.hpp"
@@ -37,12 +38,12 @@ Signal add_polynomial(Vm& vm, Slot* args) try {
 // (name, law)
 Signal add_function(Vm& vm, Slot* args) try {
   std::vector<double> values;
+  const ScriptFunction<double(double)> law(vm, args[kLaw]);
   for (int k = 0; k <= kPieces; ++k) {
-    const Slot x[] = {slot_of(static_cast<double>(k) / kPieces)};
-    Slot s;
-    if (!vm.call(args[kLaw].o, x, s)) return Signal::kFail;
-    if (!std::isfinite(s.d)) return not_finite(vm, "a value of the law", s.d, kLaw);
-    values.push_back(s.d);
+    double s = 0.0;
+    if (!law.call(s, static_cast<double>(k) / kPieces)) return Signal::kFail;
+    if (!std::isfinite(s)) return not_finite(vm, "a value of the law", s, kLaw);
+    values.push_back(s);
   }
   return add_planner(vm, text_value(args[kName]), law_of_values(values));
 } catch (const ArgumentError& error) {
