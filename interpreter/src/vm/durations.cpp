@@ -10,6 +10,7 @@
 #include "armlet/interpreter/virtual_time.hpp"
 #include "format_value.hpp"
 #include "vm/failures.hpp"
+#include "vm/state.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -45,7 +46,7 @@ bool check_time(VmState& state, const TimeUse& use, double seconds, std::int64_t
 namespace armlet {
 
 double time_left(Vm& vm) {
-  const std::int64_t left = kEndOfTime_ns - vm.timeline().now_ns();
+  const std::int64_t left = vm.state().options.limits.time_ns - vm.timeline().now_ns();
   return static_cast<double>(std::max<std::int64_t>(left, 0)) * 1e-9;
 }
 

@@ -205,7 +205,7 @@ Exit Scheduler::advance() {
     fail_everywhere("R0621", {}, waited_for());
     return Exit::kPaused;
   }
-  if (next > kEndOfTime_ns) {
+  if (next > state_.options.limits.time_ns) {
     fail_everywhere(
         "R0636", {"what the program waits for", quantity_text(time_left(state_.vm), dims::kTime)},
         waited_for());

@@ -88,9 +88,17 @@ static std::shared_ptr<const Program> require_program(std::shared_ptr<const Prog
   throw ArgumentError("A Vm needs a program; there is none when compiling found mistakes.");
 }
 
+static VmOptions require_limits(VmOptions options) {
+  const std::int64_t end_ns = options.limits.time_ns;
+  if (end_ns >= 0 && end_ns <= kEndOfTime_ns) return options;
+  throw ArgumentError("A run cannot end at a virtual time of " + std::to_string(end_ns) +
+                      " ns; RunLimits::time_ns lies from 0 to " + std::to_string(kEndOfTime_ns) +
+                      " ns, 100 years.");
+}
+
 Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
     : program_(require_program(std::move(program))),
-      options_(std::move(options)),
+      options_(require_limits(std::move(options))),
       own_timeline_(options_.timeline == nullptr ? std::make_unique<Clock>() : nullptr),
       timeline_(options_.timeline == nullptr ? own_timeline_.get() : options_.timeline),
       state_(std::make_unique<lang::VmState>(*this, program_->compiled(), options_)) {}

@@ -5,6 +5,7 @@
 #include <string>
 #include <thread>
 
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "vm/state.hpp"
 #include "vm_fixture.hpp"
@@ -124,6 +125,24 @@ TEST_CASE("a failed start of tasks starts none of them") {
             "print(7); print(8) } } catch (e) { print(\"none\") }",
             limits)
             .output == "none\n");
+}
+
+TEST_CASE("a host may let virtual time end earlier") {
+  RunLimits limits;
+  limits.time_ns = 10'000'000'000;
+  CHECK(run("wait(4s)\nwait(6s)\nprint(now())", limits).output == "10 s\n");
+  const auto late = run("wait(4s)\ntry { wait(7s) } catch (e) { print(e.message) }", limits);
+  CHECK(late.output == "a wait of 7 s would end after virtual time does: at most 6 s are left\n");
+  CHECK(run("while (true) { wait(1s) }", limits).code() == "R0636");
+  CHECK(run("every (1s) { }\nwait until false", limits).code() == "R0636");
+  CHECK(run("wait until false, timeout: 10.5s", limits).code() == "R0636");
+  limits.time_ns = 0;
+  CHECK(run("print(1)\nwait(0s)\nprint(2)", limits).output == "1\n2\n");
+  CHECK(run("wait(1ms)", limits).code() == "R0636");
+  for (const std::int64_t end_ns : {std::int64_t{-1}, kEndOfTime_ns + 1}) {
+    limits.time_ns = end_ns;
+    CHECK_THROWS_AS(run("print(1)", limits), ArgumentError);
+  }
 }
 
 TEST_CASE("messages name the task") {

@@ -151,6 +151,21 @@ TEST_CASE("cancelling from another thread stops an endless program") {
   CHECK(session.run().status == RunStatus::kCancelled);
 }
 
+TEST_CASE("no motion goes beyond the end that the host gives virtual time") {
+  SessionOptions made = at_the_table();
+  made.limits.time_ns = 3'000'000'000;
+  for (const char* text :
+       {"moveJ(home(), time: 2s)\nmoveJ(posJ(10deg, 20deg, 30mm, 0deg), time: 2s)",
+        "speedJ([0.1, 0.0, 0.0, 0.0], during: 4s)",
+        "moveL(here() * xyz(0mm, 0mm, -20mm), time: 4s)"}) {
+    Session session(library_engine(), made);
+    REQUIRE(session.compile(text, "p.rbt"));
+    const RunResult result = session.run();
+    REQUIRE(result.error);
+    CHECK(result.error->code == "R0636");
+  }
+}
+
 TEST_CASE("each test runs in a fresh world at time 0") {
   Session session(library_engine(), at_the_table());
   REQUIRE(session.compile(

@@ -117,11 +117,16 @@ class Engine {
   std::unique_ptr<lang::Registry> registry_;
 };
 
+// Virtual time ends a hundred years of 365.25 days after the start, ns; a host may let it end
+// earlier.
+inline constexpr std::int64_t kEndOfTime_ns = 100LL * 36525 * 86400 * 10'000'000;
+
 struct RunLimits {
   std::uint64_t steps = 100'000'000;  // calls and backward jumps (ruling 9)
   std::uint64_t heap_bytes = 1ULL << 30U;
   std::uint32_t call_depth = 10'000;
   std::uint64_t output_bytes = 1ULL << 30U;
+  std::int64_t time_ns = kEndOfTime_ns;  // the virtual time at which a run ends (ruling 48)
 };
 
 struct VmOptions {
