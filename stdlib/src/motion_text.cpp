@@ -14,8 +14,9 @@
 namespace armlet::bind {
 namespace {
 
+constexpr const char* kPer[] = {"", "/s", "/s^2", "/s^3"};
+
 std::string peak_text(const Robot& robot, const Trajectory& motion, int joint, int order) {
-  static constexpr const char* kPer[] = {"", "/s", "/s^2", "/s^3"};
   const double limits[] = {0.0, robot.max_speed()[joint], robot.max_accel()[joint],
                            robot.max_jerk()[joint]};
   const double peak = motion.peak(joint, order);
@@ -110,6 +111,14 @@ std::string deviation_text(const MotionNotes& notes) {
                      format_number(notes.deviation * 1000.0, 3), format_deg(notes.turn));
 }
 
+// Motions whose accelerations do not jump were planned with the limits on jerk.
+Jerk jerk_of(const Trajectory& motion, Trajectory::Start start) {
+  for (int i = 0; i < motion.n(); ++i) {
+    if (motion.continuity(i, 1e-6, start) < 2) return Jerk::kFree;
+  }
+  return Jerk::kLimited;
+}
+
 }  // namespace
 
 std::string explain_motion(std::string_view what, const Robot& robot, const Trajectory& motion,
@@ -119,12 +128,12 @@ std::string explain_motion(std::string_view what, const Robot& robot, const Traj
   const std::vector<MotionPart> parts = notes.parts.empty() ? pieces_of(motion) : notes.parts;
   if (parts.size() > 1) text += parts_text(robot, motion, parts);
   text += deviation_text(notes);
-  const TooFast least = least_time(robot, motion);
+  const TooFast least = least_time(robot, motion, jerk_of(motion, start));
   if (least.least_time <= 0.0) return text;
   text += fmt::format("\n  this path takes at least {} s: joint {} is limited to {}{}",
                       format_number(least.least_time, 3), least.joint + 1,
                       format_joint_value(robot.joint(least.joint).kind, least.limit),
-                      least.kind == LimitKind::kSpeed ? "/s" : "/s^2");
+                      kPer[static_cast<std::size_t>(least.kind) + 1]);
   return text;
 }
 

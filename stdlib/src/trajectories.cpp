@@ -79,8 +79,9 @@ bool choose_accelerations(Vm& vm, MoveCall& call, const MoveSettings& settings) 
 }
 
 // The whole of it, checked once more: a curve may swing beyond its points.
-std::optional<Trajectory> verified(Vm& vm, const MoveCall& call, Trajectory motion) {
-  MotionPlan plan = verify(model_of(vm, call), std::move(motion));
+std::optional<Trajectory> verified(Vm& vm, const MoveCall& call, Trajectory motion,
+                                   Jerk jerk = Jerk::kFree) {
+  MotionPlan plan = verify(model_of(vm, call), std::move(motion), true, jerk);
   if (!plan.outside.empty()) {
     static_cast<void>(fail_swings_outside(vm, call, plan.outside.front()));
   } else if (!plan.trajectory) {
@@ -207,14 +208,14 @@ std::optional<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorX
     whole = whole.then(*leg.motion.trajectory);
   }
   if (settings.move.time && *settings.move.time < 1e-9 && whole.duration() > 0.0) {
-    TooFast fast = least_time(robot, whole);
+    TooFast fast = least_time(robot, whole, Jerk::kLimited);
     fast.given = *settings.move.time;
     static_cast<void>(fail_too_fast(vm, call, fast));
     return std::nullopt;
   }
   if (settings.move.time && whole.duration() > 0.0)
     whole = whole.stretched(*settings.move.time / whole.duration());
-  return verified(vm, call, std::move(whole));
+  return verified(vm, call, std::move(whole), Jerk::kLimited);
 }
 
 double way_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion) {

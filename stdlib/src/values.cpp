@@ -61,7 +61,9 @@ std::string orientation_text(const Eigen::Matrix3d& R) {
   if (angle < 1e-9) return "0 deg about z";
   for (int i = 0; i < 3; ++i) {
     if (std::abs(std::abs(phi[i]) - angle) < 1e-9 * std::max(1.0, angle)) {
-      return fmt::format("{} about {}", format_deg(phi[i]), "xyz"[i]);
+      // Half a turn is the same either way.
+      const std::string turn = format_deg(phi[i]);
+      return fmt::format("{} about {}", turn == "-180 deg" ? "180 deg" : turn, "xyz"[i]);
     }
   }
   const Eigen::Vector3d rpy = rpy_from_R(R) * (180.0 / std::numbers::pi);

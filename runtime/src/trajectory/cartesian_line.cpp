@@ -69,9 +69,8 @@ bool nothing_to_do(const Robot& robot, const LineMove& move, const Eigen::Isomet
 }
 
 // The duration asked for, or the shortest that the limits of the tool and of the joints allow.
-double duration(const Robot& robot, const LineMove& move, const Trajectory& unit, double length) {
+double duration(const LineMove& move, double by_joints, double length) {
   if (move.time) return *move.time;
-  const double by_joints = least_time(robot, unit).least_time;
   double by_tool = 0.0;
   if (move.tool_speed) by_tool = kQuinticPeak * length / *move.tool_speed;
   if (move.tool_accel)
@@ -83,10 +82,11 @@ double duration(const Robot& robot, const LineMove& move, const Trajectory& unit
 }  // namespace
 
 MotionPlan run_unit_motion(const Robot& robot, const LineMove& move, const Trajectory& unit,
-                           double length) {
-  const double T = duration(robot, move, unit, length);
-  if (T >= kShortest) return verify(robot, unit.stretched(T), move.enforce_limits);
-  MotionPlan refused{.too_fast = least_time(robot, unit)};
+                           double length, Jerk jerk) {
+  const TooFast least = least_time(robot, unit, jerk);
+  const double T = duration(move, least.least_time, length);
+  if (T >= kShortest) return verify(robot, unit.stretched(T), move.enforce_limits, jerk);
+  MotionPlan refused{.too_fast = least};
   refused.too_fast->given = T;
   return refused;
 }
@@ -122,7 +122,7 @@ LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& 
     plan.fault = samples.fault();
     return plan;
   }
-  plan.motion = run_unit_motion(robot, move, samples.motion(), plan.length);
+  plan.motion = run_unit_motion(robot, move, samples.motion(), plan.length, Jerk::kLimited);
   return plan;
 }
 

@@ -132,7 +132,7 @@ SplinePlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
     return plan;
   }
   const LineMove run{.q0 = move.q0, .time = move.time, .speed = move.speed};
-  plan.motion = run_unit_motion(robot, run, samples.motion(), plan.length);
+  plan.motion = run_unit_motion(robot, run, samples.motion(), plan.length, Jerk::kFree);
   if (!plan.ok()) return plan;
   plan.times.assign(move.places.size(), 0.0);
   for (std::size_t k = 1; k < knots.times.size(); ++k) {

@@ -20,6 +20,6 @@ void check_line_move(const Robot& robot, const LineMove& move);
 
 // A motion of one second run in the time that the move asks for, and verified.
 MotionPlan run_unit_motion(const Robot& robot, const LineMove& move, const Trajectory& unit,
-                           double length);
+                           double length, Jerk jerk);
 
 }  // namespace armlet

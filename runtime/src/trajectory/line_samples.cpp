@@ -17,12 +17,17 @@ namespace {
 constexpr int kFirstIntervals = 16;
 constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
 constexpr double kTurnPerSample = 2.0 * std::numbers::pi / 180.0;
-constexpr double kSlidePerSample = 0.02;    // m
-constexpr double kPlaceDeviation = 1e-5;    // m, between samples
-constexpr double kAngleDeviation = 1e-4;    // rad, between samples
+constexpr double kSlidePerSample = 0.02;  // m
+// Between samples, m and rad; looked at halfway, so a little less than what is promised.
+constexpr double kPlaceDeviation = 8e-7;
+constexpr double kAngleDeviation = 8e-6;
+constexpr double kGivenDeviates = 10.0;     // times as much where the curve is a wish
 constexpr double kSampleTolerance = 1e-10;  // m and rad, at samples
 constexpr double kSwing = 5e-10;            // rad or m, beyond a limit between samples
 constexpr int kSlideSteps = 8;
+constexpr int kSettleSteps = 12;        // where what is left to choose is to settle too,
+constexpr double kSettled = 1e-9;       // rad or m
+constexpr double kTurnShare = 1e-4;     // of a joint's own motion in what turns the tool
 constexpr double kLargestSlide = 10.0;  // allowed changes between samples; more is no slide
 
 // Joint change between neighbouring samples, as a multiple of what is allowed.
@@ -113,11 +118,44 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
   return std::nullopt;
 }
 
+// The same for a place: of the joints that have the tool there, those that turn it least from what
+// it was at the solution before. Each step has the error of the place taken away to first order, by
+// what turns least: a least squares problem with equality constraints.
+std::optional<Eigen::VectorXd> LineSamples::slide_to_place(const Eigen::Vector3d& place,
+                                                           const Eigen::VectorXd& seed) const {
+  Eigen::Isometry3d T_world_wished = forward(robot_, seed);
+  T_world_wished.translation() = place;
+  Eigen::VectorXd q = seed;
+  Jacobian J;
+  bool settled = false;
+  for (int k = 0; k < kSettleSteps; ++k) {
+    const Vector6d error = pose_error(forward_and_jacobian(robot_, q, J), T_world_wished);
+    if (settled && error.head<3>().norm() <= kSampleTolerance) {
+      if (limit_violations(robot_, q).empty()) return q;
+      return std::nullopt;
+    }
+    Eigen::MatrixXd turning = J.bottomRows<3>().transpose() * J.bottomRows<3>();
+    turning.diagonal().array() += kTurnShare;
+    const auto least = turning.ldlt();
+    const Eigen::MatrixXd moving = least.solve(J.topRows<3>().transpose());
+    const Eigen::VectorXd back = least.solve(J.bottomRows<3>().transpose() * error.tail<3>());
+    const Eigen::Matrix3d square = J.topRows<3>() * moving;
+    const Eigen::VectorXd step =
+        back + moving * square.ldlt().solve(error.head<3>() - J.topRows<3>() * back);
+    q += step;
+    if (!q.allFinite() || change(robot_, seed, q) > kLargestSlide) return std::nullopt;
+    settled = step.cwiseAbs().maxCoeff() <= kSettled;
+  }
+  return std::nullopt;
+}
+
 IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
   checkpoint(1000);
   const Eigen::Isometry3d T_world_tool = pose_at(x);
-  if (task_ == IkTask::kPose && respect_limits) {
-    if (auto q = slide(T_world_tool, seed)) {
+  if (respect_limits && (task_ == IkTask::kPose || task_ == IkTask::kPlace)) {
+    auto q = task_ == IkTask::kPose ? slide(T_world_tool, seed)
+                                    : slide_to_place(T_world_tool.translation(), seed);
+    if (q) {
       IkResult result;
       result.status = IkStatus::kOk;
       result.q = *std::move(q);
@@ -203,9 +241,10 @@ bool LineSamples::strays(const Trajectory& motion, double x) const {
   const Eigen::Isometry3d T_world_tool = forward(robot_, q);
   const Eigen::Isometry3d T_world_line = pose_at(x);
   const double aside = (T_world_tool.translation() - T_world_line.translation()).norm();
-  if (aside > kPlaceDeviation) return true;
+  const double share = law_ == CurveLaw::kGiven ? kGivenDeviates : 1.0;
+  if (aside > share * kPlaceDeviation) return true;
   const bool oriented = task_ == IkTask::kPose;
-  return oriented && angle_between(T_world_tool, T_world_line) > kAngleDeviation;
+  return oriented && angle_between(T_world_tool, T_world_line) > share * kAngleDeviation;
 }
 
 // Adds samples in the middle of intervals where the joint curves leave the line.
@@ -241,6 +280,11 @@ Trajectory LineSamples::motion() const {
   for (int i = 0; i < robot_.n(); ++i) {
     std::vector<double> q;
     for (const Sample& sample : samples_) q.push_back(sample.q[i]);
+    if (law_ == CurveLaw::kQuintic) {
+      // Beginning and ending without acceleration, and jerk has no jumps.
+      joints.push_back({.segments = quintic_spline(x, q), .q_end = q.back()});
+      continue;
+    }
     double v_start = 0.0, v_end = 0.0;
     if (law_ == CurveLaw::kEven) {
       v_start = slope_at_first(x.data(), q.data());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "trajectory/cube_root.hpp"
 
 namespace armlet {
 namespace {
@@ -38,7 +39,7 @@ std::vector<AxisLimits> axis_limits(const Robot& robot) {
   return limits;
 }
 
-TooFast least_time(const Robot& robot, const Trajectory& trajectory) {
+TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk) {
   check_size("trajectory", trajectory.n(), robot.n());
   const double T = trajectory.duration();
   TooFast slowest{.given = T, .limit = robot.max_speed()[0]};
@@ -56,15 +57,18 @@ TooFast least_time(const Robot& robot, const Trajectory& trajectory) {
     const double A = robot.max_accel()[i];
     consider(i, LimitKind::kSpeed, trajectory.peak(i, 1) / V, V);
     consider(i, LimitKind::kAcceleration, std::sqrt(trajectory.peak(i, 2) / A), A);
+    if (jerk == Jerk::kFree) continue;
+    const double J = robot.max_jerk()[i];
+    consider(i, LimitKind::kJerk, cube_root(trajectory.peak(i, 3) / J), J);
   }
   return slowest;
 }
 
-MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits) {
+MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits, Jerk jerk) {
   check_size("trajectory", trajectory.n(), robot.n());
   MotionPlan plan;
   plan.outside = joints_outside(robot, trajectory);
-  const TooFast slowest = least_time(robot, trajectory);
+  const TooFast slowest = least_time(robot, trajectory, jerk);
   if (slowest.given < slowest.least_time * (1.0 - kTimeSlack)) plan.too_fast = slowest;
   if (plan.outside.empty() && !(plan.too_fast && enforce_limits)) {
     plan.trajectory = std::move(trajectory);

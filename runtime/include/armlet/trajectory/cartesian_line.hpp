@@ -20,7 +20,7 @@ namespace armlet {
 // tool_accel      highest acceleration of the tool point along the line, m/s^2; not with time.
 // speed           fraction of the joint limits for a move with neither time nor tool_speed, above 0
 //                 and at most 1: the move as fast as the joints allow, run 1/speed times slower.
-// enforce_limits  false: joint speeds and accelerations that are too high are only reported.
+// enforce_limits  false: joint speeds, accelerations and jerks that are too high are only reported.
 struct LineMove {
   Eigen::VectorXd q0{};
   Eigen::Isometry3d T_world_goal = Eigen::Isometry3d::Identity();
@@ -65,9 +65,10 @@ struct LinePlan {
 };
 
 // Plans the line: places on it are solved to joints, each from the solution before, so finely that
-// no joint turns 2 deg (or slides 20 mm) between two of them and the tool stays within 10 um of the
-// line in between; the joints follow cubic splines through them in time. Distance runs as the
-// quintic 10 x^3 - 15 x^4 + 6 x^5 of time.
+// no joint turns 2 deg (or slides 20 mm) between two of them and the tool stays within 1 um of the
+// line in between; the joints follow quintic splines through them in time. Distance runs as the
+// quintic 10 x^3 - 15 x^4 + 6 x^5 of time, as slowly as the limits of the joints on speed,
+// acceleration and jerk need it.
 //
 // throws  ArgumentError unless q0 has n finite elements, the goal is a pose, and time or tool_speed
 //         is positive (time may be 0 if there is nothing to travel), not both.

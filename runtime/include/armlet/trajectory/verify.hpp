@@ -11,6 +11,9 @@
 
 namespace armlet {
 
+// Whether a motion has to keep the limits on jerk too. Motions whose accelerations jump cannot.
+enum class Jerk { kFree, kLimited };
+
 // What planning a motion of a robot gave.
 //
 // trajectory  the motion; nothing if it must not be made.
@@ -28,14 +31,15 @@ struct MotionPlan {
 std::vector<AxisLimits> axis_limits(const Robot& robot);
 
 // The duration that the path of this trajectory needs at least for the speed and acceleration
-// limits of every joint, and the joint that decides.
-TooFast least_time(const Robot& robot, const Trajectory& trajectory);
+// limits, and those on jerk if they count, of every joint; and the joint that decides.
+TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk = Jerk::kFree);
 
-// Checks positions, speeds and accelerations over the whole motion, exactly. A joint that starts
-// outside its limits may only come back.
+// Checks positions, speeds, accelerations and perhaps jerks over the whole motion, exactly. A joint
+// that starts outside its limits may only come back.
 //
-// enforce_limits  false: speeds and accelerations that are too high are only reported.
+// enforce_limits  false: what is too fast is only reported.
 // throws          ArgumentError unless the trajectory has one path per joint.
-MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits = true);
+MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits = true,
+                  Jerk jerk = Jerk::kFree);
 
 }  // namespace armlet
