@@ -182,14 +182,12 @@ class PathPlanner {
     }
     // Samples run from 0 to 1, speeds in metres.
     const Trajectory path = samples.motion().stretched(stretch.curve.length());
-    const SpeedAlongPath speed = fastest_along(path, limits_, kIntervals, stretch.zones);
-    Trajectory motion = run_within(path, speed, limits_);
-    const double slower = motion.duration() / speed.duration();
+    FastestRun run = fastest_run(path, limits_, kIntervals, stretch.zones);
     for (std::size_t k = 0; k < stretch.legs.size(); ++k) {
       plan_.times[static_cast<std::size_t>(stretch.legs[k].point)] =
-          start + slower * speed.time_at(stretch.ends[k]);
+          start + run.speed.time_at(stretch.ends[k]);
     }
-    return motion;
+    return std::move(run.motion);
   }
 
   // A corner takes from both legs as much as it is long.

@@ -12,6 +12,10 @@ namespace armlet {
 namespace {
 
 constexpr double kSamePoint = 1e-12;  // rad or m
+// Places at which speeds are found: with them the motion takes 0.5 % longer than it had to, at
+// most.
+constexpr int kIntervalsPerLeg = 60;
+constexpr int kFewestIntervals = 240;
 
 // The points without those that repeat the one before.
 std::vector<Eigen::VectorXd> different_points(const MoveRequest& request) {
@@ -52,7 +56,9 @@ Plan plan_fastest(const MoveRequest& request) {
   const std::vector<Eigen::VectorXd> points = different_points(request);
   if (points.size() < 2)
     return {.trajectory = Trajectory::at_rest(request.q1, request.time.value_or(0.0))};
-  const Trajectory fastest = time_optimal(path_through(points), request.limits);
+  const int intervals =
+      std::max(kFewestIntervals, kIntervalsPerLeg * static_cast<int>(points.size() - 1));
+  const Trajectory fastest = time_optimal(path_through(points), request.limits, intervals);
   const Duration chosen = choose_duration(request, tightest_joint(request, fastest));
   if (!chosen.possible) return {.too_fast = chosen.too_fast};
   return {.trajectory = fastest.stretched(chosen.T / fastest.duration()),

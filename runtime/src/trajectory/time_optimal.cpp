@@ -7,14 +7,16 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
-#include "armlet/trajectory/spline.hpp"
 
 namespace armlet {
 namespace {
 
 constexpr double kNoSlope = 1e-12;  // |q'| below it: the joint does not restrict the acceleration
-constexpr double kSamePlace = 1e-12;
 constexpr double kSameKnot = 1e-9;  // as in Trajectory::knots
+constexpr double kIdle = 0.02;      // of all limits, that an interval may leave without parts,
+constexpr double kMostParts = 6.0;  // of which it gets so many at most
+constexpr int kRounds = 8;          // how often what is exceeded between places is made slower
+constexpr double kWellKept = 1e-3;  // what may be exceeded before the whole is made slower
 
 void check_path(const Trajectory& path, std::span<const AxisLimits> limits, int intervals) {
   check_size("limits", static_cast<Eigen::Index>(limits.size()), path.n());
@@ -37,14 +39,22 @@ void check_path(const Trajectory& path, std::span<const AxisLimits> limits, int 
 
 // The piece that begins at a place or goes on behind it; knots of different joints that differ by
 // rounding are one place. `piece` is one before.
-std::size_t piece_behind(const std::vector<Segment>& pieces, std::size_t piece, double s) {
+std::size_t piece_behind(std::span<const Segment> pieces, std::size_t piece, double s) {
   while (piece + 1 < pieces.size() && pieces[piece + 1].start <= s + kSameKnot) ++piece;
   return piece;
 }
 
-// Places along the path: its knots, and enough in between.
-std::vector<double> places(const Trajectory& path, int intervals) {
-  const std::vector<double> knots = path.knots();
+// Places along the path: its knots, where zones begin and end, and enough in between.
+std::vector<double> places(const Trajectory& path, std::span<const SpeedZone> zones,
+                           int intervals) {
+  std::vector<double> knots = path.knots();
+  for (const SpeedZone& zone : zones) {
+    for (const double border : {zone.from, zone.to}) {
+      const auto behind = std::ranges::lower_bound(knots, border - kSameKnot);
+      if (behind == knots.end() || *behind <= border + kSameKnot) continue;
+      if (behind != knots.begin()) knots.insert(behind, border);
+    }
+  }
   const double widest = path.duration() / intervals;
   std::vector<double> s = {0.0};
   s.reserve(static_cast<std::size_t>(intervals) + knots.size() + 1);
@@ -64,19 +74,83 @@ struct Strips {
   double x_most = 0.0;  // of the speed limits, and of joints that only curve
 };
 
+// What is run along: the path, its limits and those of its zones.
+struct Course {
+  const Trajectory& path;
+  std::span<const AxisLimits> limits;
+  std::span<const SpeedZone> zones;
+  std::span<const Segment> travel;
+};
+
+// First and second derivative.
+struct Slopes {
+  double first = 0.0, second = 0.0;
+};
+Slopes slopes_at(const Segment& p, double s) {
+  const double u = s - p.start;
+  return {p.c[1] + u * (2.0 * p.c[2] + u * 3.0 * p.c[3]), 2.0 * p.c[2] + 6.0 * u * p.c[3]};
+}
+
 class Grid {
  public:
-  Grid(const Trajectory& path, std::span<const AxisLimits> limits, int intervals,
-       std::span<const SpeedZone> zones)
-      : s_(places(path, intervals)), limits_(limits), zones_(zones), n_(limits.size()) {
+  Grid(const Course& course, std::vector<double> places)
+      : course_(course),
+        s_(std::move(places)),
+        limits_(course.limits),
+        zones_(course.zones),
+        n_(course.limits.size()) {
     const std::size_t count = s_.size();
     first_.resize(count * n_);
     second_.resize(count * n_);
-    for (std::size_t i = 0; i < n_; ++i) fill_joint(path.joint(static_cast<int>(i)), i);
-    strips_.alpha.resize(2 * n_ + zones.size());
-    strips_.beta.resize(2 * n_ + zones.size());
+    for (std::size_t i = 0; i < n_; ++i) {
+      const std::vector<Segment>& pieces = course.path.joint(static_cast<int>(i)).segments;
+      fill(pieces, n_, &first_[i], &second_[i]);
+    }
+    travel_first_.assign(count, 1.0);
+    travel_second_.assign(count, 0.0);
+    if (!course.travel.empty()) fill(course.travel, 1, travel_first_.data(), travel_second_.data());
+    strips_.alpha.resize(2 * (n_ + zones_.size()));
+    strips_.beta.resize(2 * (n_ + zones_.size()));
+    over_.assign(count, {});
     bound_.resize(count);
     for (std::size_t k = 0; k < count; ++k) bound_[k] = speed_bound(k);
+  }
+
+  // By how much limits are exceeded in an interval, so that they are divided by it.
+  struct Over {
+    double speed = 1.0, acceleration = 1.0;
+  };
+
+  // Makes limits stricter where a run exceeds them between the places; by how much the worst is
+  // exceeded, as a factor of time.
+  double tighten(const std::vector<double>& x) {
+    double worst = 1.0;
+    std::vector<std::size_t> piece(n_ + 1, 0);
+    for (std::size_t k = 0; k + 1 < s_.size(); ++k) {
+      Over over;
+      for (const double part : {0.2, 0.5, 0.8}) look(k, part, x, piece, over);
+      over_[k].speed *= over.speed;
+      over_[k].acceleration *= over.acceleration;
+      worst = std::max({worst, over.speed, std::sqrt(over.acceleration)});
+    }
+    for (std::size_t k = 0; k < s_.size(); ++k) bound_[k] = speed_bound(k);
+    return worst;
+  }
+
+  // How far a run stays below all limits in each interval, as a part of them.
+  [[nodiscard]] std::vector<double> idle(const std::vector<double>& x) const {
+    std::vector<double> out;
+    std::vector<std::size_t> piece(n_ + 1, 0);
+    for (std::size_t k = 0; k + 1 < s_.size(); ++k) {
+      double least = 1.0;
+      for (const double part : {0.01, 0.5, 0.99}) {
+        Over load{0.0, 0.0};
+        look(k, part, x, piece, load);
+        least = std::min(least, std::max(load.speed, load.acceleration));
+      }
+      out.push_back(1.0 - least);
+    }
+    return out;
   }
 
   [[nodiscard]] const std::vector<double>& s() const { return s_; }
@@ -85,13 +159,15 @@ class Grid {
   [[nodiscard]] double speed_bound(std::size_t k) const {
     double least = std::sqrt(kUnbounded);
     for (const SpeedZone& zone : zones_) {
-      const bool inside = s_[k] >= zone.from - kSamePlace && s_[k] <= zone.to + kSamePlace;
-      if (inside) least = std::min(least, zone.speed);
+      const bool inside = s_[k] >= zone.from - kSameKnot && s_[k] <= zone.to + kSameKnot;
+      const double slope = std::abs(travel_first_[k]);
+      if (inside && slope * least > zone.speed) least = zone.speed / slope;
     }
     for (std::size_t i = 0; i < n_; ++i) {
       const double slope = std::abs(first_[k * n_ + i]);
       if (slope * least > limits_[i].speed) least = limits_[i].speed / slope;
     }
+    least /= std::max(over_[k].speed, k > 0 ? over_[k - 1].speed : 1.0);
     return least * least;
   }
 
@@ -103,14 +179,17 @@ class Grid {
     rows_ = 0;
     strips_.x_most = bound_[k];
     for (std::size_t i = 0; i < n_; ++i) {
-      const double A = limits_[i].acceleration;
+      const double A = limits_[i].acceleration / over_[k].acceleration;
       add(first_[k * n_ + i], second_[k * n_ + i], A);
       const double curve = second_[(k + 1) * n_ + i];
       add(first_[(k + 1) * n_ + i] + twice * curve, curve, A);
     }
     for (const SpeedZone& zone : zones_) {
-      const bool overlaps = s_[k + 1] > zone.from + kSamePlace && s_[k] < zone.to - kSamePlace;
-      if (overlaps && std::isfinite(zone.acceleration)) add(1.0, 0.0, zone.acceleration);
+      const bool overlaps = s_[k + 1] > zone.from + kSameKnot && s_[k] < zone.to - kSameKnot;
+      if (!overlaps || !std::isfinite(zone.acceleration)) continue;
+      const double A = zone.acceleration / over_[k].acceleration;
+      add(travel_first_[k], travel_second_[k], A);
+      add(travel_first_[k + 1] + twice * travel_second_[k + 1], travel_second_[k + 1], A);
     }
     return strips_;
   }
@@ -141,19 +220,47 @@ class Grid {
   static constexpr double kUnbounded = 1e100;
 
  private:
-  void fill_joint(const JointPath& path, std::size_t i) {
+  // Derivatives at all places; of a curve without pieces they are zero.
+  void fill(std::span<const Segment> pieces, std::size_t stride, double* first,
+            double* second) const {
     std::size_t piece = 0;
     for (std::size_t k = 0; k < s_.size(); ++k) {
-      double first = 0.0, second = 0.0;
-      if (!path.segments.empty()) {
-        piece = piece_behind(path.segments, piece, s_[k]);
-        const Segment& p = path.segments[piece];
-        const double u = s_[k] - p.start;
-        first = p.c[1] + u * (2.0 * p.c[2] + u * 3.0 * p.c[3]);
-        second = 2.0 * p.c[2] + 6.0 * u * p.c[3];
+      Slopes slopes;
+      if (!pieces.empty()) {
+        piece = piece_behind(pieces, piece, s_[k]);
+        slopes = slopes_at(pieces[piece], s_[k]);
       }
-      first_[k * n_ + i] = first;
-      second_[k * n_ + i] = second;
+      first[k * stride] = slopes.first;
+      second[k * stride] = slopes.second;
+    }
+  }
+
+  // What is exceeded at a part of interval k.
+  void look(std::size_t k, double part, const std::vector<double>& x,
+            std::vector<std::size_t>& piece, Over& over) const {
+    const double length = s_[k + 1] - s_[k];
+    const double s = s_[k] + part * length;
+    const double u = (x[k + 1] - x[k]) / (2.0 * length);
+    const double squared = x[k] + part * (x[k + 1] - x[k]);
+    const double speed = std::sqrt(squared);
+    const auto compare = [&](const Slopes& slopes, double V, double A) {
+      over.speed = std::max(over.speed, std::abs(slopes.first) * speed / V);
+      const double a = std::abs(slopes.first * u + slopes.second * squared);
+      over.acceleration = std::max(over.acceleration, a / A);
+    };
+    for (std::size_t i = 0; i < n_; ++i) {
+      const std::vector<Segment>& pieces = course_.path.joint(static_cast<int>(i)).segments;
+      if (pieces.empty()) continue;
+      piece[i] = piece_behind(pieces, piece[i], s);
+      compare(slopes_at(pieces[piece[i]], s), limits_[i].speed, limits_[i].acceleration);
+    }
+    Slopes travel{1.0, 0.0};
+    if (!course_.travel.empty()) {
+      piece[n_] = piece_behind(course_.travel, piece[n_], s);
+      travel = slopes_at(course_.travel[piece[n_]], s);
+    }
+    for (const SpeedZone& zone : zones_) {
+      if (s > zone.from && s < zone.to) compare(travel, zone.speed, zone.acceleration);
     }
   }
 
@@ -169,12 +276,15 @@ class Grid {
     ++rows_;
   }
 
+  Course course_;
   std::vector<double> s_;
   std::span<const AxisLimits> limits_;
   std::span<const SpeedZone> zones_;
   std::size_t n_;
   std::vector<double> first_, second_;  // by place, then by joint
-  std::vector<double> bound_;           // squared speed
+  std::vector<double> travel_first_, travel_second_;
+  std::vector<Over> over_;     // by interval
+  std::vector<double> bound_;  // squared speed
   Strips strips_;
   std::size_t rows_ = 0;
 };
@@ -231,39 +341,18 @@ double highest_before(const Grid& grid, const Strips& strips, double next, doubl
   return x > 0.0 ? x : highest_by_halving(grid, strips, next, twice);
 }
 
-}  // namespace
-
-double SpeedAlongPath::duration() const {
-  double T = 0.0;
-  for (std::size_t k = 0; k + 1 < s.size(); ++k) {
-    T += 2.0 * (s[k + 1] - s[k]) / (std::sqrt(squared[k]) + std::sqrt(squared[k + 1]));
-  }
-  return T;
-}
-
-double SpeedAlongPath::time_at(double place) const {
-  double T = 0.0;
-  for (std::size_t k = 0; k + 1 < s.size() && s[k] < place; ++k) {
-    const double v0 = std::sqrt(squared[k]);
-    const double step = std::min(place, s[k + 1]) - s[k];
-    const double part = step / (s[k + 1] - s[k]);
-    const double v1 = std::sqrt(squared[k] + part * (squared[k + 1] - squared[k]));
-    T += 2.0 * step / (v0 + v1);
-  }
-  return T;
-}
-
-SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits> limits,
-                             int intervals, std::span<const SpeedZone> zones) {
-  check_path(path, limits, intervals);
-  for (const SpeedZone& zone : zones) {
+void check_course(const Course& course, int intervals) {
+  check_path(course.path, course.limits, intervals);
+  for (const SpeedZone& zone : course.zones) {
     if (zone.speed > 0.0 && zone.acceleration > 0.0) continue;
     throw ArgumentError(fmt::format(
         "A stretch of the path is limited to a speed of {} and an acceleration of {}; expected "
         "both above zero.",
         zone.speed, zone.acceleration));
   }
-  Grid grid(path, limits, intervals, zones);
+}
+
+SpeedAlongPath fastest_on(Grid& grid) {
   const std::vector<double>& s = grid.s();
   const std::size_t last = s.size() - 1;
   // Backwards: from which speeds can the arm still stop at the end?
@@ -286,6 +375,31 @@ SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits>
     }
   }
   return {.s = s, .squared = std::move(x)};
+}
+
+// Where the grid is too coarse for limits to be reached everywhere, as the fastest run does, it
+// gets more places.
+std::vector<double> finer(const Grid& grid, const SpeedAlongPath& run) {
+  const std::vector<double> idle = grid.idle(run.squared);
+  std::vector<double> s = {0.0};
+  for (std::size_t k = 0; k + 1 < run.s.size(); ++k) {
+    const double parts = std::clamp(std::ceil(idle[k] / kIdle), 1.0, kMostParts);
+    const double length = run.s[k + 1] - run.s[k];
+    for (double j = 1.0; j < parts; ++j) s.push_back(run.s[k] + length * j / parts);
+    s.push_back(run.s[k + 1]);
+  }
+  return s;
+}
+
+}  // namespace
+
+SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits> limits,
+                             int intervals, std::span<const SpeedZone> zones,
+                             std::span<const Segment> travel) {
+  const Course course{path, limits, zones, travel};
+  check_course(course, intervals);
+  Grid grid(course, places(path, zones, intervals));
+  return fastest_on(grid);
 }
 
 Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed) {
@@ -321,43 +435,30 @@ Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed) {
   return {std::move(joints), start.back()};
 }
 
-Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits, int intervals,
-                        std::span<const SpeedZone> zones) {
-  return run_within(path, fastest_along(path, limits, intervals, zones), limits);
-}
-
-Trajectory run_within(const Trajectory& path, const SpeedAlongPath& speed,
-                      std::span<const AxisLimits> limits) {
-  const Trajectory fastest = run_along(path, speed);
+FastestRun fastest_run(const Trajectory& path, std::span<const AxisLimits> limits, int intervals,
+                       std::span<const SpeedZone> zones, std::span<const Segment> travel) {
+  const Course course{path, limits, zones, travel};
+  check_course(course, intervals);
+  Grid coarse(course, places(path, zones, intervals));
+  Grid grid(course, finer(coarse, fastest_on(coarse)));
+  SpeedAlongPath speed = fastest_on(grid);
+  for (int k = 0; k < kRounds && grid.tighten(speed.squared) > 1.0 + kWellKept; ++k)
+    speed = fastest_on(grid);
+  Trajectory motion = run_along(path, speed);
   double slower = 1.0;
-  for (int i = 0; i < fastest.n(); ++i) {
+  for (int i = 0; i < motion.n(); ++i) {
     const AxisLimits& l = limits[static_cast<std::size_t>(i)];
     slower = std::max(
-        {slower, fastest.peak(i, 1) / l.speed, std::sqrt(fastest.peak(i, 2) / l.acceleration)});
+        {slower, motion.peak(i, 1) / l.speed, std::sqrt(motion.peak(i, 2) / l.acceleration)});
   }
-  return slower > 1.0 ? fastest.stretched(slower) : fastest;
+  if (slower == 1.0) return {std::move(speed), std::move(motion)};
+  for (double& x : speed.squared) x /= slower * slower;
+  return {std::move(speed), motion.stretched(slower)};
 }
 
-Trajectory path_through(std::span<const Eigen::VectorXd> points) {
-  if (points.size() < 2) throw ArgumentError("A path needs at least two points.");
-  std::vector<double> s = {0.0};
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    check_size("points", points[k].size(), points[0].size());
-    check_finite("points", points[k]);
-    const double distance = (points[k] - points[k - 1]).norm();
-    if (!(distance > 0.0)) {
-      throw ArgumentError(
-          fmt::format("Points {} and {} of the path are the same; leave one out.", k, k + 1));
-    }
-    s.push_back(s.back() + std::sqrt(distance));
-  }
-  std::vector<JointPath> joints;
-  std::vector<double> q(points.size());
-  for (Eigen::Index i = 0; i < points[0].size(); ++i) {
-    for (std::size_t k = 0; k < points.size(); ++k) q[k] = points[k][i];
-    joints.push_back({.segments = natural_spline(s, q), .q_end = q.back()});
-  }
-  return {std::move(joints), s.back()};
+Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits, int intervals,
+                        std::span<const SpeedZone> zones) {
+  return fastest_run(path, limits, intervals, zones).motion;
 }
 
 }  // namespace armlet

@@ -21,7 +21,8 @@ struct SpeedAlongPath {
   [[nodiscard]] double time_at(double place) const;
 };
 
-// Between two places along a path its speed, and how fast that changes, is limited; above zero.
+// Between two places along a path the speed of what travels along it, and how fast that changes, is
+// limited; above zero.
 struct SpeedZone {
   double from = 0.0, to = 0.0;
   double speed = std::numeric_limits<double>::infinity();
@@ -38,21 +39,32 @@ struct SpeedZone {
 //            many intervals. Limits hold at the places, on both sides; in between they may be
 //            exceeded by a part that falls with the square of the number.
 // zones      limits along the path itself; they may overlap.
+// travel     what the zones limit, as cubic pieces over s that ascend: the way of the tool, m.
+//            Empty: s itself.
 // throws     ArgumentError for a path or limits that are not as said.
 // source     H. Pham, Q.-C. Pham, A new approach to time-optimal path parameterization based on
 //            reachability analysis, T-RO 34(3), 2018; constraints by the interpolation scheme.
 SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits> limits,
-                             int intervals = 100, std::span<const SpeedZone> zones = {});
+                             int intervals = 100, std::span<const SpeedZone> zones = {},
+                             std::span<const Segment> travel = {});
 
 // The motion that runs the path like that, as polynomials of degree 6 in time.
 Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed);
 
-// The same, and then slower by what the limits are still exceeded between the places, so that they
-// hold everywhere.
-Trajectory run_within(const Trajectory& path, const SpeedAlongPath& speed,
-                      std::span<const AxisLimits> limits);
+// A run with its speeds.
+struct FastestRun {
+  SpeedAlongPath speed{};
+  Trajectory motion{};
+};
 
-// The fastest run found and made.
+// The fastest run, made slower between places where limits would be exceeded there, until that is
+// 1e-3 of the time at most; and then as a whole by what is left, so that they hold everywhere. The
+// intervals are divided where no limit is reached, which the fastest run does everywhere.
+FastestRun fastest_run(const Trajectory& path, std::span<const AxisLimits> limits,
+                       int intervals = 100, std::span<const SpeedZone> zones = {},
+                       std::span<const Segment> travel = {});
+
+// Its motion.
 Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits,
                         int intervals = 100, std::span<const SpeedZone> zones = {});
 
