@@ -144,6 +144,51 @@ void bench_batch(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
   }
 }
 
+// A few configurations in one call, against as many single calls, ns per configuration.
+void bench_few(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
+  const std::size_t n = static_cast<std::size_t>(robot.n());
+  for (const std::size_t count : {1, 2, 3, 4, 5, 8, 11, 16}) {
+    const int batches = kConfigurations / static_cast<int>(count);
+    const auto of = [&](int k, std::size_t i) -> const Eigen::VectorXd& {
+      return q[static_cast<std::size_t>(k) * count + i];
+    };
+    std::vector<std::vector<double>> columns(static_cast<std::size_t>(batches));
+    for (int k = 0; k < batches; ++k) {
+      for (std::size_t i = 0; i < n * count; ++i) {
+        columns[static_cast<std::size_t>(k)].push_back(
+            of(k, i % count)[static_cast<Eigen::Index>(i / count)]);
+      }
+    }
+    std::vector<double> poses(12 * count), jacobians(6 * n * count);
+    const auto all_poses = [&](int k) {
+      forward_batch(robot, columns[static_cast<std::size_t>(k)], poses);
+      return poses[0];
+    };
+    const auto all_jacobians = [&](int k) {
+      jacobian_batch(robot, columns[static_cast<std::size_t>(k)], jacobians);
+      return jacobians[0];
+    };
+    const auto single_poses = [&](int k) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < count; ++i) sum += forward(robot, of(k, i))(0, 3);
+      return sum;
+    };
+    const auto single_jacobians = [&](int k) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < count; ++i) sum += jacobian(robot, of(k, i))(0, 0);
+      return sum;
+    };
+    const auto row = [&](const char* what, const auto& all, const auto& one) {
+      Times times = compare(batches, all, one, kRounds);
+      times.ours /= static_cast<double>(count);
+      times.theirs /= static_cast<double>(count);
+      print_row("", (what + std::to_string(count)).c_str(), times, "own; at least 1");
+    };
+    row("poses, batch of ", all_poses, single_poses);
+    row("Jacobians, batch of ", all_jacobians, single_jacobians);
+  }
+}
+
 // The number of iterations per start with which the peer is quickest among those with which it
 // finds most; its own choice of 500 loses time on starts that lead nowhere.
 int best_iterations(KdlArm& peer, const std::vector<double>& start) {
@@ -245,6 +290,7 @@ void bench_arm(const Robot& robot) {
   bench_forward(robot, q, peer);
   bench_jacobian(robot, q, peer);
   bench_batch(robot, q);
+  bench_few(robot, q);
   bench_inverse(robot, q, peer);
 }
 

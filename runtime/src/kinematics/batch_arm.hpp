@@ -6,12 +6,24 @@
 // larger instruction sets include it.
 namespace armlet {
 
-// A plan as plain pointers. The angle of a plain joint is its value.
+// Twist, as a number.
+inline constexpr unsigned char kRightTwist = 1, kAnyTwist = 2;
+
+// A plan as plain pointers.
 struct BatchArm {
   std::size_t n;
   bool base_is_none, tool_on_axis;
   const double *theta, *turn, *d, *slide, *a, *sin_alpha, *cos_alpha, *base, *tool;
-  const bool *has_d, *has_a, *slides, *plain, *right_angle, *any_angle;
+  const bool *has_d, *has_a;
+  const unsigned char* twist;
+
+  [[gnu::always_inline]] bool slides(std::size_t i) const { return turn[i] == 0.0; }
+  // The angle of a plain joint is its value.
+  [[gnu::always_inline]] bool plain(std::size_t i) const {
+    return theta[i] == 0.0 && turn[i] == 1.0;
+  }
+  [[gnu::always_inline]] bool right_angle(std::size_t i) const { return twist[i] == kRightTwist; }
+  [[gnu::always_inline]] bool any_angle(std::size_t i) const { return twist[i] == kAnyTwist; }
 };
 
 // Entry e of configuration k is at [e * count + k] of `q` and of what is written: the entries of

@@ -1,26 +1,36 @@
 #pragma once
 
-#include "batch_turns.hpp"
+#include "batch_few.hpp"
 
 // Kernels for many configurations, one per lane.
 namespace armlet {
 
 // The configurations from number k on: block b of its group.
 template <class V>
-struct Block {
+struct GroupBlock {
+  using Vector = V;
   const BatchGroup<V>& group;
   const BatchTurns<V>& turns;
   std::size_t b, k;
 
+  [[gnu::always_inline]] const BatchArm& arm() const { return group.arm; }
+  [[gnu::always_inline]] std::size_t count() const { return group.count; }
   [[gnu::always_inline]] V sine(std::size_t i) const { return turns.sine(i, b); }
   [[gnu::always_inline]] V cosine(std::size_t i) const { return turns.cosine(i, b); }
-  // Of the last part of Z_i.
-  [[gnu::always_inline]] V distance(std::size_t i) const {
-    const V d = group.lanes.d[i];
-    if (!group.arm.slides[i]) return d;
-    return d + load_lanes<V>(group.q + i * group.count + k) * group.arm.slide[i];
+  [[gnu::always_inline]] V turn(std::size_t i) const { return group.lanes.turn[i]; }
+  [[gnu::always_inline]] V a(std::size_t i) const { return group.lanes.a[i]; }
+  [[gnu::always_inline]] V d(std::size_t i) const { return group.lanes.d[i]; }
+  [[gnu::always_inline]] V q(std::size_t i) const {
+    return load_lanes<V>(group.q + i * group.count + k);
   }
 };
+
+// Of the last part of Z_i.
+template <class Block>
+[[gnu::always_inline]] inline auto distance(const Block& block, std::size_t i) {
+  const auto d = block.d(i);
+  return block.arm().slides(i) ? d + block.q(i) * block.arm().slide[i] : d;
+}
 
 template <class V>
 [[gnu::always_inline]] inline Parts<V> tool_column(const double* T, std::size_t c) {
@@ -63,21 +73,22 @@ struct Columns {
 
   // Z_i behind X_{i+1}.
   [[gnu::always_inline]] void step(const BatchArm& arm, std::size_t i, V sine, V cosine) {
-    if (arm.right_angle[i + 1]) {
+    if (arm.right_angle(i + 1)) {
       x.turn_right_z(sine, cosine);
       z.turn_right_z(sine, cosine);
       p.turn_right_z(sine, cosine);
       return;
     }
-    if (arm.any_angle[i + 1])
+    if (arm.any_angle(i + 1))
       turn_x(all_lanes<V>(arm.sin_alpha[i + 1]), all_lanes<V>(arm.cos_alpha[i + 1]));
     turn_z(sine, cosine);
   }
 
   // Along the axis of joint i and to the one before it.
-  [[gnu::always_inline]] void move(const Block<V>& block, std::size_t i) {
-    if (block.group.arm.has_d[i]) p.z += block.distance(i);
-    if (i > 0 && block.group.arm.has_a[i]) p.x += block.group.lanes.a[i];
+  template <class Block>
+  [[gnu::always_inline]] void move(const Block& block, std::size_t i) {
+    if (block.arm().has_d[i]) p.z += distance(block, i);
+    if (i > 0 && block.arm().has_a[i]) p.x += block.a(i);
   }
 
   [[gnu::always_inline]] void place(const double* base) {
@@ -97,11 +108,11 @@ template <class V>
   store_lanes(out + 2 * count, v.z);
 }
 
-template <class V>
-[[gnu::always_inline]] inline void poses_of_block(const Block<V>& block, double* out) {
-  const BatchArm& arm = block.group.arm;
-  const std::size_t count = block.group.count;
-  Columns<V> T;
+template <class Block>
+[[gnu::always_inline]] inline void poses_of_block(const Block& block, double* out) {
+  const BatchArm& arm = block.arm();
+  const std::size_t count = block.count();
+  Columns<typename Block::Vector> T;
   T.start(arm, block.sine(arm.n - 1), block.cosine(arm.n - 1));
   T.move(block, arm.n - 1);
   for (std::size_t i = arm.n - 1; i-- > 0;) {
@@ -140,10 +151,10 @@ struct BatchFrame {
   [[gnu::always_inline]] void step_x(const BatchArm& arm, std::size_t i) {
     if (arm.has_a[i]) p = p + all_lanes<V>(arm.a[i]) * x;
     const Parts<V> y_before = y;
-    if (arm.right_angle[i]) {
+    if (arm.right_angle(i)) {
       y = z;
       z = {-y_before.x, -y_before.y, -y_before.z};
-    } else if (arm.any_angle[i]) {
+    } else if (arm.any_angle(i)) {
       const V sine = all_lanes<V>(arm.sin_alpha[i]);
       const V cosine = all_lanes<V>(arm.cos_alpha[i]);
       y = cosine * y_before + sine * z;
@@ -158,16 +169,17 @@ struct BatchFrame {
   }
 };
 
-template <class V>
-[[gnu::always_inline]] inline void jacobians_of_block(const Block<V>& block, double* out) {
-  const BatchArm& arm = block.group.arm;
-  const std::size_t count = block.group.count;
+template <class Block>
+[[gnu::always_inline]] inline void jacobians_of_block(const Block& block, double* out) {
+  using V = typename Block::Vector;
+  const BatchArm& arm = block.arm();
+  const std::size_t count = block.count();
   Parts<V> axis[kBatchJoints], point[kBatchJoints];
   BatchFrame<V> frame = {parts<V>(arm.base), parts<V>(arm.base + 3), parts<V>(arm.base + 6),
                          parts<V>(arm.base + 9)};
   for (std::size_t i = 0; i < arm.n; ++i) {
     if (i > 0) frame.step_x(arm, i);
-    if (arm.has_d[i]) frame.p = frame.p + block.distance(i) * frame.z;
+    if (arm.has_d[i]) frame.p = frame.p + distance(block, i) * frame.z;
     frame.turn_z(block.sine(i), block.cosine(i));
     axis[i] = frame.z;
     point[i] = frame.p;
@@ -178,34 +190,58 @@ template <class V>
   for (std::size_t i = 0; i < arm.n; ++i) {
     double* v_out = out + 6 * i * count;
     double* w_out = v_out + 3 * count;
-    if (arm.slides[i]) {
+    if (arm.slides(i)) {
       store_parts(v_out, count, all_lanes<V>(arm.slide[i]) * axis[i]);
       store_parts(w_out, count, Parts<V>{});
       continue;
     }
-    const Parts<V> w = block.group.lanes.turn[i] * axis[i];
+    const Parts<V> w = block.turn(i) * axis[i];
     store_parts(v_out, count, cross(w, p - point[i]));
     store_parts(w_out, count, w);
   }
 }
 
+struct Poses {
+  template <class Block>
+  [[gnu::always_inline]] static void write(const Block& block, double* out) {
+    poses_of_block(block, out);
+  }
+};
+struct Jacobians {
+  template <class Block>
+  [[gnu::always_inline]] static void write(const Block& block, double* out) {
+    jacobians_of_block(block, out);
+  }
+};
+
+// Fewer configurations than a group.
+template <class V, class What>
+[[gnu::noinline]] static void few(const BatchArm& arm, const double* q, std::size_t count,
+                                  double* out) {
+  const FewBlocks<V> blocks = {arm, q, count};
+  const FewTurns<V> turns(blocks);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    What::write(FewBlock<V>{blocks, turns, b}, out + blocks.start(b));
+  }
+}
+
 // All configurations, a group of blocks at a time.
-template <class V, void (*of_block)(const Block<V>& block, double* out)>
+template <class V, class What>
 void batch(const BatchArm& arm, const double* q, std::size_t count, double* out) {
-  const BatchLanes<V> lanes(arm);
   constexpr std::size_t kLanes = kLanesOf<V>;
+  if (count <= (kGroupBlocks - 1) * kLanes) return few<V, What>(arm, q, count, out);
+  const BatchLanes<V> lanes(arm);
   for (std::size_t begin = 0; begin < count; begin += kGroupBlocks * kLanes) {
     const BatchGroup<V> group = {arm, lanes, q, count, begin};
     const BatchTurns<V> turns(group);
     for (std::size_t b = 0; b < kGroupBlocks && begin + b * kLanes < count; ++b) {
       const std::size_t k = group.start(b);
-      of_block({group, turns, b, k}, out + k);
+      What::write(GroupBlock<V>{group, turns, b, k}, out + k);
     }
   }
 }
 
 template <class V>
-inline constexpr BatchKernels kBatchKernels = {kLanesOf<V>, batch<V, poses_of_block<V>>,
-                                               batch<V, jacobians_of_block<V>>};
+inline constexpr BatchKernels kBatchKernels = {kLanesOf<V>, batch<V, Poses>, batch<V, Jacobians>};
 
 }  // namespace armlet

@@ -64,7 +64,7 @@ struct BatchGroup {
     const det::FourLanes<V> x = {load_lanes<V>(values + start(0)), load_lanes<V>(values + start(1)),
                                  load_lanes<V>(values + start(2)),
                                  load_lanes<V>(values + start(3))};
-    return arm.plain[i] ? x : x * lanes.turn[i] + lanes.theta[i];
+    return arm.plain(i) ? x : x * lanes.turn[i] + lanes.theta[i];
   }
 };
 

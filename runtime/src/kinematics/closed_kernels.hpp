@@ -29,10 +29,10 @@ struct ThreeColumns {
 
   [[gnu::always_inline]] void step(const BatchArm& walk, unsigned i, V sine, V cosine) {
     for (Parts<V>& v : of) {
-      if (walk.right_angle[i + 1]) {
+      if (walk.right_angle(i + 1)) {
         v.turn_right_z(sine, cosine);
       } else {
-        if (walk.any_angle[i + 1])
+        if (walk.any_angle(i + 1))
           v.turn_x(walk.sin_alpha[i + 1] - V{}, walk.cos_alpha[i + 1] - V{});
         v.turn_z(sine, cosine);
       }

@@ -59,12 +59,9 @@ std::unique_ptr<LaneForm> LaneForm::make(ClosedFormKind kind, const CanonicalRow
 }
 
 LaneForm::LaneForm(LaneFamily family, const CanonicalRows& rows, const Chain& chain)
-    : rows_(rows),
-      plan_(plan_walk(chain)),
-      flags_(plan_),
-      kernel_(closed_kernel_for(best_instruction_set())) {
+    : rows_(rows), plan_(plan_walk(chain)), kernel_(closed_kernel_for(best_instruction_set())) {
   arm_.family = family;
-  arm_.walk = batch_arm(plan_, flags_);
+  arm_.walk = batch_arm(plan_);
   arm_.reversed = rows.reversed;
   for (std::size_t i = 0; i < kSixJoints; ++i) {
     const std::size_t joint = rows.reversed ? kSixJoints - 1 - i : i;

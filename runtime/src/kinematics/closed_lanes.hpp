@@ -4,7 +4,7 @@
 
 #include "armlet/kinematics/batch.hpp"
 #include "armlet/kinematics/closed_form.hpp"
-#include "batch_flags.hpp"
+#include "batch_plan.hpp"
 #include "canonical_rows.hpp"
 #include "closed_arm.hpp"
 
@@ -30,7 +30,6 @@ class LaneForm {
 
   CanonicalRows rows_;
   WalkPlan plan_;
-  BatchFlags flags_;
   ClosedArm arm_{};
   ClosedKernel* kernel_;
 };

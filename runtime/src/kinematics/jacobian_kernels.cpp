@@ -1,4 +1,5 @@
 #include "kernels.hpp"
+#include "quick_turns.hpp"
 #include "walk_out.hpp"
 
 namespace armlet {
@@ -7,11 +8,10 @@ namespace {
 // v and w of a joint that turns about `axis` through a point at -r from the tool.
 [[gnu::always_inline]] inline void store_turning(double* column, const WalkAxis& axis,
                                                  const WalkAxis& r) {
-  const Lanes axis_yx = {axis.xy[1], axis.xy[0]};
   const Lanes r_yx = {r.xy[1], r.xy[0]};
-  const Lanes v = axis_yx * both(r.z) - both(axis.z) * r_yx;
   const Lanes products = axis.xy * r_yx;
-  store_pair(column, Lanes{v[0], -v[1]});
+  store_pair(column, Lanes{axis.xy[1], axis.z} * Lanes{r.z, r.xy[0]} -
+                         Lanes{axis.z, axis.xy[0]} * Lanes{r.xy[1], r.z});
   store_pair(column + 2, Lanes{products[0] - products[1], axis.xy[0]});
   store_pair(column + 4, Lanes{axis.xy[1], axis.z});
 }
@@ -22,12 +22,12 @@ namespace {
 }
 
 // Axis and origin of each joint are kept on the way out; one cross product each finishes them.
-template <int N>
+template <int N, template <int> class TurnsOf = Turns>
 [[gnu::always_inline]] inline WalkFrame walk_jacobian(const WalkPlan& plan, const double* q,
                                                       double* J) {
   constexpr std::size_t kCapacity = N == kAnyCount ? kMaxJoints : N;
   std::array<WalkAxis, kCapacity> axis, point;
-  WalkFrame frame = walk_out<N>(
+  WalkFrame frame = walk_out<N, TurnsOf>(
       plan, q,
       [&](std::size_t i, const WalkFrame& f) {
         axis[i] = f.z;
@@ -53,6 +53,14 @@ void jacobian_kernel(const WalkPlan& plan, const double* q, double* J) {
 }
 
 template <int N>
+using TurnsFromBase = QuickTurns<N, false>;
+
+template <int N>
+void quick_jacobian_kernel(const WalkPlan& plan, const double* q, double* J) {
+  walk_jacobian<N, TurnsFromBase>(plan, q, J);
+}
+
+template <int N>
 void pose_and_jacobian_kernel(const WalkPlan& plan, const double* q, double* J,
                               double* T_world_tool) {
   walk_jacobian<N>(plan, q, J).store(T_world_tool, 1.0);
@@ -69,5 +77,10 @@ const KernelTable<PoseAndJacobianKernel> kPoseAndJacobianKernels = {
     pose_and_jacobian_kernel<kAnyCount>, pose_and_jacobian_kernel<1>, pose_and_jacobian_kernel<2>,
     pose_and_jacobian_kernel<3>,         pose_and_jacobian_kernel<4>, pose_and_jacobian_kernel<5>,
     pose_and_jacobian_kernel<6>,         pose_and_jacobian_kernel<7>, pose_and_jacobian_kernel<8>};
+
+const KernelTable<JacobianKernel> kQuickJacobianKernels = {
+    quick_jacobian_kernel<kAnyCount>, quick_jacobian_kernel<1>, quick_jacobian_kernel<2>,
+    quick_jacobian_kernel<3>,         quick_jacobian_kernel<4>, quick_jacobian_kernel<5>,
+    quick_jacobian_kernel<6>,         quick_jacobian_kernel<7>, quick_jacobian_kernel<8>};
 
 }  // namespace armlet

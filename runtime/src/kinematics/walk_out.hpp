@@ -78,10 +78,10 @@ struct WalkFrame {
 //                    it; the link frame of the modified convention.
 // at_link(i, frame)  after X_{i+1} for i + 1 < n: the link frame of the standard convention.
 // returns            the frame before T.
-template <int N, class AtAxis, class AtLink>
+template <int N, template <int> class TurnsOf = Turns, class AtAxis, class AtLink>
 [[gnu::always_inline]] inline WalkFrame walk_out(const WalkPlan& plan, const double* q,
                                                  const AtAxis& at_axis, const AtLink& at_link) {
-  const Turns<N> turns(plan, q);
+  const TurnsOf<N> turns(plan, q);
   const double* B = plan.base.data();
   WalkFrame frame = {WalkAxis::load(B), WalkAxis::load(B + 3), WalkAxis::load(B + 6),
                      WalkAxis::load(B + 9)};

@@ -85,30 +85,47 @@ struct FourSinCos {
   LaneSinCos<V> a, b, c, d;
 };
 
-// Sines and cosines of the lanes. The cosine of the rest of an angle, at most an eighth of a turn,
-// is the root of what its squared sine leaves of 1: no digit is lost, and the divider works beside
-// the multipliers. The polynomial of the sine is split into even and odd powers, which shortens it.
+// Sine and cosine of the rest of an angle, at most an eighth of a turn. The cosine is the root of
+// what the squared sine leaves of 1: no digit is lost, and the divider works beside the
+// multipliers. The polynomial of the sine is split into even and odd powers, which shortens it.
+template <class V, class Vectors>
+[[gnu::always_inline]] inline void quick_rest(const Vectors& angle, const QuickTable<V>& c,
+                                              Vectors& shifted, Vectors& sine, Vectors& square) {
+  shifted = angle * c.per_angle + c.rounding;
+  const Vectors whole = shifted - c.rounding;
+  const Vectors r = (angle - whole * c.part1) - whole * c.part2;
+  const Vectors z = r * r;
+  const Vectors z2 = z * z;
+  const Vectors odd = (z2 * c.S5 + c.S3) * z2 + c.S1;
+  const Vectors even = (z2 * c.S6 + c.S4) * z2 + c.S2;
+  sine = r + (r * z) * (odd + z * even);
+  square = c.one - sine * sine;
+}
+
+// Sines and cosines of the lanes.
 //
 // check  hears whether any angle is too large; its results are then meaningless.
 template <class V>
 [[gnu::always_inline]] inline FourSinCos<V> quick_sincos(const FourLanes<V>& angle,
                                                          QuickCheck<V>& check,
                                                          const QuickTable<V>& c) {
-  const FourLanes<V> units = angle * c.per_angle;
-  check.add(units);
-  const FourLanes<V> shifted = units + c.rounding;
-  const FourLanes<V> whole = shifted - c.rounding;
-  const FourLanes<V> r = (angle - whole * c.part1) - whole * c.part2;
-  const FourLanes<V> z = r * r;
-  const FourLanes<V> z2 = z * z;
-  const FourLanes<V> odd = (z2 * c.S5 + c.S3) * z2 + c.S1;
-  const FourLanes<V> even = (z2 * c.S6 + c.S4) * z2 + c.S2;
-  const FourLanes<V> sine = r + (r * z) * (odd + z * even);
-  const FourLanes<V> square = c.one - sine * sine;
+  check.add(angle * c.per_angle);
+  FourLanes<V> shifted, sine, square;
+  quick_rest(angle, c, shifted, sine, square);
   return {in_quadrant(sine.a, root(square.a), shifted.a),
           in_quadrant(sine.b, root(square.b), shifted.b),
           in_quadrant(sine.c, root(square.c), shifted.c),
           in_quadrant(sine.d, root(square.d), shifted.d)};
+}
+
+// The same of one vector.
+template <class V>
+[[gnu::always_inline]] inline LaneSinCos<V> quick_sincos(V angle, QuickCheck<V>& check,
+                                                         const QuickTable<V>& c) {
+  check.bits |= LaneBits<V>(angle * c.per_angle);
+  V shifted, sine, square;
+  quick_rest(angle, c, shifted, sine, square);
+  return in_quadrant(sine, root(square), shifted);
 }
 
 }  // namespace armlet::det

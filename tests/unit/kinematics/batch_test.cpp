@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "armlet/core/error.hpp"
@@ -192,14 +193,16 @@ TEST_CASE("wrong sizes are refused with both numbers") {
 
 TEST_CASE("a value that is not finite is refused by joint and configuration") {
   const Robot robot = make_puma560();
-  for (const std::size_t count : {3u, 20u}) {
+  for (const std::size_t count : {1u, 3u, 7u, 20u}) {
     for (const InstructionSet set : kAllSets) {
       if (!is_supported(set)) continue;
       std::vector<double> q(6 * count, 0.25);
-      q[4 * count + 2] = std::numeric_limits<double>::infinity();
+      const std::size_t k = count > 1 ? 2 : 0;
+      q[4 * count + k] = std::numeric_limits<double>::infinity();
       std::vector<double> out(36 * count);
-      const char* expected =
-          "The value of joint 5 in configuration 3 is inf; expected a finite number.";
+      const std::string message = "The value of joint 5 in configuration " + std::to_string(k + 1) +
+                                  " is inf; expected a finite number.";
+      const char* expected = message.c_str();
       CHECK_THROWS_WITH_AS(forward_batch(robot, q, std::span(out).first(12 * count), set), expected,
                            ArgumentError);
       CHECK_THROWS_WITH_AS(jacobian_batch(robot, q, out, set), expected, ArgumentError);

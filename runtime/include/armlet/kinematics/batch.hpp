@@ -13,7 +13,8 @@ enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 bool is_supported(InstructionSet set);
 InstructionSet best_instruction_set();
 
-// Tool poses of many configurations, several at once; fewer than four are quicker one by one.
+// Tool poses of any number of configurations, several at once; even one is not dearer than
+// forward().
 //
 // q        structure of arrays: joint i of configuration k is q[i * count + k], rad or m; `count`
 //          is its size over n and may be 0.

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "batch_turns.hpp"
+
+// Sines and cosines of a few configurations, fewer than a group of blocks. Nothing is prepared that
+// counts once only, and nothing is turned twice but a rest of less than four vectors.
+namespace armlet {
+
+// Blocks of one configuration per lane; the last one overlaps the one before.
+template <class V>
+struct FewBlocks {
+  const BatchArm& arm;
+  const double* q;
+  std::size_t count;
+
+  [[gnu::always_inline]] std::size_t size() const {
+    return (count + kLanesOf<V> - 1) / kLanesOf<V>;
+  }
+  [[gnu::always_inline]] std::size_t start(std::size_t b) const {
+    const std::size_t k = b * kLanesOf<V>;
+    return k + kLanesOf<V> <= count ? k : count - kLanesOf<V>;
+  }
+  [[gnu::always_inline]] V values(std::size_t i, std::size_t b) const {
+    return load_lanes<V>(q + i * count + start(b));
+  }
+};
+
+// Adding -0 to a value times 1 is what the group does without either: the bits are those of a plain
+// joint.
+template <class V>
+[[gnu::always_inline]] inline V angle_of(const BatchArm& arm, std::size_t i, V value) {
+  return value * all_lanes<V>(arm.turn[i]) + all_lanes<V>(arm.theta[i]);
+}
+
+// One vector after the other, of the first joint's blocks, the second's and so on, four at a time.
+template <class V>
+class FewTurns {
+ public:
+  [[gnu::always_inline]] explicit FewTurns(const FewBlocks<V>& few) : blocks_(few.size()) {
+    const det::QuickTable<V> numbers;
+    det::QuickCheck<V> check;
+    const std::size_t all = few.arm.n * blocks_;
+    std::size_t i = 0, b = 0, taken = 0;
+    // Past the end it stays at the last one.
+    const auto next = [&]() __attribute__((always_inline)) {
+      const V angle = angle_of<V>(few.arm, i, few.values(i, b));
+      if (++taken < all && ++b == blocks_) {
+        b = 0;
+        ++i;
+      }
+      return angle;
+    };
+    for (std::size_t k = 0; k < all; k += 4) {
+      const V first = next(), second = next(), third = next(), fourth = next();
+      const auto turns =
+          det::quick_sincos(det::FourLanes<V>{first, second, third, fourth}, check, numbers);
+      put(k, turns.a);
+      put(k + 1, turns.b);
+      put(k + 2, turns.c);
+      put(k + 3, turns.d);
+    }
+    if (!check.any_too_large()) return;
+    for (std::size_t block = 0; block < blocks_; ++block) {
+      careful_batch_turns(few.arm, few.q, few.count,
+                          {few.start(block), kLanes, blocks_ * kLanes, sines_ + block * kLanes,
+                           cosines_ + block * kLanes});
+    }
+  }
+
+  [[gnu::always_inline]] V sine(std::size_t i, std::size_t b) const {
+    return load_lanes<V>(sines_ + (i * blocks_ + b) * kLanes);
+  }
+  [[gnu::always_inline]] V cosine(std::size_t i, std::size_t b) const {
+    return load_lanes<V>(cosines_ + (i * blocks_ + b) * kLanes);
+  }
+
+ private:
+  static constexpr std::size_t kLanes = kLanesOf<V>;
+  static constexpr std::size_t kMost = (kBatchJoints * (kGroupBlocks - 1) + 3) / 4 * 4 * kLanes;
+
+  [[gnu::always_inline]] void put(std::size_t k, const det::LaneSinCos<V>& turn) {
+    store_lanes(sines_ + k * kLanes, turn.sin);
+    store_lanes(cosines_ + k * kLanes, turn.cos);
+  }
+
+  std::size_t blocks_;
+  alignas(V) double sines_[kMost];
+  alignas(V) double cosines_[kMost];
+};
+
+template <class V>
+struct FewBlock {
+  using Vector = V;
+  const FewBlocks<V>& blocks;
+  const FewTurns<V>& turns;
+  std::size_t b;
+
+  [[gnu::always_inline]] const BatchArm& arm() const { return blocks.arm; }
+  [[gnu::always_inline]] std::size_t count() const { return blocks.count; }
+  [[gnu::always_inline]] V sine(std::size_t i) const { return turns.sine(i, b); }
+  [[gnu::always_inline]] V cosine(std::size_t i) const { return turns.cosine(i, b); }
+  [[gnu::always_inline]] V turn(std::size_t i) const { return all_lanes<V>(blocks.arm.turn[i]); }
+  [[gnu::always_inline]] V a(std::size_t i) const { return all_lanes<V>(blocks.arm.a[i]); }
+  [[gnu::always_inline]] V d(std::size_t i) const { return all_lanes<V>(blocks.arm.d[i]); }
+  [[gnu::always_inline]] V q(std::size_t i) const { return blocks.values(i, b); }
+};
+
+}  // namespace armlet

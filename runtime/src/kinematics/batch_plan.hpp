@@ -1,0 +1,30 @@
+#pragma once
+
+#include "armlet/model/walk_plan.hpp"
+#include "batch_arm.hpp"
+
+namespace armlet {
+
+static_assert(sizeof(Twist) == 1 && static_cast<unsigned char>(Twist::kRightAngle) == kRightTwist &&
+              static_cast<unsigned char>(Twist::kAny) == kAnyTwist);
+
+// What kernels of batches read; it points into the plan.
+inline BatchArm batch_arm(const WalkPlan& plan) {
+  return {.n = static_cast<std::size_t>(plan.n),
+          .base_is_none = plan.base_is_none,
+          .tool_on_axis = plan.tool_on_axis,
+          .theta = plan.theta.data(),
+          .turn = plan.turn.data(),
+          .d = plan.d.data(),
+          .slide = plan.slide.data(),
+          .a = plan.a.data(),
+          .sin_alpha = plan.sin_alpha.data(),
+          .cos_alpha = plan.cos_alpha.data(),
+          .base = plan.base.data(),
+          .tool = plan.tool.data(),
+          .has_d = plan.has_d.data(),
+          .has_a = plan.has_a.data(),
+          .twist = reinterpret_cast<const unsigned char*>(plan.twist.data())};
+}
+
+}  // namespace armlet

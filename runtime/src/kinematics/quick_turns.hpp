@@ -1,0 +1,42 @@
+#pragma once
+
+#include "batch_plan.hpp"
+#include "math/det_quick_lanes.hpp"
+#include "turns.hpp"
+
+namespace armlet {
+
+// The sines and cosines that a batch has, of one configuration: the joints two at a time, as in
+// Turns, first those with which a walk begins.
+template <int N, bool from_tool>
+class QuickTurns {
+ public:
+  [[gnu::always_inline]] QuickTurns(const WalkPlan& plan, const double* q) {
+    const int n = joint_count<N>(plan);
+    const det::QuickTable<Lanes> numbers;
+    det::QuickCheck<Lanes> check;
+    const int pairs = (n + 1) / 2;
+#pragma GCC unroll 8
+    for (int k = 0; k < pairs; ++k) {
+      const int pair = from_tool ? pairs - 1 - k : k;
+      const int i = std::max(0, std::min(2 * pair, n - 2));
+      const Lanes values = n == 1 ? both(q[0]) : load_pair(q + i);
+      const Lanes angles =
+          values * load_pair(plan.turn.data() + i) + load_pair(plan.theta.data() + i);
+      const auto turn = det::quick_sincos(angles, check, numbers);
+      store_pair(sine_ + i, turn.sin);
+      store_pair(cosine_ + i, turn.cos);
+    }
+    if (check.any_too_large()) [[unlikely]]
+      careful_batch_turns(batch_arm(plan), q, 1, {0, 1, 1, sine_, cosine_});
+  }
+
+  Lanes sine(int i) const { return both(sine_[i]); }
+  Lanes cosine(int i) const { return both(cosine_[i]); }
+
+ private:
+  static constexpr int kCapacity = N == kAnyCount ? kMaxJoints : N == 1 ? 2 : N;
+  double sine_[kCapacity], cosine_[kCapacity];
+};
+
+}  // namespace armlet
