@@ -33,7 +33,7 @@ constexpr double kPlaceFirst = 100;    // weight of position while orientation c
 
 // Finite, and of a size whose rounding lies far below the tolerances.
 bool is_moderate(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  return values.allFinite() && (values.cwiseAbs().array() <= kLargestValue).all();
+  return (values.cwiseAbs().array() <= kLargestValue).all();
 }
 
 // The status of a question that cannot be asked, or kOk.
@@ -321,14 +321,17 @@ std::string_view to_text(IkStatus status) {
   return "unknown";
 }
 
-IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
-                  const IkOptions& given) {
-  IkOptions options = given;
-  if (options.seed.size() == 0) options.seed = robot.home();
+namespace {
+
+// The seed is given.
+IkResult solve_from_seed(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                         const IkOptions& options) {
   IkResult result;
-  result.q = robot.home();
   result.status = check_question(robot, T_world_tool, options);
-  if (result.status != IkStatus::kOk) return result;
+  if (result.status != IkStatus::kOk) {
+    result.q = robot.home();
+    return result;
+  }
 
   IkGoal goal = make_goal(robot, T_world_tool, options);
   if (options.task == IkTask::kPlace) {
@@ -339,11 +342,22 @@ IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
     return result;
   }
   result.status = IkStatus::kUnreachable;
+  if (result.q.size() == 0) result.q = robot.home();
   if (options.diagnose && diagnose(robot, goal, options, result)) {
     take_solution(robot, goal, result.diagnosis.q_nearest, result);
     result.diagnosis = {};
   }
   return result;
+}
+
+}  // namespace
+
+IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
+                  const IkOptions& options) {
+  if (options.seed.size() > 0) return solve_from_seed(robot, T_world_tool, options);
+  IkOptions from_home = options;
+  from_home.seed = robot.home();
+  return solve_from_seed(robot, T_world_tool, from_home);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
+#include "turns.hpp"
 
 namespace armlet {
 namespace {
@@ -29,16 +30,50 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
       step_kernel_(kernel_for(kStepKernels, robot.n())),
       goal_(goal),
       n_(static_cast<std::size_t>(robot.n())),
-      lower_(to_array(robot.lower())),
-      upper_(to_array(robot.upper())),
+      lower_(robot.lower().data()),
+      upper_(robot.upper().data()),
       selective_((goal.weights.array() != 1.0).any()) {}
+
+// Half the sum of the cross products of the axes is the rotation vector but for its length; the
+// factor makes it exact at zero and good to half a percent up to a right angle.
+inline Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool) const {
+  double twice_cosine = -1.0;
+  double w[3] = {};
+#pragma GCC unroll 3
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double* axis = T_world_tool + 4 * c;
+    const double* goal = goal_.R.data() + 3 * c;
+    twice_cosine += axis[0] * goal[0] + axis[1] * goal[1] + axis[2] * goal[2];
+    w[0] += axis[1] * goal[2] - axis[2] * goal[1];
+    w[1] += axis[2] * goal[0] - axis[0] * goal[2];
+    w[2] += axis[0] * goal[1] - axis[1] * goal[0];
+  }
+  if (exact_angle_ || twice_cosine < 0.0) {
+    const Eigen::Map<const Eigen::Matrix4d> T(T_world_tool);
+    return rotation_log(goal_.R * T.topLeftCorner<3, 3>().transpose());
+  }
+  const double factor = 1.0 / (1.28 + 0.36 * twice_cosine);
+  return {factor * w[0], factor * w[1], factor * w[2]};
+}
+
+// Two joints at a time, as the kernels read them.
+inline void IkSolver::move(JointArray& q, const Step& step, double scale) const {
+  for (std::size_t i = 0; i + 1 < n_; i += 2) {
+    store_pair(q.data() + i, load_pair(q.data() + i) + both(scale) * load_pair(step.data() + i));
+  }
+  if (n_ % 2 == 1) q[n_ - 1] += scale * step[n_ - 1];
+}
 
 double IkSolver::evaluate(const JointArray& q) {
   Eigen::Isometry3d T_world_tool;
   kernel_(plan_, q.data(), J_.data()->data(), T_world_tool.data());
   const double* T = T_world_tool.data();
-  for (std::size_t r = 0; r < 3; ++r) error_[r] = goal_.p.data()[r] - T[12 + r];
-  rotation_error(T);
+  const Eigen::Vector3d w = rotation_error(T);
+  // In pairs, because the normal equations read pairs: numbers written one by one would be waited
+  // for.
+  store_pair(error_.data(), load_pair(goal_.p.data()) - load_pair(T + 12));
+  store_pair(error_.data() + 2, Lanes{goal_.p[2] - T[14], w[0]});
+  store_pair(error_.data() + 4, Lanes{w[1], w[2]});
   if (goal_.in_tool_axes) turn_rows(T_world_tool.linear().transpose());
   if (selective_)
     select_rows();
@@ -69,30 +104,6 @@ void IkSolver::select_rows() {
     for (std::size_t i = 0; i < n_; ++i) J_[i][r] *= weight;
   }
   size_ = {std::sqrt(position), std::sqrt(rotation)};
-}
-
-// Half the sum of the cross products of the axes is the rotation vector but for its length; the
-// factor makes it exact at zero and good to half a percent up to a right angle.
-void IkSolver::rotation_error(const double* T_world_tool) {
-  double twice_cosine = -1.0;
-  double* w = error_.data() + 3;
-  w[0] = w[1] = w[2] = 0.0;
-#pragma GCC unroll 3
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double* axis = T_world_tool + 4 * c;
-    const double* goal = goal_.R.data() + 3 * c;
-    twice_cosine += axis[0] * goal[0] + axis[1] * goal[1] + axis[2] * goal[2];
-    w[0] += axis[1] * goal[2] - axis[2] * goal[1];
-    w[1] += axis[2] * goal[0] - axis[0] * goal[2];
-    w[2] += axis[0] * goal[1] - axis[1] * goal[0];
-  }
-  if (exact_angle_ || twice_cosine < 0.0) {
-    const Eigen::Map<const Eigen::Matrix4d> T(T_world_tool);
-    Eigen::Map<Eigen::Vector3d>{w} = rotation_log(goal_.R * T.topLeftCorner<3, 3>().transpose());
-    return;
-  }
-  const double factor = 1.0 / (1.28 + 0.36 * twice_cosine);
-  for (std::size_t r = 0; r < 3; ++r) w[r] *= factor;
 }
 
 bool IkSolver::converged() const { return goal_.is_met(size_); }
@@ -153,6 +164,13 @@ void IkSolver::clamp(JointArray& q) const {
   for (std::size_t i = 0; i < n_; ++i) q[i] = std::clamp(q[i], lower_[i], upper_[i]);
 }
 
+bool IkSolver::is_within_limits(const JointArray& q) const {
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (!(q[i] >= lower_[i] && q[i] <= upper_[i])) return false;
+  }
+  return true;
+}
+
 bool IkSolver::solve_free(JointArray& q, int iterations) {
   checkpoint(kIterationWork * static_cast<std::uint64_t>(iterations));
   double best = INFINITY;
@@ -173,7 +191,7 @@ bool IkSolver::solve_free(JointArray& q, int iterations) {
     for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(step[i]));
     if (!(largest >= kSmallestStep)) return false;
     const double scale = largest > kLargestStep ? kLargestStep / largest : 1.0;
-    for (std::size_t i = 0; i < n_; ++i) q[i] += scale * step[i];
+    move(q, step, scale);
   }
   return false;
 }
@@ -199,7 +217,7 @@ bool IkSolver::solve_in_box(JointArray& q, int iterations) {
     for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(step[i]));
     if (!(largest >= kSmallestStep)) return false;
     const double scale = largest > kLargestStep ? kLargestStep / largest : 1.0;
-    for (std::size_t i = 0; i < n_; ++i) q[i] += scale * step[i];
+    move(q, step, scale);
     clamp(q);
   }
   return false;

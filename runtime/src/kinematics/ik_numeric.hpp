@@ -57,6 +57,8 @@ class IkSolver {
   // The error of q with the true rotation angle.
   IkError error_of(const JointArray& q);
 
+  bool is_within_limits(const JointArray& q) const;
+
   int iterations_used() const { return iterations_used_; }
 
  private:
@@ -64,7 +66,8 @@ class IkSolver {
   using Frozen = std::array<bool, kMaxJoints>;
 
   double evaluate(const JointArray& q);  // fills error_ and J_, returns half the squared error
-  void rotation_error(const double* T_world_tool);  // fills the last three rows of error_
+  Eigen::Vector3d rotation_error(const double* T_world_tool) const;
+  void move(JointArray& q, const Step& step, double scale) const;
   void turn_rows(const Eigen::Matrix3d& R);
   void select_rows();
   bool converged() const;
@@ -84,8 +87,8 @@ class IkSolver {
   StepKernel* step_kernel_;
   IkGoal goal_;
   std::size_t n_;
-  JointArray lower_{}, upper_{};
-  bool selective_;  // not all rows count alike
+  const double *lower_, *upper_;  // of the robot
+  bool selective_;                // not all rows count alike
   // Written by evaluate() and normal_equations() before anything reads them.
   std::array<double, 6> error_;
   std::array<std::array<double, 6>, kMaxJoints> J_;

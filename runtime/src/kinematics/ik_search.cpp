@@ -24,12 +24,15 @@ bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
   });
 }
 
-// Every revolute joint at the copy nearest to the seed, wherever the limits are.
-Eigen::VectorXd unwrap_near(const Robot& robot, Eigen::VectorXd q, const Eigen::VectorXd& seed) {
+// Every revolute joint at the copy nearest to the seed, inside the limits if they count.
+void turn_near(const Robot& robot, const IkOptions& options, JointArray& q) {
   for (int i = 0; i < robot.n(); ++i) {
-    if (robot.is_revolute(i)) q[i] = nearest_turn(q[i], seed[i]);
+    if (!robot.is_revolute(i)) continue;
+    double& value = q[static_cast<std::size_t>(i)];
+    value = options.respect_limits ? turned_within(value, options.seed[i], robot.lower()[i] - 1e-9,
+                                                   robot.upper()[i] + 1e-9)
+                                   : nearest_turn(value, options.seed[i]);
   }
-  return q;
 }
 
 // One start: free first, because joints held at their limits block the way; then, if that ends
@@ -38,8 +41,8 @@ bool solve_from(const Robot& robot, IkSolver& solver, JointArray& q, const IkOpt
   if (!options.respect_limits) return solver.solve_free(q, options.iterations);
   const JointArray start = q;
   if (solver.solve_free(q, options.iterations)) {
-    q = to_array(wrap_near(robot, to_vector(q, robot.n()), options.seed));
-    if (within_limits(robot, to_vector(q, robot.n()), 0.0)) return true;
+    turn_near(robot, options, q);
+    if (solver.is_within_limits(q)) return true;
     return solver.solve_in_box(q, options.iterations);
   }
   q = start;
@@ -74,19 +77,19 @@ IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& opti
         start == 0 ? to_array(options.seed) : halton_start(robot, start, options.respect_limits);
     const bool found = solve_from(robot, solver, q, options);
     ++search.starts;
-    Eigen::VectorXd candidate = to_vector(q, robot.n());
     if (found) {
-      candidate = options.respect_limits ? wrap_near(robot, candidate, options.seed)
-                                         : unwrap_near(robot, candidate, options.seed);
+      turn_near(robot, options, q);
+      Eigen::VectorXd candidate = to_vector(q, robot.n());
       if (search.solutions.empty()) last_start = std::min(last_start, start + 1 + extra_starts);
-      if (is_new(robot, search.solutions, candidate)) search.solutions.push_back(candidate);
+      if (is_new(robot, search.solutions, candidate))
+        search.solutions.push_back(std::move(candidate));
       if (static_cast<int>(search.solutions.size()) >= wanted) break;
       continue;
     }
     const IkError error = solver.error_of(q);
     if (badness(robot, error) < best) {
       best = badness(robot, error);
-      search.closest = candidate;
+      search.closest = to_vector(q, robot.n());
       search.closest_error = error;
     }
   }

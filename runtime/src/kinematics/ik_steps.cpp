@@ -78,8 +78,11 @@ void step_kernel(int joints, const NormalEquations& normal, double damping, doub
 #pragma GCC unroll 8
     for (std::size_t j = i + 1; j < n; ++j) value -= L[j][i] * x[j];
     x[i] = value;
-    step[i] = value;
   }
+  // In pairs, because pairs are read next: two numbers written one by one would be waited for.
+  if (n % 2 == 1) step[n - 1] = x[n - 1];
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i + 1 < n; i += 2) store_pair(step + i, Lanes{x[i], x[i + 1]});
 }
 
 }  // namespace
