@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -95,13 +96,19 @@ void report_missing_unit(CheckCall& call, const RobotFact* robot, int item, doub
     d.why = "a joint value is an angle or a length, depending on the joint";
   }
   const std::string text = call.text_of(span);
-  Fix fix{.text = unit_fix(value, text, turns)};
-  fix.edits.push_back({Span{span.end, span.end, span.source},
-                       turns ? (std::abs(value) > 2.0 * std::numbers::pi ? "deg" : "rad")
-                             : (std::abs(value) >= 1.0 ? "mm" : "m")});
-  d.fix = std::move(fix);
+  const char* unit = turns ? (std::abs(value) > 2.0 * std::numbers::pi ? "deg" : "rad")
+                           : (std::abs(value) >= 1.0 ? "mm" : "m");
+  if (text.find_first_not_of("0123456789.-") == std::string::npos) {
+    d.fix = Fix{.text = unit_fix(value, text, turns),
+                .edits = {{Span{span.end, span.end, span.source}, unit}}};
+  } else {  // 45 / 2
+    const std::string product = fmt::format("({}) * 1{}", text, unit);
+    d.fix = Fix{.text = "write " + product, .edits = {{span, product}}};
+  }
   call.report(std::move(d));
 }
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const Type* type) {
   Diagnostic d = make_diagnostic(
@@ -110,9 +117,16 @@ void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const 
        robot.turns[item] ? "an angle" : "a length", std::string(type_phrase(type))});
   d.mark.label = fmt::format("{} value", ordinal(item));
   d.why = joint_list(robot);
-  d.fix = Fix{
-      .text = robot.turns[item] ? "write an angle such as 30deg" : "write a length such as 30mm",
-      .edits = {{call.item_span(0, item), robot.turns[item] ? "30deg" : "30mm"}}};
+  // 30deg for a sliding joint: the number stays.
+  const std::string text = call.text_of(call.item_span(0, item));
+  const std::size_t digits = text.find_first_not_of("0123456789._-");
+  const bool is_literal = digits != std::string::npos && digits > 0 &&
+                          std::ranges::all_of(text.substr(digits), is_letter);
+  const std::string unit = robot.turns[item] ? "deg" : "mm";
+  const std::string other = (is_literal ? text.substr(0, digits) : "30") + unit;
+  d.fix = Fix{.text = (robot.turns[item] ? "write an angle such as " : "write a length such as ") +
+                      other};
+  if (is_literal) d.fix->edits = {{call.item_span(0, item), other}};
   call.report(std::move(d));
 }
 

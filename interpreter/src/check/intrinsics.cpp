@@ -72,6 +72,10 @@ hir::Expr* Checker::intrinsic(const ast::CallExpr& call, std::string_view name, 
   if (name == "error") return error_call(call);
   if (name == "int" || name == "long") return conversion_call(call, types_.integer(), name);
   if (name == "double" || name == "float") return conversion_call(call, types_.real(), name);
+  if (name == "string") {
+    if (!takes(call, name, 1, 1)) return failed(call.span);
+    return to_text(check_value(*call.args[0].value));
+  }
   if (name == "assert" || name == "assertThrows") {
     report(make_diagnostic("E0320", call.span, {std::string(name)}));
     return failed(call.span);

@@ -207,6 +207,17 @@ Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, con
   return out;
 }
 
+// Whether the function that is called like the host's type makes one of a value like this.
+bool is_made_from(Checker& checker, const Type* wanted, const Type* value) {
+  const auto makers = checker.registry_.functions(wanted->host->name);
+  return std::ranges::any_of(makers, [&](const NativeFunction* maker) {
+    const Signature& signature = checker.signature_of(*maker);
+    Bindings bindings;
+    return signature.parameters.size() == 1 && !signature.parameters[0].variadic &&
+           match(signature.parameters[0].type, value, false, bindings) >= 0;
+  });
+}
+
 }  // namespace
 
 hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
@@ -235,20 +246,18 @@ hir::Expr* Checker::mismatch(const hir::Expr& value, const Target& target) {
     other_quantity(value, target);
   } else if (target.role == Target::Role::kArgument && want->is(Kind::kHost) &&
              !want->host->noun.empty()) {
-    const auto makers = registry_.functions(want->host->name);
-    const bool constructible = std::ranges::any_of(makers, [&](const NativeFunction* maker) {
-      const Signature& signature = signature_of(*maker);
-      Bindings bindings;
-      return signature.parameters.size() == 1 && !signature.parameters[0].variadic &&
-             match(signature.parameters[0].type, have, false, bindings) >= 0;
-    });
-    report(host_value_needed(*this, value, target, constructible));
+    report(host_value_needed(*this, value, target, is_made_from(*this, want, have)));
   } else if (want->is_number() && have->is(Kind::kText)) {
     Diagnostic diagnostic = make_diagnostic("E0314", value.span, {"a text"});
     report(std::move(diagnostic));
   } else if (is_handed_over(target)) {
-    report(make_diagnostic("E0313", value.span,
-                           {std::string(target.function), type_phrase(want), type_phrase(have)}));
+    Diagnostic diagnostic = make_diagnostic(
+        "E0313", value.span, {std::string(target.function), type_phrase(want), type_phrase(have)});
+    if (want->is(Kind::kHost) && is_made_from(*this, want, have)) {
+      const std::string made = std::string(want->host->name) + '(' + text_of(value.span) + ')';
+      diagnostic.fix = Fix{.text = "write " + made, .edits = {{value.span, made}}};
+    }
+    report(std::move(diagnostic));
   } else {
     Diagnostic diagnostic =
         make_diagnostic("E0315", value.span, {type_phrase(want), type_phrase(have)});

@@ -22,6 +22,17 @@ std::string usual_unit(Dim dim) {
   return display_unit(dim, 1.0).name;
 }
 
+// The unit in which a plain number counts a quantity of this dimension.
+std::string si_unit(Dim dim) {
+  if (dim == dims::kAngle) return "rad";
+  if (dim == dims::kLength) return "m";
+  if (dim == dims::kSpeed) return "m/s";
+  if (dim == dims::kAccel) return "m/s^2";
+  if (dim == dims::kAngularSpeed) return "rad/s";
+  if (dim == dims::kAngularAccel) return "rad/s^2";
+  return usual_unit(dim);
+}
+
 // "length per time"; what a named dimension is made of, where that helps.
 std::string made_of(Dim dim) {
   if (dim == dims::kSpeed) return "length per time";
@@ -53,7 +64,9 @@ void Checker::plain_number_for_quantity(const hir::Expr& value, const Target& ta
   const std::string text = text_of(value.span);
   const std::string unit = usual_unit(target.type->dim);
   if (!is_number_literal(value) || !is_decimal_number(text)) {
-    const std::string written = as_operand(text) + " * 1" + unit;
+    // What a program computes is in SI units; 45 / 2 is what somebody thought of.
+    const std::string& one = constant_of(value) ? unit : si_unit(target.type->dim);
+    const std::string written = as_operand(text) + " * 1" + one;
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
   } else {
     const auto constant = constant_of(value);

@@ -1,6 +1,7 @@
 // Operators: numbers and quantities with the angle rule of section 6, text, truth, and what the
 // library adds.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -321,6 +322,19 @@ hir::Expr* Checker::operator_native(std::string_view op, Span op_span, Span span
   return call_native(name, fitting, op_span, span, std::move(arguments));
 }
 
+// Whether the library declares an operator for these types.
+static bool has_operator(Checker& checker, std::string_view name, const hir::Expr& left,
+                         const hir::Expr& right) {
+  return std::ranges::any_of(checker.registry_.functions(name),
+                             [&](const NativeFunction* candidate) {
+                               const auto& parameters = checker.signature_of(*candidate).parameters;
+                               Bindings bindings;
+                               return parameters.size() == 2 &&
+                                      match(parameters[0].type, left.type, false, bindings) >= 0 &&
+                                      match(parameters[1].type, right.type, false, bindings) >= 0;
+                             });
+}
+
 hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& left,
                                 const hir::Expr& right) {
   const std::string op(operator_text(node.op));
@@ -358,6 +372,13 @@ hir::Expr* Checker::no_operator(const ast::BinaryExpr& node, const hir::Expr& le
   diagnostic.related.push_back({left.span, type_name(left.type)});
   diagnostic.related.push_back({right.span, type_name(right.type)});
   diagnostic.fix = matrix_operator_fix(*this, node, left, right);
+  if (!diagnostic.fix && node.op == BinaryOp::kAdd &&
+      has_operator(*this, "operator*", left, right)) {
+    const std::string product =
+        as_operand(text_of(left.span)) + " * " + as_operand(text_of(right.span));
+    diagnostic.fix = Fix{.text = "to put one behind the other, write " + product,
+                         .edits = {{node.span, product}}};
+  }
   report(std::move(diagnostic));
   return failed(node.span);
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "check/edits.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -106,13 +108,12 @@ hir::Expr* foreign_method(Checker& checker, const ast::CallExpr& call,
 hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string_view name) {
   constexpr std::array<std::string_view, 6> kLengths = {"len",    "size",   "count",
                                                         "sizeof", "strlen", "numel"};
-  if (std::ranges::find(kLengths, name) == kLengths.end() || call.args.size() != 1 ||
-      call.args[0].value->kind != ast::ExprKind::kName) {
+  if (std::ranges::find(kLengths, name) == kLengths.end() || call.args.size() != 1) {
     return nullptr;
   }
   if (checker.syntax_failed_ || !checker.told_.emplace(name).second)
     return checker.failed(call.span);
-  const std::string better = checker.text_of(call.args[0].value->span) + ".length";
+  const std::string better = as_operand(checker.text_of(call.args[0].value->span)) + ".length";
   Diagnostic diagnostic = make_diagnostic("E0201", call.callee->span, {std::string(name)});
   diagnostic.fix = Fix{
       .text = "write " + better, .edits = {{call.span, better}}, .confidence = Confidence::kSure};
@@ -172,11 +173,32 @@ std::string_view empty_value(const Type& type) {
   return type.is(Kind::kReal) ? "0.0" : std::string_view();
 }
 
+// MoveL p10, v1000, z50, tool0;  reads like a declaration of four variables.
+static bool refuse_call_without_parentheses(Checker& checker, std::string_view name, Span span) {
+  const ForeignName* foreign = foreign_name(name);
+  const std::string function(foreign != nullptr ? foreign->here : name);
+  if (checker.registry_.functions(function).empty()) return false;
+  const std::string_view text = (*checker.into_.sources)[span.source].text().substr(span.end);
+  const std::string line(text.substr(0, text.find('\n')));
+  std::string first = line.substr(0, line.find_first_of(",;"));
+  while (first.ends_with(' ') || first.ends_with('\r')) first.pop_back();
+  first.erase(0, first.find_first_not_of(" \t"));
+  const auto end = static_cast<std::uint32_t>(span.end + line.find_last_not_of("; \t\r") + 1);
+  const std::string call = function + '(' + first + ')';
+  Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
+  diagnostic.why = "a call has parentheses, and settings have names: speed: 100mm/s, blend: 10mm";
+  diagnostic.fix = Fix{.text = "write " + call,
+                       .edits = {{{span.begin, end, span.source}, call}},
+                       .confidence = Confidence::kMaybe};
+  checker.report(std::move(diagnostic));
+  return true;
+}
+
 bool refuse_foreign_type(Checker& checker, std::string_view name, Span span) {
   std::string_view here = lookup(kDeclarations, name);
   const bool is_declaration = !here.empty();
   if (!is_declaration) here = lookup(kTypes, name);
-  if (here.empty()) return false;
+  if (here.empty()) return refuse_call_without_parentheses(checker, name, span);
   const std::string better(here);
   Diagnostic diagnostic = is_declaration
                               ? make_diagnostic("E0130", span, {std::string(name), better})

@@ -1,6 +1,7 @@
 #include "compile/pipeline.hpp"
 
 #include <exception>
+#include <map>
 #include <new>
 #include <optional>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "armlet/core/ample_stack.hpp"
 #include "check/check.hpp"
 #include "compile/load_files.hpp"
+#include "compile/tried_fixes.hpp"
 
 namespace armlet::lang {
 
@@ -29,6 +31,18 @@ std::shared_ptr<const Program> build(const Registry& registry,
   return std::make_shared<const Program>(std::move(compiled));
 }
 
+// Asks the host for each file once.
+ModuleLoader remembered(const ModuleLoader& load) {
+  if (!load) return load;
+  using Question = std::pair<std::string, std::string>;
+  return [&load, known = std::make_shared<std::map<Question, ImportedText>>()](
+             const std::string& path, const std::string& from) {
+    const auto [at, is_new] = known->try_emplace({path, from});
+    if (is_new) at->second = load(path, from);
+    return at->second;
+  };
+}
+
 // Reached only through a mistake of ours, or when the machine has no memory left.
 Diagnostic defect(const char* what) {
   Diagnostic d = make_diagnostic("E0198", {});
@@ -47,9 +61,13 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
   result.sources = compiled->sources;
   compiled->sources->add(std::move(name), std::move(text));
   try {
-    on_ample_stack(
-        [&] { result.program = build(registry, std::move(compiled), options, lowering, sink); });
-    result.diagnostics = sink.take_sorted();
+    CompileOptions once = options;
+    once.load = remembered(options.load);
+    on_ample_stack([&] {
+      result.program = build(registry, std::move(compiled), once, lowering, sink);
+      result.diagnostics = sink.take_sorted();
+      drop_useless_fixes(result.diagnostics, registry, *result.sources, once);
+    });
   } catch (const std::bad_alloc&) {
     result.diagnostics.push_back(defect("the computer has no memory left"));
   } catch (const std::exception& e) {

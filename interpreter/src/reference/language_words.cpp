@@ -19,6 +19,8 @@ constexpr NativeFunction kWords[] = {
      "assertThrows(fn() => [1][3], kind: \"IndexError\")"},
     {"int", "(x: double | int) -> int", "The number without its fraction.", "int(2.9)"},
     {"double", "(x: double | int) -> double", "The number as a double.", "double(3)"},
+    {"string", "(x: T) -> string", "The text that print writes for a value.",
+     "string([1, 2]) + \" parts\""},
     {"push", "(xs: T[], x: T)", "Appends x to a list that can be changed.",
      "var parts = [1, 2]; parts.push(3); print(parts)"},
     {"pop", "(xs: T[]) -> T", "Removes the last value of a list and gives it.",

@@ -75,6 +75,11 @@ class BracketCheck {
     out.mark.label = "opened here";
     const std::size_t end = end_of_bracket(opener, limit);
     const std::string mark = '`' + closing_text(opener) + '`';
+    if (const std::optional<Span> slashes = swallowed_by_comment(opener, end)) {
+      out.why = "// begins a comment, which goes to the end of the line";
+      out.fix = Fix{"to divide, write /", {{*slashes, "/"}}, Confidence::kMaybe};
+      return out;
+    }
     if (tokens_[end].type == RbtLexer::SEMI) {
       out.fix = Fix{"add " + mark + " before the `;`", {}, Confidence::kMaybe};
     } else if (tokens_[end].type != kEndOfText && line(end) == line(end - 1)) {
@@ -89,6 +94,20 @@ class BracketCheck {
     }
     out.fix->edits.push_back({after(end - 1), closing_text(opener)});
     return out;
+  }
+
+  // The `//` behind the last token of the bracket, if the closing bracket stands in its comment:
+  // print(3 // 2)
+  std::optional<Span> swallowed_by_comment(std::size_t opener, std::size_t end) const {
+    const std::uint32_t from = tokens_[end - 1].end;
+    const std::string_view text = source_.text();
+    const std::size_t slashes = text.find_first_not_of(" \t", from);
+    if (slashes == std::string_view::npos || !text.substr(slashes).starts_with("//"))
+      return std::nullopt;
+    const std::string_view comment = text.substr(slashes, text.find('\n', slashes) - slashes);
+    if (comment.find(closing_text(opener)) == std::string_view::npos) return std::nullopt;
+    const auto begin = static_cast<std::uint32_t>(slashes);
+    return Span{begin, begin + 2, source_.id()};
   }
 
   // The token before which the bracket `opener` must have ended: a `;`, a closer of something

@@ -248,12 +248,89 @@ Answer call_without_parentheses(const FailureSite& site) {
   return out;
 }
 
+// lambda x, y: x + y
+Answer python_lambda(const FailureSite& site) {
+  const std::size_t word = site.at - 1;
+  if (site.at <= site.statement + 1 || site.text(word) != "lambda" || !is_name(site.type(site.at)))
+    return std::nullopt;
+  const bool declares = site.type(word - 1) == RbtLexer::ASSIGN;
+  std::string meant = "fn(";
+  std::size_t i = site.at;
+  while (is_name(site.type(i))) {
+    meant += (i > site.at ? ", " : "") + site.text(i) + (declares ? ": double" : "");
+    i += site.type(i + 1) == RbtLexer::COMMA ? 2 : 1;
+  }
+  if (site.type(i) != RbtLexer::COLON) return std::nullopt;
+  meant += ") =>";
+  const Span mark = site.span(word, i);
+  Diagnostic out = make_diagnostic("E0130", mark, {site.text(word, i), meant});
+  out.fix = Fix{"write " + meant, {{mark, meant}}, Confidence::kSure};
+  return out;
+}
+
+// f'{x}' and f"{"x"}"
+Answer quotes_of_a_format(const FailureSite& site) {
+  if (site.at <= site.statement || !site.touch(site.at - 1, site.at)) return std::nullopt;
+  const Span here = site.span(site.at);
+  if (site.text(site.at - 1) == "f" && site.type(site.at) == RbtLexer::STRING) {
+    const std::string inner = site.text(site.at);
+    const std::string meant = "f\"" + inner.substr(1, inner.size() - 2) + '"';
+    const Span mark = site.span(site.at - 1, site.at);
+    Diagnostic out = make_diagnostic("E0130", mark, {site.text(site.at - 1, site.at), meant});
+    out.why = "a text with values in it stands between double quotes";
+    out.fix = Fix{"write " + meant, {{mark, meant}}, Confidence::kSure};
+    return out;
+  }
+  if (site.before() != RbtLexer::FSTRING || !is_name(site.type(site.at))) return std::nullopt;
+  const std::size_t next = site.at + 1;
+  const bool goes_on = site.type(next) == RbtLexer::STRING && site.touch(site.at, next);
+  if (!goes_on || !site.text(next).starts_with('"')) return std::nullopt;
+  const std::uint32_t open = here.begin - 1;
+  Diagnostic out =
+      make_diagnostic("E0130", {open, here.end + 1, here.source},
+                      {'"' + site.text(site.at) + '"', '\'' + site.text(site.at) + '\''});
+  out.why = "a double quote ends the text that begins with f\"";
+  out.fix =
+      Fix{"write '" + site.text(site.at) + '\'',
+          {{{open, here.begin, here.source}, "'"}, {{here.end, here.end + 1, here.source}, "'"}},
+          Confidence::kSure};
+  return out;
+}
+
+// sin x
+Answer function_without_parentheses(const FailureSite& site) {
+  constexpr std::array<std::string_view, 13> kFunctions = {"sin",   "cos",  "tan",  "asin", "acos",
+                                                           "atan",  "sqrt", "abs",  "exp",  "log",
+                                                           "floor", "ceil", "round"};
+  if (site.at <= site.statement || !site.on_one_line(site.at - 1, site.at)) return std::nullopt;
+  const std::string function = site.text(site.at - 1);
+  const bool is_value = is_name(site.type(site.at)) || is_number(site.type(site.at));
+  if (!is_value || std::ranges::find(kFunctions, function) == kFunctions.end()) return std::nullopt;
+  Diagnostic out = make_diagnostic("E0129", site.span(site.at), {"a pair of parentheses"});
+  const std::string call = function + '(' + site.text(site.at) + ')';
+  out.fix = Fix{"write " + call, {{site.span(site.at - 1, site.at), call}}, Confidence::kMaybe};
+  return out;
+}
+
+// 1.5.5
+Answer two_decimal_points(const FailureSite& site) {
+  if (site.at <= site.statement || !site.touch(site.at - 1, site.at)) return std::nullopt;
+  if (!is_number(site.before()) || !is_number(site.type(site.at)) ||
+      !site.text(site.at).starts_with('.'))
+    return std::nullopt;
+  const Span mark = site.span(site.at - 1, site.at);
+  Diagnostic out = make_diagnostic("E0103", mark, {site.text(site.at - 1, site.at)});
+  out.why = "a number has one decimal point";
+  return out;
+}
+
 }  // namespace
 
 std::optional<Diagnostic> explain_habit(const FailureSite& site) {
   for (const auto explain :
-       {java_frame, colon_equals, unit_apart, decimal_comma, foreign_word, round_list,
-        braces_as_value, setting_with_equals, call_without_parentheses}) {
+       {java_frame, colon_equals, unit_apart, decimal_comma, python_lambda, quotes_of_a_format,
+        two_decimal_points, function_without_parentheses, foreign_word, round_list, braces_as_value,
+        setting_with_equals, call_without_parentheses}) {
     if (Answer out = explain(site)) return out;
   }
   return std::nullopt;

@@ -61,6 +61,21 @@ bool may_precede_lambda(std::uint16_t type) {
          type == RbtLexer::COLON;
 }
 
+// The parameters from token `first` to token `last`, x or (x, y), as those of a function. Types are
+// written where nothing else tells them: behind `let f =`.
+std::string parameters_of_lambda(const FailureSite& site, std::size_t first, std::size_t last) {
+  const bool declares = site.type(first - 1) == RbtLexer::ASSIGN;
+  std::string out = "fn(";
+  for (std::size_t i = first; i <= last; ++i) {
+    if (!is_name(site.type(i))) continue;
+    const bool typed = site.type(i + 1) == RbtLexer::COLON;
+    if (i > first && out.back() != '(') out += ", ";
+    out += site.text(i) + (typed ? site.text(i + 1, i + 2) : declares ? ": double" : "");
+    if (typed) i += 2;
+  }
+  return out + ')';
+}
+
 // x => x + 1 and (x, y) => x + y
 Answer lambda_without_fn(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
@@ -79,7 +94,7 @@ Answer lambda_without_fn(const FailureSite& site) {
   }
   if (first <= site.statement || !may_precede_lambda(site.type(first - 1))) return std::nullopt;
   const std::string found = site.text(first, last);
-  const std::string meant = first == last ? "fn(" + found + ')' : "fn" + found;
+  const std::string meant = parameters_of_lambda(site, first, last);
   const Span mark = site.span(first, last);
   return written_as(mark, found + " =>", meant + " =>", {{mark, meant}});
 }

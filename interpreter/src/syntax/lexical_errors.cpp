@@ -154,6 +154,25 @@ Diagnostic word_processor_quote(const Source& source, Span opening) {
   return out;
 }
 
+// Whether a value ends directly before a place: a name, a number or a closing bracket.
+bool ends_value(std::string_view before) {
+  if (before.empty()) return false;
+  const char last = before.back();
+  return last == ')' || last == ']' || last == '_' ||
+         std::isalnum(static_cast<unsigned char>(last)) != 0;
+}
+
+// 4.sqrt() and 0xFFL, as they are written here; empty for other words.
+std::string other_number(std::string_view digits, std::string_view word, std::string_view behind) {
+  const std::size_t last = word.find_last_not_of("lLuU");
+  const bool is_hexadecimal =
+      digits == "0" && word.size() > 2 && (word[0] == 'x' || word[0] == 'X') && last > 0 &&
+      word.substr(1, last).find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+  if (is_hexadecimal) return std::string(digits) + std::string(word.substr(0, last + 1));
+  if (!digits.ends_with('.') || !behind.starts_with("()")) return {};
+  return std::string(word) + '(' + std::string(digits.substr(0, digits.size() - 1)) + ')';
+}
+
 }  // namespace
 
 Diagnostic unclosed_text(const Source& source, Span text) {
@@ -161,6 +180,12 @@ Diagnostic unclosed_text(const Source& source, Span text) {
   out.mark.label = "the quote opens here";
   const std::string_view body = source.slice(text);
   const char quote = body.find('"') <= 1 ? '"' : '\'';
+  if (quote == '\'' && ends_value(source.text().substr(0, text.begin))) {
+    const Span mark{text.begin, text.begin + 1, text.source};
+    out.why = "a quote opens a text; it does not transpose a matrix";
+    out.fix = fix("write .T for the transpose", {{mark, ".T"}}, Confidence::kMaybe);
+    return out;
+  }
   std::size_t keep = body.find_last_not_of(" \t\r);,]");
   keep = keep == std::string_view::npos || keep == 0 ? body.size() : keep + 1;
   const Position at = source.position(text.begin);
@@ -199,6 +224,13 @@ Diagnostic bad_number(const Source& source, Span number) {
     std::erase(bare, '_');
     out.why = "`_` stands between two digits";
     out.fix = fix("write " + bare, {{number, bare}}, Confidence::kSure);
+    return out;
+  }
+  const std::string_view behind = source.text().substr(number.end);
+  if (const std::string better = other_number(digits, word, behind); !better.empty()) {
+    const std::uint32_t call = better.ends_with(')') ? 2 : 0;
+    const Span all{number.begin, number.end + call, number.source};
+    out.fix = fix("write " + better, {{all, better}}, Confidence::kSure);
     return out;
   }
   const std::vector<std::string> near = units_near(word);

@@ -2,13 +2,17 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "armlet/core/random.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "deletions.hpp"
@@ -43,13 +47,16 @@ std::vector<Mistake> mistakes(const std::string& name) {
   return out;
 }
 
+std::vector<Problem> problems_of(const std::string& text) {
+  Session session(library_engine(), at_the_table());
+  static_cast<void>(session.compile(text, "cell.rbt"));
+  return session.problems();
+}
+
 // The messages of a text in the form that editors get.
 std::vector<nlohmann::json> json_messages(const std::string& text) {
-  SessionOptions options = at_the_table();
-  Session session(library_engine(), std::move(options));
-  (void)session.compile(text, "cell.rbt");
   std::vector<nlohmann::json> out;
-  for (const Problem& problem : session.problems())
+  for (const Problem& problem : problems_of(text))
     out.push_back(nlohmann::json::parse(render_json(problem.diagnostic, *problem.sources)));
   return out;
 }
@@ -131,6 +138,129 @@ TEST_CASE("the edits of a fix make the program right") {
     CAPTURE(messages[0].dump());
     CHECK(works(repaired, messages[0]));
   }
+}
+
+namespace {
+
+// What stands in a text after the edits of a fix, as offsets: what each edit left there.
+struct Repaired {
+  std::string text;
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+};
+
+Repaired repaired(const std::string& text, std::vector<Edit> edits) {
+  std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
+  Repaired out;
+  std::size_t read = 0;
+  for (const Edit& edit : edits) {
+    out.text += text.substr(read, edit.span.begin - read);
+    out.places.emplace_back(out.text.size(), out.text.size() + edit.text.size());
+    out.text += edit.text;
+    read = edit.span.end;
+  }
+  out.text += text.substr(read);
+  return out;
+}
+
+// The numbers in a text, without those that belong to names.
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> out;
+  const std::regex number(R"((^|[^\w.])(0[xX][0-9a-fA-F]+|(\d[\d_]*\.?\d*|\.\d+)([eE][+-]?\d+)?))");
+  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at) {
+    std::string digits = (*at)[2];
+    std::erase(digits, '_');
+    out.push_back(std::strtod(digits.c_str(), nullptr));
+  }
+  return out;
+}
+
+int fixes_tried = 0;
+
+// Applies every fix that a program gets: no error may be left at a place that it changes, and
+// numbers that it writes anew keep their values.
+void every_fix_works(const std::string& text) {
+  for (const Problem& problem : problems_of(text)) {
+    const Diagnostic& message = problem.diagnostic;
+    if (!message.fix || message.fix->edits.empty()) continue;
+    CAPTURE(text);
+    CAPTURE(message.code);
+    CAPTURE(message.fix->text);
+    ++fixes_tried;
+    const Repaired after = repaired(text, message.fix->edits);
+    for (const Problem& other : problems_of(after.text)) {
+      const Diagnostic& left = other.diagnostic;
+      if (left.severity != Severity::kError && left.code != message.code) continue;
+      CAPTURE(left.message);
+      for (const auto& [begin, end] : after.places)
+        CHECK((left.mark.span.begin > end || left.mark.span.end < begin));
+    }
+    for (const Edit& edit : message.fix->edits) {
+      const std::vector<double> kept = numbers_in(edit.text);
+      if (kept.empty()) continue;
+      for (const double value : numbers_in(std::string(problem.sources->slice(edit.span)))) {
+        CAPTURE(value);
+        CHECK(std::ranges::find(kept, value) != kept.end());
+      }
+    }
+  }
+}
+
+// One token deleted, doubled, exchanged with another, misspelt, or without its unit.
+std::string mutated(const std::string& text, Random& random) {
+  const std::vector<Span> tokens = test::tokens_of(text);
+  const auto any = [&] { return tokens[random.below(tokens.size())]; };
+  const auto word = [&](Span span) { return text.substr(span.begin, span.end - span.begin); };
+  const Span at = any();
+  std::string token = word(at);
+  switch (random.below(6)) {
+    case 0:
+      token.clear();
+      break;
+    case 1:
+      token += ' ' + token;
+      break;
+    case 2:
+      token = word(any());
+      break;
+    case 3:
+      if (token.size() > 2) std::swap(token[1], token[2]);
+      break;
+    case 4:
+      token.resize(
+          std::max<std::size_t>(1, std::min(token.size(), token.find_last_of("0123456789") + 1)));
+      break;
+    default:
+      token +=
+          std::vector<std::string>{"mm", "deg", "s", "/2", " mm", "x", "FL", "'"}[random.below(8)];
+  }
+  return text.substr(0, at.begin) + token + text.substr(at.end);
+}
+
+}  // namespace
+
+TEST_CASE("every fix that a program gets works") {
+  const std::string root(ARMLET_ROOT);
+  fixes_tried = 0;
+  const std::filesystem::path errors = root + "/tests/scripts/errors";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(errors)) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    if (entry.path().extension() == ".rbt")
+      every_fix_works({std::istreambuf_iterator<char>(file), {}});
+  }
+  for (const char* name : {"mistakes.txt", "fixes.txt"}) {
+    for (const Mistake& mistake : mistakes(name)) every_fix_works(mistake.text);
+  }
+  CHECK(fixes_tried > 250);
+  Random random(2026);
+  std::vector<std::string> right;
+  for (const char* folder : {"/examples", "/tests/scripts/motion", "/tests/scripts/language"}) {
+    for (const auto& [path, text] : test::programs_below(root + folder)) {
+      if (text.size() < 2000) right.push_back(text);
+    }
+  }
+  for (int i = 0; i < 300; ++i)
+    every_fix_works(mutated(right[static_cast<std::size_t>(i) % right.size()], random));
+  CHECK(fixes_tried > 350);
 }
 
 TEST_CASE("a missing token seldom gives more than two messages") {
