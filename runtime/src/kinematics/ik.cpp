@@ -20,7 +20,8 @@ namespace {
 constexpr int kNearestStarts = 32;     // after the first solution
 constexpr int kNearStarts = 12;        // around the seed
 constexpr int kRedundantStarts = 4;    // of an arm of seven joints with a closed form
-constexpr std::size_t kSlid = 4;       // of the solutions that the iterations found
+constexpr std::size_t kSlid = 4;       // of the solutions that the iterations found,
+constexpr std::size_t kSlidOne = 16;   // with at most one joint to spare
 constexpr std::size_t kFollowed = 3;   // branches of such an arm
 constexpr int kNearestWanted = 16;     // distinct solutions
 constexpr double kSameChoice = 1e-6;   // rad or m
@@ -75,7 +76,7 @@ FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptio
       !formula_applies(robot, goal, options))
     return FormulaAnswer::kSilent;
   std::vector<FormulaSolution> solutions;
-  const FormulaAnswer answer = solve_by_formula(robot, goal, options, solutions);
+  const FormulaAnswer answer = solve_by_formula(robot, goal, options, solutions, 0.0, true);
   if (!solutions.empty())
     take_branch(robot, goal, nearest_branch(robot, options.seed, solutions), result);
   return answer;
@@ -126,7 +127,8 @@ void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
       solution = to_vector(q, robot.n());
   }
   sort_by_nearness(robot, options.seed, solutions);
-  for (std::size_t k = 0; k < std::min(solutions.size(), kSlid); ++k) {
+  const std::size_t slid = robot.n() > 7 ? kSlid : kSlidOne;
+  for (std::size_t k = 0; k < std::min(solutions.size(), slid); ++k) {
     JointArray q = to_array(solutions[k]);
     slide_nearer(robot, goal, options, q);
     solutions[k] = to_vector(q, robot.n());

@@ -123,13 +123,13 @@ void follow_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
 }
 
 void search_open_joints(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                        unsigned open, std::vector<FormulaSolution>& solutions) {
+                        unsigned open, bool nearest_only, std::vector<FormulaSolution>& solutions) {
   Eigen::VectorXd near = options.seed;
   const int rounds = (open & (open - 1)) != 0 ? 2 : 1;  // several of them in turn
   for (int round = 0; round < rounds; ++round) {
     for (int joint = 0; joint < robot.n(); ++joint) {
       if ((open >> joint & 1U) == 0) continue;
-      const auto found = scan_open_joint(robot, goal, options, joint, near);
+      const auto found = scan_open_joint(robot, goal, options, joint, near, nearest_only);
       take_nearer(robot, goal, options, found, solutions);
       if (!solutions.empty())
         near[joint] =
@@ -149,7 +149,8 @@ bool formula_applies(const Robot& robot, const IkGoal& goal, const IkOptions& op
 }
 
 FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                               std::vector<FormulaSolution>& solutions, double arm_turn) {
+                               std::vector<FormulaSolution>& solutions, double arm_turn,
+                               bool nearest_only) {
   const ClosedForm& closed = closed_form(robot);
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
   T_world_tool.linear() = goal.R;
@@ -164,7 +165,7 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
       add_new(robot, candidate, solutions);
   }
   if (found.open != 0 && robot.n() <= 6 && counts_all(goal))
-    search_open_joints(robot, goal, options, found.open, solutions);
+    search_open_joints(robot, goal, options, found.open, nearest_only, solutions);
   const bool all = closed.complete() && !found.free;
   if (solutions.empty()) return all ? FormulaAnswer::kNone : FormulaAnswer::kSilent;
   return all ? FormulaAnswer::kAll : FormulaAnswer::kSome;
@@ -184,7 +185,7 @@ std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkG
 std::vector<FormulaSolution> nearest_over_arm_angles(const Robot& robot, const IkGoal& goal,
                                                      const IkOptions& options) {
   std::vector<FormulaSolution> solutions;
-  const auto found = scan_open_joint(robot, goal, options, kArmAngle, options.seed);
+  const auto found = scan_open_joint(robot, goal, options, kArmAngle, options.seed, true);
   take_nearer(robot, goal, options, found, solutions);
   std::ranges::stable_sort(solutions, {},
                            [&](const FormulaSolution& s) { return change_of(s.q, options.seed); });

@@ -1,6 +1,6 @@
 #include "ik_free.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -177,12 +177,11 @@ class Shares {
   std::array<bool, kMaxJoints> taken_{};
 };
 
-double bring_one(const Robot& robot, const IkOptions& options, std::size_t i, Copies copies,
-                 double& value) {
+double bring_one(const Robot& robot, const IkOptions& options, std::size_t i, double& value) {
   const Range range = range_of(robot, options, i);
   const double near = options.seed[static_cast<Eigen::Index>(i)];
   if (robot.is_revolute(static_cast<int>(i))) {
-    if (options.respect_limits && copies == Copies::kInside)
+    if (options.respect_limits)
       value = turned_within(value, near, range.lower - 1e-6, range.upper + 1e-6);
     else if (std::abs(value - near) > kPi)
       value = nearest_turn(value, near);
@@ -200,12 +199,12 @@ double change_of(const JointArray& q, const Eigen::VectorXd& seed) {
 }
 
 double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
-                  JointArray& q, Copies copies) {
+                  JointArray& q) {
   double beyond = 0.0;
   const std::size_t n = static_cast<std::size_t>(robot.n());
   if (!shares) {
     for (std::size_t i = 0; i < n; ++i)
-      beyond = std::max(beyond, bring_one(robot, options, i, copies, q[i]));
+      beyond = std::max(beyond, bring_one(robot, options, i, q[i]));
     return beyond;
   }
   Shares alike(robot, goal, q);
@@ -219,7 +218,7 @@ double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& optio
             std::clamp(options.seed[static_cast<Eigen::Index>(m.joint)], range.lower, range.upper);
       }
     } else if (members.count == 1) {
-      beyond = std::max(beyond, bring_one(robot, options, i, copies, q[i]));
+      beyond = std::max(beyond, bring_one(robot, options, i, q[i]));
     } else {
       beyond =
           std::max(beyond, settle(members, robot, options, alike.turns(i) ? 2.0 * kPi : 0.0, q));
@@ -233,60 +232,100 @@ namespace {
 constexpr double kSingular = 1e-6;    // of the rows that count, rad or m per rad or m
 constexpr double kFirstSlide = 0.3;   // rad or m
 constexpr double kLastSlide = 1e-8;   // and the progress that counts
+constexpr double kNoSlide = 1e-10;    // rad or m; what a way to go must promise
 constexpr double kWorthwhile = 1e-3;  // rad or m
 constexpr int kSlides = 60;
 constexpr int kCorrections = 8;
 
-using Eigen::MatrixXd;
+using Eigen::Dynamic;
 using Eigen::VectorXd;
+using Directions = Eigen::Matrix<double, Dynamic, Dynamic, 0, kMaxJoints, kMaxJoints>;
 
 // Directions, as columns, in which the joints move without what counts of the tool.
-MatrixXd idle_directions(const Robot& robot, const IkGoal& goal, const JointArray& q) {
+Directions idle_directions(const Robot& robot, const IkGoal& goal, const JointArray& q) {
   const JacobianFrame frame = goal.in_tool_axes ? JacobianFrame::kTool : JacobianFrame::kWorld;
   Jacobian J = jacobian(robot, Eigen::Map<const Eigen::VectorXd>(q.data(), robot.n()), frame);
   for (Eigen::Index r = 0; r < 6; ++r) {
     if (goal.weights[r] == 0.0) J.row(r).setZero();
   }
-  const MatrixXd H = J.transpose() * J;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
-  Eigen::Index count = 0;
-  while (count < H.rows() && eigen.eigenvalues()[count] <= kSingular * kSingular) ++count;
-  return eigen.eigenvectors().leftCols(count);
+  using Rows = Eigen::Matrix<double, Dynamic, Dynamic, 0, kMaxJoints, 6>;
+  const Eigen::ColPivHouseholderQR<Rows> rows(J.transpose());
+  const auto pivots = rows.matrixQR().diagonal();
+  Eigen::Index rank = 0;
+  while (rank < pivots.size() && std::abs(pivots[rank]) > kSingular) ++rank;
+  const Directions Q = rows.householderQ();
+  return Q.rightCols(robot.n() - rank);
 }
 
+// The change of a joint along a direction, and its opposite: a + t b.
+struct Line {
+  double a = 0.0, b = 0.0;
+};
+
 // How far to go along a direction, at most `most` either way, so that the largest change becomes
-// smallest; the function is convex and piecewise linear.
-double best_length(const Robot& robot, const IkOptions& options, const JointArray& q,
-                   const VectorXd& v, double most) {
-  double low = -most, high = most;
-  const auto n = static_cast<std::size_t>(robot.n());
-  for (std::size_t i = 0; i < n; ++i) {
-    const Range range = range_of(robot, options, i);
-    const double vi = v[static_cast<Eigen::Index>(i)];
-    if (std::abs(vi) < 1e-12) continue;
-    const double to_lower = (range.lower - q[i]) / vi;
-    const double to_upper = (range.upper - q[i]) / vi;
-    low = std::max(low, std::min(to_lower, to_upper));
-    high = std::min(high, std::max(to_lower, to_upper));
-  }
-  if (!(low <= 0.0 && high >= 0.0)) return 0.0;
-  const auto change = [&](double t) {
-    double largest = 0.0;
+// smallest: the lowest point of the lines' upper envelope, which is followed from its left end.
+class Descent {
+ public:
+  Descent(const Robot& robot, const IkOptions& options, const JointArray& q, const VectorXd& v,
+          double most) {
+    double low = -most, high = most;
+    const auto n = static_cast<std::size_t>(robot.n());
     for (std::size_t i = 0; i < n; ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      largest = std::max(largest, std::abs(q[i] + t * v[k] - options.seed[k]));
+      const Range range = range_of(robot, options, i);
+      const double vi = v[static_cast<Eigen::Index>(i)];
+      const double away = q[i] - options.seed[static_cast<Eigen::Index>(i)];
+      lines_[count_++] = {away, vi};
+      lines_[count_++] = {-away, -vi};
+      if (std::abs(vi) < 1e-12) continue;
+      const double to_lower = (range.lower - q[i]) / vi;
+      const double to_upper = (range.upper - q[i]) / vi;
+      low = std::max(low, std::min(to_lower, to_upper));
+      high = std::min(high, std::max(to_lower, to_upper));
     }
-    return largest;
-  };
-  for (int round = 0; round < 60; ++round) {
-    const double third = (high - low) / 3.0;
-    if (change(low + third) <= change(high - third))
-      high -= third;
-    else
-      low += third;
+    if (!(low <= 0.0 && high >= 0.0)) return;
+    length_ = lowest(low, high);
+    promise_ = change_at(0.0) - change_at(length_);
   }
-  return 0.5 * (low + high);
-}
+
+  double length() const { return length_; }
+  double promise() const { return promise_; }
+
+ private:
+  double change_at(double t) const {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < count_; ++k)
+      largest = std::max(largest, lines_[k].a + t * lines_[k].b);
+    return largest;
+  }
+
+  double lowest(double low, double high) const {
+    const double at_low = change_at(low);
+    Line top{0.0, -INFINITY};
+    for (std::size_t k = 0; k < count_; ++k) {
+      if (lines_[k].a + low * lines_[k].b >= at_low - 1e-15 && lines_[k].b > top.b) top = lines_[k];
+    }
+    double t = low;
+    while (top.b < 0.0) {
+      double next = high;
+      Line steeper{0.0, 0.0};
+      for (std::size_t k = 0; k < count_; ++k) {
+        if (!(lines_[k].b > top.b)) continue;
+        const double crossing = (top.a - lines_[k].a) / (lines_[k].b - top.b);
+        if (crossing > next || (crossing == next && lines_[k].b <= steeper.b)) continue;
+        next = std::max(crossing, t);
+        steeper = lines_[k];
+      }
+      t = next;
+      if (t >= high) return high;
+      top = steeper;
+    }
+    return t;
+  }
+
+  std::array<Line, 2 * kMaxJoints> lines_{};
+  std::size_t count_ = 0;
+  double length_ = 0.0, promise_ = 0.0;
+};
 
 }  // namespace
 
@@ -295,11 +334,10 @@ void slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
   double change = change_of(q, options.seed);
   double most = kFirstSlide;
   for (int slide = 0; slide < kSlides && most > kLastSlide; ++slide) {
-    const MatrixXd idle = idle_directions(robot, goal, q);
-    if (idle.cols() == 0) return;
-    bool nearer = false;
-    for (Eigen::Index k = 0; k <= idle.cols() && !nearer; ++k) {
-      // Towards the seed first, then each by itself.
+    const Directions idle = idle_directions(robot, goal, q);
+    bool nearer = false, promising = false;
+    // Towards the seed first, then each by itself.
+    for (Eigen::Index k = idle.cols() == 1 ? 1 : 0; k <= idle.cols() && !nearer; ++k) {
       VectorXd v;
       if (k == 0)
         v = idle * (idle.transpose() *
@@ -309,20 +347,23 @@ void slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
       const double size = v.norm();
       if (!(size > 1e-12)) continue;
       v /= size;
-      const double t = best_length(robot, options, q, v, most);
+      const Descent descent(robot, options, q, v, most);
+      if (!(descent.promise() > kNoSlide)) continue;
+      promising = true;
       JointArray next = q;
-      for (Eigen::Index i = 0; i < v.size(); ++i) next[static_cast<std::size_t>(i)] += t * v[i];
+      for (Eigen::Index i = 0; i < v.size(); ++i)
+        next[static_cast<std::size_t>(i)] += descent.length() * v[i];
       const bool met = options.respect_limits ? solver.solve_in_box(next, kCorrections)
                                               : solver.solve_free(next, kCorrections);
       if (!met || !goal.is_met(solver.error_of(next))) continue;
       const double shorter = change_of(next, options.seed);
-      if (shorter >= change - 1e-10) continue;
+      if (shorter >= change - kNoSlide) continue;
       // With several directions to go the way is long and ends nowhere exactly.
       nearer = idle.cols() == 1 || shorter < change - kWorthwhile;
       change = shorter;
       q = next;
     }
-    if (!nearer && idle.cols() > 1) return;
+    if (!promising || (!nearer && idle.cols() > 1)) return;
     most = nearer ? std::min(2.0 * most, kFirstSlide) : 0.5 * most;
   }
 }

@@ -8,17 +8,13 @@ namespace armlet {
 // them it can be divided without moving the tool. Where only the place counts, a joint about the
 // tool point is free by itself.
 
-// Which of its copies, whole turns apart, a joint takes: the nearest one inside the limits, or the
-// nearest one wherever it lies.
-enum class Copies { kInside, kAll };
-
 // Turns each joint to the copy nearest to the seed and divides what joints share so that the
 // largest change from the seed is smallest, inside the limits if the options ask for that.
 //
 // shares whether to look for such joints. returns how far the joint that is farthest beyond its
 // limits lies beyond them; 0 if none does.
 double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
-                  JointArray& q, Copies copies = Copies::kInside);
+                  JointArray& q);
 
 // The largest change of one joint.
 double change_of(const JointArray& q, const Eigen::VectorXd& seed);

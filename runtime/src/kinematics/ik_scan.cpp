@@ -11,75 +11,107 @@ namespace {
 
 constexpr int kSamples = 90;  // of a turn
 constexpr double kStep = 2.0 * kPi / kSamples;
-constexpr double kCoarse = 1e-3;  // rad, of all valleys that are looked at
-constexpr double kFine = 1e-9;    // of the best of them
-constexpr std::size_t kValleys = 24;
-constexpr std::size_t kDeepest = 5;
-constexpr double kMayFall = 0.35;   // rad or m that a valley may lie below its sample
+constexpr double kNarrow = 1e-9;    // rad; pieces are not halved below it
+constexpr double kEdge = 1e-10;     // nor those at whose other end the branch does not exist
+constexpr double kWorth = 1e-7;     // rad or m that a piece has to promise
+constexpr double kNearEdge = 5e-3;  // rad; nearer to where a branch ends, joints change like roots:
+constexpr double kAtEdge = 0.35;    // rad or m there, and farther away in any way
+constexpr double kBend = 0.7;       // how far joints bend between samples, of the second difference
+constexpr double kSwing = 0.5;      // rad or m of that from which on joints may go any way
 constexpr double kOutside = 1e3;    // counted for a solution outside the limits
 constexpr double kNone = 1e9;       // for none
 constexpr double kSlightly = 1e-7;  // rad or m beyond a limit that is none
-constexpr double kGolden = 0.6180339887498949;
+constexpr double kTurn = 2.0 * kPi;
+constexpr int kLooks = 600;  // at most, after the samples
+constexpr std::size_t kMaxBranches = 16;
+constexpr unsigned kEveryBranch = ~0U;
 
 // One branch at one value.
-struct Choice {
-  double cost = kNone;    // the largest change, or more than kOutside
-  double change = kNone;  // also where it is outside
+struct Sample {
+  bool exists = false;
   double at = 0.0;
+  double cost = kNone;  // the largest change, or more than kOutside
+  JointArray q{};       // as the formula has them
+  unsigned loose = 0;   // joints that share an angle with others, which was divided anew
+};
+using Samples = std::array<Sample, kMaxBranches>;
+
+// A branch between two values, and how far each joint may bend away from the straight way.
+struct Piece {
+  std::size_t branch = 0;
+  Sample left, right;
+  JointArray bend{};
+};
+
+struct Best {
+  double cost = kNone;
   FormulaSolution solution;
 };
-using Choices = std::array<Choice, kMaxBranches>;
 
+// Samples a turn, and halves the pieces between samples for as long as the joints at their ends
+// leave room for something nearer.
 class Scan {
  public:
   Scan(const Robot& robot, const IkGoal& goal, const IkOptions& options, int joint,
-       const Eigen::VectorXd& near, Copies copies)
-      : copies_(copies), robot_(robot), goal_(goal), options_(options), joint_(joint), near_(near) {
+       const Eigen::VectorXd& near, bool nearest_only)
+      : nearest_only_(nearest_only),
+        robot_(robot),
+        goal_(goal),
+        options_(options),
+        joint_(joint),
+        n_(static_cast<std::size_t>(robot.n())),
+        near_(near) {
     T_world_tool_.linear() = goal.R;
     T_world_tool_.translation() = goal.p;
     start_ = joint == kArmAngle ? 0.0 : near[joint];
   }
 
   std::vector<FormulaSolution> run() {
-    std::vector<Choices> samples(kSamples);
-    for (int k = 0; k < kSamples; ++k)
-      look(start_ + k * kStep, kEveryBranch, samples[static_cast<std::size_t>(k)]);
-    std::vector<Valley> valleys;
-    for (std::size_t b = 0; b < kMaxBranches; ++b) find_valleys(samples, b, valleys);
-    std::ranges::stable_sort(valleys, {}, &Valley::change);
-    if (valleys.size() > kValleys) valleys.resize(kValleys);
-    for (Valley& valley : valleys) {
-      if (valley.change < best_[valley.branch].cost + kMayFall) narrow(valley, kCoarse);
+    samples_.resize(kSamples);
+    for (int k = 0; k < kSamples; ++k) {
+      // 0, +1, -1, +2, -2, ... steps
+      const int step = k % 2 == 1 ? (k + 1) / 2 : -k / 2;
+      const double at = start_ + step * kStep;
+      if (!is_too_far(at - kStep, at + kStep)) look(at, kEveryBranch, samples_[index(step)]);
     }
-    std::ranges::stable_sort(valleys, {}, &Valley::cost);
-    // The best of all, and of each branch the best one.
-    std::array<bool, kMaxBranches> seen{};
-    for (std::size_t k = 0; k < valleys.size(); ++k) {
-      const bool first = !seen[valleys[k].branch] && joint_ != kArmAngle;
-      if (k < kDeepest || first) narrow(valleys[k], kFine);
-      seen[valleys[k].branch] = true;
+    std::vector<std::pair<double, Piece>> pieces;
+    for (int step = 0; step < kSamples; ++step) {
+      for (std::size_t b = 0; b < kMaxBranches; ++b) {
+        const Piece piece = between_samples(step, b);
+        const double bound = lower_bound(piece);
+        if (bound < enough(b)) pieces.push_back({bound, piece});
+      }
+    }
+    std::ranges::stable_sort(pieces, {}, &std::pair<double, Piece>::first);
+    for (const auto& [bound, piece] : pieces) {
+      if (bound < enough(piece.branch)) halve(piece);
     }
     std::vector<FormulaSolution> out;
-    for (const Choice& choice : best_) {
-      if (choice.cost < kOutside) out.push_back(choice.solution);
+    for (const Best& best : best_) {
+      if (best.cost < kOutside) out.push_back(best.solution);
     }
     return out;
   }
 
  private:
-  // Between low and high a branch is nearer, or nearer to its limits, than at both.
-  struct Valley {
-    std::size_t branch = 0;
-    double low = 0.0, high = 0.0;
-    double cost = kNone;
-    double change = kNone;
-  };
-
-  static std::size_t branch_of(const Choice& c) {
-    return static_cast<std::size_t>(c.solution.branch);
+  static std::size_t index(int step) {
+    return static_cast<std::size_t>((step + kSamples) % kSamples);
   }
 
-  void look(double at, unsigned wanted, Choices& out) {
+  // What a piece must stay below to be looked at.
+  double enough(std::size_t branch) const {
+    return (nearest_only_ ? least_ : best_[branch].cost) - kWorth;
+  }
+
+  // Whether no value between low and high can be as near as what has been found: the joint itself
+  // changes by more.
+  bool is_too_far(double low, double high) const {
+    if (!nearest_only_ || joint_ == kArmAngle || is_shared_) return false;
+    const double middle = angle_difference(0.5 * (low + high), options_.seed[joint_]);
+    return std::abs(middle) - 0.5 * (high - low) > least_;
+  }
+
+  void look(double at, unsigned wanted, Samples& out) {
     double arm_turn = 0.0;
     (joint_ == kArmAngle ? arm_turn : near_[joint_]) = at;
     ClosedSolutions found;
@@ -87,83 +119,159 @@ class Scan {
                               std::min(goal_.position_tolerance, goal_.rotation_tolerance),
                               arm_turn, wanted);
     for (const ClosedSolution& solution : found) {
-      Choice choice{.at = at, .solution = {solution.q, solution.branch}};
-      const double beyond =
-          bring_near(robot_, goal_, options_, found.free, choice.solution.q, copies_);
-      choice.change = change_of(choice.solution.q, options_.seed);
-      choice.cost = beyond > kSlightly ? kOutside + beyond : choice.change;
-      const std::size_t b = branch_of(choice);
+      const auto branch = static_cast<std::size_t>(solution.branch);
+      Sample& sample = out[branch];
+      sample = {.exists = true, .at = at, .q = solution.q};
+      FormulaSolution settled{solution.q, solution.branch};
+      const double beyond = bring_near(robot_, goal_, options_, found.free, settled.q);
+      if (found.free) sample.loose = differing(sample.q, settled.q);
+      if (joint_ != kArmAngle) {
+        const double moved = angle_difference(settled.q[static_cast<std::size_t>(joint_)], at);
+        is_shared_ = is_shared_ || std::abs(moved) > kNarrow;
+      }
+      const double change = change_of(settled.q, options_.seed);
+      sample.cost = beyond > kSlightly ? kOutside + beyond : change;
       // Of equals the one that came first, which is the one near to the present value.
-      if (choice.cost < best_[b].cost - 1e-12) best_[b] = choice;
-      out[b] = choice;
-    }
-  }
-  double cost_at(double at, std::size_t branch) {
-    Choices out;
-    look(at, 1U << branch, out);
-    return out[branch].cost;
-  }
-
-  void find_valleys(const std::vector<Choices>& samples, std::size_t b,
-                    std::vector<Valley>& valleys) const {
-    const std::size_t n = samples.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      const Choice& here = samples[k][b];
-      if (here.cost < kNone && here.cost <= samples[(k + n - 1) % n][b].cost &&
-          here.cost <= samples[(k + 1) % n][b].cost)
-        valleys.push_back({b, here.at - kStep, here.at + kStep, here.cost, here.change});
+      if (sample.cost < best_[branch].cost - 1e-12) best_[branch] = {sample.cost, settled};
+      least_ = std::min(least_, sample.cost);
     }
   }
 
-  void narrow(Valley& valley, double width) {
-    double& low = valley.low;
-    double& high = valley.high;
-    double inner = high - kGolden * (high - low);
-    double outer = low + kGolden * (high - low);
-    double at_inner = cost_at(inner, valley.branch);
-    double at_outer = cost_at(outer, valley.branch);
-    while (high - low > width) {
-      if (at_inner <= at_outer) {
-        high = outer;
-        outer = inner;
-        at_outer = at_inner;
-        inner = high - kGolden * (high - low);
-        at_inner = cost_at(inner, valley.branch);
-      } else {
-        low = inner;
-        inner = outer;
-        at_inner = at_outer;
-        outer = low + kGolden * (high - low);
-        at_outer = cost_at(outer, valley.branch);
+  // How far joints may be from those at the one end where the branch exists.
+  static double bend_at_edge(const Piece& piece) {
+    const double width = piece.right.at - piece.left.at;
+    return width > kNearEdge ? kTurn : kAtEdge * std::sqrt(width / kNearEdge);
+  }
+
+  double way(std::size_t i, double from, double to) const {
+    return robot_.is_revolute(static_cast<int>(i)) ? angle_difference(to, from) : to - from;
+  }
+
+  unsigned differing(const JointArray& a, const JointArray& b) const {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (std::abs(way(i, a[i], b[i])) > kNarrow) bits |= 1U << i;
+    }
+    return bits;
+  }
+
+  double second_difference(std::size_t i, const Sample& a, const Sample& b, const Sample& c) const {
+    return std::abs(way(i, b.q[i], c.q[i]) - way(i, a.q[i], b.q[i]));
+  }
+
+  Piece between_samples(int step, std::size_t b) const {
+    const Sample& before = samples_[index(step - 1)][b];
+    const Sample& after = samples_[index(step + 2)][b];
+    Piece piece{b, samples_[index(step)][b], samples_[index(step + 1)][b], {}};
+    const bool whole = piece.left.exists && piece.right.exists;
+    if (piece.left.exists) piece.right.at = piece.left.at + kStep;
+    if (!whole && piece.right.exists) piece.left.at = piece.right.at - kStep;
+    for (std::size_t i = 0; i < n_; ++i) {
+      double& bend = piece.bend[i];
+      if (!whole) {
+        bend = bend_at_edge(piece);
+        continue;
+      }
+      // Without neighbours the joints may bend as far as they go.
+      const double all = std::abs(way(i, piece.left.q[i], piece.right.q[i]));
+      bend = before.exists ? second_difference(i, before, piece.left, piece.right) : all;
+      bend =
+          std::max(bend, after.exists ? second_difference(i, piece.left, piece.right, after) : all);
+      bend = bend > kSwing || all > kSwing ? kTurn : kBend * bend;
+    }
+    return piece;
+  }
+
+  // How far the seed is from what lies between low and high, or whole turns away, inside the
+  // limits.
+  double nearest_in(std::size_t i, double low, double high) const {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double seed = options_.seed[k];
+    const bool turns = robot_.is_revolute(static_cast<int>(i));
+    const double lower = options_.respect_limits ? robot_.lower()[k] - kSlightly : -INFINITY;
+    const double upper = options_.respect_limits ? robot_.upper()[k] + kSlightly : INFINITY;
+    double least = kNone;
+    const double first = turns ? std::round((seed - 0.5 * (low + high)) / kTurn) : 0.0;
+    const int copies = turns ? 3 : 0;
+    for (int copy = -copies; copy <= copies; ++copy) {
+      const double shift = (first + copy) * kTurn;
+      const double from = std::max(low + shift, lower);
+      const double to = std::min(high + shift, upper);
+      if (from <= to) least = std::min(least, std::max({from - seed, seed - to, 0.0}));
+    }
+    return least;
+  }
+
+  // No solution on the piece is nearer.
+  double lower_bound(const Piece& piece) const {
+    if (!piece.left.exists && !piece.right.exists) return kNone;
+    if (is_too_far(piece.left.at, piece.right.at)) return kNone;
+    const Sample& end = piece.left.exists ? piece.left : piece.right;
+    const bool whole = piece.left.exists && piece.right.exists;
+    double bound = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (((piece.left.loose | piece.right.loose) >> i & 1U) != 0) continue;
+      const double other = whole ? end.q[i] + way(i, end.q[i], piece.right.q[i]) : end.q[i];
+      bound = std::max(bound, nearest_in(i, std::min(end.q[i], other) - piece.bend[i],
+                                         std::max(end.q[i], other) + piece.bend[i]));
+    }
+    return bound;
+  }
+
+  // Of two halves the more promising one first.
+  void halve(const Piece& piece) {
+    const bool whole = piece.left.exists && piece.right.exists;
+    if (piece.right.at - piece.left.at < (whole ? kNarrow : kEdge) || looks_ >= kLooks) return;
+    ++looks_;
+    Samples middle;
+    const double at = 0.5 * (piece.left.at + piece.right.at);
+    look(at, 1U << piece.branch, middle);
+    Sample& sample = middle[piece.branch];
+    sample.at = at;
+    std::array<Piece, 2> halves = {Piece{piece.branch, piece.left, sample, {}},
+                                   Piece{piece.branch, sample, piece.right, {}}};
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double second =
+          whole && sample.exists ? second_difference(i, piece.left, sample, piece.right) : 0.0;
+      for (Piece& half : halves) {
+        const bool whole_half = half.left.exists && half.right.exists;
+        const double all = whole_half ? std::abs(way(i, half.left.q[i], half.right.q[i])) : 0.0;
+        if (!whole_half)
+          half.bend[i] = bend_at_edge(half);
+        else if (!whole)
+          half.bend[i] = all > kSwing ? kTurn : all;
+        else
+          half.bend[i] = second > kSwing || all > kSwing ? kTurn : kBend * second;
       }
     }
-    valley.cost = std::min(at_inner, at_outer);
+    if (lower_bound(halves[1]) < lower_bound(halves[0])) std::swap(halves[0], halves[1]);
+    for (const Piece& half : halves) {
+      if (lower_bound(half) < enough(half.branch)) halve(half);
+    }
   }
 
-  Copies copies_;
+  bool nearest_only_;
+  bool is_shared_ = false;  // with other joints, which changes the value after the formula
+  double least_ = kNone;    // cost of all
+  int looks_ = 0;
   const Robot& robot_;
   const IkGoal& goal_;
   const IkOptions& options_;
   int joint_;
+  std::size_t n_;
   Eigen::VectorXd near_;
   Eigen::Isometry3d T_world_tool_ = Eigen::Isometry3d::Identity();
   double start_ = 0.0;
-  Choices best_;
+  std::vector<Samples> samples_;
+  std::array<Best, kMaxBranches> best_;
 };
 
 }  // namespace
 
 std::vector<FormulaSolution> scan_open_joint(const Robot& robot, const IkGoal& goal,
                                              const IkOptions& options, int joint,
-                                             const Eigen::VectorXd& near) {
-  // Limits hide a narrow interval where copies inside them take over, so these come second: they
-  // lie at least half a turn away.
-  auto out = Scan(robot, goal, options, joint, near, Copies::kAll).run();
-  const auto is_near = [&](const FormulaSolution& s) { return change_of(s.q, options.seed) < kPi; };
-  if (std::ranges::any_of(out, is_near)) return out;
-  const auto far = Scan(robot, goal, options, joint, near, Copies::kInside).run();
-  out.insert(out.end(), far.begin(), far.end());
-  return out;
+                                             const Eigen::VectorXd& near, bool nearest_only) {
+  return Scan(robot, goal, options, joint, near, nearest_only).run();
 }
 
 }  // namespace armlet

@@ -9,8 +9,9 @@
 namespace armlet {
 namespace {
 
-constexpr double kSameSolution = 1e-4;  // rad or m
-constexpr double kAround = 0.6;         // rad or m, in which starts around the seed lie
+constexpr double kSameSolution = 1e-4;   // rad or m
+constexpr double kTurnRounding = 1e-12;  // rad
+constexpr double kAround = 0.6;          // rad or m, in which starts around the seed lie
 
 bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
             const Eigen::VectorXd& q) {
@@ -24,14 +25,20 @@ bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
   });
 }
 
-// Every revolute joint at the copy nearest to the seed, inside the limits if they count.
+// Every revolute joint at the copy nearest to the seed, inside the limits if they count. Whole
+// turns away and back round, which must not put a joint on its limit beyond it.
 void turn_near(const Robot& robot, const IkOptions& options, JointArray& q) {
   for (int i = 0; i < robot.n(); ++i) {
     if (!robot.is_revolute(i)) continue;
     double& value = q[static_cast<std::size_t>(i)];
-    value = options.respect_limits ? turned_within(value, options.seed[i], robot.lower()[i] - 1e-9,
-                                                   robot.upper()[i] + 1e-9)
-                                   : nearest_turn(value, options.seed[i]);
+    if (!options.respect_limits) {
+      value = nearest_turn(value, options.seed[i]);
+      continue;
+    }
+    const double lower = robot.lower()[i], upper = robot.upper()[i];
+    value = turned_within(value, options.seed[i], lower - 1e-9, upper + 1e-9);
+    const double inside = std::clamp(value, lower, upper);
+    if (std::abs(value - inside) < kTurnRounding) value = inside;
   }
 }
 

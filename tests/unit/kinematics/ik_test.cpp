@@ -85,7 +85,10 @@ TEST_CASE("the nearest solution is found for 10,000 poses of every arm that has 
       }
       return clamp_to_limits(robot, q);
     };
-    CHECK(failures(robot, 2'000, singular, IkChoice::kNearest) == 0);
+    // Where three axes are parallel most of these leave a joint free, which costs a search each;
+    // nearest_test.cpp has more of them.
+    const bool parallel = closed_form(robot).kind() == ClosedFormKind::kThreeParallel;
+    CHECK(failures(robot, parallel ? 250 : 2'000, singular, IkChoice::kNearest) == 0);
   }
 }
 

@@ -257,7 +257,8 @@ void check_followed(const Robot& robot, int joint, std::optional<int> zero, IkMe
   for (int k = 0; k < (count + kScale - 1) / kScale; ++k) {
     VectorXd q = on_limits(robot, random);
     if (zero) q[*zero] = 0.0;
-    // A UR whose elbow is stretched as well has its free joint in an interval of less than 1 deg.
+    // A UR whose elbow is stretched exactly as well may have its free joint in an interval that is
+    // passed over, if it is far from the seed.
     if (zero && robot.name().starts_with("ur")) q[2] = 0.9 * q[2];
     const VectorXd seed = perturbed(robot, q, random);
     judge(robot, q, seed, Followed(robot, q, joint, seed).least(), method, score);
@@ -296,19 +297,19 @@ TEST_CASE("two joints about one line share their angle so that neither turns far
 TEST_CASE(
     "a joint that the goal leaves free takes the value from which no "
     "joint turns far") {
-  check_followed(*make_robot("ur5"), 5, 4, IkMethod::kAuto, 250);
-  check_followed(*make_robot("ur10"), 5, 4, IkMethod::kAuto, 100);
+  check_followed(*make_robot("ur5"), 5, 4, IkMethod::kAuto, 700);
+  check_followed(*make_robot("ur10"), 5, 4, IkMethod::kAuto, 300);
   for (const char* name : {"pa10", "iiwa14", "arm7"}) {
     CAPTURE(name);
-    check_followed(*make_robot(name), 2, {}, IkMethod::kAuto, 100);
+    check_followed(*make_robot(name), 2, {}, IkMethod::kAuto, 300);
   }
-  check_followed(*make_robot("panda"), 6, {}, IkMethod::kAuto, 150);
+  check_followed(*make_robot("panda"), 6, {}, IkMethod::kAuto, 400);
 }
 
 TEST_CASE("arms solved by iteration choose their free joints too") {
-  check_followed(*make_robot("puma560"), 3, 4, IkMethod::kNumeric, 80);
-  check_followed(*make_robot("ur5"), 5, 4, IkMethod::kNumeric, 60);
-  check_followed(*make_robot("pa10"), 2, {}, IkMethod::kNumeric, 40);
+  check_followed(*make_robot("puma560"), 3, 4, IkMethod::kNumeric, 200);
+  check_followed(*make_robot("ur5"), 5, 4, IkMethod::kNumeric, 150);
+  check_followed(*make_robot("pa10"), 2, {}, IkMethod::kNumeric, 60);
 }
 
 TEST_CASE("where the wrist lies on the first axis, that joint is free") {
@@ -348,6 +349,49 @@ TEST_CASE("a goal one joint and 10 deg away is reached with a change of 10 deg")
   const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = seed});
   REQUIRE(ik.ok());
   CHECK((ik.q - seed).cwiseAbs().maxCoeff() <= kPi / 18 + 1e-6);
+}
+
+// Found among other seeds: feasible only where two joints stand at their limits, a branch that
+// exists for a twentieth of a turn of the arm, and a change beyond half a turn.
+TEST_CASE("narrow intervals of the free joint are found") {
+  const auto more = [](const char* name, int joint, IkMethod method, std::vector<double> at,
+                       std::vector<double> from) {
+    const Robot robot = *make_robot(name);
+    const VectorXd q = VectorXd::Map(at.data(), robot.n());
+    const VectorXd seed = VectorXd::Map(from.data(), robot.n());
+    const double least = Followed(robot, q, joint, seed).least();
+    const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = seed, .method = method});
+    REQUIRE(ik.ok());
+    return (ik.q - seed).cwiseAbs().maxCoeff() - least;
+  };
+  CHECK(more("iiwa14", 2, IkMethod::kAuto,
+             {1.9582263870882821, -1.9460089232749855, 2.9670597283903604, -1.9074804995667263,
+              0.6183012145923561, 2.0943951023931953, -1.597064456329039},
+             {2.2543269976557481, 1.2170633670100766, 1.9318537193852992, -1.2880275026132879,
+              1.4290135686662362, 1.9816725253582317, 0.92143563459606881}) < 1e-6);
+  CHECK(more("panda", 6, IkMethod::kAuto,
+             {1.9204148485504446, -0.68400973988925773, -2.6098847722583249, -0.0698,
+              -0.018224207307417917, 2.4111643014265822, -1.4496287682590918},
+             {2.0484235220566274, -0.43807061127159536, -2.4770081986112698, -0.0698,
+              -0.11084841868855452, 2.2315141424748126, -1.6863865184757132}) < 1e-6);
+  CHECK(more("ur5", 5, IkMethod::kNumeric,
+             {-6.2831853071795862, 6.2831853071795862, -0.37065572313992767, -2.7535415912167438,
+              0.0, 2.5260442902676647},
+             {0.12854782219917826, 5.4806764553118263, -2.6733954532785487, 2.7794666352263953,
+              0.36004574372518849, -1.8773400119867558}) < 1e-6);
+}
+
+TEST_CASE("a joint on its limit that was turned and turned back is not beyond it") {
+  const Robot robot = make_puma560();
+  VectorXd q(6), seed(6);
+  q << robot.upper()[0], 1.5933786453329803, 0.64724057344995423, -2.7624455915188948, 0.0,
+      3.4374467604670551;
+  seed << -1.2801873951084257, 0.069790458803469013, -0.27626725178605671, 1.7465062580793829,
+      0.55398911362123759, -0.43961435937310878;
+  const IkResult ik =
+      solve_ik(robot, forward(robot, q), {.seed = seed, .method = IkMethod::kNumeric});
+  REQUIRE(ik.ok());
+  CHECK(within_limits(robot, ik.q, 0.0));
 }
 
 TEST_CASE("every branch is listed once") {
