@@ -29,16 +29,38 @@ class OneRun {
   std::atomic<bool>& cancelled_;
 };
 
-// The machine that `cancel` reaches. It goes only when nobody is about to touch it.
+// Whatever was wished of a compilation that ends with no program has come true with its end.
+class OneCompilation {
+ public:
+  OneCompilation(const bool& can_run, std::atomic<bool>& cancelled)
+      : can_run_(can_run), cancelled_(cancelled) {}
+  ~OneCompilation() {
+    if (!can_run_) cancelled_.store(false);
+  }
+  OneCompilation(const OneCompilation&) = delete;
+  OneCompilation& operator=(const OneCompilation&) = delete;
+
+ private:
+  const bool& can_run_;
+  std::atomic<bool>& cancelled_;
+};
+
+// The machine that `cancel` reaches. It goes only when nobody is about to touch it. A program that
+// names an object first fills the world, so one machine can stand before another.
 class InReach {
  public:
-  InReach(Vm& vm, std::atomic<Vm*>& running, const std::atomic<int>& cancelling)
-      : running_(running), cancelling_(cancelling) {
-    running_.store(&vm);
+  InReach(Vm& vm, std::atomic<Vm*>& running, const std::atomic<int>& cancelling,
+          const std::atomic<bool>& cancelled)
+      : running_(running),
+        cancelling_(cancelling),
+        cancelled_(cancelled),
+        before_(running.exchange(&vm)) {
+    if (cancelled_.load()) vm.cancel();
   }
   ~InReach() {
-    running_.store(nullptr);
+    running_.store(before_);
     while (cancelling_.load() != 0) std::this_thread::yield();
+    if (before_ != nullptr && cancelled_.load()) before_->cancel();
   }
   InReach(const InReach&) = delete;
   InReach& operator=(const InReach&) = delete;
@@ -46,6 +68,8 @@ class InReach {
  private:
   std::atomic<Vm*>& running_;
   const std::atomic<int>& cancelling_;
+  const std::atomic<bool>& cancelled_;
+  Vm* const before_;
 };
 
 // The cell tells the backend until this goes.
@@ -96,6 +120,7 @@ bool Session::fill_world(Host& host, const WorldText& world) {
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
+  compile_options.cancelled = &cancelled_;
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems_.push_back({std::move(d), compiled.sources});
   if (compiled.program == nullptr) return false;
@@ -104,6 +129,7 @@ bool Session::fill_world(Host& host, const WorldText& world) {
   vm_options.timeline = &host;
   vm_options.host = &host;
   Vm vm(compiled.program, std::move(vm_options));
+  const InReach in_reach(vm, running_, cancelling_, cancelled_);
   RunResult result = vm.run();
   if (result.status == RunStatus::kDone) return true;
   if (result.error) problems_.push_back({*std::move(result.error), compiled.sources});
@@ -128,6 +154,7 @@ bool Session::compile(std::string text, std::string name) {
     throw ArgumentError("A session cannot compile while its program runs; use another one.");
   can_run_ = false;
   problems_.clear();
+  const OneCompilation one_compilation(can_run_, cancelled_);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     auto sources = std::make_shared<SourceSet>();
     sources->add(std::move(name), std::move(text));
@@ -141,7 +168,9 @@ bool Session::compile(std::string text, std::string name) {
   compile_options.limits = options_.parse_limits;
   compile_options.host = host.get();
   compile_options.load = options_.load;
+  compile_options.cancelled = &cancelled_;
   compilation_ = engine_.compile(std::move(text), std::move(name), compile_options);
+  if (compilation_.cancelled) problems_.clear();
   for (const Diagnostic& d : compilation_.diagnostics)
     problems_.push_back({d, compilation_.sources});
   wants_default_world_ = !options_.world && host->has_world();
@@ -175,8 +204,7 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
   };
   vm_options.advice = options_.advice;
   Vm vm(compilation_.program, std::move(vm_options));
-  const InReach in_reach(vm, running_, cancelling_);
-  if (cancelled_.load()) vm.cancel();
+  const InReach in_reach(vm, running_, cancelling_, cancelled_);
   RunResult result = start(vm);
   if (result.status == RunStatus::kDone) come_to_rest(*host_);
   for (const Figure& figure : host_->figures()) cell.figure(figure);

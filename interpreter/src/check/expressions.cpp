@@ -6,6 +6,7 @@
 #include "check/imports.hpp"
 #include "check/matrices.hpp"
 #include "check/tasks.hpp"
+#include "compile/cancelled.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -17,6 +18,7 @@ constexpr int kDeepest = 600;
 }  // namespace
 
 hir::Expr* Checker::check(const ast::Expr& expr, const Type* expected) {
+  stop_if(options_.cancelled);
   if (depth_ >= kDeepest) {
     report(make_diagnostic("E0125", expr.span, {std::to_string(kDeepest) + " levels"}));
     return failed(expr.span);

@@ -9,6 +9,7 @@
 #include "check/recordings.hpp"
 #include "check/settings.hpp"
 #include "check/tasks.hpp"
+#include "compile/cancelled.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -116,6 +117,7 @@ void Checker::append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir:
 }
 
 hir::Stmt* Checker::check_statement(const ast::Stmt& stmt) {
+  stop_if(options_.cancelled);
   if (++depth_ > 600) {
     report(make_diagnostic("E0125", stmt.span, {"600 levels"}));
     --depth_;

@@ -67,7 +67,7 @@ class Loader {
 
   // Returns the number of the file.
   int read(const Source& source) {
-    const Parsed parsed = parse(source, tree_, sink_, options_.limits);
+    const Parsed parsed = parse(source, tree_, sink_, options_.limits, nullptr, options_.cancelled);
     FileTree file{.program = {}, .ok = parsed.ok};
     file.program.span = {0, static_cast<std::uint32_t>(source.text().size()), source.id()};
     file.program.body = tree_.copy(parsed.statements);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "compile/cancelled.hpp"
 #include "compile/expand.hpp"
 #include "compile/lowering.hpp"
 
@@ -103,6 +104,7 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
   std::size_t instructions = 0;
   program.functions.resize(module.functions.size());
   for (const Function* function : module.functions) {
+    stop_if(options.cancelled);
     FunctionCode& code = program.functions[function->index];
     Lowering(tables, *function, options).function(code);
     instructions += code.code.size();

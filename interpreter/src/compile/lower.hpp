@@ -1,6 +1,7 @@
 #pragma once
 // Turns a checked program into bytecode.
 
+#include <atomic>
 #include <optional>
 
 #include "armlet/interpreter/diagnostic.hpp"
@@ -9,6 +10,7 @@
 namespace armlet::lang {
 
 struct LowerOptions {
+  const std::atomic<bool>* cancelled = nullptr;  // by the host: lowering throws Cancelled soon
   bool optimise = true;  // off: plain code with the same results, for comparison in tests
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compile/cancelled.hpp"
 #include "compile/lowering.hpp"
 
 namespace armlet::lang {
@@ -10,6 +11,7 @@ using namespace hir;
 
 void Lowering::statement(const Stmt& s) {
   if (!code_.reachable()) return;
+  stop_if(options_.cancelled);
   code_.at(s.span);
   switch (s.kind) {
     case StmtKind::kBlock:

@@ -8,6 +8,7 @@
 
 #include "armlet/core/ample_stack.hpp"
 #include "check/check.hpp"
+#include "compile/cancelled.hpp"
 #include "compile/load_files.hpp"
 #include "compile/tried_fixes.hpp"
 
@@ -24,6 +25,7 @@ std::shared_ptr<const Program> build(const Registry& registry,
   const std::vector<FileTree> files = load_files(*compiled->sources, tree, options, sink);
   // Checked even after mistakes of syntax: other mistakes are worth telling too.
   if (!check_program(files, *compiled, registry, options, sink) || !files.back().ok) return nullptr;
+  lowering.cancelled = options.cancelled;
   if (std::optional<Diagnostic> too_large = lower(*compiled, lowering)) {
     sink.report(std::move(*too_large));
     return nullptr;
@@ -68,6 +70,10 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
       result.diagnostics = sink.take_sorted();
       drop_useless_fixes(result.diagnostics, registry, *result.sources, once);
     });
+  } catch (const Cancelled&) {
+    result.cancelled = true;
+    result.program = nullptr;
+    result.diagnostics = {make_diagnostic("R0629", {})};
   } catch (const std::bad_alloc&) {
     result.diagnostics.push_back(defect("the computer has no memory left"));
   } catch (const std::exception& e) {

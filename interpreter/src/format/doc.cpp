@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compile/cancelled.hpp"
 #include "diagnostic/display_width.hpp"
 
 namespace armlet::lang {
@@ -20,10 +21,11 @@ struct Command {
 
 class Printer {
  public:
-  std::vector<OutLine> run(const Doc& doc) {
+  std::vector<OutLine> run(const Doc& doc, const std::atomic<bool>* cancelled) {
     lines_.emplace_back();
     pending_.push_back({&doc, 0, Mode::kBroken});
     while (!pending_.empty()) {
+      stop_if(cancelled);
       const Command command = pending_.back();
       pending_.pop_back();
       print(command);
@@ -200,7 +202,9 @@ Doc body(Doc inner, bool may_be_flat) {
   return out;
 }
 
-std::vector<OutLine> print(const Doc& doc) { return Printer().run(doc); }
+std::vector<OutLine> print(const Doc& doc, const std::atomic<bool>* cancelled) {
+  return Printer().run(doc, cancelled);
+}
 
 int text_width(std::string_view text) {
   if (const std::size_t at = text.rfind('\n'); at != std::string_view::npos)

@@ -2,6 +2,7 @@
 // Text with the places where its lines may be broken, and the printer that chooses among them
 // (after P. Wadler, "A prettier printer", 2003).
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -60,7 +61,9 @@ struct OutLine {
   bool wide = false;
 };
 
-[[nodiscard]] std::vector<OutLine> print(const Doc& doc);
+// Throws Cancelled soon after `cancelled` has become true.
+[[nodiscard]] std::vector<OutLine> print(const Doc& doc,
+                                         const std::atomic<bool>* cancelled = nullptr);
 
 // Columns that a text takes on a screen; of several lines, the last.
 [[nodiscard]] int text_width(std::string_view text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "armlet/core/ample_stack.hpp"
+#include "compile/cancelled.hpp"
 #include "format/columns.hpp"
 #include "format/lay_out.hpp"
 #include "format/layout.hpp"
@@ -18,10 +19,10 @@ struct Reading {
   bool ok = false;
 };
 
-Reading read(const Source& source, DiagnosticSink& sink) {
+Reading read(const Source& source, DiagnosticSink& sink, const std::atomic<bool>* cancelled) {
   Reading out;
   Arena arena;
-  out.ok = parse(source, arena, sink, {}, &out.shape).ok;
+  out.ok = parse(source, arena, sink, {}, &out.shape, cancelled).ok;
   return out;
 }
 
@@ -41,11 +42,12 @@ std::string bare_comment(std::string_view text) {
   return out.substr(0, out.find_last_not_of(" \t\f\v\n") + 1);
 }
 
-std::string lay_out_once(const Source& source, const Shape& shape) {
+std::string lay_out_once(const Source& source, const Shape& shape,
+                         const std::atomic<bool>* cancelled) {
   const std::uint32_t begin = program_range(source).begin;
   const std::string_view line_end = line_end_of(source.text());
-  const Doc doc = Layout(source, shape, begin).program();
-  std::vector<OutLine> lines = print(doc);
+  const Doc doc = Layout(source, shape, begin, cancelled).program();
+  std::vector<OutLine> lines = print(doc, cancelled);
   const auto is_empty = [](const OutLine& line) {
     return line.text.empty() && line.remark.empty();
   };
@@ -67,13 +69,13 @@ constexpr int kMostPasses = 8;
 }  // namespace
 
 // A comment in the middle of things may find its place only when the rest stands.
-std::string lay_out(const Source& source, const Shape& shape) {
-  std::string text = lay_out_once(source, shape);
+std::string lay_out(const Source& source, const Shape& shape, const std::atomic<bool>* cancelled) {
+  std::string text = lay_out_once(source, shape, cancelled);
   for (int pass = 1; pass < kMostPasses; ++pass) {
     const Source again(source.name(), text);
     DiagnosticSink none;
-    const Reading reading = read(again, none);
-    std::string next = reading.ok ? lay_out_once(again, reading.shape) : text;
+    const Reading reading = read(again, none, cancelled);
+    std::string next = reading.ok ? lay_out_once(again, reading.shape, cancelled) : text;
     if (next == text) break;
     text = std::move(next);
   }
@@ -88,13 +90,13 @@ bool same_comments(const Shape& a, const Source& a_text, const Shape& b, const S
 
 namespace {
 
-Formatted formatted(const Source& source) {
+Formatted formatted(const Source& source, const std::atomic<bool>* cancelled) {
   DiagnosticSink sink(ParseLimits{}.errors);
-  const Reading before = read(source, sink);
+  const Reading before = read(source, sink, cancelled);
   if (!before.ok) return {.problems = sink.take_sorted()};
-  const Source result(source.name(), lay_out(source, before.shape));
+  const Source result(source.name(), lay_out(source, before.shape, cancelled));
   DiagnosticSink none;
-  const Reading after = read(result, none);
+  const Reading after = read(result, none, cancelled);
   const bool same = after.ok && same_shape(before.shape, source, after.shape, result) &&
                     same_comments(before.shape, source, after.shape, result);
   if (!same) return {.text = std::string(source.text()), .changed_meaning = true};
@@ -104,9 +106,13 @@ Formatted formatted(const Source& source) {
 }  // namespace
 }  // namespace lang
 
-Formatted format_program(const Source& source) {
+Formatted format_program(const Source& source, const std::atomic<bool>* cancelled) {
   Formatted out;
-  on_ample_stack([&] { out = lang::formatted(source); });
+  try {
+    on_ample_stack([&] { out = lang::formatted(source, cancelled); });
+  } catch (const lang::Cancelled&) {
+    out.problems.push_back(make_diagnostic("R0629", {}));
+  }
   return out;
 }
 

@@ -1,14 +1,17 @@
 #pragma once
 // A program laid out, and what must be the same before and after.
 
+#include <atomic>
 #include <string>
 
 #include "syntax/shape.hpp"
 
 namespace armlet::lang {
 
-// The text of a program in the layout of docs/formatting.md.
-[[nodiscard]] std::string lay_out(const Source& source, const Shape& shape);
+// The text of a program in the layout of docs/formatting.md. Throws Cancelled soon after
+// `cancelled` has become true.
+[[nodiscard]] std::string lay_out(const Source& source, const Shape& shape,
+                                  const std::atomic<bool>* cancelled = nullptr);
 
 // Whether two programs have the same comments in the same order; blanks at the ends of their lines
 // do not count.

@@ -1,5 +1,7 @@
 #include "format/layout.hpp"
 
+#include "compile/cancelled.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -154,6 +156,7 @@ Doc Layout::column(std::uint32_t token) const {
 }
 
 Doc Layout::node(const ShapeNode& node, Lead lead, bool is_value) {
+  stop_if(cancelled_);
   switch (node.rule) {
     case Rule::kToken:
       return token(node.token, lead);

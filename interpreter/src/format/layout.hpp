@@ -2,6 +2,7 @@
 // The layout of programs: which tokens stand together, where lines may be broken, what is indented.
 
 #include <algorithm>
+#include <atomic>
 
 #include "format/doc.hpp"
 #include "format/gaps.hpp"
@@ -23,8 +24,12 @@ enum class Lead : std::uint8_t {
 class Layout {
  public:
   // `begin` is the offset where the program begins.
-  Layout(const Source& source, const Shape& shape, std::uint32_t begin)
-      : source_(source), shape_(shape), gaps_(read_gaps(source, shape, begin)) {}
+  Layout(const Source& source, const Shape& shape, std::uint32_t begin,
+         const std::atomic<bool>* cancelled)
+      : source_(source),
+        shape_(shape),
+        cancelled_(cancelled),
+        gaps_(read_gaps(source, shape, begin)) {}
 
   Doc program();
 
@@ -86,6 +91,7 @@ class Layout {
 
   const Source& source_;
   const Shape& shape_;
+  const std::atomic<bool>* cancelled_;
   std::vector<Gap> gaps_;
   bool in_header_ = false;  // in parentheses behind `if`, `for` ..., but not in brackets in those
 };

@@ -6,6 +6,7 @@
 
 #include <RbtParser.h>
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct BuildInput {
   // Parses the value in a formatted text; null after a message. The number is the depth of the
   // text.
   std::function<ast::Expr*(Span, std::size_t)> parse_piece;
+  const std::atomic<bool>* cancelled;  // see parse.hpp
 };
 
 class AstBuilder {

@@ -1,11 +1,13 @@
 // Types, parameters, and what all parts of the builder use.
 
+#include "compile/cancelled.hpp"
 #include "syntax/build_ast.hpp"
 
 namespace armlet::lang {
 
 AstBuilder::Deeper::Deeper(AstBuilder& builder, std::size_t levels, Span span)
     : builder_(builder), levels_(levels) {
+  stop_if(builder_.in_.cancelled);
   if (builder_.depth_ + levels_ > builder_.in_.max_depth) throw TreeTooDeep{span};
   builder_.depth_ += levels_;
 }

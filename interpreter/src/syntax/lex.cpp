@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compile/cancelled.hpp"
 #include "syntax/lexical_errors.hpp"
 #include "syntax/token_kinds.hpp"
 
@@ -46,16 +47,31 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
   return std::nullopt;
 }
 
+// The letters of the text; a comment or a text can be as long as the program.
+class Letters : public antlr4::ANTLRInputStream {
+ public:
+  Letters(std::string_view text, const std::atomic<bool>* cancelled)
+      : ANTLRInputStream(text.data(), text.size()), cancelled_(cancelled) {}
+  void consume() override {
+    stop_if(cancelled_);
+    ANTLRInputStream::consume();
+  }
+
+ private:
+  const std::atomic<bool>* cancelled_;
+};
+
 // Runs the generated lexer over one part of a text.
 class Reader {
  public:
-  Reader(const Source& source, Span range, DiagnosticSink& sink, const ParseLimits& limits)
+  Reader(const Source& source, Span range, DiagnosticSink& sink, const ParseLimits& limits,
+         const std::atomic<bool>* cancelled)
       : source_(source),
         sink_(sink),
         limits_(limits),
         text_(source.slice(range)),
         base_(range.begin),
-        stream_(text_.data(), text_.size()),
+        stream_(text_, cancelled),
         lexer_(&stream_) {
     lexer_.removeErrorListeners();
     out_.tokens.reserve(text_.size() / 3 + 2);
@@ -151,7 +167,7 @@ class Reader {
   const ParseLimits& limits_;
   std::string_view text_;
   std::uint32_t base_;
-  antlr4::ANTLRInputStream stream_;
+  Letters stream_;
   RbtLexer lexer_;
   Lexed out_;
   std::size_t at_character_ = 0;
@@ -193,8 +209,9 @@ Span program_range(const Source& source) {
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(text.size()), source.id()};
 }
 
-Lexed lex(const Source& source, Span range, DiagnosticSink& sink, const ParseLimits& limits) {
-  return Reader(source, range, sink, limits).run();
+Lexed lex(const Source& source, Span range, DiagnosticSink& sink, const ParseLimits& limits,
+          const std::atomic<bool>* cancelled) {
+  return Reader(source, range, sink, limits, cancelled).run();
 }
 
 }  // namespace armlet::lang

@@ -1,6 +1,7 @@
 #pragma once
 // Text to tokens. What is no token is reported here, in the words of the program.
 
+#include <atomic>
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
@@ -21,9 +22,9 @@ struct Lexed {
                               const ParseLimits& limits);
 
 // The tokens of the part `range` of a text that check_text accepted. Stops at brackets nested
-// deeper than the limit.
+// deeper than the limit. Throws Cancelled soon after `cancelled` has become true.
 [[nodiscard]] Lexed lex(const Source& source, Span range, DiagnosticSink& sink,
-                        const ParseLimits& limits);
+                        const ParseLimits& limits, const std::atomic<bool>* cancelled = nullptr);
 
 // The part of a text that holds the program: without a byte-order mark and a first line that starts
 // with #!.

@@ -1,7 +1,9 @@
 #include "syntax/parse.hpp"
 
+#include <chrono>
 #include <mutex>
 
+#include "compile/cancelled.hpp"
 #include "syntax/brackets.hpp"
 #include "syntax/build_ast.hpp"
 #include "syntax/lex.hpp"
@@ -17,17 +19,28 @@ namespace {
 // it is long.
 constexpr std::size_t kMaxDepth = 1000;
 
-std::mutex& parser_mutex() {
-  static std::mutex mutex;
+std::timed_mutex& parser_mutex() {
+  static std::timed_mutex mutex;
   return mutex;
+}
+
+std::unique_lock<std::timed_mutex> lock_parser(const std::atomic<bool>* cancelled) {
+  std::unique_lock lock(parser_mutex(), std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(10))) stop_if(cancelled);
+  return lock;
 }
 
 // One text, or the value inside a formatted text.
 class Front {
  public:
   Front(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits,
-        Shape* shape = nullptr)
-      : source_(source), arena_(arena), sink_(sink), limits_(limits), shape_(shape) {}
+        Shape* shape = nullptr, const std::atomic<bool>* cancelled = nullptr)
+      : source_(source),
+        arena_(arena),
+        sink_(sink),
+        limits_(limits),
+        shape_(shape),
+        cancelled_(cancelled) {}
 
   Parsed program() {
     Parsed out;
@@ -69,7 +82,7 @@ class Front {
  private:
   // ANTLR's objects for one run over the tokens.
   struct Machine {
-    explicit Machine(Front& front) : feed(front.tokens_), parser(&feed) {
+    explicit Machine(Front& front) : feed(front.tokens_, front.cancelled_), parser(&feed) {
       parser.removeErrorListeners();
       parser.setErrorHandler(std::make_shared<StatementRecovery>(
           front.tokens_, [&front](std::size_t statement, std::size_t at) {
@@ -86,7 +99,7 @@ class Front {
   };
 
   bool read(Span range) {
-    Lexed lexed = lex(source_, range, sink_, limits_);
+    Lexed lexed = lex(source_, range, sink_, limits_, cancelled_);
     tokens_ = std::move(lexed.tokens);
     comments_ = std::move(lexed.comments);
     if (!lexed.ok) return false;
@@ -106,8 +119,9 @@ class Front {
             kMaxDepth,
             depth,
             [this](Span range, std::size_t at) {
-              return Front(source_, arena_, sink_, limits_).piece(range, at);
-            }};
+              return Front(source_, arena_, sink_, limits_, nullptr, cancelled_).piece(range, at);
+            },
+            cancelled_};
   }
 
   // Statement by statement, so that memory goes with the longest one and not with the text.
@@ -166,6 +180,7 @@ class Front {
   DiagnosticSink& sink_;
   const ParseLimits& limits_;
   Shape* shape_;
+  const std::atomic<bool>* cancelled_;
   Tokens tokens_;
   std::vector<Span> comments_;
   bool ok_ = true;
@@ -175,13 +190,13 @@ class Front {
 }  // namespace
 
 Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits,
-             Shape* shape) {
-  const std::lock_guard lock(parser_mutex());
-  return Front(source, arena, sink, limits, shape).program();
+             Shape* shape, const std::atomic<bool>* cancelled) {
+  const std::unique_lock lock = lock_parser(cancelled);
+  return Front(source, arena, sink, limits, shape, cancelled).program();
 }
 
 bool is_complete(const Source& source, const ParseLimits& limits) {
-  const std::lock_guard lock(parser_mutex());
+  const std::unique_lock lock = lock_parser(nullptr);
   DiagnosticSink sink;
   if (!check_text(source, sink, limits)) return true;
   const Lexed lexed = lex(source, program_range(source), sink, limits);

@@ -1,6 +1,7 @@
 #pragma once
 // The only entrance to the parser.
 
+#include <atomic>
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
@@ -20,9 +21,11 @@ struct Parsed {
 // Reads a program. The tree lives in `arena` and refers to the text of `source`; both must outlive
 // it. Text of any kind ends with a tree or with messages in `sink`, after a time in proportion to
 // its length. Safe to call from any thread; ANTLR's caches are shared, so calls wait for each
-// other. If `shape` is given, it is filled too; it is whole if the result is ok.
+// other. If `shape` is given, it is filled too; it is whole if the result is ok. Throws Cancelled
+// soon after `cancelled` has become true.
 [[nodiscard]] Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink,
-                           const ParseLimits& limits = {}, Shape* shape = nullptr);
+                           const ParseLimits& limits = {}, Shape* shape = nullptr,
+                           const std::atomic<bool>* cancelled = nullptr);
 
 // Whether the prompt should read the text now, or wait for more lines: a bracket is open, or the
 // last line goes on.

@@ -1,5 +1,7 @@
 #include "syntax/token_feed.hpp"
 
+#include "compile/cancelled.hpp"
+
 namespace armlet::lang {
 
 void TokenFeed::drop_past() {
@@ -8,6 +10,7 @@ void TokenFeed::drop_past() {
 }
 
 void TokenFeed::consume() {
+  stop_if(cancelled_);
   if (at_ + 1 < tokens_.size()) ++at_;
 }
 

@@ -2,6 +2,7 @@
 // Our tokens as ANTLR's parser wants them. Its own token objects, 128 bytes each, are made when
 // they are looked at and dropped with the statement they belong to.
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@ namespace armlet::lang {
 
 class TokenFeed : public antlr4::TokenStream {
  public:
-  explicit TokenFeed(const Tokens& tokens) : tokens_(tokens) {}
+  explicit TokenFeed(const Tokens& tokens, const std::atomic<bool>* cancelled = nullptr)
+      : tokens_(tokens), cancelled_(cancelled) {}
 
   // Forgets the objects of all tokens before the present one.
   void drop_past();
@@ -36,6 +38,7 @@ class TokenFeed : public antlr4::TokenStream {
 
  private:
   const Tokens& tokens_;
+  const std::atomic<bool>* cancelled_;
   std::size_t at_ = 0;
   std::size_t first_ = 0;  // index of made_.front()
   mutable std::vector<std::unique_ptr<antlr4::CommonToken>> made_;

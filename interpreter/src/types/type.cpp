@@ -27,6 +27,21 @@ std::string function_name(const Type* type) {
   return out;
 }
 
+std::size_t hash_of(const Type& type) {
+  std::size_t hash = static_cast<std::size_t>(type.kind);
+  const auto add = [&hash](std::size_t part) { hash = (hash ^ part) * 0x9E37'79B9'7F4A'7C15ULL; };
+  const auto add_address = [&add](const void* address) { add(std::hash<const void*>()(address)); };
+  for (const int exponent : {type.dim.length, type.dim.mass, type.dim.time, type.dim.angle})
+    add(static_cast<std::size_t>(exponent));
+  add_address(type.element);
+  add_address(type.record);
+  add_address(type.enumeration);
+  add_address(type.host);
+  for (const Type* parameter : type.parameters) add_address(parameter);
+  add_address(type.result);
+  return hash;
+}
+
 bool same(const Type& a, const Type& b) {
   return a.kind == b.kind && a.dim == b.dim && a.element == b.element && a.record == b.record &&
          a.enumeration == b.enumeration && a.host == b.host && a.parameters == b.parameters &&
@@ -134,15 +149,11 @@ const Type* TypePool::new_record(std::string name) {
 }
 
 const Type* TypePool::table(std::vector<RecordField> row) {
-  for (const Type& known : types_) {
-    if (!known.is_table() || known.record->row->record->table != &known) continue;
-    const std::vector<RecordField>& fields = known.record->row->record->fields;
-    const auto same_field = [](const RecordField& a, const RecordField& b) {
-      return a.name == b.name && a.type == b.type;
-    };
-    if (std::ranges::equal(fields, row, same_field)) return &known;
-  }
-  const Type* table = new_record("table");
+  Columns columns;
+  for (const RecordField& field : row) columns.emplace_back(field.name, field.type);
+  const Type*& known = tables_[std::move(columns)];
+  if (known != nullptr) return known;
+  const Type* table = known = new_record("table");
   const Type* row_type = new_record("row");
   for (const RecordField& field : row) {
     const bool is_numbers = field.type->is(Kind::kList) && field.type->element->is_number();
@@ -158,6 +169,7 @@ const Type* TypePool::table(std::vector<RecordField> row) {
 const Type* TypePool::open_table() {
   const Type* table = new_record("table");
   table->record->row = new_record("row");
+  tables_of_[table->record].push_back(&types_[types_.size() - 2]);
   return table;
 }
 
@@ -168,10 +180,16 @@ void TypePool::join_tables(const Type* a, const Type* b) {
   }
   if (!a->is_table() || !b->is_table()) return;
   if (!a->is_open_table()) std::swap(a, b);
-  const RecordInfo* open = a->record;
-  if (!a->is_open_table() || b->record == open) return;
-  for (Type& type : types_) {
-    if (type.record == open) type.record = b->record;
+  if (!a->is_open_table() || b->record == a->record) return;
+  // Of two open ones the one with fewer types changes.
+  if (b->is_open_table() && tables_of_[a->record].size() > tables_of_[b->record].size())
+    std::swap(a, b);
+  RecordInfo* const joined = b->record;
+  const std::vector<Type*> moved = std::exchange(tables_of_[a->record], {});
+  std::vector<Type*>& there = tables_of_[joined];
+  for (Type* type : moved) {
+    type->record = joined;
+    there.push_back(type);
   }
 }
 
@@ -203,10 +221,14 @@ const Type* TypePool::library_record(std::string_view name) const {
 void TypePool::register_library_record(const Type* record) { library_records_.push_back(record); }
 
 const Type* TypePool::intern(Type type) {
-  for (const Type& known : types_) {
-    if (same(known, type)) return &known;
+  const std::size_t hash = hash_of(type);
+  const auto [first, last] = interned_.equal_range(hash);
+  for (auto known = first; known != last; ++known) {
+    if (same(*known->second, type)) return known->second;
   }
-  return &types_.emplace_back(std::move(type));
+  const Type* made = &types_.emplace_back(std::move(type));
+  interned_.emplace(hash, made);
+  return made;
 }
 
 }  // namespace armlet

@@ -234,6 +234,35 @@ TEST_CASE("a wish to cancel ends with the run that it stops, and one that comes 
   CHECK(session.run().status == RunStatus::kDone);
 }
 
+TEST_CASE("a wish to cancel stops compiling, and is over with it") {
+  Session session(library_engine(), at_the_table());
+  session.cancel();
+  CHECK_FALSE(session.compile("print(1)", "p.rbt"));
+  REQUIRE(session.problems().size() == 1);
+  CHECK(session.problems()[0].diagnostic.code == "R0629");
+  CHECK_THROWS_AS((void)session.run(), ArgumentError);
+  REQUIRE(session.compile("print(1)", "p.rbt"));
+  CHECK(session.run().status == RunStatus::kDone);
+  // Nothing is left of it after a text that is refused before any of it is read.
+  session.cancel();
+  CHECK_FALSE(session.compile(" ", "p.rbt"));
+  CHECK(session.compile("print(1)", "p.rbt"));
+}
+
+TEST_CASE("compiling is cancelled from another thread") {
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) text += "print(sqrt(" + std::to_string(i) + ".5))\n";
+  Session session(library_engine(), at_the_table());
+  std::thread other([&session] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    session.cancel();
+  });
+  CHECK_FALSE(session.compile(text, "p.rbt"));
+  other.join();
+  REQUIRE(session.problems().size() == 1);
+  CHECK(session.problems()[0].diagnostic.code == "R0629");
+}
+
 TEST_CASE("what functions of the host throw is a failure, and the session runs again") {
   SessionOptions made = at_the_table();
   int moves = 0;
@@ -278,6 +307,7 @@ TEST_CASE("a backend that throws fails the program, and leaves nothing that poin
   }
   session.cancel();  // there is no machine of that run any more
   (void)thrown;
+  CHECK_FALSE(session.compile("print(1)", "p.rbt"));
   CHECK(session.compile("print(1)", "p.rbt"));
 }
 

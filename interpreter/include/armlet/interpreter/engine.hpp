@@ -55,6 +55,9 @@ struct CompileOptions {
   ParseLimits limits;
   void* host = nullptr;  // handed to check rules
   ModuleLoader load;     // nothing can be imported without it
+  // Set to true by the host, from any thread: compiling ends soon, without a program and with the
+  // message R0629 alone.
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
 // A checked program. Shared by all who run it.
@@ -82,6 +85,7 @@ struct Compilation {
   std::shared_ptr<const Program> program;    // null if there were errors
   std::shared_ptr<const SourceSet> sources;  // also when it failed
   std::vector<Diagnostic> diagnostics;       // errors and advice in the order of the text
+  bool cancelled = false;
 };
 
 class Engine {

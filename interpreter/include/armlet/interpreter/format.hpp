@@ -1,6 +1,7 @@
 #pragma once
 // The one layout of programs: `armlet fmt`.
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,9 @@ struct Formatted {
 // columns where a break is possible (docs/formatting.md has all rules). The program means the same
 // before and after, every comment is kept, and laying it out again changes nothing. Only programs
 // without mistakes of syntax are laid out. A defect of the formatter cannot damage a program: the
-// result is read again and compared.
-[[nodiscard]] Formatted format_program(const Source& source);
+// result is read again and compared. Set `cancelled` to true, from any thread, and it ends soon,
+// without a text and with the message R0629 alone.
+[[nodiscard]] Formatted format_program(const Source& source,
+                                       const std::atomic<bool>* cancelled = nullptr);
 
 }  // namespace armlet

@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "armlet/interpreter/unit.hpp"
@@ -115,9 +118,13 @@ class TypePool {
   void register_library_record(const Type* record);
 
  private:
+  using Columns = std::vector<std::pair<std::string, const Type*>>;
   const Type* intern(Type type);
 
   std::deque<Type> types_;
+  std::unordered_multimap<std::size_t, const Type*> interned_;  // by what they are
+  std::map<Columns, const Type*> tables_;                       // by the fields of their rows
+  std::unordered_map<const RecordInfo*, std::vector<Type*>> tables_of_;  // open ones, and joined
   std::deque<RecordInfo> records_;
   std::deque<EnumInfo> enums_;
   std::vector<const Type*> library_records_;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -16,6 +17,8 @@ namespace armlet {
 class Watchdog {
  public:
   Watchdog(Vm& vm, std::chrono::nanoseconds time);
+  // Sets a flag instead, such as CompileOptions::cancelled.
+  Watchdog(std::atomic<bool>& flag, std::chrono::nanoseconds time);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
@@ -24,6 +27,8 @@ class Watchdog {
   [[nodiscard]] bool has_barked() const { return has_barked_.load(); }
 
  private:
+  Watchdog(std::function<void()> bark, std::chrono::nanoseconds time);
+
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;

@@ -53,7 +53,8 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   // Checks a program against the robot and the world. Returns whether it can run; the messages,
-  // errors and advice of the world's text included, are in problems().
+  // errors and advice of the world's text included, are in problems(). If it was cancelled,
+  // R0629 is the only one.
   bool compile(std::string text, std::string name);
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
   [[nodiscard]] const Program* program() const { return compilation_.program.get(); }
@@ -71,9 +72,9 @@ class Session {
   // The cell of the last run, as it was left.
   [[nodiscard]] const Host* host() const { return host_.get(); }
 
-  // Asks the running program to stop; when none runs, the next one, so that a wish that comes a
-  // moment too soon is not lost. It is over with the end of the run that it stopped. Safe in a
-  // signal handler and from any thread.
+  // Asks the running program, or compiling, to stop; when the session does neither, the next of
+  // them, so that a wish that comes a moment too soon is not lost. It is over with the end of what
+  // it stopped. Safe in a signal handler and from any thread.
   void cancel() noexcept;
 
  private:
