@@ -407,16 +407,15 @@ void check_object_name(CheckCall& call) {
   auto* host = static_cast<Host*>(call.host());
   if (!constant || host == nullptr) return;
   const std::string& name = constant->text;
-  const std::vector<std::string> declared = call.declared_names("object");
-  for (const std::string& own : declared) {
-    if (own == name) return;
-  }
-  host->want_world(declared);
+  if (!host->may_have_world() || call.declares("object", name)) return;
+  if (!host->has_world()) host->want_world(call.declared_names("object"));
   if (!host->has_world() || call.mentions("spawn") || host->cell().world().find(name) != nullptr)
     return;
-  std::vector<std::string> known = host->cell().world().names();
-  known.insert(known.end(), declared.begin(), declared.end());
   Diagnostic d = make_diagnostic("E0203", call.span(0), {name});
+  if (!call.takes_errors()) return call.report(std::move(d));
+  std::vector<std::string> known = host->cell().world().names();
+  const std::vector<std::string> declared = call.declared_names("object");
+  known.insert(known.end(), declared.begin(), declared.end());
   std::string list;
   for (std::size_t i = 0; i < known.size(); ++i) {
     list += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == known.size() ? " and " : ", ", known[i]);

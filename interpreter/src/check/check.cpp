@@ -28,7 +28,9 @@ void Checker::look_ahead(const ast::Block& program) {
     } else if (stmt->kind == ast::StmtKind::kObject) {
       const auto& node = stmt->as<ast::ObjectStmt>();
       declare(node.name, node.type, nullptr);
-      declared_names_[text_of(node.type->span)].emplace_back(node.name.text);
+      DeclaredNames& names = declared_names_[text_of(node.type->span)];
+      names.in_order.emplace_back(node.name.text);
+      names.all.emplace(node.name.text);
     }
   }
 }

@@ -1,6 +1,7 @@
 // Rules that a host checks before running: one call as a rule sees it.
 
 #include <algorithm>
+#include <map>
 
 #include "check/checker.hpp"
 
@@ -56,7 +57,12 @@ class Call final : public CheckCall {
   }
   std::vector<std::string> declared_names(std::string_view type) const override {
     const auto found = checker_.declared_names_.find(std::string(type));
-    return found == checker_.declared_names_.end() ? std::vector<std::string>() : found->second;
+    return found == checker_.declared_names_.end() ? std::vector<std::string>()
+                                                   : found->second.in_order;
+  }
+  bool declares(std::string_view type, std::string_view name) const override {
+    const auto found = checker_.declared_names_.find(std::string(type));
+    return found != checker_.declared_names_.end() && found->second.all.contains(std::string(name));
   }
 
   Span origin(int parameter, int item) const override {
@@ -90,6 +96,7 @@ class Call final : public CheckCall {
     call_.fact = fact.get();
     checker_.into_.facts.push_back(std::move(fact));
   }
+  bool takes_errors() const override { return checker_.takes_errors(); }
   void report(Diagnostic diagnostic) override { checker_.report(std::move(diagnostic)); }
 
  private:
@@ -101,8 +108,10 @@ class Call final : public CheckCall {
   }
 
   // The values of a variadic parameter, or of a list of rows.
-  std::vector<const hir::Expr*> items(int parameter) const {
-    std::vector<const hir::Expr*> out;
+  const std::vector<const hir::Expr*>& items(int parameter) const {
+    const auto [known, is_new] = items_.try_emplace(parameter);
+    std::vector<const hir::Expr*>& out = known->second;
+    if (!is_new) return out;
     const Parameter& declared = checker_.signature_of(*call_.function).parameters[parameter];
     if (declared.variadic) {
       for (const int rest : fit_.rest) out.push_back(arguments_[rest].value);
@@ -126,6 +135,7 @@ class Call final : public CheckCall {
   const std::vector<Argument>& arguments_;
   const Fit& fit_;
   hir::CallNativeExpr& call_;
+  mutable std::map<int, std::vector<const hir::Expr*>> items_;  // of the parameters asked for
 };
 
 }  // namespace

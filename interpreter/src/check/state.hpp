@@ -42,6 +42,12 @@ struct Default {
   bool is_open = false;               // being checked
 };
 
+// Names of block declarations of one type.
+struct DeclaredNames {
+  std::vector<std::string> in_order;
+  std::unordered_set<std::string> all;
+};
+
 // What the files of one program have in common.
 struct SharedState {
   std::vector<Checker*> files{};  // imported ones before those that import them
@@ -50,7 +56,7 @@ struct SharedState {
   std::vector<Instance*> queue{};  // bodies that can wait
   std::map<const RecordInfo*, StructDecl> structs{};
   std::map<const Type*, Checker*> homes{};  // of struct and enum types: the file that declares them
-  std::map<std::string, std::vector<std::string>> declared_names{};  // block declarations by type
+  std::map<std::string, DeclaredNames> declared_names{};  // block declarations by type
   std::unordered_map<const NativeFunction*, std::unique_ptr<Signature>> signatures{};
   std::unordered_map<const hir::Function*, Use> uses{};
   std::vector<hir::Function*> all_functions{};
@@ -150,7 +156,7 @@ struct CheckerState {
   std::deque<Instance>& instances_ = shared_.instances;
   std::vector<Instance*>& queue_ = shared_.queue;
   std::map<const RecordInfo*, StructDecl>& structs_ = shared_.structs;
-  std::map<std::string, std::vector<std::string>>& declared_names_ = shared_.declared_names;
+  std::map<std::string, DeclaredNames>& declared_names_ = shared_.declared_names;
   std::unordered_map<const NativeFunction*, std::unique_ptr<Signature>>& signatures_ =
       shared_.signatures;
   std::unordered_map<const hir::Function*, Use>& uses_ = shared_.uses;

@@ -69,16 +69,19 @@ void Liveness::link_blocks(const CodeShape& shape) {
       at += words;
     }
     if (falls_through && i + 1 < blocks_.size()) block.next.push_back(i + 1);
-    for (const auto& handler : shape.handlers) {
-      if (handler.begin < block.end && block.begin < handler.end) {
-        block.handlers.push_back(block_at(handler.handler));
-      }
-    }
+  }
+  for (const auto& handler : shape.handlers) {
+    if (handler.begin >= handler.end) continue;
+    const std::uint32_t last = block_at(handler.end - 1);
+    for (std::uint32_t i = block_at(handler.begin); i <= last; ++i)
+      blocks_[i].handlers.push_back(block_at(handler.handler));
   }
 }
 
 // Registers read before they are written, and registers written.
 void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) const {
+  // What has been read from here on up stays read; only smaller ones are new.
+  std::uint32_t read_from = numbers_;
   const auto read = [&](Reg reg) {
     if (is_number(reg) && !test(writes, reg.number())) set(reads, reg.number());
   };
@@ -89,9 +92,9 @@ void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) con
     if (effects.has_fixed) read(effects.fixed);
     const bool unknown = effects.effect == Effect::kUnknown;
     if (unknown || (effects.has_window && is_number(effects.window))) {
-      for (std::uint32_t n = unknown ? 0 : effects.window.number(); n < numbers_; ++n) {
-        read(Reg::make(RegClass::kNumber, n));
-      }
+      const std::uint32_t first = unknown ? 0 : effects.window.number();
+      for (std::uint32_t n = first; n < read_from; ++n) read(Reg::make(RegClass::kNumber, n));
+      read_from = std::min(read_from, first);
     }
     if (effects.defines && !unknown && is_number(Reg{code_[at].a})) {
       set(writes, Reg{code_[at].a}.number());

@@ -264,8 +264,10 @@ class CheckCall {
   // program, empty for the host's own.
   [[nodiscard]] virtual std::shared_ptr<const Fact> ambient_fact(
       std::string_view host_type) const = 0;
-  // Names of all block declarations of a type in the program: declared_names("object").
+  // Names of all block declarations of a type in the program: declared_names("object"), and
+  // whether there is one of a name.
   [[nodiscard]] virtual std::vector<std::string> declared_names(std::string_view type) const = 0;
+  [[nodiscard]] virtual bool declares(std::string_view type, std::string_view name) const = 0;
   // Where the literal element `item` of a list argument was written, following fixed and classic
   // variables and `new posJ(list)`; empty span if it cannot be known.
   [[nodiscard]] virtual Span origin(int parameter, int item) const = 0;
@@ -278,6 +280,8 @@ class CheckCall {
   [[nodiscard]] virtual void* host() const = 0;
 
   virtual void set_result_fact(std::shared_ptr<const Fact> fact) = 0;
+  // Whether an error that is reported now will be told: one that will not needs no explanation.
+  [[nodiscard]] virtual bool takes_errors() const = 0;
   virtual void report(Diagnostic diagnostic) = 0;
 };
 

@@ -1,0 +1,107 @@
+// Compiles programs, each part of the way in a function of its own, so that a tool that counts
+// instructions by function can tell how the work of each part grows.
+//
+//   growth FILE...     at most kMost files; file number i is worked on by read<i>, check<i>,
+//   lower<i>, show<i>, lay_out<i>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "armlet/interpreter/format.hpp"
+#include "armlet/interpreter/render.hpp"
+#include "armlet/model/catalog.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "armlet/stdlib/install.hpp"
+#include "check/check.hpp"
+#include "compile/load_files.hpp"
+#include "compile/lower.hpp"
+
+using namespace armlet;
+using namespace armlet::lang;
+
+namespace {
+
+constexpr std::size_t kMost = 256;  // files
+
+struct Work {
+  const Engine& engine;
+  CompileOptions options;
+  CompiledProgram program;
+  DiagnosticSink sink{10};
+  Arena tree;
+  std::vector<FileTree> files;
+  bool well = false;
+};
+
+template <std::size_t kFile>
+[[gnu::noipa]] void read(Work& work) {
+  work.files = load_files(*work.program.sources, work.tree, work.options, work.sink);
+}
+
+template <std::size_t kFile>
+[[gnu::noipa]] void check(Work& work) {
+  work.well =
+      check_program(work.files, work.program, work.engine.registry(), work.options, work.sink);
+}
+
+template <std::size_t kFile>
+[[gnu::noipa]] void lower_all(Work& work) {
+  if (work.well && work.files.back().ok) (void)lower(work.program);
+}
+
+template <std::size_t kFile>
+[[gnu::noipa]] void show(Work& work) {
+  for (const Diagnostic& problem : work.sink.take_sorted()) {
+    (void)render_text(problem, *work.program.sources);
+    (void)render_json(problem, *work.program.sources);
+  }
+}
+
+template <std::size_t kFile>
+[[gnu::noipa]] void lay_out(const std::string& text) {
+  (void)format_program(Source("growth.rbt", text));
+}
+
+template <std::size_t kFile>
+void all(const Engine& engine, Host& host, const std::string& text) {
+  Work work{.engine = engine, .options = {}, .program = {}, .tree = {}, .files = {}};
+  work.options.host = &host;
+  work.program.sources = std::make_shared<SourceSet>();
+  work.program.sources->add("growth.rbt", text);
+  read<kFile>(work);
+  check<kFile>(work);
+  lower_all<kFile>(work);
+  show<kFile>(work);
+  if (text.starts_with("// fmt")) lay_out<kFile>(text);
+}
+
+using All = void (*)(const Engine&, Host&, const std::string&);
+
+template <std::size_t... kFiles>
+constexpr std::array<All, kMost> all_of(std::index_sequence<kFiles...>) {
+  return {&all<kFiles>...};
+}
+constexpr std::array<All, kMost> kAll = all_of(std::make_index_sequence<kMost>());
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2 || static_cast<std::size_t>(argc) > kMost) {
+    std::fprintf(stderr, "usage: growth FILE...\n");
+    return 64;
+  }
+  Engine engine;
+  install(engine);
+  for (int i = 1; i < argc; ++i) {
+    std::ifstream file(argv[i], std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    HostOptions options;
+    options.robot = make_robot("scara");
+    Host host(std::move(options));
+    kAll[static_cast<std::size_t>(i)](engine, host, text);
+  }
+}
