@@ -164,6 +164,7 @@ Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) try {
   if (!corners.lay()) return Signal::kFail;
   PathMove move{.q0 = state.q, .points = corners.points(), .time = path.time};
   if (!move.time) move.speed = block.speed;
+  if (block.track == Track::kSlow) move.jerk = Jerk::kFree;
   double slowest = 0.0;  // what the moves with speeds of their own take together
   Eigen::Vector3d from = forward(*model, state.q).translation();
   for (const auto& point : move.points) {

@@ -20,7 +20,8 @@ TrackedLine slowly(const Robot& robot, const LineMove& move,
                             .p_world_via = p_world_via,
                             .tool_speed = move.tool_speed,
                             .tool_accel = move.tool_accel}},
-                .time = move.time};
+                .time = move.time,
+                .jerk = Jerk::kFree};
   if (!move.time && !move.tool_speed) path.speed = move.speed;
   PathPlan plan = plan_path(robot, path);
   if (plan.fault && only_place) {

@@ -10,11 +10,15 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
 #include "trajectory/line_samples.hpp"
+#include "trajectory/smooth_run.hpp"
+#include "trajectory/tool_travel.hpp"
 
 namespace armlet {
 namespace {
 
 constexpr int kIntervals = 200;          // of the grid on which the speeds are found
+constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
+constexpr int kCellsPerCorner = 32;      // and what each corner adds
 constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
 constexpr double kNoLength = 1e-9;       // m
 
@@ -91,10 +95,12 @@ double travel_of(const CurveCorner& corner) {
 
 class PathPlanner {
  public:
-  PathPlanner(const Robot& robot, const PathMove& move) : robot_(robot), move_(move) {
+  PathPlanner(const Robot& robot, const PathMove& move)
+      : robot_(robot), move_(move), jerk_(move.jerk) {
     for (int i = 0; i < robot.n(); ++i) {
-      limits_.push_back(
-          {move.speed * robot.max_speed()[i], move.speed * move.speed * robot.max_accel()[i]});
+      limits_.push_back({.speed = move.speed * robot.max_speed()[i],
+                         .acceleration = move.speed * move.speed * robot.max_accel()[i],
+                         .jerk = move.speed * move.speed * move.speed * robot.max_jerk()[i]});
     }
   }
 
@@ -182,12 +188,28 @@ class PathPlanner {
     }
     // Samples run from 0 to 1, speeds in metres.
     const Trajectory path = samples.motion().stretched(stretch.curve.length());
-    FastestRun run = fastest_run(path, limits_, kIntervals, stretch.zones);
+    TimedRun run = run_on(path, stretch);
+    run = run.stretched(std::max(1.0, tool_excess(robot_, run, stretch.zones)));
     for (std::size_t k = 0; k < stretch.legs.size(); ++k) {
       plan_.times[static_cast<std::size_t>(stretch.legs[k].point)] =
-          start + run.speed.time_at(stretch.ends[k]);
+          start + run.time_at(stretch.ends[k]);
     }
     return std::move(run.motion);
+  }
+
+  TimedRun run_on(const Trajectory& path, const Stretch& stretch) {
+    std::vector<Segment> travel;
+    if (!stretch.zones.empty()) travel = tool_travel(robot_, path);
+    if (jerk_ == Jerk::kLimited) {
+      const SpeedAlongPath speed = fastest_along(path, limits_, kIntervals, stretch.zones, travel);
+      const int corners = static_cast<int>(stretch.legs.size()) - 1;
+      TimedRun run = smooth_run(path, limits_, speed, kCells + kCellsPerCorner * corners,
+                                stretch.zones, travel);
+      if (!run.s.empty()) return run;
+      jerk_ = Jerk::kFree;
+    }
+    FastestRun fastest = fastest_run(path, limits_, kIntervals, stretch.zones, travel);
+    return {.motion = std::move(fastest.motion), .s = fastest.speed.s, .t = fastest.speed.times()};
   }
 
   // A corner takes from both legs as much as it is long.
@@ -204,17 +226,17 @@ class PathPlanner {
     fill_times();
     const double least = fastest.duration();
     if (!move_.time || least == 0.0) {
-      plan_.motion = verify(robot_, std::move(fastest));
+      plan_.motion = verify(robot_, std::move(fastest), true, jerk_);
       return;
     }
     if (*move_.time < least * (1.0 - 1e-9)) {
-      plan_.motion.too_fast = least_time(robot_, fastest);
+      plan_.motion.too_fast = least_time(robot_, fastest, jerk_);
       plan_.motion.too_fast->given = *move_.time;
       plan_.motion.too_fast->least_time = least;
       return;
     }
     for (double& t : plan_.times) t *= *move_.time / least;
-    plan_.motion = verify(robot_, fastest.stretched(*move_.time / least));
+    plan_.motion = verify(robot_, fastest.stretched(*move_.time / least), true, jerk_);
   }
 
   // Places at which nothing moves are reached with those before them.
@@ -226,6 +248,7 @@ class PathPlanner {
   const Robot& robot_;
   const PathMove& move_;
   std::vector<AxisLimits> limits_;
+  Jerk jerk_;  // of what is done: where limiting it would take very long, it is not
   std::vector<Leg> legs_;
   PathPlan plan_;
 };

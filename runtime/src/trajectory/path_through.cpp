@@ -11,13 +11,16 @@
 
 namespace armlet {
 
-double SpeedAlongPath::duration() const {
-  double T = 0.0;
+std::vector<double> SpeedAlongPath::times() const {
+  std::vector<double> t = {0.0};
   for (std::size_t k = 0; k + 1 < s.size(); ++k) {
-    T += 2.0 * (s[k + 1] - s[k]) / (std::sqrt(squared[k]) + std::sqrt(squared[k + 1]));
+    const double v = std::sqrt(squared[k]) + std::sqrt(squared[k + 1]);
+    t.push_back(t.back() + 2.0 * (s[k + 1] - s[k]) / v);
   }
-  return T;
+  return t;
 }
+
+double SpeedAlongPath::duration() const { return times().back(); }
 
 double SpeedAlongPath::time_at(double place) const {
   double T = 0.0;

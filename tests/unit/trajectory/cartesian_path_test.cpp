@@ -266,11 +266,16 @@ TEST_CASE("the acceleration of the tool is that of its piece") {
   PathMove move{.q0 = kStart,
                 .points = {{.T_world_tool = shifted(T0, 0.1, 0.0, 0.0), .tool_accel = 0.1},
                            {.T_world_tool = shifted(T0, 0.0, 0.0, 0.0)}}};
-  const PathPlan plan = plan_path(kArm, move);
-  REQUIRE(plan.ok());
-  // Half the way with 0.1 m/s^2 and half of it back: 2 sqrt(s / a).
-  CHECK(plan.times[0] == doctest::Approx(2.0).epsilon(1e-3));
-  CHECK(plan.times[1] - plan.times[0] < 1.0);
+  // Half the way with 0.1 m/s^2 and half of it back: 2 sqrt(s / a). With limited jerk it takes the
+  // time longer that the acceleration takes to be there, some 5 ms, and what the search leaves.
+  for (const Jerk jerk : {Jerk::kFree, Jerk::kLimited}) {
+    move.jerk = jerk;
+    const PathPlan plan = plan_path(kArm, move);
+    REQUIRE(plan.ok());
+    CHECK(plan.times[0] >= 2.0 * (1.0 - 1e-4));
+    CHECK(plan.times[0] <= 2.0 * (jerk == Jerk::kFree ? 1.0 + 1e-3 : 1.0 + 6e-3));
+    CHECK(plan.times[1] - plan.times[0] < 1.0);
+  }
   move.points[0].tool_accel = 0.0;
   CHECK_THROWS_AS((void)plan_path(kArm, move), ArgumentError);
 }
@@ -358,9 +363,9 @@ void check_limits(const Robot& robot, const Trajectory& motion) {
 
 }  // namespace
 
-TEST_CASE("lines and arcs of many arms keep all limits, and accelerations do not jump") {
+TEST_CASE("lines, arcs and paths of many arms keep all limits, and accelerations do not jump") {
   std::mt19937_64 generator(51);
-  int lines = 0, arcs = 0;
+  int lines = 0, arcs = 0, paths = 0;
   for (const char* name : {"scara", "puma560", "ur5", "irb120", "panda", "stanford", "scorbot"}) {
     CAPTURE(name);
     const Robot robot = *make_robot(name);
@@ -383,10 +388,71 @@ TEST_CASE("lines and arcs of many arms keep all limits, and accelerations do not
       const LinePlan arc =
           plan_arc(robot, T1.translation(), {.q0 = q0, .T_world_goal = T2, .task = task});
       if (arc.ok()) check_limits(robot, *arc.motion.trajectory);
+      const Eigen::Isometry3d T3 = shifted(T2, aside(), aside(), aside());
+      const PathPlan path =
+          plan_path(robot, {.q0 = q0,
+                            .points = {{.T_world_tool = T1, .blend = 0.02},
+                                       {.T_world_tool = T2, .blend = 0.01, .tool_speed = 0.1},
+                                       {.T_world_tool = T3}},
+                            .task = task});
+      if (path.ok()) check_limits(robot, *path.motion.trajectory);
+      paths += path.ok() ? 1 : 0;
       lines += line.ok() ? 1 : 0;
       arcs += arc.ok() ? 1 : 0;
     }
   }
   CHECK(lines >= 12);
   CHECK(arcs >= 8);
+  CHECK(paths >= 8);
+}
+
+TEST_CASE("without limits on jerk a path is faster, and accelerations jump") {
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  PathMove move{.q0 = kStart,
+                .points = {{.T_world_tool = shifted(T0, 0.0, 0.15, 0.0), .blend = 0.03},
+                           {.T_world_tool = shifted(T0, 0.0, 0.15, 0.1), .blend = 0.03},
+                           {.T_world_tool = shifted(T0, 0.1, 0.15, 0.1)}}};
+  const PathPlan smooth = plan_path(kArm, move);
+  move.jerk = Jerk::kFree;
+  const PathPlan fast = plan_path(kArm, move);
+  REQUIRE(smooth.ok());
+  REQUIRE(fast.ok());
+  CHECK(fast.motion.trajectory->duration() < smooth.motion.trajectory->duration());
+  MESSAGE("without limits on jerk " << fast.motion.trajectory->duration() << " s, with them "
+                                    << smooth.motion.trajectory->duration() << " s");
+  int jumps = 0;
+  for (int i = 0; i < 6; ++i) jumps += fast.motion.trajectory->continuity(i, 1e-6) < 2 ? 1 : 0;
+  CHECK(jumps > 0);
+}
+
+TEST_CASE("the speed of a path is not exceeded, in corners, on arcs and at borders") {
+  std::mt19937_64 generator(13);
+  const Eigen::Isometry3d T0 = forward(kArm, kStart);
+  int made = 0;
+  for (int k = 0; k < 6; ++k) {
+    CAPTURE(k);
+    PathMove move{.q0 = kStart};
+    const double speed = uniform(generator, 0.05, 0.2);
+    for (int point = 0; point < 4; ++point) {
+      const auto aside = [&] { return uniform(generator, -0.1, 0.1); };
+      move.points.push_back({.T_world_tool = shifted(T0, aside(), aside(), aside()),
+                             .blend = uniform(generator, 0.005, 0.04),
+                             .tool_speed = speed});
+      if (point == 2)
+        move.points.back().p_world_via = shifted(T0, aside(), aside(), aside()).translation();
+    }
+    for (const Jerk jerk : {Jerk::kLimited, Jerk::kFree}) {
+      move.jerk = jerk;
+      const PathPlan plan = plan_path(kArm, move);
+      if (!plan.ok()) continue;
+      ++made;
+      const Trajectory& motion = *plan.motion.trajectory;
+      double most = 0.0;
+      for (int sample = 1; sample < 3000; ++sample)
+        most = std::max(most, tool_speed(kArm, motion, motion.duration() * sample / 3000.0));
+      CHECK(most <= speed * (1.0 + 1e-5));
+      CHECK(most >= 0.98 * speed);
+    }
+  }
+  CHECK(made >= 6);
 }

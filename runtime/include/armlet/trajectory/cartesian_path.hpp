@@ -37,12 +37,14 @@ struct PathPoint {
 // task   what of the poses counts, as for LineMove, for all places.
 // time   whole duration, s; nothing: as fast as the limits of the joints and tool speeds allow.
 // speed  fraction of the joint limits, above 0 and at most 1; not together with time.
+// jerk   kFree: as fast as speeds and accelerations alone allow; accelerations jump.
 struct PathMove {
   Eigen::VectorXd q0{};
   std::vector<PathPoint> points{};
   IkTask task = IkTask::kPose;
   std::optional<double> time{};
   double speed = 1.0;
+  Jerk jerk = Jerk::kLimited;
 };
 
 // How a path was planned.
@@ -65,11 +67,14 @@ struct PathPlan {
 };
 
 // Plans the path: straight pieces and arcs, at the places rounded by curves whose direction and
-// curvature are continuous; solved to joints as for plan_line, then run as fast as possible.
-// Speeds fall only where limits need it; accelerations may step, jerk is not limited.
+// curvature are continuous; solved to joints as for plan_line, with cubic splines, then run as fast
+// as possible. Speeds fall only where limits need it; accelerations are continuous. Where joints
+// all but jump, so that limited jerk would take many times as long, it is not limited.
 //
 // source  rounding: p(u) = P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)), which misses the
-//         corner by 3/16 r |d2 - d1|. Time: see fastest_along.
+//         corner by 3/16 r |d2 - d1|. Time: D. Verscheure and others, Time-optimal path tracking
+//         for robots, IEEE TAC 54(10), 2009, with the jerk limited too; for Jerk::kFree
+//         fastest_run.
 // throws  ArgumentError unless q0 has n finite elements, there is a place, poses are poses, blends
 //         are not negative and speeds are positive, or for time together with a speed below 1.
 PathPlan plan_path(const Robot& robot, const PathMove& move);

@@ -19,6 +19,8 @@ struct SpeedAlongPath {
   [[nodiscard]] double duration() const;
   // When a place is reached, s.
   [[nodiscard]] double time_at(double place) const;
+  // When each place is reached.
+  [[nodiscard]] std::vector<double> times() const;
 };
 
 // Between two places along a path the speed of what travels along it, and how fast that changes, is

@@ -1,0 +1,91 @@
+// The squared speed along a path as a spline, and the fastest one within limits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace armlet {
+
+// b(u) = (du/dt)^2, a quadratic spline above zero, and its fastest shape: least duration, the
+// integral of 1 / sqrt(b), so that at every point
+//
+//   b < most,  |ya b' + yb b| < 1  and  |za b'' + zb b' + zc b| sqrt(b) < 1
+//
+// for every row of the point. The last is not convex; it is replaced by its tangent in 1 / sqrt(b),
+// which keeps it and is found anew in each step of the interior point method.
+class SpeedSpline {
+ public:
+  struct Point {
+    std::size_t cell = 0;
+    std::array<double, 3> value{}, rate{}, curve{};  // of b, b', b'' by the coefficients
+    double weight = 0.0;                             // in the integral
+    double most = std::numeric_limits<double>::infinity();
+    std::size_t rows = 0, rows_end = 0;
+  };
+  struct Row {
+    double ya = 0.0, yb = 0.0, za = 0.0, zb = 0.0, zc = 0.0;
+  };
+  // du/dt and its derivative by time.
+  struct Rate {
+    double speed, acceleration;
+  };
+
+  SpeedSpline() = default;
+  // Knots ascend.
+  explicit SpeedSpline(std::vector<double> knots);
+
+  [[nodiscard]] std::size_t cells() const { return knots_.size() - 1; }
+  // A part of a cell, 0 to 1.
+  [[nodiscard]] double place(std::size_t cell, double part) const;
+  // The cell in which u is, begun with one before.
+  [[nodiscard]] std::size_t cell_at(double u, std::size_t cell) const;
+
+  void clear_points();
+  // weight  in the mean over the cell. The reference is good until the next point.
+  Point& add_point(std::size_t cell, double part, double weight);
+  // Of the last point.
+  void add_row(const Row& row);
+
+  // Begins with what was found before, if something was.
+  //
+  // gap     how far the duration may be from the least at these points, as a part of it.
+  // throws  ArgumentError if nothing limits the speed.
+  void find_fastest(double gap);
+
+  // The following after find_fastest.
+  [[nodiscard]] double duration() const { return time_; }
+  [[nodiscard]] Rate rate_at(double u, std::size_t cell) const;
+  // Between two places of a cell, s.
+  [[nodiscard]] double time_between(double from, double to, std::size_t cell) const;
+
+ private:
+  // Basis functions of a cell at u, and their derivatives.
+  struct Basis {
+    std::array<double, 3> value, rate, curve;
+  };
+  [[nodiscard]] Basis basis(std::size_t cell, double u) const;
+  [[nodiscard]] double room_of(const Point& point) const;
+  [[nodiscard]] std::vector<double> slow_start() const;
+  bool shrink(int most);
+  [[nodiscard]] static std::array<double, 3> at(const Point& point, const std::vector<double>& c);
+  [[nodiscard]] bool keeps_limits(const std::vector<double>& c) const;
+  bool evaluate(const std::vector<double>& c, double mu);
+  bool add_barriers(const Point& point, double mu, const std::array<double, 3>& b);
+  [[nodiscard]] std::vector<double> newton_step() const;
+  double step(double mu);
+
+  std::vector<double> knots_;
+  std::vector<double> c_;  // coefficients of b, one for each cell and two more
+  std::vector<Point> points_;
+  std::vector<Row> rows_;
+  // What was evaluated last: the duration, gradient and the upper half of the second derivatives.
+  double time_ = 0.0;
+  std::vector<double> gradient_;
+  std::vector<std::array<double, 3>> hessian_;
+  std::array<double, 3> g_{};  // of one point, by b, b', b''
+  std::array<std::array<double, 3>, 3> h_{};
+};
+
+}  // namespace armlet
