@@ -21,7 +21,7 @@ constexpr int kNearestStarts = 32;     // after the first solution
 constexpr int kNearStarts = 12;        // around the seed
 constexpr int kRedundantStarts = 4;    // of an arm of seven joints with a closed form
 constexpr std::size_t kSlid = 4;       // of the solutions that the iterations found,
-constexpr std::size_t kSlidOne = 16;   // with at most one joint to spare
+constexpr std::size_t kSlidOne = 16;   // of which each can go one way only
 constexpr std::size_t kFollowed = 3;   // branches of such an arm
 constexpr int kNearestWanted = 16;     // distinct solutions
 constexpr double kSameChoice = 1e-6;   // rad or m
@@ -127,10 +127,10 @@ void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
       solution = to_vector(q, robot.n());
   }
   sort_by_nearness(robot, options.seed, solutions);
-  const std::size_t slid = robot.n() > 7 ? kSlid : kSlidOne;
+  std::size_t slid = kSlidOne;
   for (std::size_t k = 0; k < std::min(solutions.size(), slid); ++k) {
     JointArray q = to_array(solutions[k]);
-    slide_nearer(robot, goal, options, q);
+    if (slide_nearer(robot, goal, options, q)) slid = kSlid;
     solutions[k] = to_vector(q, robot.n());
   }
 }
@@ -142,6 +142,9 @@ void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   const double change = result.ok() ? largest_change(result.q, options.seed) : INFINITY;
   if (change <= kSameChoice) return;
   if (options.respect_limits && !within_limits(robot, options.seed, 0.0)) return;
+  const bool counts_place = (goal.weights.head<3>().array() == 1.0).all();
+  const Eigen::Vector3d place = forward(robot, options.seed).translation();
+  if (counts_place && (place - goal.p).norm() > 2.0 * goal.position_tolerance + kThere) return;
   const IkError error = IkSolver(robot, goal).error_of(to_array(options.seed));
   const double exact = std::max(error.position, error.rotation);
   if (!(exact <= kThere || (change > kFar && goal.is_met(error)))) return;

@@ -62,9 +62,10 @@ bool settle_in(const Robot& robot, const IkGoal& goal, const IkOptions& options,
 // The same where joints may share an angle: what the formula took stays if nothing else is nearer.
 bool settle_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool free,
                  bool check, JointArray& q) {
+  if (!free) return settle_in(robot, goal, options, false, check, q);
   JointArray as_found = q;
   const bool found = settle_in(robot, goal, options, false, check, as_found);
-  if (free && settle_in(robot, goal, options, true, check, q) &&
+  if (settle_in(robot, goal, options, true, check, q) &&
       !(found && change_of(as_found, options.seed) <= change_of(q, options.seed) + kTie))
     return true;
   q = as_found;
@@ -75,8 +76,11 @@ bool settle_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
 bool is_same(const Robot& robot, const JointArray& a, const JointArray& b) {
   for (int i = 0; i < robot.n(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
-    const double change = robot.is_revolute(i) ? angle_difference(a[k], b[k]) : a[k] - b[k];
-    if (std::abs(change) > kSame) return false;
+    const double change = std::abs(a[k] - b[k]);
+    if (change <= kSame) continue;
+    if (change < 2.0 * kPi - kSame || !robot.is_revolute(i) ||
+        std::abs(angle_difference(a[k], b[k])) > kSame)
+      return false;
   }
   return true;
 }

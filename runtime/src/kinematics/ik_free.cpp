@@ -14,6 +14,7 @@ namespace {
 // is checked by forward kinematics.
 constexpr double kOneLine = 1e-6;
 constexpr double kRounding = 1e-7;  // rad or m beyond what limits allow
+constexpr double kBeyond = 1e-5;    // the same, for a solution that nobody wants any more
 
 struct Range {
   double lower = -INFINITY;
@@ -180,6 +181,7 @@ class Shares {
 double bring_one(const Robot& robot, const IkOptions& options, std::size_t i, double& value) {
   const Range range = range_of(robot, options, i);
   const double near = options.seed[static_cast<Eigen::Index>(i)];
+  if (std::abs(value - near) <= kPi && value >= range.lower && value <= range.upper) return 0.0;
   if (robot.is_revolute(static_cast<int>(i))) {
     if (options.respect_limits)
       value = turned_within(value, near, range.lower - 1e-6, range.upper + 1e-6);
@@ -203,7 +205,7 @@ double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& optio
   double beyond = 0.0;
   const std::size_t n = static_cast<std::size_t>(robot.n());
   if (!shares) {
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n && beyond <= kBeyond; ++i)
       beyond = std::max(beyond, bring_one(robot, options, i, q[i]));
     return beyond;
   }
@@ -329,12 +331,14 @@ class Descent {
 
 }  // namespace
 
-void slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q) {
+bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q) {
   IkSolver solver(robot, goal);
+  bool several = false;
   double change = change_of(q, options.seed);
   double most = kFirstSlide;
   for (int slide = 0; slide < kSlides && most > kLastSlide; ++slide) {
     const Directions idle = idle_directions(robot, goal, q);
+    several = several || idle.cols() > 1;
     bool nearer = false, promising = false;
     // Towards the seed first, then each by itself.
     for (Eigen::Index k = idle.cols() == 1 ? 1 : 0; k <= idle.cols() && !nearer; ++k) {
@@ -363,9 +367,10 @@ void slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
       change = shorter;
       q = next;
     }
-    if (!promising || (!nearer && idle.cols() > 1)) return;
+    if (!promising || (!nearer && idle.cols() > 1)) break;
     most = nearer ? std::min(2.0 * most, kFirstSlide) : 0.5 * most;
   }
+  return several;
 }
 
 }  // namespace armlet

@@ -12,7 +12,8 @@ namespace armlet {
 // largest change from the seed is smallest, inside the limits if the options ask for that.
 //
 // shares whether to look for such joints. returns how far the joint that is farthest beyond its
-// limits lies beyond them; 0 if none does.
+// limits lies beyond them; 0 if none does. Where that is more than rounding, joints may be left as
+// they are.
 double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
                   JointArray& q);
 
@@ -21,6 +22,8 @@ double change_of(const JointArray& q, const Eigen::VectorXd& seed);
 
 // Follows the solutions that are connected with q, where there are infinitely many, to one that is
 // nearer to the seed. q meets the goal before and after.
-void slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q);
+//
+// returns whether there were several directions to go at once.
+bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q);
 
 }  // namespace armlet

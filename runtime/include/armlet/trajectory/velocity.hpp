@@ -14,10 +14,11 @@ namespace armlet {
 
 // How the tool takes up a velocity.
 //
-// share  part of the limits on acceleration and jerk that is for the take-up itself; the rest is
-// for
-//        the joints turning under it.
-// ref    position of the joints to which the law of the take-up refers; empty if it is in joint
+// share    part of the limits on acceleration and jerk that is for the take-up itself; the rest is
+//          for the joints turning under it.
+// turning  part of the limit on jerk with which an acceleration that another command has left is
+//          turned.
+// ref      position of the joints to which the law of the take-up refers; empty if it is in joint
 //          speeds.
 struct ToolTakeUp {
   double share = 1.0;
