@@ -262,6 +262,14 @@ void check_default_robot(CheckCall& call) {
 // ---- moves
 // -----------------------------------------------------------------------------------------------------
 
+// "Syn, Asyn and Trap"
+static std::string listed(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return out;
+}
+
 void check_planner(CheckCall& call, int parameter) {
   const auto constant = call.constant(parameter);
   if (!constant || constant->kind != Constant::Kind::kText) return;
@@ -273,7 +281,7 @@ void check_planner(CheckCall& call, int parameter) {
   const std::vector<std::string_view> all(names.begin(), names.end());
   const Span span = call.span(parameter);
   Diagnostic d = make_diagnostic("E0202", span, {name});
-  d.why = "the planners are Syn, Asyn, Lin, Cubic, Spline3, Spline4, Spline5, 434 and Trap";
+  d.why = "the planners are " + listed(names);
   if (const auto meant = most_similar(name, all)) {
     d.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
                 .edits = {{span, fmt::format("\"{}\"", *meant)}},

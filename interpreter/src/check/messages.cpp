@@ -111,6 +111,27 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
   return did_you_mean(name, span, library);
 }
 
+// let f = fn(n: int) -> int => n * f(n - 1): a function that calls itself has a name.
+static std::optional<Fix> named_function_fix(const Checker& checker, Span declared, Span use) {
+  if (use.source != declared.source || use.begin < declared.end) return std::nullopt;
+  const std::string between = checker.text_of({declared.end, use.begin, use.source});
+  const std::size_t sign = between.find_first_not_of(" \t");
+  if (sign == std::string::npos || between[sign] != '=') return std::nullopt;
+  const std::size_t word = between.find_first_not_of(" \t", sign + 1);
+  if (word == std::string::npos || !between.substr(word).starts_with("fn")) return std::nullopt;
+  const std::string before = checker.text_of({0, declared.begin, use.source});
+  const std::size_t keyword = before.find_last_not_of(" \t");
+  if (keyword == std::string::npos || keyword < 2) return std::nullopt;
+  const std::string_view let = std::string_view(before).substr(keyword - 2, 3);
+  if (let != "let" && let != "var") return std::nullopt;
+  const std::string name = "fn " + checker.text_of(declared);
+  return Fix{.text = "a lambda does not know its own name: write " + name + "(...)",
+             .edits = {{{static_cast<std::uint32_t>(keyword - 2),
+                         static_cast<std::uint32_t>(declared.end + word + 2), use.source},
+                        name}},
+             .confidence = Confidence::kSure};
+}
+
 hir::Expr* Checker::unknown_name(std::string_view name, Span span, const Type* expected) {
   if (syntax_failed_ || !told_.emplace(name).second) return failed(span);
   if (!takes_errors()) {
@@ -130,6 +151,7 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span, const Type* e
   if (const auto found = top_level_names_.find(name); found != top_level_names_.end()) {
     Diagnostic diagnostic = make_diagnostic("E0211", span, {std::string(name)});
     diagnostic.related.push_back({found->second, "declared here"});
+    diagnostic.fix = named_function_fix(*this, found->second, span);
     report(std::move(diagnostic));
     return failed(span);
   }

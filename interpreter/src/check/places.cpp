@@ -198,7 +198,13 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
       unknown_field(hir::Expr{.kind = hir::ExprKind::kVariable, .type = type, .span = at.span},
                     field);
     } else if (i < 0) {
-      report(make_diagnostic("E0328", whole));
+      Diagnostic diagnostic = make_diagnostic("E0328", whole);
+      if (type->is(Kind::kList) && field.text == "last") {
+        const std::string list = text_of(at.as<ast::MemberExpr>().object->span);
+        const std::string element = list + '[' + list + ".length - 1]";
+        diagnostic.fix = Fix{.text = "write " + element, .edits = {{at.span, element}}};
+      }
+      report(std::move(diagnostic));
     }
     if (i < 0) return std::nullopt;
     step.is_field = true;

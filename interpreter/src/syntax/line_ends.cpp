@@ -90,7 +90,11 @@ class Filter {
 
   // Whether a `{` on the line after token `a` belongs to the statement that `a` is part of.
   bool brace_belongs(std::size_t a) {
-    if (a > 0 && in_[a].type == RbtLexer::RBRACK && in_[a - 1].type == RbtLexer::LBRACK)
+    // new int[]
+    const bool is_pair =
+        a > 1 && in_[a].type == RbtLexer::RBRACK && in_[a - 1].type == RbtLexer::LBRACK;
+    if (is_pair && (is_name(in_[a - 2].type) || is_primitive_type(in_[a - 2].type) ||
+                    in_[a - 2].type == RbtLexer::RBRACK))
       return true;
     if (top().has_assignment) return false;
     switch (in_[top().statement].type) {

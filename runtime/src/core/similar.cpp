@@ -51,7 +51,13 @@ std::optional<std::string_view> most_similar(std::string_view name,
     if (same_but_for_capitals(name, candidate)) distance = 0;
     if (name.size() > 2 && candidate.starts_with(name))
       distance = std::min<std::size_t>(distance, 2);
-    if (distance < best_distance && distance < candidate.size()) {
+    if (candidate.size() > 2 && name.starts_with(candidate))
+      distance = std::min<std::size_t>(distance, 2);
+    // Of equally near ones the one that begins like the name.
+    const bool begins_better = best && distance == best_distance &&
+                               candidate.starts_with(name.substr(0, 1)) &&
+                               !best->starts_with(name.substr(0, 1));
+    if ((distance < best_distance || begins_better) && distance < candidate.size()) {
       best_distance = distance;
       best = candidate;
     }
