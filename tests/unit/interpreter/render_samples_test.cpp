@@ -85,7 +85,8 @@ const std::vector<MessageSample> kMessageSamples = {
      {"Sync"},
      {21, R"("Sync")"},
      {},
-     "the planners are Syn, Asyn, Lin, Cubic, Spline3, Spline4, Spline5, 434 and Trap",
+     "the planners are Syn, Asyn, Lin, Cubic, Spline3, Spline4, Spline5, 434, Trap, 353, "
+     "FiveCubic, SCurve, Fastest, Septic, Cycloid, Seq and Lin0",
      R"(did you mean "Syn"?)"},
     {"E0203",
      {"cub"},
