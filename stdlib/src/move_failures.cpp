@@ -151,12 +151,12 @@ Digits digits_of(double value, int count) {
 // allow for a rounding of 1e-9.
 std::string rounded_up(double least, int count) {
   if (!std::isfinite(least) || !(least > 0.0)) return format_number(least);
-  auto [mantissa, exponent] = digits_of(least, count);
+  Digits digits = digits_of(least, count);
   const auto number = [&] {
-    return std::stod(fmt::format("{}e{}", mantissa, exponent - count + 1));
+    return std::stod(fmt::format("{}e{}", digits.mantissa, digits.exponent - count + 1));
   };
-  if (number() < least * (1.0 - 1e-10)) ++mantissa;
-  return format_number(number(), std::max(count - 1 - exponent, 0));
+  if (number() < least * (1.0 - 1e-10)) ++digits.mantissa;
+  return format_number(number(), std::max(count - 1 - digits.exponent, 0));
 }
 
 std::string at_least(double least) { return rounded_up(least, 3) + " s"; }
