@@ -65,15 +65,12 @@ bool may_precede_lambda(std::uint16_t type) {
 // written where nothing else tells them: behind `let f =`.
 std::string parameters_of_lambda(const FailureSite& site, std::size_t first, std::size_t last) {
   const bool declares = site.type(first - 1) == RbtLexer::ASSIGN;
-  std::string out = "fn(";
+  std::string out;
   for (std::size_t i = first; i <= last; ++i) {
     if (!is_name(site.type(i))) continue;
-    const bool typed = site.type(i + 1) == RbtLexer::COLON;
-    if (i > first && out.back() != '(') out += ", ";
-    out += site.text(i) + (typed ? site.text(i + 1, i + 2) : declares ? ": double" : "");
-    if (typed) i += 2;
+    out += (out.empty() ? "" : ", ") + site.text(i) + (declares ? ": double" : "");
   }
-  return out + ')';
+  return "fn(" + out + ')';
 }
 
 // x => x + 1 and (x, y) => x + y
