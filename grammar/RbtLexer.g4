@@ -91,7 +91,7 @@ AS : 'as' ;
 // ---------------------------------------------------------------- numbers
 QUANTITY : NUM UNIT UEXP? ([*/] UNIT UEXP?)* ;                              // 90deg  9.81m/s^2
 FLOAT : (DIG '.' DIG? | '.' DIG) EXP? [fFdD]? | DIG EXP [fFdD]? | DIG [fFdD] ;  // 0.5  .5  2.  1e-3
-INT : DIG [lL]? | '0' [xX] [0-9a-fA-F]+ ;                                   // 42  1_000  0x1F
+INT : DIG [lL]? | '0' [xX] [0-9a-fA-F]+ [lL]? ;                             // 42  1_000  0x1F
 BADNUM : NUM LETTER (LETTER | [0-9])* ;                                     // 5cmm
 
 fragment NUM : DIG ('.' DIG?)? EXP? | '.' DIG EXP? ;
@@ -100,8 +100,8 @@ fragment EXP : [eE] [+-]? [0-9]+ ;
 fragment UEXP : '^' '-'? [0-9] ;
 fragment UNIT
   : 'deg' | '\u00B0' | 'rad' | 'mrad' | 'rev'
-  | 'um' | '\u00B5m' | 'mm' | 'cm' | 'dm' | 'm' | 'inch'
-  | 'us' | 'ms' | 's' | 'min' | 'h'
+  | 'um' | '\u00B5m' | '\u03BCm' | 'mm' | 'cm' | 'dm' | 'm' | 'inch'
+  | 'us' | '\u00B5s' | '\u03BCs' | 'ms' | 's' | 'min' | 'h'
   | 'g' | 'kg' | 'N' | 'kN' | 'Nm'
   | 'rpm' | 'Hz' | 'kHz' | 'J' | 'W' | 'Pa' | 'px'
   ;
@@ -141,6 +141,7 @@ PLUSEQ : '+=' ;
 MINUSEQ : '-=' ;
 STAREQ : '*=' ;
 SLASHEQ : '/=' ;
+PERCENTEQ : '%=' ;
 ASSIGN : '=' ;
 INC : '++' ;
 DEC : '--' ;

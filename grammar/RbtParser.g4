@@ -145,7 +145,10 @@ anyType : fnType | dimType ;
 dimType : dimFactor ((STAR | SLASH) dimFactor)* ;
 
 // time^-2
-dimFactor : type (CARET MINUS? INT)? ;
+dimFactor : type (CARET MINUS? INT)? | inParens (LBRACK RBRACK)* ;
+
+// (fn(int) -> int)
+inParens : LPAREN anyType RPAREN ;
 
 // pal.Pallet
 typeName : name (DOT name)* ;
@@ -227,7 +230,7 @@ exprStmt : expression (assignTail | compoundOp expression | INC | DEC)? | (INC |
 assignTail : (ASSIGN expression)+ (ASSIGN braceInit)? | ASSIGN braceInit ;
 
 // +=
-compoundOp : PLUSEQ | MINUSEQ | STAREQ | SLASHEQ ;
+compoundOp : PLUSEQ | MINUSEQ | STAREQ | SLASHEQ | PERCENTEQ ;
 
 // arm.moveL(p, speed: 20mm/s) until arm.force().z > 5N
 expression : lambda | newArray | expr (UNTIL expr)? ;

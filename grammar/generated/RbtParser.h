@@ -26,10 +26,11 @@ public:
     RBRACE = 51, LPAREN = 52, RPAREN = 53, LBRACK = 54, RBRACK = 55, SEMI = 56, 
     COMMA = 57, DOT = 58, COLON = 59, QMARK = 60, ARROW = 61, FATARROW = 62, 
     EQ = 63, NE = 64, LE = 65, GE = 66, LT = 67, GT = 68, ANDAND = 69, OROR = 70, 
-    NOT = 71, PLUSEQ = 72, MINUSEQ = 73, STAREQ = 74, SLASHEQ = 75, ASSIGN = 76, 
-    INC = 77, DEC = 78, DOTSTAR = 79, DOTSLASH = 80, DOTCARET = 81, PLUS = 82, 
-    MINUS = 83, STAR = 84, SLASH = 85, PERCENT = 86, BSLASH = 87, CARET = 88, 
-    BLOCK_COMMENT = 89, LINE_COMMENT = 90, NL = 91, WS = 92, ERR = 93
+    NOT = 71, PLUSEQ = 72, MINUSEQ = 73, STAREQ = 74, SLASHEQ = 75, PERCENTEQ = 76, 
+    ASSIGN = 77, INC = 78, DEC = 79, DOTSTAR = 80, DOTSLASH = 81, DOTCARET = 82, 
+    PLUS = 83, MINUS = 84, STAR = 85, SLASH = 86, PERCENT = 87, BSLASH = 88, 
+    CARET = 89, BLOCK_COMMENT = 90, LINE_COMMENT = 91, NL = 92, WS = 93, 
+    ERR = 94
   };
 
   enum {
@@ -39,15 +40,15 @@ public:
     RuleParams = 13, RuleParam = 14, RuleStructDecl = 15, RuleEnumDecl = 16, 
     RuleImportDecl = 17, RuleTestDecl = 18, RuleType = 19, RuleFnType = 20, 
     RuleResultType = 21, RuleAnyType = 22, RuleDimType = 23, RuleDimFactor = 24, 
-    RuleTypeName = 25, RulePrimType = 26, RuleIfStmt = 27, RuleIfBody = 28, 
-    RuleWhileStmt = 29, RuleDoStmt = 30, RuleForStmt = 31, RuleForHeader = 32, 
-    RuleForInit = 33, RuleForUpdate = 34, RuleSwitchStmt = 35, RuleSwitchCase = 36, 
-    RuleTryStmt = 37, RuleCatchClause = 38, RuleParallelStmt = 39, RuleWhenStmt = 40, 
-    RuleEveryStmt = 41, RuleWaitStmt = 42, RuleWithStmt = 43, RulePathStmt = 44, 
-    RuleRecordStmt = 45, RuleExprStmt = 46, RuleAssignTail = 47, RuleCompoundOp = 48, 
-    RuleExpression = 49, RuleLambda = 50, RuleExpr = 51, RulePrimary = 52, 
-    RuleRow = 53, RuleNewArray = 54, RuleNewDim = 55, RuleIndexItem = 56, 
-    RuleArgs = 57, RuleArg = 58, RuleLiteral = 59, RuleName = 60
+    RuleInParens = 25, RuleTypeName = 26, RulePrimType = 27, RuleIfStmt = 28, 
+    RuleIfBody = 29, RuleWhileStmt = 30, RuleDoStmt = 31, RuleForStmt = 32, 
+    RuleForHeader = 33, RuleForInit = 34, RuleForUpdate = 35, RuleSwitchStmt = 36, 
+    RuleSwitchCase = 37, RuleTryStmt = 38, RuleCatchClause = 39, RuleParallelStmt = 40, 
+    RuleWhenStmt = 41, RuleEveryStmt = 42, RuleWaitStmt = 43, RuleWithStmt = 44, 
+    RulePathStmt = 45, RuleRecordStmt = 46, RuleExprStmt = 47, RuleAssignTail = 48, 
+    RuleCompoundOp = 49, RuleExpression = 50, RuleLambda = 51, RuleExpr = 52, 
+    RulePrimary = 53, RuleRow = 54, RuleNewArray = 55, RuleNewDim = 56, 
+    RuleIndexItem = 57, RuleArgs = 58, RuleArg = 59, RuleLiteral = 60, RuleName = 61
   };
 
   RbtParser(antlr4::TokenStream *input);
@@ -92,6 +93,7 @@ public:
   class AnyTypeContext;
   class DimTypeContext;
   class DimFactorContext;
+  class InParensContext;
   class TypeNameContext;
   class PrimTypeContext;
   class IfStmtContext;
@@ -539,11 +541,29 @@ public:
     antlr4::tree::TerminalNode *CARET();
     antlr4::tree::TerminalNode *INT();
     antlr4::tree::TerminalNode *MINUS();
+    InParensContext *inParens();
+    std::vector<antlr4::tree::TerminalNode *> LBRACK();
+    antlr4::tree::TerminalNode* LBRACK(size_t i);
+    std::vector<antlr4::tree::TerminalNode *> RBRACK();
+    antlr4::tree::TerminalNode* RBRACK(size_t i);
 
    
   };
 
   DimFactorContext* dimFactor();
+
+  class  InParensContext : public GuardedCtx {
+  public:
+    InParensContext(antlr4::ParserRuleContext *parent, size_t invokingState);
+    virtual size_t getRuleIndex() const override;
+    antlr4::tree::TerminalNode *LPAREN();
+    AnyTypeContext *anyType();
+    antlr4::tree::TerminalNode *RPAREN();
+
+   
+  };
+
+  InParensContext* inParens();
 
   class  TypeNameContext : public GuardedCtx {
   public:
@@ -914,6 +934,7 @@ public:
     antlr4::tree::TerminalNode *MINUSEQ();
     antlr4::tree::TerminalNode *STAREQ();
     antlr4::tree::TerminalNode *SLASHEQ();
+    antlr4::tree::TerminalNode *PERCENTEQ();
 
    
   };

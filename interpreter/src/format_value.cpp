@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "armlet/interpreter/work.hpp"
@@ -12,6 +13,7 @@ namespace armlet::lang {
 namespace {
 
 constexpr int kMostDigits = 15;
+constexpr int kMostQuantityDigits = 10;  // of quantities, and of the elements of matrices
 constexpr int kMostLevels = 200;
 
 // Significant digits without trailing zeros, and the decimal exponent of the first one.
@@ -33,14 +35,14 @@ Decimal read_scientific(std::string_view text) {
 }
 
 // value: finite, > 0.
-Decimal decimal_of(double value) {
+Decimal decimal_of(double value, int most_digits) {
   char buffer[64];
   auto end =
       std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
   Decimal shortest = read_scientific({buffer, static_cast<std::size_t>(end - buffer)});
-  if (shortest.digits.size() <= kMostDigits) return shortest;
+  if (shortest.digits.size() <= static_cast<std::size_t>(most_digits)) return shortest;
   end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific,
-                      kMostDigits - 1)
+                      most_digits - 1)
             .ptr;
   return read_scientific({buffer, static_cast<std::size_t>(end - buffer)});
 }
@@ -55,13 +57,13 @@ std::string with_exponent(const Decimal& d) {
 }
 
 // The text, and whether it has neither point nor exponent.
-std::string plain_number(double value, bool& is_whole) {
+std::string plain_number(double value, bool& is_whole, int most_digits) {
   is_whole = false;
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
   is_whole = value == 0.0;
   if (is_whole) return "0";
-  const Decimal d = decimal_of(std::abs(value));
+  const Decimal d = decimal_of(std::abs(value), most_digits);
   const std::string sign = value < 0 ? "-" : "";
   if (d.exponent < -4 || d.exponent >= kMostDigits) return sign + with_exponent(d);
   if (d.exponent < 0)
@@ -72,8 +74,14 @@ std::string plain_number(double value, bool& is_whole) {
   return sign + d.digits.substr(0, before) + '.' + d.digits.substr(before);
 }
 
+// The number of a quantity: noise behind the tenth digit is left out.
+std::string measured_text(double value) {
+  bool is_whole = false;
+  return plain_number(value, is_whole, kMostQuantityDigits);
+}
+
 // With a number of digits; "-0.00" is written "0.00".
-std::string styled_number(double value, int digits, char style) {
+std::string number_with_digits(double value, int digits, char style) {
   if (!std::isfinite(value)) return bare_number_text(value);
   const auto format = style == 'e'   ? std::chars_format::scientific
                       : style == 'g' ? std::chars_format::general
@@ -85,6 +93,44 @@ std::string styled_number(double value, int digits, char style) {
   const bool is_zero =
       text.substr(0, text.find('e')).find_first_of("123456789") == std::string_view::npos;
   return std::string(text.substr(is_zero && text.starts_with('-') ? 1 : 0));
+}
+
+// The number in front of a unit, with the digits of a style.
+std::string styled_number(double value, const TextStyle& style) {
+  return style.has_digits() ? number_with_digits(value, style.digits, style.notation)
+                            : measured_text(value);
+}
+
+std::size_t characters(std::string_view text) {
+  const auto is_start = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  return static_cast<std::size_t>(std::ranges::count_if(text, is_start));
+}
+
+// The blanks in front of a text and behind it that fill the width of a style.
+std::pair<std::size_t, std::size_t> blanks_around(std::string_view text, const TextStyle& style,
+                                                  char otherwise = '<') {
+  if (text.size() >= std::size_t{style.width} * 4) return {0, 0};
+  const std::size_t length = characters(text);
+  if (length >= style.width) return {0, 0};
+  const std::size_t missing = style.width - length;
+  const char align = style.align != 0 ? style.align : otherwise;
+  const std::size_t before = align == '>' ? missing : align == '^' ? missing / 2 : 0;
+  return {before, missing - before};
+}
+
+// Fills what stands from `begin` on up to the width of a style.
+void fill_up(std::string& out, std::size_t begin, const TextStyle& style, bool is_number) {
+  if (style.width == 0) return;
+  const auto [before, behind] =
+      blanks_around(std::string_view(out).substr(begin), style, is_number ? '>' : '<');
+  const std::size_t first = begin + (out[begin] == '-' || out[begin] == '+' ? 1 : 0);
+  const bool has_digits = out[first] >= '0' && out[first] <= '9';  // neither inf nor nan
+  if (style.zeros && is_number && has_digits) {
+    out.insert(first, before + behind, '0');
+    return;
+  }
+  out.insert(begin, before, ' ');
+  out.append(behind, ' ');
 }
 
 class Writer {
@@ -100,10 +146,10 @@ class Writer {
   std::string out;
 
  private:
-  [[nodiscard]] bool is_plain() const {
-    return format_.digits < 0 && format_.style == 0 && format_.unit.empty();
-  }
+  class Noise;
+
   void real(double value, Dim dim);
+  void number(double value, Dim dim);
   void text(std::string_view text);
   void list(const ListObj& list, const Type& element);
   void table(Slot s, const RecordInfo& info);
@@ -126,6 +172,28 @@ class Writer {
   TextMaker* text_ = nullptr;
   bool failed_ = false;
   int level_ = 0;
+  double negligible_ = 0.0;  // elements up to this size are written 0
+  bool in_matrix_ = false;
+};
+
+// While numbers that belong together are written, those that are nothing beside the largest of
+// them are written 0.
+class Writer::Noise {
+ public:
+  Noise(Writer& writer, std::span<const double> numbers) : writer_(writer) {
+    constexpr double kNothing = 1e-12;
+    double largest = 0.0;
+    for (const double number : numbers) {
+      if (std::isfinite(number)) largest = std::max(largest, std::abs(number));
+    }
+    writer_.negligible_ = kNothing * largest;
+  }
+  ~Noise() { writer_.negligible_ = 0.0; }
+  Noise(const Noise&) = delete;
+  Noise& operator=(const Noise&) = delete;
+
+ private:
+  Writer& writer_;
 };
 
 bool Writer::flush() {
@@ -136,31 +204,41 @@ bool Writer::flush() {
 }
 
 void Writer::real(double value, Dim dim) {
-  const bool styled = format_.digits >= 0 || format_.style != 0;
+  const TextStyle& style = format_.style;
+  const std::size_t begin = out.size();
+  number(std::abs(value) <= negligible_ && !style.has_digits() ? 0.0 : value, dim);
+  if (style.sign && out[begin] != '-' && !std::isnan(value)) out.insert(begin, 1, '+');
+  fill_up(out, begin, style, true);
+}
+
+void Writer::number(double value, Dim dim) {
+  const TextStyle& style = format_.style;
   if (!format_.unit.empty()) {
-    const double number = value / format_.factor;
-    out += styled ? styled_number(number, format_.digits, format_.style) : bare_number_text(number);
-    out += ' ';
-    out += format_.unit;
-    return;
+    out += styled_number(value / format_.factor, style) + ' ' + format_.unit;
+  } else if (!dim.is_none()) {
+    const DisplayUnit unit = display_unit(dim, value);
+    out += styled_number(value / unit.factor, style);
+    if (!unit.name.empty()) out += ' ' + unit.name;
+  } else if (style.has_digits()) {
+    out += styled_number(value, style);
+  } else if (in_matrix_) {
+    const std::string text = measured_text(value);
+    out += text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+  } else {
+    out += number_text(value);
   }
-  if (dim.is_none()) {
-    out += styled ? styled_number(value, format_.digits, format_.style) : number_text(value);
-    return;
-  }
-  const DisplayUnit unit = display_unit(dim, value);
-  const double number = value / unit.factor;
-  out += styled ? styled_number(number, format_.digits, format_.style) : bare_number_text(number);
-  if (!unit.name.empty()) out += ' ' + unit.name;
 }
 
 void Writer::text(std::string_view text) {
   if (level_ == 0) {
+    const auto [before, behind] = blanks_around(text, format_.style);
+    out.append(before, ' ');
     if (text_ == nullptr) {
       out += text;
     } else {
       failed_ = !flush() || !text_->add(text);
     }
+    out.append(behind, ' ');
     return;
   }
   out += '"';
@@ -177,6 +255,8 @@ void Writer::text(std::string_view text) {
 }
 
 void Writer::list(const ListObj& list, const Type& element) {
+  const bool of_quantities = element.is(Kind::kReal) && !element.dim.is_none();
+  const Noise noise(*this, of_quantities ? list.reals() : std::span<const double>());
   out += '[';
   for (std::uint32_t i = 0; i < list.size && goes_on(); ++i) {
     if (i > 0) out += ", ";
@@ -209,14 +289,17 @@ void Writer::table(Slot s, const RecordInfo& info) {
 }
 
 void Writer::matrix(const MatrixObj& matrix) {
-  out += '[';
   const std::size_t count = std::size_t{matrix.rows} * matrix.cols;
+  const Noise noise(*this, {matrix.data(), count});
+  in_matrix_ = true;
+  out += '[';
   for (std::size_t i = 0; i < count && goes_on(); ++i) {
     if (i > 0) out += i % matrix.cols == 0 ? "; " : ", ";
     real(matrix.data()[i], dims::kNone);
   }
   if (matrix.rows == 1 && count > 0) out += ';';  // read back, it is a matrix again
   out += ']';
+  in_matrix_ = false;
 }
 
 void Writer::reference(Slot s, const Type& type) {
@@ -250,23 +333,23 @@ void Writer::reference(Slot s, const Type& type) {
 }
 
 void Writer::value(Slot s, const Type& type) {
+  const std::size_t begin = out.size();
+  const TextStyle& style = format_.style;
   switch (type.kind) {
     case Kind::kBool:
       out += s.i != 0 ? "true" : "false";
-      break;
+      return fill_up(out, begin, style, false);
     case Kind::kInt:
-      if (is_plain()) {
-        out += std::to_string(s.i);
-      } else {
-        real(static_cast<double>(s.i), dims::kNone);
-      }
-      break;
+      if (style.has_digits() || !format_.unit.empty())
+        return real(static_cast<double>(s.i), dims::kNone);
+      if (style.sign && s.i >= 0) out += '+';
+      out += std::to_string(s.i);
+      return fill_up(out, begin, style, true);
     case Kind::kReal:
-      real(s.d, type.dim);
-      break;
+      return real(s.d, type.dim);
     case Kind::kEnum:
       out += type.enumeration->name + '.' + type.enumeration->values[static_cast<std::size_t>(s.i)];
-      break;
+      return fill_up(out, begin, style, false);
     default:
       if (type.is_reference()) reference(s, type);
   }
@@ -276,22 +359,22 @@ void Writer::value(Slot s, const Type& type) {
 
 std::string number_text(double value) {
   bool is_whole = false;
-  std::string text = plain_number(value, is_whole);
+  std::string text = plain_number(value, is_whole, kMostDigits);
   return is_whole ? text + ".0" : text;
 }
 
 std::string bare_number_text(double value) {
   bool is_whole = false;
-  return plain_number(value, is_whole);
+  return plain_number(value, is_whole, kMostDigits);
 }
 
 std::string quantity_text(double si, Dim dim) {
   const DisplayUnit unit = display_unit(dim, si);
-  return bare_number_text(si / unit.factor) + (unit.name.empty() ? "" : " " + unit.name);
+  return measured_text(si / unit.factor) + (unit.name.empty() ? "" : " " + unit.name);
 }
 
 std::string value_text(Slot value, const Type& type, std::size_t limit) {
-  const Format plain{&type, -1, 0, {}, 1.0};
+  const Format plain{&type, {}, {}, 1.0};
   Writer writer(plain, limit, false);
   writer.value(value, type);
   return std::move(writer.out);

@@ -11,9 +11,10 @@ auto find_or(const Map& map, std::string_view name, typename Map::mapped_type ot
   return found == map.end() ? otherwise : found->second;
 }
 
-// "operator+", "posC.x", "robot{}" and "robot()" are found by the checker, not written by programs.
+// "operator+", "posC.x=", "robot{}" and "robot()" are found by the checker, not written by
+// programs.
 bool is_written(std::string_view name) {
-  return !name.starts_with("operator") && name.find_first_of("[]{}()") == std::string_view::npos;
+  return !name.starts_with("operator") && name.find_first_of("[]{}()=") == std::string_view::npos;
 }
 
 }  // namespace

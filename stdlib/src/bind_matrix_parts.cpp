@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "armlet/math/det_math.hpp"
@@ -219,38 +220,57 @@ Signal posc_transform(Vm& vm, Slot* args) {
   return give_fixed(vm, args, Eigen::Matrix4d(posc(args[0]).T.matrix()));
 }
 
-// Numbers that were written with few digits are turned into an exact rotation.
-Signal posc_from_rotation(Vm& vm, Slot* args) {
+// The rotation that a matrix holds; numbers that were written with few digits are turned into an
+// exact one. Empty: the failure is set, for argument `argument`.
+std::optional<Eigen::Matrix3d> rotation_of(Vm& vm, const MatrixObj& given, int argument) {
   constexpr double kNearly = 1e-3;
-  const MatrixObj& given = matrix_value(args[0]);
-  const auto p = reals_value(args[1]);
+  const auto refuse = [](Signal) { return std::nullopt; };
   if (given.rows != 3 || given.cols != 3)
-    return sizes_differ(
-        vm, fmt::format("a rotation is 3x3, this is {}", size_text(given.rows, given.cols)), 0);
-  if (p.size() != 3) return sizes_differ(vm, fmt::format("a place has 3 values, not {}", p.size()));
+    return refuse(sizes_differ(
+        vm, fmt::format("a rotation is 3x3, this is {}", size_text(given.rows, given.cols)),
+        argument));
   Eigen::Matrix3d R;
   for (int i = 0; i < 9; ++i) {
     const double x = given.data()[i];
     if (!std::isfinite(x))
-      return not_finite(vm, fmt::format("element [{}, {}] of the matrix", i / 3, i % 3), x, 0);
+      return refuse(
+          not_finite(vm, fmt::format("element [{}, {}] of the matrix", i / 3, i % 3), x, argument));
     R(i / 3, i % 3) = x;
-  }
-  for (const double x : p) {
-    if (!std::isfinite(x)) return not_finite(vm, "a value of the place", x, 1);
   }
   const double error = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(error <= kNearly)) {
-    return failure(vm, "R0609", "this matrix is no rotation", 0,
-                   fmt::format("R.T * R differs from eye(3) by {:.3g}; at most {} is allowed",
-                               error, kNearly));
+    return refuse(
+        failure(vm, "R0609", "this matrix is no rotation", argument,
+                fmt::format("R.T * R differs from eye(3) by {:.3g}; at most {} is allowed", error,
+                            kNearly)));
   }
   if (R.determinant() < 0.0) {
-    return failure(vm, "R0609", "this matrix mirrors; it is no rotation", 0,
-                   "its determinant is -1");
+    return refuse(failure(vm, "R0609", "this matrix mirrors; it is no rotation", argument,
+                          "its determinant is -1"));
+  }
+  return renormalised(R);
+}
+
+Signal posc_from_rotation(Vm& vm, Slot* args) {
+  const auto p = reals_value(args[1]);
+  const auto R = rotation_of(vm, matrix_value(args[0]), 0);
+  if (!R) return Signal::kFail;
+  if (p.size() != 3) return sizes_differ(vm, fmt::format("a place has 3 values, not {}", p.size()));
+  for (const double x : p) {
+    if (!std::isfinite(x)) return not_finite(vm, "a value of the place", x, 1);
   }
   PosC pose;
-  pose.T.linear() = renormalised(R);
+  pose.T.linear() = *R;
   pose.T.translation() = Eigen::Vector3d(p[0], p[1], p[2]);
+  pose.has_orientation = true;
+  return give(args, new_posc(vm, pose));
+}
+
+Signal posc_with_rotation(Vm& vm, Slot* args) {
+  const auto R = rotation_of(vm, matrix_value(args[1]), 1);
+  if (!R) return Signal::kFail;
+  PosC pose = posc(args[0]);
+  pose.T.linear() = *R;
   pose.has_orientation = true;
   return give(args, new_posc(vm, pose));
 }
@@ -299,6 +319,8 @@ constexpr NativeFunction kFunctions[] = {
      "ceil([1.5, 2.5; 3, 4])", each<round_up>, nullptr, nullptr, check_same_size},
     {"posC.R", "(p: posC) -> matrix", "The orientation as a 3x3 rotation.", "rotZ(90deg).R",
      posc_rotation},
+    {"posC.R=", "(p: posC, R: matrix) -> posC", "The orientation changed to a rotation.",
+     "var p = here(); p.R = rotX(90deg).R", posc_with_rotation},
     {"posC.T", "(p: posC) -> matrix", "The 4x4 matrix of the whole, lengths in metres.",
      "xyz(1m, 2m, 3m).T", posc_transform},
     {"posC", "(R: matrix, p: length[]) -> posC", "An orientation as a rotation, and a place.",

@@ -201,6 +201,47 @@ Signal posj_element(Vm& vm, Slot* args) {
     return failure(vm, "R0606", fmt::format("index {} is outside 0 to {}", i, p.n - 1), 1);
   return give(args, p.q[i]);
 }
+enum class Stored : std::uint8_t { kNumber, kAngle, kLength };
+
+// The joint values with one of them changed.
+template <Stored kStored>
+Signal posj_with(Vm& vm, Slot* args) {
+  PosJ p = posj(args[0]);
+  const std::int64_t i = args[1].i;
+  if (i < 0 || i >= p.n)
+    return failure(vm, "R0606", fmt::format("index {} is outside 0 to {}", i, p.n - 1), 1);
+  if (!std::isfinite(args[2].d)) return not_finite(vm, "a joint value", args[2].d, 2);
+  const auto joint = static_cast<std::size_t>(i);
+  const bool turns = p.turns[joint];
+  if (kStored != Stored::kNumber && p.kinds_known && turns != (kStored == Stored::kAngle)) {
+    return failure(
+        vm, "R0609",
+        fmt::format("joint {} {}: its value is {}, not {}", i + 1, turns ? "turns" : "slides",
+                    turns ? "an angle" : "a length", turns ? "a length" : "an angle"),
+        2);
+  }
+  p.q[joint] = args[2].d;
+  return give(args, new_posj(vm, p));
+}
+
+template <int kAxis>
+Signal posc_with_place(Vm& vm, Slot* args) {
+  if (!std::isfinite(args[1].d)) return not_finite(vm, "a coordinate", args[1].d, 1);
+  PosC p = posc(args[0]);
+  p.T.translation()[kAxis] = args[1].d;
+  return give(args, new_posc(vm, p));
+}
+
+// Three angles turn one orientation: one alone does not say what becomes of the others.
+void refuse_one_angle(CheckCall& call) {
+  const std::string place = call.text_of(call.callee_span());
+  const std::string pose = place.substr(0, place.rfind('.'));
+  Diagnostic d = make_diagnostic("E0328", call.callee_span());
+  d.why = "roll, pitch and yaw are read from the orientation, and belong together";
+  d.fix = Fix{.text = fmt::format("write {}.R = rpy(roll, pitch, yaw).R", pose)};
+  call.report(std::move(d));
+}
+
 Signal posj_values(Vm& vm, Slot* args) {
   const PosJ& p = posj(args[0]);
   return give(args, new_reals(vm, {p.q.data(), p.n}));
@@ -304,6 +345,24 @@ constexpr NativeFunction kFunctions[] = {
     {"posJ", "(values: number...) -> posJ", "Joint values with a unit each.",
      "posJ(10deg, 20deg, 30mm, 0deg)", posj_from, nullptr, nullptr, check_posj_values},
     {"posJ[]", "(p: posJ, i: int) -> double", "One joint value, SI.", "joints()[0]", posj_element},
+    {"posJ[]=", "(p: posJ, i: int, value: double) -> posJ", "One joint value changed, SI.",
+     "var q = joints(); q[0] = 0.5", posj_with<Stored::kNumber>},
+    {"posJ[]=", "(p: posJ, i: int, value: angle) -> posJ", "The value of a turning joint changed.",
+     "var q = joints(); q[0] = 30deg", posj_with<Stored::kAngle>},
+    {"posJ[]=", "(p: posJ, i: int, value: length) -> posJ", "The value of a sliding joint changed.",
+     "var q = joints(); q[2] = 30mm", posj_with<Stored::kLength>},
+    {"posC.x=", "(p: posC, value: length) -> posC", "The place along x changed.",
+     "var p = here(); p.x = 10mm", posc_with_place<0>},
+    {"posC.y=", "(p: posC, value: length) -> posC", "The place along y changed.",
+     "var p = here(); p.y = 10mm", posc_with_place<1>},
+    {"posC.z=", "(p: posC, value: length) -> posC", "The place along z changed.",
+     "var p = here(); p.z = 10mm", posc_with_place<2>},
+    {"posC.roll=", "(p: posC, value: angle) -> posC", "Refused: one angle alone.", "", nullptr,
+     nullptr, nullptr, refuse_one_angle},
+    {"posC.pitch=", "(p: posC, value: angle) -> posC", "Refused: one angle alone.", "", nullptr,
+     nullptr, nullptr, refuse_one_angle},
+    {"posC.yaw=", "(p: posC, value: angle) -> posC", "Refused: one angle alone.", "", nullptr,
+     nullptr, nullptr, refuse_one_angle},
     {"posJ.q", "(p: posJ) -> double[]", "All joint values, SI.", "joints().q", posj_values},
     {"posJ.length", "(p: posJ) -> int", "How many joint values there are.", "joints().length",
      posj_length},

@@ -155,13 +155,6 @@ bool Session::compile(std::string text, std::string name) {
   can_run_ = false;
   problems_.clear();
   const OneCompilation one_compilation(can_run_, cancelled_);
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    auto sources = std::make_shared<SourceSet>();
-    sources->add(std::move(name), std::move(text));
-    problems_.push_back({make_diagnostic("E0127", Span{}), sources});
-    compilation_ = {.program = nullptr, .sources = std::move(sources), .diagnostics = {}};
-    return false;
-  }
   const std::unique_ptr<Host> host = make_host(true);
   const bool world_is_well = problems_.empty();
   CompileOptions compile_options;

@@ -1,6 +1,9 @@
 // Compiler and machine: programs that the bytes generate pass the checker and end within their
 // limits.
 
+#include <cstdio>
+
+#include "armlet/interpreter/render.hpp"
 #include "random_program.hpp"
 #include "target.hpp"
 
@@ -12,6 +15,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Session session(fuzz::engine(), fuzz::small_session());
   const bool good = session.compile(program.text(), "fuzz.rbt");
   fuzz::show_all(session);
+  if (!good) {
+    std::fprintf(stderr, "%s\n", program.text().c_str());
+    for (const Problem& problem : session.problems())
+      std::fprintf(stderr, "%s\n", render_text(problem.diagnostic, *problem.sources).c_str());
+  }
   fuzz::demand(good, "a generated program passes the checker");
   const RunResult result = session.run();
   fuzz::demand(result.status != RunStatus::kCancelled,

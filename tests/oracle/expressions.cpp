@@ -105,7 +105,8 @@ Value Evaluator::evaluate_made(const Expr& e) {
     case ExprKind::kToText: {
       const auto& to = e.as<ToTextExpr>();
       return {show(evaluate(*to.value), *to.value->type,
-                   {to.digits, to.style, std::string(to.unit), to.factor})};
+                   {to.style.digits, to.style.notation, std::string(to.unit), to.factor,
+                    to.style.align, to.style.sign, to.style.zeros, to.style.width})};
     }
     case ExprKind::kError:
       return error(e.as<ErrorExpr>());

@@ -284,15 +284,21 @@ std::string RandomProgram::formatted(int depth) {
 }
 
 std::string RandomProgram::piece(int depth) {
-  static const std::vector<std::string> kNumber = {"", ":.2f", ":.3e", ":g", ":.0f", ":.4g", ":e"};
-  static const std::vector<std::string> kLength = {"", ":.1f mm", ": cm", ":.2f", ":.3g m"};
-  static const std::vector<std::string> kAngle = {"", ":.1f deg", ": rad", ":.0f"};
+  static const std::vector<std::string> kNumber = {"",       ":.2f", ":.3e",  ":g",      ":.0f",
+                                                   ":.4g",   ":e",   ":8.2f", ":+.1f",   ":<12",
+                                                   ":^9.3g", ":+",   ":05",   ":012.2f", ":>3"};
+  static const std::vector<std::string> kLength = {"",       ":.1f mm",   ": cm",     ":.2f",
+                                                   ":.3g m", ":12.2f mm", ":+.1f mm", ":<14"};
+  static const std::vector<std::string> kAngle = {"",     ":.1f deg",   ": rad",
+                                                  ":.0f", ":09.2f deg", ":^14"};
+  static const std::vector<std::string> kWord = {"", "", ":<8", ":>8", ":^7", ":12"};
   const Ty* type = one_in(4) ? storable() : scalar();
   const std::string value = expr(type, depth);
   const Ty* number = type->is(Sort::kList) ? type->element : type;
   if (number->is(Sort::kInt) || number->is(Sort::kReal)) return value + one_of(kNumber);
   if (type->is(Sort::kLength)) return value + one_of(kLength);
   if (type->is(Sort::kAngle)) return value + one_of(kAngle);
+  if (type->is(Sort::kText) || type->is(Sort::kBool)) return value + one_of(kWord);
   return value;
 }
 

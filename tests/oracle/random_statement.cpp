@@ -261,7 +261,10 @@ void RandomProgram::grid_assignment() {
   if (found == nullptr) return show();
   const std::string name = found->name;
   const Ty* type = found->type;
-  line(name + "[" + stretch() + "] = " + expr(type, 2));
+  // An end that the text tells, and a list that is written out, are compared before running.
+  const std::string end = one_in(2) ? "" : "counter % " + std::to_string(2 + below(6));
+  line(name + "[" + (one_in(2) ? "" : std::to_string(below(2))) + ":" + end +
+       "] = " + expr(type, 2));
 }
 
 // Two names for one storage, until one of them is changed.

@@ -15,8 +15,12 @@ struct Style {
   char letter = 0;
   std::string unit;
   double factor = 1.0;  // SI value of one unit
+  char align = 0;
+  bool sign = false;
+  bool zeros = false;
+  int width = 0;
 
-  [[nodiscard]] bool is_plain() const { return digits < 0 && letter == 0 && unit.empty(); }
+  [[nodiscard]] bool has_digits() const { return digits >= 0 || letter != 0; }
 };
 
 // A double as print shows it: "2.0", "0.1", "1e-07".

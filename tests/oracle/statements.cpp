@@ -245,8 +245,8 @@ Value& Evaluator::walk(const Place& place, const Indices& indices) {
   return *at;
 }
 
-// Indexes first, then the old value if it is needed, then the new one; then the place is sought
-// once more, because the new value may have changed what it is in.
+// Indexes first, then the right side, then the old value if it is needed: the right side may have
+// changed the place.
 void Evaluator::assign(const AssignStmt& s) {
   const Variable& variable = *s.place.variable;
   const bool is_first = s.place.steps.empty() && !s.compound && variable.init == nullptr;
@@ -254,9 +254,8 @@ void Evaluator::assign(const AssignStmt& s) {
   const Indices where = indices(s.place);
   Value value;
   if (s.compound) {
-    const Value old = walk(s.place, where);
     value = evaluate(*s.value);
-    value = calculate_at(s.op, old, value, s.span);
+    value = calculate_at(s.op, walk(s.place, where), value, s.span);
   } else {
     value = evaluate(*s.value);
   }

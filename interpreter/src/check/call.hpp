@@ -25,6 +25,15 @@ struct Target {
   Span call{};                  // kArgument, kSetting
 };
 
+// string(x), which the language offers itself.
+inline constexpr std::string_view kToText = "string";
+
+// A value and the bracket that stands behind it on another line.
+struct Joined {
+  Span value;
+  Span bracket;  // empty: on the same line
+};
+
 // One value handed to a call. Lambdas and names of functions wait for the type their parameter asks
 // for.
 struct Argument {

@@ -16,6 +16,10 @@ hir::Expr* Checker::number_as(hir::Expr* value, const Type* type) {
     const auto number = static_cast<double>(value->as<hir::IntExpr>().value);
     return make<hir::RealExpr>(hir::ExprKind::kReal, type, value->span, number);
   }
+  if (value->kind == hir::ExprKind::kBinary && value->as<hir::BinaryExpr>().op == hir::Op::kDivI) {
+    const auto& quotient = value->as<hir::BinaryExpr>();
+    advise_whole_quotient(value->span, quotient.left->span, quotient.right->span, "a whole number");
+  }
   const auto how =
       value->type->is(Kind::kInt) ? hir::Conversion::kIntToReal : hir::Conversion::kSame;
   return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span, how, value);

@@ -23,9 +23,12 @@ hir::Expr* Checker::check(const ast::Expr& expr, const Type* expected) {
     report(make_diagnostic("E0125", expr.span, {std::to_string(kDeepest) + " levels"}));
     return failed(expr.span);
   }
+  const Joined joined = joined_line(expr);
+  if (!joined.bracket.empty()) joined_.push_back(joined);
   ++depth_;
   hir::Expr* out = check_any(expr, expected);
   --depth_;
+  if (!joined.bracket.empty()) joined_.pop_back();
   return out;
 }
 
@@ -145,6 +148,7 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
     return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(constant->dim), name.span,
                                constant->value);
   }
+  if (hir::Expr* value = library_function_value(name, name.name, expected)) return value;
   const bool is_group = registry_.is_namespace(name.name) || name.name == "Math";
   const char* what = find_import(*this, name.name) != nullptr  ? "module"
                      : is_group                                ? "group of functions"

@@ -7,7 +7,7 @@ namespace armlet::lang {
 hir::Expr* Checker::to_text(hir::Expr* value) {
   if (value->type->is(Kind::kText) || value->type->is(Kind::kAny)) return value;
   return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value,
-                               std::int8_t{-1}, '\0', std::string_view{}, 1.0);
+                               TextStyle{}, std::string_view{}, 1.0);
 }
 
 hir::Expr* Checker::check_formatted(const ast::FormattedExpr& text) {
@@ -26,19 +26,23 @@ hir::Expr* Checker::check_formatted(const ast::FormattedExpr& text) {
 }
 
 hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
-  hir::Expr* value = check_value(*piece.value);
-  const ast::FormatSpec& format = piece.format;
+  return in_format(check_value(*piece.value), piece.format);
+}
+
+hir::Expr* Checker::in_format(hir::Expr* value, const ast::FormatSpec& format) {
   if (value->type->is(Kind::kAny)) return value;
-  if (format.digits < 0 && format.style == 0 && format.unit.empty()) return to_text(value);
+  if (format.style.is_plain() && format.unit.empty()) return to_text(value);
 
   const Type* number = value->type;
   while (number->is(Kind::kList)) number = number->element;
   if (number->is(Kind::kMatrix)) number = types_.real();
-  if (!number->is_number()) {
+  const bool only_width = !format.style.needs_number() && format.unit.empty();
+  const bool is_word =
+      value->type->is(Kind::kText) || value->type->is(Kind::kBool) || value->type->is(Kind::kEnum);
+  if (!number->is_number() && !(only_width && is_word)) {
     report(make_diagnostic("E0314", value->span, {type_phrase(value->type)}));
     return failed(value->span);
   }
-  if (value->type->is(Kind::kInt)) value = convert(value, types_.real());
   double factor = 1.0;
   if (!format.unit.empty()) {
     const auto unit = parse_unit(format.unit);
@@ -69,8 +73,7 @@ hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
     factor = unit->factor;
   }
   return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value,
-                               static_cast<std::int8_t>(format.digits), format.style,
-                               arena_.copy(format.unit), factor);
+                               format.style, arena_.copy(format.unit), factor);
 }
 
 }  // namespace armlet::lang

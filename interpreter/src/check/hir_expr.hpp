@@ -9,6 +9,7 @@
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/source.hpp"
 #include "armlet/interpreter/type.hpp"
+#include "types/text_style.hpp"
 
 namespace armlet::lang::hir {
 
@@ -260,8 +261,7 @@ struct ConcatExpr : Expr {
 };                          // all of them texts
 struct ToTextExpr : Expr {  // any value as print shows it, or in a format
   Expr* value;
-  std::int8_t digits;     // -1: not given
-  char style;             // 'f' 'e' 'g' or 0
+  TextStyle style;
   std::string_view unit;  // shown after the number; empty: chosen by size
   double factor;          // SI value of one such unit (when unit is given)
 };

@@ -72,7 +72,7 @@ hir::Expr* Checker::intrinsic(const ast::CallExpr& call, std::string_view name, 
   if (name == "error") return error_call(call);
   if (name == "int" || name == "long") return conversion_call(call, types_.integer(), name);
   if (name == "double" || name == "float") return conversion_call(call, types_.real(), name);
-  if (name == "string") {
+  if (name == kToText) {
     if (!takes(call, name, 1, 1)) return failed(call.span);
     return to_text(check_value(*call.args[0].value));
   }

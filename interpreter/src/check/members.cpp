@@ -59,6 +59,9 @@ hir::Expr* Checker::check_member(const ast::MemberExpr& member, const Type* expe
   const std::string name = dotted_name(*member.object);
   if (const Import* from = find_import(*this, name))
     return imported_member(*this, *from, member, expected);
+  if (const std::string function = library_function(member); !function.empty()) {
+    if (hir::Expr* value = library_function_value(member, function, expected)) return value;
+  }
   if (!name.empty()) {
     if (hir::Expr* value = check_type_member(member, name)) return value;
   }

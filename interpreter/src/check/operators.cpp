@@ -185,6 +185,18 @@ hir::Expr* Checker::combine(const ast::BinaryExpr& node, hir::Expr* left, hir::E
   return result != nullptr ? result : no_operator(node, *left, *right);
 }
 
+// A quotient of whole numbers, where a fraction was perhaps meant.
+void Checker::advise_whole_quotient(Span whole, Span left, Span right, const std::string& value) {
+  if (!takes_advice()) return;
+  Diagnostic advice = make_diagnostic("W0701", whole, {text_of(whole), value});
+  const std::string above = text_of(left);
+  const bool is_whole = is_decimal_number(above) && above.find_first_of(".eE") == std::string::npos;
+  const std::string written =
+      (is_whole ? above + ".0" : "double(" + above + ')') + " / " + as_operand(text_of(right));
+  advice.fix = Fix{.text = "write " + written, .edits = {{whole, written}}};
+  report(std::move(advice));
+}
+
 hir::Expr* Checker::arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right) {
   const OpPair ops = *arithmetic_op(node.op);
   const auto binary = [&](const Type* type, Op op, hir::Expr* a, hir::Expr* b) {
@@ -195,18 +207,9 @@ hir::Expr* Checker::arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir
     hir::Expr* result = binary(types_.integer(), ops.integer, left, right);
     if (node.op == BinaryOp::kDiv && is_int_literal(*left) && is_int_literal(*right)) {
       const std::int64_t by = right->as<hir::IntExpr>().value;
-      if (by != 0 && by != -1 && left->as<hir::IntExpr>().value % by != 0 && takes_advice()) {
-        Diagnostic advice = make_diagnostic(
-            "W0701", node.span,
-            {text_of(node.span), std::to_string(left->as<hir::IntExpr>().value / by)});
-        const std::string above = text_of(left->span);
-        const bool is_whole =
-            is_decimal_number(above) && above.find_first_of(".eE") == std::string::npos;
-        const std::string written = (is_whole ? above + ".0" : "double(" + above + ')') + " / " +
-                                    as_operand(text_of(right->span));
-        advice.fix = Fix{.text = "write " + written, .edits = {{node.span, written}}};
-        report(std::move(advice));
-      }
+      if (by != 0 && by != -1 && left->as<hir::IntExpr>().value % by != 0)
+        advise_whole_quotient(node.span, left->span, right->span,
+                              std::to_string(left->as<hir::IntExpr>().value / by));
     }
     return result;
   }
@@ -221,9 +224,14 @@ hir::Expr* Checker::arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir
     report(make_diagnostic("E0409", node.span));
     return failed(node.span);
   }
-  if (left->type->is(Kind::kInt)) left = convert(left, types_.real());
-  if (right->type->is(Kind::kInt)) right = convert(right, types_.real());
-  return binary(types_.quantity(*dim), ops.real, left, right);
+  // A whole number of pitches, (i / columns) * pitch, is meant as it is written.
+  const auto as_real = [&](hir::Expr* side, const hir::Expr& other) {
+    if (!side->type->is(Kind::kInt)) return side;
+    const bool counts = other.type->is_quantity() && side->kind == hir::ExprKind::kBinary;
+    return counts ? cast(side, types_.real(), side->span) : convert(side, types_.real());
+  };
+  hir::Expr* const a = as_real(left, *right);
+  return binary(types_.quantity(*dim), ops.real, a, as_real(right, *left));
 }
 
 hir::Expr* Checker::raise(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right) {

@@ -39,6 +39,16 @@ class ParameterNames {
   std::unordered_map<std::string_view, int> table_;
 };
 
+// Whether a call with so many values by position can fit.
+bool takes_values(const Signature& signature, std::size_t count) {
+  const auto& parameters = signature.parameters;
+  const std::size_t ambient = is_ambient_first(signature) ? 1 : 0;
+  std::size_t needed = 0;
+  for (const Parameter& parameter : parameters) needed += parameter.may_be_left_out() ? 0 : 1;
+  const bool any_number = !parameters.empty() && parameters.back().variadic;
+  return count + ambient >= needed && (any_number || count <= parameters.size());
+}
+
 auto rank(const Fit& fit) { return std::tuple(fit.cost, fit.generic, fit.ambient); }
 
 }  // namespace
@@ -105,6 +115,12 @@ bool Checker::fit_waiting(const ast::Expr& written, const TypePattern& pattern) 
   }
   if (written.kind == ast::ExprKind::kLambda)
     return written.as<ast::LambdaExpr>().params.size() == wanted;
+  if (const std::string name = library_function(written); !name.empty()) {
+    if (name == kToText) return wanted == 1;
+    return std::ranges::any_of(registry_.functions(name), [&](const NativeFunction* function) {
+      return takes_values(signature_of(*function), wanted);
+    });
+  }
   const FunctionDecl* function = find_function(written.as<ast::NameExpr>().name);
   return function != nullptr && function->node->params.size() == wanted;
 }

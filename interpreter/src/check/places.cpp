@@ -4,11 +4,13 @@
 
 #include "armlet/interpreter/later.hpp"
 #include "check/checker.hpp"
+#include "check/host_places.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
 #include "check/matrices.hpp"
 #include "check/tasks.hpp"
 #include "check/unknown_names.hpp"
+#include "compile/analysis.hpp"
 
 namespace armlet::lang {
 
@@ -237,6 +239,8 @@ hir::Stmt* Checker::check_assign(const ast::AssignStmt& assign) {
 
 hir::Stmt* Checker::assign_one(const ast::Expr& target, const ast::AssignStmt& assign) {
   if (is_part(target)) return assign_part(*this, target.as<ast::IndexExpr>(), assign);
+  if (is_host_part(*this, target))
+    return store_host_part(*this, target, check_value(*assign.value), assign);
   const auto place = check_place(target, assign.span, true);
   if (!place) {
     check(*assign.value);
@@ -250,23 +254,31 @@ hir::Stmt* Checker::assign_one(const ast::Expr& target, const ast::AssignStmt& a
 
 // a = b = e: e once, then from right to left.
 hir::Stmt* Checker::assign_many(const ast::AssignStmt& assign) {
-  std::vector<hir::Place> places;
+  std::vector<std::optional<hir::Place>> places;  // empty: a part of a host value
   for (const ast::Expr* target : assign.targets) {
-    const auto place = check_place(*target, assign.span, true);
-    if (!place) return nullptr;
-    places.push_back(*place);
+    places.push_back(is_host_part(*this, *target) ? std::nullopt
+                                                  : check_place(*target, assign.span, true));
+    if (!places.back() && !is_host_part(*this, *target)) return nullptr;
   }
-  hir::Expr* value = check_value(*assign.value, places.back().type);
+  const Type* last = places.back() ? places.back()->type : nullptr;
+  hir::Expr* value = check_value(*assign.value, last);
   if (value->type->is(Kind::kAny)) return nullptr;
-  if (value->kind == hir::ExprKind::kList) value = require(value, {.type = places.back().type});
+  if (value->kind == hir::ExprKind::kList && last != nullptr)
+    value = require(value, {.type = last});
   hir::Variable* once = hidden(value->type, assign.value->span);
   once->init = value;
   std::vector<hir::Stmt*> body = {
       make<hir::InitStmt>(hir::StmtKind::kInit, assign.span, once, value)};
-  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+  for (std::size_t i = places.size(); i-- > 0;) {
+    const std::optional<hir::Place>& place = places[i];
     hir::Expr* copy = is_zero(*value) ? value
                                       : make<hir::VariableExpr>(hir::ExprKind::kVariable,
                                                                 once->type, value->span, once);
+    if (!place) {
+      if (hir::Stmt* stored = store_host_part(*this, *assign.targets[i], copy, assign))
+        body.push_back(stored);
+      continue;
+    }
     copy = require(copy, {.type = place->type, .name = place->variable->name});
     if (place->steps.empty()) note_assigned(*here_, place->variable);
     body.push_back(make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, copy, false,
@@ -292,6 +304,7 @@ hir::Expr* Checker::read_place(const hir::Place& place) {
 hir::Stmt* Checker::assign_compound(const ast::AssignStmt& assign) {
   const ast::Expr& target = *assign.targets[0];
   if (is_part(target)) return assign_part(*this, target.as<ast::IndexExpr>(), assign);
+  if (is_host_part(*this, target)) return change_host_part(*this, target, assign);
   const auto place = check_place(target, assign.span, false);
   if (!place) {
     check(*assign.value);
@@ -306,6 +319,12 @@ hir::Stmt* Checker::assign_compound(const ast::AssignStmt& assign) {
     }
   }
   hir::Expr* value = check_value(*assign.value);
+  if (!numbers && !is_quiet(*value)) {
+    hir::Variable* once = hidden(value->type, value->span);
+    once->init = value;
+    before.push_back(make<hir::InitStmt>(hir::StmtKind::kInit, value->span, once, value));
+    value = make<hir::VariableExpr>(hir::ExprKind::kVariable, once->type, value->span, once);
+  }
   hir::Expr* old = read_place(*place);
   ast::BinaryExpr node{};
   node.kind = ast::ExprKind::kBinary;

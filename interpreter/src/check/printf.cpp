@@ -5,9 +5,9 @@
 namespace armlet::lang {
 namespace {
 
-// %[.digits]letter; letter is 0 where the text cannot be read.
+// %[-][+][0][width][.digits]letter; letter is 0 where the text cannot be read.
 struct Conversion {
-  int digits = -1;
+  TextStyle style;
   char letter = 0;
   std::size_t size = 0;  // characters after the %
 };
@@ -15,33 +15,60 @@ struct Conversion {
 Conversion read_conversion(std::string_view text) {
   Conversion out;
   std::size_t at = 0;
+  const auto number = [&] {
+    int value = 0;
+    for (; at < text.size() && text[at] >= '0' && text[at] <= '9' && value <= kMostWidth; ++at)
+      value = value * 10 + (text[at] - '0');
+    return value;
+  };
+  bool is_left = false;
+  for (; at < text.size() && std::string_view("-+0").find(text[at]) != std::string_view::npos;
+       ++at) {
+    is_left = is_left || text[at] == '-';
+    out.style.sign = out.style.sign || text[at] == '+';
+    out.style.zeros = out.style.zeros || text[at] == '0';
+  }
+  const int width = number();
+  int digits = -1;
   if (at < text.size() && text[at] == '.') {
-    out.digits = 0;
-    for (++at; at < text.size() && text[at] >= '0' && text[at] <= '9' && out.digits < 100; ++at)
-      out.digits = out.digits * 10 + (text[at] - '0');
+    ++at;
+    digits = number();
   }
   constexpr std::string_view kLetters = "dsbfegn%";
-  if (at < text.size() && kLetters.find(text[at]) != std::string_view::npos && out.digits < 100)
-    out.letter = text[at];
+  constexpr int kMostDigits = 99;
+  const bool has_letter = at < text.size() && kLetters.find(text[at]) != std::string_view::npos;
   out.size = at + 1;
+  if (!has_letter || width > kMostWidth || digits > kMostDigits) return out;
+  out.letter = text[at];
+  out.style.width = static_cast<std::uint16_t>(width);
+  out.style.digits = static_cast<std::int8_t>(digits);
+  // Java fills on the left, texts too.
+  out.style.align = width == 0 ? '\0' : is_left ? '<' : '>';
+  out.style.zeros = out.style.zeros && !is_left && width > 0;
   return out;
 }
 
 hir::Expr* convert_value(Checker& checker, const ast::Arg& arg, const Conversion& conversion,
                          int position) {
-  if (conversion.letter == 's' || conversion.letter == 'b')
-    return checker.to_text(checker.check_value(*arg.value));
-  if (conversion.letter == 'd') {
-    return checker.to_text(checker.check_as(*arg.value, {.role = Target::Role::kArgument,
+  ast::FormatPiece piece{arg.value, {}};
+  piece.format.style = conversion.style;
+  hir::Expr* value = conversion.letter == 'd'
+                         ? checker.check_as(*arg.value, {.role = Target::Role::kArgument,
                                                          .type = checker.types_.integer(),
                                                          .function = "printf",
-                                                         .position = position}));
+                                                         .position = position})
+                         : checker.check_value(*arg.value);
+  const bool is_text = conversion.letter == 's' || conversion.letter == 'b';
+  if (is_text) {
+    piece.format.style.zeros = piece.format.style.sign = false;
+    value = checker.to_text(value);
+  } else if (conversion.letter != 'd') {
+    constexpr int kJavaDigits = 6;
+    if (conversion.style.digits < 0) piece.format.style.digits = kJavaDigits;
+    piece.format.style.notation = conversion.letter;
   }
-  constexpr int kJavaDigits = 6;
-  ast::FormatPiece piece{arg.value, {}};
-  piece.format.digits = conversion.digits < 0 ? kJavaDigits : conversion.digits;
-  piece.format.style = conversion.letter;
-  return checker.formatted_piece(piece);
+  if (is_text || conversion.letter == 'd') piece.format.style.digits = -1;
+  return checker.in_format(value, piece.format);
 }
 
 void refuse(Checker& checker, Span span, std::string reason) {
@@ -72,7 +99,7 @@ std::optional<std::vector<hir::Expr*>> printf_parts(Checker& checker, const ast:
     if (text.empty()) break;
     const Conversion conversion = read_conversion(text.substr(1));
     if (conversion.letter == 0) {
-      refuse(checker, span, "after % comes d, s, b, f, .2f, e, g, n or %");
+      refuse(checker, span, "after % comes d, s, b, f, .2f, 8.2f, e, g, n or %");
       return std::nullopt;
     }
     text.remove_prefix(1 + conversion.size);

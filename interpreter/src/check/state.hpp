@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/call.hpp"
 #include "check/check.hpp"
 #include "check/scope.hpp"
 #include "types/signature.hpp"
@@ -138,6 +139,7 @@ struct CheckerState {
     Span value;
   } naming_;  // the declaration whose first value is being checked
   int errors_ = 0;
+  std::vector<Joined> joined_;  // around the expression that is checked
   bool syntax_failed_ = false;  // statements are missing, so unknown names prove nothing
   std::set<std::string, std::less<>> told_;  // unknown names; each is told of once
   std::map<std::string_view, Import> imports_;

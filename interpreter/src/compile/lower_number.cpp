@@ -6,11 +6,7 @@ namespace armlet::lang {
 
 using namespace hir;
 
-namespace {
-
-// The instruction of an operator on numbers; comparisons the wrong way round are turned by the
-// caller.
-OpCode instruction(Op op) {
+OpCode arithmetic_instruction(Op op) {
   switch (op) {
     case Op::kAddI:
       return OpCode::ADDI;
@@ -64,6 +60,8 @@ OpCode instruction(Op op) {
       return OpCode::NOT;
   }
 }
+
+namespace {
 
 bool is_arithmetic(Op op) { return op <= Op::kNegR; }
 bool is_number_comparison(Op op) { return op >= Op::kLtI && op <= Op::kNeR; }
@@ -206,7 +204,7 @@ void Lowering::load_variable(const Variable& variable, Reg to) {
 void Lowering::unary_into(const UnaryExpr& e, Dest to) {
   const Reg operand = value_near(*e.operand, to);
   code_.at(e.span, &e);
-  code_.emit(instruction(e.op), to.reg, operand);
+  code_.emit(arithmetic_instruction(e.op), to.reg, operand);
 }
 
 // A chain such as a + b * c - d is a loop from its innermost left operand on.
@@ -249,7 +247,7 @@ void Lowering::arithmetic(Site site, Op op, Reg left, const Expr& right, Reg to)
   }
   const Reg other = value(right);
   code_.at(site.span, site.expr);
-  code_.emit(instruction(op), to, left, other);
+  code_.emit(arithmetic_instruction(op), to, left, other);
 }
 
 bool Lowering::add_small(Site site, Op op, Reg left, const Expr& right, Reg to) {
@@ -390,7 +388,8 @@ void Lowering::truth_into(const Expr& e, Dest to) {
     const Reg right = value(*binary.right);
     const bool turned = is_turned(binary.op);
     code_.at(e.span, &e);
-    code_.emit(instruction(binary.op), to.reg, turned ? right : left, turned ? left : right);
+    code_.emit(arithmetic_instruction(binary.op), to.reg, turned ? right : left,
+               turned ? left : right);
     return;
   }
   const Label no = code_.label();

@@ -113,8 +113,15 @@ void Lowering::assign_compound(const AssignStmt& s) {
   } else {
     check_set(variable);
     const Reg old = code_.number();
-    load_variable(variable, old);
-    operate(s, old, old);
+    if (is_quiet(*s.value)) {
+      load_variable(variable, old);
+      operate(s, old, old);
+    } else {
+      const Reg added = value(*s.value);
+      load_variable(variable, old);
+      code_.at(s.span);
+      code_.emit(arithmetic_instruction(s.op), old, old, added);
+    }
     store_register(variable, old);
   }
   code_.release(mark);
@@ -142,10 +149,17 @@ void Lowering::assign_inside(const AssignStmt& s) {
   } else if (!s.compound) {
     store_inside(s.place, indices, value(*s.value));
   } else if (!add_product_inside(s, indices)) {
-    // The old value is read first; a call in s.value may change it.
     const Reg now = code_.number();
-    load_place(s.place, indices, now);
-    operate(s, now, now);
+    if (is_quiet(*s.value)) {
+      load_place(s.place, indices, now);
+      operate(s, now, now);
+    } else {
+      // A call may change the place or pause: the old value is read behind it.
+      const Reg added = value(*s.value);
+      load_place(s.place, indices, now);
+      code_.at(s.span);
+      code_.emit(arithmetic_instruction(s.op), now, now, added);
+    }
     store_inside(s.place, indices, now);
   }
   code_.release(mark);

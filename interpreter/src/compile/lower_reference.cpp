@@ -12,7 +12,7 @@ namespace {
 
 // print(x) of a text is the text.
 bool is_text_already(const ToTextExpr& e) {
-  return e.value->type->is(Kind::kText) && e.digits < 0 && e.style == 0 && e.unit.empty();
+  return e.value->type->is(Kind::kText) && e.style.is_plain() && e.unit.empty();
 }
 
 // A text that is known.
@@ -383,7 +383,7 @@ void Lowering::to_text(const ToTextExpr& e, Reg to) {
   const bool reference = e.value->type->is_reference();
   const Reg from = reference ? borrow(*e.value, Hold::kNow) : value(*e.value);
   const std::uint32_t format = tables_.format(
-      {e.value->type, e.digits, e.style, std::string(e.unit), e.unit.empty() ? 1.0 : e.factor});
+      {e.value->type, e.style, std::string(e.unit), e.unit.empty() ? 1.0 : e.factor});
   code_.at(e.span, &e);
   code_.push(OpCode::TOTEXT, to.bits, from.bits, format);
 }

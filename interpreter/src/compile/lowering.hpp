@@ -43,6 +43,10 @@ enum class Hold : std::uint8_t {
 // a * b of doubles, not known before running.
 [[nodiscard]] bool is_product(const hir::Expr& e);
 
+// The instruction of an operator on numbers; comparisons the wrong way round are turned by the
+// caller.
+[[nodiscard]] OpCode arithmetic_instruction(hir::Op op);
+
 class Lowering {
  public:
   Lowering(Tables& tables, const hir::Function& function, LowerOptions options);

@@ -12,6 +12,7 @@
 #include "armlet/interpreter/type.hpp"
 #include "check/hir.hpp"
 #include "syntax/arena.hpp"
+#include "types/text_style.hpp"
 
 namespace armlet::lang {
 
@@ -95,8 +96,7 @@ struct FunctionCode {
 
 struct Format {
   const Type* type;
-  std::int8_t digits;
-  char style;
+  TextStyle style;
   std::string unit;
   double factor;
 };

@@ -48,8 +48,8 @@ std::uint32_t Tables::layout(const Type* record) {
 }
 
 std::uint32_t Tables::format(const Format& format) {
-  const auto [known, is_new] = formats_.try_emplace(
-      FormatKey{format.type, format.digits, format.style, format.unit, format.factor});
+  const auto [known, is_new] =
+      formats_.try_emplace(FormatKey{format.type, format.style, format.unit, format.factor});
   if (is_new) known->second = append(program_.formats, format, "formats");
   return known->second;
 }

@@ -29,7 +29,7 @@ class Tables {
   [[nodiscard]] CompiledProgram& program() { return program_; }
 
  private:
-  using FormatKey = std::tuple<const Type*, int, char, std::string, double>;
+  using FormatKey = std::tuple<const Type*, TextStyle, std::string, double>;
 
   CompiledProgram& program_;
   std::map<const NativeFunction*, std::uint32_t> natives_;

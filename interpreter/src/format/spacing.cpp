@@ -21,7 +21,8 @@ bool is_quantity(std::string_view text) {
 // Rules whose tokens all touch: pal.Pallet, force/length^2, double[], 1:4.
 bool is_tight(Rule rule) {
   return rule == Rule::kTypeName || rule == Rule::kDimType || rule == Rule::kDimFactor ||
-         rule == Rule::kType || rule == Rule::kIndexItem || rule == Rule::kNewDim;
+         rule == Rule::kInParens || rule == Rule::kType || rule == Rule::kIndexItem ||
+         rule == Rule::kNewDim;
 }
 
 }  // namespace

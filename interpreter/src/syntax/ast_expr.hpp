@@ -8,6 +8,7 @@
 
 #include "armlet/interpreter/source.hpp"
 #include "armlet/interpreter/unit.hpp"
+#include "types/text_style.hpp"
 
 namespace armlet::lang::ast {
 
@@ -134,8 +135,7 @@ struct BoolExpr : Expr {
 
 // f"a {x:.1f mm} b": texts has one more element than pieces.
 struct FormatSpec {
-  int digits = -1;        // -1: not given
-  char style = 0;         // 'f', 'e', 'g' or 0
+  TextStyle style;
   std::string_view unit;  // as written, may be empty
   Span span;              // of the text after the colon; empty if there is none
 };

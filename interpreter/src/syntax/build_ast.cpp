@@ -189,7 +189,8 @@ ast::Stmt* AstBuilder::assignment(RbtParser::ExprStmtContext* ctx) {
     out->op = type == RbtParser::PLUSEQ    ? ast::BinaryOp::kAdd
               : type == RbtParser::MINUSEQ ? ast::BinaryOp::kSub
               : type == RbtParser::STAREQ  ? ast::BinaryOp::kMul
-                                           : ast::BinaryOp::kDiv;
+              : type == RbtParser::SLASHEQ ? ast::BinaryOp::kDiv
+                                           : ast::BinaryOp::kMod;
     out->op_span = token_span(op->start);
     values.push_back(expression(ctx->expression(1)));
   } else {

@@ -129,6 +129,7 @@ class AstBuilder {
   // build_types.cpp: types, parameters
   ast::TypeExpr* any_type(RbtParser::AnyTypeContext* ctx);
   ast::TypeExpr* dim_type(RbtParser::DimTypeContext* ctx);
+  ast::TypeExpr* type_in_parens(RbtParser::DimFactorContext* ctx);
   ast::TypeExpr* function_type(RbtParser::FnTypeContext* ctx);
   ast::TypeExpr* result_type(RbtParser::ResultTypeContext* ctx);
   ast::TypeExpr* type(RbtParser::TypeContext* ctx);

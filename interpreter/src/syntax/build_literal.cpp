@@ -101,6 +101,13 @@ ast::Expr* AstBuilder::whole_number(Span span) {
       std::from_chars(number.data(), number.data() + number.size(), value, hexadecimal ? 16 : 10);
   const bool too_large = read.ec != std::errc{};
   if (too_large) report(make_diagnostic("E0109", span, {std::string(text(span))}));
+  constexpr std::int64_t kFirstOfTwoDigits = 8;  // up to here octal numbers are the same
+  if (digits[0] == '0' && !hexadecimal && value >= kFirstOfTwoDigits) {
+    Diagnostic advice =
+        make_diagnostic("W0717", span, {std::string(text(span)), std::to_string(value)});
+    advice.fix = Fix{"write " + std::to_string(value), {{span, std::to_string(value)}}};
+    report(std::move(advice));
+  }
   return in_.arena.make<ast::IntExpr>(base(ast::ExprKind::kInt, span), too_large ? 0 : value,
                                       too_large);
 }
@@ -238,26 +245,42 @@ ast::FormatPiece AstBuilder::format_piece(Span piece) {
   return out;
 }
 
-// [.digits][f|e|g] and a unit, any of them.
+// [<^>][+][0][width][.digits][f|e|g] and a unit, any of them.
 ast::FormatSpec AstBuilder::format_spec(Span span) {
   ast::FormatSpec out;
   out.span = span;
   const std::string_view raw = text(span);
   std::size_t at = raw.find_first_not_of(" \t");
   if (at == std::string_view::npos) at = raw.size();
-  std::size_t end = raw.find_last_not_of(" \t") + 1;
+  const std::size_t end = raw.find_last_not_of(" \t") + 1;
   bool good = at < end;
-  if (good && raw[at] == '.') {
-    const std::size_t first = ++at;
-    while (at < end && is_digit(raw[at])) ++at;
-    good = at > first && at - first <= 2;
-    if (good) out.digits = std::stoi(std::string(raw.substr(first, at - first)));
-  }
-  const auto is_style = [&] {
-    if (at >= end || (raw[at] != 'f' && raw[at] != 'e' && raw[at] != 'g')) return false;
-    return out.digits >= 0 || at + 1 == end || is_blank(raw[at + 1]);
+  const auto take = [&](std::string_view signs) {
+    return at < end && signs.find(raw[at]) != std::string_view::npos ? raw[at++] : '\0';
   };
-  if (is_style()) out.style = raw[at++];
+  // A whole number below 10,000; -1 if none stands here.
+  const auto number = [&] {
+    const std::size_t first = at;
+    while (at < end && is_digit(raw[at])) ++at;
+    good = good && at - first <= 4;
+    return at == first || !good ? -1 : std::stoi(std::string(raw.substr(first, at - first)));
+  };
+  TextStyle& style = out.style;
+  style.align = take("<^>");
+  style.sign = take("+") != 0;
+  style.zeros = take("0") != 0;
+  const int width = number();
+  if (width > 0 && width <= kMostWidth) style.width = static_cast<std::uint16_t>(width);
+  good = good && width <= kMostWidth && (style.zeros ? style.align == 0 && width > 0 : true) &&
+         (style.align == 0 || width > 0);
+  if (take(".") != 0) {
+    const int digits = number();
+    good = good && digits >= 0 && digits <= 99;
+    if (good) style.digits = static_cast<std::int8_t>(digits);
+  }
+  const bool is_notation = at < end && (raw[at] == 'f' || raw[at] == 'e' || raw[at] == 'g') &&
+                           (style.digits >= 0 || style.width > 0 || style.sign || at + 1 == end ||
+                            is_blank(raw[at + 1]));
+  if (is_notation) style.notation = raw[at++];
   while (at < end && is_blank(raw[at])) ++at;
   out.unit = raw.substr(at, std::max(end, at) - at);
   good = good &&
@@ -265,8 +288,15 @@ ast::FormatSpec AstBuilder::format_spec(Span span) {
          (out.unit.empty() || !is_digit(out.unit.front())) &&
          out.unit.find_first_of(" \t.") == std::string_view::npos;
   if (!good) {
-    report(make_diagnostic("E0107", span, {'`' + std::string(raw) + "` is not a format"}));
+    Diagnostic message =
+        make_diagnostic("E0107", span, {'`' + std::string(raw) + "` is not a format"});
+    message.why =
+        width > kMostWidth
+            ? "a width is at most " + std::to_string(kMostWidth) + " characters"
+            : "a format is [< ^ >][+][0][width][.digits][f e g] and a unit, such as 8.2f mm";
+    report(std::move(message));
     out.unit = {};
+    out.style = {};
   }
   return out;
 }

@@ -61,12 +61,19 @@ ast::TypeExpr* AstBuilder::dim_type(RbtParser::DimTypeContext* ctx) {
       exponent *= digits.size() > 2 ? 99 : std::stoi(std::string(digits));
       if (factor->MINUS() != nullptr) exponent = -exponent;
     }
-    factors.push_back({type(factor->type()), exponent});
+    factors.push_back(
+        {factor->inParens() != nullptr ? type_in_parens(factor) : type(factor->type()), exponent});
   }
   if (factors.size() == 1 && factors.front().exponent == 1) return factors.front().type;
   ast::TypeExpr* out = type_expr(ast::TypeForm::kProduct, span_of(ctx));
   out->factors = in_.arena.copy(factors);
   return out;
+}
+
+// (fn(int) -> int)[]
+ast::TypeExpr* AstBuilder::type_in_parens(RbtParser::DimFactorContext* ctx) {
+  const Deeper deeper(*this, 1, span_of(ctx));
+  return array_of(any_type(ctx->inParens()->anyType()), ctx->LBRACK().size(), span_of(ctx));
 }
 
 ast::TypeExpr* AstBuilder::function_type(RbtParser::FnTypeContext* ctx) {

@@ -48,6 +48,25 @@ Answer doubled_sign(const FailureSite& site) {
   return std::nullopt;
 }
 
+// x << 3: a multiplication with 8.
+Answer shifted_bits(const FailureSite& site) {
+  for (const std::size_t first : {site.at, site.at - 1}) {
+    if (first > site.at || first <= site.statement || !site.touch(first, first + 1)) continue;
+    const std::uint16_t mark = site.type(first);
+    if ((mark != RbtLexer::LT && mark != RbtLexer::GT) || site.type(first + 1) != mark) continue;
+    const Span both = site.span(first, first + 1);
+    Diagnostic out = make_diagnostic("E0133", both, {site.text(first, first + 1)});
+    const std::string power = "2^" + site.text(first + 2);
+    const std::string sign = mark == RbtLexer::LT ? "* " : "/ ";
+    if (!site.inserted(first + 2) && FailureSite::starts_value(site.type(first + 2))) {
+      const Span place = site.span(first, first + 2);
+      out.fix = Fix{"write " + sign + power, {{place, sign + power}}, Confidence::kMaybe};
+    }
+    return out;
+  }
+  return std::nullopt;
+}
+
 // if (a => b)
 Answer arrow_compares(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
@@ -274,7 +293,7 @@ std::size_t end_of_python_function(const Source& source, const Tokens& tokens,
 
 std::optional<Diagnostic> explain_sign(const FailureSite& site) {
   for (const auto explain :
-       {doubled_sign, arrow_compares, lambda_without_fn, python_block, commas_in_loop,
+       {doubled_sign, shifted_bits, arrow_compares, lambda_without_fn, python_block, commas_in_loop,
         result_behind_colon, array_without_new, array_as_in_c, range_with_points, needless_then}) {
     if (Answer out = explain(site)) return out;
   }

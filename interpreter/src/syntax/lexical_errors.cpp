@@ -107,8 +107,6 @@ struct Replacement {
 };
 
 constexpr auto kReplacements = std::to_array<Replacement>({
-    {"&", "&&", "write && for \"and\""},
-    {"|", "||", "write || for \"or\""},
     {"#", "//", "a comment starts with //"},
     {"\u00D7", "*", "write *"},
     {"\u00B7", "*", "write *"},
@@ -254,6 +252,13 @@ Diagnostic bad_number(const Source& source, Span number) {
 Diagnostic bad_character(const Source& source, Span character) {
   const std::string_view text = source.slice(character);
   if (is_word_processor_quote(text)) return word_processor_quote(source, character);
+  if (text == "&" || text == "|") {
+    Diagnostic out = make_diagnostic("E0133", character, {std::string(text)});
+    const std::string twice = std::string(text) + std::string(text);
+    out.fix = fix("write " + twice + (text == "&" ? " for \"and\"" : " for \"or\""),
+                  {{character, twice}}, Confidence::kMaybe);
+    return out;
+  }
   Diagnostic out = make_diagnostic("E0104", character, {std::string(text)});
   const auto found = std::ranges::find(kReplacements, text, &Replacement::found);
   if (found != kReplacements.end()) {

@@ -38,7 +38,7 @@ bool continues_statement(std::uint16_t type) {
     case RbtLexer::AS:
       return true;
     default:
-      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::SLASHEQ) ||
+      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::PERCENTEQ) ||
              (type >= RbtLexer::EQ && type <= RbtLexer::OROR) ||
              (type >= RbtLexer::DOTSTAR && type <= RbtLexer::CARET);
   }

@@ -40,6 +40,7 @@ enum class Rule : std::uint8_t {
   kAnyType,
   kDimType,
   kDimFactor,
+  kInParens,
   kTypeName,
   kPrimType,
   kIfStmt,

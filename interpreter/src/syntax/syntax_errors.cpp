@@ -365,7 +365,7 @@ const char* wanted_after(std::uint16_t type) {
     case RbtLexer::NOT:
       return "a value";
     default:
-      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::SLASHEQ) || is_binary_operator(type)
+      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::PERCENTEQ) || is_binary_operator(type)
                  ? "a value"
                  : nullptr;
   }

@@ -37,12 +37,15 @@ constexpr UnitRow kRows[] = {
     {{"rev", dims::kAngle, 2 * kPi}, {2, 1, 0, 1}},
     {{"um", dims::kLength, 1e-6}, {1, 1, -6, 0}},
     {{"\u00B5m", dims::kLength, 1e-6}, {1, 1, -6, 0}},
+    {{"\u03BCm", dims::kLength, 1e-6}, {1, 1, -6, 0}},
     {{"mm", dims::kLength, 1e-3}, {1, 1, -3, 0}},
     {{"cm", dims::kLength, 1e-2}, {1, 1, -2, 0}},
     {{"dm", dims::kLength, 1e-1}, {1, 1, -1, 0}},
     {{"m", dims::kLength, 1}, {}},
     {{"inch", dims::kLength, 0.0254}, {254, 1, -4, 0}},
     {{"us", dims::kTime, 1e-6}, {1, 1, -6, 0}},
+    {{"\u00B5s", dims::kTime, 1e-6}, {1, 1, -6, 0}},
+    {{"\u03BCs", dims::kTime, 1e-6}, {1, 1, -6, 0}},
     {{"ms", dims::kTime, 1e-3}, {1, 1, -3, 0}},
     {{"s", dims::kTime, 1}, {}},
     {{"min", dims::kTime, 60}, {60, 1, 0, 0}},
@@ -94,6 +97,18 @@ constexpr NamedDim kDims[] = {
     {"pressure", kPressure, "a pressure", "Pa"},
     {"frequency", kFrequency, "a frequency", "Hz"},
     {"density", {-6, 2, 0, 0}, "a density", "kg/m^3"},
+};
+
+// Dimensions without a name of their own whose unit has a usual form.
+struct UsualUnit {
+  Dim dim;
+  std::string_view unit;
+};
+
+constexpr UsualUnit kUsualUnits[] = {
+    {{0, 2, -4, 0}, "N/m"},       {{4, 2, -4, -2}, "Nm/rad"}, {{0, 2, -2, 0}, "N*s/m"},
+    {{4, 2, -2, -2}, "Nm*s/rad"}, {{2, 2, -2, 0}, "N*s"},     {{4, 2, -2, 0}, "Nm*s"},
+    {{2, 2, -4, -2}, "N/rad"},    {{-4, 2, -4, 0}, "N/m^3"},
 };
 
 constexpr auto kDimNames = [] {
@@ -348,6 +363,9 @@ DisplayUnit display_unit(Dim dim, double si_value) {
   if (dim == dims::kMass && size < 1.0) return {"g", 1e-3};
   if (dim.is_none()) return {"", 1.0};
   if (const NamedDim* row = find_dim(dim)) return {std::string(row->si_unit), 1.0};
+  for (const UsualUnit& row : kUsualUnits) {
+    if (row.dim == dim) return {std::string(row.unit), 1.0};
+  }
   return {product_text(dim, {"m", "kg", "s", "rad"}), 1.0};
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 std::string formatted(double value, const Type* type, int digits, char style, const char* unit = "",
                       double factor = 1.0) {
-  return format_value(slot_of(value),
-                      Format{type, static_cast<std::int8_t>(digits), style, unit, factor});
+  const TextStyle how{.digits = static_cast<std::int8_t>(digits), .notation = style};
+  return format_value(slot_of(value), Format{type, how, unit, factor});
 }
 
 }  // namespace

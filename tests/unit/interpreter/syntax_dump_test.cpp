@@ -181,9 +181,9 @@ class TreeDump {
       const ast::FormatSpec& format = expr.pieces[i].format;
       add(" {");
       value(expr.pieces[i].value);
-      add("|", std::to_string(format.digits), "|",
-          format.style == 0 ? "-" : std::string(1, format.style), "|", format.unit, "} '",
-          expr.texts[i + 1], "'");
+      add("|", std::to_string(format.style.digits), "|",
+          format.style.notation == 0 ? "-" : std::string(1, format.style.notation), "|",
+          format.unit, "} '", expr.texts[i + 1], "'");
     }
     add(")");
   }

@@ -159,11 +159,11 @@ TEST_CASE("formatted texts have parts with spans in the program") {
   CHECK(text.texts[0] == "joint ");
   CHECK(text.texts[2] == " {x} ");
   CHECK(reading.slice(text.pieces[0].value->span) == "j + 1");
-  CHECK(text.pieces[0].format.digits == -1);
-  CHECK(text.pieces[1].format.digits == 1);
-  CHECK(text.pieces[1].format.style == 'f');
+  CHECK(text.pieces[0].format.style.digits == -1);
+  CHECK(text.pieces[1].format.style.digits == 1);
+  CHECK(text.pieces[1].format.style.notation == 'f');
   CHECK(text.pieces[1].format.unit == "deg");
-  CHECK(text.pieces[2].format.style == 'g');
+  CHECK(text.pieces[2].format.style.notation == 'g');
 }
 
 TEST_CASE("spans are bytes and positions are characters") {

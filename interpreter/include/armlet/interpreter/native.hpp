@@ -14,6 +14,7 @@
 //   posJ or a double[] may be declared as two overloads
 //
 // Names with a meaning of their own: "posC.x" is the field x of a posC; "posJ[]" indexing;
+// "posC.x=" and "posJ[]=" give the value that `p.x = v` and `q[i] = v` store, from the old one;
 // "operator*" and its like operators between host types or lists; "robot{}" what a block
 // declaration of type robot calls, whose parameter `name` receives the declared name, and a
 // parameter `joint: jointRow[]` the rows `joint revolute(...)`, each made by
