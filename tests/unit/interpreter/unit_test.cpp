@@ -152,7 +152,7 @@ TEST_CASE("dimensions have the names that programs use") {
   CHECK(dimension_phrase(dims::kAngle) == "an angle");
   CHECK(dimension_phrase(dims::kAccel) == "an acceleration");
   CHECK(dimension_phrase(dims::kNone) == "a plain number");
-  CHECK(dimension_phrase(*divide(dims::kForce, dims::kLength)) == "a value in kg/s^2");
+  CHECK(dimension_phrase(*divide(dims::kForce, dims::kLength)) == "a value in N/m");
   for (const std::string_view name : dimension_names()) CHECK(dimension_named(name));
   CHECK_FALSE(dimension_named("colour"));
 }
