@@ -93,7 +93,7 @@ Signal fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
     const Joint& joint = robot.joint(plan.outside->joint);
     Failure f = refusal(vm, call, "R0602");
     f.arguments = {std::to_string(plan.outside->joint + 1), std::string(joint_word(joint.kind)),
-                   format_joint_value(joint.kind, plan.outside->value),
+                   format_joint_value(joint.kind, plan.outside->value, plan.outside->limit),
                    format_joint_value(joint.kind, joint.lower),
                    format_joint_value(joint.kind, joint.upper)};
     f.why = "the way on which it would stop counts, so that it can always stop in time";

@@ -123,7 +123,7 @@ void say_joints(const Robot& robot, const IkDiagnosis& d, Failure& f) {
     const JointKind kind = robot.joint(v.joint).kind;
     f.why += fmt::format("{}joint {} would have to {} to {}, beyond its limit of {}",
                          f.why.empty() ? "" : ", and ", v.joint + 1, joint_word(kind),
-                         format_joint_value(kind, v.value), format_joint_value(kind, v.limit));
+                         format_joint_value(kind, v.value, v.limit), format_joint_value(kind, v.limit));
   }
   if (d.distance > 0.0) {
     f.why += fmt::format("; within the limits the hand gets to {}, {} away",
@@ -256,7 +256,7 @@ Failure outside_limits(Vm& vm, const MoveCall& call, const LimitViolation& outsi
   Failure f = start(vm, call, "R0602", call.target);
   f.moved.reset();
   f.arguments = {std::to_string(outside.joint + 1), std::string(joint_word(kind)),
-                 format_joint_value(kind, outside.value), format_joint_value(kind, joint.lower),
+                 format_joint_value(kind, outside.value, outside.limit), format_joint_value(kind, joint.lower),
                  format_joint_value(kind, joint.upper)};
   return f;
 }
@@ -293,7 +293,7 @@ Signal fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, do
   Failure f = start(vm, call, "R0634", call.target);
   f.arguments = {fmt::format("`{}` does not stand where the trajectory starts", f.robot)};
   f.why = fmt::format("it starts with joint {} at {}, and the joint is at {}", joint + 1,
-                      format_joint_value(kind, starts), format_joint_value(kind, stands));
+                      format_joint_value(kind, starts, stands), format_joint_value(kind, stands));
   f.fix = "go there first: moveJ({arg}.q(0s))";
   return fail(vm, std::move(f));
 }

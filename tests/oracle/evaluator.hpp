@@ -161,6 +161,7 @@ class Evaluator {
                          const std::vector<std::string>& words) const;
   [[noreturn]] void fail_index(std::int64_t index, std::size_t size, Span where,
                                const std::string& what = "list") const;
+  [[noreturn]] void fail_backwards(std::int64_t first, std::int64_t last, Span where) const;
   [[noreturn]] void fail_calculation(Trouble trouble, Span where, const Value* a,
                                      const Value* b) const;
   [[nodiscard]] Value calculate_at(lang::hir::Op op, const Value& a, const Value& b,

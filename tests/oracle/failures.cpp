@@ -42,6 +42,13 @@ void Evaluator::fail_index(std::int64_t index, std::size_t size, Span where,
   throw Failure{"R0606", message, "IndexError", where};
 }
 
+void Evaluator::fail_backwards(std::int64_t first, std::int64_t last, Span where) const {
+  throw Failure{"R0606",
+                "a part that starts at " + std::to_string(first) + " cannot end before " +
+                    std::to_string(last),
+                "IndexError", where};
+}
+
 void Evaluator::fail_calculation(Trouble trouble, Span where, const Value* a,
                                  const Value* b) const {
   switch (trouble) {

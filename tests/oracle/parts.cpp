@@ -50,9 +50,8 @@ Evaluator::Stretch Evaluator::stretch(const Ends& ends, std::size_t size, Span w
   const std::int64_t last =
       ends.last.absent() ? static_cast<std::int64_t>(size) : ends.last.integer();
   if (last < 0 || static_cast<std::size_t>(last) > size) fail_index(last, size + 1, where, what);
-  if (first < 0 || first > last) {
-    fail_index(first, static_cast<std::size_t>(last) + 1, where, what);
-  }
+  if (first > last) fail_backwards(first, last, where);
+  if (first < 0) fail_index(first, static_cast<std::size_t>(last) + 1, where, what);
   return {static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/function_names.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
 #include "check/printf.hpp"
@@ -11,28 +12,8 @@
 namespace armlet::lang {
 
 bool Checker::waits(const ast::Expr& expr) {
-  if (expr.kind == ast::ExprKind::kLambda || is_imported_function(*this, expr)) return true;
-  if (expr.kind == ast::ExprKind::kMember) return !library_function(expr).empty();
-  if (expr.kind != ast::ExprKind::kName) return false;
-  FunctionContext* where = nullptr;
-  const std::string_view name = expr.as<ast::NameExpr>().name;
-  return find_local(name, where) == nullptr &&
-         (find_function(name) != nullptr || !library_function(expr).empty());
-}
-
-// The function of the library that `expr` names, sqrt or Math.sqrt; empty if it names none.
-std::string Checker::library_function(const ast::Expr& expr) {
-  constexpr std::string_view kMath = "Math.";
-  std::string name = dotted_name(expr);
-  if (name == kToText) return name;
-  if (name.starts_with(kMath)) {
-    name.erase(0, kMath.size());
-  } else if (name.find('.') != std::string::npos || find_function(name) != nullptr ||
-             type_called(name) != nullptr) {
-    return {};
-  }
-  const bool is_one = registry_.constant(name) == nullptr && !registry_.functions(name).empty();
-  return is_one ? name : std::string();
+  return expr.kind == ast::ExprKind::kLambda || written_function(*this, expr) != nullptr ||
+         !library_function(*this, expr).empty();
 }
 
 // What a list written in a call is going to be, when all functions of the name agree on it.

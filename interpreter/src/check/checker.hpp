@@ -26,8 +26,6 @@ struct Checker : CheckerState {
 
   // ---- messages.cpp
   void report(Diagnostic diagnostic);
-  [[nodiscard]] Joined joined_line(const ast::Expr& expr) const;
-  void tell_of_joined_lines(Diagnostic& diagnostic) const;
   hir::Expr* failed(Span span);
   hir::Expr* not_available(Span span, std::string_view feature);
   // Something of the language that is checked but cannot run yet (E0199), reported once when all
@@ -73,15 +71,12 @@ struct Checker : CheckerState {
   hir::Expr* check_any(const ast::Expr& expr, const Type* expected);
   hir::Expr* check_literal(const ast::Expr& expr);
   hir::Expr* check_name(const ast::NameExpr& name, const Type* expected);
-  std::string lambda_around(std::string_view function);
   hir::Expr* read(Local& local, FunctionContext& where, Span span);
   hir::Expr* check_conditional(const ast::CondExpr& cond, const Type* expected);
   hir::Expr* check_list(const ast::Expr& expr, ast::Seq<ast::Expr*> items, const Type* expected);
   hir::Expr* check_new_array(const ast::NewArrayExpr& expr);
   hir::Expr* check_until(const ast::UntilExpr& until);
   hir::Expr* check_formatted(const ast::FormattedExpr& text);  // formatted.cpp
-  hir::Expr* formatted_piece(const ast::FormatPiece& piece);
-  void advise_whole_quotient(Span whole, Span left, Span right, const std::string& value);
   hir::Expr* in_format(hir::Expr* value, const ast::FormatSpec& format);
   hir::Expr* to_text(hir::Expr* value);
 
@@ -100,6 +95,7 @@ struct Checker : CheckerState {
   hir::Expr* check_binary(const ast::BinaryExpr& binary, const Type* expected);
   hir::Expr* combine(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   hir::Expr* arithmetic(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
+  void advise_whole_quotient(Span whole, Span left, Span right, const std::string& value);
   hir::Expr* raise(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
   const Type* power_of(const Type* quantity, const hir::Expr& exponent, Span whole);
   hir::Expr* raise_elements(const ast::BinaryExpr& node, hir::Expr* left, hir::Expr* right);
@@ -131,7 +127,6 @@ struct Checker : CheckerState {
   hir::Expr* check_new_object(const ast::NewObjectExpr& expr);
   std::vector<Argument> arguments_of(ast::Seq<ast::Arg> args, std::string_view callee);
   [[nodiscard]] bool waits(const ast::Expr& expr);
-  std::string library_function(const ast::Expr& expr);
   const Type* list_hint(std::string_view callee, const ast::Arg& arg, std::size_t position);
   // "System.out" for a chain of names that are no variables; empty otherwise.
   [[nodiscard]] std::string dotted_name(const ast::Expr& expr);
@@ -204,8 +199,6 @@ struct Checker : CheckerState {
   hir::Expr* function_value(FunctionDecl& function, const Type* expected, Span span);
   hir::Function* new_function(std::string_view name, Span span);
   Use& use_of(const hir::Function* function) { return uses_[function]; }
-  hir::Expr* library_function_value(const ast::Expr& written, std::string_view name,
-                                    const Type* expected);
   hir::Expr* check_lambda(const ast::LambdaExpr& lambda, const Type* expected);  // lambdas.cpp
   std::optional<std::vector<hir::Variable*>> lambda_parameters(const ast::LambdaExpr& lambda,
                                                                const Type* expected,

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/function_names.hpp"
 #include "check/imports.hpp"
+#include "check/joined_lines.hpp"
 #include "check/matrices.hpp"
 #include "check/tasks.hpp"
 #include "compile/cancelled.hpp"
@@ -23,7 +25,7 @@ hir::Expr* Checker::check(const ast::Expr& expr, const Type* expected) {
     report(make_diagnostic("E0125", expr.span, {std::to_string(kDeepest) + " levels"}));
     return failed(expr.span);
   }
-  const Joined joined = joined_line(expr);
+  const Joined joined = joined_line(*this, expr);
   if (!joined.bracket.empty()) joined_.push_back(joined);
   ++depth_;
   hir::Expr* out = check_any(expr, expected);
@@ -148,7 +150,7 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
     return make<hir::RealExpr>(hir::ExprKind::kReal, types_.quantity(constant->dim), name.span,
                                constant->value);
   }
-  if (hir::Expr* value = library_function_value(name, name.name, expected)) return value;
+  if (hir::Expr* value = library_function_value(*this, name, name.name, expected)) return value;
   const bool is_group = registry_.is_namespace(name.name) || name.name == "Math";
   const char* what = find_import(*this, name.name) != nullptr  ? "module"
                      : is_group                                ? "group of functions"
@@ -171,32 +173,12 @@ hir::Expr* Checker::check_name(const ast::NameExpr& name, const Type* expected) 
     const Span behind{name.span.end, name.span.end, name.span.source};
     diagnostic.fix =
         Fix{.text = "write " + std::string(name.name) + "()", .edits = {{behind, "()"}}};
-  } else if (const std::string lambda = lambda_around(name.name);
+  } else if (const std::string lambda = lambda_around(*this, name.name);
              !lambda.empty() && !(naming_.value == name.span)) {
     diagnostic.fix = Fix{.text = "write " + lambda, .edits = {{name.span, lambda}}};
   }
   report(std::move(diagnostic));
   return failed(name.span);
-}
-
-// fn(x, y) => hypot(x, y), with names that are not taken here; empty if the functions of this name
-// take different numbers of values.
-std::string Checker::lambda_around(std::string_view function) {
-  const auto known = registry_.functions(function);
-  if (known.empty()) return "";
-  std::size_t left = signature_of(*known[0]).parameters.size();
-  for (const NativeFunction* other : known) {
-    if (signature_of(*other).parameters.size() != left) return "";
-  }
-  std::string names;
-  for (char letter = 'a'; left > 0 && letter <= 'z'; ++letter) {
-    const std::string name(1, letter == 'a' ? 'x' : letter == 'x' ? 'a' : letter);
-    FunctionContext* where = nullptr;
-    if (find_local(name, where) != nullptr) continue;
-    names += (names.empty() ? "" : ", ") + name;
-    --left;
-  }
-  return "fn(" + names + ") => " + std::string(function) + '(' + names + ')';
 }
 
 hir::Expr* Checker::read(Local& local, FunctionContext& where, Span span) {

@@ -19,14 +19,10 @@ hir::Expr* Checker::check_formatted(const ast::FormattedExpr& text) {
   };
   for (std::size_t i = 0; i < text.pieces.size(); ++i) {
     add_text(text.texts[i]);
-    parts.push_back(formatted_piece(text.pieces[i]));
+    parts.push_back(in_format(check_value(*text.pieces[i].value), text.pieces[i].format));
   }
   add_text(text.texts.back());
   return make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), text.span, seq(parts));
-}
-
-hir::Expr* Checker::formatted_piece(const ast::FormatPiece& piece) {
-  return in_format(check_value(*piece.value), piece.format);
 }
 
 hir::Expr* Checker::in_format(hir::Expr* value, const ast::FormatSpec& format) {

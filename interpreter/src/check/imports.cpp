@@ -179,12 +179,12 @@ hir::Expr* call_imported(Checker& checker, const Import& from, const ast::CallEx
   return checker.call_value(imported_member(checker, from, member, nullptr), call);
 }
 
-bool is_imported_function(Checker& checker, const ast::Expr& expr) {
-  if (expr.kind != ast::ExprKind::kMember) return false;
+const FunctionDecl* imported_function(Checker& checker, const ast::Expr& expr) {
+  if (expr.kind != ast::ExprKind::kMember) return nullptr;
   const auto& member = expr.as<ast::MemberExpr>();
   const Import* from = find_import(checker, checker.dotted_name(*member.object));
-  return from != nullptr && from->file != nullptr && !is_private(member.member.text) &&
-         from->file->find_function(member.member.text) != nullptr;
+  if (from == nullptr || from->file == nullptr || is_private(member.member.text)) return nullptr;
+  return from->file->find_function(member.member.text);
 }
 
 const Type* declared_type(Checker& checker, std::string_view name) {

@@ -27,7 +27,7 @@ hir::Expr* imported_member(Checker& checker, const Import& from, const ast::Memb
 hir::Expr* call_imported(Checker& checker, const Import& from, const ast::CallExpr& call,
                          const ast::MemberExpr& member);
 // Whether `member` is the name of a function of an imported file.
-[[nodiscard]] bool is_imported_function(Checker& checker, const ast::Expr& member);
+[[nodiscard]] const FunctionDecl* imported_function(Checker& checker, const ast::Expr& member);
 // The struct or enum called `name` here: Side, or grip.Side of an imported file. null: none.
 [[nodiscard]] const Type* declared_type(Checker& checker, std::string_view name);
 // How a name is written that an imported file declares and this one does not; empty if there is

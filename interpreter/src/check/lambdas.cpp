@@ -74,8 +74,9 @@ std::optional<std::vector<hir::Variable*>> Checker::lambda_parameters(const ast:
     if (type == nullptr) {
       const std::string name(param.name.text);
       Diagnostic diagnostic = make_diagnostic("E0323", param.name.span, {'`' + name + '`'});
-      diagnostic.fix = Fix{.text = "write its type, such as " + name + ": double",
-                           .edits = {{param.name.span, name + ": double"}},
+      const std::string typed = name + ": " + likely_type_;
+      diagnostic.fix = Fix{.text = "write its type, such as " + typed,
+                           .edits = {{param.name.span, typed}},
                            .confidence = Confidence::kMaybe};
       report(std::move(diagnostic));
       return std::nullopt;
@@ -129,36 +130,6 @@ hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expe
   if (context.result->is(Kind::kAny)) return failed(lambda.span);
   return closure(context.function, context, types_.function(std::move(types), context.result),
                  lambda.span);
-}
-
-// `sqrt` where a function is expected: fn(x) => sqrt(x). Null if no function of the library has the
-// name, or no function type is expected.
-hir::Expr* Checker::library_function_value(const ast::Expr& written, std::string_view name,
-                                           const Type* expected) {
-  if (expected == nullptr || !expected->is(Kind::kFunction) ||
-      (registry_.functions(name).empty() && name != kToText))
-    return nullptr;
-  const std::size_t count = expected->parameters.size();
-  std::vector<ast::Param> params(count);
-  std::vector<ast::Arg> args(count);
-  const Span behind{written.span.end, written.span.end, written.span.source};
-  for (std::size_t i = 0; i < count; ++i) {
-    // No program can write this name, so that it hides nothing.
-    const ast::Name parameter{arena_.copy("value " + std::to_string(i + 1)), written.span};
-    params[i] = {
-        .name = parameter, .type = nullptr, .default_value = nullptr, .span = written.span};
-    args[i].value = arena_.make<ast::NameExpr>(
-        ast::Expr{.kind = ast::ExprKind::kName, .span = written.span}, parameter.text);
-  }
-  auto* call =
-      arena_.make<ast::CallExpr>(ast::Expr{.kind = ast::ExprKind::kCall, .span = written.span},
-                                 const_cast<ast::Expr*>(&written), arena_.copy(args), behind);
-  const ast::LambdaExpr lambda{{.kind = ast::ExprKind::kLambda, .span = written.span},
-                               arena_.copy(params),
-                               nullptr,
-                               nullptr,
-                               call};
-  return check_lambda(lambda, expected);
 }
 
 // The condition of until and wait until: a function without parameters that is called again and

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/function_names.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
 #include "check/matrices.hpp"
@@ -59,8 +60,8 @@ hir::Expr* Checker::check_member(const ast::MemberExpr& member, const Type* expe
   const std::string name = dotted_name(*member.object);
   if (const Import* from = find_import(*this, name))
     return imported_member(*this, *from, member, expected);
-  if (const std::string function = library_function(member); !function.empty()) {
-    if (hir::Expr* value = library_function_value(member, function, expected)) return value;
+  if (const std::string function = library_function(*this, member); !function.empty()) {
+    if (hir::Expr* value = library_function_value(*this, member, function, expected)) return value;
   }
   if (!name.empty()) {
     if (hir::Expr* value = check_type_member(member, name)) return value;

@@ -6,6 +6,7 @@
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/joined_lines.hpp"
 #include "check/matrices.hpp"
 #include "check/unknown_names.hpp"
 
@@ -34,39 +35,10 @@ void Checker::report(Diagnostic diagnostic) {
     diagnostic.related.push_back({root.instance->first_call, "called here with " + types});
   }
   if (is_error) {
-    tell_of_joined_lines(diagnostic);
+    tell_of_joined_lines(joined_, diagnostic);
     ++errors_;
   }
   sink_.report(std::move(diagnostic));
-}
-
-// A line that starts with ( or [ goes on with the value of the line above; empty otherwise.
-Joined Checker::joined_line(const ast::Expr& expr) const {
-  const ast::Expr* value = nullptr;
-  if (expr.kind == ast::ExprKind::kCall) value = expr.as<ast::CallExpr>().callee;
-  if (expr.kind == ast::ExprKind::kIndex) value = expr.as<ast::IndexExpr>().object;
-  if (value == nullptr) return {};
-  const std::string_view behind =
-      (*into_.sources)[expr.span.source].slice({value->span.end, expr.span.end, expr.span.source});
-  const std::size_t bracket = behind.find_first_not_of(" \t\r\n");
-  if (bracket == std::string_view::npos || (behind[bracket] != '(' && behind[bracket] != '[') ||
-      behind.substr(0, bracket).find('\n') == std::string_view::npos)
-    return {};
-  const auto begin = value->span.end + static_cast<std::uint32_t>(bracket);
-  return {value->span, {begin, begin + 1, expr.span.source}};
-}
-
-// A mistake that begins in such a line may come from it.
-void Checker::tell_of_joined_lines(Diagnostic& diagnostic) const {
-  if (joined_.empty() || diagnostic.fix) return;
-  const auto& [value, bracket] = joined_.back();
-  const Span mark = diagnostic.mark.span;
-  if (mark.source != value.source || mark.begin < value.begin || mark.begin > bracket.begin) return;
-  diagnostic.related.push_back({bracket, "this goes on with the value of the line above"});
-  const Span end{value.end, value.end, value.source};
-  diagnostic.fix = Fix{.text = "end the line above with ; if a new statement is meant",
-                       .edits = {{end, ";"}},
-                       .confidence = Confidence::kMaybe};
 }
 
 hir::Expr* Checker::failed(Span span) {
@@ -136,7 +108,7 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
   }
   std::vector<std::string_view> library = registry_.public_names();
   for (const std::string_view word : {"print", "error", "assert", "assertThrows", "push", "pop",
-                                      "insert", "removeAt", "length"}) {
+                                      "insert", "removeAt", "length", "string", "int", "double"}) {
     library.push_back(word);
   }
   for (const auto& [type, unused] : named_types_) library.push_back(type);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/function_names.hpp"
 #include "check/unknown_names.hpp"
 
 namespace armlet::lang {
@@ -122,8 +123,40 @@ std::string function_of(std::size_t values) {
 // How many values a lambda or a function of the text takes.
 std::size_t parameters_of(Checker& checker, const ast::Expr& function) {
   if (function.kind == ast::ExprKind::kLambda) return function.as<ast::LambdaExpr>().params.size();
-  const FunctionDecl* known = checker.find_function(function.as<ast::NameExpr>().name);
+  const FunctionDecl* known = written_function(checker, function);
   return known != nullptr ? known->node->params.size() : 0;
+}
+
+// fn(a, b) => a.n - b.n compares; here the order is that of one value of each element.
+void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagnostic& diagnostic) {
+  if (function.kind != ast::ExprKind::kLambda) return;
+  const auto& lambda = function.as<ast::LambdaExpr>();
+  if (lambda.params.size() != 2) return;
+  diagnostic.why = "the order is that of the value that the function gives for each element";
+  if (lambda.value == nullptr || lambda.value->kind != ast::ExprKind::kBinary) return;
+  using ast::BinaryOp;
+  const auto& compared = lambda.value->as<ast::BinaryExpr>();
+  const bool is_below = compared.op == BinaryOp::kSub || compared.op == BinaryOp::kLt ||
+                        compared.op == BinaryOp::kLe;
+  const bool is_above = compared.op == BinaryOp::kGt || compared.op == BinaryOp::kGe;
+  if (!is_below && !is_above) return;
+  const std::string left = checker.text_of(compared.left->span);
+  const std::string right = checker.text_of(compared.right->span);
+  const std::string first(lambda.params[0].name.text);
+  const std::string second(lambda.params[1].name.text);
+  const auto is_of = [](const std::string& text, const std::string& name) {
+    return text == name || text.starts_with(name + '.') || text.starts_with(name + '[');
+  };
+  const bool in_order = is_of(left, first) && is_of(right, second);
+  const bool turned = is_of(left, second) && is_of(right, first);
+  const std::string& name = in_order ? first : second;
+  const std::string rest = left.substr(std::min(left.size(), name.size()));
+  if ((!in_order && !turned) || right != (in_order ? second : first) + rest) return;
+  const bool descends = in_order == is_above;
+  const std::string key = "fn(" + name + ") => " + (descends ? "-" : "") + left;
+  diagnostic.fix = Fix{.text = "write " + key,
+                       .edits = {{function.span, key}},
+                       .confidence = Confidence::kMaybe};
 }
 
 }  // namespace
@@ -157,8 +190,11 @@ void Checker::report_argument(std::string_view name, const Signature& signature,
   }
   if (at.waits() && pattern.form == TypePattern::Form::kFunction) {
     const std::string given = function_of(parameters_of(*this, *at.written));
-    report(make_diagnostic("E0313", at.span(),
-                           {std::string(name), function_of(pattern.parts.size() - 1), given}));
+    Diagnostic diagnostic =
+        make_diagnostic("E0313", at.span(),
+                        {std::string(name), function_of(pattern.parts.size() - 1), given});
+    if (pattern.parts.size() == 2) key_for_comparison(*this, *at.written, diagnostic);
+    report(std::move(diagnostic));
     return;
   }
   const std::string need = pattern_name(pattern, fit.bindings, types_);

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "check/checker.hpp"
+#include "check/function_names.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -49,7 +50,9 @@ bool takes_values(const Signature& signature, std::size_t count) {
   return count + ambient >= needed && (any_number || count <= parameters.size());
 }
 
-auto rank(const Fit& fit) { return std::tuple(fit.cost, fit.generic, fit.ambient); }
+auto rank(const Fit& fit) {
+  return std::tuple(fit.cost, fit.generic, fit.ambient, fit.zero_quantities);
+}
 
 }  // namespace
 
@@ -115,13 +118,13 @@ bool Checker::fit_waiting(const ast::Expr& written, const TypePattern& pattern) 
   }
   if (written.kind == ast::ExprKind::kLambda)
     return written.as<ast::LambdaExpr>().params.size() == wanted;
-  if (const std::string name = library_function(written); !name.empty()) {
+  if (const std::string name = library_function(*this, written); !name.empty()) {
     if (name == kToText) return wanted == 1;
     return std::ranges::any_of(registry_.functions(name), [&](const NativeFunction* function) {
       return takes_values(signature_of(*function), wanted);
     });
   }
-  const FunctionDecl* function = find_function(written.as<ast::NameExpr>().name);
+  const FunctionDecl* function = written_function(*this, written);
   return function != nullptr && function->node->params.size() == wanted;
 }
 
@@ -147,6 +150,9 @@ void Checker::match_argument(const Signature& signature, const std::vector<Argum
     return;
   }
   ++fit.matched;
+  const Type* type = pattern.form == TypePattern::Form::kType ? pattern.type : nullptr;
+  if (!given.waits() && is_zero(*given.value) && type != nullptr && type->is_quantity())
+    ++fit.zero_quantities;
   fit.cost += cost;
   if (pattern.form != TypePattern::Form::kType || target.variadic) ++fit.generic;
 }

@@ -1,12 +1,27 @@
 // Calls of functions of the text, and values of struct types.
 
 #include <algorithm>
+#include <utility>
 
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
 #include "check/long_lists.hpp"
 
 namespace armlet::lang {
+namespace {
+
+// What a parameter of a lambda in this call most likely is: another value of the call, or an element
+// of one.
+std::string likely_type(const std::vector<Argument>& arguments) {
+  for (const Argument& argument : arguments) {
+    if (argument.waits() || argument.value->type->is(Kind::kAny)) continue;
+    const Type* type = argument.value->type;
+    return type_name(type->is(Kind::kList) ? type->element : type);
+  }
+  return "double";
+}
+
+}  // namespace
 
 std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view name,
                                                             ast::Seq<ast::Param> parameters,
@@ -55,7 +70,11 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
     } else {
       if (!argument->name.empty()) target.role = Target::Role::kSetting;
       target.position = static_cast<int>(argument - arguments.data()) + 1 - receiver;
-      if (argument->waits()) argument->value = check_value(*argument->written, type);
+      if (argument->waits()) {
+        const std::string before = std::exchange(likely_type_, likely_type(arguments));
+        argument->value = check_value(*argument->written, type);
+        likely_type_ = before;
+      }
       value = type != nullptr ? require(argument->value, target) : argument->value;
     }
     if (value->type->is(Kind::kAny)) return failed(span);

@@ -216,8 +216,7 @@ Reg Lowering::range_end(const Expr& e, const Summary& body) {
   return reg;
 }
 
-// A range by any step: up while below the end, down while above it. A step of zero is refused like
-// a division by zero.
+// A range by any step: up while below the end, down while above it. A step of zero is refused.
 void Lowering::count_by(const RangeStmt& s, Reg counter, Reg last, RangeStep step,
                         const Pass& pass) {
   const Label body = code_.label();
@@ -252,7 +251,7 @@ void Lowering::count_by(const RangeStmt& s, Reg counter, Reg last, RangeStep ste
   code_.jump(exit.leave);
   code_.bind(down);
   code_.at(s.step->span, s.step);
-  code_.emit(OpCode::DIVI, code_.number(), step.reg, step.reg);
+  code_.emit(OpCode::CHECKSTEP, step.reg);
   code_.at(s.span);
   code_.emit(OpCode::IFGTI, counter, last);
   code_.jump(body);

@@ -237,6 +237,22 @@ Answer assignment_as_value(const FailureSite& site) {
   return out;
 }
 
+// fn(x) => n += x
+Answer assignment_as_result(const FailureSite& site) {
+  const std::uint16_t mark = site.type(site.at);
+  const bool stores = mark == RbtLexer::ASSIGN ||
+                      (mark >= RbtLexer::PLUSEQ && mark <= RbtLexer::PERCENTEQ);
+  if (!stores || site.at == 0 || !FailureSite::ends_value(site.before())) return std::nullopt;
+  const std::size_t first = value_start(site, site.at - 1);
+  if (first <= site.statement || site.type(first - 1) != RbtLexer::FATARROW) return std::nullopt;
+  const std::optional<std::size_t> open = site.opener(first);
+  const std::size_t last = open ? std::max(site.closer(*open) - 1, site.at) : site.at;
+  Diagnostic out = make_diagnostic("E0115", site.span(first, last), {site.text(first, last)});
+  out.why = "a lambda gives a value, and cannot change a variable outside";
+  out.fix = Fix{"use a for loop, or fold to gather one value from a list", {}, Confidence::kMaybe};
+  return out;
+}
+
 // fn(x) => { ... }
 Answer block_after_arrow(const FailureSite& site) {
   if (site.at == 0 || site.type(site.at) != RbtLexer::LBRACE || site.before() != RbtLexer::FATARROW)
@@ -413,7 +429,7 @@ Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size
                            std::size_t at) {
   const FailureSite site(source, tokens, statement, at);
   for (const auto explain : {explain_sign, assignment_as_test, explain_habit, bare_condition,
-                             unbraced_body, step_as_value, assignment_as_value, block_after_arrow,
+                             unbraced_body, step_as_value, assignment_as_value, assignment_as_result, block_after_arrow,
                              orphan, word_as_name, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }

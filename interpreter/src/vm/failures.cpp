@@ -293,6 +293,12 @@ bool raise_division_by_zero(VmState& state) {
   return raise(state, "R0611", {running_text(state, "this")});
 }
 
+bool raise_endless_range(VmState& state) {
+  Diagnostic failure = start_failure(state, "R0609", {"", "", ""});
+  failure.message = "range with a step of 0 never ends";
+  return raise(state, std::move(failure));
+}
+
 namespace {
 
 bool is_axis(std::string_view what) { return what == "row" || what == "column"; }
@@ -371,6 +377,13 @@ bool raise_end(VmState& state, std::int64_t end, std::uint64_t most, std::uint64
                std::string_view what) {
   Diagnostic failure = index_failure(state, end, most, what);
   failure.mark.label = size_note(what, size);
+  return raise(state, std::move(failure));
+}
+
+bool raise_backwards(VmState& state, std::int64_t first, std::int64_t last) {
+  Diagnostic failure = start_failure(state, "R0606", {"", ""});
+  failure.message = "a part that starts at " + std::to_string(first) + " cannot end before " +
+                    std::to_string(last);
   return raise(state, std::move(failure));
 }
 

@@ -63,6 +63,9 @@ bool raise_end(VmState& state, std::int64_t end, std::uint64_t most, std::uint64
 bool raise_too_deep(VmState& state, const Callee& called, std::uint32_t limit);
 bool raise_overflow(VmState& state);
 bool raise_division_by_zero(VmState& state);
+bool raise_endless_range(VmState& state);
+// xs[first:last] with first > last.
+bool raise_backwards(VmState& state, std::int64_t first, std::int64_t last);
 bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note,
                      const TextObj* explanation, const Slot* base);
 // `thrown` is null when nothing was thrown.

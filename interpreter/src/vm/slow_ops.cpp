@@ -228,7 +228,8 @@ bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::strin
   const std::int64_t a = is_absent_scalar(ends[0]) ? 0 : ends[0].i;
   const std::int64_t b = is_absent_scalar(ends[1]) ? static_cast<std::int64_t>(size) : ends[1].i;
   if (b < 0 || static_cast<std::uint64_t>(b) > size) return raise_end(state, b, size, size, what);
-  if (a < 0 || a > b) return raise_end(state, a, static_cast<std::uint64_t>(b), size, what);
+  if (a > b) return raise_backwards(state, a, b);
+  if (a < 0) return raise_end(state, a, static_cast<std::uint64_t>(b), size, what);
   first = static_cast<std::uint32_t>(a);
   last = static_cast<std::uint32_t>(b);
   return true;

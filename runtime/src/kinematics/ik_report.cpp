@@ -38,8 +38,8 @@ std::string solver_line(const Robot& robot, const IkReport& report) {
 std::string beyond(const Robot& robot, const LimitViolation& v) {
   const JointKind kind = robot.joint(v.joint).kind;
   return fmt::format("joint {} would {} to {}, {} beyond its limit of {}", v.joint + 1,
-                     joint_word(kind), format_joint_value(kind, v.value),
-                     format_joint_value(kind, v.excess()), format_joint_value(kind, v.limit));
+                     joint_word(kind), format_joint_value(kind, v.value, v.limit),
+                     format_joint_value(kind, v.excess(), 0.0), format_joint_value(kind, v.limit));
 }
 
 std::string branch_line(const Robot& robot, const BranchReport& branch, bool taken) {
