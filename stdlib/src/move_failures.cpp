@@ -121,9 +121,10 @@ void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, F
 void say_joints(const Robot& robot, const IkDiagnosis& d, Failure& f) {
   for (const LimitViolation& v : d.violations) {
     const JointKind kind = robot.joint(v.joint).kind;
-    f.why += fmt::format("{}joint {} would have to {} to {}, beyond its limit of {}",
-                         f.why.empty() ? "" : ", and ", v.joint + 1, joint_word(kind),
-                         format_joint_value(kind, v.value, v.limit), format_joint_value(kind, v.limit));
+    f.why +=
+        fmt::format("{}joint {} would have to {} to {}, beyond its limit of {}",
+                    f.why.empty() ? "" : ", and ", v.joint + 1, joint_word(kind),
+                    format_joint_value(kind, v.value, v.limit), format_joint_value(kind, v.limit));
   }
   if (d.distance > 0.0) {
     f.why += fmt::format("; within the limits the hand gets to {}, {} away",
@@ -256,8 +257,8 @@ Failure outside_limits(Vm& vm, const MoveCall& call, const LimitViolation& outsi
   Failure f = start(vm, call, "R0602", call.target);
   f.moved.reset();
   f.arguments = {std::to_string(outside.joint + 1), std::string(joint_word(kind)),
-                 format_joint_value(kind, outside.value, outside.limit), format_joint_value(kind, joint.lower),
-                 format_joint_value(kind, joint.upper)};
+                 format_joint_value(kind, outside.value, outside.limit),
+                 format_joint_value(kind, joint.lower), format_joint_value(kind, joint.upper)};
   return f;
 }
 

@@ -200,8 +200,7 @@ Value Evaluator::slice(const SliceExpr& e) {
       e.last == nullptr ? static_cast<std::int64_t>(size) : evaluate(*e.last).integer();
   if (last < 0 || static_cast<std::size_t>(last) > size) fail_index(last, size + 1, e.span, what);
   if (first > last) fail_backwards(first, last, e.span);
-  if (first < 0)
-    fail_index(first, static_cast<std::size_t>(last) + 1, e.span, what);
+  if (first < 0) fail_index(first, static_cast<std::size_t>(last) + 1, e.span, what);
   if (is_text) {
     std::string part;
     for (std::int64_t i = first; i < last; ++i) part += letters[i];

@@ -105,7 +105,8 @@ Completion Evaluator::range(const RangeStmt& s) {
   const std::int64_t first = evaluate(*s.first).integer();
   const std::int64_t last = evaluate(*s.last).integer();
   const std::int64_t step = s.step == nullptr ? 1 : evaluate(*s.step).integer();
-  if (step == 0) throw Failure{"R0609", "range with a step of 0 never ends", "MathDomain", s.step->span};
+  if (step == 0)
+    throw Failure{"R0609", "range with a step of 0 never ends", "MathDomain", s.step->span};
   for (Wide i = first; step > 0 ? i < last : i > last; i += step) {
     declare(*s.variable, {static_cast<std::int64_t>(i)});
     Completion completion = execute(*s.body);

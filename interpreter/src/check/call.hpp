@@ -63,9 +63,9 @@ struct Fit {
   int cost = 0;
   int generic = 0;
   int zero_quantities = 0;  // literal zeros taken as quantities
-  bool ambient = false;   // the first parameter is the robot of the program
-  std::vector<int> from;  // per parameter: which argument, -1 none
-  std::vector<int> rest;  // arguments of the variadic parameter
+  bool ambient = false;     // the first parameter is the robot of the program
+  std::vector<int> from;    // per parameter: which argument, -1 none
+  std::vector<int> rest;    // arguments of the variadic parameter
   Bindings bindings;
 };
 

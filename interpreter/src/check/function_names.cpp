@@ -21,12 +21,13 @@ std::string library_function(Checker& checker, const ast::Expr& expr) {
              checker.type_called(name) != nullptr) {
     return {};
   }
-  const bool is_one = checker.registry_.constant(name) == nullptr && !checker.registry_.functions(name).empty();
+  const bool is_one =
+      checker.registry_.constant(name) == nullptr && !checker.registry_.functions(name).empty();
   return is_one ? name : std::string();
 }
 
-hir::Expr* library_function_value(Checker& checker, const ast::Expr& written,
-                                  std::string_view name, const Type* expected) {
+hir::Expr* library_function_value(Checker& checker, const ast::Expr& written, std::string_view name,
+                                  const Type* expected) {
   if (expected == nullptr || !expected->is(Kind::kFunction) ||
       (checker.registry_.functions(name).empty() && name != kToText))
     return nullptr;
@@ -42,9 +43,9 @@ hir::Expr* library_function_value(Checker& checker, const ast::Expr& written,
     args[i].value = checker.arena_.make<ast::NameExpr>(
         ast::Expr{.kind = ast::ExprKind::kName, .span = written.span}, parameter.text);
   }
-  auto* call =
-      checker.arena_.make<ast::CallExpr>(ast::Expr{.kind = ast::ExprKind::kCall, .span = written.span},
-                                 const_cast<ast::Expr*>(&written), checker.arena_.copy(args), behind);
+  auto* call = checker.arena_.make<ast::CallExpr>(
+      ast::Expr{.kind = ast::ExprKind::kCall, .span = written.span},
+      const_cast<ast::Expr*>(&written), checker.arena_.copy(args), behind);
   const ast::LambdaExpr lambda{{.kind = ast::ExprKind::kLambda, .span = written.span},
                                checker.arena_.copy(params),
                                nullptr,

@@ -11,8 +11,8 @@ namespace armlet::lang {
 [[nodiscard]] std::string library_function(Checker& checker, const ast::Expr& expr);
 // `sqrt` where a function is expected: fn(x) => sqrt(x). Null if no function of the library has the
 // name, or no function type is expected.
-hir::Expr* library_function_value(Checker& checker, const ast::Expr& written,
-                                  std::string_view name, const Type* expected);
+hir::Expr* library_function_value(Checker& checker, const ast::Expr& written, std::string_view name,
+                                  const Type* expected);
 // fn(x, y) => hypot(x, y), with names that are not taken here; empty if the functions of this name
 // take different numbers of values.
 [[nodiscard]] std::string lambda_around(Checker& checker, std::string_view function);

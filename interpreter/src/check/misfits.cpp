@@ -136,9 +136,9 @@ void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagn
   if (lambda.value == nullptr || lambda.value->kind != ast::ExprKind::kBinary) return;
   using ast::BinaryOp;
   const auto& compared = lambda.value->as<ast::BinaryExpr>();
-  const bool is_below = compared.op == BinaryOp::kSub || compared.op == BinaryOp::kLt ||
-                        compared.op == BinaryOp::kLe;
-  const bool is_above = compared.op == BinaryOp::kGt || compared.op == BinaryOp::kGe;
+  const bool is_below = compared.op == BinaryOp::kSub || compared.op == BinaryOp::kLess ||
+                        compared.op == BinaryOp::kLessEq;
+  const bool is_above = compared.op == BinaryOp::kGreater || compared.op == BinaryOp::kGreaterEq;
   if (!is_below && !is_above) return;
   const std::string left = checker.text_of(compared.left->span);
   const std::string right = checker.text_of(compared.right->span);
@@ -154,9 +154,8 @@ void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagn
   if ((!in_order && !turned) || right != (in_order ? second : first) + rest) return;
   const bool descends = in_order == is_above;
   const std::string key = "fn(" + name + ") => " + (descends ? "-" : "") + left;
-  diagnostic.fix = Fix{.text = "write " + key,
-                       .edits = {{function.span, key}},
-                       .confidence = Confidence::kMaybe};
+  diagnostic.fix = Fix{
+      .text = "write " + key, .edits = {{function.span, key}}, .confidence = Confidence::kMaybe};
 }
 
 }  // namespace
@@ -190,9 +189,8 @@ void Checker::report_argument(std::string_view name, const Signature& signature,
   }
   if (at.waits() && pattern.form == TypePattern::Form::kFunction) {
     const std::string given = function_of(parameters_of(*this, *at.written));
-    Diagnostic diagnostic =
-        make_diagnostic("E0313", at.span(),
-                        {std::string(name), function_of(pattern.parts.size() - 1), given});
+    Diagnostic diagnostic = make_diagnostic(
+        "E0313", at.span(), {std::string(name), function_of(pattern.parts.size() - 1), given});
     if (pattern.parts.size() == 2) key_for_comparison(*this, *at.written, diagnostic);
     report(std::move(diagnostic));
     return;

@@ -10,8 +10,8 @@
 namespace armlet::lang {
 namespace {
 
-// What a parameter of a lambda in this call most likely is: another value of the call, or an element
-// of one.
+// What a parameter of a lambda in this call most likely is: another value of the call, or an
+// element of one.
 std::string likely_type(const std::vector<Argument>& arguments) {
   for (const Argument& argument : arguments) {
     if (argument.waits() || argument.value->type->is(Kind::kAny)) continue;

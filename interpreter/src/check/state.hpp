@@ -140,8 +140,8 @@ struct CheckerState {
   } naming_;  // the declaration whose first value is being checked
   int errors_ = 0;
   std::string likely_type_ = "double";  // of a lambda's parameter without a type
-  std::vector<Joined> joined_;  // around the expression that is checked
-  bool syntax_failed_ = false;  // statements are missing, so unknown names prove nothing
+  std::vector<Joined> joined_;          // around the expression that is checked
+  bool syntax_failed_ = false;          // statements are missing, so unknown names prove nothing
   std::set<std::string, std::less<>> told_;  // unknown names; each is told of once
   std::map<std::string_view, Import> imports_;
   std::map<std::string_view, FunctionDecl> functions_;

@@ -240,8 +240,8 @@ Answer assignment_as_value(const FailureSite& site) {
 // fn(x) => n += x
 Answer assignment_as_result(const FailureSite& site) {
   const std::uint16_t mark = site.type(site.at);
-  const bool stores = mark == RbtLexer::ASSIGN ||
-                      (mark >= RbtLexer::PLUSEQ && mark <= RbtLexer::PERCENTEQ);
+  const bool stores =
+      mark == RbtLexer::ASSIGN || (mark >= RbtLexer::PLUSEQ && mark <= RbtLexer::PERCENTEQ);
   if (!stores || site.at == 0 || !FailureSite::ends_value(site.before())) return std::nullopt;
   const std::size_t first = value_start(site, site.at - 1);
   if (first <= site.statement || site.type(first - 1) != RbtLexer::FATARROW) return std::nullopt;
@@ -428,9 +428,10 @@ Diagnostic does_not_fit(const FailureSite& site) {
 Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size_t statement,
                            std::size_t at) {
   const FailureSite site(source, tokens, statement, at);
-  for (const auto explain : {explain_sign, assignment_as_test, explain_habit, bare_condition,
-                             unbraced_body, step_as_value, assignment_as_value, assignment_as_result, block_after_arrow,
-                             orphan, word_as_name, missing_separator, something_missing}) {
+  for (const auto explain :
+       {explain_sign, assignment_as_test, explain_habit, bare_condition, unbraced_body,
+        step_as_value, assignment_as_value, assignment_as_result, block_after_arrow, orphan,
+        word_as_name, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }
   return does_not_fit(site);

@@ -67,10 +67,10 @@ Eigen::VectorXd limit_margins(const Robot& robot, JointsIn q) {
 
 std::string describe(const Robot& robot, const LimitViolation& violation) {
   const Joint& joint = robot.joint(violation.joint);
-  return fmt::format("joint {} would {} to {}; its range is {} to {}", violation.joint + 1,
-                     joint_word(joint.kind), format_joint_value(joint.kind, violation.value, violation.limit),
-                     format_joint_value(joint.kind, joint.lower),
-                     format_joint_value(joint.kind, joint.upper));
+  return fmt::format(
+      "joint {} would {} to {}; its range is {} to {}", violation.joint + 1, joint_word(joint.kind),
+      format_joint_value(joint.kind, violation.value, violation.limit),
+      format_joint_value(joint.kind, joint.lower), format_joint_value(joint.kind, joint.upper));
 }
 
 }  // namespace armlet

@@ -146,7 +146,8 @@ void check_home(const RobotSpec& spec) {
     if (q >= joint.lower && q <= joint.upper) continue;
     fail(spec, "Joint", i,
          fmt::format("is at {} in the home position; its range is {} to {}",
-                     format_joint_value(joint.kind, q, q < joint.lower ? joint.lower : joint.upper), format_joint_value(joint.kind, joint.lower),
+                     format_joint_value(joint.kind, q, q < joint.lower ? joint.lower : joint.upper),
+                     format_joint_value(joint.kind, joint.lower),
                      format_joint_value(joint.kind, joint.upper)));
   }
 }

@@ -233,10 +233,11 @@ Trajectory Trajectory::then(const Trajectory& next) const {
     JointPath& path = joints[static_cast<size_t>(i)];
     const double there = next.value(i, 0.0);
     if (!(std::abs(there - path.q_end) <= 1e-9)) {
-      throw ArgumentError(fmt::format(
-          "Joint {} ends at {:.6g} and would go on from {:.6g}, {:.2g} away (SI); a motion continues where the one "
-          "before it ended.",
-          i + 1, path.q_end, there, std::abs(there - path.q_end)));
+      throw ArgumentError(
+          fmt::format("Joint {} ends at {:.6g} and would go on from {:.6g}, {:.2g} away (SI); a "
+                      "motion continues where the one "
+                      "before it ended.",
+                      i + 1, path.q_end, there, std::abs(there - path.q_end)));
     }
     if (!next.joint(i).segments.empty()) wait_until(path, duration_);
     for (Segment piece : next.joint(i).segments) {

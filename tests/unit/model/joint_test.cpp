@@ -16,6 +16,7 @@ TEST_CASE("a value beside another one has as many decimals as tell them apart") 
   CHECK(format_joint_value(JointKind::kRevolute, 140.03 * kDegree, 140.0 * kDegree) ==
         "140.03 deg");
   CHECK(format_joint_value(JointKind::kRevolute, 150.0 * kDegree, 140.0 * kDegree) == "150 deg");
-  CHECK(format_joint_value(JointKind::kRevolute, 1.0, 1.0) == format_joint_value(JointKind::kRevolute, 1.0));
+  CHECK(format_joint_value(JointKind::kRevolute, 1.0, 1.0) ==
+        format_joint_value(JointKind::kRevolute, 1.0));
   CHECK(format_joint_value(JointKind::kPrismatic, 0.1500004, 0.15) == "150.0004 mm");
 }
