@@ -173,9 +173,9 @@ doStmt : DO block WHILE LPAREN expression RPAREN ;
 // for (x in xs) print(x);
 forStmt : FOR LPAREN forHeader RPAREN stmt ;
 
-// int i = 0; i < n; i++
+// x in xs    (i, x in xs    int i = 0; i < n; i++)
 forHeader
-  : name IN expression
+  : name (COMMA name)? IN expression
   | FINAL? type name COLON expression
   | forInit? SEMI expression? SEMI forUpdate?
   ;

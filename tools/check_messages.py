@@ -16,7 +16,6 @@ ELSEWHERE = {
     "E0123": "tests/hostile.py",  # a script with an expectation in it is text
     "E0124": "tests/unit/interpreter/syntax_limits_test.cpp",  # too long for a script
     "E0126": "tests/hostile.py",  # there is no file
-    "E0127": "tests/hostile.py",  # a script with an expectation in it is not empty
     "E0198": None,  # a defect of Armlet, or no memory left
     "E0220": "tests/unit/interpreter/host_vocabulary_test.cpp",  # the command always supplies a robot
     "E0319": "tests/unit/interpreter/host_vocabulary_test.cpp",  # no functions of the library are a tie

@@ -672,9 +672,11 @@ public:
   public:
     ForHeaderContext(antlr4::ParserRuleContext *parent, size_t invokingState);
     virtual size_t getRuleIndex() const override;
-    NameContext *name();
+    std::vector<NameContext *> name();
+    NameContext* name(size_t i);
     antlr4::tree::TerminalNode *IN();
     ExpressionContext *expression();
+    antlr4::tree::TerminalNode *COMMA();
     TypeContext *type();
     antlr4::tree::TerminalNode *COLON();
     antlr4::tree::TerminalNode *FINAL();

@@ -24,19 +24,6 @@ bool count_characters(Vm& vm, std::string_view s, std::int64_t& count) {
   });
 }
 
-// Byte offset of character `index`, which the text has or which would follow its last one.
-bool find_character(Vm& vm, std::string_view s, std::int64_t index, std::size_t& at) {
-  at = s.size();
-  const auto look = [&](std::size_t begin, std::size_t end) {
-    const std::string_view block = s.substr(begin, end - begin);
-    const std::int64_t inside = characters(block);
-    if (inside > index) at = begin + offset_of(block, index);
-    index -= inside;
-    return at == s.size();
-  };
-  return in_blocks(vm, s.size(), 2, look) || at != s.size();
-}
-
 template <bool kUpper>
 Signal change_case(Vm& vm, Slot* args) {
   const std::string_view s = text_value(args[0]);
@@ -162,10 +149,9 @@ Signal equals(Vm& vm, Slot* args) {
 }
 
 Signal substring(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
   const std::int64_t a = args[1].i;
   std::int64_t count = 0;
-  if (!count_characters(vm, s, count)) return Signal::kFail;
+  if (!text_length(vm, args[0], count)) return Signal::kFail;
   const std::int64_t b = is_absent(args[2]) ? count : args[2].i;
   if (a >= 0 && a <= count && b < a) {
     return failure(vm, "R0606", fmt::format("the characters from {} to {} run backwards", a, b));
@@ -175,11 +161,7 @@ Signal substring(Vm& vm, Slot* args) {
         vm, "R0606",
         fmt::format("characters {} to {} are outside a text of {} characters", a, b, count));
   }
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  if (!find_character(vm, s, a, begin) || !find_character(vm, s.substr(begin), b - a, end))
-    return Signal::kFail;
-  return give_text(vm, args, s.substr(begin, end));
+  return give(args, new_text_part(vm, args[0], a, b));
 }
 
 Signal join(Vm& vm, Slot* args) {

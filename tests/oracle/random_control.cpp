@@ -89,12 +89,17 @@ void RandomProgram::ranged() {
 }
 
 void RandomProgram::visiting() {
-  const Ty* element = one_in(3) ? storable() : scalar();
-  const Ty* type = list_of(element);
+  const bool letters = one_in(8);
+  const Ty* element = letters ? text_ : one_in(3) ? storable() : scalar();
+  const Ty* type = letters ? text_ : list_of(element);
   const std::string name = fresh();
+  const std::string index = one_in(3) ? fresh() : "";
   const Var* found = find(type);
   const std::string items = found != nullptr && !one_in(3) ? found->name : expr(type, 2);
-  if (element->is(Sort::kReal) && one_in(3)) {
+  if (!index.empty()) {
+    open("for (" + index + ", " + name + " in " + items + ")");
+    vars_.push_back({index, int_, false});
+  } else if (element->is(Sort::kReal) && one_in(3)) {
     open("for (double " + name + " : " + items + ")");
   } else {
     open("for (" + name + " in " + items + ")");
@@ -104,6 +109,7 @@ void RandomProgram::visiting() {
   body(1 + static_cast<int>(below(2)));
   leaving();
   vars_.pop_back();
+  if (!index.empty()) vars_.pop_back();
   --loops_;
   close();
 }

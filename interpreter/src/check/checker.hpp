@@ -247,7 +247,6 @@ struct Checker : CheckerState {
   hir::Stmt* check_for_in(const ast::ForInStmt& stmt);
   hir::Stmt* check_range(const ast::ForInStmt& stmt, const ast::CallExpr& range);
   hir::Stmt* loop_body(const hir::Stmt* loop, const ast::Stmt& body, bool endless);
-  hir::Variable* loop_variable(const ast::ForInStmt& stmt, const Type* type);
   // switches.cpp
   hir::Stmt* check_switch(const ast::SwitchStmt& stmt);
   hir::Expr* case_test(hir::Variable* subject, const ast::Expr& value, std::set<std::string>& seen);

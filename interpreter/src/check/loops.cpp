@@ -13,6 +13,55 @@ bool is_always_true(const hir::Expr* condition) {
          (condition->kind == hir::ExprKind::kBool && condition->as<hir::BoolExpr>().value);
 }
 
+hir::Variable* loop_variable(Checker& checker, const ast::Name& name, const Type* type) {
+  checker.is_free(name);
+  hir::Variable* variable = checker.new_variable(name.text, type, name.span);
+  variable->fixed = true;
+  checker.add_local(variable, Declared::kLoop, name.span);
+  return variable;
+}
+
+// for (i, x in xs), for (c in text): a loop over the places of the value as it is at the start.
+hir::Stmt* loop_over_places(Checker& checker, const ast::ForInStmt& stmt, hir::Expr* items) {
+  const Span span = items->span;
+  const bool is_text = items->type->is(Kind::kText);
+  const Type* element = is_text ? items->type : items->type->element;
+  hir::Variable* all = checker.hidden(items->type, span);
+  all->init = items;
+  const auto read_all = [&] {
+    return checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, all->type, span, all);
+  };
+  auto* loop = checker.make<hir::RangeStmt>(hir::StmtKind::kRange, stmt.span, nullptr, nullptr,
+                                            nullptr, nullptr, nullptr);
+  loop->first = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types_.integer(), span,
+                                           std::int64_t{0});
+  loop->last = checker.make<hir::LengthExpr>(hir::ExprKind::kLength, checker.types_.integer(), span,
+                                             read_all());
+  checker.open_block();
+  loop->variable = stmt.index.text.empty()
+                       ? checker.hidden(checker.types_.integer(), stmt.name.span)
+                       : loop_variable(checker, stmt.index, checker.types_.integer());
+  hir::Expr* place = checker.make<hir::VariableExpr>(
+      hir::ExprKind::kVariable, checker.types_.integer(), stmt.name.span, loop->variable);
+  hir::Variable* variable = loop_variable(checker, stmt.name, element);
+  hir::Expr* value = nullptr;
+  if (is_text) {
+    value = checker.make<hir::CharacterExpr>(hir::ExprKind::kCharacter, element, span, read_all(),
+                                             place);
+  } else {
+    value =
+        checker.make<hir::ElementExpr>(hir::ExprKind::kElement, element, span, read_all(), place);
+  }
+  hir::Stmt* body = checker.loop_body(loop, *stmt.body, false);
+  const std::vector<hir::Stmt*> pass = {
+      checker.make<hir::InitStmt>(hir::StmtKind::kInit, stmt.name.span, variable, value), body};
+  loop->body = checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.body->span, checker.seq(pass));
+  checker.close_block();
+  const std::vector<hir::Stmt*> both = {
+      checker.make<hir::InitStmt>(hir::StmtKind::kInit, span, all, items), loop};
+  return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(both));
+}
+
 }  // namespace
 
 hir::Stmt* Checker::check_loop(const ast::Stmt& stmt) {
@@ -106,18 +155,10 @@ hir::Stmt* Checker::check_range(const ast::ForInStmt& stmt, const ast::CallExpr&
   loop->last = bounds.size() > 1 ? bounds[1] : bounds[0];
   loop->step = bounds.size() > 2 ? bounds[2] : nullptr;
   open_block();
-  loop->variable = loop_variable(stmt, types_.integer());
+  loop->variable = loop_variable(*this, stmt.name, types_.integer());
   loop->body = loop_body(loop, *stmt.body, false);
   close_block();
   return loop;
-}
-
-hir::Variable* Checker::loop_variable(const ast::ForInStmt& stmt, const Type* type) {
-  is_free(stmt.name);
-  hir::Variable* variable = new_variable(stmt.name.text, type, stmt.name.span);
-  variable->fixed = true;
-  add_local(variable, Declared::kLoop, stmt.name.span);
-  return variable;
 }
 
 hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
@@ -126,7 +167,7 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
     const bool plain = stmt.type == nullptr || resolve(*stmt.type)->is(Kind::kInt);
     const bool named =
         std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
-    if (plain && !named && dotted_name(*call.callee) == "range" &&
+    if (plain && !named && stmt.index.text.empty() && dotted_name(*call.callee) == "range" &&
         find_function("range") == nullptr && !call.args.empty() && call.args.size() <= 3) {
       return check_range(stmt, call);
     }
@@ -139,6 +180,8 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
                                    hir::Conversion::kMatrixToRows, items);
   }
   if (items->type->is_table()) items = rows_of(*this, items);
+  if (items->type->is(Kind::kText) && wanted == nullptr)
+    return loop_over_places(*this, stmt, items);
   if (!items->type->is(Kind::kList) && !items->type->is(Kind::kAny)) {
     Diagnostic diagnostic = make_diagnostic("E0331", items->span, {type_phrase(items->type)});
     if (items->type->is(Kind::kInt)) {
@@ -156,13 +199,16 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
   const bool known = items->type->is(Kind::kList) && !items->type->element->is(Kind::kAny);
   if (items->type->is(Kind::kList) && !known)
     report(make_diagnostic("E0323", items->span, {"this empty list"}));
+  if (known && !stmt.index.text.empty()) return loop_over_places(*this, stmt, items);
   auto* loop =
       make<hir::ForListStmt>(hir::StmtKind::kForList, stmt.span, nullptr, nullptr, nullptr);
   loop->items = items;
   open_block();
-  loop->variable = loop_variable(stmt, known               ? items->type->element
-                                       : wanted != nullptr ? wanted
-                                                           : types_.any());
+  if (!stmt.index.text.empty()) loop_variable(*this, stmt.index, types_.integer());
+  loop->variable = loop_variable(*this, stmt.name,
+                                 known               ? items->type->element
+                                 : wanted != nullptr ? wanted
+                                                     : types_.any());
   loop->body = loop_body(loop, *stmt.body, false);
   close_block();
   return loop;

@@ -81,6 +81,11 @@ std::string written_call(const lang::Registry& registry, const NativeFunction& f
   const std::string_view signature = function.signature;
   if (name.ends_with("()")) return {};
   if (name.starts_with("operator")) return operator_call(name.substr(8), signature);
+  if (name.ends_with('=')) {  // p.x = length, q[i] = angle
+    std::string place(name.substr(0, name.size() - 1));
+    if (place.ends_with("[]")) place.insert(place.size() - 1, "i");
+    return fmt::format("{} = {}", place, parameter_types(signature).back());
+  }
   if (name.ends_with("[]"))
     return fmt::format("{}[i]{}", name.substr(0, name.size() - 2), result_of(signature));
   if (name.ends_with("{}"))
@@ -103,6 +108,7 @@ std::string written_call(const lang::Registry& registry, const NativeFunction& f
 
 // The heading of an entry: "robot NAME { ... }" is found under robot, operators under their sign.
 std::string heading(std::string_view name) {
+  if (!name.starts_with("operator") && name.ends_with('=')) name.remove_suffix(1);
   if (name.starts_with("operator")) return std::string(name.substr(8));
   if (name.ends_with("[]") || name.ends_with("{}"))
     return std::string(name.substr(0, name.size() - 2));

@@ -139,7 +139,8 @@ struct DoStmt : Stmt {
   Block* body;
   Expr* condition;
 };
-struct ForInStmt : Stmt {  // for (x in xs), for (double x : xs)
+struct ForInStmt : Stmt {  // for (x in xs), for (i, x in xs), for (double x : xs)
+  Name index;              // empty: not asked for
   Name name;
   TypeExpr* type;  // null: inferred
   Expr* items;

@@ -271,9 +271,11 @@ ast::Stmt* AstBuilder::do_stmt(RbtParser::DoStmtContext* ctx) {
 
 ast::Stmt* AstBuilder::for_stmt(RbtParser::ForStmtContext* ctx) {
   RbtParser::ForHeaderContext* header = ctx->forHeader();
-  if (header->name() == nullptr) return counted_for(ctx);
+  const std::vector<RbtParser::NameContext*> names = header->name();
+  if (names.empty()) return counted_for(ctx);
   auto* out = fresh<ast::ForInStmt>(ast::StmtKind::kForIn, span_of(ctx));
-  out->name = name(header->name());
+  out->name = name(names.back());
+  if (names.size() == 2) out->index = name(names.front());
   if (header->type() != nullptr) out->type = type(header->type());
   out->items = expression(header->expression());
   out->body = body(ctx->stmt());

@@ -166,7 +166,7 @@ TextObj* Heap::new_text_buffer(std::size_t size) {
   text->size = static_cast<std::uint32_t>(size);
   text->capacity = text->size;
   text->characters = TextObj::kUncounted;
-  text->reserved = 0;
+  text->marks = 0;
   return text;
 }
 
@@ -278,6 +278,8 @@ Obj* Heap::bury_children(const Slot* slots, std::uint32_t count, Obj* waiting) {
 [[gnu::always_inline]] inline void Heap::free_object(Obj* object) {
   switch (object->kind) {
     case ObjKind::kText:
+      if (static_cast<TextObj*>(object)->marks != 0) [[unlikely]]
+        drop_marks(*static_cast<TextObj*>(object));
       return give_back(object, text_bytes(static_cast<TextObj*>(object)->capacity));
     case ObjKind::kList: {
       auto* list = static_cast<ListObj*>(object);

@@ -79,6 +79,20 @@ class Heap {
   [[nodiscard]] BoxObj* new_box(bool reference);          // holds zero
   [[nodiscard]] HostObj* new_host(const HostType& type);  // payload not constructed
 
+  // The byte offsets of every kMarked-th character of a text, which have `count` entries; null if
+  // there are none.
+  static constexpr std::uint32_t kMarked = 64;
+  [[nodiscard]] const std::uint32_t* marks_of(const TextObj& text) const {
+    return text.marks == 0 ? nullptr : marks_[text.marks - 1].offsets;
+  }
+  // A table for them, not set; null if the limit would be passed.
+  [[nodiscard]] std::uint32_t* make_marks(TextObj& text, std::uint32_t count);
+  // A text whose characters change forgets what was known of them.
+  void forget_characters(TextObj& text) {
+    text.characters = TextObj::kUncounted;
+    if (text.marks != 0) drop_marks(text);
+  }
+
   // Frees all dead objects that are still waiting.
   void drain();
 
@@ -118,6 +132,10 @@ class Heap {
   [[nodiscard]] std::uint64_t attempts() const { return attempts_; }
 
  private:
+  struct Marks {
+    std::uint32_t* offsets;
+    std::uint32_t count;
+  };
   struct FreeBlock {
     FreeBlock* next;
   };
@@ -149,6 +167,7 @@ class Heap {
   Obj* bury(Obj* object, Obj* waiting);
   Obj* bury_children(const Slot* slots, std::uint32_t count, Obj* waiting);
   void free_object(Obj* object);
+  void drop_marks(TextObj& text);
 
   FreeBlock* free_[kClasses] = {};
   Obj* dead_ = nullptr;  // waiting to be freed
@@ -162,6 +181,8 @@ class Heap {
   std::uint64_t refuse_from_ = 0;
   std::uint64_t refused_ = 0;
   std::uint64_t attempts_ = 0;
+  std::vector<Marks> marks_;
+  std::vector<std::uint32_t> free_marks_;  // entries without a table
 };
 
 // Elements and bytes that an object holds at most.
@@ -189,6 +210,10 @@ inline void retain_object(Obj* object) {
 
 // Code points in a text that have been counted already, or are now.
 [[nodiscard]] std::uint32_t character_count(TextObj& text);
+// Whether a code point begins with this byte of a text in UTF-8.
+[[nodiscard]] inline bool starts_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
 // Code points that begin in a piece of a text, and the byte at which one of these begins.
 [[nodiscard]] std::uint32_t characters_in(std::string_view piece);
 [[nodiscard]] std::uint32_t offset_in(std::string_view piece, std::uint32_t index);

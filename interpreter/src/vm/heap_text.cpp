@@ -6,6 +6,26 @@
 
 namespace armlet::lang {
 
+std::uint32_t* Heap::make_marks(TextObj& text, std::uint32_t count) {
+  auto* offsets = static_cast<std::uint32_t*>(take(std::size_t{count} * sizeof(std::uint32_t)));
+  if (offsets == nullptr) return nullptr;
+  if (free_marks_.empty()) {
+    marks_.push_back({});
+    free_marks_.push_back(static_cast<std::uint32_t>(marks_.size()));
+  }
+  text.marks = free_marks_.back();
+  free_marks_.pop_back();
+  marks_[text.marks - 1] = {offsets, count};
+  return offsets;
+}
+
+void Heap::drop_marks(TextObj& text) {
+  const Marks& marks = marks_[text.marks - 1];
+  give_back(marks.offsets, std::size_t{marks.count} * sizeof(std::uint32_t));
+  free_marks_.push_back(text.marks);
+  text.marks = 0;
+}
+
 bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
   auto* text = static_cast<TextObj*>(place.o);
   const std::uint64_t size = std::uint64_t{text->size} + tail.size;
@@ -31,7 +51,7 @@ bool append_text(Heap& heap, Slot& place, const TextObj& tail) {
   const char* from = doubles ? text->data() : tail.data();
   std::memmove(text->data() + text->size, from, size - text->size);
   text->size = static_cast<std::uint32_t>(size);
-  text->characters = TextObj::kUncounted;
+  heap.forget_characters(*text);
   return true;
 }
 
@@ -58,12 +78,8 @@ TextObj* append_bytes(Heap& heap, TextObj* text, std::string_view piece) {
   }
   if (!piece.empty()) std::memcpy(text->data() + text->size, piece.data(), piece.size());
   text->size = static_cast<std::uint32_t>(size);
-  text->characters = TextObj::kUncounted;
+  heap.forget_characters(*text);
   return text;
-}
-
-static bool starts_character(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
 
 std::uint32_t characters_in(std::string_view piece) {

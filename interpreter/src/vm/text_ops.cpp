@@ -48,34 +48,52 @@ bool count_characters(VmState& state, TextObj& text) {
   return true;
 }
 
-// Byte offset of character `index` <= the number of characters, looked for from one that is known.
+// Where every kMarked-th character of a counted text begins. False: the failure is set; a full heap
+// is none, and leaves the text without marks.
+static bool mark_characters(VmState& state, TextObj& text) {
+  if (text.marks != 0) return true;
+  const std::uint32_t count = text.characters / Heap::kMarked + 1;
+  std::uint32_t* marks = state.heap.make_marks(text, count);
+  if (marks == nullptr) return true;
+  std::uint32_t seen = 0;
+  const auto mark = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t at = begin; at < end; ++at) {
+      if (!starts_character(text.data()[at])) continue;
+      if (seen % Heap::kMarked == 0) marks[seen / Heap::kMarked] = static_cast<std::uint32_t>(at);
+      ++seen;
+    }
+  };
+  if (in_blocks(state.vm, text.size, 1, mark)) return true;
+  state.heap.forget_characters(text);
+  return false;
+}
+
+// Byte offset of character `index` <= the number of characters.
 static bool find_character(VmState& state, TextObj& text, std::uint32_t index,
-                           std::uint32_t from_index, std::uint32_t from, std::uint32_t& offset) {
-  if (text.characters == text.size) {
-    offset = index;
+                           std::uint32_t& offset) {
+  constexpr std::uint32_t kShort = 256;  // bytes, which are searched from the start
+  if (text.characters == text.size || index == text.characters) {
+    offset = text.characters == text.size ? index : text.size;
     return true;
   }
-  offset = text.size;
-  std::uint32_t left = index - from_index;
-  const auto search = [&](std::size_t begin, std::size_t end) {
-    const std::string_view block = text.view().substr(from + begin, end - begin);
-    const std::uint32_t inside = characters_in(block);
-    if (inside <= left) {
-      left -= inside;
-      return true;
-    }
-    offset = from + static_cast<std::uint32_t>(begin) + offset_in(block, left);
-    return false;
-  };
-  return in_blocks(state.vm, text.size - from, 1, search) || offset != text.size;
+  if (text.size > kShort && !mark_characters(state, text)) return false;
+  const std::uint32_t* marks = state.heap.marks_of(text);
+  const std::uint32_t from = marks == nullptr ? 0 : marks[index / Heap::kMarked];
+  const std::uint32_t left = marks == nullptr ? index : index % Heap::kMarked;
+  if (marks == nullptr && text.size > kShort && !charge_work(state.vm, text.size)) return false;
+  offset = from + offset_in(text.view().substr(from), left);
+  return true;
 }
 
 // A piece of a text whose characters have been counted; null: the failure is set.
 static Obj* part_of_text(VmState& state, TextObj& text, std::uint32_t first, std::uint32_t last) {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  if (!find_character(state, text, first, 0, 0, begin) ||
-      !find_character(state, text, last, first, begin, end)) {
+  if (!find_character(state, text, first, begin)) return nullptr;
+  if (last == first + 1 && begin < text.size) {
+    end = begin + 1;
+    while (end < text.size && !starts_character(text.data()[end])) ++end;
+  } else if (!find_character(state, text, last, end)) {
     return nullptr;
   }
   const auto byte = begin < text.size ? static_cast<unsigned char>(text.data()[begin]) : 0U;
@@ -148,7 +166,7 @@ bool op_concat(VmState& state, Slot* base, const Instr* pc) {
 static bool append_in_blocks(VmState& state, TextObj& text, const TextObj& tail) {
   const std::uint32_t before = text.size;
   const std::uint32_t more = tail.size;
-  text.characters = TextObj::kUncounted;
+  state.heap.forget_characters(text);
   return in_blocks(state.vm, more, 1, [&](std::size_t begin, std::size_t end) {
     std::memcpy(text.data() + before + begin, tail.data() + begin, end - begin);
     text.size = before + static_cast<std::uint32_t>(end);
@@ -186,3 +204,21 @@ bool append_slowly(VmState& state, Slot& place, const TextObj& tail) {
 }
 
 }  // namespace armlet::lang
+
+namespace armlet {
+
+bool text_length(Vm& vm, Slot text, std::int64_t& characters) {
+  auto& counted = *static_cast<TextObj*>(text.o);
+  if (!lang::count_characters(vm.state(), counted)) return false;
+  characters = counted.characters;
+  return true;
+}
+
+Obj* new_text_part(Vm& vm, Slot text, std::int64_t first, std::int64_t last) {
+  auto& counted = *static_cast<TextObj*>(text.o);
+  if (!lang::count_characters(vm.state(), counted)) return nullptr;
+  return lang::part_of_text(vm.state(), counted, static_cast<std::uint32_t>(first),
+                            static_cast<std::uint32_t>(last));
+}
+
+}  // namespace armlet

@@ -336,6 +336,8 @@ void TreeDump::loop(const ast::Stmt* stmt) {
       statement(stmt->as<ast::DoStmt>().body);
       return value(stmt->as<ast::DoStmt>().condition);
     case K::kForIn:
+      if (!stmt->as<ast::ForInStmt>().index.text.empty())
+        add(stmt->as<ast::ForInStmt>().index.text, ",");
       add(stmt->as<ast::ForInStmt>().name.text, ":");
       type(stmt->as<ast::ForInStmt>().type);
       value(stmt->as<ast::ForInStmt>().items);

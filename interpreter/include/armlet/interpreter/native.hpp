@@ -150,6 +150,11 @@ template <class T>
 // Objects are counted and limited; nullptr means that the heap limit was reached and the failure is
 // set in the Vm.
 [[nodiscard]] Obj* new_text(Vm& vm, std::string_view text);
+// How many characters a text has, counted once as work. False: the failure is set.
+[[nodiscard]] bool text_length(Vm& vm, Slot text, std::int64_t& characters);
+// Its characters from `first` up to but excluding `last`, which it has, in a time that does not
+// depend on where they stand; null: the failure is set.
+[[nodiscard]] Obj* new_text_part(Vm& vm, Slot text, std::int64_t first, std::int64_t last);
 [[nodiscard]] ListObj* new_list(Vm& vm, std::uint32_t size, bool references);  // elements zero
 [[nodiscard]] Obj* new_reals(Vm& vm, std::span<const double> values);
 [[nodiscard]] MatrixObj* new_matrix(Vm& vm, std::uint32_t rows, std::uint32_t cols);  // zero

@@ -50,7 +50,7 @@ struct TextObj : Obj {
   std::uint32_t size;        // bytes
   std::uint32_t capacity;    // bytes
   std::uint32_t characters;  // or kUncounted
-  std::uint32_t reserved;
+  std::uint32_t marks;       // which table of the heap finds its characters; 0: none yet
   [[nodiscard]] char* data() { return reinterpret_cast<char*>(this + 1); }
   [[nodiscard]] const char* data() const { return reinterpret_cast<const char*>(this + 1); }
   [[nodiscard]] std::string_view view() const { return {data(), size}; }
