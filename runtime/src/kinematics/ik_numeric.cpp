@@ -17,6 +17,8 @@ constexpr double kSmallestStep = 1e-9;  // rad or m; nothing more happens below 
 constexpr int kStall = 7;               // iterations without progress
 constexpr double kTinyStep = 1e-8;      // rad or m; what a linear model leaves out is below 1e-15
 
+constexpr double kSmallTurn = 2.0 - 1e-8;  // twice the cosine; below 1e-4 rad a sine has two terms
+
 constexpr std::uint64_t kIterationWork = 50;  // operations; few starts need all their iterations
 
 double length_of(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
@@ -25,18 +27,20 @@ double length_of(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] +
 
 IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
     : plan_(robot.walk_plan()),
+      pose_kernel_(kernel_for(kPoseKernels, robot.n())),
       kernel_(kernel_for(kPoseAndJacobianKernels, robot.n())),
+      iteration_kernel_(kernel_for(kIterationKernels, robot.n())),
       normal_kernel_(kernel_for(kNormalKernels, robot.n())),
       step_kernel_(kernel_for(kStepKernels, robot.n())),
       goal_(goal),
       n_(static_cast<std::size_t>(robot.n())),
       lower_(robot.lower().data()),
       upper_(robot.upper().data()),
-      selective_((goal.weights.array() != 1.0).any()) {}
+      selective_((goal.weights.array() != 1.0).any()),
+      plain_(!selective_ && !goal.in_tool_axes) {}
 
-// Half the sum of the cross products of the axes is the rotation vector but for its length; the
-// factor makes it exact at zero and good to half a percent up to a right angle.
-inline Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool) const {
+// As in the iteration's kernel, or exact.
+Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool, bool exact) const {
   double twice_cosine = -1.0;
   double w[3] = {};
 #pragma GCC unroll 3
@@ -48,40 +52,66 @@ inline Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool) cons
     w[1] += axis[2] * goal[0] - axis[0] * goal[2];
     w[2] += axis[0] * goal[1] - axis[1] * goal[0];
   }
-  if (exact_angle_ || twice_cosine < 0.0) {
-    const Eigen::Map<const Eigen::Matrix4d> T(T_world_tool);
-    return rotation_log(goal_.R * T.topLeftCorner<3, 3>().transpose());
+  if (twice_cosine < (exact ? kSmallTurn : 0.0)) {
+    far_rotation_error(T_world_tool, goal_.R.data(), w);
+    return {w[0], w[1], w[2]};
   }
-  const double factor = 1.0 / (1.28 + 0.36 * twice_cosine);
+  const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];  // of twice the sine
+  const double factor = exact ? 0.5 + square / 48.0 : 1.0 / (1.28 + 0.36 * twice_cosine);
   return {factor * w[0], factor * w[1], factor * w[2]};
 }
 
-// Two joints at a time, as the kernels read them.
-inline void IkSolver::move(JointArray& q, const Step& step, double scale) const {
-  for (std::size_t i = 0; i + 1 < n_; i += 2) {
-    store_pair(q.data() + i, load_pair(q.data() + i) + both(scale) * load_pair(step.data() + i));
+// At most the largest step; false if nothing more happens. Two joints at a time, as the kernels
+// read them.
+inline bool IkSolver::move(JointArray& q) const {
+  const Step& step = at_.step;
+  if (!(at_.largest >= kSmallestStep)) return false;
+  if (at_.largest > kLargestStep) {
+    const double scale = kLargestStep / at_.largest;
+    for (std::size_t i = 0; i < n_; ++i) q[i] += scale * step[i];
+    return true;
   }
-  if (n_ % 2 == 1) q[n_ - 1] += scale * step[n_ - 1];
+  for (std::size_t i = 0; i + 1 < n_; i += 2)
+    store_pair(q.data() + i, load_pair(q.data() + i) + load_pair(step.data() + i));
+  if (n_ % 2 == 1) q[n_ - 1] += step[n_ - 1];
+  return true;
 }
 
 double IkSolver::evaluate(const JointArray& q) {
   Eigen::Isometry3d T_world_tool;
-  kernel_(plan_, q.data(), J_.data()->data(), T_world_tool.data());
+  kernel_(plan_, q.data(), at_.J.data()->data(), T_world_tool.data());
   const double* T = T_world_tool.data();
-  const Eigen::Vector3d w = rotation_error(T);
+  const Eigen::Vector3d w = rotation_error(T, exact_angle_);
   // In pairs, because the normal equations read pairs: numbers written one by one would be waited
   // for.
-  store_pair(error_.data(), load_pair(goal_.p.data()) - load_pair(T + 12));
-  store_pair(error_.data() + 2, Lanes{goal_.p[2] - T[14], w[0]});
-  store_pair(error_.data() + 4, Lanes{w[1], w[2]});
+  store_pair(at_.error.data(), load_pair(goal_.p.data()) - load_pair(T + 12));
+  store_pair(at_.error.data() + 2, Lanes{goal_.p[2] - T[14], w[0]});
+  store_pair(at_.error.data() + 4, Lanes{w[1], w[2]});
   if (goal_.in_tool_axes) turn_rows(T_world_tool.linear().transpose());
   if (selective_)
     select_rows();
-  else
-    size_ = {length_of(error_.data()), length_of(error_.data() + 3)};
-  double energy = 0.0;
-  for (const double e : error_) energy += 0.5 * e * e;
-  return energy;
+  else {
+    at_.position = length_of(at_.error.data());
+    at_.rotation = length_of(at_.error.data() + 3);
+  }
+  at_.energy = 0.0;
+  for (const double e : at_.error) at_.energy += 0.5 * e * e;
+  return at_.energy;
+}
+
+double IkSolver::iterate(const JointArray& q, bool in_box) {
+  const bool on_bound = in_box && !is_inside(q);
+  if (plain_ && !on_bound) {
+    iteration_kernel_(plan_, q.data(), goal_.p.data(), goal_.R.data(), kDampingRatio, at_);
+    return at_.energy;
+  }
+  evaluate(q);
+  normal_equations();
+  const double damping = kDampingRatio * at_.energy;
+  at_.step = on_bound ? step_in_box(q, damping) : solve_step(damping);
+  at_.largest = 0.0;
+  for (std::size_t i = 0; i < n_; ++i) at_.largest = std::max(at_.largest, std::abs(at_.step[i]));
+  return at_.energy;
 }
 
 // The same rows in other axes.
@@ -90,8 +120,8 @@ void IkSolver::turn_rows(const Eigen::Matrix3d& R) {
     Eigen::Map<Vector6d> twist(rows.data());
     twist = rotate_twist(R, twist);
   };
-  turn(error_);
-  for (std::size_t i = 0; i < n_; ++i) turn(J_[i]);
+  turn(at_.error);
+  for (std::size_t i = 0; i < n_; ++i) turn(at_.J[i]);
 }
 
 // Leaves out rows that do not count and weighs the others.
@@ -99,35 +129,40 @@ void IkSolver::select_rows() {
   double position = 0.0, rotation = 0.0;
   for (std::size_t r = 0; r < 6; ++r) {
     const double weight = goal_.weights[static_cast<Eigen::Index>(r)];
-    if (weight != 0.0) (r < 3 ? position : rotation) += error_[r] * error_[r];
-    error_[r] *= weight;
-    for (std::size_t i = 0; i < n_; ++i) J_[i][r] *= weight;
+    if (weight != 0.0) (r < 3 ? position : rotation) += at_.error[r] * at_.error[r];
+    at_.error[r] *= weight;
+    for (std::size_t i = 0; i < n_; ++i) at_.J[i][r] *= weight;
   }
-  size_ = {std::sqrt(position), std::sqrt(rotation)};
+  at_.position = std::sqrt(position);
+  at_.rotation = std::sqrt(rotation);
 }
 
-bool IkSolver::converged() const { return goal_.is_met(size_); }
+bool IkSolver::converged() const { return goal_.is_met({at_.position, at_.rotation}); }
 
 IkError IkSolver::error_of(const JointArray& q) {
-  exact_angle_ = true;
-  evaluate(q);
-  exact_angle_ = false;
-  return size_;
+  Eigen::Isometry3d T_world_tool;
+  pose_kernel_(plan_, q.data(), T_world_tool.data());
+  Vector6d error;
+  error.head<3>() = goal_.p - T_world_tool.translation();
+  error.tail<3>() = rotation_error(T_world_tool.data(), true);
+  if (goal_.in_tool_axes) error = rotate_twist(T_world_tool.linear().transpose(), error);
+  if (selective_) error = (goal_.weights.array() != 0.0).select(error, 0.0);
+  return {length_of(error.data()), length_of(error.data() + 3)};
 }
 
 void IkSolver::normal_equations() {
-  normal_kernel_(static_cast<int>(n_), J_.data()->data(), error_.data(), normal_);
+  normal_kernel_(static_cast<int>(n_), at_.J.data()->data(), at_.error.data(), at_.normal);
 }
 
 IkSolver::Step IkSolver::solve_step(double damping) const {
   Step step;
-  step_kernel_(static_cast<int>(n_), normal_, damping, step.data());
+  step_kernel_(static_cast<int>(n_), at_.normal, damping, step.data());
   return step;
 }
 
 // Rows and columns of joints that may not move become those of the identity.
 IkSolver::Step IkSolver::solve_step(double damping, const Frozen& frozen) const {
-  NormalEquations free = normal_;
+  NormalEquations free = at_.normal;
   for (std::size_t i = 0; i < n_; ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (frozen[i] || frozen[k]) free.A[i][k] = 0.0;
@@ -154,7 +189,7 @@ IkSolver::Step IkSolver::step_in_box(const JointArray& q, double damping) const 
     }
     return more;
   };
-  freeze(normal_.b);
+  freeze(at_.normal.b);
   Step step = any ? solve_step(damping, frozen) : solve_step(damping);
   for (int pass = 0; pass < 3 && freeze(step.data()); ++pass) step = solve_step(damping, frozen);
   return step;
@@ -177,23 +212,24 @@ bool IkSolver::solve_free(JointArray& q, int iterations) {
   int stalled = 0;
   for (int it = 0; it < iterations; ++it) {
     ++iterations_used_;
-    const double energy = evaluate(q);
+    const double energy = iterate(q, false);
     if (converged()) {
-      polish(q, energy, false);
+      polish(q, false);
       return true;
     }
     stalled = energy < best ? 0 : stalled + 1;
     best = std::min(best, energy);
     if (stalled >= kStall) return false;
-    normal_equations();
-    const Step step = solve_step(kDampingRatio * energy);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(step[i]));
-    if (!(largest >= kSmallestStep)) return false;
-    const double scale = largest > kLargestStep ? kLargestStep / largest : 1.0;
-    move(q, step, scale);
+    if (!move(q)) return false;
   }
   return false;
+}
+
+bool IkSolver::is_inside(const JointArray& q) const {
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (q[i] <= lower_[i] || q[i] >= upper_[i]) return false;
+  }
+  return true;
 }
 
 bool IkSolver::solve_in_box(JointArray& q, int iterations) {
@@ -203,38 +239,30 @@ bool IkSolver::solve_in_box(JointArray& q, int iterations) {
   clamp(q);
   for (int it = 0; it < iterations; ++it) {
     ++iterations_used_;
-    const double energy = evaluate(q);
+    const double energy = iterate(q, true);
     if (converged()) {
-      polish(q, energy, true);
+      polish(q, true);
       return true;
     }
     stalled = energy < best ? 0 : stalled + 1;
     best = std::min(best, energy);
     if (stalled >= kStall) return false;
-    normal_equations();
-    const Step step = step_in_box(q, kDampingRatio * energy);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(step[i]));
-    if (!(largest >= kSmallestStep)) return false;
-    const double scale = largest > kLargestStep ? kLargestStep / largest : 1.0;
-    move(q, step, scale);
+    if (!move(q)) return false;
     clamp(q);
   }
   return false;
 }
 
 // A few more steps while each halves the error at least; at a regular goal one is enough.
-void IkSolver::polish(JointArray& q, double energy, bool in_box) {
+void IkSolver::polish(JointArray& q, bool in_box) {
+  double energy = at_.energy;
   for (int it = 0; it < 6 && energy > 1e-26; ++it) {
-    normal_equations();
-    const Step step =
-        in_box ? step_in_box(q, kDampingRatio * energy) : solve_step(kDampingRatio * energy);
-    if (!is_within(step, kLargestStep)) return;
+    if (!(at_.largest < kLargestStep)) return;
     JointArray next = q;
-    for (std::size_t i = 0; i < n_; ++i) next[i] += step[i];
+    for (std::size_t i = 0; i < n_; ++i) next[i] += at_.step[i];
     if (in_box) clamp(next);
-    const bool tiny = is_within(step, kTinyStep);
-    const double next_energy = tiny ? promised_energy(q, next) : evaluate(next);
+    const bool tiny = at_.largest < kTinyStep;
+    const double next_energy = tiny ? promised_energy(q, next) : iterate(next, in_box);
     if (!(next_energy < 0.25 * energy)) return;
     q = next;
     if (tiny) return;
@@ -242,17 +270,12 @@ void IkSolver::polish(JointArray& q, double energy, bool in_box) {
   }
 }
 
-bool IkSolver::is_within(const Step& step, double size) const {
-  return std::all_of(step.begin(), step.begin() + static_cast<std::ptrdiff_t>(n_),
-                     [size](double s) { return std::abs(s) < size; });
-}
-
 // Half the squared error at `next` by the linear model at q.
 double IkSolver::promised_energy(const JointArray& q, const JointArray& next) const {
   double energy = 0.0;
   for (std::size_t r = 0; r < 6; ++r) {
-    double e = error_[r];
-    for (std::size_t i = 0; i < n_; ++i) e -= J_[i][r] * (next[i] - q[i]);
+    double e = at_.error[r];
+    for (std::size_t i = 0; i < n_; ++i) e -= at_.J[i][r] * (next[i] - q[i]);
     energy += 0.5 * e * e;
   }
   return energy;
@@ -277,8 +300,8 @@ void IkSolver::minimise_in_box(JointArray& q, int iterations) {
     for (std::size_t i = 0; i < n_; ++i) {
       const double s = next[i] - q[i];
       largest = std::max(largest, std::abs(s));
-      promised += normal_.b[i] * s;
-      for (std::size_t r = 0; r < 6; ++r) change[r] += J_[i][r] * s;
+      promised += at_.normal.b[i] * s;
+      for (std::size_t r = 0; r < 6; ++r) change[r] += at_.J[i][r] * s;
     }
     for (const double c : change) promised -= 0.5 * c * c;
     if (largest < 1e-12) return;

@@ -65,14 +65,14 @@ class IkSolver {
   using Step = JointArray;
   using Frozen = std::array<bool, kMaxJoints>;
 
-  double evaluate(const JointArray& q);  // fills error_ and J_, returns half the squared error
-  Eigen::Vector3d rotation_error(const double* T_world_tool) const;
-  void move(JointArray& q, const Step& step, double scale) const;
+  double evaluate(const JointArray& q);  // fills error, J, energy and sizes; returns the energy
+  double iterate(const JointArray& q, bool in_box);  // the normal equations and the step too
+  Eigen::Vector3d rotation_error(const double* T_world_tool, bool exact) const;
+  bool move(JointArray& q) const;
   void turn_rows(const Eigen::Matrix3d& R);
   void select_rows();
   bool converged() const;
-  void polish(JointArray& q, double energy, bool in_box);
-  bool is_within(const Step& step, double size) const;
+  void polish(JointArray& q, bool in_box);
   double promised_energy(const JointArray& q, const JointArray& next) const;
   void normal_equations();
   // Solves (J^T J + damping I) step = J^T e for the joints that are not frozen.
@@ -80,20 +80,20 @@ class IkSolver {
   Step solve_step(double damping, const Frozen& frozen) const;
   Step step_in_box(const JointArray& q, double damping) const;
   void clamp(JointArray& q) const;
+  bool is_inside(const JointArray& q) const;  // no joint on a bound or beyond
 
   const WalkPlan& plan_;
+  PoseKernel* pose_kernel_;
   PoseAndJacobianKernel* kernel_;
+  IterationKernel* iteration_kernel_;
   NormalKernel* normal_kernel_;
   StepKernel* step_kernel_;
   IkGoal goal_;
   std::size_t n_;
   const double *lower_, *upper_;  // of the robot
   bool selective_;                // not all rows count alike
-  // Written by evaluate() and normal_equations() before anything reads them.
-  std::array<double, 6> error_;
-  std::array<std::array<double, 6>, kMaxJoints> J_;
-  NormalEquations normal_;
-  IkError size_{};
+  bool plain_;                    // all count alike, in world axes
+  IkIterate at_;                  // written by evaluate() and iterate() before anything reads it
   bool exact_angle_ = false;
   int iterations_used_ = 0;
 };

@@ -1,6 +1,10 @@
 #include "ik_steps.hpp"
 
-#include "turns.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/math/rotation.hpp"
+#include "walk_jacobian.hpp"
 
 namespace armlet {
 namespace {
@@ -26,7 +30,8 @@ struct Six {
 inline Lanes sums(Lanes p, Lanes q) { return Lanes{p[0], q[0]} + Lanes{p[1], q[1]}; }
 
 template <int N>
-void normal_kernel(int joints, const double* J, const double* e, NormalEquations& normal) {
+[[gnu::always_inline]] inline void form_normal(int joints, const double* J, const double* e,
+                                               NormalEquations& normal) {
   const std::size_t n = count_of<N>(joints);
   const Six error(e);
 #pragma GCC unroll 8
@@ -42,50 +47,173 @@ void normal_kernel(int joints, const double* J, const double* e, NormalEquations
   }
 }
 
-// L D L^T; M holds L D. A pivot that is nothing but rounding belongs to a joint that the others
-// stand in for, of a redundant or singular arm: it stays where it is. Divided by, such a pivot
-// would make the next ones grow without bound.
+// L D L^T, two columns at a time, of which the second is kept times the pivot of the first: its own
+// pivot need not wait for a division, so that both divisions run side by side. A pivot that is
+// nothing but rounding belongs to a joint that the others stand in for, of a redundant or singular
+// arm: it stays where it is. Divided by, such a pivot would make the next ones grow without bound.
+template <int N>
+class Elimination {
+ public:
+  [[gnu::always_inline]] Elimination(int joints, const NormalEquations& normal, double damping)
+      : n_(count_of<N>(joints)) {
+    double trace = 0.0;
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < n_; ++i) {
+      trace += normal.A[i][i];
+#pragma GCC unroll 8
+      for (std::size_t k = 0; k < i; ++k) A_[i][k] = normal.A[i][k];
+      A_[i][i] = normal.A[i][i] + damping;
+      x_[i] = normal.b[i];
+    }
+    floor_ = 1e-14 * trace + 1e-300;
+  }
+
+  [[gnu::always_inline]] void solve(double* step) {
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k + 1 < n_; k += 2) eliminate(k);
+    if (n_ % 2 == 1) {
+      const double pivot = A_[n_ - 1][n_ - 1];
+      x_[n_ - 1] *= pivot > floor_ ? 1.0 / pivot : 0.0;
+    }
+#pragma GCC unroll 8
+    for (std::size_t behind = n_ % 2; behind + 1 < n_; behind += 2) substitute(n_ - 2 - behind);
+    // In pairs, because pairs are read next: two numbers written one by one would be waited for.
+    if (n_ % 2 == 1) step[n_ - 1] = x_[n_ - 1];
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i + 1 < n_; i += 2) store_pair(step + i, Lanes{x_[i], x_[i + 1]});
+  }
+
+ private:
+  // Takes columns k and k + 1 out of the rows below, in which it leaves L.
+  [[gnu::always_inline]] void eliminate(std::size_t k) {
+    double a = A_[k][k], b = A_[k + 1][k];
+    const bool first = a > floor_;
+    const double by_a = first ? 1.0 / a : 0.0;
+    if (!first) [[unlikely]] {
+      a = 1.0;
+      b = 0.0;
+    }
+    const double determinant = a * A_[k + 1][k + 1] - b * b;
+    const double by_both = determinant > floor_ * a ? 1.0 / (a * determinant) : 0.0;
+    double u[kCapacity<N>], v[kCapacity<N>];
+    const double x_second = a * x_[k + 1] - b * x_[k];
+#pragma GCC unroll 8
+    for (std::size_t i = k + 2; i < n_; ++i) {
+      A_[i][k + 1] = a * A_[i][k + 1] - b * A_[i][k];
+      u[i] = by_a * A_[i][k];
+      v[i] = by_both * A_[i][k + 1];
+      x_[i] -= u[i] * x_[k] + v[i] * x_second;
+#pragma GCC unroll 8
+      for (std::size_t j = k + 2; j <= i; ++j) A_[i][j] -= u[i] * A_[j][k] + v[i] * A_[j][k + 1];
+    }
+#pragma GCC unroll 8
+    for (std::size_t i = k + 2; i < n_; ++i) {
+      A_[i][k] = u[i];
+      A_[i][k + 1] = a * v[i];
+    }
+    A_[k + 1][k] = by_a * b;
+    x_[k] *= by_a;
+    x_[k + 1] = (a * by_both) * x_second;
+  }
+
+  [[gnu::always_inline]] void substitute(std::size_t k) {
+#pragma GCC unroll 8
+    for (std::size_t i = n_ - 1; i > k + 1; --i) {
+      x_[k] -= A_[i][k] * x_[i];
+      x_[k + 1] -= A_[i][k + 1] * x_[i];
+    }
+    x_[k] -= A_[k + 1][k] * x_[k + 1];
+  }
+
+  std::size_t n_;
+  double floor_;
+  double A_[kCapacity<N>][kCapacity<N>], x_[kCapacity<N>];
+};
+
+template <int N>
+[[gnu::always_inline]] inline void solve_normal(int joints, const NormalEquations& normal,
+                                                double damping, double* step) {
+  Elimination<N>(joints, normal, damping).solve(step);
+}
+
+template <int N>
+void normal_kernel(int joints, const double* J, const double* e, NormalEquations& normal) {
+  form_normal<N>(joints, J, e, normal);
+}
+
 template <int N>
 void step_kernel(int joints, const NormalEquations& normal, double damping, double* step) {
-  const std::size_t n = count_of<N>(joints);
-  double L[kCapacity<N>][kCapacity<N>], M[kCapacity<N>][kCapacity<N>];
-  double inverse_pivot[kCapacity<N>], x[kCapacity<N>];
-  double trace = 0.0;
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < n; ++i) trace += normal.A[i][i];
-  const double floor = 1e-14 * trace + 1e-300;
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < n; ++i) {
-    double pivot = normal.A[i][i] + damping;
-    double value = normal.b[i];
-#pragma GCC unroll 8
-    for (std::size_t k = 0; k < i; ++k) {
-      double sum = normal.A[i][k];
-#pragma GCC unroll 8
-      for (std::size_t j = 0; j < k; ++j) sum -= M[i][j] * L[k][j];
-      M[i][k] = sum;
-      L[i][k] = sum * inverse_pivot[k];
-      pivot -= sum * L[i][k];
-      value -= L[i][k] * x[k];
-    }
-    inverse_pivot[i] = pivot > floor ? 1.0 / pivot : 0.0;
-    x[i] = value;
+  solve_normal<N>(joints, normal, damping, step);
+}
+
+// Adds one axis to twice the cosine of the rotation error, and to its cross products.
+[[gnu::always_inline]] inline double add_axis(const WalkAxis& axis, const double* goal, Lanes& w_xy,
+                                              double& w_z) {
+  const Lanes goal_xy = load_pair(goal);
+  const Lanes products = axis.xy * goal_xy;
+  const Lanes crossed = axis.xy * Lanes{goal_xy[1], goal_xy[0]};
+  w_xy += Lanes{axis.xy[1], axis.z} * Lanes{goal[2], goal[0]} -
+          Lanes{axis.z, axis.xy[0]} * Lanes{goal[1], goal[2]};
+  w_z += crossed[0] - crossed[1];
+  return (products[0] + products[1]) + axis.z * goal[2];
+}
+
+template <int N>
+void iteration_kernel(const WalkPlan& plan, const double* q, const double* p, const double* R,
+                      double damping_ratio, IkIterate& at) {
+  const WalkFrame f = walk_jacobian<N, PromptTurns>(plan, q, at.J[0].data());
+  Lanes w_xy = both(0.0);
+  double w_z = 0.0;
+  const double first = add_axis(f.x, R, w_xy, w_z), second = add_axis(f.y, R + 3, w_xy, w_z),
+               third = add_axis(f.z, R + 6, w_xy, w_z);
+  const double twice_cosine = (first + second) + (third - 1.0);
+  // For the damping, which all else waits for, the squared chord does for the squared angle.
+  double square_of_turn = std::max(0.0, 2.0 - twice_cosine);
+  if (twice_cosine < 0.0) [[unlikely]] {
+    double T[16], w[3];
+    f.store(T, 1.0);
+    far_rotation_error(T, R, w);
+    w_xy = Lanes{w[0], w[1]};
+    w_z = w[2];
+    square_of_turn = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+  } else {
+    const double factor = 1.0 / (1.28 + 0.36 * twice_cosine);
+    w_xy = both(factor) * w_xy;
+    w_z = factor * w_z;
   }
+  const Lanes e_0 = load_pair(p) - f.p.xy, e_2 = {p[2] - f.p.z, w_xy[0]}, e_4 = {w_xy[1], w_z};
+  store_pair(at.error.data(), e_0);
+  store_pair(at.error.data() + 2, e_2);
+  store_pair(at.error.data() + 4, e_4);
+  const Lanes s_0 = e_0 * e_0, s_2 = e_2 * e_2, s_4 = e_4 * e_4;
+  const Lanes squares = {(s_0[0] + s_0[1]) + s_2[0], (s_4[0] + s_4[1]) + s_2[1]};
+  const Lanes sizes = det::root(squares);
+  at.position = sizes[0];
+  at.rotation = sizes[1];
+  at.energy = 0.5 * (squares[0] + squares[1]);
+  const double damping = (0.5 * damping_ratio) * (squares[0] + square_of_turn);
+  const int n = joint_count<N>(plan);
+  form_normal<N>(n, at.J[0].data(), at.error.data(), at.normal);
+  solve_normal<N>(n, at.normal, damping, at.step.data());
+  at.largest = 0.0;
 #pragma GCC unroll 8
-  for (std::size_t behind = 0; behind < n; ++behind) {
-    const std::size_t i = n - 1 - behind;
-    double value = x[i] * inverse_pivot[i];
-#pragma GCC unroll 8
-    for (std::size_t j = i + 1; j < n; ++j) value -= L[j][i] * x[j];
-    x[i] = value;
-  }
-  // In pairs, because pairs are read next: two numbers written one by one would be waited for.
-  if (n % 2 == 1) step[n - 1] = x[n - 1];
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i + 1 < n; i += 2) store_pair(step + i, Lanes{x[i], x[i + 1]});
+  for (int i = 0; i < n; ++i)
+    at.largest = std::max(at.largest, std::abs(at.step[static_cast<std::size_t>(i)]));
 }
 
 }  // namespace
+
+void far_rotation_error(const double* T, const double* R, double* w) {
+  const Eigen::Map<const Eigen::Matrix4d> T_world_tool(T);
+  const Eigen::Map<const Eigen::Matrix3d> R_goal(R);
+  Eigen::Map<Eigen::Vector3d> error(w);
+  error = rotation_log(R_goal * T_world_tool.topLeftCorner<3, 3>().transpose());
+}
+
+const KernelTable<IterationKernel> kIterationKernels = {
+    iteration_kernel<kAnyCount>, iteration_kernel<1>, iteration_kernel<2>,
+    iteration_kernel<3>,         iteration_kernel<4>, iteration_kernel<5>,
+    iteration_kernel<6>,         iteration_kernel<7>, iteration_kernel<8>};
 
 const KernelTable<NormalKernel> kNormalKernels = {
     normal_kernel<kAnyCount>, normal_kernel<1>, normal_kernel<2>,

@@ -16,6 +16,30 @@ using NormalKernel = void(int n, const double* J, const double* e, NormalEquatio
 // step = (A + damping I)^-1 b.
 using StepKernel = void(int n, const NormalEquations& normal, double damping, double* step);
 
+// What one iteration works out at a configuration.
+struct alignas(64) IkIterate {
+  std::array<std::array<double, 6>, kMaxJoints> J;
+  std::array<double, 6> error;  // place, then rotation; weighed
+  NormalEquations normal;
+  double energy;              // half the squared error
+  double position, rotation;  // sizes of the errors that count, m and rad
+  std::array<double, kMaxJoints> step;
+  double largest;  // of the step, without sign
+};
+
+// All of it for a goal p, R (by columns) of which every row counts alike: error, normal equations
+// and the step, in one piece, because from one iteration to the next nothing counts but how long
+// one waits. The damping is damping_ratio times the energy, with the chord of the rotation instead
+// of its angle up to a right angle.
+using IterationKernel = void(const WalkPlan& plan, const double* q, const double* p,
+                             const double* R, double damping_ratio, IkIterate& at);
+
+// The rotation vector from T (4x4 by columns) to R by its angle. Up to a right angle the iterations
+// do with half the sum of the cross products of the axes, which is the same but for its length; a
+// factor makes it exact at zero and good to half a percent up to there.
+void far_rotation_error(const double* T, const double* R, double* w);
+
+extern const KernelTable<IterationKernel> kIterationKernels;
 extern const KernelTable<NormalKernel> kNormalKernels;
 extern const KernelTable<StepKernel> kStepKernels;
 

@@ -1,51 +1,9 @@
 #include "kernels.hpp"
 #include "quick_turns.hpp"
-#include "walk_out.hpp"
+#include "walk_jacobian.hpp"
 
 namespace armlet {
 namespace {
-
-// v and w of a joint that turns about `axis` through a point at -r from the tool.
-[[gnu::always_inline]] inline void store_turning(double* column, const WalkAxis& axis,
-                                                 const WalkAxis& r) {
-  const Lanes r_yx = {r.xy[1], r.xy[0]};
-  const Lanes products = axis.xy * r_yx;
-  store_pair(column, Lanes{axis.xy[1], axis.z} * Lanes{r.z, r.xy[0]} -
-                         Lanes{axis.z, axis.xy[0]} * Lanes{r.xy[1], r.z});
-  store_pair(column + 2, Lanes{products[0] - products[1], axis.xy[0]});
-  store_pair(column + 4, Lanes{axis.xy[1], axis.z});
-}
-
-[[gnu::always_inline]] inline void store_sliding(double* column, const WalkAxis& axis) {
-  axis.store(column, 0.0);
-  store_pair(column + 4, both(0.0));
-}
-
-// Axis and origin of each joint are kept on the way out; one cross product each finishes them.
-template <int N, template <int> class TurnsOf = Turns>
-[[gnu::always_inline]] inline WalkFrame walk_jacobian(const WalkPlan& plan, const double* q,
-                                                      double* J) {
-  constexpr std::size_t kCapacity = N == kAnyCount ? kMaxJoints : N;
-  std::array<WalkAxis, kCapacity> axis, point;
-  WalkFrame frame = walk_out<N, TurnsOf>(
-      plan, q,
-      [&](std::size_t i, const WalkFrame& f) {
-        axis[i] = f.z;
-        point[i] = f.p;
-      },
-      [](std::size_t, const WalkFrame&) {});
-  frame.step_tool(plan);
-  const std::size_t n = static_cast<std::size_t>(joint_count<N>(plan));
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < n; ++i) {
-    if (plan.turn[i] != 0.0) {
-      store_turning(J + 6 * i, both(plan.turn[i]) * axis[i], frame.p - point[i]);
-    } else {
-      store_sliding(J + 6 * i, both(plan.slide[i]) * axis[i]);
-    }
-  }
-  return frame;
-}
 
 template <int N>
 void jacobian_kernel(const WalkPlan& plan, const double* q, double* J) {

@@ -5,6 +5,7 @@
 
 #include "armlet/model/walk_plan.hpp"
 #include "lane_steps.hpp"
+#include "math/det_quick_lanes.hpp"
 
 namespace armlet {
 
@@ -30,13 +31,37 @@ inline void store_pair(double* p, Lanes v) { store_lanes(p, v); }
 // throws  ArgumentError if a joint value is not finite.
 void careful_turns(const WalkPlan& plan, const double* q, double* sine, double* cosine);
 
+// The sines and cosines of every digit.
+class ExactSines {
+ public:
+  [[gnu::always_inline]] det::LaneSinCos<Lanes> operator()(Lanes angles) {
+    return det::sincos_lanes(angles, check_);
+  }
+  [[gnu::always_inline]] bool all_settled() const { return check_.all_settled(); }
+
+ private:
+  det::LaneCheck<Lanes> check_;
+};
+
+// Those that come soonest, for iterations, each of which waits for the one before.
+class PromptSines {
+ public:
+  [[gnu::always_inline]] det::LaneSinCos<Lanes> operator()(Lanes angles) {
+    return det::prompt_sincos(angles, check_, det::QuickTable<Lanes>());
+  }
+  [[gnu::always_inline]] bool all_settled() const { return !check_.any_too_large(); }
+
+ private:
+  det::QuickCheck<Lanes> check_;
+};
+
 // Sines and cosines of all joints, two at a time. Of an odd number the last pair overlaps the one
 // before, which is faster than padding.
-template <int N>
-class Turns {
+template <int N, class Sines = ExactSines>
+class TurnsBy {
  public:
-  [[gnu::always_inline]] Turns(const WalkPlan& plan, const double* q) : n_(joint_count<N>(plan)) {
-    det::LaneCheck<Lanes> check;
+  [[gnu::always_inline]] TurnsBy(const WalkPlan& plan, const double* q) : n_(joint_count<N>(plan)) {
+    Sines sines;
     const int pairs = (n_ + 1) / 2;
 #pragma GCC unroll 8
     for (int pair = 0; pair < pairs; ++pair) {
@@ -44,11 +69,11 @@ class Turns {
       const Lanes values = n_ == 1 ? both(q[0]) : load_pair(q + i);
       const Lanes angles =
           load_pair(plan.theta.data() + i) + values * load_pair(plan.turn.data() + i);
-      const auto turn = det::sincos_lanes(angles, check);
+      const auto turn = sines(angles);
       sine_[pair] = turn.sin;
       cosine_[pair] = turn.cos;
     }
-    if (!check.all_settled()) [[unlikely]] {
+    if (!sines.all_settled()) [[unlikely]] {
       std::array<double, kMaxJoints> s{}, c{};
       careful_turns(plan, q, s.data(), c.data());
 #pragma GCC unroll 8
@@ -69,5 +94,10 @@ class Turns {
   int n_;
   Lanes sine_[kPairs] = {}, cosine_[kPairs] = {};
 };
+
+template <int N>
+using Turns = TurnsBy<N>;
+template <int N>
+using PromptTurns = TurnsBy<N, PromptSines>;
 
 }  // namespace armlet

@@ -78,6 +78,8 @@ struct QuickTable {
     part2 = V{} + N::part2, one = V{} + 1.0;
   V S1 = V{} + P::S1, S2 = V{} + P::S2, S3 = V{} + P::S3, S4 = V{} + P::S4, S5 = V{} + P::S5,
     S6 = V{} + P::S6;
+  V C1 = V{} + P::C1, C2 = V{} + P::C2, C3 = V{} + P::C3, C4 = V{} + P::C4, C5 = V{} + P::C5,
+    C6 = V{} + P::C6;
 };
 
 template <class V>
@@ -126,6 +128,23 @@ template <class V>
   V shifted, sine, square;
   quick_rest(angle, c, shifted, sine, square);
   return in_quadrant(sine, root(square), shifted);
+}
+
+// Where the result is waited for, as from one iteration to the next: the same rest of the angle and
+// both polynomials in pairs of terms, which shortens the chain of operations by a third. Within
+// 2^-52 of the true values.
+template <class V>
+[[gnu::always_inline]] inline LaneSinCos<V> prompt_sincos(V angle, QuickCheck<V>& check,
+                                                          const QuickTable<V>& c) {
+  check.bits |= LaneBits<V>(angle * c.per_angle);
+  const V shifted = angle * c.per_angle + c.rounding;
+  const V whole = shifted - c.rounding;
+  const V r = (angle - whole * c.part1) - whole * c.part2;
+  const V z = r * r;
+  const V z2 = z * z;
+  const V sine = (c.S1 + c.S2 * z) + z2 * ((c.S3 + c.S4 * z) + z2 * (c.S5 + c.S6 * z));
+  const V cosine = (c.C1 + c.C2 * z) + z2 * ((c.C3 + c.C4 * z) + z2 * (c.C5 + c.C6 * z));
+  return in_quadrant(V(r + (r * z) * sine), V((c.one - 0.5 * z) + z2 * cosine), shifted);
 }
 
 }  // namespace armlet::det

@@ -142,3 +142,30 @@ TEST_CASE("an angle that is too large or not finite is noticed in any lane") {
   }
   CHECK(right);
 }
+
+TEST_CASE("prompt sines and cosines are as good, and notice the same angles") {
+  const det::QuickTable<Lanes> table;
+  Random random(4);
+  Errors errors;
+  bool right = true;
+  const auto add = [&](double angle) {
+    det::QuickCheck<Lanes> check;
+    const auto turn = det::prompt_sincos(Lanes{0.5, angle}, check, table);
+    right = right && check.any_too_large() == det::is_too_large(angle);
+    if (det::is_too_large(angle)) return;
+    errors.add(turn.sin[1], std::sin(static_cast<long double>(angle)));
+    errors.add(turn.cos[1], std::cos(static_cast<long double>(angle)));
+  };
+  for (const double range : {0.8, 7.0, kLargest, 1000.0}) {
+    for (int k = 0; k < 50'000; ++k) add(random.uniform(-range, range));
+  }
+  for (int multiple = -255; multiple <= 255; ++multiple) {
+    const double middle = 0.5 * multiple * kRightAngle;
+    for (const double offset : {0.0, 1e-15, -1e-12, 1e-7, -1e-3}) add(middle + offset);
+  }
+  for (const double angle : {kInf, -kInf, std::numeric_limits<double>::quiet_NaN(), 1e300})
+    add(angle);
+  CHECK(right);
+  CHECK(errors.relative < 3.0);
+  CHECK(errors.absolute < 0x1p-52);
+}
