@@ -34,7 +34,8 @@ int display_column(const Source& source, std::uint32_t offset) {
   std::string_view before = source.text().substr(0, offset);
   if (const std::size_t at = before.find_last_of("\r\n"); at != std::string_view::npos)
     before.remove_prefix(at + 1);
-  if (before.data() == source.text().data() && before.starts_with(kByteOrderMark))
+  const bool is_first_line = before.data() == source.text().data();
+  while (is_first_line && before.starts_with(kByteOrderMark))
     before.remove_prefix(kByteOrderMark.size());
   return text_width(before);
 }

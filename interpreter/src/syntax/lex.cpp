@@ -204,7 +204,8 @@ bool check_text(const Source& source, DiagnosticSink& sink, const ParseLimits& l
 
 Span program_range(const Source& source) {
   const std::string_view text = source.text();
-  std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  std::size_t begin = 0;  // ANTLR drops a mark at the start by itself, and its offsets then differ
+  while (text.substr(begin).starts_with(kByteOrderMark)) begin += kByteOrderMark.size();
   if (text.substr(begin).starts_with("#!")) begin = std::min(text.find('\n', begin), text.size());
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(text.size()), source.id()};
 }

@@ -183,6 +183,10 @@ TEST_CASE("byte-order marks and the line breaks of other systems stay") {
   check_laws(
       "\xEF\xBB\xBF"
       "f()      // a comment in a column");
+  check_laws("\xEF\xBB\xBF\xEF\xBB\xBF\n// ");
+  check_laws(
+      "\xEF\xBB\xBF\xEF\xBB\xBF"
+      "let a = 1  // two marks\nlet b = 2");
   CHECK(formatted("#!run\n;f()") == "#!run\n;\nf()\n");
   CHECK(formatted("// only a comment") == "// only a comment\n");
   CHECK(formatted("").empty());
