@@ -12,9 +12,7 @@ namespace armlet {
 namespace {
 
 constexpr double kDampingRatio = 0.1;   // of the squared error
-constexpr double kLargestStep = 1.0;    // rad or m, per iteration
 constexpr double kSmallestStep = 1e-9;  // rad or m; nothing more happens below it
-constexpr int kStall = 7;               // iterations without progress
 constexpr double kTinyStep = 1e-8;      // rad or m; what a linear model leaves out is below 1e-15
 
 constexpr double kSmallTurn = 2.0 - 1e-8;  // twice the cosine; below 1e-4 rad a sine has two terms
@@ -25,7 +23,7 @@ double length_of(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] +
 
 }  // namespace
 
-IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
+IkSolver::IkSolver(const Robot& robot, const IkGoal& goal, const IkPace& pace)
     : plan_(robot.walk_plan()),
       pose_kernel_(kernel_for(kPoseKernels, robot.n())),
       kernel_(kernel_for(kPoseAndJacobianKernels, robot.n())),
@@ -37,7 +35,8 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal)
       lower_(robot.lower().data()),
       upper_(robot.upper().data()),
       selective_((goal.weights.array() != 1.0).any()),
-      plain_(!selective_ && !goal.in_tool_axes) {}
+      plain_(!selective_ && !goal.in_tool_axes),
+      pace_(pace) {}
 
 // As in the iteration's kernel, or exact.
 Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool, bool exact) const {
@@ -66,8 +65,8 @@ Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool, bool exact)
 inline bool IkSolver::move(JointArray& q) const {
   const Step& step = at_.step;
   if (!(at_.largest >= kSmallestStep)) return false;
-  if (at_.largest > kLargestStep) {
-    const double scale = kLargestStep / at_.largest;
+  if (at_.largest > pace_.largest_step) {
+    const double scale = pace_.largest_step / at_.largest;
     for (std::size_t i = 0; i < n_; ++i) q[i] += scale * step[i];
     return true;
   }
@@ -217,9 +216,9 @@ bool IkSolver::solve_free(JointArray& q, int iterations) {
       polish(q, false);
       return true;
     }
-    stalled = energy < best ? 0 : stalled + 1;
+    stalled = energy < pace_.progress * best ? 0 : stalled + 1;
     best = std::min(best, energy);
-    if (stalled >= kStall) return false;
+    if (stalled >= pace_.stall) return false;
     if (!move(q)) return false;
   }
   return false;
@@ -244,9 +243,9 @@ bool IkSolver::solve_in_box(JointArray& q, int iterations) {
       polish(q, true);
       return true;
     }
-    stalled = energy < best ? 0 : stalled + 1;
+    stalled = energy < pace_.progress * best ? 0 : stalled + 1;
     best = std::min(best, energy);
-    if (stalled >= kStall) return false;
+    if (stalled >= pace_.stall) return false;
     if (!move(q)) return false;
     clamp(q);
   }
@@ -257,7 +256,7 @@ bool IkSolver::solve_in_box(JointArray& q, int iterations) {
 void IkSolver::polish(JointArray& q, bool in_box) {
   double energy = at_.energy;
   for (int it = 0; it < 6 && energy > 1e-26; ++it) {
-    if (!(at_.largest < kLargestStep)) return;
+    if (!(at_.largest < pace_.largest_step)) return;
     JointArray next = q;
     for (std::size_t i = 0; i < n_; ++i) next[i] += at_.step[i];
     if (in_box) clamp(next);

@@ -37,10 +37,18 @@ struct IkGoal {
   }
 };
 
+// How far an iteration moves, and when a start is given up: after `stall` iterations one after the
+// other of which none leaves less than `progress` times the least energy so far.
+struct IkPace {
+  double largest_step = 1.0;  // rad or m
+  double progress = 1.0;
+  int stall = 7;
+};
+
 // The iterations for one arm and one goal.
 class IkSolver {
  public:
-  IkSolver(const Robot& robot, const IkGoal& goal);
+  IkSolver(const Robot& robot, const IkGoal& goal, const IkPace& pace = {});
 
   // Levenberg-Marquardt without limits, damping proportional to the error (Chan and Lawrence,
   // 1988). A constant damping would make convergence near a singular goal linear; vanishing damping
@@ -94,6 +102,7 @@ class IkSolver {
   bool selective_;                // not all rows count alike
   bool plain_;                    // all count alike, in world axes
   IkIterate at_;                  // written by evaluate() and iterate() before anything reads it
+  IkPace pace_;
   bool exact_angle_ = false;
   int iterations_used_ = 0;
 };

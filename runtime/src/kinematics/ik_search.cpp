@@ -12,6 +12,8 @@ namespace {
 constexpr double kSameSolution = 1e-4;   // rad or m
 constexpr double kTurnRounding = 1e-12;  // rad
 constexpr double kAround = 0.6;          // rad or m, in which starts around the seed lie
+constexpr int kFreeStarts = 8;           // of a search for one solution, without a second try each
+constexpr IkPace kFast{.largest_step = 2.0, .progress = 0.9, .stall = 5};
 
 bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
             const Eigen::VectorXd& q) {
@@ -44,14 +46,20 @@ void turn_near(const Robot& robot, const IkOptions& options, JointArray& q) {
 
 // One start: free first, because joints held at their limits block the way; then, if that ends
 // outside, from the nearest configuration inside.
-bool solve_from(const Robot& robot, IkSolver& solver, JointArray& q, const IkOptions& options) {
+//
+// only_free  another start is tried instead. Where a goal has single solutions, one outside seldom
+//            leads to one inside.
+bool solve_from(const Robot& robot, IkSolver& solver, JointArray& q, const IkOptions& options,
+                bool only_free) {
   if (!options.respect_limits) return solver.solve_free(q, options.iterations);
   const JointArray start = q;
   if (solver.solve_free(q, options.iterations)) {
     turn_near(robot, options, q);
     if (solver.is_within_limits(q)) return true;
+    if (only_free) return false;
     return solver.solve_in_box(q, options.iterations);
   }
+  if (only_free) return false;
   q = start;
   return solver.solve_in_box(q, options.iterations);
 }
@@ -75,14 +83,17 @@ double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2) {
 
 IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,
                    int extra_starts) {
-  IkSolver solver(robot, goal);
+  const bool one = wanted == 1;
+  const bool single_solutions = (goal.weights.array() != 0.0).count() >= robot.n();
+  IkSolver solver(robot, goal, one ? kFast : IkPace());
   IkSearch search;
   double best = INFINITY;
   int last_start = options.starts;
   for (int start = 0; start < last_start; ++start) {
     JointArray q =
         start == 0 ? to_array(options.seed) : halton_start(robot, start, options.respect_limits);
-    const bool found = solve_from(robot, solver, q, options);
+    const bool found =
+        solve_from(robot, solver, q, options, one && single_solutions && start < kFreeStarts);
     ++search.starts;
     if (found) {
       turn_near(robot, options, q);
