@@ -75,6 +75,8 @@ function(armlet_add_source_tests)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_mathematics.py $<TARGET_FILE:armlet>)
   add_test(NAME docs.grammar
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/grammar_command.py ${PROJECT_SOURCE_DIR})
+  set_target_properties(make_tables PROPERTIES EXCLUDE_FROM_ALL OFF)
+  add_test(NAME source.tables COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_tables.py $<TARGET_FILE:make_tables>)
   add_test(NAME docs.stdlib
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py $<TARGET_FILE:armlet>)
   add_test(NAME docs.programs

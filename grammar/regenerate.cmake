@@ -17,5 +17,13 @@ foreach(grammar RbtLexer RbtParser)
   file(READ ${generated}/${grammar}.cpp text)
   string(REPLACE "#include \"${grammar}.h\"\n" "#include \"${grammar}.h\"\n#include \"table_reader.hpp\"\n" text "${text}")
   string(REPLACE "atn::ATNDeserializer deserializer;" "TableReader deserializer;" text "${text}")
+  # The tables are read when they are needed, which is seldom: RbtTables.h answers for most programs.
+  string(REPLACE "${grammar}::Initializer ${grammar}::_init;"
+    "void ${grammar}::prepare() {\n  static Initializer tables;\n}" text "${text}")
+  string(REPLACE "RbtLexer::RbtLexer(CharStream *input) : Lexer(input) {"
+    "RbtLexer::RbtLexer(CharStream *input) : Lexer(input) {\n  prepare();" text "${text}")
   file(WRITE ${generated}/${grammar}.cpp "${text}")
+  file(READ ${generated}/${grammar}.h text)
+  string(REPLACE "static Initializer _init;" "\npublic:\n  static void prepare();  // reads the tables" text "${text}")
+  file(WRITE ${generated}/${grammar}.h "${text}")
 endforeach()

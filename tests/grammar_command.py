@@ -21,6 +21,7 @@ if not out.is_dir():
 name = pathlib.Path(sys.argv[-1]).stem
 text = f'#include "{name}.h"\\natn::ATNDeserializer deserializer;\\n'
 (out / f"{name}.cpp").write_text(text)
+(out / f"{name}.h").write_text("static Initializer _init;\\n")
 (out / f"{name}.tokens").write_text("")
 """
 

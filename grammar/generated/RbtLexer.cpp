@@ -10,6 +10,7 @@ using namespace antlr4;
 
 
 RbtLexer::RbtLexer(CharStream *input) : Lexer(input) {
+  prepare();
   _interpreter = new atn::LexerATNSimulator(this, _atn, _decisionToDFA, _sharedContextCache);
 }
 
@@ -750,4 +751,6 @@ RbtLexer::Initializer::Initializer() {
   }
 }
 
-RbtLexer::Initializer RbtLexer::_init;
+void RbtLexer::prepare() {
+  static Initializer tables;
+}

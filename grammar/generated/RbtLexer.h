@@ -103,6 +103,8 @@ private:
   struct Initializer {
     Initializer();
   };
-  static Initializer _init;
+  
+public:
+  static void prepare();  // reads the tables
 };
 

@@ -7589,4 +7589,6 @@ RbtParser::Initializer::Initializer() {
   }
 }
 
-RbtParser::Initializer RbtParser::_init;
+void RbtParser::prepare() {
+  static Initializer tables;
+}

@@ -1,7 +1,6 @@
 #include "armlet/interpreter/engine.hpp"
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -30,18 +29,10 @@ namespace {
 }  // namespace
 
 Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::string_view chapter) {
-  std::set<std::pair<std::string_view, std::string_view>> met;
-  for (const NativeFunction& function : functions) {
-    const auto is_it = [&](const NativeFunction* other) {
-      return other->signature == function.signature;
-    };
-    if (!met.emplace(function.name, function.signature).second ||
-        std::ranges::any_of(registry_->functions(function.name), is_it)) {
-      refuse_again("function", std::string(function.name) + std::string(function.signature));
-    }
+  if (const NativeFunction* there = registry_->add_functions(functions)) {
+    refuse_again("function", std::string(there->name) + std::string(there->signature));
   }
   registry_->add_chapter({chapter, functions, {}});
-  for (const NativeFunction& function : functions) registry_->add_function(function);
   return *this;
 }
 

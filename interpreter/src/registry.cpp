@@ -23,8 +23,25 @@ Registry::Registry() {
   add_record("error", "message: string, kind: string, line: int, robot: string, time: time");
 }
 
-void Registry::add_function(const NativeFunction& function) {
-  functions_[function.name].push_back(&function);
+const NativeFunction* Registry::add_functions(std::span<const NativeFunction> functions) {
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    const NativeFunction& function = functions[i];
+    std::vector<const NativeFunction*>& overloads = functions_[function.name];
+    const bool is_there = std::ranges::any_of(overloads, [&](const NativeFunction* other) {
+      return other->signature == function.signature;
+    });
+    if (!is_there) {
+      overloads.push_back(&function);
+      continue;
+    }
+    while (i-- > 0) {
+      const auto added = functions_.find(functions[i].name);
+      added->second.pop_back();
+      if (added->second.empty()) functions_.erase(added);
+    }
+    return &function;
+  }
+  return nullptr;
 }
 
 void Registry::add_constant(const NativeConstant& constant) {

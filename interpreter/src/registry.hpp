@@ -30,7 +30,8 @@ class Registry {
  public:
   Registry();
 
-  void add_function(const NativeFunction& function);
+  // Adds all, or none and returns the first that is there already.
+  const NativeFunction* add_functions(std::span<const NativeFunction> functions);
   void add_constant(const NativeConstant& constant);
   void add_type(const HostType& type);
   void add_record(std::string_view name, std::string_view fields);

@@ -1,6 +1,9 @@
 #include "syntax/lex.hpp"
 
+#include <RbtTables.h>
+
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "compile/cancelled.hpp"
@@ -47,21 +50,76 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
   return std::nullopt;
 }
 
-// The letters of the text; a comment or a text can be as long as the program.
-class Letters : public antlr4::ANTLRInputStream {
- public:
-  Letters(std::string_view text, const std::atomic<bool>* cancelled)
-      : ANTLRInputStream(text.data(), text.size()), cancelled_(cancelled) {}
-  void consume() override {
-    stop_if(cancelled_);
-    ANTLRInputStream::consume();
+// The character at `at`, of text that is UTF-8.
+struct Character {
+  std::uint32_t code;
+  std::size_t length;  // bytes
+
+  Character(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[at + i]); };
+    length = sequence_length(byte(0));
+    code = length == 1 ? byte(0) : byte(0) & (0x7FU >> length);
+    for (std::size_t i = 1; i < length; ++i) code = code << 6U | (byte(i) & 0x3FU);
   }
 
- private:
-  const std::atomic<bool>* cancelled_;
+  std::size_t of_class() const {
+    if (code < std::size(rbt_tables::kAsciiClass)) return rbt_tables::kAsciiClass[code];
+    return std::ranges::upper_bound(rbt_tables::kCharacterRanges, code, {},
+                                    &rbt_tables::CharacterRange::end)
+        ->of_class;
+  }
 };
 
-// Runs the generated lexer over one part of a text.
+// Letters, digits and _ of the grammar.
+bool continues_word(std::string_view text, std::size_t at) {
+  if (at >= text.size()) return false;
+  const std::uint32_t c = Character(text, at).code;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         (c >= 0xC0 && c <= 0x24F && c != 0xD7 && c != 0xF7) || (c >= 0x370 && c <= 0x3FF);
+}
+
+struct Piece {
+  std::uint16_t type;
+  std::size_t end;  // bytes
+};
+
+// The longest token at `begin`; of equally long ones the first of the grammar. The automaton is
+// that of the generated lexer (grammar/make_tables.cpp).
+Piece longest_token(std::string_view text, std::size_t begin, const std::atomic<bool>* cancelled) {
+  constexpr std::size_t kOften = 4096;  // characters; a comment can be as long as the program
+  Piece longest{RbtLexer::ERR, begin};
+  std::size_t state = 1, since_check = 0;
+  for (std::size_t at = begin; at < text.size();) {
+    if (++since_check % kOften == 0) stop_if(cancelled);
+    const Character character(text, at);
+    state =
+        rbt_tables::kNextLexerState[state * rbt_tables::kCharacterClasses + character.of_class()];
+    if (state == 0) break;
+    at += character.length;
+    if (rbt_tables::kTokenOfState[state] != 0) longest = {rbt_tables::kTokenOfState[state], at};
+  }
+  return longest;
+}
+
+// `10mm/speed` is `10mm`, `/`, `speed`: a quantity gives back what would stop inside a word, as
+// trimQuantity of the grammar has it.
+Piece trimmed(std::string_view text, std::size_t begin, Piece quantity) {
+  const std::size_t whole = quantity.end;
+  while (continues_word(text, quantity.end)) {
+    do {
+      if (quantity.end == begin) {
+        quantity = {RbtLexer::BADNUM, whole};
+        while (continues_word(text, quantity.end))
+          quantity.end += Character(text, quantity.end).length;
+        return quantity;
+      }
+      --quantity.end;
+    } while (std::string_view("*/^").find(text[quantity.end]) == std::string_view::npos);
+  }
+  return quantity;
+}
+
+// The tokens of one part of a text.
 class Reader {
  public:
   Reader(const Source& source, Span range, DiagnosticSink& sink, const ParseLimits& limits,
@@ -69,56 +127,50 @@ class Reader {
       : source_(source),
         sink_(sink),
         limits_(limits),
+        cancelled_(cancelled),
         text_(source.slice(range)),
-        base_(range.begin),
-        stream_(text_, cancelled),
-        lexer_(&stream_) {
-    lexer_.removeErrorListeners();
+        base_(range.begin) {
     out_.tokens.reserve(text_.size() / 3 + 2);
   }
 
   Lexed run() {
-    while (!finished_) take(*lexer_.nextToken());
-    if (out_.tokens.empty() || out_.tokens.back().type != kEndOfText) {
-      const auto end = base_ + static_cast<std::uint32_t>(text_.size());
-      out_.tokens.push_back(
-          {.begin = end, .end = end, .type = kEndOfText, .line_break_before = true});
+    for (std::size_t at = 0; at < text_.size() && !finished_;) {
+      stop_if(cancelled_);
+      Piece piece = longest_token(text_, at, cancelled_);
+      if (piece.type == RbtLexer::QUANTITY) piece = trimmed(text_, at, piece);
+      take(piece.type, {base_ + static_cast<std::uint32_t>(at),
+                        base_ + static_cast<std::uint32_t>(piece.end), source_.id()});
+      at = piece.end;
     }
+    const auto end = base_ + static_cast<std::uint32_t>(text_.size());
+    out_.tokens.push_back({.begin = end,
+                           .end = end,
+                           .type = kEndOfText,
+                           .line_break_before = line_break_ || finished_});
     return std::move(out_);
   }
 
  private:
-  void take(const antlr4::Token& read) {
-    if (read.getChannel() != antlr4::Token::DEFAULT_CHANNEL) return take_hidden(read);
-    Token token{.type = static_cast<std::uint16_t>(read.getType()),
-                .line_break_before = line_break_};
+  void take(std::uint16_t type, Span span) {
+    switch (type) {
+      case RbtLexer::WS:
+        return;
+      case RbtLexer::NL:
+        line_break_ = true;
+        line_failed_ = false;
+        return;
+      case RbtLexer::LINE_COMMENT:
+      case RbtLexer::BLOCK_COMMENT:
+        out_.comments.push_back(span);
+        return;
+      default:
+        break;
+    }
+    const Token token{
+        .begin = span.begin, .end = span.end, .type = type, .line_break_before = line_break_};
     line_break_ = false;
-    const bool at_end = token.type == kEndOfText;
-    token.begin =
-        at_end ? base_ + static_cast<std::uint32_t>(text_.size()) : byte_of(read.getStartIndex());
-    token.end = at_end ? token.begin : byte_of(read.getStopIndex() + 1);
-    finished_ = at_end;
-    if (!at_end) check(token);
+    check(token);
     out_.tokens.push_back(token);
-  }
-
-  void take_hidden(const antlr4::Token& read) {
-    if (read.getType() == RbtLexer::NL) {
-      line_break_ = true;
-      line_failed_ = false;
-      return;
-    }
-    const std::uint32_t begin = byte_of(read.getStartIndex());
-    out_.comments.push_back({begin, byte_of(read.getStopIndex() + 1), source_.id()});
-  }
-
-  // The lexer counts characters; tokens come in order, so a cursor is enough.
-  std::uint32_t byte_of(std::size_t character) {
-    while (at_character_ < character) {
-      at_byte_ += sequence_length(static_cast<unsigned char>(text_[at_byte_]));
-      ++at_character_;
-    }
-    return base_ + static_cast<std::uint32_t>(at_byte_);
   }
 
   void check(const Token& token) {
@@ -165,13 +217,10 @@ class Reader {
   const Source& source_;
   DiagnosticSink& sink_;
   const ParseLimits& limits_;
+  const std::atomic<bool>* cancelled_;
   std::string_view text_;
   std::uint32_t base_;
-  Letters stream_;
-  RbtLexer lexer_;
   Lexed out_;
-  std::size_t at_character_ = 0;
-  std::size_t at_byte_ = 0;
   std::size_t depth_ = 0;
   bool line_failed_ = false;
   bool line_break_ = false;
@@ -204,7 +253,7 @@ bool check_text(const Source& source, DiagnosticSink& sink, const ParseLimits& l
 
 Span program_range(const Source& source) {
   const std::string_view text = source.text();
-  std::size_t begin = 0;  // ANTLR drops a mark at the start by itself, and its offsets then differ
+  std::size_t begin = 0;
   while (text.substr(begin).starts_with(kByteOrderMark)) begin += kByteOrderMark.size();
   if (text.substr(begin).starts_with("#!")) begin = std::min(text.find('\n', begin), text.size());
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(text.size()), source.id()};

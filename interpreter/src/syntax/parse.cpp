@@ -10,6 +10,7 @@
 #include "syntax/line_ends.hpp"
 #include "syntax/recovery.hpp"
 #include "syntax/syntax_errors.hpp"
+#include "syntax/table_prediction.hpp"
 #include "syntax/token_feed.hpp"
 
 namespace armlet::lang {
@@ -88,9 +89,12 @@ class Front {
           front.tokens_, [&front](std::size_t statement, std::size_t at) {
             return front.report_failure(statement, at);
           }));
+      using Prediction = antlr4::atn::ParserATNSimulator;
+      auto tables =
+          std::make_unique<TablePrediction>(&parser, *parser.getInterpreter<Prediction>());
       // The grammar never needs more: a test looks for full-context decisions in random programs.
-      parser.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(
-          antlr4::atn::PredictionMode::SLL);
+      tables->setPredictionMode(antlr4::atn::PredictionMode::SLL);
+      parser.setInterpreter(tables.release());
       parser.max_level = front.limits_.nesting;
       parser.max_chain = kMaxDepth;
     }

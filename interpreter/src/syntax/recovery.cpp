@@ -2,6 +2,7 @@
 
 #include <RbtParser.h>
 
+#include "syntax/table_prediction.hpp"
 #include "syntax/token_kinds.hpp"
 
 namespace armlet::lang {
@@ -73,9 +74,7 @@ void StatementRecovery::recover(antlr4::Parser* parser, std::exception_ptr error
 void StatementRecovery::sync(antlr4::Parser* parser) {
   if (parser->getContext()->getRuleIndex() != RbtParser::RuleBlock) return;
   antlr4::TokenStream* input = parser->getTokenStream();
-  const antlr4::misc::IntervalSet wanted =
-      parser->getATN().nextTokens(parser->getATN().states[parser->getState()]);
-  while (!wanted.contains(input->LA(1)) && input->LA(1) != antlr4::Token::EOF) {
+  while (!may_stand_in_block(input->LA(1)) && input->LA(1) != antlr4::Token::EOF) {
     const std::size_t at = input->index();
     report_(at, at);
     input->seek(std::max(at + 1, next_statement(at, at)));

@@ -1,9 +1,13 @@
 #include "armlet/core/ample_stack.hpp"
 
 #include <pthread.h>
+#include <sys/auxv.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <ucontext.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <new>
@@ -28,7 +32,20 @@ struct Bounds {
   std::uintptr_t high = 0;  // 0: not known
 };
 
+// Of the first thread, which the system lets grow down to its limit from the name of the program,
+// the uppermost of what it leaves there. pthread_getattr_np would read /proc/self/maps for it.
+Bounds bounds_of_first_thread() {
+  constexpr std::uintptr_t kPage = 4096;
+  constexpr std::uintptr_t kMost = std::uintptr_t{8} * 1024 * 1024;  // of a stack without limit
+  const std::uintptr_t name = getauxval(AT_EXECFN);
+  rlimit limit{};
+  if (name == 0 || getrlimit(RLIMIT_STACK, &limit) != 0) return {};
+  const std::uintptr_t high = (name / kPage + 1) * kPage;
+  return {high - std::min<std::uintptr_t>(limit.rlim_cur, kMost), high};
+}
+
 Bounds bounds_of_thread() {
+  if (gettid() == getpid()) return bounds_of_first_thread();
   pthread_attr_t attributes;
   if (pthread_getattr_np(pthread_self(), &attributes) != 0) return {};
   void* begin = nullptr;
@@ -39,7 +56,6 @@ Bounds bounds_of_thread() {
   return known ? Bounds{low, low + size} : Bounds{};
 }
 
-// Asking for them reads a file in the first thread, so it is done once.
 Bounds& present_bounds() {
   thread_local Bounds bounds = bounds_of_thread();
   return bounds;

@@ -129,7 +129,7 @@ inline std::unique_ptr<Checked> check_text(const std::string& text,
                                            const std::string& name = "cell.rbt") {
   static const Registry registry = [] {
     Registry made;
-    for (const NativeFunction& word : kWords) made.add_function(word);
+    made.add_functions(kWords);
     for (const NativeConstant& number : kNumbers) made.add_constant(number);
     for (const HostType* type : {&kPosJ, &kPosC, &kRobot, &kRow}) made.add_type(*type);
     made.add_record("Move", "reached: bool, stopped: bool, time: time");
