@@ -115,6 +115,15 @@ class RandomProgram {
   void kernel_fields();
   std::string kernel_term(int depth, const std::string& index);
 
+  // ---- loops over lists that are changed (random_table.cpp)
+  void declare_table();
+  void table_loop();
+  void table_statement();
+  void table_choice();
+  std::string table_index(const std::string& base);
+  std::string table_int();
+  std::string table_real();
+
   // ---- names in sight
   std::vector<const Var*> visible(const Ty* type, bool to_change);
   const Var* find(const Ty* type, bool to_change = false);

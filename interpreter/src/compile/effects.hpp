@@ -20,9 +20,14 @@ struct Effects {
   std::uint32_t words = 1;  // the instruction and its operands in the next word
   bool defines = false;     // register a of the instruction
   bool empties = false;     // register b too
-  // Number registers from here on are read and then lost.
+  // Number registers from here on are lost; the first of them are read before.
+  static constexpr std::uint32_t kAll = 0x0FFF'FFFFU;
   bool has_window = false;
   Reg window;
+  std::uint32_t window_reads = kAll;
+  [[nodiscard]] bool reads_in_window(std::uint32_t bits) const {
+    return has_window && bits >= window.bits && bits - window.bits < window_reads;
+  }
   // A register that must stay where it is.
   bool has_fixed = false;
   Reg fixed;
@@ -42,5 +47,9 @@ void for_each_read(Code& code, std::uint32_t at, const Effects& effects, F f) {
     if (is_register(operand_of(instr.op, 2))) f(instr.c);
   }
 }
+
+// Whether the instruction at `at` may need what the register holds.
+[[nodiscard]] bool reads_register(const std::vector<WideInstr>& code, std::uint32_t at,
+                                  const Effects& effects, std::uint32_t bits);
 
 }  // namespace armlet::lang

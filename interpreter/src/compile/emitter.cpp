@@ -48,7 +48,7 @@ bool ends_flow(OpCode op) {
 
 bool is_operand_word(OpCode op) {
   return op == OpCode::TYPE || op == OpCode::WITH || op == OpCode::FACTORS || op == OpCode::PAIR ||
-         op == OpCode::WITHK;
+         op == OpCode::WITHK || op == OpCode::OFFSET;
 }
 
 Emitter::Emitter(Span span) : whole_(span), span_(span) {}
@@ -276,6 +276,7 @@ std::uint16_t Emitter::place(Reg reg) const {
 
 Instr Emitter::narrow(const WideInstr& wide, std::uint32_t pc) const {
   const auto operand = [&](std::size_t i, std::uint32_t value) {
+    if (operand_of(wide.op, i) == '-') return std::uint16_t{0};
     return is_register(operand_of(wide.op, i)) ? place(Reg{value})
                                                : static_cast<std::uint16_t>(value);
   };

@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "compile/combine.hpp"
 #include "compile/elements.hpp"
 #include "compile/emitter.hpp"
 #include "compile/fuse.hpp"
@@ -29,6 +30,7 @@ void Emitter::improve() {
   edit({find_repeats(code_, shape(), fresh), {}});
   edit(hoist_rows(code_, shape(), fresh));
   edit(fuse(code_, shape()));
+  edit(combine(code_, shape()));
   edit(share_elements(code_, shape(), fresh));
   edit(use_last_double(code_, shape()));
 }
@@ -58,7 +60,10 @@ void Emitter::edit(const Edits& edits) {
 void Emitter::relocate(const std::vector<std::uint32_t>& moved,
                        const std::vector<std::uint32_t>& moved_loops) {
   std::vector<bool> begins_loop(labels_.size(), false);
+  for (LabelInfo& label : labels_) label.used = false;  // jumps may be gone
   for (const WideInstr& instr : code_) {
+    if (instr.label == kUnbound) continue;
+    labels_[instr.label].used = true;
     if (instr.op == OpCode::LOOP) begins_loop[instr.label] = true;
   }
   for (std::size_t i = 0; i < labels_.size(); ++i) {

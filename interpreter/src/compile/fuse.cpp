@@ -1,20 +1,18 @@
 #include "compile/fuse.hpp"
 
 #include <algorithm>
-#include <optional>
 
+#include "compile/deaths.hpp"
 #include "compile/effects.hpp"
 
 namespace armlet::lang {
 
 namespace {
 
-constexpr std::uint32_t kFarthest = 300;  // instructions that are looked at for one value
-
 class Fuser {
  public:
   Fuser(std::vector<WideInstr>& code, const CodeShape& shape)
-      : code_(code), shape_(shape), flow_(find_flow(code, shape)) {}
+      : code_(code), flow_(find_flow(code, shape)), deaths_(code, shape) {}
 
   Edits run() {
     edits_.removed.assign(code_.size(), false);
@@ -52,7 +50,7 @@ class Fuser {
     if (!from_row && sum.op != OpCode::MADDLD) return;
     WideInstr& word = code_[at + 2];
     const bool other_use = sum.a == t || sum.b == t || sum.c == t || (from_row && word.b == t);
-    if (word.a != t || other_use || !dies(t, at + 1)) return;
+    if (word.a != t || other_use || !deaths_.dies(t, at + 1)) return;
     load.op = from_row ? OpCode::MADDROW : OpCode::MADDTWO;
     load.a = sum.a;
     sum.op = OpCode::PAIR;
@@ -68,36 +66,9 @@ class Fuser {
     }
   }
 
-  // Nobody reads what register `bits` holds after the instruction at `at`.
-  bool dies(std::uint32_t bits, std::uint32_t at) {
-    const Reg reg{bits};
-    if (reg.reg_class() != RegClass::kNumber) return false;
-    if (!liveness_) liveness_.emplace(code_, shape_);
-    if (!liveness_->is_known()) return false;
-    const auto& blocks = liveness_->blocks();
-    const auto block = std::ranges::upper_bound(blocks, at, {}, &CodeBlock::end);
-    const auto index = static_cast<std::uint32_t>(block - blocks.begin());
-    if (liveness_->is_live_in_handler(index, reg)) return false;
-    const std::uint32_t begin = at + effects_of(code_, at).words;
-    for (std::uint32_t i = begin; i < block->end;) {
-      if (i - begin > kFarthest) return false;
-      const Effects effects = effects_of(code_, i);
-      bool reads = effects.effect == Effect::kUnknown ||
-                   (effects.has_window && reg.bits >= effects.window.bits) ||
-                   (effects.has_fixed && effects.fixed == reg) ||
-                   (effects.effect == Effect::kUpdate && code_[i].a == bits);
-      for_each_read(code_, i, effects, [&](std::uint32_t read) { reads = reads || read == bits; });
-      if (reads) return false;
-      if (effects.defines && code_[i].a == bits) return true;
-      i += effects.words;
-    }
-    return !liveness_->is_live_after(index, reg);
-  }
-
   std::vector<WideInstr>& code_;
-  const CodeShape& shape_;
   CodeFlow flow_;
-  std::optional<Liveness> liveness_;  // when it is first needed; fusing changes it for no other use
+  Deaths deaths_;
   Edits edits_;
 };
 

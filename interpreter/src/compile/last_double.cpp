@@ -91,22 +91,29 @@ constexpr ChangeTable kChanges = [] {
     set(op, Change::kMakes);
   }
   for (const OpCode op :
-       {OpCode::MOVE,   OpCode::INT,   OpCode::CONST, OpCode::ZERO,    OpCode::GLOAD,
-        OpCode::GSTORE, OpCode::ADDI,  OpCode::SUBI,  OpCode::MULI,    OpCode::DIVI,
-        OpCode::MODI,   OpCode::NEGI,  OpCode::ADDIK, OpCode::NOT,     OpCode::LTI,
-        OpCode::LEI,    OpCode::EQI,   OpCode::NEI,   OpCode::LTR,     OpCode::LER,
-        OpCode::EQR,    OpCode::NER,   OpCode::LEN,   OpCode::LD,      OpCode::LDLD,
-        OpCode::LDI,    OpCode::LDF,   OpCode::FLD,   OpCode::BSTORE,  OpCode::PUT,
-        OpCode::ST,     OpCode::STF,   OpCode::STLF,  OpCode::MADDLF,  OpCode::STM,
-        OpCode::OWNED,  OpCode::SETF,  OpCode::MADDF, OpCode::ADDRL,   OpCode::ADDRG,
-        OpCode::ADDRB,  OpCode::ADDRE, OpCode::ADDRF, OpCode::ADDRM,   OpCode::LDM,
-        OpCode::BLOAD,  OpCode::JT,    OpCode::JF,    OpCode::EXPANDED}) {
+       {OpCode::MOVE,   OpCode::INT,    OpCode::CONST,  OpCode::ZERO,     OpCode::GLOAD,
+        OpCode::GSTORE, OpCode::ADDI,   OpCode::SUBI,   OpCode::MULI,     OpCode::DIVI,
+        OpCode::MODI,   OpCode::NEGI,   OpCode::ADDIK,  OpCode::NOT,      OpCode::LTI,
+        OpCode::LEI,    OpCode::EQI,    OpCode::NEI,    OpCode::LTR,      OpCode::LER,
+        OpCode::EQR,    OpCode::NER,    OpCode::LEN,    OpCode::LD,       OpCode::LDLD,
+        OpCode::LDI,    OpCode::LDF,    OpCode::FLD,    OpCode::BSTORE,   OpCode::PUT,
+        OpCode::ST,     OpCode::STF,    OpCode::STLF,   OpCode::MADDLF,   OpCode::STM,
+        OpCode::OWNED,  OpCode::SETF,   OpCode::MADDF,  OpCode::ADDRL,    OpCode::ADDRG,
+        OpCode::ADDRB,  OpCode::ADDRE,  OpCode::ADDRF,  OpCode::ADDRM,    OpCode::LDM,
+        OpCode::BLOAD,  OpCode::JT,     OpCode::JF,     OpCode::EXPANDED, OpCode::MULIK,
+        OpCode::SCALEI, OpCode::DIVP,   OpCode::MODP,   OpCode::LDO,      OpCode::STO,
+        OpCode::STLD,   OpCode::COPYEL, OpCode::SWAPEL, OpCode::COUNTEL,  OpCode::ADDEL,
+        OpCode::SUBEL,  OpCode::ADDELR, OpCode::SUBELR, OpCode::MULELR,   OpCode::MADDEL,
+        OpCode::MSUBEL, OpCode::OWNEDF}) {
     set(op, Change::kKeeps);
   }
-  for (auto op = OpCode::IFLTI; op <= OpCode::FORX;
-       op = static_cast<OpCode>(static_cast<int>(op) + 1)) {
-    set(op, Change::kKeeps);
-  }
+  const auto set_all = [&](OpCode first, OpCode last) {
+    for (auto op = static_cast<int>(first); op <= static_cast<int>(last); ++op) {
+      set(static_cast<OpCode>(op), Change::kKeeps);
+    }
+  };
+  set_all(OpCode::IFLTI, OpCode::FORGEK);
+  set_all(OpCode::MOVELTI, OpCode::COUNTLER);
   return table;
 }();
 
@@ -164,7 +171,7 @@ class LastDouble {
       case Change::kForgets:
         return kNone;
       case Change::kKeeps: {
-        const bool counts = instr.op == OpCode::FORI || instr.op == OpCode::FORX;
+        const bool counts = counts_and_branches(instr.op);
         const bool writes = operand_of(instr.op, 0) == 'd' || counts;
         return writes && instr.a == held ? kNone : held;
       }

@@ -70,11 +70,26 @@ void Liveness::link_blocks(const CodeShape& shape) {
     }
     if (falls_through && i + 1 < blocks_.size()) block.next.push_back(i + 1);
   }
+  find_only_ways(shape);
   for (const auto& handler : shape.handlers) {
     if (handler.begin >= handler.end) continue;
     const std::uint32_t last = block_at(handler.end - 1);
     for (std::uint32_t i = block_at(handler.begin); i <= last; ++i)
       blocks_[i].handlers.push_back(block_at(handler.handler));
+  }
+}
+
+void Liveness::find_only_ways(const CodeShape& shape) {
+  std::vector<std::uint32_t> ways(blocks_.size(), 0);
+  if (!ways.empty()) ways[0] = 1;
+  for (const auto& handler : shape.handlers) ways[block_at(handler.handler)] += 2;
+  for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
+    for (const std::uint32_t next : blocks_[i].next) {
+      if (++ways[next] == 1 && i < next) blocks_[next].only_from = i;
+    }
+  }
+  for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
+    if (ways[i] != 1) blocks_[i].only_from = CodeBlock::kNone;
   }
 }
 
@@ -93,8 +108,10 @@ void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) con
     const bool unknown = effects.effect == Effect::kUnknown;
     if (unknown || (effects.has_window && is_number(effects.window))) {
       const std::uint32_t first = unknown ? 0 : effects.window.number();
-      for (std::uint32_t n = first; n < read_from; ++n) read(Reg::make(RegClass::kNumber, n));
-      read_from = std::min(read_from, first);
+      const bool all = unknown || effects.window_reads == Effects::kAll;
+      const std::uint32_t end = all ? read_from : std::min(read_from, first + effects.window_reads);
+      for (std::uint32_t n = first; n < end; ++n) read(Reg::make(RegClass::kNumber, n));
+      if (all) read_from = std::min(read_from, first);
     }
     if (effects.defines && !unknown && is_number(Reg{code_[at].a})) {
       set(writes, Reg{code_[at].a}.number());

@@ -8,6 +8,15 @@ namespace armlet::lang {
 
 using namespace hir;
 
+namespace {
+
+// For passes over the code: one more than the registers that a call reads.
+std::uint32_t windowed(Seq<Expr*> arguments) {
+  return static_cast<std::uint32_t>(arguments.size()) + 1;
+}
+
+}  // namespace
+
 // Arguments in consecutive registers from `base`, which is the topmost number. References there are
 // borrowed copies; what owns them stays in reference registers until the caller gives those back.
 void Lowering::window(Seq<Expr*> arguments, Reg base, Hold hold) {
@@ -82,7 +91,7 @@ Reg Lowering::call(const Expr& e, Dest to) {
       const Reg base = base_for(to);
       window(c.arguments, base, Hold::kCall);
       code_.at(e.span, &e);
-      code_.push(OpCode::CALL, base.bits, c.function->index, 0);
+      code_.push(OpCode::CALL, base.bits, c.function->index, windowed(c.arguments));
       return base;
     }
     case ExprKind::kCallValue: {
@@ -93,7 +102,7 @@ Reg Lowering::call(const Expr& e, Dest to) {
       const Reg base = base_for(to);
       window(c.arguments, base, Hold::kCall);
       code_.at(e.span, &e);
-      code_.emit(OpCode::CALLV, base, function);
+      code_.push(OpCode::CALLV, base.bits, function.bits, windowed(c.arguments));
       return base;
     }
     case ExprKind::kGuarded:
@@ -106,7 +115,7 @@ Reg Lowering::call(const Expr& e, Dest to) {
 Reg Lowering::call_native(const CallNativeExpr& e, Reg base) {
   window(e.arguments, base, is_quiet(e) ? Hold::kNow : Hold::kCall);
   code_.at(e.span, &e);
-  code_.push(OpCode::CALLN, base.bits, tables_.native(e.function), 0);
+  code_.push(OpCode::CALLN, base.bits, tables_.native(e.function), windowed(e.arguments));
   return base;
 }
 

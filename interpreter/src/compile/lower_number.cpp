@@ -240,7 +240,7 @@ void Lowering::binary_into(const BinaryExpr& e, Dest to) {
 void Lowering::arithmetic(Site site, Op op, Reg left, const Expr& right, Reg to) {
   if (options_.optimise) {
     if (multiply_add(site, op, left, right, to)) return;
-    if (add_small(site, op, left, right, to)) return;
+    if (with_small(site, op, left, right, to) || by_power_of_two(site, op, left, right, to)) return;
     if (with_int(site, op, left, right, to) || with_field(site, op, left, right, to)) return;
     if (with_constant(site, op, left, right, to)) return;
     if (left == to && op == Op::kMulR && multiply_element(right, to)) return;
@@ -248,16 +248,6 @@ void Lowering::arithmetic(Site site, Op op, Reg left, const Expr& right, Reg to)
   const Reg other = value(right);
   code_.at(site.span, site.expr);
   code_.emit(arithmetic_instruction(op), to, left, other);
-}
-
-bool Lowering::add_small(Site site, Op op, Reg left, const Expr& right, Reg to) {
-  std::int64_t small = 0;
-  if ((op != Op::kAddI && op != Op::kSubI) || !small_int(right, small)) return false;
-  if (op == Op::kSubI) small = -small;
-  if (small > INT16_MAX) return false;
-  code_.at(site.span, site.expr);
-  code_.push(OpCode::ADDIK, to.bits, left.bits, static_cast<std::uint16_t>(small));
-  return true;
 }
 
 // x + a * b. The product is rounded, then the sum: the same bits as two instructions.
@@ -319,23 +309,16 @@ bool Lowering::with_field(Site site, Op op, Reg left, const Expr& right, Reg to)
   return true;
 }
 
-// x + 1.5, x - 1.5, x * 1.5 where the constant has no register: outside of loops.
-bool Lowering::with_constant(Site site, Op op, Reg left, const Expr& right, Reg to) {
-  Slot known;
-  Reg loaded;
-  if (op != Op::kAddR && op != Op::kSubR && op != Op::kMulR) return false;
-  if (!constant_slot(right, known) || in_register(right, loaded)) return false;
-  if (op == Op::kSubR) known.d = -known.d;
-  code_.at(site.span, site.expr);
-  if (op != Op::kMulR && left == to && code_.scale_and_offset(to, known)) return true;
-  code_.with_constant(op == Op::kMulR ? OpCode::MULRK : OpCode::ADDRK, to, left, known);
-  return true;
-}
-
-// 1.5 * x; i * x and xs[i].field * x with x in a register: the sides change places, the bits stay.
+// 1.5 * x, 2 * i; i * x and xs[i].field * x with x in a register: the sides change places, the bits
+// stay.
 bool Lowering::turned(const BinaryExpr& e, Reg to) {
   Reg right;
-  if (!options_.optimise || (e.op != Op::kAddR && e.op != Op::kMulR)) return false;
+  std::int64_t small = 0;
+  if (!options_.optimise) return false;
+  if ((e.op == Op::kAddI || e.op == Op::kMulI) && small_int(*e.left, small)) {
+    return with_small({e.span, &e}, e.op, value(*e.right), *e.left, to);
+  }
+  if (e.op != Op::kAddR && e.op != Op::kMulR) return false;
   Slot known;
   if (constant_slot(*e.left, known)) {
     return !in_register(*e.left, right) &&

@@ -170,7 +170,7 @@ void Lowering::assign_inside(const AssignStmt& s) {
     code_.emit(OpCode::PUTREF, to, from);
   } else if (!s.compound) {
     store_inside(s.place, indices, value(*s.value));
-  } else if (!add_product_inside(s, indices)) {
+  } else if (!add_product_inside(s, indices) && !operate_inside(s, indices)) {
     const Reg now = code_.number();
     const Addend added = addend(s);
     load_place(s.place, indices, now);
@@ -195,6 +195,47 @@ bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
   code_.emit(OpCode::MADDLF, list, indices[0].index);
   code_.push(OpCode::FACTORS, a.bits, b.bits, steps[1].field);
   return true;
+}
+
+// rows[i][j] += value: the row is looked up once.
+bool Lowering::operate_inside(const AssignStmt& s, const Indices& indices) {
+  Reg object;
+  const Step& last = s.place.steps.back();
+  if (s.place.steps.size() < 2 || last.is_field || last.column != nullptr) return false;
+  if (!own_register(*s.place.variable, object) || !is_chain_of_objects(s.place)) return false;
+  const Addend added = addend(s);
+  const Reg inner = owned_inside(s.place, indices, object);
+  const Reg now = code_.number();
+  code_.at(last.span);
+  code_.emit(OpCode::LD, now, inner, indices.back().index);
+  add_to(s, added, now);
+  code_.at(last.span);
+  code_.emit(OpCode::ST, inner, indices.back().index, now);
+  return true;
+}
+
+// All steps but the last lead to lists or records.
+bool Lowering::is_chain_of_objects(const Place& place) {
+  for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
+    if (place.steps[i].column != nullptr) return false;
+  }
+  return true;
+}
+
+// What the last step leads into, which nobody else sees from here on.
+Reg Lowering::owned_inside(const Place& place, const Indices& indices, Reg object) {
+  const Reg inner = code_.number();
+  for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
+    const Step& step = place.steps[i];
+    code_.at(step.span);
+    if (step.is_field) {
+      code_.push(OpCode::OWNEDF, inner.bits, object.bits, step.field);
+    } else {
+      code_.emit(OpCode::OWNED, inner, object, indices[i].index);
+    }
+    object = inner;
+  }
+  return inner;
 }
 
 Lowering::Indices Lowering::index_values(const Place& place) {
@@ -226,32 +267,35 @@ bool Lowering::own_register(const Variable& variable, Reg& out) const {
 
 void Lowering::store_inside(const Place& place, const Indices& indices, Reg from) {
   Reg object;
-  const std::size_t steps = place.steps.size();
-  const Step& last = place.steps.back();
-  if (own_register(*place.variable, object)) {
-    code_.at(last.span);
-    if (steps == 1 && last.column != nullptr) {
-      code_.emit(OpCode::STM, object, indices[0].index, from);
-      code_.emit(OpCode::WITH, indices[0].column);
-      return;
-    }
-    if (steps == 1 && !last.is_field) {
-      code_.emit(OpCode::ST, object, indices[0].index, from);
-      return;
-    }
-    if (steps == 1) {
-      code_.push(OpCode::STF, object.bits, last.field, from.bits);
-      return;
-    }
-    if (steps == 2 && last.is_field && !place.steps[0].is_field) {
-      code_.at(place.steps[0].span);
-      code_.emit(OpCode::STLF, object, indices[0].index, from);
-      code_.word(last.field);
-      return;
-    }
+  if (!own_register(*place.variable, object) || !is_chain_of_objects(place)) {
+    const Reg to = address(place, indices);
+    code_.emit(OpCode::PUT, to, from);
+    return;
   }
-  const Reg to = address(place, indices);
-  code_.emit(OpCode::PUT, to, from);
+  const std::size_t steps = place.steps.size();
+  const Step& first = place.steps[0];
+  const Step& last = place.steps.back();
+  if (steps == 2 && !first.is_field && last.column == nullptr) {
+    code_.at(first.span);
+    code_.emit(last.is_field ? OpCode::STLF : OpCode::STLD, object, indices[0].index, from);
+    code_.at(last.span);
+    if (last.is_field) {
+      code_.word(last.field);
+    } else {
+      code_.emit(OpCode::WITH, indices[1].index);
+    }
+    return;
+  }
+  if (steps > 1) object = owned_inside(place, indices, object);
+  code_.at(last.span);
+  if (last.is_field) {
+    code_.push(OpCode::STF, object.bits, last.field, from.bits);
+  } else if (last.column != nullptr) {
+    code_.emit(OpCode::STM, object, indices.back().index, from);
+    code_.emit(OpCode::WITH, indices.back().column);
+  } else {
+    code_.emit(OpCode::ST, object, indices.back().index, from);
+  }
 }
 
 // The address of the place, good until anything else runs.

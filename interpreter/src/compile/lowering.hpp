@@ -103,12 +103,10 @@ class Lowering {
   void unary_into(const hir::UnaryExpr& e, Dest to);
   void binary_into(const hir::BinaryExpr& e, Dest to);
   void arithmetic(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
-  bool add_small(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool multiply_add(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool add_to_product(const hir::BinaryExpr& product, const hir::BinaryExpr& sum, Reg left, Reg to);
   bool with_int(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool with_field(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
-  bool with_constant(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool turned(const hir::BinaryExpr& e, Reg to);
   bool add_product_of_element(Site site, Reg a, const hir::Expr& b, Reg to);
   bool multiply_element(const hir::Expr& right, Reg accumulator);
@@ -119,6 +117,11 @@ class Lowering {
   void load_field(const hir::FieldExpr& e, Reg to, Hold hold);
   void load_element(const hir::ElementExpr& e, Reg to, Hold hold);
   bool load_element_twice(const hir::ElementExpr& e, Reg to, Hold hold);
+
+  // ---- lower_known.cpp
+  bool with_small(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool by_power_of_two(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
+  bool with_constant(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
 
   // ---- lower_reference.cpp: texts, lists, records ...
   Reg borrow(const hir::Expr& e, Hold hold);
@@ -214,6 +217,9 @@ class Lowering {
   void add_to(const hir::AssignStmt& s, const Addend& added, Reg to);
   void operate(const hir::AssignStmt& s, Reg left, Reg to);
   bool add_product_inside(const hir::AssignStmt& s, const Indices& indices);
+  bool operate_inside(const hir::AssignStmt& s, const Indices& indices);
+  static bool is_chain_of_objects(const hir::Place& place);
+  Reg owned_inside(const hir::Place& place, const Indices& indices, Reg object);
   Indices index_values(const hir::Place& place);
   static Hold hold_for(const hir::Place& place, const hir::Expr& value);
   bool own_register(const hir::Variable& variable, Reg& out) const;

@@ -24,9 +24,12 @@ bool changes_memory(const Effects& effects, OpCode op) {
     case OpCode::GSET:
     case OpCode::CMPTEXT:
     case OpCode::EXPANDED:
+    case OpCode::JT:
+    case OpCode::JF:
+    case OpCode::JUMP:
       return false;
     default:
-      return true;
+      return !is_compare_and_branch(op);
   }
 }
 
@@ -37,6 +40,7 @@ class RepeatFinder {
       : code_(code), shape_(shape), liveness_(liveness), fresh_(fresh), gone_(code.size(), false) {}
 
   std::vector<bool> run() {
+    find_kept();
     for (block_ = 0; block_ < liveness_.blocks().size(); ++block_) number_block();
     return std::move(gone_);
   }
@@ -53,25 +57,69 @@ class RepeatFinder {
   };
   struct Known {
     std::uint32_t value;
-    std::uint32_t at;  // the instruction that computes it
+    std::uint32_t at;  // the instruction that computes it, or stores it
+    Reg home;          // the register that it left it in
   };
+  // What is known at the end of a block that one of its two followers begins with.
+  struct Snapshot {
+    std::array<std::vector<std::uint32_t>, 4> values;
+    std::uint32_t region;
+    std::uint32_t first_value;
+    std::uint32_t top_number;
+    std::uint64_t memory;
+  };
+  static constexpr std::size_t kMostSnapshots = 8;  // at a time
+  static constexpr std::size_t kLargestSnapshot = 512;
 
   const CodeBlock& block() const { return liveness_.blocks()[block_]; }
 
   // Nothing is known of what registers hold.
   void forget() {
-    ++region_;
+    region_ = ++last_region_;
     first_value_ = last_value_ + 1;
     top_number_ = 0;
   }
 
+  // Blocks whose end is where a later block than the next one begins.
+  void find_kept() {
+    const auto& blocks = liveness_.blocks();
+    kept_.assign(blocks.size(), false);
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+      const std::uint32_t from = blocks[i].only_from;
+      if (from != CodeBlock::kNone && from + 1 != i) kept_[from] = true;
+    }
+  }
+
+  void begin_block() {
+    const std::uint32_t from = block().only_from;
+    if (from == CodeBlock::kNone) return forget();
+    if (from + 1 == block_) return;
+    const auto kept = snapshots_.find(from);
+    if (kept == snapshots_.end()) return forget();
+    const Snapshot& at_end = kept->second;
+    values_ = at_end.values;
+    region_ = at_end.region;
+    first_value_ = at_end.first_value;
+    top_number_ = at_end.top_number;
+    memory_ = at_end.memory;
+    snapshots_.erase(kept);
+  }
+
+  void end_block() {
+    std::size_t size = 0;
+    for (const auto& values : values_) size += values.size();
+    if (!kept_[block_] || snapshots_.size() >= kMostSnapshots || size > kLargestSnapshot) return;
+    snapshots_[block_] = {values_, region_, first_value_, top_number_, memory_};
+  }
+
   void number_block() {
-    forget();
+    begin_block();
     for (std::uint32_t at = block().begin; at < block().end;) {
       const Effects effects = effects_of(code_, at);
       number(at, effects);
       at += effects.words;
     }
+    end_block();
   }
 
   void number(std::uint32_t at, const Effects& effects) {
@@ -82,7 +130,8 @@ class RepeatFinder {
       number_value(at, effects);
       return;
     }
-    if (changes_memory(effects, code_[at].op)) ++memory_;
+    if (changes_memory(effects, code_[at].op)) memory_ = ++last_memory_;
+    if (code_[at].op == OpCode::GSTORE) note_stored(at);
     if (effects.has_window) lose_window(effects.window);
     if (effects.empties) set_value(Reg{code_[at].b}, ++last_value_);
     if (effects.defines) {
@@ -91,9 +140,19 @@ class RepeatFinder {
     }
   }
 
+  // A variable of the program that was just stored need not be loaded.
+  void note_stored(std::uint32_t at) {
+    const Reg from{code_[at].b};
+    Key key{};
+    key[0] = static_cast<std::uint64_t>(OpCode::GLOAD);
+    key[1] = std::uint64_t{region_} << 32U | memory_;
+    key[2] = code_[at].a;
+    known_.insert_or_assign(key, Known{value_of(from), at, from});
+  }
+
   void number_value(std::uint32_t at, const Effects& effects) {
     const Reg to{code_[at].a};
-    const auto [known, is_new] = known_.try_emplace(key_of(at, effects), Known{0, at});
+    const auto [known, is_new] = known_.try_emplace(key_of(at, effects), Known{0, at, to});
     Known& entry = known->second;
     if (is_new) {
       entry.value = ++last_value_;
@@ -103,8 +162,11 @@ class RepeatFinder {
     } else if (is_number(to) && reuse(entry, at)) {
       remove(at, effects);
       return;
-    } else if (value_of(Reg{code_[entry.at].a}) != entry.value) {
+    } else if (effects.effect == Effect::kLoad && value_of(entry.home) == entry.value) {
+      replace_by_move(at, effects, entry.home);
+    } else if (value_of(entry.home) != entry.value) {
       entry.at = at;  // nearer, and still there
+      entry.home = to;
     }
     set_value(to, entry.value);
   }
@@ -146,6 +208,14 @@ class RepeatFinder {
 
   void remove(std::uint32_t at, const Effects& effects) {
     for (std::uint32_t word = at; word < at + effects.words; ++word) gone_[word] = true;
+  }
+
+  void replace_by_move(std::uint32_t at, const Effects& effects, Reg home) {
+    WideInstr& instr = code_[at];
+    instr.op = OpCode::MOVE;
+    instr.b = home.bits;
+    instr.c = 0;
+    for (std::uint32_t word = at + 1; word < at + effects.words; ++word) gone_[word] = true;
   }
 
   // The reads of register `reg` after `at` for as long as it keeps what it got there; false if they
@@ -194,15 +264,17 @@ class RepeatFinder {
   }
 
   // Lets the readers of the value computed again at `at` read the register that has it.
-  bool reuse(const Known& entry, std::uint32_t at) {
-    const Reg home{code_[entry.at].a};
+  bool reuse(Known& entry, std::uint32_t at) {
+    const Reg home = entry.home;
     const Reg again{code_[at].a};
     if (value_of(home) == entry.value) {
       if (!collect_reads(again, at, &home, false)) return false;
       for (std::uint32_t* read : reads_) *read = home.bits;
       return true;
     }
-    // Its register has been used for something else: it gets one of its own.
+    // Its register has been used for something else: it gets one of its own, if nobody can have
+    // come to read it on another way.
+    if (entry.at < block().begin || Reg{code_[entry.at].a} != home) return false;
     if (!is_number(home) || !collect_reads(again, at, nullptr, false)) return false;
     const std::vector<std::uint32_t*> late = reads_;
     if (!collect_reads(home, entry.at, nullptr, true)) return false;
@@ -210,6 +282,7 @@ class RepeatFinder {
     code_[entry.at].a = own.bits;
     for (std::uint32_t* read : reads_) *read = own.bits;
     for (std::uint32_t* read : late) *read = own.bits;
+    entry.home = own;
     set_value(own, entry.value);
     return true;
   }
@@ -226,7 +299,11 @@ class RepeatFinder {
   std::uint32_t first_value_ = 1;  // of this region; smaller ones are out of date
   std::uint32_t last_value_ = 0;
   std::uint32_t top_number_ = 0;  // the highest number register with a value
-  std::uint64_t memory_ = 0;
+  std::uint64_t memory_ = 0;      // grows with every change of memory
+  std::uint32_t last_region_ = 0;
+  std::uint64_t last_memory_ = 0;
+  std::vector<bool> kept_;
+  std::unordered_map<std::uint32_t, Snapshot> snapshots_;  // by block
   std::vector<std::uint32_t*> reads_;
 };
 

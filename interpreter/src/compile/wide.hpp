@@ -48,7 +48,12 @@ struct WideInstr {
 [[nodiscard]] bool is_operand_word(OpCode op);
 // The next word is a jump that is taken or skipped.
 [[nodiscard]] inline bool is_compare_and_branch(OpCode op) {
-  return op >= OpCode::IFLTI && op <= OpCode::FORX;
+  return op >= OpCode::IFLTI && op <= OpCode::FORGEK;
+}
+
+// And it changes the register that it compares first.
+[[nodiscard]] inline bool counts_and_branches(OpCode op) {
+  return op >= OpCode::FORI && op <= OpCode::FORGEK;
 }
 
 }  // namespace armlet::lang

@@ -85,9 +85,12 @@ TEST_CASE("random programs, which fuzzing runs too, contain what only the last p
   const std::set<lang::OpCode> found = chosen_late();
   using lang::OpCode;
   for (const OpCode op :
-       {OpCode::SCALE, OpCode::WITHK, OpCode::RETHERE, OpCode::SUMP, OpCode::DIFFP, OpCode::MADDTWO,
-        OpCode::MADDROW, OpCode::OWNED, OpCode::SETF, OpCode::MADDF, OpCode::ADDF_W, OpCode::SUBF,
-        OpCode::MULF_W, OpCode::LAST, OpCode::MADD_A, OpCode::SUBR_C}) {
+       {OpCode::SCALE,   OpCode::WITHK,   OpCode::RETHERE, OpCode::SUMP,    OpCode::DIFFP,
+        OpCode::MADDTWO, OpCode::MADDROW, OpCode::OWNED,   OpCode::SETF,    OpCode::MADDF,
+        OpCode::ADDF_W,  OpCode::SUBF,    OpCode::MULF_W,  OpCode::LAST,    OpCode::MADD_A,
+        OpCode::SUBR_C,  OpCode::SWAPEL,  OpCode::COPYEL,  OpCode::COUNTEL, OpCode::MSUBEL,
+        OpCode::LDO,     OpCode::STO,     OpCode::SCALEI,  OpCode::FORGE,   OpCode::MOVELTI,
+        OpCode::COUNTLTR}) {
     CHECK_MESSAGE(found.contains(op), kRows[static_cast<std::size_t>(op)].name << " is missing");
   }
 }
