@@ -20,14 +20,18 @@ std::optional<double> given(Slot s) {
   return is_absent(s) ? std::nullopt : std::optional<double>(s.d);
 }
 
-// (r, target, time, speed, accel, traj, near)
-MoveSettings joint_settings(const Slot* args) {
-  return {.time = given(args[2]), .speed = given(args[3]), .accel = given(args[4])};
+// (r, target, time, speed, accel, ..., blend)
+MoveSettings settings_of_move(const Slot* args) {
+  return {.time = given(args[2]),
+          .speed = given(args[3]),
+          .accel = given(args[4]),
+          .blend = given(args[7])};
 }
+// (r, target, time, speed, accel, traj, near, blend)
 Signal move_j_joints(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveJ", .robot = host_value<RobotRef>(args[0]).id};
   return move_to_joints(vm, args, call, posj(args[1]).vector(), std::string(text_value(args[5])),
-                        joint_settings(args));
+                        settings_of_move(args));
 }
 Signal move_j_place(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveJ", .robot = host_value<RobotRef>(args[0]).id};
@@ -36,21 +40,20 @@ Signal move_j_place(Vm& vm, Slot* args) {
     return size_failure(vm, "near", static_cast<std::size_t>(near.size()),
                         static_cast<std::size_t>(model_of(vm, call).n()));
   return move_to_place(vm, args, call, posc(args[1]), near, std::string(text_value(args[5])),
-                       joint_settings(args));
+                       settings_of_move(args));
 }
 
 // (r, target, time, speed, accel, tool, frame, blend)
 template <bool kInObject>
 Signal move_l(Vm& vm, Slot* args) {
   const MoveCall call{.function = "moveL", .robot = host_value<RobotRef>(args[0]).id};
-  MoveSettings settings = joint_settings(args);
+  MoveSettings settings = settings_of_move(args);
   if (args[5].o != nullptr) settings.T_flange_tool = posc(args[5]).T;
   if (kInObject) {
     settings.frame = host_value<ObjectRef>(args[6]).name;
   } else if (args[6].o != nullptr) {
     settings.frame = posc(args[6]).T;
   }
-  settings.blend = given(args[7]);
   return move_on_line(vm, args, call, posc(args[1]), settings);
 }
 
@@ -136,7 +139,8 @@ Signal set_joints(Vm& vm, Slot* args) {
 constexpr std::string_view kMoveJHelp =
     "Moves all joints together; to a position in space, its inverse kinematics is solved first. "
     "time or speed, a fraction of the joint limits, not both; neither means as fast as the joints "
-    "allow. accel is a fraction of their acceleration limits.";
+    "allow. accel is a fraction of their acceleration limits. In a path, blend is how far from the "
+    "target its corner may begin.";
 constexpr std::string_view kMoveLHelp =
     "Moves the hand along a straight line; the orientation turns evenly. time or speed, not both; "
     "neither means as fast as the joints allow. tool is the point that moves, seen from the "
@@ -152,18 +156,16 @@ constexpr std::string_view kMoveSplineHelp =
     "any other the joints run through the places.";
 
 constexpr NativeFunction kFunctions[] = {
-    {"moveJ",
-     "(r: robot, target: posJ, time: time?, speed: double?, accel: double?, traj: string = "
-     "\"Syn\", "
-     "near: posJ?) -> Move",
-     kMoveJHelp, "moveJ(home(), time: 2s)", move_j_joints, nullptr, nullptr, check_move_joints,
-     nullptr, true},
-    {"moveJ",
-     "(r: robot, target: posC, time: time?, speed: double?, accel: double?, traj: string = "
-     "\"Syn\", "
-     "near: posJ?) -> Move",
-     kMoveJHelp, "moveJ(here(), time: 1s)", move_j_place, nullptr, nullptr, check_move_place,
-     nullptr, true},
+    in_path({"moveJ",
+             "(r: robot, target: posJ, time: time?, speed: double?, accel: double?, traj: string = "
+             "\"Syn\", near: posJ?, blend: length?) -> Move",
+             kMoveJHelp, "moveJ(home(), time: 2s)", move_j_joints, nullptr, nullptr,
+             check_move_joints, nullptr, true}),
+    in_path({"moveJ",
+             "(r: robot, target: posC, time: time?, speed: double?, accel: double?, traj: string = "
+             "\"Syn\", near: posJ?, blend: length?) -> Move",
+             kMoveJHelp, "moveJ(here(), time: 1s)", move_j_place, nullptr, nullptr,
+             check_move_place, nullptr, true}),
     in_path({"moveL",
              "(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
              "frame: posC?, blend: length?) -> Move",

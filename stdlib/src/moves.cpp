@@ -188,6 +188,8 @@ bool prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
 
 Signal move_to_joints(Vm& vm, Slot* args, MoveCall call, const Eigen::VectorXd& q,
                       std::string planner, const MoveSettings& settings) {
+  if (settings_of(vm).path != nullptr)
+    return collect_joints(vm, args, call, {}, {.q = q, .planner = std::move(planner)}, settings);
   if (!prepare_joints(vm, call, planner, settings)) return Signal::kFail;
   return move_joints(vm, args, call, q, std::move(planner), settings);
 }
@@ -195,6 +197,10 @@ Signal move_to_joints(Vm& vm, Slot* args, MoveCall call, const Eigen::VectorXd& 
 Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
                      const Eigen::VectorXd& near, std::string planner,
                      const MoveSettings& settings) {
+  if (settings_of(vm).path != nullptr) {
+    return collect_joints(vm, args, call, target, {.near = near, .planner = std::move(planner)},
+                          settings);
+  }
   if (!prepare_joints(vm, call, planner, settings)) return Signal::kFail;
   const auto goal = in_world(vm, call, settings, target);
   if (!goal) return Signal::kFail;

@@ -46,10 +46,11 @@ class Corners {
       starts_.push_back(at_.q);
       MoveCall call = move.call;
       call.model = model_;
-      auto goal = goal_after(vm_, call, move.target, at_);
+      auto goal = move.joints ? joint_goal(call, move) : goal_after(vm_, call, move.target, at_);
       if (!goal) return false;
       at_ = *std::move(goal);
       points_.push_back({.T_world_tool = at_.T_world_tool,
+                         .q = move.joints ? std::optional(at_.q) : std::nullopt,
                          .p_world_via = move.p_world_via,
                          .blend = move.blend.value_or(path_.blend),
                          .tool_speed = move.speed ? move.speed : path_.speed,
@@ -64,11 +65,23 @@ class Corners {
   }
   // Whether no place says how the hand is turned.
   [[nodiscard]] bool only_places() const {
-    return std::ranges::none_of(path_.moves,
-                                [](const CollectedMove& m) { return m.target.has_orientation; });
+    return std::ranges::none_of(
+        path_.moves, [](const CollectedMove& m) { return m.target.has_orientation && !m.joints; });
   }
 
  private:
+  // Where a move of the joints ends. Empty: the failure is set.
+  std::optional<Goal> joint_goal(const MoveCall& call, const CollectedMove& move) {
+    const VectorXd& near = move.joints->near.size() > 0 ? move.joints->near : at_.q;
+    auto q = move.joints->q ? move.joints->q : solve_target(vm_, call, move.target, near);
+    if (!q) return std::nullopt;
+    if (const auto outside = limit_violations(*model_, *q); !outside.empty()) {
+      static_cast<void>(fail_outside(vm_, call, *q, outside.front()));
+      return std::nullopt;
+    }
+    return Goal{forward(*model_, *q), *std::move(q)};
+  }
+
   Vm& vm_;
   const CollectedPath& path_;
   std::shared_ptr<const Robot> model_;
@@ -93,54 +106,96 @@ Signal fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const
   return fail_too_fast(vm, timed, *plan.motion.too_fast);
 }
 
-MotionNotes notes_of(const CollectedPath& path, const PathPlan& plan) {
+MotionNotes notes_of(const CollectedPath& path, const Corners& corners, const PathPlan& plan) {
   MotionNotes notes;
   for (std::size_t k = 0; k < path.moves.size(); ++k) {
     const CollectedMove& move = path.moves[k];
-    notes.parts.push_back({.what = fmt::format("{} to {}", move.call.function,
-                                               format_point_mm(move.target.T.translation())),
-                           .end = plan.times[k],
-                           .missed = plan.missed[k]});
+    const Eigen::Isometry3d& T = corners.points()[k].T_world_tool;
+    notes.parts.push_back(
+        {.what = fmt::format("{} to {}", move.call.function, format_point_mm(T.translation())),
+         .end = plan.times[k],
+         .missed = plan.missed[k]});
   }
   return notes;
 }
 
 }  // namespace
 
-Signal collect(Vm& vm, Slot* args, MoveCall call, const PosC& target, const MoveSettings& settings,
-               std::optional<Eigen::Vector3d> p_world_via) {
-  CollectedPath& path = *settings_of(vm).path;
+namespace {
+
+// What a path takes of no move. False: the failure is set.
+bool check_belongs(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
+  const CollectedPath& path = *settings_of(vm).path;
   const Cell& cell = Host::of(vm).cell();
+  const auto refuse = [&](std::string what, int parameter, std::string fix) {
+    static_cast<void>(fail_part(vm, std::move(what), parameter, std::move(fix)));
+    return false;
+  };
   if (settings.time) {
-    return fail_part(vm, "a move with a time of its own", call.time,
-                     "give the whole path a time, path (time: ...), or the move a speed");
+    return refuse("a move with a time of its own", call.time,
+                  "give the whole path a time, path (time: ...)");
   }
   if (settings.T_flange_tool) {
-    return fail_part(vm, "a move with a tool of its own", kMarkCallee,
-                     "write with (tool: ...) around the path");
+    return refuse("a move with a tool of its own", kMarkCallee,
+                  "write with (tool: ...) around the path");
   }
   if (!path.moves.empty() && path.moves.front().call.robot != call.robot) {
-    return fail_part(vm,
-                     fmt::format("a move of `{}` in a path of `{}`", cell.robot(call.robot).name,
-                                 cell.robot(path.moves.front().call.robot).name),
-                     kMarkCallee, "give each robot its own path, side by side in `parallel`");
+    return refuse(fmt::format("a move of `{}` in a path of `{}`", cell.robot(call.robot).name,
+                              cell.robot(path.moves.front().call.robot).name),
+                  kMarkCallee, "give each robot its own path, side by side in `parallel`");
   }
+  return !settings.blend || check_blend_length(vm, *settings.blend, kMarkCallee);
+}
+
+Signal add(Vm& vm, Slot* args, CollectedMove move) {
+  move.call.place = place_of_call(vm);
+  settings_of(vm).path->moves.push_back(std::move(move));
+  return give_no_move(vm, args);
+}
+
+}  // namespace
+
+Signal collect(Vm& vm, Slot* args, MoveCall call, const PosC& target, const MoveSettings& settings,
+               std::optional<Eigen::Vector3d> p_world_via) {
+  if (!check_belongs(vm, call, settings)) return Signal::kFail;
   if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
     return Signal::kFail;
   if (settings.accel &&
       !check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel))
     return Signal::kFail;
-  if (settings.blend && !check_blend_length(vm, *settings.blend, kMarkCallee)) return Signal::kFail;
   const auto place = in_world(vm, call, settings, target);
   if (!place) return Signal::kFail;
-  call.place = place_of_call(vm);
-  path.moves.push_back({.call = std::move(call),
-                        .target = *place,
-                        .p_world_via = p_world_via,
-                        .blend = settings.blend,
-                        .speed = settings.speed,
-                        .accel = settings.accel});
-  return give_no_move(vm, args);
+  return add(vm, args,
+             {.call = std::move(call),
+              .target = *place,
+              .p_world_via = p_world_via,
+              .blend = settings.blend,
+              .speed = settings.speed,
+              .accel = settings.accel});
+}
+
+Signal collect_joints(Vm& vm, Slot* args, MoveCall call, const PosC& target, JointGoal goal,
+                      const MoveSettings& settings) {
+  if (!check_belongs(vm, call, settings)) return Signal::kFail;
+  if (settings.speed || settings.accel) {
+    return fail_part(vm, "a move of the joints with limits of its own",
+                     settings.speed ? call.speed : call.accel,
+                     "write with (speed: ..., accel: ...) around the path");
+  }
+  if (goal.planner != kPathPlanner) {
+    return fail_part(vm, fmt::format("a move with the planner \"{}\"", goal.planner), call.planner,
+                     "leave it out: the speed along a path is planned as a whole");
+  }
+  const int n = model_of(vm, call).n();
+  if (goal.q && goal.q->size() != n)
+    return fail_joint_count(vm, call, static_cast<int>(goal.q->size()));
+  const auto place = goal.q ? std::optional(target) : in_world(vm, call, settings, target);
+  if (!place) return Signal::kFail;
+  return add(vm, args,
+             {.call = std::move(call),
+              .target = *place,
+              .joints = std::move(goal),
+              .blend = settings.blend});
 }
 
 bool check_blend_length(Vm& vm, double blend, int parameter) {
@@ -180,7 +235,7 @@ Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) try {
     plan = plan_path(*model, move);
   }
   if (!plan.ok()) return fail_path(vm, path, whole, corners, plan);
-  MotionNotes notes = notes_of(path, plan);
+  MotionNotes notes = notes_of(path, corners, plan);
   return start_motion(vm, args, whole, *std::move(plan.motion.trajectory), plan.length,
                       std::move(notes));
 } catch (const ArgumentError& error) {

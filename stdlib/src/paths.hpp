@@ -9,10 +9,21 @@
 
 namespace armlet::bind {
 
+// The planner whose way is a straight line of the joints.
+inline constexpr std::string_view kPathPlanner = "Syn";
+
+// What a move of the joints in a path leads to: joint values, or a place to be solved near some.
+struct JointGoal {
+  std::optional<Eigen::VectorXd> q{};
+  Eigen::VectorXd near{};  // empty: where the move before ends
+  std::string planner{};
+};
+
 // A move as it was called; its target and the place on the way are in the world.
 struct CollectedMove {
   MoveCall call;
-  PosC target;
+  PosC target;                        // of joint values, where they have the hand
+  std::optional<JointGoal> joints{};  // of a move of the joints
   std::optional<Eigen::Vector3d> p_world_via{};
   std::optional<double> blend{};
   std::optional<double> speed{};  // m/s
@@ -32,6 +43,10 @@ struct CollectedPath {
 // Adds a move to the path around it; its result is a move that was not made.
 Signal collect(Vm& vm, Slot* args, MoveCall call, const PosC& target, const MoveSettings& settings,
                std::optional<Eigen::Vector3d> p_world_via = {});
+
+// The same for a move of the joints; of the target only a place counts.
+Signal collect_joints(Vm& vm, Slot* args, MoveCall call, const PosC& target, JointGoal goal,
+                      const MoveSettings& settings);
 
 // Checks how far from their places corners may begin, m. False: the failure is set.
 [[nodiscard]] bool check_blend_length(Vm& vm, double blend, int parameter);

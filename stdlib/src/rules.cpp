@@ -334,6 +334,7 @@ void check_move_joints(CheckCall& call) {
   check_joint_target(call, 1);
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
+  check_joints_in_path(call, 7);
   if (!call.given(6)) return;
   Diagnostic d = make_diagnostic("E0207", call.setting_span(6), {"moveJ", "near"});
   d.why = "near chooses among the joint values that reach a place; a posJ is such values already";
@@ -343,6 +344,7 @@ void check_move_joints(CheckCall& call) {
 void check_move_place(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
+  check_joints_in_path(call, 7);
 }
 void check_move_line(CheckCall& call) {
   check_time_and_speed(call, 2, 3);

@@ -78,6 +78,8 @@ struct PathParameters {
   int blend = -1;
 };
 void check_in_path(CheckCall& call, const PathParameters& parameters);
+void check_joints_in_path(CheckCall& call,
+                          int blend);  // (r, target, time, speed, accel, traj, ...)
 // A length given to `path` or in it: E0513.
 void check_blend(CheckCall& call, int parameter);
 // (name, points, time, durations, speed, accel), behind the robot or not.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armlet/core/format.hpp"
+#include "paths.hpp"
 #include "rules.hpp"
 
 namespace armlet::bind {
@@ -31,7 +32,7 @@ void check_in_path(CheckCall& call, const PathParameters& parameters) {
   const CheckCall::InPath in_path = call.in_path();
   if (in_path == CheckCall::InPath::kYes) {
     refuse(call, parameters.time, "time", "the path is one motion, planned as a whole",
-           "give the whole path a time, path (time: ...), or the move a speed");
+           "give the whole path a time, path (time: ...)");
     if (parameters.tool >= 0) {
       refuse(call, parameters.tool, "tool", "the path is one motion of one point",
              "write with (tool: ...) around the path");
@@ -46,6 +47,21 @@ void check_in_path(CheckCall& call, const PathParameters& parameters) {
     return call.report(std::move(d));
   }
   check_blend(call, parameters.blend);
+}
+
+void check_joints_in_path(CheckCall& call, int blend) {
+  if (call.in_path() == CheckCall::InPath::kYes) {
+    for (const auto& [parameter, name] : {std::pair{3, "speed"}, {4, "acceleration"}}) {
+      refuse(call, parameter, name,
+             "it is a fraction of the joints' limits, which hold for the whole path",
+             "write with (speed: ..., accel: ...) around the path");
+    }
+    const auto planner = call.given(5) ? call.constant(5) : std::nullopt;
+    if (planner && planner->text != kPathPlanner) {
+      refuse(call, 5, "planner", "the speed along a path is planned as a whole", "leave it out");
+    }
+  }
+  check_in_path(call, {.time = 2, .blend = blend});
 }
 
 }  // namespace armlet::bind

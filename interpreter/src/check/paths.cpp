@@ -171,8 +171,9 @@ class PathRules {
     }
     if (function.pauses && !call.type->is(Kind::kVoid)) {
       return refuse(call.span, {"this motion cannot be part of a `path`",
-                                "a path rounds the corners between lines and arcs of the hand",
-                                "use moveL or moveCirc here, or move this line out of the path"});
+                                "a path joins lines and arcs of the hand and moves of the joints",
+                                "use moveL, moveCirc or moveJ here, or move this line out of the "
+                                "path"});
     }
     if (function.pauses || function.commands || function.acts || call.type->is(Kind::kVoid))
       return refuse(call.span);

@@ -9,6 +9,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
+#include "trajectory/joined_path.hpp"
 #include "trajectory/line_samples.hpp"
 #include "trajectory/smooth_run.hpp"
 #include "trajectory/tool_travel.hpp"
@@ -28,6 +29,10 @@ void check_move(const Robot& robot, const PathMove& move) {
   if (move.points.empty()) throw ArgumentError("A path needs at least one place.");
   for (const PathPoint& point : move.points) {
     check_pose("T_world_tool", point.T_world_tool);
+    if (point.q) {
+      check_size("q", point.q->size(), robot.n());
+      check_finite("q", *point.q);
+    }
     if (point.p_world_via) check_finite("p_world_via", *point.p_world_via);
     if (point.tool_speed) check_positive("tool_speed", *point.tool_speed);
     if (point.tool_accel) check_positive("tool_accel", *point.tool_accel);
@@ -47,27 +52,39 @@ void check_move(const Robot& robot, const PathMove& move) {
   }
 }
 
-// A piece that leads to a point, with what its corners take away.
+// What leads to a point, with what its corners take away: a piece of a curve of the tool, or a
+// straight line of the joints to q_goal.
 struct Leg {
   CurvePiece piece{};
+  const Eigen::VectorXd* q_goal = nullptr;
   int point = 0;
-  double speed = 0.0;  // of the tool point, m/s
-  double accel = 0.0;  // m/s^2
+  double speed = INFINITY;  // of the tool point, m/s
+  double accel = INFINITY;  // m/s^2
 };
 
-// From one stop to the next, as one curve; `zones` are its speeds, `ends` where each leg ends or
-// its corner is halfway.
-struct Stretch {
+// Legs of one kind: pieces of one curve of the tool, or one line of the joints. `zones` are its
+// speeds, `ends` where each leg ends or its corner is halfway.
+struct Part {
   PoseCurve curve{};
   std::vector<SpeedZone> zones{};
   std::vector<Leg> legs{};
   std::vector<double> ends{};
-  double travel = 0.0;  // of the tool point, m
+  double travel = 0.0;  // of the tool point, m; of a curve
+
+  [[nodiscard]] bool is_joint_line() const { return legs.back().q_goal != nullptr; }
 };
 
-void add_zone(Stretch& stretch, double from, double speed, double accel) {
-  if (std::isfinite(speed) || std::isfinite(accel))
-    stretch.zones.push_back({from, stretch.curve.length(), speed, accel});
+// From one stop to the next, as one path of the joints with the speeds and ends of its parts.
+struct Stretch {
+  Trajectory path{};
+  std::vector<SpeedZone> zones{};
+  std::vector<double> ends{};  // of each leg
+  int corners = 0;
+  double travel = 0.0;
+};
+
+void add_zone(std::vector<SpeedZone>& zones, double from, double to, double speed, double accel) {
+  if (std::isfinite(speed) || std::isfinite(accel)) zones.push_back({from, to, speed, accel});
 }
 
 // The corner at the end of `before`; shortens both.
@@ -111,13 +128,14 @@ class PathPlanner {
     std::optional<Trajectory> whole;
     Eigen::VectorXd q = move_.q0;
     for (std::size_t first = 0; first < legs_.size();) {
-      Stretch stretch = stretch_from(first);
-      first += stretch.legs.size();
-      auto motion = run(stretch, q, whole ? whole->duration() : 0.0);
-      if (!motion) return std::move(plan_);
-      plan_.length += stretch.travel;
-      q = motion->end();
-      whole = whole ? whole->then(*motion) : std::move(*motion);
+      const std::vector<Part> parts = parts_from(first);
+      const auto stretch = lay(parts, q);
+      if (!stretch) return std::move(plan_);
+      const Trajectory motion = run(*stretch, first, whole ? whole->duration() : 0.0);
+      first += stretch->ends.size();
+      plan_.length += stretch->travel;
+      q = motion.end();
+      whole = whole ? whole->then(motion) : motion;
     }
     finish(whole ? *std::move(whole) : Trajectory::at_rest(move_.q0, 0.0));
     return std::move(plan_);
@@ -135,75 +153,189 @@ class PathPlanner {
     Eigen::Isometry3d T = forward(robot_, move_.q0);
     for (std::size_t k = 0; k < move_.points.size(); ++k) {
       const PathPoint& point = move_.points[k];
-      const int index = static_cast<int>(k);
+      Leg leg{.point = static_cast<int>(k),
+              .speed = point.tool_speed.value_or(INFINITY),
+              .accel = point.tool_accel.value_or(INFINITY)};
+      if (point.q) {
+        leg.q_goal = &*point.q;
+        legs_.push_back(leg);
+        T = forward(robot_, *point.q);
+        continue;
+      }
       std::optional<CurvePiece> piece = straight_piece(T, point.T_world_tool);
       if (point.p_world_via) piece = piece_over(T, *point.p_world_via, point.T_world_tool);
       if (!piece) {
-        return fail({.kind = LineFaultKind::kNoArc, .T_world_tool = point.T_world_tool}, index);
+        return fail({.kind = LineFaultKind::kNoArc, .T_world_tool = point.T_world_tool}, leg.point);
       }
-      if (piece->length > kNoLength) {
-        legs_.push_back({.piece = *piece,
-                         .point = index,
-                         .speed = point.tool_speed.value_or(INFINITY),
-                         .accel = point.tool_accel.value_or(INFINITY)});
-      }
+      leg.piece = *piece;
+      if (piece->length > kNoLength) legs_.push_back(leg);
       T = point.T_world_tool;
     }
     return true;
   }
 
+  [[nodiscard]] double blend_behind(const Leg& leg) const {
+    return move_.points[static_cast<std::size_t>(leg.point)].blend;
+  }
+
   // From the leg on up to the next place where the tool stops.
-  Stretch stretch_from(std::size_t first) {
-    Stretch stretch;
+  std::vector<Part> parts_from(std::size_t first) {
+    std::vector<Part> parts;
     for (std::size_t k = first;; ++k) {
       Leg& leg = legs_[k];
-      const double blend = move_.points[static_cast<std::size_t>(leg.point)].blend;
-      const bool stops = k + 1 == legs_.size() || blend < kShortestBlend;
+      const bool stops = k + 1 == legs_.size() || blend_behind(leg) < kShortestBlend;
+      const bool curve_goes_on = !stops && !leg.q_goal && !legs_[k + 1].q_goal;
       std::optional<CurveCorner> corner;
-      if (!stops) corner = cut_corner(leg, legs_[k + 1], blend);
-      double from = stretch.curve.length();
-      stretch.curve.add(leg.piece);
-      stretch.travel += (leg.piece.to - leg.piece.from) * leg.piece.travel();
-      add_zone(stretch, from, leg.speed, leg.accel);
-      stretch.legs.push_back(leg);
-      stretch.ends.push_back(stretch.curve.length());
-      if (stops) return stretch;
-      from = stretch.curve.length();
-      stretch.curve.add(*corner);
-      stretch.travel += travel_of(*corner);
-      stretch.ends.back() = 0.5 * (from + stretch.curve.length());
-      add_zone(stretch, from, std::min(leg.speed, legs_[k + 1].speed),
-               std::min(leg.accel, legs_[k + 1].accel));
-      plan_.missed[static_cast<std::size_t>(leg.point)] =
-          (corner->at(0.5).translation() - corner->T_corner.translation()).norm();
+      if (curve_goes_on) corner = cut_corner(leg, legs_[k + 1], blend_behind(leg));
+      if (k == first || leg.q_goal || legs_[k - 1].q_goal) parts.emplace_back();
+      add_leg(parts.back(), leg);
+      if (corner) add_corner(parts.back(), *corner, legs_[k + 1]);
+      if (stops) return parts;
     }
   }
 
-  // `start` is when the stretch begins.
-  std::optional<Trajectory> run(const Stretch& stretch, const Eigen::VectorXd& q0, double start) {
-    LineSamples samples(robot_, q0, stretch.curve, move_.task, CurveLaw::kEven);
+  static void add_leg(Part& part, const Leg& leg) {
+    part.legs.push_back(leg);
+    if (leg.q_goal) return;
+    const double from = part.curve.length();
+    part.curve.add(leg.piece);
+    part.travel += (leg.piece.to - leg.piece.from) * leg.piece.travel();
+    add_zone(part.zones, from, part.curve.length(), leg.speed, leg.accel);
+    part.ends.push_back(part.curve.length());
+  }
+
+  void add_corner(Part& part, const CurveCorner& corner, const Leg& next) {
+    const Leg& leg = part.legs.back();
+    const double from = part.curve.length();
+    part.curve.add(corner);
+    part.travel += travel_of(corner);
+    part.ends.back() = 0.5 * (from + part.curve.length());
+    add_zone(part.zones, from, part.curve.length(), std::min(leg.speed, next.speed),
+             std::min(leg.accel, next.accel));
+    plan_.missed[static_cast<std::size_t>(leg.point)] =
+        (corner.at(0.5).translation() - corner.T_corner.translation()).norm();
+  }
+
+  // The joints along a part, over its length, m.
+  std::optional<Trajectory> follow(const Part& part, const Eigen::VectorXd& q0) {
+    if (part.is_joint_line()) return joint_line(robot_, q0, *part.legs.back().q_goal);
+    LineSamples samples(robot_, q0, part.curve, move_.task, CurveLaw::kEven);
     if (!samples.follow()) {
-      fail_on(stretch, samples.fault());
+      fail_on(part, samples.fault());
       return std::nullopt;
     }
-    // Samples run from 0 to 1, speeds in metres.
-    const Trajectory path = samples.motion().stretched(stretch.curve.length());
-    TimedRun run = run_on(path, stretch);
-    run = run.stretched(std::max(1.0, tool_excess(robot_, run, stretch.zones)));
-    for (std::size_t k = 0; k < stretch.legs.size(); ++k) {
-      plan_.times[static_cast<std::size_t>(stretch.legs[k].point)] =
+    return samples.motion().stretched(part.curve.length());
+  }
+
+  // What a corner of the joints may take away at one side of it.
+  double joint_blend(const Part& part, const Trajectory& path, double blend, bool at_end) const {
+    const Leg& leg = at_end ? part.legs.back() : part.legs.front();
+    if (!leg.q_goal) return std::min(blend, 0.5 * leg.piece.length);
+    const double r =
+        at_end ? blend_at_end(robot_, path, blend) : blend_at_start(robot_, path, blend);
+    return std::min(r, 0.5 * path.duration());
+  }
+
+  // Empty where the curve cannot be followed; the fault is set.
+  std::optional<Stretch> lay(const std::vector<Part>& parts, const Eigen::VectorXd& q0) {
+    std::vector<Trajectory> paths;
+    std::vector<const Part*> moving;  // those along which something moves
+    for (const Part& part : parts) {
+      auto path = follow(part, paths.empty() ? q0 : paths.back().end());
+      if (!path) return std::nullopt;
+      if (path->duration() <= kNoLength) continue;
+      paths.push_back(*std::move(path));
+      moving.push_back(&part);
+    }
+    if (paths.size() == 1 && !moving.front()->is_joint_line()) {
+      const Part& part = *moving.front();
+      return Stretch{std::move(paths.front()), part.zones, part.ends,
+                     static_cast<int>(part.legs.size()) - 1, part.travel};
+    }
+    return joined(parts, moving, paths, q0);
+  }
+
+  Stretch joined(const std::vector<Part>& parts, const std::vector<const Part*>& moving,
+                 const std::vector<Trajectory>& paths, const Eigen::VectorXd& q0) {
+    Stretch stretch;
+    std::vector<double> blends;
+    for (std::size_t k = 0; k + 1 < paths.size(); ++k) {
+      const double blend = blend_behind(moving[k]->legs.back());
+      blends.push_back(std::min(joint_blend(*moving[k], paths[k], blend, true),
+                                joint_blend(*moving[k + 1], paths[k + 1], blend, false)));
+    }
+    const JoinedPath whole = join_rounded(paths, blends);
+    std::size_t k = 0;
+    for (const Part& part : parts) {
+      const bool moves = k < moving.size() && moving[k] == &part;
+      if (!moves) {
+        stretch.ends.push_back(stretch.ends.empty() ? 0.0 : stretch.ends.back());
+        continue;
+      }
+      place_part(stretch, part, whole, k);
+      if (++k < moving.size()) place_corner(stretch, part, *moving[k], whole, k - 1);
+    }
+    stretch.path = paths.empty() ? Trajectory::at_rest(q0, 0.0) : whole.q;
+    if (!paths.empty()) {
+      const Segment last = tool_travel(robot_, stretch.path).back();
+      stretch.travel = last.value(last.duration);
+    }
+    return stretch;
+  }
+
+  static void place_part(Stretch& stretch, const Part& part, const JoinedPath& whole,
+                         std::size_t k) {
+    for (const SpeedZone& zone : part.zones) {
+      const double from = whole.place(k, zone.from), to = whole.place(k, zone.to);
+      if (to > from) add_zone(stretch.zones, from, to, zone.speed, zone.acceleration);
+    }
+    stretch.corners += static_cast<int>(part.legs.size());
+    if (!part.is_joint_line()) {
+      for (const double end : part.ends) stretch.ends.push_back(whole.place(k, end));
+      return;
+    }
+    const Leg& leg = part.legs.back();
+    add_zone(stretch.zones, whole.from[k], whole.to[k], leg.speed, leg.accel);
+    stretch.ends.push_back(whole.to[k]);
+  }
+
+  // The corner behind a part, which is rounded by the joints.
+  void place_corner(Stretch& stretch, const Part& part, const Part& next, const JoinedPath& whole,
+                    std::size_t k) {
+    const Leg &before = part.legs.back(), &behind = next.legs.front();
+    const double from = whole.to[k], to = whole.from[k + 1];
+    add_zone(stretch.zones, from, to, std::min(before.speed, behind.speed),
+             std::min(before.accel, behind.accel));
+    stretch.ends.back() = 0.5 * (from + to);
+    Eigen::VectorXd q(robot_.n()), qd(robot_.n()), qdd(robot_.n());
+    whole.q.sample(stretch.ends.back(), q, qd, qdd);
+    const PathPoint& point = move_.points[static_cast<std::size_t>(before.point)];
+    const Eigen::Isometry3d T = point.q ? forward(robot_, *point.q) : point.T_world_tool;
+    plan_.missed[static_cast<std::size_t>(before.point)] =
+        (forward(robot_, q).translation() - T.translation()).norm();
+  }
+
+  // The stretch begins with a leg, at a time.
+  Trajectory run(const Stretch& stretch, std::size_t first, double start) {
+    TimedRun run{.motion = stretch.path, .s = {0.0}, .t = {0.0}};
+    if (stretch.path.duration() > 0.0) {
+      run = run_on(stretch);
+      run = run.stretched(std::max(1.0, tool_excess(robot_, run, stretch.zones)));
+    }
+    for (std::size_t k = 0; k < stretch.ends.size(); ++k) {
+      plan_.times[static_cast<std::size_t>(legs_[first + k].point)] =
           start + run.time_at(stretch.ends[k]);
     }
     return std::move(run.motion);
   }
 
-  TimedRun run_on(const Trajectory& path, const Stretch& stretch) {
+  TimedRun run_on(const Stretch& stretch) {
+    const Trajectory& path = stretch.path;
     std::vector<Segment> travel;
     if (!stretch.zones.empty()) travel = tool_travel(robot_, path);
     if (jerk_ == Jerk::kLimited) {
       const SpeedAlongPath speed = fastest_along(path, limits_, kIntervals, stretch.zones, travel);
-      const int corners = static_cast<int>(stretch.legs.size()) - 1;
-      TimedRun run = smooth_run(path, limits_, speed, kCells + kCellsPerCorner * corners,
+      TimedRun run = smooth_run(path, limits_, speed, kCells + kCellsPerCorner * stretch.corners,
                                 stretch.zones, travel);
       if (!run.s.empty()) return run;
       jerk_ = Jerk::kFree;
@@ -213,13 +345,13 @@ class PathPlanner {
   }
 
   // A corner takes from both legs as much as it is long.
-  void fail_on(const Stretch& stretch, LineFault fault) {
-    double s = fault.fraction * stretch.curve.length();
+  void fail_on(const Part& part, LineFault fault) {
+    double s = fault.fraction * part.curve.length();
     std::size_t k = 0;
-    for (; k + 1 < stretch.legs.size() && s >= stretch.legs[k].piece.length; ++k)
-      s -= stretch.legs[k].piece.length;
-    fault.fraction = std::min(s / stretch.legs[k].piece.length, 1.0);
-    fail(std::move(fault), stretch.legs[k].point);
+    for (; k + 1 < part.legs.size() && s >= part.legs[k].piece.length; ++k)
+      s -= part.legs[k].piece.length;
+    fault.fraction = std::min(s / part.legs[k].piece.length, 1.0);
+    fail(std::move(fault), part.legs[k].point);
   }
 
   void finish(Trajectory fastest) {

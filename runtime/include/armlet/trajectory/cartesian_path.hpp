@@ -19,6 +19,9 @@ LinePlan plan_arc(const Robot& robot, const Eigen::Vector3d& p_world_via, const 
 
 // A place on a path.
 //
+// q            reached on a straight line of the joints instead, which end there; the two poses
+// below
+//              do not count then.
 // p_world_via  reached over this place on a circle; nothing: on a straight line.
 // blend        how far before and after the place the path may leave its pieces to round the
 //              corner, m; at most half the length of either. With 0 the tool stops there.
@@ -26,6 +29,7 @@ LinePlan plan_arc(const Robot& robot, const Eigen::Vector3d& p_world_via, const 
 //              may change, m/s^2; in a corner the lower of the two holds.
 struct PathPoint {
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+  std::optional<Eigen::VectorXd> q{};
   std::optional<Eigen::Vector3d> p_world_via{};
   double blend = 0.0;
   std::optional<double> tool_speed{};
@@ -67,9 +71,10 @@ struct PathPlan {
 };
 
 // Plans the path: straight pieces and arcs, at the places rounded by curves whose direction and
-// curvature are continuous; solved to joints as for plan_line, with cubic splines, then run as fast
-// as possible. Speeds fall only where limits need it; accelerations are continuous. Where joints
-// all but jump, so that limited jerk would take many times as long, it is not limited.
+// curvature are continuous; solved to joints as for plan_line. A corner beside a straight line of
+// the joints is rounded in the space of the joints. The whole is run as fast as possible. Speeds
+// fall only where limits need it; accelerations are continuous. Where joints all but jump, so that
+// limited jerk would take many times as long, it is not limited.
 //
 // source  rounding: p(u) = P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)), which misses the
 //         corner by 3/16 r |d2 - d1|. Time: D. Verscheure and others, Time-optimal path tracking
