@@ -60,31 +60,51 @@ bool is_modifier(const FailureSite& site, std::size_t i) {
          std::ranges::find(kModifiers, site.text(i)) != kModifiers.end();
 }
 
-// public static void main(String[] args) {
-Answer java_frame(const FailureSite& site) {
-  const std::size_t first = site.statement;
+// A class or a main that begins at a token, with modifiers in front: where its header ends.
+struct Frame {
+  std::size_t modifier;  // the last of them
+  std::size_t brace;     // behind the header
+  bool is_frame;         // of a whole program
+};
+
+std::optional<Frame> frame_at(const FailureSite& site, std::size_t first) {
   if (!is_modifier(site, first)) return std::nullopt;
-  std::size_t last = first;
-  while (is_modifier(site, last + 1)) ++last;
-  std::size_t end = last + 1;
-  bool is_frame = false;
-  while (site.type(end) != RbtLexer::LBRACE && site.type(end) != RbtLexer::SEMI &&
-         site.type(end) != kEndOfText) {
-    is_frame = is_frame || site.text(end) == "main";
-    ++end;
+  Frame out{first, 0, false};
+  while (is_modifier(site, out.modifier + 1)) ++out.modifier;
+  bool has_main = false;
+  out.brace = out.modifier + 1;
+  while (site.type(out.brace) != RbtLexer::LBRACE && site.type(out.brace) != RbtLexer::SEMI &&
+         site.type(out.brace) != kEndOfText) {
+    has_main = has_main || site.text(out.brace) == "main";
+    ++out.brace;
   }
-  is_frame = site.type(end) == RbtLexer::LBRACE &&
-             (is_frame || site.text(last) == "class" || site.text(last) == "interface");
+  const std::string word = site.text(out.modifier);
+  out.is_frame = site.type(out.brace) == RbtLexer::LBRACE &&
+                 (has_main || word == "class" || word == "interface");
+  return out;
+}
+
+// public static void main(String[] args) {, and what stands directly inside of such a frame.
+Answer java_frame(const FailureSite& site) {
+  std::optional<Frame> frame = frame_at(site, site.statement);
+  if (!frame) return std::nullopt;
+  const std::size_t last = frame->is_frame ? frame->brace - 1 : frame->modifier;
   Diagnostic out =
-      make_diagnostic("E0116", site.span(first, is_frame ? end - 1 : last), {site.text(first)});
+      make_diagnostic("E0116", site.span(site.statement, last), {site.text(site.statement)});
   out.why = "a .rbt file runs from its first line; there are no classes and no main";
-  if (is_frame) {
-    const std::size_t close = site.closer(end);
-    out.fix = Fix{"delete this line and its closing brace",
-                  {{site.span(first, end), ""}, {site.span(close), ""}},
-                  Confidence::kMaybe};
-  } else {
-    out.fix = Fix{"delete " + site.text(first, last), {{out.mark.span, ""}}, Confidence::kSure};
+  if (!frame->is_frame) {
+    out.fix =
+        Fix{"delete " + site.text(site.statement, last), {{out.mark.span, ""}}, Confidence::kSure};
+    return out;
+  }
+  out.fix = Fix{"delete this line and its closing brace", {}, Confidence::kMaybe};
+  constexpr std::size_t kMostEdits = 6;
+  for (std::size_t first = site.statement;
+       frame && frame->is_frame && out.fix->edits.size() < kMostEdits;) {
+    out.fix->edits.push_back({site.span(first, frame->brace), ""});
+    out.fix->edits.push_back({site.span(site.closer(frame->brace)), ""});
+    first = frame->brace + 1;
+    frame = frame_at(site, first);
   }
   return out;
 }

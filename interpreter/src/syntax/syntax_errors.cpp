@@ -318,6 +318,19 @@ Answer word_as_name(const FailureSite& site) {
   return out;
 }
 
+// Where commas are missing between the values of a bracket: [1 2 3].
+std::vector<Edit> missing_commas(const FailureSite& site, std::size_t open) {
+  std::vector<Edit> out;
+  const std::size_t close = site.closer(open);
+  for (std::size_t i = site.at; i < close; ++i) {
+    const bool apart =
+        FailureSite::ends_value(site.type(i - 1)) && FailureSite::starts_value(site.type(i));
+    if (apart) out.push_back({site.after(i - 1), ","});
+    if (is_opener(site.type(i))) i = site.closer(i);
+  }
+  return out;
+}
+
 // f(a b)   and   a = 1 b = 2
 Answer missing_separator(const FailureSite& site) {
   const std::uint16_t type = site.type(site.at);
@@ -331,8 +344,7 @@ Answer missing_separator(const FailureSite& site) {
       return std::nullopt;
     Diagnostic out = make_diagnostic("E0120", site.span(site.at));
     out.fix = Fix{"write " + site.text(site.at - 1) + ", " + site.text(site.at),
-                  {{site.after(site.at - 1), ","}},
-                  Confidence::kMaybe};
+                  missing_commas(site, *open), Confidence::kMaybe};
     return out;
   }
   const bool starts =
