@@ -17,6 +17,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "check/check.hpp"
+#include "compile/explained_habits.hpp"
 #include "compile/load_files.hpp"
 #include "compile/lower.hpp"
 
@@ -35,6 +36,7 @@ struct Work {
   Arena tree;
   std::vector<FileTree> files;
   bool well = false;
+  std::vector<Diagnostic> problems;
 };
 
 template <std::size_t kFile>
@@ -54,8 +56,15 @@ template <std::size_t kFile>
 }
 
 template <std::size_t kFile>
+[[gnu::noipa]] void explain(Work& work) {
+  work.problems = work.sink.take_sorted();
+  Trials trials(work.engine.registry(), *work.program.sources, work.options);
+  explain_habits(work.problems, *work.program.sources, trials);
+}
+
+template <std::size_t kFile>
 [[gnu::noipa]] void show(Work& work) {
-  for (const Diagnostic& problem : work.sink.take_sorted()) {
+  for (const Diagnostic& problem : work.problems) {
     (void)render_text(problem, *work.program.sources);
     (void)render_json(problem, *work.program.sources);
   }
@@ -68,13 +77,15 @@ template <std::size_t kFile>
 
 template <std::size_t kFile>
 void all(const Engine& engine, Host& host, const std::string& text) {
-  Work work{.engine = engine, .options = {}, .program = {}, .tree = {}, .files = {}};
+  Work work{
+      .engine = engine, .options = {}, .program = {}, .tree = {}, .files = {}, .problems = {}};
   work.options.host = &host;
   work.program.sources = std::make_shared<SourceSet>();
   work.program.sources->add("growth.rbt", text);
   read<kFile>(work);
   check<kFile>(work);
   lower_all<kFile>(work);
+  explain<kFile>(work);
   show<kFile>(work);
   if (text.starts_with("// fmt")) lay_out<kFile>(text);
 }

@@ -23,8 +23,8 @@ QUICK = """unset_variables breaks_between_first_values functions_called_forward 
 nested_structs nested_defaults enum enum_names text_switch long_condition long_list poses formatted_text locals_of_one_function
 captures classic tries objects paths record_columns tests one_line nested_calls nested_blocks else_if_ladders
 wrong_names wrong_fields wrong_enum_values cases_twice structs_in_circles missing_cases syntax_errors
-open_texts broken_cases wide_line_before_mistake function_types comments""".split()
-PARTS = ["read", "check", "lower_all", "show", "lay_out"]
+foreign_blocks foreign_ends foreign_values open_texts broken_cases wide_line_before_mistake function_types comments""".split()
+PARTS = ["read", "check", "lower_all", "explain", "show", "lay_out"]
 SKIPPED = 77
 AT_ONCE = 60   # shapes; growth has a function for each of 256 files
 FEW = 300_000  # instructions at 4n that say nothing: other things grow in steps

@@ -59,6 +59,21 @@ def wrong_units(n):
 
 
 @shape
+def foreign_blocks(n):
+    return lines(n, lambda i: f"FOR i FROM 1 TO {i} DO\n    print(i)\nENDFOR")
+
+
+@shape
+def foreign_ends(n):
+    return lines(n, lambda i: " " * (i % 7) + "LOOP") + lines(n, lambda i: "    " * (i % 9) + "ENDFOR")
+
+
+@shape
+def foreign_values(n):
+    return lines(n, lambda i: f"print(if else if else not in {i} if else is None or x -> [ for in for in ] ~= mod(mod(1, 2), 3))")
+
+
+@shape
 def declared_twice(n):
     return lines(n, lambda i: "var v = 1")
 

@@ -9,6 +9,7 @@
 #include "armlet/core/ample_stack.hpp"
 #include "check/check.hpp"
 #include "compile/cancelled.hpp"
+#include "compile/explained_habits.hpp"
 #include "compile/load_files.hpp"
 #include "compile/tried_fixes.hpp"
 
@@ -68,7 +69,10 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
     on_ample_stack([&] {
       result.program = build(registry, std::move(compiled), once, lowering, sink);
       result.diagnostics = sink.take_sorted();
-      drop_useless_fixes(result.diagnostics, registry, *result.sources, once);
+      Trials fixes(registry, *result.sources, once);
+      drop_useless_fixes(result.diagnostics, fixes);
+      Trials causes(registry, *result.sources, once);
+      explain_habits(result.diagnostics, *result.sources, causes);
     });
   } catch (const Cancelled&) {
     result.cancelled = true;

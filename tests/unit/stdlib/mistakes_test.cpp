@@ -125,6 +125,64 @@ TEST_CASE("the first message about a student's mistake marks its line, and its f
   CHECK(single >= 60);
 }
 
+namespace {
+
+bool has_errors(const std::vector<nlohmann::json>& messages) {
+  return std::ranges::any_of(
+      messages, [](const nlohmann::json& message) { return message["severity"] == "error"; });
+}
+
+// Whether the first fix, and then the first fix of what is left, and so on, make a program right.
+bool fixes_lead_to_a_program(std::string text) {
+  constexpr int kMostFixes = 8;
+  for (int i = 0; i < kMostFixes; ++i) {
+    const auto messages = json_messages(text);
+    if (i > 0 && !has_errors(messages)) return true;
+    text = messages.empty() ? "" : applied(text, messages[0]);
+    if (text.empty()) return false;
+  }
+  return false;
+}
+
+// What the messages about programs with habits of other languages are worth.
+struct Worth {
+  std::size_t programs = 0;
+  std::size_t right_line = 0;
+  std::size_t working = 0;  // the first fix leaves no error
+  std::size_t leading = 0;  // fix upon fix leaves none
+  std::string missed;
+};
+
+Worth worth_of(const std::string& file) {
+  Worth out;
+  for (const Mistake& mistake : mistakes(file)) {
+    const auto messages = json_messages(mistake.text);
+    const bool in_line = !messages.empty() && messages[0]["line"] == mistake.line;
+    const bool fixed = in_line && works(applied(mistake.text, messages[0]), messages[0]);
+    out.programs += 1;
+    out.right_line += in_line;
+    out.working += fixed;
+    out.leading += fixes_lead_to_a_program(mistake.text);
+    const std::string first = messages.empty() ? "no message" : messages[0].dump();
+    if (!fixed) out.missed += "\n  " + mistake.title + ": " + first;
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("habits of other languages are named on their line, with a fix that works") {
+  for (const char* file : {"habits.txt"}) {
+    const Worth worth = worth_of(file);
+    CAPTURE(file);
+    CAPTURE(worth.missed);
+    REQUIRE(worth.programs >= 40);
+    CHECK(worth.right_line * 100 >= worth.programs * 98);
+    CHECK(worth.working * 100 >= worth.programs * 92);
+    CHECK(worth.leading * 100 >= worth.programs * 92);
+  }
+}
+
 TEST_CASE("the edits of a fix make the program right") {
   const std::vector<Mistake> all = mistakes("fixes.txt");
   CHECK(all.size() >= 20);
@@ -247,7 +305,7 @@ TEST_CASE("every fix that a program gets works") {
     if (entry.path().extension() == ".rbt")
       every_fix_works({std::istreambuf_iterator<char>(file), {}});
   }
-  for (const char* name : {"mistakes.txt", "fixes.txt"}) {
+  for (const char* name : {"mistakes.txt", "fixes.txt", "habits.txt"}) {
     for (const Mistake& mistake : mistakes(name)) every_fix_works(mistake.text);
   }
   CHECK(fixes_tried > 250);

@@ -1,0 +1,79 @@
+#include "compile/explained_habits.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "habits/habits.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// What is found in the texts, each text read when a message is about it.
+class Explanations {
+ public:
+  explicit Explanations(const SourceSet& sources) : sources_(sources) {}
+
+  std::vector<Diagnostic> of(const Diagnostic& message) {
+    const Source& source = sources_[message.mark.span.source];
+    std::vector<Diagnostic> out =
+        blocks(source).around(source.position(message.mark.span.begin).line);
+    std::ranges::move(explain_line(source, message.mark.span), std::back_inserter(out));
+    return out;
+  }
+
+ private:
+  const ForeignBlocks& blocks(const Source& source) {
+    return blocks_.try_emplace(source.id(), source).first->second;
+  }
+
+  const SourceSet& sources_;
+  std::map<std::uint32_t, ForeignBlocks> blocks_;
+};
+
+// Whether `message` stands on the lines from the first to the last place of a fix.
+bool is_inside(const Diagnostic& message, const Fix& fix, const SourceSet& sources) {
+  const Source& source = sources[message.mark.span.source];
+  const auto [first, last] =
+      std::ranges::minmax_element(fix.edits, {}, [](const Edit& edit) { return edit.span.begin; });
+  const int line = source.position(message.mark.span.begin).line;
+  return message.mark.span.source == first->span.source &&
+         line >= source.position(first->span.begin).line &&
+         line <= source.position(last->span.end).line;
+}
+
+// Replaces message `at` and drops those behind it that have the same cause; false if the
+// explanation is not the cause.
+bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic explanation,
+             const SourceSet& sources, Trials& trials) {
+  if (!explanation.fix) {
+    if (messages[at].fix) return false;
+    messages[at] = std::move(explanation);
+    return true;
+  }
+  const std::optional<Trial> trial = trials.with(explanation.fix->edits);
+  if (!trial || trial->still_says(messages[at]) || trial->fails_at_its_places(explanation))
+    return false;
+  const auto behind = messages.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+  const auto gone = std::remove_if(behind, messages.end(), [&](const Diagnostic& other) {
+    return is_inside(other, *explanation.fix, sources) && !trial->still_says(other);
+  });
+  messages.erase(gone, messages.end());
+  messages[at] = std::move(explanation);
+  return true;
+}
+
+}  // namespace
+
+void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sources,
+                    Trials& trials) {
+  Explanations explanations(sources);
+  for (std::size_t i = 0; i < diagnostics.size(); ++i) {
+    if (diagnostics[i].severity != Severity::kError || trials.exhausted()) continue;
+    for (Diagnostic& explanation : explanations.of(diagnostics[i])) {
+      if (explain(diagnostics, i, std::move(explanation), sources, trials)) break;
+    }
+  }
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,48 @@
+#pragma once
+// Lines of other languages, explained: what each is called here, or that there is no such thing.
+//
+// An explanation is a guess from the look of a line. It is given only where a message of the parser
+// or the checker marks the line, and only if its edits make that message go away
+// (compile/explained_habits.hpp).
+
+#include <string>
+#include <vector>
+
+#include "armlet/interpreter/diagnostic.hpp"
+
+namespace armlet::lang {
+
+// Explanations of the line that a message marks, the best first: of its whole statement, then of
+// values in it. Without edits: there is no such thing here.
+[[nodiscard]] std::vector<Diagnostic> explain_line(const Source& source, Span mark);
+
+// The blocks of other languages in a text.
+class ForeignBlocks {
+ public:
+  explicit ForeignBlocks(const Source& source);
+
+  // Explanations of the blocks around a line, the outermost first, then the innermost.
+  [[nodiscard]] std::vector<Diagnostic> around(int line) const;
+
+  struct Block {
+    int first = 0;  // lines, from 1
+    int last = 0;
+    std::string found;  // the first line as it is written
+    std::string here;   // as it is written here; empty: not needed
+    bool by_indentation = false;
+    std::vector<Edit> edits{};
+  };
+
+ private:
+  [[nodiscard]] Diagnostic explanation(const Block& outer) const;
+
+  const Source& source_;
+  std::vector<Block> blocks_;  // inner ones before those around them
+};
+
+// The text of a statement with all values as they are written here.
+[[nodiscard]] std::string with_values_here(std::string text);
+// A text for the headline of a message.
+[[nodiscard]] std::string shortened(const std::string& text);
+
+}  // namespace armlet::lang

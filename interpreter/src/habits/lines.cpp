@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <optional>
+
+#include "habits/habits.hpp"
+#include "habits/meant.hpp"
+#include "habits/pattern.hpp"
+#include "habits/rows.hpp"
+
+namespace armlet::lang {
+namespace {
+
+constexpr int kMostRewritings = 20;
+
+// A row that fits, where it fits in a text, and what is written there instead.
+struct Fitting {
+  const Habit* habit = nullptr;
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  std::string here;
+};
+
+bool takes_rest(const Habit& habit) { return habit.shape.ends_with("..."); }
+
+std::optional<Fitting> fitting(const Line& line, const Habit& habit, const Found& found) {
+  Fitting out{.habit = &habit,
+              .begin = line.pieces[found.first].begin,
+              .end = line.pieces[found.last - 1].end,
+              .here = {}};
+  if (takes_rest(habit)) out.end = static_cast<std::uint32_t>(line.text.size());
+  if (habit.here == kNoSuchThing) return out;
+  std::optional<std::string> here = filled(habit.here, found.parts);
+  if (!here) return std::nullopt;
+  out.here = *std::move(here);
+  return out;
+}
+
+std::optional<Fitting> whole_statement(const Line& line, std::size_t first, std::size_t last) {
+  Patience patience = kPatience;
+  for (const Habit& habit : statement_habits()) {
+    const std::size_t end = takes_rest(habit) ? line.pieces.size() : last;
+    const std::optional<Found> found = match_all(line, first, end, habit.shape, patience);
+    if (!found) continue;
+    if (std::optional<Fitting> out = fitting(line, habit, *found)) return out;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fitting> first_value(const Line& line, Patience& patience) {
+  for (const Habit& habit : value_habits()) {
+    const std::optional<Found> found =
+        match_inside(line, 0, line.pieces.size(), habit.shape, patience);
+    if (!found) continue;
+    std::optional<Fitting> out = fitting(line, habit, *found);
+    if (out && out->here != line.text.substr(out->begin, out->end - out->begin)) return out;
+  }
+  return std::nullopt;
+}
+
+// Statements of a line: between braces and semicolons that stand outside of other brackets.
+struct Segment {
+  std::size_t first;
+  std::size_t last;
+};
+
+std::vector<Segment> segments_of(const Line& line) {
+  std::vector<Segment> out;
+  int depth = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i <= line.pieces.size(); ++i) {
+    const std::string_view piece = i < line.pieces.size() ? line.piece(i) : ";";
+    depth += piece == "(" || piece == "[" ? 1 : piece == ")" || piece == "]" ? -1 : 0;
+    const bool ends = piece == ";" || piece == "{" || piece == "}";
+    if (!ends || (depth > 0 && i < line.pieces.size())) continue;
+    if (i > first) out.push_back({first, i});
+    first = i + 1;
+  }
+  return out;
+}
+
+// An explanation is made from what fits in a line that begins at byte `base` of a source.
+class Explainer {
+ public:
+  Explainer(const Source& source, int number)
+      : source_(source), base_(source.line_start(number)), line_(source.line(number)) {}
+
+  [[nodiscard]] std::vector<Diagnostic> all(Span mark) const {
+    std::vector<Diagnostic> out;
+    std::size_t last = line_.pieces.size();
+    while (last > 0 && line_.piece(last - 1) == ";") --last;
+    if (last == 0) return out;
+    if (const auto found = whole_statement(line_, 0, last)) add(out, *found, *found);
+    const std::uint32_t column = mark.begin - base_;
+    for (const Segment segment : segments_of(line_)) {
+      const std::uint32_t begin = line_.pieces[segment.first].begin;
+      const std::uint32_t end = line_.pieces[segment.last - 1].end;
+      if (column > end || mark.end - base_ < begin) continue;
+      if (segment.first > 0 || segment.last < last) {
+        if (const auto found = whole_statement(line_, segment.first, segment.last))
+          add(out, *found, *found);
+      }
+    }
+    values(out, last);
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Span span(std::uint32_t begin, std::uint32_t end) const {
+    return {base_ + begin, base_ + end, source_.id()};
+  }
+
+  // The first value that fits is what the message shows; the edits change all that fit.
+  void values(std::vector<Diagnostic>& out, std::size_t last) const {
+    const std::uint32_t end = line_.pieces[last - 1].end;
+    const Line line(line_.text.substr(0, end));
+    Patience patience = kPatience;
+    const std::optional<Fitting> found = first_value(line, patience);
+    if (!found) return;
+    const std::string whole(line.text);
+    add(out, *found,
+        {found->habit, 0,
+         takes_rest(*found->habit) ? static_cast<std::uint32_t>(line_.text.size()) : end, whole});
+  }
+
+  // shown    what the message says is written otherwise here.
+  // changed  what the edits change; `here` is rewritten until nothing fits any more.
+  void add(std::vector<Diagnostic>& out, const Fitting& shown, const Fitting& changed) const {
+    const Habit& habit = *shown.habit;
+    const Span mark = span(shown.begin, shown.end);
+    const std::string found(line_.text.substr(shown.begin, shown.end - shown.begin));
+    if (habit.here == kNoSuchThing) {
+      Diagnostic message = make_diagnostic("E0223", mark, {shortened(found)});
+      message.why = habit.why;
+      out.push_back(std::move(message));
+      return;
+    }
+    const bool is_statement = &shown == &changed;
+    const std::string here = is_statement ? with_values_here(shown.here) : shown.here;
+    Diagnostic message = here.empty()
+                             ? make_diagnostic("E0116", mark, {shortened(found)})
+                             : make_diagnostic("E0130", mark, {shortened(found), shortened(here)});
+    message.why = habit.why;
+    const std::string text(line_.text.substr(changed.begin, changed.end - changed.begin));
+    message.fix =
+        Fix{here.empty() ? "delete " + shortened(found) : "write " + here,
+            edits(changed, text, is_statement ? here : with_values_here(text)), Confidence::kMaybe};
+    out.push_back(std::move(message));
+  }
+
+  [[nodiscard]] std::vector<Edit> edits(const Fitting& changed, const std::string& from,
+                                        const std::string& to) const {
+    if (to.empty()) return {{deleted(changed), ""}};
+    std::vector<Edit> out;
+    for (const LineEdit& edit : line_edits(from, to))
+      out.push_back({span(changed.begin + edit.begin, changed.begin + edit.end), edit.text});
+    return out;
+  }
+
+  // The whole line if nothing else stands on it.
+  [[nodiscard]] Span deleted(const Fitting& changed) const {
+    const std::string_view before = line_.text.substr(0, changed.begin);
+    const std::string_view behind = line_.text.substr(changed.end);
+    const bool alone = before.find_first_not_of(" \t") == std::string_view::npos &&
+                       behind.find_first_not_of(" \t\r;") == std::string_view::npos;
+    const auto size = static_cast<std::uint32_t>(line_.text.size());
+    const bool has_next = base_ + size < source_.text().size();
+    return alone ? span(0, size + (has_next ? 1 : 0)) : span(changed.begin, changed.end);
+  }
+
+  const Source& source_;
+  std::uint32_t base_;
+  Line line_;
+};
+
+}  // namespace
+
+std::string with_values_here(std::string text) {
+  Patience patience = kPatience;
+  for (int i = 0; i < kMostRewritings; ++i) {
+    const Line line(text);
+    const std::optional<Fitting> found = first_value(line, patience);
+    if (!found || found->habit->here == kNoSuchThing) break;
+    text.replace(found->begin, found->end - found->begin, found->here);
+  }
+  return text;
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMostShown = 70;
+  if (text.size() <= kMostShown) return text;
+  std::size_t end = kMostShown - 4;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end) + " ...";
+}
+
+std::vector<Diagnostic> explain_line(const Source& source, Span mark) {
+  return Explainer(source, source.position(mark.begin).line).all(mark);
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,292 @@
+#include "habits/meant.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "habits/formats.hpp"
+#include "habits/pieces.hpp"
+
+namespace armlet::lang {
+namespace {
+
+using Answer = std::optional<std::string>;
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool is_plain_number(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+// Whether the first piece opens the bracket that the last one closes.
+bool is_in_parentheses(const Line& line) {
+  if (line.pieces.empty() || line.piece(0) != "(") return false;
+  int depth = 0;
+  for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+    if (line.piece(i) == "(") ++depth;
+    if (line.piece(i) == ")" && --depth == 0) return i + 1 == line.pieces.size();
+  }
+  return false;
+}
+
+Answer operand(const std::string& part) {
+  const Line line(part);
+  int depth = 0;
+  for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+    const std::string_view piece = line.piece(i);
+    if (piece == "(" || piece == "[") ++depth;
+    if (piece == ")" || piece == "]") --depth;
+    const bool joins = line.pieces[i].kind == Piece::Kind::kMark && piece != "." && piece != ")" &&
+                       piece != "]" && depth == 0;
+    if (joins) return '(' + part + ')';
+  }
+  return part;
+}
+
+Answer test(const std::string& part) {
+  const Line line(part);
+  std::string out;
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+    out += part.substr(end, line.pieces[i].begin - end);
+    out += line.piece(i) == "=" ? "==" : line.piece(i);
+    end = line.pieces[i].end;
+  }
+  if (!is_in_parentheses(line)) return out;
+  return out.substr(1, out.size() - 2);
+}
+
+Answer truth(const std::string& part) {
+  const std::string word = lower_case(part);
+  if (word == "1" || word == "true" || word == "on" || word == "high") return "true";
+  if (word == "0" || word == "false" || word == "off" || word == "low") return "false";
+  return is_plain_number(part) ? std::nullopt : Answer(part);
+}
+
+Answer with_unit(const std::string& part, const std::string& unit) {
+  if (is_plain_number(part)) return part + unit;
+  return *operand(part) + " * 1" + unit;
+}
+
+struct Word {
+  std::string_view there;
+  std::string_view here;
+};
+
+constexpr auto kTypes = std::to_array<Word>({
+    {"num", "double"},    {"dnum", "double"},        {"real", "double"},    {"float", "double"},
+    {"double", "double"}, {"number", "double"},      {"int", "int"},        {"integer", "int"},
+    {"long", "int"},      {"short", "int"},          {"byte", "int"},       {"size_t", "int"},
+    {"bool", "bool"},     {"boolean", "bool"},       {"str", "string"},     {"string", "string"},
+    {"char", "string"},   {"std::string", "string"}, {"robtarget", "posC"}, {"jointtarget", "posJ"},
+    {"pos", "posC"},      {"frame", "posC"},         {"e6pos", "posC"},     {"e6axis", "posJ"},
+    {"axis", "posJ"},     {"pose", "posC"},
+});
+
+Answer type(const std::string& part) {
+  const auto found = std::ranges::find(kTypes, lower_case(part), &Word::there);
+  return found == kTypes.end() ? std::nullopt : Answer(found->here);
+}
+
+// num x, x:IN, int n, x = 2
+Answer parameters(const std::string& part) {
+  std::string out;
+  for (const std::string& value : values_of(part)) {
+    const Line line(value);
+    const std::size_t count = line.pieces.size();
+    std::string one = value;
+    if (value == "void") continue;
+    if (count == 3 && line.piece(1) == ":" && lower_case(std::string(line.piece(2))) == "in") {
+      one = line.piece(0);
+    } else if (count == 2 || (count == 3 && lower_case(std::string(line.piece(0))) == "inout")) {
+      const Answer known = type(std::string(line.piece(count - 2)));
+      if (!known) return std::nullopt;
+      one = std::string(line.piece(count - 1)) + ": " + *known;
+    } else if (count == 3 && line.piece(1) == ":") {
+      const Answer known = type(std::string(line.piece(2)));
+      if (!known) return std::nullopt;
+      one = std::string(line.piece(0)) + ": " + *known;
+    }
+    out += (out.empty() ? "" : ", ") + one;
+  }
+  return out;
+}
+
+// "n = " << n << std::endl
+Answer stream(const std::string& part) {
+  const Line line(part);
+  std::string out;
+  std::size_t first = 0;
+  bool is_text = false;
+  for (std::size_t i = 0; i <= line.pieces.size(); ++i) {
+    if (i < line.pieces.size() && line.piece(i) != "<<") continue;
+    const std::string value(line.text_of(first, i));
+    first = i + 1;
+    if (value.empty()) return std::nullopt;
+    if (value == "std::endl" || value == "endl" || value == "\"\\n\"") continue;
+    if (out.empty()) is_text = value.starts_with('"');
+    out += (out.empty() ? "" : " + ") + *operand(value);
+  }
+  const bool joins = out.find(" + ") != std::string::npos;
+  return joins && !is_text ? "\"\" + " + out : out;
+}
+
+// v100, vmax
+Answer speed(const std::string& part) {
+  if (part.size() < 2 || (part[0] != 'v' && part[0] != 'V')) return std::nullopt;
+  const std::string digits = part.substr(1);
+  if (lower_case(digits) == "max") return "";
+  const bool is_known = digits.find_first_not_of("0123456789") == std::string::npos;
+  return is_known ? Answer(", speed: " + digits + "mm/s") : std::nullopt;
+}
+
+struct Setting {
+  std::string_view there;
+  std::string_view here;  // empty: there is none that means the same
+  std::string_view unit;
+};
+
+constexpr auto kMoveJ = std::to_array<Setting>({
+    {"a", "", ""},
+    {"v", "", ""},
+    {"t", "time", "s"},
+    {"r", "", ""},
+});
+
+constexpr auto kMoveL = std::to_array<Setting>({
+    {"a", "accel", "m/s^2"},
+    {"v", "speed", "m/s"},
+    {"t", "time", "s"},
+    {"r", "", ""},
+});
+
+// a=1.4, v=1.05
+Answer settings(const std::string& part, const std::array<Setting, 4>& known) {
+  std::string out;
+  for (const std::string& value : values_of(part)) {
+    const Line line(value);
+    if (line.pieces.size() < 3 || (line.piece(1) != "=" && line.piece(1) != ":"))
+      return std::nullopt;
+    const auto found = std::ranges::find(known, line.piece(0), &Setting::there);
+    if (found == known.end()) return std::nullopt;
+    if (found->here.empty()) continue;
+    const std::string given(line.text_of(2, line.pieces.size()));
+    out += ", " + std::string(found->here) + ": " + *with_unit(given, std::string(found->unit));
+  }
+  return out;
+}
+
+// The number behind a name in `A1 0, A2 -90`; nothing if it is not there.
+Answer coordinate(const std::vector<std::string>& values, std::string_view name) {
+  for (const std::string& value : values) {
+    const Line line(value);
+    if (line.pieces.size() < 2 ||
+        lower_case(std::string(line.piece(0))) != lower_case(std::string(name)))
+      continue;
+    return std::string(line.text_of(1, line.pieces.size()));
+  }
+  return std::nullopt;
+}
+
+Answer axes(const std::string& part) {
+  const std::vector<std::string> values = values_of(part);
+  std::string out;
+  for (std::size_t axis = 1; axis <= values.size(); ++axis) {
+    const Answer value = coordinate(values, 'A' + std::to_string(axis));
+    if (!value) return std::nullopt;
+    out += (out.empty() ? "" : ", ") + *with_unit(*value, "deg");
+  }
+  return out.empty() ? std::nullopt : Answer(out);
+}
+
+// A, B and C turn about z, y and x.
+Answer frame(const std::string& part) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kTurns = {
+      {{"A", "yaw"}, {"B", "pitch"}, {"C", "roll"}}};
+  const std::vector<std::string> values = values_of(part);
+  std::string place, turn;
+  for (const std::string_view name : {"X", "Y", "Z"}) {
+    const Answer value = coordinate(values, name);
+    if (!value) return std::nullopt;
+    place += (place.empty() ? "" : ", ") + *with_unit(*value, "mm");
+  }
+  bool turns = false;
+  for (const auto& [name, setting] : kTurns) {
+    const std::string value = coordinate(values, name).value_or("0");
+    turns = turns || value.find_first_not_of("0.-") != std::string::npos;
+    turn += ", " + std::string(setting) + ": " + *with_unit(value, "deg");
+  }
+  return (turns ? "pose(" : "xyz(") + place + (turns ? turn : "") + ')';
+}
+
+// 0, 3.14, 0: a vector along the axis, as long as the angle.
+Answer turn(const std::string& part) {
+  const std::vector<std::string> values = values_of(part);
+  const bool is_zero = std::ranges::all_of(values, [](const std::string& value) {
+    return value.find_first_not_of("0.") == std::string::npos;
+  });
+  if (values.size() != 3) return std::nullopt;
+  return is_zero ? "" : " * expPose([0.0, 0.0, 0.0, " + part + "])";
+}
+
+Answer print(const std::string& part) { return formatted_text(values_of(part), true); }
+Answer text(const std::string& part) { return formatted_text(values_of(part), false); }
+
+struct Conversion {
+  std::string_view name;
+  Answer (*apply)(const std::string&);
+};
+
+constexpr auto kConversions = std::to_array<Conversion>({
+    {"operand", operand},
+    {"test", test},
+    {"truth", truth},
+    {"type", type},
+    {"parameters", parameters},
+    {"print", print},
+    {"text", text},
+    {"stream", stream},
+    {"speed", speed},
+    {"axes", axes},
+    {"frame", frame},
+    {"turn", turn},
+    {"movej", [](const std::string& part) { return settings(part, kMoveJ); }},
+    {"movel", [](const std::string& part) { return settings(part, kMoveL); }},
+});
+
+Answer converted(const std::string& part, std::string_view conversion) {
+  if (conversion.empty()) return part;
+  const auto found = std::ranges::find(kConversions, conversion, &Conversion::name);
+  return found == kConversions.end() ? with_unit(part, std::string(conversion))
+                                     : found->apply(part);
+}
+
+}  // namespace
+
+std::optional<std::string> filled(std::string_view here, const std::vector<std::string>& parts) {
+  std::string out;
+  for (std::size_t at = 0; at < here.size(); ++at) {
+    const bool is_place = here[at] == '{' && at + 2 < here.size() && here[at + 1] >= '1' &&
+                          here[at + 1] <= '9' && (here[at + 2] == '}' || here[at + 2] == ':');
+    if (!is_place) {
+      out += here[at];
+      continue;
+    }
+    const auto number = static_cast<std::size_t>(here[at + 1] - '1');
+    const std::size_t close = here.find('}', at);
+    if (number >= parts.size()) return std::nullopt;
+    const std::string_view conversion =
+        here[at + 2] == '}' ? std::string_view() : here.substr(at + 3, close - at - 3);
+    const Answer part = converted(parts[number], conversion);
+    if (!part) return std::nullopt;
+    out += *part;
+    at = close;
+  }
+  return out;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,31 @@
+#pragma once
+// What a line of another language means here: texts with places for the parts that a shape found.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace armlet::lang {
+
+// `here` with its places filled: {1} is the first part as it is written, {1:name} the first part
+// after a conversion.
+//
+//   operand      in parentheses, unless it is one value
+//   test         a condition: `=` compares
+//   truth        1, on, high and TRUE are true, 0, off, low and FALSE false
+//   mm m deg s ms us   a number with this unit
+//   type         the type that is called so elsewhere: Integer, num, REAL
+//   parameters   of a function, with their types if they have one: `num x, x:IN, int n`
+//   print text   a format as of C and its values: what print takes, or a text
+//   stream       what C++ writes with <<
+//   speed        RAPID's v100: a setting with a comma in front, or nothing
+//   movej movel  URScript's settings a, v, t, r: those that mean the same here
+//   axes frame   KRL's A1 0, A2 -90 ... and X 100, Y 0, Z 50, A 0, B 0, C 0
+//   turn         URScript's rotation vector, "" if it is zero
+//
+// Nothing if a part cannot be converted.
+[[nodiscard]] std::optional<std::string> filled(std::string_view here,
+                                                const std::vector<std::string>& parts);
+
+}  // namespace armlet::lang

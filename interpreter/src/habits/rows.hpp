@@ -1,0 +1,39 @@
+#pragma once
+// Habits of other languages: one row each. How shapes are written is said in pattern.hpp, how texts
+// with places in meant.hpp.
+
+#include <span>
+#include <string_view>
+
+namespace armlet::lang {
+
+// There is no such thing here: the message says why, and no fix is given.
+inline constexpr std::string_view kNoSuchThing = "-";
+
+struct Habit {
+  std::string_view shape;
+  std::string_view here;  // empty: not needed here; kNoSuchThing
+  std::string_view why;   // one sentence, may be empty
+};
+
+// Whole statements, and values anywhere in a line.
+[[nodiscard]] std::span<const Habit> statement_habits();
+[[nodiscard]] std::span<const Habit> value_habits();
+
+// A block that begins with a line of its own.
+struct BlockHabit {
+  std::string_view shape;  // of its first line
+  std::string_view here;   // empty: the block is no block here; its lines stay
+  // The word of its last line, "end|ENDWHILE" for one of two; ":": it ends with its indentation, or
+  // with `end`.
+  std::string_view end;
+  bool gives_first = false;  // function y = f(x): gives the variable that is its first part
+};
+
+[[nodiscard]] std::span<const BlockHabit> block_habits();
+
+// Lines between: else, elif n > 2:, CASE 1. And what the last line means.
+[[nodiscard]] std::span<const Habit> middle_habits();
+[[nodiscard]] std::span<const Habit> end_habits();
+
+}  // namespace armlet::lang
