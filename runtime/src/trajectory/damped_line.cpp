@@ -12,11 +12,13 @@
 #include "armlet/trajectory/spline.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
 #include "trajectory/curve_plan.hpp"
+#include "trajectory/smooth_run.hpp"
 
 namespace armlet {
 namespace {
 
 constexpr int kSteps = 512;
+constexpr int kCells = 96;           // the pieces of a speed that is limited in jerk
 constexpr double kTurnCounts = 0.2;  // m, what a turn by one radian counts for
 constexpr double kCatchUp = 2.0;     // largest step, as a multiple of the usual one
 constexpr double kShortest = 1e-9;   // s, resolution of the clock
@@ -111,27 +113,42 @@ std::vector<SpeedZone> zones_of(const Robot& robot, const LineMove& move,
   return zones;
 }
 
-// The motion along the joints' way, its parameter in metres, in the least time or in the one that
-// is asked for.
-MotionPlan run(const Robot& robot, const LineMove& move, const Trajectory& way,
-               std::span<const SpeedZone> zones) {
+// The least time along the joints' way, its parameter in metres. Where joints all but jump, limited
+// jerk would take many times as long; then accelerations do.
+struct LeastTime {
+  Trajectory motion{};
+  Jerk jerk = Jerk::kLimited;
+};
+
+LeastTime fastest_on(const Robot& robot, const LineMove& move, const Trajectory& way,
+                     std::span<const SpeedZone> zones) {
   std::vector<AxisLimits> limits = axis_limits(robot);
   const double share = move.time || move.tool_speed ? 1.0 : move.speed;
   for (AxisLimits& l : limits) {
     l.speed *= share;
     l.acceleration *= share * share;
+    l.jerk *= share * share * share;
   }
-  const Trajectory fastest = time_optimal(way, limits, kSteps, zones);
+  const SpeedAlongPath speed = fastest_along(way, limits, kSteps, zones);
+  TimedRun smooth = smooth_run(way, limits, speed, kCells, zones);
+  if (!smooth.s.empty()) return {std::move(smooth.motion)};
+  return {time_optimal(way, limits, kSteps, zones), Jerk::kFree};
+}
+
+// The motion along the joints' way in the least time or in the one that is asked for.
+MotionPlan run(const Robot& robot, const LineMove& move, const Trajectory& way,
+               std::span<const SpeedZone> zones) {
+  const auto [fastest, jerk] = fastest_on(robot, move, way, zones);
   const double least = fastest.duration();
-  if (!move.time) return verify(robot, fastest);
+  if (!move.time) return verify(robot, fastest, true, jerk);
   const bool too_fast = *move.time < least * (1.0 - 1e-9);
   if (too_fast && (move.enforce_limits || *move.time < kShortest)) {
-    MotionPlan refused{.too_fast = least_time(robot, fastest)};
+    MotionPlan refused{.too_fast = least_time(robot, fastest, jerk)};
     refused.too_fast->given = *move.time;
     refused.too_fast->least_time = least;
     return refused;
   }
-  return verify(robot, fastest.stretched(*move.time / least), move.enforce_limits);
+  return verify(robot, fastest.stretched(*move.time / least), move.enforce_limits, jerk);
 }
 
 // The joints step by step along the line; behind its end, until the tool has caught up with it or

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
@@ -111,6 +112,47 @@ TEST_CASE(
       largest_deviation(*damped.motion.trajectory, forward(kArm, q0), move.T_world_goal);
   CHECK(aside <= damped.deviation * (1.0 + 1e-6));
   CHECK(aside > 0.3 * damped.deviation);
+}
+
+TEST_CASE("damped lines of many arms keep all limits, also through singularities") {
+  std::mt19937_64 generator(5);
+  const auto uniform = [&](double lower, double upper) {
+    return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
+  };
+  int made = 0, left = 0;
+  for (const char* name :
+       {"puma560", "irb120", "panda", "stanford", "planar2", "anthropomorphic"}) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    for (int k = 0; k < 4; ++k) {
+      CAPTURE(k);
+      Eigen::VectorXd q = robot.home();
+      for (int i = 0; i < robot.n(); ++i) {
+        const double middle = 0.5 * (robot.lower()[i] + robot.upper()[i]);
+        q[i] +=
+            0.3 * (middle - q[i]) + uniform(-0.4, 0.4) * std::min(1.0, robot.upper()[i] - middle);
+        q[i] = std::clamp(q[i], robot.lower()[i], robot.upper()[i]);
+      }
+      if (k % 2 == 1 && robot.n() == 6) q[4] = 0.02;  // the wrist is almost stretched
+      LineMove move{.q0 = q,
+                    .T_world_goal = forward(robot, q),
+                    .task = robot.n() < 6 ? IkTask::kPlace : IkTask::kPose};
+      for (int i = 0; i < 3; ++i) move.T_world_goal.translation()[i] += uniform(-0.2, 0.2);
+      const DampedLine plan = plan_damped_line(robot, move);
+      if (!plan.ok()) continue;
+      ++made;
+      if (plan.deviation > 1e-3) ++left;
+      const Trajectory& motion = *plan.motion.trajectory;
+      for (int i = 0; i < robot.n(); ++i) {
+        CHECK(motion.continuity(i, 1e-6) >= 2);
+        CHECK(motion.peak(i, 1) <= robot.max_speed()[i] * (1.0 + 1e-8));
+        CHECK(motion.peak(i, 2) <= robot.max_accel()[i] * (1.0 + 1e-8));
+        CHECK(motion.peak(i, 3) <= robot.max_jerk()[i] * (1.0 + 1e-8));
+      }
+    }
+  }
+  CHECK(made >= 15);
+  CHECK(left >= 5);
 }
 
 TEST_CASE("a damping that is not above zero and a goal without orientation are refused") {
