@@ -115,6 +115,11 @@ class RandomProgram {
   void kernel_fields();
   std::string kernel_term(int depth, const std::string& index);
 
+  // ---- values that change their owner (random_handing.cpp)
+  void declare_handing();
+  void handing_statement();
+  std::string handing_call();
+
   // ---- loops over lists that are changed (random_table.cpp)
   void declare_table();
   void table_loop();

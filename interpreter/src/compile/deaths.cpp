@@ -13,7 +13,7 @@ constexpr std::uint32_t kFarthest = 300;  // instructions that are looked at for
 }  // namespace
 
 bool Deaths::look() {
-  if (!liveness_) liveness_.emplace(code_, shape_);
+  if (!liveness_) liveness_.emplace(code_, shape_, watched_);
   return liveness_->is_known();
 }
 
@@ -29,7 +29,7 @@ std::uint32_t Deaths::block_end(std::uint32_t at) {
 
 bool Deaths::is_live_in_handler(std::uint32_t bits, std::uint32_t at) {
   const Reg reg{bits};
-  if (reg.reg_class() != RegClass::kNumber || !look()) return true;
+  if (reg.reg_class() != watched_ || !look()) return true;
   return liveness_->is_live_in_handler(block_of(at), reg);
 }
 

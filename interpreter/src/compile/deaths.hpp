@@ -1,5 +1,5 @@
 #pragma once
-// Whether what a number register holds is still needed.
+// Whether what a number register, or a reference register, holds is still needed.
 
 #include <optional>
 #include <vector>
@@ -10,7 +10,9 @@ namespace armlet::lang {
 
 class Deaths {
  public:
-  Deaths(const std::vector<WideInstr>& code, const CodeShape& shape) : code_(code), shape_(shape) {}
+  Deaths(const std::vector<WideInstr>& code, const CodeShape& shape,
+         RegClass watched = RegClass::kNumber)
+      : code_(code), shape_(shape), watched_(watched) {}
 
   // Nobody reads what register `bits` holds after the instruction at `at`. The code may have been
   // changed since the first question where that changes no registers that outlive a block.
@@ -26,6 +28,7 @@ class Deaths {
 
   const std::vector<WideInstr>& code_;
   const CodeShape& shape_;
+  RegClass watched_;
   std::optional<Liveness> liveness_;  // when it is first needed
 };
 

@@ -31,22 +31,22 @@ constexpr OpCode kUpdates[] = {
 };
 // Instructions that change more than a number register, but nothing that they do not name.
 constexpr OpCode kPlain[] = {
-    OpCode::MOVE,       OpCode::MOVEREF,   OpCode::TAKE,      OpCode::DROP,      OpCode::TEXT,
-    OpCode::TEXTREF,    OpCode::ZERO,      OpCode::GLOADREF,  OpCode::GOWN,      OpCode::GSTORE,
-    OpCode::GSTOREREF,  OpCode::GCHECK,    OpCode::GSET,      OpCode::BOX,       OpCode::BLOADREF,
-    OpCode::BSTORE,     OpCode::BSTOREREF, OpCode::CMPTEXT,   OpCode::NEWLIST,   OpCode::CHARAT,
-    OpCode::ADDRL,      OpCode::ADDRG,     OpCode::ADDRB,     OpCode::ADDRE,     OpCode::ADDRF,
-    OpCode::PUT,        OpCode::PUTREF,    OpCode::ST,        OpCode::STF,       OpCode::STLF,
-    OpCode::MADDLF,     OpCode::PUSH,      OpCode::PUSHREF,   OpCode::APPEND,    OpCode::TOTEXT,
-    OpCode::EXPANDED,   OpCode::CALL,      OpCode::CALLV,     OpCode::CALLN,     OpCode::CONCAT,
-    OpCode::MAKEREC,    OpCode::RET,       OpCode::RETREF,    OpCode::RETTAKE,   OpCode::RETVOID,
-    OpCode::HALT,       OpCode::JUMP,      OpCode::LOOP,      OpCode::JT,        OpCode::JF,
-    OpCode::STM,        OpCode::ADDRM,     OpCode::STO,       OpCode::STLD,      OpCode::COPYEL,
-    OpCode::SWAPEL,     OpCode::COUNTEL,   OpCode::ADDEL,     OpCode::SUBEL,     OpCode::ADDELR,
-    OpCode::SUBELR,     OpCode::MULELR,    OpCode::MADDEL,    OpCode::MSUBEL,    OpCode::OWNED,
-    OpCode::OWNEDF,     OpCode::POP,       OpCode::INSERT,    OpCode::INSERTREF, OpCode::EQDEEP,
-    OpCode::LISTTOREAL, OpCode::SLICE,     OpCode::SLICETEXT, OpCode::MAKELIST,  OpCode::NEWARRAY,
-    OpCode::STRIDE,     OpCode::SETF,      OpCode::MADDF,
+    OpCode::MOVE,      OpCode::MOVEREF,  OpCode::TAKE,       OpCode::GIVE,      OpCode::ADOPT,
+    OpCode::DROP,      OpCode::TEXT,     OpCode::TEXTREF,    OpCode::ZERO,      OpCode::GLOADREF,
+    OpCode::GOWN,      OpCode::GSTORE,   OpCode::GSTOREREF,  OpCode::GCHECK,    OpCode::GSET,
+    OpCode::BOX,       OpCode::BLOADREF, OpCode::BSTORE,     OpCode::BSTOREREF, OpCode::CMPTEXT,
+    OpCode::NEWLIST,   OpCode::CHARAT,   OpCode::ADDRL,      OpCode::ADDRG,     OpCode::ADDRB,
+    OpCode::ADDRE,     OpCode::ADDRF,    OpCode::PUT,        OpCode::PUTREF,    OpCode::ST,
+    OpCode::STF,       OpCode::STLF,     OpCode::MADDLF,     OpCode::PUSH,      OpCode::PUSHREF,
+    OpCode::APPEND,    OpCode::TOTEXT,   OpCode::EXPANDED,   OpCode::CALL,      OpCode::CALLV,
+    OpCode::CALLN,     OpCode::CONCAT,   OpCode::MAKEREC,    OpCode::RET,       OpCode::RETREF,
+    OpCode::RETTAKE,   OpCode::RETVOID,  OpCode::HALT,       OpCode::JUMP,      OpCode::LOOP,
+    OpCode::JT,        OpCode::JF,       OpCode::STM,        OpCode::ADDRM,     OpCode::STO,
+    OpCode::STLD,      OpCode::COPYEL,   OpCode::SWAPEL,     OpCode::COUNTEL,   OpCode::ADDEL,
+    OpCode::SUBEL,     OpCode::ADDELR,   OpCode::SUBELR,     OpCode::MULELR,    OpCode::MADDEL,
+    OpCode::MSUBEL,    OpCode::OWNED,    OpCode::OWNEDF,     OpCode::POP,       OpCode::INSERT,
+    OpCode::INSERTREF, OpCode::EQDEEP,   OpCode::LISTTOREAL, OpCode::SLICE,     OpCode::SLICETEXT,
+    OpCode::MAKELIST,  OpCode::NEWARRAY, OpCode::STRIDE,     OpCode::SETF,      OpCode::MADDF,
 };
 
 using EffectTable = std::array<Effect, static_cast<std::size_t>(OpCode::kCount)>;
@@ -86,7 +86,8 @@ Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at) {
   effects.effect = kEffects[static_cast<std::size_t>(instr.op)];
   const char first = operand_of(instr.op, 0);
   effects.defines = first == 'd' || first == 'D' || effects.effect == Effect::kUpdate;
-  effects.empties = instr.op == OpCode::TAKE;
+  effects.reads_first = instr.op == OpCode::RETTAKE || instr.op == OpCode::APPEND;
+  effects.empties = instr.op == OpCode::TAKE || instr.op == OpCode::GIVE;
   if (is_compare_and_branch(instr.op)) ++effects.words;
   while (at + effects.words < code.size() && is_operand_word(code[at + effects.words].op)) {
     ++effects.words;

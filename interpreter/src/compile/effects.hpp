@@ -17,9 +17,10 @@ enum class Effect : std::uint8_t {
 
 struct Effects {
   Effect effect = Effect::kUnknown;
-  std::uint32_t words = 1;  // the instruction and its operands in the next word
-  bool defines = false;     // register a of the instruction
-  bool empties = false;     // register b too
+  std::uint32_t words = 1;   // the instruction and its operands in the next word
+  bool defines = false;      // register a of the instruction
+  bool reads_first = false;  // and reads it, though it names a destination
+  bool empties = false;      // register b too
   // Number registers from here on are lost; the first of them are read before.
   static constexpr std::uint32_t kAll = 0x0FFF'FFFFU;
   bool has_window = false;
@@ -42,7 +43,8 @@ template <class Code, class F>
 void for_each_read(Code& code, std::uint32_t at, const Effects& effects, F f) {
   for (std::uint32_t word = at; word < at + effects.words; ++word) {
     auto& instr = code[word];
-    if (is_register(operand_of(instr.op, 0)) && !(word == at && effects.defines)) f(instr.a);
+    const bool is_target = word == at && effects.defines && !effects.reads_first;
+    if (is_register(operand_of(instr.op, 0)) && !is_target) f(instr.a);
     if (is_register(operand_of(instr.op, 1))) f(instr.b);
     if (is_register(operand_of(instr.op, 2))) f(instr.c);
   }

@@ -8,6 +8,7 @@
 #include "compile/elements.hpp"
 #include "compile/emitter.hpp"
 #include "compile/fuse.hpp"
+#include "compile/hand_over.hpp"
 #include "compile/hoist.hpp"
 #include "compile/last_double.hpp"
 #include "compile/repeats.hpp"
@@ -17,6 +18,7 @@ namespace armlet::lang {
 CodeShape Emitter::shape() const {
   CodeShape shape;
   shape.numbers = most_numbers_;
+  shape.references = most_references_;
   for (const LabelInfo& label : labels_) {
     shape.labels.push_back(label.used ? label.position : kUnbound);
   }
@@ -27,6 +29,7 @@ CodeShape Emitter::shape() const {
 
 void Emitter::improve() {
   const std::function<Reg()> fresh = [this] { return pinned(); };
+  hand_over_last_uses(code_, shape());
   edit({find_repeats(code_, shape(), fresh), {}});
   edit(hoist_rows(code_, shape(), fresh));
   edit(fuse(code_, shape()));

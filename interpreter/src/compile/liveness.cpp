@@ -16,12 +16,13 @@ bool test(const std::vector<std::uint64_t>& bits, std::uint32_t i) {
 }
 void set(std::vector<std::uint64_t>& bits, std::uint32_t i) { bits[i / 64] |= 1ULL << (i % 64); }
 
-bool is_number(Reg reg) { return reg.reg_class() == RegClass::kNumber; }
-
 }  // namespace
 
-Liveness::Liveness(const std::vector<WideInstr>& code, const CodeShape& shape)
-    : code_(code), numbers_(shape.numbers), words_((shape.numbers + 63) / 64) {
+Liveness::Liveness(const std::vector<WideInstr>& code, const CodeShape& shape, RegClass watched)
+    : code_(code),
+      watched_(watched),
+      registers_(watched == RegClass::kNumber ? shape.numbers : shape.references),
+      words_((registers_ + 63) / 64) {
   if (code.empty() || code.size() > kMostInstructions) return;
   find_blocks(shape);
   if (blocks_.size() * words_ > kMostWords) return;
@@ -96,9 +97,9 @@ void Liveness::find_only_ways(const CodeShape& shape) {
 // Registers read before they are written, and registers written.
 void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) const {
   // What has been read from here on up stays read; only smaller ones are new.
-  std::uint32_t read_from = numbers_;
+  std::uint32_t read_from = registers_;
   const auto read = [&](Reg reg) {
-    if (is_number(reg) && !test(writes, reg.number())) set(reads, reg.number());
+    if (is_watched(reg) && !test(writes, reg.number())) set(reads, reg.number());
   };
   for (std::uint32_t at = block.begin; at < block.end;) {
     const Effects effects = effects_of(code_, at);
@@ -106,14 +107,14 @@ void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) con
     if (effects.effect == Effect::kUpdate) read(Reg{code_[at].a});
     if (effects.has_fixed) read(effects.fixed);
     const bool unknown = effects.effect == Effect::kUnknown;
-    if (unknown || (effects.has_window && is_number(effects.window))) {
+    if (unknown || (effects.has_window && is_watched(effects.window))) {
       const std::uint32_t first = unknown ? 0 : effects.window.number();
       const bool all = unknown || effects.window_reads == Effects::kAll;
       const std::uint32_t end = all ? read_from : std::min(read_from, first + effects.window_reads);
-      for (std::uint32_t n = first; n < end; ++n) read(Reg::make(RegClass::kNumber, n));
+      for (std::uint32_t n = first; n < end; ++n) read(Reg::make(watched_, n));
       if (all) read_from = std::min(read_from, first);
     }
-    if (effects.defines && !unknown && is_number(Reg{code_[at].a})) {
+    if (effects.defines && !unknown && is_watched(Reg{code_[at].a})) {
       set(writes, Reg{code_[at].a}.number());
     }
     at += effects.words;
@@ -138,15 +139,14 @@ void Liveness::solve() {
   }
 }
 
-bool Liveness::is_live_after(std::uint32_t block, Reg number) const {
-  return std::ranges::any_of(blocks_[block].next, [&](std::uint32_t next) {
-    return test(live_in_[next], number.number());
-  });
+bool Liveness::is_live_after(std::uint32_t block, Reg reg) const {
+  return std::ranges::any_of(
+      blocks_[block].next, [&](std::uint32_t next) { return test(live_in_[next], reg.number()); });
 }
 
-bool Liveness::is_live_in_handler(std::uint32_t block, Reg number) const {
+bool Liveness::is_live_in_handler(std::uint32_t block, Reg reg) const {
   return std::ranges::any_of(blocks_[block].handlers, [&](std::uint32_t handler) {
-    return test(live_in_[handler], number.number());
+    return test(live_in_[handler], reg.number());
   });
 }
 

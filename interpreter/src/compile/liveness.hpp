@@ -1,5 +1,5 @@
 #pragma once
-// Which number registers are read later, for the blocks of one function.
+// Which registers of one class are read later, for the blocks of one function.
 
 #include <cstdint>
 #include <vector>
@@ -19,6 +19,7 @@ struct CodeShape {
   std::vector<HandlerRange> handlers;
   std::vector<Reg> counters;  // of loops: messages read them whenever something fails
   std::uint32_t numbers = 0;  // number registers
+  std::uint32_t references = 0;
 };
 
 struct CodeBlock {
@@ -32,15 +33,17 @@ struct CodeBlock {
 
 class Liveness {
  public:
-  Liveness(const std::vector<WideInstr>& code, const CodeShape& shape);
+  // Of the number registers, or of the reference registers.
+  Liveness(const std::vector<WideInstr>& code, const CodeShape& shape,
+           RegClass watched = RegClass::kNumber);
 
   // False: the function is too large to be looked at.
   [[nodiscard]] bool is_known() const { return known_; }
   [[nodiscard]] const std::vector<CodeBlock>& blocks() const { return blocks_; }
   // Whether what the register holds at the end of the block, or when something in it fails, may be
   // read.
-  [[nodiscard]] bool is_live_after(std::uint32_t block, Reg number) const;
-  [[nodiscard]] bool is_live_in_handler(std::uint32_t block, Reg number) const;
+  [[nodiscard]] bool is_live_after(std::uint32_t block, Reg reg) const;
+  [[nodiscard]] bool is_live_in_handler(std::uint32_t block, Reg reg) const;
 
  private:
   using Bits = std::vector<std::uint64_t>;
@@ -51,8 +54,11 @@ class Liveness {
   void read_block(const CodeBlock& block, Bits& reads, Bits& writes) const;
   void solve();
 
+  [[nodiscard]] bool is_watched(Reg reg) const { return reg.reg_class() == watched_; }
+
   const std::vector<WideInstr>& code_;
-  std::uint32_t numbers_;
+  RegClass watched_;
+  std::uint32_t registers_;
   std::size_t words_;
   bool known_ = false;
   std::vector<CodeBlock> blocks_;

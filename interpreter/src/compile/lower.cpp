@@ -7,6 +7,7 @@
 
 #include "compile/cancelled.hpp"
 #include "compile/expand.hpp"
+#include "compile/hand_over.hpp"
 #include "compile/lowering.hpp"
 
 namespace armlet::lang {
@@ -34,7 +35,10 @@ void Lowering::start(FunctionCode& into) {
   for (std::uint32_t i = 0; i < function_.parameters.size(); ++i) {
     Variable& parameter = *function_.parameters[i];
     const Reg reg = code_.parameter(i);
-    if (parameter.storage == Storage::kLocal) {
+    if (tables_.adopts(parameter)) {
+      parameter.index = code_.reference().bits;
+      code_.emit(OpCode::ADOPT, reg_of(parameter), reg);
+    } else if (parameter.storage == Storage::kLocal) {
       parameter.index = reg.bits;
     } else {
       init_from(parameter, reg);
@@ -100,7 +104,10 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
     throw TooLarge{module.main->span, "variables of the program", UINT16_MAX};
   }
   Tables tables(program);
-  if (options.optimise) mark_expanding_functions(module);
+  if (options.optimise) {
+    mark_expanding_functions(module);
+    tables.adopt(adopted_parameters(module));
+  }
   std::size_t instructions = 0;
   program.functions.resize(module.functions.size());
   for (const Function* function : module.functions) {

@@ -1,5 +1,6 @@
 // Calls of functions of the program, of function values and of the library.
 
+#include <algorithm>
 #include <array>
 
 #include "compile/lowering.hpp"
@@ -25,15 +26,86 @@ void Lowering::window(Seq<Expr*> arguments, Reg base, Hold hold) {
     holds[i - 1] = stronger(holds[i], hold_over(*arguments[i]));
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const Reg slot = i == 0 ? base : code_.number();
-    const Emitter::Mark mark = code_.mark();
-    if (arguments[i]->type->is_reference()) {
-      borrow_into(*arguments[i], slot, holds[i]);
-    } else {
-      value_into(*arguments[i], {slot, true});
-    }
-    code_.release_numbers(mark);
+    argument(*arguments[i], i == 0 ? base : code_.number(), holds[i]);
   }
+}
+
+void Lowering::argument(const Expr& e, Reg slot, Hold hold) {
+  const Emitter::Mark mark = code_.mark();
+  if (e.type->is_reference()) {
+    borrow_into(e, slot, hold);
+  } else {
+    value_into(e, {slot, true});
+  }
+  code_.release_numbers(mark);
+}
+
+// Of a function of the program. What it adopts is handed over last of all, so that the other
+// arguments can still be made from it.
+void Lowering::call_window(const CallExpr& e, Reg base) {
+  const Seq<Expr*> arguments = e.arguments;
+  std::vector<Hold> holds(arguments.size(), Hold::kCall);
+  for (std::size_t i = arguments.size(); i-- > 1;) {
+    holds[i - 1] = stronger(holds[i], hold_over(*arguments[i]));
+  }
+  std::vector<std::pair<Reg, Reg>> given;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const Reg slot = i == 0 ? base : code_.number();
+    Reg from;
+    if (handed_over(e, i, holds[i], from)) {
+      given.emplace_back(slot, from);
+    } else {
+      argument(*arguments[i], slot, holds[i]);
+    }
+  }
+  for (const auto& [slot, from] : given) code_.emit(OpCode::GIVE, slot, from);
+}
+
+// Evaluates an argument that the function adopts, unless it is a place of somebody else. `from`:
+// the reference register that owns it.
+bool Lowering::handed_over(const CallExpr& e, std::size_t argument, Hold hold, Reg& from) {
+  const Expr& value = *e.arguments[argument];
+  if (!options_.optimise || !value.type->is_reference() ||
+      argument >= e.function->parameters.size() ||
+      !tables_.adopts(*e.function->parameters[argument])) {
+    return false;
+  }
+  switch (value.kind) {
+    case ExprKind::kVariable: {
+      const Variable& variable = *value.as<VariableExpr>().variable;
+      if (hold == Hold::kOwn || whole_ != &e || !may_be_last_use(value, variable)) return false;
+      for (std::size_t i = 0; i < e.arguments.size(); ++i) {
+        const bool borrows = i != argument && e.arguments[i]->type->is_reference();
+        if (borrows && mentions(*e.arguments[i], variable)) return false;
+      }
+      from = reg_of(variable);
+      return true;
+    }
+    case ExprKind::kList:
+    case ExprKind::kNewArray:
+    case ExprKind::kRecord:
+    case ExprKind::kCall:
+    case ExprKind::kCallNative:
+      break;
+    default:
+      return false;
+  }
+  // f(g(x)): what holds for the outer call holds for the inner one if nothing else can borrow.
+  const bool is_only = std::ranges::count_if(
+                           e.arguments, [](const Expr* a) { return a->type->is_reference(); }) == 1;
+  if (whole_ == &e && is_only) whole_ = &value;
+  from = code_.reference();
+  own_into(value, from);
+  return true;
+}
+
+// Nothing borrows from the variable here besides the value that is about to change its owner.
+bool Lowering::may_be_last_use(const Expr& e, const Variable& variable) const {
+  if (!options_.optimise || e.constant != nullptr || variable.storage != Storage::kLocal ||
+      !reg_of(variable).is_reference()) {
+    return false;
+  }
+  return std::ranges::find(lent_, &variable) == lent_.end();
 }
 
 // The window of a call may begin at the target itself when that is the topmost number.
@@ -60,6 +132,7 @@ void Lowering::call_own(const Expr& e, Reg to) {
 
 void Lowering::effect(const Expr& e) {
   const Emitter::Mark mark = code_.mark();
+  whole_ = &e;
   const bool expands = e.kind == ExprKind::kCall && e.as<CallExpr>().function->expands;
   switch (expands ? ExprKind::kBinary : e.kind) {
     case ExprKind::kMutate:
@@ -89,7 +162,7 @@ Reg Lowering::call(const Expr& e, Dest to) {
     case ExprKind::kCall: {
       const auto& c = e.as<CallExpr>();
       const Reg base = base_for(to);
-      window(c.arguments, base, Hold::kCall);
+      call_window(c, base);
       code_.at(e.span, &e);
       code_.push(OpCode::CALL, base.bits, c.function->index, windowed(c.arguments));
       return base;

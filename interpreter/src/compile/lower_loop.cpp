@@ -263,6 +263,8 @@ void Lowering::for_list(const ForListStmt& s) {
   ++loop_depth_;
   const Summary body = summarise(*s.body);
   const Reg list = visited_list(*s.items, body);
+  const Variable* lender = root_variable(*s.items);
+  if (lender != nullptr) lent_.push_back(lender);
   const Reg counter = code_.number();
   const Reg last = code_.number();
   const Reg item = code_.number();
@@ -284,6 +286,7 @@ void Lowering::for_list(const ForListStmt& s) {
     statement(*s.body);
     code_.release(pass);
   });
+  if (lender != nullptr) lent_.pop_back();
   code_.loop({begin, code_.position()}, counter, 0, 1, line_of(s.span));
   end_loop(mark, pinned);
 }

@@ -31,6 +31,7 @@ void Lowering::assign_whole(const AssignStmt& s) {
   const Variable& variable = *s.place.variable;
   code_.at(s.span);
   if (variable.init != nullptr) check_set(variable);
+  whole_ = s.value;
   store(variable, *s.value);
   if (variable.init == nullptr) note_set(variable);
 }

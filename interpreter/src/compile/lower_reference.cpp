@@ -146,11 +146,17 @@ void Lowering::own_into(const Expr& e, Reg to) {
   }
   const Emitter::Mark mark = code_.mark();
   switch (e.kind) {
-    case ExprKind::kVariable:
+    case ExprKind::kVariable: {
+      const Variable& variable = *e.as<VariableExpr>().variable;
       code_.at(e.span, &e);
-      check_set(*e.as<VariableExpr>().variable);
-      own_variable(*e.as<VariableExpr>().variable, to);
+      check_set(variable);
+      if (whole_ == &e && may_be_last_use(e, variable)) {
+        code_.push(OpCode::MOVEREF, to.bits, reg_of(variable).bits, 1);
+      } else {
+        own_variable(variable, to);
+      }
       break;
+    }
     case ExprKind::kAbsent:
       code_.emit(OpCode::DROP, to);
       break;

@@ -104,6 +104,7 @@ void Lowering::init(const InitStmt& s) {
   declare(variable);
   if (s.value == nullptr) return;
   const Emitter::Mark mark = code_.mark();
+  whole_ = s.value;
   if (variable.storage != Storage::kLocal) {
     store(variable, *s.value);
   } else if (variable.type->is_reference()) {
@@ -209,6 +210,7 @@ void Lowering::jump(const JumpStmt& s) {
 
 void Lowering::give_back(const ReturnStmt& s) {
   const Emitter::Mark mark = code_.mark();
+  whole_ = s.value;
   if (!expansions_.empty()) {
     give_back_here(*s.value);
   } else if (s.value == nullptr || s.value->type->is(Kind::kVoid)) {

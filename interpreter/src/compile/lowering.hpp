@@ -15,37 +15,10 @@
 #include "compile/analysis.hpp"
 #include "compile/emitter.hpp"
 #include "compile/lower.hpp"
+#include "compile/lowering_terms.hpp"
 #include "compile/tables.hpp"
 
 namespace armlet::lang {
-
-// Where a number shall go.
-struct Dest {
-  Reg reg;
-  bool early;  // may be written before the whole expression has been evaluated
-};
-
-// What an instruction belongs to in the text.
-struct Site {
-  Span span;
-  const hir::Expr* expr;
-};
-
-// How long a borrowed reference must stay good.
-enum class Hold : std::uint8_t {
-  kNow,   // nothing else runs until it is used
-  kCall,  // other code of the program may run, but this function changes none of its variables
-  kOwn,   // this function itself may change the variable: count it
-};
-[[nodiscard]] Hold stronger(Hold a, Hold b);
-// What a reference needs to outlast the evaluation of `later`.
-[[nodiscard]] Hold hold_over(const hir::Expr& later);
-// a * b of doubles, not known before running.
-[[nodiscard]] bool is_product(const hir::Expr& e);
-
-// The instruction of an operator on numbers; comparisons the wrong way round are turned by the
-// caller.
-[[nodiscard]] OpCode arithmetic_instruction(hir::Op op);
 
 class Lowering {
  public:
@@ -153,6 +126,10 @@ class Lowering {
 
   // ---- lower_call.cpp
   void window(hir::Seq<hir::Expr*> arguments, Reg base, Hold hold);
+  void argument(const hir::Expr& e, Reg slot, Hold hold);
+  void call_window(const hir::CallExpr& e, Reg base);
+  bool handed_over(const hir::CallExpr& e, std::size_t argument, Hold hold, Reg& from);
+  [[nodiscard]] bool may_be_last_use(const hir::Expr& e, const hir::Variable& variable) const;
   Reg base_for(Dest to);
   void call_into(const hir::Expr& e, Dest to);
   void call_own(const hir::Expr& e, Reg to);
@@ -293,7 +270,9 @@ class Lowering {
   std::vector<TryScope> tries_;
   std::vector<const hir::Variable*> pinned_globals_;  // held in registers during a quiet loop
   std::unordered_map<const hir::Variable*, Reg> pinned_registers_;
-  std::vector<Expansion> expansions_;  // the innermost last
+  std::vector<Expansion> expansions_;       // the innermost last
+  const hir::Expr* whole_ = nullptr;        // all of the value that a statement assigns or returns
+  std::vector<const hir::Variable*> lent_;  // lists whose elements a loop borrows
   int loop_depth_ = 0;
 };
 

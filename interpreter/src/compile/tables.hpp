@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <unordered_set>
+#include <utility>
 
 #include "compile/program.hpp"
 
@@ -24,6 +26,14 @@ class Tables {
   [[nodiscard]] std::uint32_t add_expect(const hir::AssertThrowsStmt& statement);
   [[nodiscard]] std::uint32_t add_wait(const hir::WaitUntilStmt& statement);
 
+  // Parameters that their functions adopt: hand_over.hpp.
+  void adopt(std::unordered_set<const hir::Variable*> parameters) {
+    adopted_ = std::move(parameters);
+  }
+  [[nodiscard]] bool adopts(const hir::Variable& parameter) const {
+    return adopted_.contains(&parameter);
+  }
+
   // Layouts point to their lists of references, which must have stopped moving.
   void finish();
   [[nodiscard]] CompiledProgram& program() { return program_; }
@@ -36,6 +46,7 @@ class Tables {
   std::map<std::string, std::uint32_t, std::less<>> texts_;
   std::map<const Type*, std::uint32_t> layouts_;
   std::map<FormatKey, std::uint32_t> formats_;
+  std::unordered_set<const hir::Variable*> adopted_;
 };
 
 }  // namespace armlet::lang

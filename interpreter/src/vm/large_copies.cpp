@@ -48,11 +48,31 @@ MatrixObj* copy_of(VmState& state, const MatrixObj& old) {
   return nullptr;
 }
 
+constexpr std::size_t kTold = 1000;  // elements; copies of more are told of
+constexpr std::uint32_t kTooOften = 3;
+
+// Advice, once for each place. The running frames have been saved.
+void note_large_copy(VmState& state, std::size_t count) {
+  if (!state.options.advice) return;
+  const Frame& frame = *state.running->top;
+  if (++state.large_copies[frame.pc] != kTooOften) return;
+  const CodeSpan* at = code_span(state);
+  if (at == nullptr) return;
+  Diagnostic advice = make_diagnostic("W0715", at->span, {std::to_string(count)});
+  advice.why = "another variable, field or element still holds the list as it was";
+  if (&frame > state.running->frames && !frame.is_host() && !(&frame)[-1].is_host()) {
+    const CodeSpan* call = code_span((&frame)[-1]);
+    if (call != nullptr) advice.related.push_back({call->span, "called here"});
+  }
+  state.options.advice(advice);
+}
+
 }  // namespace
 
 bool copy_to_own(VmState& state, Slot& place) {
   Obj* old = place.o;
   const std::size_t count = elements_of(*old);
+  if (count > kTold) note_large_copy(state, count);
   if (count < kLarge) {
     return (charge_work(state.vm, count)) &&
            (copy_shared(state.heap, place) || raise_out_of_memory(state));

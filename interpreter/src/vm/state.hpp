@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "armlet/core/checkpoint.hpp"
@@ -109,6 +110,7 @@ struct VmState {
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
   bool has_run = false;
+  std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were
   const void* thread = nullptr;  // that runs the program (this_thread); null: none does
   std::uint64_t output_left;
 
