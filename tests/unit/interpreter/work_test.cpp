@@ -165,7 +165,7 @@ TEST_CASE("copies and texts of the machine count as steps") {
   const auto steps = [](const std::string& text) { return run(text).steps; };
   const std::string list = "var a = new double[1000000]\n";
   const std::uint64_t base = steps(list);
-  CHECK(steps(list + "var b = a\nb[0] = 1.0") > base + 10'000);
+  CHECK(steps(list + "var b = a\nb[0] = 1.0\na[1] = 1.0") > base + 10'000);
   CHECK(steps(list + "let b = a[0:900000]") > base + 10'000);
   CHECK(steps(list + "print(a == a)") > base + 3'000);
   CHECK(steps(list + "let t = f\"{a}\"") > base + 100'000);
