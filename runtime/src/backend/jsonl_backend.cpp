@@ -48,6 +48,36 @@ class JsonlBackend::Writer {
     field("r", std::array{r.w(), r.x(), r.y(), r.z()});
   }
 
+  // The units of the axes and the series between them.
+  void axes(const Figure& figure) {
+    field("x", figure.x.unit);
+    field("y", figure.y.unit);
+    field("z", figure.z.unit);
+    field("right", figure.right.unit);
+    if (figure.x.log || figure.y.log)
+      field("log", std::string(figure.x.log ? "x" : "") + (figure.y.log ? "y" : ""));
+    sink.text(",\"series\":[");
+    for (std::size_t i = 0; i < figure.series.size(); ++i) {
+      const Series& series = figure.series[i];
+      sink.text(i > 0 ? ",{\"kind\":" : "{\"kind\":");
+      sink.quoted(to_text(series.kind));
+      field("label", series.label);
+      field("axis", series.right ? "right" : "left");
+      field("x", std::span<const double>(series.x));
+      field("y", std::span<const double>(series.y));
+      field("z", std::span<const double>(series.z));
+      sink.text("}");
+    }
+    sink.text("]");
+    if (figure.names.empty()) return;
+    sink.text(",\"names\":[");
+    for (std::size_t i = 0; i < figure.names.size(); ++i) {
+      if (i > 0) sink.text(",");
+      sink.quoted(figure.names[i]);
+    }
+    sink.text("]");
+  }
+
   // Fields of a robot that joins, without braces.
   void robot(const RobotInfo& robot) {
     robots.push_back(robot.name);
@@ -145,23 +175,17 @@ void JsonlBackend::note(const Note& note) {
 void JsonlBackend::figure(std::int64_t t_ns, const Figure& figure) {
   writer_->begin_line(t_ns, "figure");
   writer_->field("title", figure.title);
-  writer_->field("x", figure.x.unit);
-  writer_->field("y", figure.y.unit);
-  writer_->field("z", figure.z.unit);
-  writer_->field("right", figure.right.unit);
-  writer_->sink.text(",\"series\":[");
-  for (std::size_t i = 0; i < figure.series.size(); ++i) {
-    const Series& series = figure.series[i];
-    writer_->sink.text(i > 0 ? ",{\"kind\":" : "{\"kind\":");
-    writer_->sink.quoted(to_text(series.kind));
-    writer_->field("label", series.label);
-    writer_->field("axis", series.right ? "right" : "left");
-    writer_->field("x", std::span<const double>(series.x));
-    writer_->field("y", std::span<const double>(series.y));
-    writer_->field("z", std::span<const double>(series.z));
-    writer_->sink.text("}");
+  writer_->axes(figure);
+  if (!figure.panels.empty()) {
+    writer_->sink.text(",\"panels\":[");
+    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+      writer_->sink.text(i > 0 ? ",{\"title\":" : "{\"title\":");
+      writer_->sink.quoted(figure.panels[i].title);
+      writer_->axes(figure.panels[i]);
+      writer_->sink.text("}");
+    }
+    writer_->sink.text("]");
   }
-  writer_->sink.text("]");
   writer_->end_line();
 }
 

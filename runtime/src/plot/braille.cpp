@@ -82,6 +82,13 @@ const std::vector<double>& upward(const Figure& figure, const Series& series) {
 
 enum class Side { kBelow, kLeft, kRight };
 
+const Axis& axis_of(const Figure& figure, Side side) {
+  return side == Side::kBelow   ? figure.x
+         : side == Side::kRight ? figure.right
+         : figure.is_spatial()  ? figure.z
+                                : figure.y;
+}
+
 Scale scale_of(const Figure& figure, Side side, int wanted) {
   std::vector<const std::vector<double>*> lists;
   bool bars = false;
@@ -90,19 +97,21 @@ Scale scale_of(const Figure& figure, Side side, int wanted) {
     lists.push_back(side == Side::kBelow ? &series.x : &upward(figure, series));
     bars = bars || (side != Side::kBelow && series.kind == SeriesKind::kBars);
   }
-  Extent extent = extent_of(lists);
-  if (bars) {
+  const Axis& axis = axis_of(figure, side);
+  Scale scale;
+  if (side == Side::kBelow && !figure.names.empty()) {
+    scale.ticks = make_name_ticks(figure.names);
+    return scale;
+  }
+  Extent extent = extent_of(lists, axis);
+  if (bars && !axis.log) {
     extent.lower = std::min(extent.lower, 0.0);
     extent.upper = std::max(extent.upper, 0.0);
   }
-  const Axis& axis = side == Side::kBelow   ? figure.x
-                     : side == Side::kRight ? figure.right
-                     : figure.is_spatial()  ? figure.z
-                                            : figure.y;
-  Scale scale;
   scale.unit = plot_unit(axis.unit, std::max(std::abs(extent.lower), std::abs(extent.upper)));
-  scale.ticks = make_ticks(extent.lower * scale.unit.factor, extent.upper * scale.unit.factor,
-                           wanted, scale.unit.text == "deg", true);
+  const double lower = extent.lower * scale.unit.factor, upper = extent.upper * scale.unit.factor;
+  scale.ticks = axis.log ? make_log_ticks(lower, upper, wanted)
+                         : make_ticks(lower, upper, wanted, scale.unit.text == "deg", true);
   return scale;
 }
 
@@ -116,18 +125,20 @@ void draw(Dots& dots, const Figure& figure, const Scale& x, const Scale& left,
     const std::vector<double>& up = upward(figure, series);
     const int index = static_cast<int>(s);
     const Scale& y = series.right ? on_right : left;
+    const Axis& upright = axis_of(figure, series.right ? Side::kRight : Side::kLeft);
+    const auto shows = [&](std::size_t i) {
+      return is_drawable(series.x[i], figure.x) && is_drawable(up[i], upright);
+    };
     const auto down = [&](double v) {
       return (1.0 - y.ticks.position(v * y.unit.factor)) * (dots.height() - 1) + 0.5;
     };
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      if (!is_drawable(series.x[i]) || !is_drawable(up[i])) continue;
+      if (!shows(i)) continue;
       const double px = right(series.x[i]), py = down(up[i]);
-      const bool joined = series.kind == SeriesKind::kLine && i > 0 &&
-                          is_drawable(series.x[i - 1]) && is_drawable(up[i - 1]);
-      if (joined) {
+      if (series.kind == SeriesKind::kLine && i > 0 && shows(i - 1)) {
         dots.segment(right(series.x[i - 1]), down(up[i - 1]), px, py, index);
       } else if (series.kind == SeriesKind::kBars) {
-        dots.segment(px, down(0.0), px, py, index);
+        dots.segment(px, upright.log ? dots.height() - 1 : down(0.0), px, py, index);
       } else {
         dots.set(static_cast<int>(std::floor(px)), static_cast<int>(std::floor(py)), index);
       }
@@ -140,22 +151,68 @@ std::string unit_text(const Axis& axis, const Scale& scale) {
   return axis.label.empty() ? scale.unit.text : fmt::format("{} ({})", axis.label, scale.unit.text);
 }
 
+// How many letters a text shows.
+int letters(const std::string& text) {
+  int count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0U) != 0x80U ? 1 : 0;
+  return count;
+}
+
 // The values below the field, each under its place, as many as have room.
 std::string values_below(const Scale& x, int columns, std::size_t indent) {
   std::string out(indent + 1, ' ');
   const std::size_t start = out.size();
+  std::size_t used = start;  // letters of the line
   for (std::size_t i = 0; i < x.ticks.at.size(); ++i) {
     const std::string& label = x.ticks.labels[i];
     const double middle = x.ticks.position(x.ticks.at[i]) * columns;
+    const double width = letters(label);
     const double begin =
-        std::clamp(middle - 0.5 * static_cast<double>(label.size()), 0.0,
-                   std::max(0.0, static_cast<double>(columns) - static_cast<double>(label.size())));
+        std::clamp(middle - 0.5 * width, 0.0, std::max(0.0, static_cast<double>(columns) - width));
     const std::size_t at = start + static_cast<std::size_t>(begin);
-    if (i > 0 && at < out.size() + 1) continue;
-    out.resize(at, ' ');
+    if (i > 0 && at < used + 1) continue;
+    out.append(at - used, ' ');
     out += label;
+    used = at + static_cast<std::size_t>(width);
   }
   return out + '\n';
+}
+
+// The labels of the series in one line.
+std::string legend(const Figure& figure, bool color) {
+  constexpr int kColors[] = {36, 33, 32, 35, 34, 31, 37};
+  std::string out;
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    const std::string& label = figure.series[s].label;
+    if (label.empty()) continue;
+    if (!out.empty()) out += "  ";
+    out += color ? fmt::format("\x1b[{}m{}\x1b[0m", kColors[s % 7], label) : label;
+  }
+  return out.empty() ? out : out + '\n';
+}
+
+// Rows of dots, each behind the value of the axis at its height.
+std::string field_text(const Dots& dots, const Ticks& ticks, int rows, int widest, bool color) {
+  std::string out;
+  for (int r = 0; r < rows; ++r) {
+    std::string value;
+    for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+      const double at = (1.0 - ticks.position(ticks.at[i])) * (dots.height() - 1);
+      if (static_cast<int>(at / 4.0) == r) value = ticks.labels[i];
+    }
+    value.insert(0, static_cast<std::size_t>(widest - letters(value)), ' ');
+    std::string row = value + " \u2502" + dots.row(r, color);
+    while (row.back() == ' ') row.pop_back();
+    out += row + '\n';
+  }
+  return out;
+}
+
+std::string panels_text(const Figure& figure, int columns, int rows, bool color) {
+  std::string out = figure.title.empty() ? std::string() : figure.title + '\n';
+  for (const Figure& panel : figure.panels)
+    out += to_braille(panel, columns, std::max(8, rows / 2), color);
+  return out;
 }
 
 }  // namespace
@@ -163,47 +220,29 @@ std::string values_below(const Scale& x, int columns, std::size_t indent) {
 std::string to_braille(const Figure& figure, int columns, int rows, bool color) {
   columns = std::clamp(columns, 8, 400);
   rows = std::clamp(rows, 4, 200);
+  if (!figure.panels.empty()) return panels_text(figure, columns, rows, color);
   const Scale x = scale_of(figure, Side::kBelow, std::clamp(columns / 10, 2, 8));
   const Scale y = scale_of(figure, Side::kLeft, std::clamp(rows / 4, 2, 8));
   const Scale right = scale_of(figure, Side::kRight, std::clamp(rows / 4, 2, 8));
   Dots dots(columns, rows);
   draw(dots, figure, x, y, right);
-  std::size_t widest = 0;
-  for (const std::string& label : y.ticks.labels) widest = std::max(widest, label.size());
-  std::string out;
-  if (!figure.title.empty()) out += figure.title + '\n';
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    if (figure.series[s].label.empty()) continue;
-    constexpr int kColors[] = {36, 33, 32, 35, 34, 31, 37};
-    out += color ? fmt::format("\x1b[{}m{}\x1b[0m  ", kColors[s % 7], figure.series[s].label)
-                 : figure.series[s].label + "  ";
-  }
-  if (!out.empty() && out.back() == ' ') {
-    while (out.back() == ' ') out.pop_back();
-    out += '\n';
-  }
-  const Axis& upward_axis = figure.is_spatial() ? figure.z : figure.y;
-  if (const std::string name = unit_text(upward_axis, y); !name.empty()) out += name + '\n';
+  int widest = 0;
+  for (const std::string& label : y.ticks.labels) widest = std::max(widest, letters(label));
+  const auto indent = static_cast<std::size_t>(widest) + 1;
+  std::string out = figure.title.empty() ? std::string() : figure.title + '\n';
+  out += legend(figure, color);
+  if (const std::string name = unit_text(axis_of(figure, Side::kLeft), y); !name.empty())
+    out += name + '\n';
   if (std::ranges::any_of(figure.series, &Series::right)) {
     out += fmt::format("on the right {} to {} {}\n", right.ticks.labels.front(),
                        right.ticks.labels.back(), unit_text(figure.right, right));
   }
-  for (int r = 0; r < rows; ++r) {
-    std::string value;
-    for (std::size_t i = 0; i < y.ticks.at.size(); ++i) {
-      const double at = (1.0 - y.ticks.position(y.ticks.at[i])) * (dots.height() - 1);
-      if (static_cast<int>(at / 4.0) == r) value = y.ticks.labels[i];
-    }
-    std::string row = fmt::format("{:>{}} \u2502{}", value, widest, dots.row(r, color));
-    while (row.back() == ' ') row.pop_back();
-    out += row + '\n';
-  }
-  out += std::string(widest + 1, ' ') + "\u2514";
+  out += field_text(dots, y.ticks, rows, widest, color);
+  out += std::string(indent, ' ') + "\u2514";
   for (int c = 0; c < columns; ++c) out += "\u2500";
-  out += '\n' + values_below(x, columns, widest + 1);
-  if (const std::string name = unit_text(figure.x, x); !name.empty()) {
-    out += std::string(widest + 2, ' ') + name + '\n';
-  }
+  out += '\n' + values_below(x, columns, indent);
+  if (const std::string name = unit_text(figure.x, x); !name.empty())
+    out += std::string(indent + 1, ' ') + name + '\n';
   return out;
 }
 

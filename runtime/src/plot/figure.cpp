@@ -34,11 +34,12 @@ PlotUnit plot_unit(const std::string& si_unit, double largest) {
   return {si_unit, 1.0};
 }
 
-Extent extent_of(const std::vector<const std::vector<double>*>& values) {
+Extent extent_of(const std::vector<const std::vector<double>*>& values, const Axis& axis) {
   Extent extent;
+  if (axis.log) extent = {1.0, 10.0};
   for (const std::vector<double>* list : values) {
     for (const double value : *list) {
-      if (!is_drawable(value)) continue;
+      if (!is_drawable(value, axis)) continue;
       if (extent.count++ == 0) extent.lower = extent.upper = value;
       extent.lower = std::min(extent.lower, value);
       extent.upper = std::max(extent.upper, value);

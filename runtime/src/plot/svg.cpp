@@ -5,17 +5,32 @@
 #include <algorithm>
 
 #include "armlet/core/xml.hpp"
-#include "svg_parts.hpp"
+#include "svg_plane.hpp"
 
 namespace armlet {
 namespace svg {
 
-std::string axis_text(const Axis& axis, const PlotUnit& unit) {
-  if (unit.text.empty()) return axis.label;
-  return axis.label.empty() ? unit.text : fmt::format("{} ({})", axis.label, unit.text);
-}
-
 namespace {
+
+// "m/s^2" and "N*s/m" as they are printed.
+std::string printed(std::string_view unit) {
+  std::string out;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool raises = unit[i] == '^' && i + 1 < unit.size();
+    if (raises && unit[i + 1] == '2') {
+      out += "\u00b2";
+      ++i;
+    } else if (raises && unit[i + 1] == '3') {
+      out += "\u00b3";
+      ++i;
+    } else if (unit[i] == '*') {
+      out += "\u00b7";
+    } else {
+      out += unit[i];
+    }
+  }
+  return out;
+}
 
 constexpr double kLegendLetter = 12.0, kLegendRow = 20.0, kSwatch = 22.0;
 
@@ -23,8 +38,7 @@ std::string swatch(const Series& series, std::size_t index, Point at) {
   const std::size_t color = index % kSeriesColors;
   switch (series.kind) {
     case SeriesKind::kLine:
-      return line({at.x, at.y - 4.0}, {at.x + 16.0, at.y - 4.0},
-                  fmt::format("s s{}{}", color, index >= kSeriesColors ? " dash" : ""));
+      return line({at.x, at.y - 4.0}, {at.x + 16.0, at.y - 4.0}, line_style(series, index));
     case SeriesKind::kPoints:
       return fmt::format("<circle class=\"f{}\" cx=\"{}\" cy=\"{}\" r=\"3.5\"/>\n", color,
                          coordinate(at.x + 8.0), coordinate(at.y - 4.0));
@@ -35,38 +49,24 @@ std::string swatch(const Series& series, std::size_t index, Point at) {
                      coordinate(at.x + 3.0), coordinate(at.y - 9.0));
 }
 
-// Names of the series in rows; leaves in `bottom` where they end.
-std::string legend(const Figure& figure, double& bottom) {
-  std::string out;
-  double x = 20.0, y = bottom + 14.0;
-  bool any = false;
-  for (std::size_t i = 0; i < figure.series.size() && !figure.is_spatial(); ++i) {
-    const Series& series = figure.series[i];
-    if (series.label.empty()) continue;
-    const std::string name = series.label + (series.right ? " (right)" : "");
-    const double width = kSwatch + width_of(name, kLegendLetter) + 18.0;
-    if (any && x + width > kWidth - 20.0) {
-      x = 20.0;
-      y += kLegendRow;
-    }
-    out += swatch(series, i, {x, y});
-    out += text({x + kSwatch, y}, "start", "name", name);
-    x += width;
-    any = true;
-  }
-  if (any) bottom = y + 6.0;
-  return out;
-}
-
 std::size_t left_out(const Figure& figure) {
   std::size_t count = 0;
+  for (const Figure& panel : figure.panels) count += left_out(panel);
   for (const Series& series : figure.series) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      const bool good = is_drawable(series.x[i]) && is_drawable(series.y[i]) &&
+      const bool good = is_drawable(series.x[i], figure.x) &&
+                        is_drawable(series.y[i], series.right ? figure.right : figure.y) &&
                         (series.z.empty() || is_drawable(series.z[i]));
       count += good ? 0 : 1;
     }
   }
+  return count;
+}
+
+std::size_t point_count(const Figure& figure) {
+  std::size_t count = 0;
+  for (const Figure& panel : figure.panels) count += point_count(panel);
+  for (const Series& series : figure.series) count += series.x.size();
   return count;
 }
 
@@ -78,14 +78,22 @@ std::string figure_text(const Figure& figure, double& height) {
     out += text({0.5 * kWidth, top + 18.0}, "middle", "title", figure.title);
     top += 26.0;
   }
-  out += legend(figure, top);
-  height = top + (figure.is_spatial() ? kSpatialHeight : kFlatHeight);
-  const Field outer{6.0, top, kWidth, height};
-  out += figure.is_spatial() ? spatial_figure(figure, outer) : flat_figure(figure, outer);
-  std::size_t points = 0;
-  for (const Series& series : figure.series) points += series.x.size();
+  if (figure.panels.empty()) {
+    const double room = figure.is_spatial() ? kSpatialHeight : flat_height(figure);
+    if (!figure.is_spatial()) {
+      const Plane plane = plane_of(figure, {6.0, top, kWidth, top + room});
+      out += legend(figure, plane.field.left, top);
+    }
+    height = top + room;
+    const Field outer{6.0, top, kWidth, height};
+    out +=
+        figure.is_spatial() ? spatial_figure(figure, outer) : flat_figure(plane_of(figure, outer));
+  } else {
+    height = top;
+    out += panels(figure, height);
+  }
   const std::size_t missing = left_out(figure);
-  if (points == missing) {
+  if (point_count(figure) == missing) {
     out += text({0.5 * kWidth, 0.5 * (top + height)}, "middle", "note", "no values");
   }
   if (missing > 0) {
@@ -97,6 +105,35 @@ std::string figure_text(const Figure& figure, double& height) {
 }
 
 }  // namespace
+
+std::string axis_text(const Axis& axis, const PlotUnit& unit) {
+  const std::string shown = printed(unit.text);
+  if (shown.empty()) return axis.label;
+  return axis.label.empty() ? shown : fmt::format("{} ({})", axis.label, shown);
+}
+
+std::string legend(const Figure& figure, double left, double& bottom, double indent) {
+  std::string out;
+  double x = left + indent, y = bottom + 14.0;
+  bool any = false;
+  for (std::size_t i = 0; i < figure.series.size() && !figure.is_spatial(); ++i) {
+    const Series& series = figure.series[i];
+    if (series.label.empty()) continue;
+    const std::string name = series.label + (series.right ? " (right)" : "");
+    const double width = kSwatch + width_of(name, kLegendLetter) + 18.0;
+    if (any && x + width > kWidth - 20.0) {
+      x = left;
+      y += kLegendRow;
+    }
+    out += swatch(series, i, {x, y});
+    out += text({x + kSwatch, y}, "start", "name", name);
+    x += width;
+    any = true;
+  }
+  if (any) bottom = y + 6.0;
+  return out;
+}
+
 }  // namespace svg
 
 std::string to_svg(std::span<const Figure> figures) {

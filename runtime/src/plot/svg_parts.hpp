@@ -10,6 +10,7 @@ namespace armlet::svg {
 
 inline constexpr double kWidth = 720.0;
 inline constexpr double kFlatHeight = 420.0;
+inline constexpr double kPanelHeight = 168.0;
 inline constexpr double kSpatialHeight = 560.0;
 inline constexpr std::size_t kManyPoints = 1500;  // more become cells
 inline constexpr double kCell = 2.0;              // px
@@ -36,8 +37,20 @@ std::string cells(const Field& field, const std::vector<CloudPoint>& points, int
 // "length (mm)"; either part may be empty.
 std::string axis_text(const Axis& axis, const PlotUnit& unit);
 
+// How a line looks in the plane and in the legend.
+std::string line_style(const Series& series, std::size_t index);
+
+struct Plane;
+
 // The part of a figure below its title and legend.
-std::string flat_figure(const Figure& figure, const Field& outer);
+std::string flat_figure(const Plane& plane);
 std::string spatial_figure(const Figure& figure, const Field& outer);
+
+// The names of the series in rows below `bottom`, where they end afterwards. The rows begin at
+// `left`, the first one `indent` further right.
+std::string legend(const Figure& figure, double left, double& bottom, double indent = 0.0);
+
+// Panels below `bottom`, with a legend for all where they show the same series.
+std::string panels(const Figure& figure, double& bottom);
 
 }  // namespace armlet::svg

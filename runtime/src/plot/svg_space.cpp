@@ -115,10 +115,11 @@ std::string axes(const Figure& figure, const Box& box) {
       const double f = ticks.position(ticks.at[i]);
       Point at = k == 0 ? box.at(f, 0, 0) : k == 1 ? box.at(1, f, 0) : box.at(0, 0, f);
       if (k == 2) {
-        out += text({at.x - 7.0, at.y + 4.0}, "end", "tick", ticks.labels[i]);
+        out += text({at.x - 7.0, at.y + 4.0}, "end", "tick", with_minus(ticks.labels[i]));
+      } else if (k == 0) {
+        out += text({at.x - 4.0, at.y + 18.0}, "middle", "tick", with_minus(ticks.labels[i]));
       } else {
-        out += text({at.x + (k == 0 ? -4.0 : 6.0), at.y + 15.0}, k == 0 ? "end" : "start", "tick",
-                    ticks.labels[i]);
+        out += text({at.x + 8.0, at.y + 8.0}, "start", "tick", with_minus(ticks.labels[i]));
       }
     }
     const std::string name = axis_text(axis_of(figure, k), box.unit[k]);

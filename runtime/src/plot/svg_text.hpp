@@ -12,6 +12,9 @@ std::string coordinate(double value);
 // About how wide a text is, px.
 double width_of(std::string_view text, double size);
 
+// A number with a minus sign instead of a hyphen.
+std::string with_minus(std::string number);
+
 struct Point {
   double x = 0.0, y = 0.0;
 };

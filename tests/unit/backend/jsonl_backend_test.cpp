@@ -67,3 +67,22 @@ TEST_CASE("a figure is one line, and what is no number is null") {
   CHECK(row["series"][0]["label"] == "joint 1");
   CHECK(row["series"][0]["y"] == nlohmann::json({0.1, nullptr}));
 }
+
+TEST_CASE(
+    "panels of a figure are figures inside, with names and logarithmic axes where there are") {
+  std::ostringstream out;
+  JsonlBackend backend(out);
+  Figure figure{.title = "run"};
+  figure.panels.push_back({.title = "q", .x = {"time", "s"}, .y = {.unit = "rad", .log = true}});
+  figure.panels[0].series.push_back({.label = "q1", .x = {0}, .y = {1}});
+  figure.panels[0].names = {"a", "b"};
+  backend.figure(0, figure);
+  backend.end(0);
+  const nlohmann::json row = nlohmann::json::parse(out.str().substr(0, out.str().find('\n')));
+  CHECK(row["series"].empty());
+  CHECK(row["panels"][0]["title"] == "q");
+  CHECK(row["panels"][0]["y"] == "rad");
+  CHECK(row["panels"][0]["log"] == "y");
+  CHECK(row["panels"][0]["names"] == nlohmann::json({"a", "b"}));
+  CHECK(row["panels"][0]["series"][0]["label"] == "q1");
+}

@@ -31,3 +31,11 @@ TEST_CASE("what cannot be drawn is left out of the extent") {
   CHECK(extent_of({&none}).count == 0);
   CHECK(extent_of({&none}).upper == 1.0);
 }
+
+TEST_CASE("a logarithmic axis counts values above zero only") {
+  const std::vector<double> values{0.0, -3.0, 0.5, 20.0};
+  const Axis axis{.log = true};
+  CHECK(extent_of({&values}, axis).lower == 0.5);
+  CHECK(extent_of({&values}, axis).count == 2);
+  CHECK(extent_of({}, axis).lower > 0.0);
+}

@@ -185,10 +185,15 @@ TEST_CASE("the axis on the right has its own values") {
   CHECK(count(svg, ">height (m)<") == 1);
   CHECK(count(svg, ">high (right)<") == 1);
   CHECK(count(svg, ">25<") == 1);
-  // Each line ends at the top of its own axis or below: the second one exactly there.
+  // The axis goes to 30 in the six steps of the one on the left; the line ends at 25 of it.
+  CHECK(count(svg, ">30<") == 2);
   std::smatch frame;
-  REQUIRE(std::regex_search(svg, frame, std::regex("class=\"frame\" d=\"M[0-9.]+ ([0-9.]+)V")));
-  CHECK(svg.find(" " + frame[1].str() + "\"/>\n</g>") != std::string::npos);
+  REQUIRE(std::regex_search(svg, frame,
+                            std::regex("class=\"frame\" d=\"M[0-9.]+ ([0-9.]+)V([0-9.]+)")));
+  const double top = std::stod(frame[1]), bottom = std::stod(frame[2]);
+  std::smatch end;
+  REQUIRE(std::regex_search(svg, end, std::regex("L[0-9.]+ ([0-9.]+)\"/>\n</g>")));
+  CHECK(std::stod(end[1]) == doctest::Approx(bottom - (bottom - top) * 25 / 30).epsilon(1e-4));
 }
 
 TEST_CASE("bars stand beside each other on zero") {
@@ -207,4 +212,106 @@ TEST_CASE("the eighth line differs from the first") {
   Figure figure = line_figure({0, 1}, {0, 1});
   for (int k = 0; k < 8; ++k) figure.series.push_back(figure.series[0]);
   CHECK(picture(figure).find("s s0 dash") != std::string::npos);
+}
+
+namespace {
+
+Figure motion_figure() {
+  Figure figure{.title = "motion"};
+  const char* units[] = {"rad", "rad/s", "rad/s^2"};
+  for (int order = 0; order < 3; ++order) {
+    Figure panel{.title = order == 0   ? "position"
+                          : order == 1 ? "speed"
+                                       : "acceleration",
+                 .x = {"time", "s"},
+                 .y = {"", units[order]},
+                 .right = {"", order == 0   ? "m"
+                               : order == 1 ? "m/s"
+                                            : "m/s^2"}};
+    panel.series.push_back({.label = "joint 1", .x = {0, 2}, .y = {0, 1}});
+    panel.series.push_back({.label = "joint 3", .x = {0, 2}, .y = {0, -0.1}, .right = true});
+    figure.panels.push_back(panel);
+  }
+  return figure;
+}
+
+std::vector<std::smatch> matches(const std::string& text, const char* pattern) {
+  std::vector<std::smatch> found;
+  const std::regex wanted(pattern);
+  for (std::sregex_iterator it(text.begin(), text.end(), wanted), end; it != end; ++it)
+    found.push_back(*it);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("panels have one width, one legend, and values of x below the last one only") {
+  const std::string svg = picture(motion_figure());
+  check_well_formed(svg);
+  const auto frames =
+      matches(svg, "class=\"frame\" d=\"M([0-9.]+) ([0-9.]+)V([0-9.]+)H([0-9.]+)\"");
+  REQUIRE(frames.size() == 3);
+  for (const std::smatch& frame : frames) {
+    CHECK(frame[1] == frames[0][1]);
+    CHECK(frame[4] == frames[0][4]);
+  }
+  CHECK(std::stod(frames[0][3]) < std::stod(frames[1][2]));
+  for (const char* text :
+       {">position<", ">speed<", ">acceleration<", ">deg<", ">deg/s<", ">deg/s\u00b2<", ">mm<",
+        ">mm/s<", ">mm/s\u00b2<", ">time (s)<", ">joint 1<", ">joint 3 (right)<"}) {
+    CAPTURE(text);
+    CHECK(count(svg, text) == 1);
+  }
+  CHECK(count(svg, "class=\"s s0\"") == 4);        // three lines and the legend
+  CHECK(count(svg, "class=\"s s1 aside\"") == 4);  // on the right: dashed
+  CHECK(svg == picture(motion_figure()));
+}
+
+TEST_CASE("panels that show different series have legends of their own") {
+  Figure figure = motion_figure();
+  figure.panels[2].series[0].label = "force";
+  const std::string svg = picture(figure);
+  check_well_formed(svg);
+  CHECK(count(svg, ">joint 1<") == 2);
+  CHECK(count(svg, ">force<") == 1);
+}
+
+TEST_CASE("a logarithmic axis draws equal ratios as equal distances") {
+  Figure figure{.x = {"steps", ""}, .y = {.label = "error", .log = true}};
+  figure.series.push_back({.kind = SeriesKind::kPoints, .x = {1, 2, 3}, .y = {1, 1e-3, 1e-6}});
+  const std::string svg = picture(figure);
+  check_well_formed(svg);
+  const auto at = matches(svg, "cy=\"([0-9.]+)\"");
+  REQUIRE(at.size() == 3);
+  CHECK(std::stod(at[1][1]) - std::stod(at[0][1]) ==
+        doctest::Approx(std::stod(at[2][1]) - std::stod(at[1][1])).epsilon(0.001));
+  CHECK(count(svg, ">10\u207b\u2076<") == 1);
+  figure.series[0].y = {1, 0, -1};
+  CHECK(count(picture(figure), "2 values left out") == 1);
+  for (const SeriesKind kind : {SeriesKind::kLine, SeriesKind::kBars}) {
+    for (const std::vector<double>& y :
+         {std::vector<double>{}, {5}, {0}, {1e-300, 1e300}, {7, 7}}) {
+      std::vector<double> x;
+      for (std::size_t i = 0; i < y.size(); ++i) x.push_back(static_cast<double>(i + 1));
+      figure.series[0] = {.kind = kind, .x = x, .y = y};
+      figure.x.log = true;
+      check_well_formed(picture(figure));
+    }
+  }
+}
+
+TEST_CASE("names stand below their bars, and lean where they are long") {
+  Figure figure{.y = {"torque", "Nm"}, .names = {"base", "<elbow>", "wrist"}};
+  figure.series.push_back({.kind = SeriesKind::kBars, .x = {0, 1, 2}, .y = {3, 2, 1}});
+  std::string svg = picture(figure);
+  check_well_formed(svg);
+  CHECK(count(svg, ">&lt;elbow&gt;<") == 1);
+  CHECK(count(svg, "rotate(-40") == 0);
+  figure.names.assign(30, "a name that is much longer than its bar is wide");
+  svg = picture(figure);
+  check_well_formed(svg);
+  CHECK(count(svg, "rotate(-40") == 30);
+  CHECK(count(svg, "\u2026<") == 30);
+  figure.names.assign(500, "x");
+  CHECK(count(picture(figure), ">x<") < 500);
 }

@@ -18,7 +18,8 @@ namespace armlet {
 //   {"t":..,"what":"output","text":"..."}                           (also message, advice)
 //   {"t":..,"what":"figure","title":"...","x":"s","y":"rad","z":"","right":"","series":
 //    [{"kind":"line","label":"...","axis":"left","x":[...],"y":[...],"z":[]}]}    (units of SI;
-//    null: no number)
+//    null: no number; with logarithmic axes "log":"y", with names below bars "names":["a","b"], in
+//    panels "panels":[{"title":"...","x":..., "series":[...]}])
 //   {"t":..,"what":"robotAdded","name":"late","joints":["rad"]}
 //   {"t":..,"what":"end"}
 //

@@ -25,6 +25,7 @@ struct Series {
 struct Axis {
   std::string label{};
   std::string unit{};
+  bool log = false;  // logarithmic: shows values above zero only
 };
 
 // One picture. Its series all have a z or none has.
@@ -33,8 +34,14 @@ struct Figure {
   Axis x{}, y{}, z{};
   Axis right{};
   std::vector<Series> series{};
+  // Written below x = 0, 1, 2, ... instead of values.
+  std::vector<std::string> names{};
+  // Drawn one below the other over one x axis; the figure then has nothing of its own but a title.
+  std::vector<Figure> panels{};
+  bool saved = false;  // in a file of the program, as it is now
 
   bool is_spatial() const { return !series.empty() && !series.front().z.empty(); }
+  bool is_empty() const { return series.empty() && panels.empty(); }
 };
 
 // How people read values of a unit: the text to show and what to multiply by. Angles in degrees,
@@ -49,12 +56,17 @@ PlotUnit plot_unit(const std::string& si_unit, double largest);
 
 // Whether a value can be drawn: finite, and small enough to reckon with.
 bool is_drawable(double value);
+// The same on this axis.
+inline bool is_drawable(double value, const Axis& axis) {
+  return is_drawable(value) && (!axis.log || value >= 1e-307);
+}
 
-// The least and the greatest drawable value; 0 and 1 if there is none. How many there are.
+// The least and the greatest value that an axis shows; 0 and 1 if there is none (1 and 10 where it
+// is logarithmic). How many there are.
 struct Extent {
   double lower = 0.0, upper = 1.0;
   std::size_t count = 0;
 };
-Extent extent_of(const std::vector<const std::vector<double>*>& values);
+Extent extent_of(const std::vector<const std::vector<double>*>& values, const Axis& axis = {});
 
 }  // namespace armlet

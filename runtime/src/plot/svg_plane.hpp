@@ -1,0 +1,58 @@
+#pragma once
+
+#include "armlet/plot/ticks.hpp"
+#include "svg_parts.hpp"
+
+namespace armlet::svg {
+
+inline constexpr double kLetter = 12.0;
+
+// From values in SI units to pixels.
+struct Scale {
+  PlotUnit unit;
+  Ticks ticks;
+  double from = 0.0, to = 1.0;  // px of ticks.lower and ticks.upper
+
+  double at(double si) const { return from + (to - from) * ticks.position(si * unit.factor); }
+};
+
+// Where the values of a figure lie on the page.
+struct Plane {
+  const Figure& figure;
+  Field field;
+  Scale x, y, right;
+  double bar = 1.0;            // least distance between places of bars, SI; 1 if there is only one
+  bool named_below = true;     // the x axis has values and a name
+  bool slanted_names = false;  // below bars
+  double name_at = 15.0;       // px, where the name of the axis on the left is written
+
+  const Scale& up(bool on_right) const { return on_right ? right : y; }
+  Point at(double px, double py, bool on_right) const { return {x.at(px), up(on_right).at(py)}; }
+  // Where bars begin.
+  double ground(bool on_right) const {
+    return up(on_right).ticks.log ? field.bottom : up(on_right).at(0.0);
+  }
+  bool has_right() const;
+  // Whether a point of a series can be drawn.
+  bool shows(const Series& series, std::size_t i) const;
+};
+
+// What the panels of a figure have in common.
+struct PanelFrame {
+  const Extent* x = nullptr;       // null: that of the values
+  double left = 0.0, right = 0.0;  // px of the edges of the field; 0: as the labels need it
+  bool named_below = true;
+};
+
+Extent x_extent(const Figure& figure);
+// The height of a figure without title and legend, px: that of a map follows from its shape.
+double flat_height(const Figure& figure);
+Plane plane_of(const Figure& figure, const Field& outer, const PanelFrame& frame = {});
+
+// A name of at most so many letters, px of which the last ones are left out.
+std::string shortened(const std::string& name);
+
+// Grid, values and names of the axes.
+std::string axes(const Plane& plane);
+
+}  // namespace armlet::svg
