@@ -48,6 +48,8 @@ std::span<const NativeFunction> classic_functions();
 std::span<const NativeFunction> time_functions();
 std::span<const NativeFunction> table_functions();
 std::span<const NativeFunction> plot_functions();
+std::span<const NativeFunction> plot_line_functions();
+std::span<const NativeFunction> plot_motion_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 

@@ -58,6 +58,8 @@ std::span<const Chapter> chapters() {
       {"Time", time_functions()},
       {"Tables", table_functions()},
       {"Figures", plot_functions()},
+      {"Figures: several lines", plot_line_functions()},
+      {"Figures: motions and records", plot_motion_functions()},
       {"Later", later_functions()},
   };
   return all;

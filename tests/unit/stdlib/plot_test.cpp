@@ -123,6 +123,136 @@ TEST_CASE("figures are saved as pictures and as text, the same every time") {
   fs::remove_all(folder);
 }
 
+TEST_CASE("a trajectory is drawn in three panels, metres on an axis of their own") {
+  const auto figures = figures_of(
+      "robot arm = robots.scara()\n"
+      "let tr = trajectory(\"Trap\", [home(), posJ(90deg, 60deg, 100mm, 45deg)], time: 2s)\n"
+      "figure(\"all\"); plot(tr)\n"
+      "figure(\"named\"); plot(tr, label: [\"a\", \"b\", \"c\", \"d\"])\n"
+      "figure(\"compared\")\n"
+      "plot(tr, joint: 2, label: \"one\"); plot(tr.reversed(), joint: 2, label: \"two\")\n");
+  REQUIRE(figures.size() == 3);
+  REQUIRE(figures[0].panels.size() == 3);
+  const std::string per[] = {"", "/s", "/s^2"};
+  for (std::size_t order = 0; order < 3; ++order) {
+    const Figure& panel = figures[0].panels[order];
+    CHECK(panel.x.unit == "s");
+    CHECK(panel.y.unit == "rad" + per[order]);
+    CHECK(panel.right.unit == "m" + per[order]);
+    REQUIRE(panel.series.size() == 4);
+    CHECK(panel.series[2].right);
+    CHECK_FALSE(panel.series[3].right);
+    CHECK(panel.series[0].label == "joint 1");
+    CHECK(panel.series[0].x.back() == 2.0);
+  }
+  CHECK(figures[0].panels[0].series[0].y.back() == doctest::Approx(1.5707963));
+  // Constant acceleration from the first instant, and the opposite one up to the last.
+  const std::vector<double>& qdd = figures[0].panels[2].series[0].y;
+  CHECK(qdd.front() > 0.1);
+  CHECK(qdd.back() == doctest::Approx(-qdd.front()));
+  CHECK(figures[1].panels[0].series[3].label == "d");
+  CHECK(figures[2].panels[1].series.size() == 2);
+  CHECK(figures[2].panels[1].series[1].label == "two");
+}
+
+TEST_CASE("an arm that only slides has its metres on the left") {
+  const auto figures = figures_of(
+      "robot gantry { joint prismatic(limits: [0mm, 500mm])\n"
+      "               joint prismatic(limits: [0mm, 500mm], alpha: 90deg) }\n"
+      "plot(trajectory(\"Syn\", [posJ(0mm, 0mm), posJ(200mm, 100mm)], time: 2s))\n");
+  REQUIRE(figures.size() == 1);
+  CHECK(figures[0].panels[0].y.unit == "m");
+  CHECK_FALSE(figures[0].panels[0].series[1].right);
+}
+
+TEST_CASE("columns of a matrix and lists of a list are lines, with names or without") {
+  const auto figures = figures_of(
+      "robot arm = robots.scara()\n"
+      "let t = [0s, 1s, 2s]\n"
+      "figure(\"m\"); plot(t, [0, 1; 2, 3; 4, 5], label: [\"a\", \"b\"], yUnit: \"rad\")\n"
+      "figure(\"l\"); plot(t, [[1mm, 2mm, 3mm], [4mm, 5mm, 6mm]])\n"
+      "figure(\"q\"); plot([0s, 1s], [home(), posJ(90deg, 60deg, 100mm, 45deg)])\n");
+  REQUIRE(figures.size() == 3);
+  REQUIRE(figures[0].series.size() == 2);
+  CHECK(figures[0].series[1].y == std::vector<double>{1, 3, 5});
+  CHECK(figures[0].series[1].label == "b");
+  CHECK(figures[0].y.unit == "rad");
+  CHECK(figures[1].series[1].y == std::vector<double>{0.004, 0.005, 0.006});
+  CHECK(figures[1].y.unit == "m");
+  REQUIRE(figures[2].series.size() == 4);
+  CHECK(figures[2].series[0].label == "joint 1");
+}
+
+TEST_CASE("every column of a record has a panel with its unit") {
+  const auto figures = figures_of(
+      "robot arm = robots.scara()\n"
+      "record run every (500ms) { q: joints(); place: here(); speed: here().x / 1s\n"
+      "    note: \"text\"; on: now() > 1s; count: 3; tau: [1Nm, 2Nm] }\n"
+      "moveJ(posJ(30deg, 0deg, 0mm, 0deg), time: 2s)\n"
+      "plot(run)\n");
+  REQUIRE(figures.size() == 1);
+  const auto& panels = figures[0].panels;
+  REQUIRE(panels.size() == 6);  // without the text
+  const char* titles[] = {"q", "place", "speed", "on", "count", "tau"};
+  const std::size_t lines[] = {4, 3, 1, 1, 1, 2};
+  const char* units[] = {"rad", "m", "m/s", "", "", "Nm"};
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    CAPTURE(titles[k]);
+    CHECK(panels[k].title == titles[k]);
+    CHECK(panels[k].series.size() == lines[k]);
+    CHECK(panels[k].y.unit == units[k]);
+    CHECK(panels[k].series[0].x == std::vector<double>{0, 0.5, 1, 1.5, 2});
+  }
+  CHECK(panels[0].series[2].right);
+  CHECK(panels[1].series[2].label == "place.z");
+  CHECK(panels[3].series[0].y == std::vector<double>{0, 0, 0, 1, 1});
+}
+
+TEST_CASE("bars of the same name stand together, whatever their order") {
+  const auto figures = figures_of(
+      "bars([\"base\", \"elbow\", \"base\"], [1Nm, 2Nm, 3Nm], label: \"a\")\n"
+      "bars([\"elbow\", \"wrist\", \"base\"], [4Nm, 5Nm, 6Nm], label: \"b\")\n");
+  REQUIRE(figures.size() == 1);
+  CHECK(figures[0].names == std::vector<std::string>{"base", "elbow", "base", "wrist"});
+  CHECK(figures[0].series[0].x == std::vector<double>{0, 1, 2});
+  CHECK(figures[0].series[1].x == std::vector<double>{1, 3, 0});
+  CHECK(figures[0].y.unit == "Nm");
+}
+
+TEST_CASE("logarithmic axes belong to their figure") {
+  const auto figures = figures_of(
+      "figure(\"both\", log: \"xy\"); plot([1, 10], [1, 100])\n"
+      "figure(\"none\"); plot([1, 10], [1, 100])\n"
+      "figure(\"later\"); plot([1, 10], [1, 100]); figure(\"later\", log: \"y\")\n"
+      "figure(\"both\"); plot([2, 3], [4, 5])\n");
+  REQUIRE(figures.size() == 3);
+  CHECK_FALSE(figures[0].y.log);
+  CHECK(figures[1].y.log);
+  CHECK_FALSE(figures[1].x.log);
+  CHECK(figures[2].x.log);
+  CHECK(figures[2].y.log);
+}
+
+TEST_CASE("a matrix of three columns is a cloud in space") {
+  const auto figures = figures_of("scatter3([1, 2, 3; 4, 5, 6], title: \"cloud\", unit: \"m\")\n");
+  REQUIRE(figures.size() == 1);
+  CHECK(figures[0].series[0].z == std::vector<double>{3, 6});
+  CHECK(figures[0].x.unit == "m");
+}
+
+TEST_CASE("what is refused leaves the figure as it was") {
+  const auto figures = figures_of(
+      "robot arm = robots.scara()\n"
+      "let t = [1s, 2s]\n"
+      "figure(\"a\", log: \"y\")\n"
+      "try { plot(t, [1, 2; 3, 0]) } catch (e) { }\n"
+      "try { plot(trajectory(\"Syn\", [home(), posJ(9deg, 0deg, 0mm, 0deg)])) } catch (e) { }\n"
+      "plot(t, [4, 5])\n");
+  REQUIRE(figures.size() == 1);
+  CHECK(figures[0].series.size() == 1);
+  CHECK(figures[0].panels.empty());
+}
+
 TEST_CASE("a program does not run out of the memory of its host with figures") {
   Session session(library_engine(), SessionOptions{});
   REQUIRE(session.compile("let x = linspace(0.0, 1.0, 100000)\nwhile (true) { plot(x, x) }\n",
