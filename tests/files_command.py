@@ -57,6 +57,36 @@ def check_trace(folder):
     check("what is left", [n for n in names(folder) if n.startswith(".")], [])
 
 
+def check_figures(folder):
+    """Figures that a program does not save are left beside its trace."""
+    (folder / "plots.rbt").write_text('figure("a"); plot([0, 1], [0, 1])\nfigure("b"); plot([0, 1], [1, 0])\nfigure("empty")\n')
+    hint = '  2 figures not saved: savePlot("figures.svg") in the program saves them, --plots shows them here\n'
+    done = run(folder, "run", "plots.rbt")
+    check("how to see figures", done.stderr.endswith(hint), True)
+    check("nothing is written", names(folder), ["plots.rbt"])
+    check("figures that are shown", "not saved" in run(folder, "run", "--plots", "plots.rbt").stderr, False)
+    done = run(folder, "run", "plots.rbt", "--trace", "run.jsonl")
+    check("where figures are", (done.returncode, done.stderr.endswith("  2 figures in run.figures.svg\n")), (0, True))
+    picture = (folder / "run.figures.svg").read_text()
+    check("both are there", (">a<" in picture, ">b<" in picture), (True, True))
+    run(folder, "run", "--quiet", "plots.rbt", "--trace", "run.jsonl")
+    check("the same again", (folder / "run.figures.svg").read_text(), picture)
+    (folder / "saves.rbt").write_text('figure("a"); plot([0, 1], [0, 1]); savePlot("a.svg")\nfigure("b"); plot([0, 1], [1, 0])\n')
+    done = run(folder, "run", "saves.rbt", "--trace", "some.csv")
+    check("what was not saved", done.stderr.endswith("  1 figure in some.figures.svg\n"), True)
+    check("only that", ">a<" in (folder / "some.figures.svg").read_text(), False)
+    (folder / "all.rbt").write_text('plot([0, 1], [0, 1]); savePlot("a.svg")\n')
+    done = run(folder, "run", "all.rbt", "--trace", "all.csv")
+    check("nothing to leave", ("figure" in done.stderr, (folder / "all.figures.svg").exists()), (False, False))
+    (folder / "fails.rbt").write_text('plot([0, 1], [0, 1])\nprint(1 % 0)\n')
+    check("a run that fails", run(folder, "run", "fails.rbt", "--trace", "f.csv").returncode, FAILED)
+    check("leaves them too", (folder / "f.figures.svg").exists(), True)
+    (folder / "no.figures.svg").mkdir()
+    done = run(folder, "run", "plots.rbt", "--trace", "no.csv")
+    check("figures that cannot be left", (done.returncode, "the figures no.figures.svg cannot be written" in done.stderr),
+          (FAILED, True))
+
+
 def check_full(folder):
     """A limit on the size of files stands for a full device."""
     (folder / "p.rbt").write_text(MOVES)
@@ -159,6 +189,6 @@ def check_interrupts(folder):
     check("what is left", [n for n in names(folder) if n.startswith(".")], [])
 
 
-for part in (check_trace, check_full, check_kinds, check_names, check_closed_output, check_interrupts):
+for part in (check_trace, check_figures, check_full, check_kinds, check_names, check_closed_output, check_interrupts):
     with tempfile.TemporaryDirectory() as name:
         part(Path(name))

@@ -16,6 +16,7 @@
 #include "armlet/core/files.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/plot/braille.hpp"
+#include "armlet/plot/svg.hpp"
 #include "console.hpp"
 
 namespace armlet::cli {
@@ -110,6 +111,51 @@ std::function<bool(std::int64_t)> real_time() {
   };
 }
 
+// The figures that the program itself has not saved, and where they went.
+class Figures {
+ public:
+  explicit Figures(const Session& session) {
+    for (const Figure& figure : session.host()->figures()) {
+      if (!figure.is_empty() && !figure.saved) unsaved_.push_back(figure);
+    }
+  }
+
+  // Leaves them beside the trace: run.csv, run.figures.svg. The exit status.
+  int save_beside(const std::string& trace) {
+    if (unsaved_.empty() || trace.empty()) return kDone;
+    path_ = trace.substr(0, trace.rfind('.')) + ".figures.svg";
+    Result<NewFile> made = create_file(path_);
+    std::string why = made.ok() ? std::string() : made.error().message;
+    if (made.ok()) {
+      NewFile file = std::move(made).value();
+      file.write(to_svg(unsaved_));
+      if (const auto error = file.finish()) why = error->message;
+    }
+    if (why.empty()) return kDone;
+    progress(fmt::format("armlet: the figures {} cannot be written: {}", path_, why));
+    path_.clear();
+    return kFailed;
+  }
+
+  void show(bool drawn) const {
+    if (unsaved_.empty()) return;
+    const bool one = unsaved_.size() == 1;
+    const std::string count = fmt::format("{} figure{}", unsaved_.size(), one ? "" : "s");
+    if (!path_.empty()) {
+      progress(fmt::format("  {} in {}", count, path_));
+    } else if (!drawn) {
+      progress(
+          fmt::format("  {} not saved: savePlot(\"figures.svg\") in the program saves {}, --plots "
+                      "shows {} here",
+                      count, one ? "it" : "them", one ? "it" : "them"));
+    }
+  }
+
+ private:
+  std::vector<Figure> unsaved_;
+  std::string path_;
+};
+
 void show_summary(const Session& session, const std::string& trace, RunStatus status) {
   const Host& host = *session.host();
   const char* how = status == RunStatus::kDone        ? "finished"
@@ -168,16 +214,21 @@ int run(const RunOptions& options) {
     const Interruptible guard(session);
     result = session.run();
   }
-  // What a program does after Ctrl-C can fail too, for example by its steps: the user has stopped it all the same.
+  // What a program does after Ctrl-C can fail too, for example by its steps: the user has stopped
+  // it all the same.
   if (interrupted() && result.status == RunStatus::kFailed) result.status = RunStatus::kCancelled;
   if (result.error && output_is_read()) show(*result.error, session.sources(), json);
   if (options.plots) draw_figures(session);
   const bool written = finish_output();
   const bool traced = trace.finish() == kDone;
-  if (talks && output_is_read())
+  Figures figures(session);
+  const bool pictured = !traced || figures.save_beside(options.trace) == kDone;
+  if (talks && output_is_read()) {
     show_summary(session, traced ? options.trace : std::string(), result.status);
+    figures.show(options.plots);
+  }
   if (result.status == RunStatus::kCancelled) return kStopped;
-  return result.status == RunStatus::kDone && written && traced ? kDone : kFailed;
+  return result.status == RunStatus::kDone && written && traced && pictured ? kDone : kFailed;
 }
 
 }  // namespace armlet::cli
