@@ -89,7 +89,8 @@ const Axis& axis_of(const Figure& figure, Side side) {
                                 : figure.y;
 }
 
-Scale scale_of(const Figure& figure, Side side, int wanted) {
+// beside  the axis whose ticks have the same heights, if there is one.
+Scale scale_of(const Figure& figure, Side side, int wanted, const Ticks* beside = nullptr) {
   std::vector<const std::vector<double>*> lists;
   bool bars = false;
   for (const Series& series : figure.series) {
@@ -110,8 +111,14 @@ Scale scale_of(const Figure& figure, Side side, int wanted) {
   }
   scale.unit = plot_unit(axis.unit, std::max(std::abs(extent.lower), std::abs(extent.upper)));
   const double lower = extent.lower * scale.unit.factor, upper = extent.upper * scale.unit.factor;
-  scale.ticks = axis.log ? make_log_ticks(lower, upper, wanted)
-                         : make_ticks(lower, upper, wanted, scale.unit.text == "deg", true);
+  const bool degrees = scale.unit.text == "deg";
+  if (axis.log) {
+    scale.ticks = make_log_ticks(lower, upper, wanted);
+  } else if (beside != nullptr && !beside->log) {
+    scale.ticks = make_parallel_ticks(lower, upper, *beside, degrees);
+  } else {
+    scale.ticks = make_ticks(lower, upper, wanted, degrees, true);
+  }
   return scale;
 }
 
@@ -120,8 +127,10 @@ void draw(Dots& dots, const Figure& figure, const Scale& x, const Scale& left,
   const auto right = [&](double v) {
     return x.ticks.position(v * x.unit.factor) * (dots.width() - 1) + 0.5;
   };
+  const double pitch = bar_pitch(figure);
   for (std::size_t s = 0; s < figure.series.size(); ++s) {
     const Series& series = figure.series[s];
+    const BarSpan span = bar_span(figure, s, pitch);
     const std::vector<double>& up = upward(figure, series);
     const int index = static_cast<int>(s);
     const Scale& y = series.right ? on_right : left;
@@ -138,7 +147,11 @@ void draw(Dots& dots, const Figure& figure, const Scale& x, const Scale& left,
       if (series.kind == SeriesKind::kLine && i > 0 && shows(i - 1)) {
         dots.segment(right(series.x[i - 1]), down(up[i - 1]), px, py, index);
       } else if (series.kind == SeriesKind::kBars) {
-        dots.segment(px, upright.log ? dots.height() - 1 : down(0.0), px, py, index);
+        const double ground = upright.log ? dots.height() - 1 : down(0.0);
+        const double end = right(series.x[i] + span.end);
+        double column = right(series.x[i] + span.begin);
+        do dots.segment(column, ground, column, py, index);
+        while (++column < end);
       } else {
         dots.set(static_cast<int>(std::floor(px)), static_cast<int>(std::floor(py)), index);
       }
@@ -223,7 +236,7 @@ std::string to_braille(const Figure& figure, int columns, int rows, bool color) 
   if (!figure.panels.empty()) return panels_text(figure, columns, rows, color);
   const Scale x = scale_of(figure, Side::kBelow, std::clamp(columns / 10, 2, 8));
   const Scale y = scale_of(figure, Side::kLeft, std::clamp(rows / 4, 2, 8));
-  const Scale right = scale_of(figure, Side::kRight, std::clamp(rows / 4, 2, 8));
+  const Scale right = scale_of(figure, Side::kRight, std::clamp(rows / 4, 2, 8), &y.ticks);
   Dots dots(columns, rows);
   draw(dots, figure, x, y, right);
   int widest = 0;

@@ -34,6 +34,35 @@ PlotUnit plot_unit(const std::string& si_unit, double largest) {
   return {si_unit, 1.0};
 }
 
+double bar_pitch(const Figure& figure) {
+  std::vector<double> places;
+  for (const Series& series : figure.series) {
+    for (const double x : series.x) {
+      if (series.kind == SeriesKind::kBars && is_drawable(x)) places.push_back(x);
+    }
+  }
+  std::ranges::sort(places);
+  double pitch = 0.0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double step = places[i] - places[i - 1];
+    if (step > 0.0 && (pitch == 0.0 || step < pitch)) pitch = step;
+  }
+  return pitch > 0.0 ? pitch : 1.0;
+}
+
+BarSpan bar_span(const Figure& figure, std::size_t series, double pitch) {
+  std::size_t count = 0, before = 0;
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    if (figure.series[s].kind != SeriesKind::kBars) continue;
+    before += s < series ? 1 : 0;
+    ++count;
+  }
+  constexpr double kGroup = 0.8, kBar = 0.94;  // of the pitch, of the room of each
+  const double width = kGroup * pitch / static_cast<double>(std::max<std::size_t>(count, 1));
+  const double begin = -0.5 * kGroup * pitch + width * static_cast<double>(before);
+  return {begin, begin + kBar * width};
+}
+
 Extent extent_of(const std::vector<const std::vector<double>*>& values, const Axis& axis) {
   Extent extent;
   if (axis.log) extent = {1.0, 10.0};

@@ -40,8 +40,7 @@ std::string swatch(const Series& series, std::size_t index, Point at) {
     case SeriesKind::kLine:
       return line({at.x, at.y - 4.0}, {at.x + 16.0, at.y - 4.0}, line_style(series, index));
     case SeriesKind::kPoints:
-      return fmt::format("<circle class=\"f{}\" cx=\"{}\" cy=\"{}\" r=\"3.5\"/>\n", color,
-                         coordinate(at.x + 8.0), coordinate(at.y - 4.0));
+      return marker(index, {at.x + 8.0, at.y - 4.0}, 3.5);
     case SeriesKind::kBars:
       break;
   }

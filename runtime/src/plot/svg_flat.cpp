@@ -72,27 +72,17 @@ std::string draw_points(const Plane& plane, const Series& series, std::size_t in
   }
   if (points.size() > kManyPoints) return cells(plane.field, points, color, 0);
   std::string out;
-  for (const CloudPoint& point : points) {
-    out += fmt::format("<circle class=\"f{}\" cx=\"{}\" cy=\"{}\" r=\"2.5\"/>\n", color,
-                       coordinate(point.at.x), coordinate(point.at.y));
-  }
+  for (const CloudPoint& point : points) out += marker(index, point.at, 2.5);
   return out;
 }
 
 std::string draw_bars(const Plane& plane, const Series& series, std::size_t index) {
-  std::size_t groups = 0, before = 0;
-  for (std::size_t s = 0; s < plane.figure.series.size(); ++s) {
-    if (plane.figure.series[s].kind != SeriesKind::kBars) continue;
-    if (s < index) ++before;
-    ++groups;
-  }
-  const double width = 0.8 * plane.bar / static_cast<double>(groups);
+  const BarSpan span = bar_span(plane.figure, index, plane.bar);
   std::string d;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (!plane.shows(series, i)) continue;
-    const double left = series.x[i] - 0.4 * plane.bar + width * static_cast<double>(before);
-    const std::string from = coordinate(plane.x.at(left));
-    const Point to = plane.at(left + 0.94 * width, series.y[i], series.right);
+    const std::string from = coordinate(plane.x.at(series.x[i] + span.begin));
+    const Point to = plane.at(series.x[i] + span.end, series.y[i], series.right);
     d += fmt::format("M{} {}H{}V{}H{}z", from, coordinate(plane.ground(series.right)),
                      coordinate(to.x), coordinate(to.y), from);
   }
@@ -101,6 +91,28 @@ std::string draw_bars(const Plane& plane, const Series& series, std::size_t inde
 }
 
 }  // namespace
+
+std::string marker(std::size_t index, Point at, double r) {
+  const std::size_t color = index % kSeriesColors;
+  const std::string x = coordinate(at.x), y = coordinate(at.y);
+  const auto shape = [&](double left, double top, std::string_view rest) {
+    return fmt::format("<path class=\"f{}\" d=\"M{} {}{}\"/>\n", color, coordinate(at.x - left),
+                       coordinate(at.y - top), rest);
+  };
+  const std::string wide = coordinate(1.8 * r), half = coordinate(1.3 * r);
+  switch (index % 4) {
+    case 1:  // a square
+      return shape(0.9 * r, 0.9 * r, fmt::format("h{0}v{0}h-{0}z", wide));
+    case 2:  // a triangle
+      return shape(0.0, 1.3 * r,
+                   fmt::format("l{0} {1}h-{2}z", half, coordinate(2.2 * r), coordinate(2.6 * r)));
+    case 3:  // a diamond
+      return shape(0.0, 1.3 * r, fmt::format("l{0} {0}l-{0} {0}l-{0} -{0}z", half));
+    default:
+      return fmt::format("<circle class=\"f{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", color, x, y,
+                         coordinate(r));
+  }
+}
 
 std::string line_style(const Series& series, std::size_t index) {
   return fmt::format("s s{}{}", index % kSeriesColors,

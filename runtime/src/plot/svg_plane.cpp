@@ -21,23 +21,6 @@ bool on_the_left(const Series& series) { return !series.right; }
 bool on_the_right(const Series& series) { return series.right; }
 bool is_bars(const Series& series) { return series.kind == SeriesKind::kBars; }
 
-// The least distance between places of bars, SI; 1 if there is only one.
-double bar_pitch(const Figure& figure) {
-  std::vector<double> places;
-  for (const Series& series : figure.series) {
-    for (const double x : series.x) {
-      if (is_bars(series) && is_drawable(x)) places.push_back(x);
-    }
-  }
-  std::ranges::sort(places);
-  double pitch = 0.0;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const double step = places[i] - places[i - 1];
-    if (step > 0.0 && (pitch == 0.0 || step < pitch)) pitch = step;
-  }
-  return pitch > 0.0 ? pitch : 1.0;
-}
-
 PlotUnit unit_of(const Axis& axis, const Extent& extent) {
   return plot_unit(axis.unit, std::max(std::abs(extent.lower), std::abs(extent.upper)));
 }

@@ -62,3 +62,36 @@ TEST_CASE("a figure in space is seen from the front") {
   CHECK(text.find("z (mm)") != std::string::npos);
   CHECK(text.find("x (mm)") != std::string::npos);
 }
+
+TEST_CASE("bars of two series stand side by side, with their names") {
+  Figure figure{.y = {"torque", "Nm"}, .names = {"base", "elbow"}};
+  figure.series.push_back({.kind = SeriesKind::kBars, .x = {0, 1}, .y = {4, 2}});
+  figure.series.push_back({.kind = SeriesKind::kBars, .x = {0, 1}, .y = {1, 3}});
+  const std::string text = to_braille(figure, 40, 8);
+  CHECK(text.find("base") != std::string::npos);
+  CHECK(text.find("elbow") != std::string::npos);
+  // On the upper half of the field there are bars of the first series at the first name only.
+  const std::string full = "\u28ff\u28ff";
+  const std::size_t upper = text.find(full);
+  REQUIRE(upper != std::string::npos);
+  CHECK(text.substr(upper, text.find('\n', upper) - upper).size() < text.size() / 8);
+}
+
+TEST_CASE("panels follow each other, each with its unit") {
+  Figure figure{.title = "motion"};
+  for (const char* unit : {"rad", "rad/s"}) {
+    figure.panels.push_back({.title = unit, .x = {"time", "s"}, .y = {"", unit}});
+    figure.panels.back().series.push_back({.label = "joint 1", .x = {0, 1}, .y = {0, 1}});
+  }
+  const std::string text = to_braille(figure, 40, 16);
+  CHECK(text.starts_with("motion\nrad\njoint 1\ndeg\n"));
+  CHECK(text.find("\ndeg/s\n") != std::string::npos);
+}
+
+TEST_CASE("the axis on the right has its ticks at the heights of those on the left") {
+  Figure figure{.x = {"time", "s"}, .y = {"", "rad"}, .right = {"", "m"}};
+  figure.series.push_back({.x = {0, 1}, .y = {-1, 1}});
+  figure.series.push_back({.x = {0, 1}, .y = {-0.01, 0.02}, .right = true});
+  const std::string text = to_braille(figure, 40, 16);
+  CHECK(text.find("on the right -20 to 20 mm\n") != std::string::npos);
+}

@@ -39,3 +39,23 @@ TEST_CASE("a logarithmic axis counts values above zero only") {
   CHECK(extent_of({&values}, axis).count == 2);
   CHECK(extent_of({}, axis).lower > 0.0);
 }
+
+TEST_CASE("bars at one place share it") {
+  Figure figure;
+  for (int k = 0; k < 3; ++k) {
+    figure.series.push_back({.kind = SeriesKind::kBars, .x = {1, 1.5, 4}, .y = {1, 2, 3}});
+    if (k == 0) figure.series.push_back({.x = {0, 0.1}, .y = {0, 1}});
+  }
+  const double pitch = bar_pitch(figure);
+  CHECK(pitch == 0.5);
+  const std::size_t bars[] = {0, 2, 3};
+  double last = -0.5 * pitch;
+  for (const std::size_t s : bars) {
+    const BarSpan span = bar_span(figure, s, pitch);
+    CHECK(span.begin > last);
+    CHECK(span.end > span.begin);
+    last = span.end;
+  }
+  CHECK(last < 0.5 * pitch);
+  CHECK(bar_pitch(Figure{}) == 1.0);
+}

@@ -69,4 +69,14 @@ struct Extent {
 };
 Extent extent_of(const std::vector<const std::vector<double>*>& values, const Axis& axis = {});
 
+// The least distance between places of bars, SI; 1 if there is only one.
+double bar_pitch(const Figure& figure);
+
+// Bars at one place stand side by side: which of how many this series is, and where its bar begins
+// and ends beside its place.
+struct BarSpan {
+  double begin = 0.0, end = 0.0;  // SI
+};
+BarSpan bar_span(const Figure& figure, std::size_t series, double pitch);
+
 }  // namespace armlet
