@@ -42,8 +42,13 @@ Signal linspace(Vm& vm, Slot* args) {
   for (int i = 0; i < 2; ++i) {
     if (!std::isfinite(args[i].d)) return not_finite(vm, "an end given to linspace", args[i].d, i);
   }
-  if (n < 2 || n > kLongestRange)
+  if (n < 2)
     return failure(vm, "R0609", fmt::format("linspace with {} values: it needs at least 2", n), 2);
+  if (n > kLongestRange) {
+    return failure(vm, "R0609",
+                   fmt::format("linspace with {} values: a list has at most {}", n, kLongestRange),
+                   2);
+  }
   const auto last = static_cast<std::size_t>(n - 1);
   return give_numbers(vm, args, last + 1, [=](Slot& to, std::size_t i) {
     to.d = i == last ? b : a + (b - a) * static_cast<double>(i) / static_cast<double>(last);

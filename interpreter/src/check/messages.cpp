@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
+#include "check/edits.hpp"
 #include "check/imports.hpp"
 #include "check/joined_lines.hpp"
 #include "check/matrices.hpp"
@@ -190,11 +193,26 @@ bool is_handed_over(const Target& target) {
   return target.role == Target::Role::kArgument || target.role == Target::Role::kSetting;
 }
 
+// 1e9 and 2.0 as ints have them; empty for numbers with a fraction.
+std::string as_whole_number(const std::string& text) {
+  constexpr double kMostExact = 9e15;
+  if (!is_decimal_number(text) || text.find('_') != std::string::npos) return {};
+  const double number = std::strtod(text.c_str(), nullptr);
+  if (std::trunc(number) != number || std::abs(number) > kMostExact) return {};
+  return std::to_string(static_cast<std::int64_t>(number));
+}
+
 Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value) {
   Diagnostic out = make_diagnostic("E0303", value.span, {type_phrase(value.type)});
   if (!value.type->is_double()) return out;
-  out.why = "storing it in an int would lose the fraction";
   const std::string text = checker.text_of(value.span);
+  if (const std::string whole = as_whole_number(text); !whole.empty()) {
+    out.why = "a number with a point or an exponent is a double";
+    out.fix = Fix{
+        .text = "write " + whole, .edits = {{value.span, whole}}, .confidence = Confidence::kSure};
+    return out;
+  }
+  out.why = "storing it in an int would lose the fraction";
   const std::string cut = "int(" + text + ")";
   out.fix =
       Fix{.text = "write " + cut, .edits = {{value.span, cut}}, .confidence = Confidence::kMaybe};

@@ -125,13 +125,20 @@ hir::Expr* not_a_function(Checker& checker, const ast::CallExpr& call, std::stri
                           const Type* type) {
   Diagnostic diagnostic =
       make_diagnostic("E0217", call.callee->span, {std::string(name), type_phrase(type)});
-  const bool has_parts = type->is(Kind::kList) || type->is(Kind::kText) || type->is(Kind::kMatrix);
-  if (has_parts && call.args.size() == 1 && call.args[0].name.text.empty()) {
-    const Span value = call.args[0].value->span;
-    diagnostic.fix = Fix{.text = "write " + std::string(name) + '[' + checker.text_of(value) + ']',
-                         .edits = {{{call.callee->span.end, value.begin, value.source}, "["},
-                                   {{value.end, call.span.end, value.source}, "]"}},
-                         .confidence = Confidence::kSure};
+  const bool is_matrix = type->is(Kind::kMatrix);
+  const bool has_parts = type->is(Kind::kList) || type->is(Kind::kText) || is_matrix;
+  const bool has_indexes = call.args.size() == 1 || (is_matrix && call.args.size() == 2);
+  const bool are_named =
+      std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
+  if (has_parts && has_indexes && !are_named) {
+    const Span first = call.args[0].value->span;
+    const Span last = call.args[call.args.size() - 1].value->span;
+    diagnostic.why = "indexes stand in square brackets and count from 0";
+    diagnostic.fix =
+        Fix{.text = "write " + std::string(name) + '[' + checker.text_of(cover(first, last)) + ']',
+            .edits = {{{call.callee->span.end, first.begin, first.source}, "["},
+                      {{last.end, call.span.end, last.source}, "]"}},
+            .confidence = Confidence::kSure};
   }
   checker.report(std::move(diagnostic));
   return checker.failed(call.span);

@@ -354,6 +354,8 @@ bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::st
                       : "there is no value " + std::to_string(index) + " in an empty " + name;
   }
   const std::string has = size_note(what, size);
+  if (index < 0 && size > 0 && what == "list")
+    failure.why = "indexes count from 0; the last value of a list is xs.last";
   bool is_variable = false;
   const std::string written = computed_index(state, index, what, is_variable);
   if (written.empty()) {
