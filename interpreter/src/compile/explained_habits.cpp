@@ -14,9 +14,9 @@ class Explanations {
  public:
   explicit Explanations(const SourceSet& sources) : sources_(sources) {}
 
-  std::vector<Diagnostic> of(const Diagnostic& message) {
+  std::vector<Explanation> of(const Diagnostic& message) {
     const Source& source = sources_[message.mark.span.source];
-    std::vector<Diagnostic> out =
+    std::vector<Explanation> out =
         blocks(source).around(source.position(message.mark.span.begin).line);
     std::ranges::move(explain_line(source, message.mark.span), std::back_inserter(out));
     return out;
@@ -42,12 +42,26 @@ bool is_inside(const Diagnostic& message, const Fix& fix, const SourceSet& sourc
          line <= source.position(last->span.end).line;
 }
 
+// Whether a message has a fix that is sure and leaves no error on its line.
+bool repairs_its_line(const Diagnostic& message, const SourceSet& sources, Trials& trials) {
+  if (!message.fix || message.fix->edits.empty() || message.fix->confidence != Confidence::kSure)
+    return false;
+  const Source& source = sources[message.mark.span.source];
+  const int line = source.position(message.mark.span.begin).line;
+  const std::uint32_t begin = source.line_start(line);
+  const auto end = static_cast<std::uint32_t>(begin + source.line(line).size());
+  const std::optional<Trial> trial = trials.with(message.fix->edits);
+  return trial && !trial->fails_inside({begin, end, source.id()});
+}
+
 // Replaces message `at` and drops those behind it that have the same cause; false if the
-// explanation is not the cause.
-bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic explanation,
+// explanation is not the cause. A fix that repairs its line is not exchanged for that of a part.
+bool explain(std::vector<Diagnostic>& messages, std::size_t at, Explanation given,
              const SourceSet& sources, Trials& trials) {
+  Diagnostic& explanation = given.message;
+  if ((given.of_value || !explanation.fix) && repairs_its_line(messages[at], sources, trials))
+    return false;
   if (!explanation.fix) {
-    if (messages[at].fix) return false;
     messages[at] = std::move(explanation);
     return true;
   }
@@ -70,7 +84,7 @@ void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sourc
   Explanations explanations(sources);
   for (std::size_t i = 0; i < diagnostics.size(); ++i) {
     if (diagnostics[i].severity != Severity::kError || trials.exhausted()) continue;
-    for (Diagnostic& explanation : explanations.of(diagnostics[i])) {
+    for (Explanation& explanation : explanations.of(diagnostics[i])) {
       if (explain(diagnostics, i, std::move(explanation), sources, trials)) break;
     }
   }

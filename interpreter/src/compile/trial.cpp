@@ -94,6 +94,13 @@ bool Trial::fails_at_its_places(const Diagnostic& repaired) const {
   });
 }
 
+bool Trial::fails_inside(Span part) const {
+  const Span now = moved(part);
+  return std::ranges::any_of(left_, [&](const Diagnostic& other) {
+    return other.severity == Severity::kError && touch(now, other.mark.span);
+  });
+}
+
 bool Trial::still_says(const Diagnostic& message) const {
   const Span place = moved(message.mark.span);
   return std::ranges::any_of(left_, [&](const Diagnostic& other) {

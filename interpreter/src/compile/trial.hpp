@@ -19,6 +19,8 @@ class Trial {
   // Whether an error, or a message with the code of `repaired`, touches a place that the edits
   // changed or the mark of `repaired`.
   [[nodiscard]] bool fails_at_its_places(const Diagnostic& repaired) const;
+  // Whether an error stands in a part of the old text.
+  [[nodiscard]] bool fails_inside(Span part) const;
   // Whether a message of the old text is still there.
   [[nodiscard]] bool still_says(const Diagnostic& message) const;
 

@@ -292,7 +292,7 @@ Diagnostic ForeignBlocks::explanation(const Block& outer) const {
   return out;
 }
 
-std::vector<Diagnostic> ForeignBlocks::around(int line) const {
+std::vector<Explanation> ForeignBlocks::around(int line) const {
   const Block* outer = nullptr;
   const Block* inner = nullptr;
   for (const Block& block : blocks_) {
@@ -300,9 +300,9 @@ std::vector<Diagnostic> ForeignBlocks::around(int line) const {
     if (outer == nullptr || block.first <= outer->first) outer = &block;
     if (inner == nullptr || block.first >= inner->first) inner = &block;
   }
-  std::vector<Diagnostic> out;
-  if (outer != nullptr) out.push_back(explanation(*outer));
-  if (inner != outer) out.push_back(explanation(*inner));
+  std::vector<Explanation> out;
+  if (outer != nullptr) out.push_back({explanation(*outer)});
+  if (inner != outer) out.push_back({explanation(*inner)});
   return out;
 }
 

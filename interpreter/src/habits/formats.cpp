@@ -32,8 +32,8 @@ std::string style_of(std::string_view written, char letter) {
   return style;
 }
 
-// A value inside a formatted text; nothing if it cannot stand there.
-std::optional<std::string> in_braces(std::string value, const std::string& style) {
+// A value inside a formatted text.
+std::string in_braces(std::string value, const std::string& style) {
   if (value.find('?') != std::string::npos) value = '(' + value + ')';
   for (char& c : value) {
     if (c == '"') c = '\'';
@@ -83,13 +83,27 @@ std::optional<std::string> formatted_text(const std::vector<std::string>& values
     if (std::string_view("disbufegF").find(text[letter]) == std::string_view::npos ||
         ++used >= values.size())
       return std::nullopt;
-    const std::optional<std::string> value =
-        in_braces(values[used], style_of(written, text[letter]));
-    if (!value) return std::nullopt;
-    out += *value;
+    out += in_braces(values[used], style_of(written, text[letter]));
   }
   if (used + 1 != values.size()) return std::nullopt;
   return used == 0 ? '"' + out + '"' : "f\"" + out + '"';
+}
+
+std::optional<std::string> text_with_braces(const std::vector<std::string>& values) {
+  if (values.empty() || !is_quoted(values[0])) return std::nullopt;
+  const std::string_view text = std::string_view(values[0]).substr(1, values[0].size() - 2);
+  std::string out = "f\"";
+  std::size_t used = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    out += text[at];
+    if (text[at] != '{') continue;
+    const bool is_place = at + 1 < text.size() && (text[at + 1] == '}' || text[at + 1] == ':');
+    if (!is_place || ++used >= values.size()) return std::nullopt;
+    const std::string value = in_braces(values[used], "");
+    out += value.substr(1, value.size() - 2);
+  }
+  if (used + 1 != values.size()) return std::nullopt;
+  return out + '"';
 }
 
 }  // namespace armlet::lang

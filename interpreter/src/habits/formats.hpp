@@ -17,4 +17,7 @@ namespace armlet::lang {
 [[nodiscard]] std::optional<std::string> formatted_text(const std::vector<std::string>& values,
                                                         bool is_line);
 
+// Python's "{} {:.2f}" and its values in their order; nothing if they are numbered or named.
+[[nodiscard]] std::optional<std::string> text_with_braces(const std::vector<std::string>& values);
+
 }  // namespace armlet::lang

@@ -12,9 +12,15 @@
 
 namespace armlet::lang {
 
+// Without edits: there is no such thing here.
+struct Explanation {
+  Diagnostic message;
+  bool of_value = false;  // of a part of a statement
+};
+
 // Explanations of the line that a message marks, the best first: of its whole statement, then of
-// values in it. Without edits: there is no such thing here.
-[[nodiscard]] std::vector<Diagnostic> explain_line(const Source& source, Span mark);
+// values in it.
+[[nodiscard]] std::vector<Explanation> explain_line(const Source& source, Span mark);
 
 // The blocks of other languages in a text.
 class ForeignBlocks {
@@ -22,7 +28,7 @@ class ForeignBlocks {
   explicit ForeignBlocks(const Source& source);
 
   // Explanations of the blocks around a line, the outermost first, then the innermost.
-  [[nodiscard]] std::vector<Diagnostic> around(int line) const;
+  [[nodiscard]] std::vector<Explanation> around(int line) const;
 
   struct Block {
     int first = 0;  // lines, from 1

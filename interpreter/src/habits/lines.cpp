@@ -83,8 +83,8 @@ class Explainer {
   Explainer(const Source& source, int number)
       : source_(source), base_(source.line_start(number)), line_(source.line(number)) {}
 
-  [[nodiscard]] std::vector<Diagnostic> all(Span mark) const {
-    std::vector<Diagnostic> out;
+  [[nodiscard]] std::vector<Explanation> all(Span mark) const {
+    std::vector<Explanation> out;
     std::size_t last = line_.pieces.size();
     while (last > 0 && line_.piece(last - 1) == ";") --last;
     if (last == 0) return out;
@@ -109,7 +109,7 @@ class Explainer {
   }
 
   // The first value that fits is what the message shows; the edits change all that fit.
-  void values(std::vector<Diagnostic>& out, std::size_t last) const {
+  void values(std::vector<Explanation>& out, std::size_t last) const {
     const std::uint32_t end = line_.pieces[last - 1].end;
     const Line line(line_.text.substr(0, end));
     Patience patience = kPatience;
@@ -123,17 +123,17 @@ class Explainer {
 
   // shown    what the message says is written otherwise here.
   // changed  what the edits change; `here` is rewritten until nothing fits any more.
-  void add(std::vector<Diagnostic>& out, const Fitting& shown, const Fitting& changed) const {
+  void add(std::vector<Explanation>& out, const Fitting& shown, const Fitting& changed) const {
     const Habit& habit = *shown.habit;
+    const bool is_statement = &shown == &changed;
     const Span mark = span(shown.begin, shown.end);
     const std::string found(line_.text.substr(shown.begin, shown.end - shown.begin));
     if (habit.here == kNoSuchThing) {
       Diagnostic message = make_diagnostic("E0223", mark, {shortened(found)});
       message.why = habit.why;
-      out.push_back(std::move(message));
+      out.push_back({std::move(message), !is_statement});
       return;
     }
-    const bool is_statement = &shown == &changed;
     const std::string here = is_statement ? with_values_here(shown.here) : shown.here;
     Diagnostic message = here.empty()
                              ? make_diagnostic("E0116", mark, {shortened(found)})
@@ -143,7 +143,7 @@ class Explainer {
     message.fix =
         Fix{here.empty() ? "delete " + shortened(found) : "write " + here,
             edits(changed, text, is_statement ? here : with_values_here(text)), Confidence::kMaybe};
-    out.push_back(std::move(message));
+    out.push_back({std::move(message), !is_statement});
   }
 
   [[nodiscard]] std::vector<Edit> edits(const Fitting& changed, const std::string& from,
@@ -192,7 +192,7 @@ std::string shortened(const std::string& text) {
   return text.substr(0, end) + " ...";
 }
 
-std::vector<Diagnostic> explain_line(const Source& source, Span mark) {
+std::vector<Explanation> explain_line(const Source& source, Span mark) {
   return Explainer(source, source.position(mark.begin).line).all(mark);
 }
 

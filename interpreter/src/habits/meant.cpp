@@ -236,6 +236,9 @@ Answer turn(const std::string& part) {
 Answer print(const std::string& part) { return formatted_text(values_of(part), true); }
 Answer text(const std::string& part) { return formatted_text(values_of(part), false); }
 
+Answer braces(const std::string& part) { return text_with_braces(values_of(part)); }
+Answer inner(const std::string& part) { return part.substr(1, part.size() - 2); }
+
 struct Conversion {
   std::string_view name;
   Answer (*apply)(const std::string&);
@@ -249,6 +252,8 @@ constexpr auto kConversions = std::to_array<Conversion>({
     {"parameters", parameters},
     {"print", print},
     {"text", text},
+    {"braces", braces},
+    {"inner", inner},
     {"stream", stream},
     {"speed", speed},
     {"axes", axes},
@@ -270,20 +275,25 @@ Answer converted(const std::string& part, std::string_view conversion) {
 std::optional<std::string> filled(std::string_view here, const std::vector<std::string>& parts) {
   std::string out;
   for (std::size_t at = 0; at < here.size(); ++at) {
-    const bool is_place = here[at] == '{' && at + 2 < here.size() && here[at + 1] >= '1' &&
-                          here[at + 1] <= '9' && (here[at + 2] == '}' || here[at + 2] == ':');
+    const std::size_t digits = here.find_first_not_of("123456789", at + 1);
+    const bool is_place = here[at] == '{' && digits != std::string_view::npos && digits > at + 1 &&
+                          (here[digits] == '}' || here[digits] == ':');
     if (!is_place) {
       out += here[at];
       continue;
     }
-    const auto number = static_cast<std::size_t>(here[at + 1] - '1');
-    const std::size_t close = here.find('}', at);
-    if (number >= parts.size()) return std::nullopt;
-    const std::string_view conversion =
-        here[at + 2] == '}' ? std::string_view() : here.substr(at + 3, close - at - 3);
-    const Answer part = converted(parts[number], conversion);
-    if (!part) return std::nullopt;
-    out += *part;
+    std::string part;
+    for (std::size_t i = at + 1; i < digits; ++i) {
+      const auto number = static_cast<std::size_t>(here[i] - '1');
+      if (number >= parts.size()) return std::nullopt;
+      part += (i > at + 1 ? ", " : "") + parts[number];
+    }
+    const std::size_t close = here.find('}', digits);
+    const bool converts = here[digits] == ':';
+    const Answer meant = converted(
+        part, converts ? here.substr(digits + 1, close - digits - 1) : std::string_view());
+    if (!meant) return std::nullopt;
+    out += *meant;
     at = close;
   }
   return out;

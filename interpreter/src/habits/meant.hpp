@@ -9,7 +9,7 @@
 namespace armlet::lang {
 
 // `here` with its places filled: {1} is the first part as it is written, {1:name} the first part
-// after a conversion.
+// after a conversion, {12:name} the first two with a comma between them.
 //
 //   operand      in parentheses, unless it is one value
 //   test         a condition: `=` compares
@@ -18,6 +18,8 @@ namespace armlet::lang {
 //   type         the type that is called so elsewhere: Integer, num, REAL
 //   parameters   of a function, with their types if they have one: `num x, x:IN, int n`
 //   print text   a format as of C and its values: what print takes, or a text
+//   braces       "{} {:.2f}" and its values: a text
+//   inner        a text without its quotes
 //   stream       what C++ writes with <<
 //   speed        RAPID's v100: a setting with a comma in front, or nothing
 //   movej movel  URScript's settings a, v, t, r: those that mean the same here

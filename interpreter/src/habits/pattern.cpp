@@ -67,7 +67,8 @@ class Matcher {
     const std::string_view text = line_.piece(at);
     const bool is_word = element == "@" && kind == Piece::Kind::kWord;
     const bool is_number = element == "#" && kind == Piece::Kind::kNumber;
-    if (is_word || is_number) {
+    const bool is_text = element == "?" && kind == Piece::Kind::kText;
+    if (is_word || is_number || is_text) {
       parts_.emplace_back(text);
       if (rest(at + 1, behind)) return true;
       parts_.pop_back();
@@ -77,7 +78,7 @@ class Matcher {
       const auto number = static_cast<std::size_t>(element[1] - '1');
       return number < parts_.size() && parts_[number] == text && rest(at + 1, behind);
     }
-    if (element == "@" || element == "#") return false;
+    if (element == "@" || element == "#" || element == "?") return false;
     if (element.size() > 1 && element[0] == '^')
       return element.substr(1) == text && rest(at + 1, behind);
     if (element.size() > 1 && element[0] == '\\') element.remove_prefix(1);
@@ -102,7 +103,8 @@ class Matcher {
       if (enough && depth == 0 && !longest && try_value(at, end, behind)) return true;
       if (patience_ < 0 || end == last_) break;
       const std::string_view piece = line_.piece(end);
-      if (depth == 0 && (closes(piece) || piece == ";" || (piece == "," && !commas))) break;
+      const bool ends = closes(piece) || ((piece == "," || piece == ";") && !commas);
+      if (depth == 0 && ends) break;
       if (depth == 0 && !whole_ && (piece == "=" || piece == "return")) break;
       depth += opens(piece) ? 1 : closes(piece) ? -1 : 0;
     }

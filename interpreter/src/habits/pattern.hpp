@@ -2,7 +2,7 @@
 // Shapes of lines of other languages, written as text: "FOR @ FROM $ TO $ DO".
 //
 // A shape is a row of elements between blanks:
-//   @     a word                      #     a number
+//   @     a word                      #     a number                    ?     a quoted text
 //   $     a value: at least one piece, brackets in pairs, no comma outside of them
 //   *     any pieces, also none, brackets in pairs
 //   ...   the rest of the line as it is written, with comments
