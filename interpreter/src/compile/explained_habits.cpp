@@ -42,10 +42,9 @@ bool is_inside(const Diagnostic& message, const Fix& fix, const SourceSet& sourc
          line <= source.position(last->span.end).line;
 }
 
-// Whether a message has a fix that is sure and leaves no error on its line.
+// Whether a message has a fix that leaves no error on its line.
 bool repairs_its_line(const Diagnostic& message, const SourceSet& sources, Trials& trials) {
-  if (!message.fix || message.fix->edits.empty() || message.fix->confidence != Confidence::kSure)
-    return false;
+  if (!message.fix || message.fix->edits.empty()) return false;
   const Source& source = sources[message.mark.span.source];
   const int line = source.position(message.mark.span.begin).line;
   const std::uint32_t begin = source.line_start(line);
@@ -55,12 +54,9 @@ bool repairs_its_line(const Diagnostic& message, const SourceSet& sources, Trial
 }
 
 // Replaces message `at` and drops those behind it that have the same cause; false if the
-// explanation is not the cause. A fix that repairs its line is not exchanged for that of a part.
-bool explain(std::vector<Diagnostic>& messages, std::size_t at, Explanation given,
+// explanation is not the cause.
+bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic explanation,
              const SourceSet& sources, Trials& trials) {
-  Diagnostic& explanation = given.message;
-  if ((given.of_value || !explanation.fix) && repairs_its_line(messages[at], sources, trials))
-    return false;
   if (!explanation.fix) {
     messages[at] = std::move(explanation);
     return true;
@@ -84,8 +80,17 @@ void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sourc
   Explanations explanations(sources);
   for (std::size_t i = 0; i < diagnostics.size(); ++i) {
     if (diagnostics[i].severity != Severity::kError || trials.exhausted()) continue;
-    for (Explanation& explanation : explanations.of(diagnostics[i])) {
-      if (explain(diagnostics, i, std::move(explanation), sources, trials)) break;
+    std::vector<Explanation> given = explanations.of(diagnostics[i]);
+    const std::optional<Fix>& fix = diagnostics[i].fix;
+    const bool is_sure = fix && fix->confidence == Confidence::kSure;
+    // A fix that repairs its line is not exchanged for that of a part; a sure one not for none.
+    const auto is_less = [&](const Explanation& one) {
+      return one.of_value || (is_sure && !one.message.fix);
+    };
+    if (std::ranges::any_of(given, is_less) && repairs_its_line(diagnostics[i], sources, trials))
+      std::erase_if(given, is_less);
+    for (Explanation& one : given) {
+      if (explain(diagnostics, i, std::move(one.message), sources, trials)) break;
     }
   }
 }

@@ -10,6 +10,7 @@ namespace armlet::lang {
 namespace {
 
 constexpr int kMostRewritings = 20;
+constexpr int kMostOfOneLine = 3;  // explanations of values, each tried
 
 // A row that fits, where it fits in a text, and what is written there instead.
 struct Fitting {
@@ -37,7 +38,10 @@ std::optional<Fitting> fitting(const Line& line, const Habit& habit, const Found
 std::optional<Fitting> whole_statement(const Line& line, std::size_t first, std::size_t last) {
   Patience patience = kPatience;
   for (const Habit& habit : statement_habits()) {
-    const std::size_t end = takes_rest(habit) ? line.pieces.size() : last;
+    const bool takes_end = habit.shape.ends_with(" ;");
+    const std::size_t end = takes_rest(habit) ? line.pieces.size()
+                            : takes_end       ? std::min(last + 1, line.pieces.size())
+                                              : last;
     const std::optional<Found> found = match_all(line, first, end, habit.shape, patience);
     if (!found) continue;
     if (std::optional<Fitting> out = fitting(line, habit, *found)) return out;
@@ -45,8 +49,10 @@ std::optional<Fitting> whole_statement(const Line& line, std::size_t first, std:
   return std::nullopt;
 }
 
-std::optional<Fitting> first_value(const Line& line, Patience& patience) {
-  for (const Habit& habit : value_habits()) {
+// Of the row from number `row` on; `row` is then the next one.
+std::optional<Fitting> first_value(const Line& line, Patience& patience, std::size_t& row) {
+  while (row < value_habits().size()) {
+    const Habit& habit = value_habits()[row++];
     const std::optional<Found> found =
         match_inside(line, 0, line.pieces.size(), habit.shape, patience);
     if (!found) continue;
@@ -108,17 +114,19 @@ class Explainer {
     return {base_ + begin, base_ + end, source_.id()};
   }
 
-  // The first value that fits is what the message shows; the edits change all that fit.
+  // The first value that fits is what a message shows; its edits change all that fit.
   void values(std::vector<Explanation>& out, std::size_t last) const {
     const std::uint32_t end = line_.pieces[last - 1].end;
     const Line line(line_.text.substr(0, end));
     Patience patience = kPatience;
-    const std::optional<Fitting> found = first_value(line, patience);
-    if (!found) return;
-    const std::string whole(line.text);
-    add(out, *found,
-        {found->habit, 0,
-         takes_rest(*found->habit) ? static_cast<std::uint32_t>(line_.text.size()) : end, whole});
+    std::size_t row = 0;
+    for (int tried = 0; tried < kMostOfOneLine; ++tried) {
+      const std::optional<Fitting> found = first_value(line, patience, row);
+      if (!found) return;
+      std::string here(line.text);
+      here.replace(found->begin, found->end - found->begin, found->here);
+      add(out, *found, {found->habit, 0, end, std::move(here)});
+    }
   }
 
   // shown    what the message says is written otherwise here.
@@ -140,9 +148,9 @@ class Explainer {
                              : make_diagnostic("E0130", mark, {shortened(found), shortened(here)});
     message.why = habit.why;
     const std::string text(line_.text.substr(changed.begin, changed.end - changed.begin));
-    message.fix =
-        Fix{here.empty() ? "delete " + shortened(found) : "write " + here,
-            edits(changed, text, is_statement ? here : with_values_here(text)), Confidence::kMaybe};
+    message.fix = Fix{here.empty() ? "delete " + shortened(found) : "write " + here,
+                      edits(changed, text, is_statement ? here : with_values_here(changed.here)),
+                      Confidence::kMaybe};
     out.push_back({std::move(message), !is_statement});
   }
 
@@ -177,7 +185,8 @@ std::string with_values_here(std::string text) {
   Patience patience = kPatience;
   for (int i = 0; i < kMostRewritings; ++i) {
     const Line line(text);
-    const std::optional<Fitting> found = first_value(line, patience);
+    std::size_t row = 0;
+    const std::optional<Fitting> found = first_value(line, patience, row);
     if (!found || found->habit->here == kNoSuchThing) break;
     text.replace(found->begin, found->end - found->begin, found->here);
   }

@@ -203,6 +203,14 @@ Answer axes(const std::string& part) {
   return out.empty() ? std::nullopt : Answer(out);
 }
 
+// 0, -90, 90
+Answer degrees(const std::string& part) {
+  std::string out;
+  for (const std::string& value : values_of(part))
+    out += (out.empty() ? "" : ", ") + *with_unit(value, "deg");
+  return out;
+}
+
 // A, B and C turn about z, y and x.
 Answer frame(const std::string& part) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kTurns = {
@@ -259,6 +267,7 @@ constexpr auto kConversions = std::to_array<Conversion>({
     {"axes", axes},
     {"frame", frame},
     {"turn", turn},
+    {"degrees", degrees},
     {"movej", [](const std::string& part) { return settings(part, kMoveJ); }},
     {"movel", [](const std::string& part) { return settings(part, kMoveL); }},
 });

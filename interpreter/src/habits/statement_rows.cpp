@@ -8,6 +8,7 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::string_view kNoImports = "what the library offers needs no import";
+constexpr std::string_view kWholeFile = "a function is known in its whole file";
 constexpr std::string_view kNoMain = "a .rbt file runs from its first line";
 constexpr std::string_view kFromZero = "indexes stand in square brackets and count from 0";
 constexpr std::string_view kNoTypes = "the type of every value is known before the program runs";
@@ -17,6 +18,8 @@ constexpr std::string_view kJointSpeed =
     "duration";
 constexpr std::string_view kZones =
     "a move stops at its goal; in a path, blend: 10mm rounds corners";
+constexpr std::string_view kFrames =
+    "moveL(p, frame: o) takes the object or frame that p is given in, tool: the tool point";
 constexpr std::string_view kComment = "a comment starts with //";
 constexpr std::string_view kOneLine = "print ends its line; f\"...\" joins values before";
 
@@ -45,6 +48,9 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"return $ , $ , $", "return [{1}, {2}, {3}]",
      "a function gives one value, which may be a list"},
     {"\"\" ~? ~\"\"", "// {1:inner}", kComment},
+    {"@ ** = $", "{1} = {1} ^ {2:operand}", ""},
+    {"@ : @ = $", "var {1}: {2:type} = {3}", ""},
+    {"@ . sort ( key = lambda @ : $ )", "{1} = sort({1}, fn({2}) => {3})", "sort gives a new list"},
     {"del @", kNoSuchThing, "a variable lasts as long as its block"},
     {"\\@ @", "", ""},
     {"with open ( * ) as @ :", kNoSuchThing, "tables are read and written with loadTable and save"},
@@ -78,6 +84,12 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"typedef *", kNoSuchThing, "struct and enum declare types; write the type itself"},
     {"goto @", kNoSuchThing, "break leaves a loop, return a function"},
     {"break @", "break", "break leaves the innermost loop"},
+    {"double @ ( * ) ;", "", kWholeFile},
+    {"float @ ( * ) ;", "", kWholeFile},
+    {"int @ ( * ) ;", "", kWholeFile},
+    {"bool @ ( * ) ;", "", kWholeFile},
+    {"void @ ( * ) ;", "", kWholeFile},
+    {"auto @ = [ * ] ( * ) { return $ ; }", "let {1} = fn({3:parameters}) => {4}", ""},
     {"delete @", "", "values end by themselves"},
     {"free ( @ )", "", "values end by themselves"},
     {"exit ( * )", kNoSuchThing, "a program ends with its last line, or with throw error(\"...\")"},
@@ -146,14 +158,24 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"set_tool_digital_out ( # , $ )", "setSignal(\"toolOut{1}\", {2:truth})", kNamedSignals},
     {"textmsg ( * )", "print({1})", ""},
     {"popup ( $ , * )", "print({1})", ""},
+    {"set_tcp ( $ )", "setTool({1})", ""},
+    {"set_payload ( $ )", "setPayload({1:kg})", ""},
+    {"set_payload ( $ , * )", "setPayload({1:kg})", "at: says where its centre of mass is"},
     {"sync ( )", "", "time goes on in moves and waits"},
     {"stopj ( * )", "halt()", ""},
     {"stopl ( * )", "halt()", ""},
     // RAPID
     {"MoveL $ , @ , @ , @", "moveL({1}{2:speed})", kZones},
+    {"MoveL $ , @ , @ , @ \\ WObj := wobj0", "moveL({1}{2:speed})", kZones},
+    {"MoveL $ , @ , @ , @ \\ WObj := @", kNoSuchThing, kFrames},
+    {"MoveJ $ , @ , @ , @ \\ WObj := @", kNoSuchThing, kFrames},
     {"MoveJ $ , @ , @ , @", "moveJ({1})", kJointSpeed},
     {"MoveAbsJ $ , @ , @ , @", "moveJ({1})", kJointSpeed},
     {"MoveC $ , $ , @ , @ , @", "moveCirc({1}, {2}{3:speed})", kZones},
+    {"@ robtarget @ := [ [ $ , $ , $ ] , [ $ , $ , $ , $ ] * ]",
+     "let {2} = xyz({3:mm}, {4:mm}, {5:mm}) * quat({6}, {7}, {8}, {9})", ""},
+    {"@ jointtarget @ := [ [ * ] * ]", "let {2} = posJ({3:degrees})", ""},
+    {"PulseDO @", "setSignal(\"{1}\", true); wait(0.2s); setSignal(\"{1}\", false)", ""},
     {"VAR @ @ := $", "var {2}: {1:type} = {3}", ""},
     {"PERS @ @ := $", "var {2}: {1:type} = {3}", ""},
     {"LOCAL VAR @ @ := $", "var {2}: {1:type} = {3}", ""},
@@ -184,6 +206,8 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"LIN { * }", "moveL({1:frame})", ""},
     {"LIN { * } C_DIS", "moveL({1:frame})", kZones},
     {"LIN_REL { * }", "moveL({1:frame} * here())", ""},
+    {"PTP @ Vel *", "moveJ({1})", kJointSpeed},
+    {"LIN @ Vel = # m / s *", "moveL({1}, speed: {2}m/s)", ""},
     {"PTP @ C_PTP", "moveJ({1})", kZones},
     {"LIN @ C_DIS", "moveL({1})", kZones},
     {"LIN @ C_VEL", "moveL({1})", kZones},
@@ -192,6 +216,7 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"CIRC $ , $", "moveCirc({1}, {2})", ""},
     {"WAIT SEC $", "wait({1})", ""},
     {"WAIT FOR $", "wait until {1:test}", ""},
+    {"DECL @ @ [ # ]", "{1:type}[] {2} = new {1:type}[{3}]", ""},
     {"DECL @ @ = $", "var {2}: {1:type} = {3}", ""},
     {"DECL @ @", "var {2}: {1:type}", ""},
     {"INT @", "var {1}: int", ""},

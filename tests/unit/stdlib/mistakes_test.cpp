@@ -178,7 +178,7 @@ TEST_CASE("habits of other languages are named on their line, with a fix that wo
   };
   // What is reached now; it must not become less. Programs with several habits need several fixes.
   for (const Reached& reached :
-       {Reached{"habits.txt", 131, 124, 124}, Reached{"more_habits.txt", 42, 30, 39}}) {
+       {Reached{"habits.txt", 131, 124, 124}, Reached{"more_habits.txt", 79, 60, 73}}) {
     const Worth worth = worth_of(reached.file);
     CAPTURE(reached.file);
     CAPTURE(worth.missed);
