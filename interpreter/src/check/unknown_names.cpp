@@ -49,6 +49,17 @@ std::string_view lookup(const std::array<Meant, N>& table, std::string_view word
   return found == table.end() ? std::string_view() : found->here;
 }
 
+// Whether a name can be a new one beside another: vy beside vx, p2 beside p1.
+bool is_name_of_its_own(std::string_view name, std::string_view other) {
+  constexpr std::size_t kShort = 2;
+  const auto without_digits = [](std::string_view text) {
+    std::string out(text);
+    std::erase_if(out, [](char c) { return c >= '0' && c <= '9'; });
+    return out;
+  };
+  return name.size() <= kShort || without_digits(name) == without_digits(other);
+}
+
 }  // namespace
 
 void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& place,
@@ -75,7 +86,10 @@ void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& 
   const std::string rest = text.substr(std::min(text.size(), name.size()));
   const std::size_t mark = rest.find_first_not_of(" \t");
   const bool stores = mark != std::string::npos && rest[mark] == '=';
-  if (!diagnostic.fix && &root == &place && stores && text.starts_with(name)) {
+  const bool declares = &root == &place && stores && text.starts_with(name);
+  if (declares && diagnostic.fix && is_name_of_its_own(name, diagnostic.fix->edits[0].text))
+    diagnostic.fix.reset();
+  if (!diagnostic.fix && declares) {
     const Span begin{statement.begin, statement.begin, statement.source};
     diagnostic.why = "a variable is declared with its first value";
     diagnostic.fix = Fix{.text = "write var " + text.substr(0, text.find('\n')),

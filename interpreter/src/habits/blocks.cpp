@@ -131,13 +131,12 @@ class Reader {
   }
 
  private:
-  // Replaces the statement of a line, or deletes the line.
+  // Replaces the statement of a line, or empties the line.
   void change(Block& block, const Numbered& line, const std::string& here) {
     const std::uint32_t base = source_.line_start(line.number);
     if (here.empty()) {
       const auto end = static_cast<std::uint32_t>(base + line.line.text.size());
-      const std::uint32_t next = end < source_.text().size() ? end + 1 : end;
-      block.edits.push_back({{base, next, source_.id()}, ""});
+      block.edits.push_back({{base, end, source_.id()}, ""});
       return;
     }
     const std::uint32_t begin = line.line.pieces[0].begin;

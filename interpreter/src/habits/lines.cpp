@@ -10,7 +10,7 @@ namespace armlet::lang {
 namespace {
 
 constexpr int kMostRewritings = 20;
-constexpr int kMostOfOneLine = 3;  // explanations of values, each tried
+constexpr std::size_t kMostOfOneLine = 2;  // explanations of one kind, each tried
 
 // A row that fits, where it fits in a text, and what is written there instead.
 struct Fitting {
@@ -35,18 +35,21 @@ std::optional<Fitting> fitting(const Line& line, const Habit& habit, const Found
   return out;
 }
 
-std::optional<Fitting> whole_statement(const Line& line, std::size_t first, std::size_t last) {
+// The first rows that fit.
+std::vector<Fitting> whole_statement(const Line& line, std::size_t first, std::size_t last) {
+  std::vector<Fitting> out;
   Patience patience = kPatience;
   for (const Habit& habit : statement_habits()) {
+    if (out.size() == kMostOfOneLine) break;
     const bool takes_end = habit.shape.ends_with(" ;");
     const std::size_t end = takes_rest(habit) ? line.pieces.size()
                             : takes_end       ? std::min(last + 1, line.pieces.size())
                                               : last;
     const std::optional<Found> found = match_all(line, first, end, habit.shape, patience);
     if (!found) continue;
-    if (std::optional<Fitting> out = fitting(line, habit, *found)) return out;
+    if (std::optional<Fitting> fits = fitting(line, habit, *found)) out.push_back(*fits);
   }
-  return std::nullopt;
+  return out;
 }
 
 // Of the row from number `row` on; `row` is then the next one.
@@ -94,15 +97,15 @@ class Explainer {
     std::size_t last = line_.pieces.size();
     while (last > 0 && line_.piece(last - 1) == ";") --last;
     if (last == 0) return out;
-    if (const auto found = whole_statement(line_, 0, last)) add(out, *found, *found);
+    for (const Fitting& found : whole_statement(line_, 0, last)) add(out, found, found);
     const std::uint32_t column = mark.begin - base_;
     for (const Segment segment : segments_of(line_)) {
       const std::uint32_t begin = line_.pieces[segment.first].begin;
       const std::uint32_t end = line_.pieces[segment.last - 1].end;
       if (column > end || mark.end - base_ < begin) continue;
       if (segment.first > 0 || segment.last < last) {
-        if (const auto found = whole_statement(line_, segment.first, segment.last))
-          add(out, *found, *found);
+        for (const Fitting& found : whole_statement(line_, segment.first, segment.last))
+          add(out, found, found);
       }
     }
     values(out, last);
@@ -120,7 +123,7 @@ class Explainer {
     const Line line(line_.text.substr(0, end));
     Patience patience = kPatience;
     std::size_t row = 0;
-    for (int tried = 0; tried < kMostOfOneLine; ++tried) {
+    for (std::size_t tried = 0; tried < kMostOfOneLine; ++tried) {
       const std::optional<Fitting> found = first_value(line, patience, row);
       if (!found) return;
       std::string here(line.text);
@@ -163,15 +166,15 @@ class Explainer {
     return out;
   }
 
-  // The whole line if nothing else stands on it.
+  // With the `;` behind it, if nothing else stands on the line. The line stays: an error in the
+  // next one has nothing to do with it.
   [[nodiscard]] Span deleted(const Fitting& changed) const {
     const std::string_view before = line_.text.substr(0, changed.begin);
     const std::string_view behind = line_.text.substr(changed.end);
     const bool alone = before.find_first_not_of(" \t") == std::string_view::npos &&
                        behind.find_first_not_of(" \t\r;") == std::string_view::npos;
-    const auto size = static_cast<std::uint32_t>(line_.text.size());
-    const bool has_next = base_ + size < source_.text().size();
-    return alone ? span(0, size + (has_next ? 1 : 0)) : span(changed.begin, changed.end);
+    return alone ? span(0, static_cast<std::uint32_t>(line_.text.size()))
+                 : span(changed.begin, changed.end);
   }
 
   const Source& source_;

@@ -8,6 +8,8 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::string_view kNoImports = "what the library offers needs no import";
+constexpr std::string_view kOneStored = "a statement stores one value";
+constexpr std::string_view kOneValue = "a function gives one value, which may be a list";
 constexpr std::string_view kWholeFile = "a function is known in its whole file";
 constexpr std::string_view kNoMain = "a .rbt file runs from its first line";
 constexpr std::string_view kFromZero = "indexes stand in square brackets and count from 0";
@@ -35,18 +37,19 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"raise", "throw e", ""},
     {"assert $ , $", "assert({1}, {2})", ""},
     {"assert $", "assert({1})", ""},
-    {"@ , @ = =2 , =1", "let before = {1}; {1} = {2}; {2} = before",
-     "a statement stores one value"},
-    {"@ , @ = # , #", "{1} = {3}; {2} = {4}", "a statement stores one value"},
-    {"@ , @ , @ = # , # , #", "{1} = {4}; {2} = {5}; {3} = {6}", "a statement stores one value"},
+    {"@ , @ = =2 , =1", "let before = {1}; {1} = {2}; {2} = before", kOneStored},
+    {"@ , @ = # , #", "{1} = {3}; {2} = {4}", kOneStored},
+    {"@ , @ , @ = # , # , #", "{1} = {4}; {2} = {5}; {3} = {6}", kOneStored},
+    {"@ , @ = @ ( * )", "var {1}{2} = {3}({4}); var {1} = {1}{2}[0]; var {2} = {1}{2}[1]",
+     kOneValue},
+    {"@ , @ = *", kNoSuchThing, kOneValue},
     {"print ( $ , end = $ )", "print({1})", kOneLine},
     {"print ( * , end = $ )", "print({1})", kOneLine},
     {"print ( * , sep = $ )", "print({1})", kOneLine},
     {"print !( $ , $", "print({1}, {2})", ""},
     {"print !( $", "print({1})", ""},
-    {"return $ , $", "return [{1}, {2}]", "a function gives one value, which may be a list"},
-    {"return $ , $ , $", "return [{1}, {2}, {3}]",
-     "a function gives one value, which may be a list"},
+    {"return $ , $", "return [{1}, {2}]", kOneValue},
+    {"return $ , $ , $", "return [{1}, {2}, {3}]", kOneValue},
     {"\"\" ~? ~\"\"", "// {1:inner}", kComment},
     {"@ ** = $", "{1} = {1} ^ {2:operand}", ""},
     {"@ : @ = $", "var {1}: {2:type} = {3}", ""},
