@@ -85,7 +85,10 @@ declarator : name (LBRACK RBRACK)* (ASSIGN initializer)? ;
 initializer : expression | braceInit ;
 
 // {{1, 2}, {3, 4}}
-braceInit : LBRACE (initializer (COMMA initializer)* COMMA?)? RBRACE ;
+braceInit : LBRACE (braceItem (COMMA braceItem)* COMMA?)? RBRACE ;
+
+// "bolt": 3
+braceItem : initializer (COLON initializer)? ;
 
 // object cube { shape: box(40mm, 40mm, 40mm); mass: 200g }
 blockDecl : typeName name LBRACE blockItem* RBRACE ;
@@ -130,7 +133,10 @@ testDecl : TEST STRING block ;
 // ---------------------------------------------------------------- types
 
 // pal.Pallet[]
-type : (primType | typeName) (LBRACK RBRACK)* ;
+type : (primType | typeName) bracketPair* ;
+
+// [string]
+bracketPair : LBRACK (primType | typeName)? RBRACK ;
 
 // fn(double, double[]) -> double[]
 fnType : FN LPAREN (anyType (COMMA anyType)*)? RPAREN ARROW resultType ;
@@ -145,7 +151,7 @@ anyType : fnType | dimType ;
 dimType : dimFactor ((STAR | SLASH) dimFactor)* ;
 
 // time^-2
-dimFactor : type (CARET MINUS? INT)? | inParens (LBRACK RBRACK)* ;
+dimFactor : type (CARET MINUS? INT)? | inParens bracketPair* ;
 
 // (fn(int) -> int)
 inParens : LPAREN anyType RPAREN ;
@@ -264,11 +270,15 @@ primary
   | primType args
   | LPAREN expression RPAREN
   | LBRACK (row (SEMI row)* SEMI?)? RBRACK
+  | LBRACK COLON RBRACK
   | NEW typeName args
   ;
 
 // 1, 2,
-row : expression (COMMA expression)* COMMA? ;
+row : item (COMMA item)* COMMA? ;
+
+// "bolt": 3
+item : expression (COLON expression)? ;
 
 // new double[3][4]
 newArray : NEW (primType | typeName) (newDim+ (LBRACK RBRACK)* | (LBRACK RBRACK)+ braceInit) ;

@@ -36,19 +36,20 @@ public:
   enum {
     RuleProgram = 0, RuleStmt = 1, RuleClosedStmt = 2, RuleBlock = 3, RuleLetDecl = 4, 
     RuleVarDecl = 5, RuleDeclarator = 6, RuleInitializer = 7, RuleBraceInit = 8, 
-    RuleBlockDecl = 9, RuleBlockItem = 10, RuleFnDecl = 11, RuleFnBody = 12, 
-    RuleParams = 13, RuleParam = 14, RuleStructDecl = 15, RuleEnumDecl = 16, 
-    RuleImportDecl = 17, RuleTestDecl = 18, RuleType = 19, RuleFnType = 20, 
-    RuleResultType = 21, RuleAnyType = 22, RuleDimType = 23, RuleDimFactor = 24, 
-    RuleInParens = 25, RuleTypeName = 26, RulePrimType = 27, RuleIfStmt = 28, 
-    RuleIfBody = 29, RuleWhileStmt = 30, RuleDoStmt = 31, RuleForStmt = 32, 
-    RuleForHeader = 33, RuleForInit = 34, RuleForUpdate = 35, RuleSwitchStmt = 36, 
-    RuleSwitchCase = 37, RuleTryStmt = 38, RuleCatchClause = 39, RuleParallelStmt = 40, 
-    RuleWhenStmt = 41, RuleEveryStmt = 42, RuleWaitStmt = 43, RuleWithStmt = 44, 
-    RulePathStmt = 45, RuleRecordStmt = 46, RuleExprStmt = 47, RuleAssignTail = 48, 
-    RuleCompoundOp = 49, RuleExpression = 50, RuleLambda = 51, RuleExpr = 52, 
-    RulePrimary = 53, RuleRow = 54, RuleNewArray = 55, RuleNewDim = 56, 
-    RuleIndexItem = 57, RuleArgs = 58, RuleArg = 59, RuleLiteral = 60, RuleName = 61
+    RuleBraceItem = 9, RuleBlockDecl = 10, RuleBlockItem = 11, RuleFnDecl = 12, 
+    RuleFnBody = 13, RuleParams = 14, RuleParam = 15, RuleStructDecl = 16, 
+    RuleEnumDecl = 17, RuleImportDecl = 18, RuleTestDecl = 19, RuleType = 20, 
+    RuleBracketPair = 21, RuleFnType = 22, RuleResultType = 23, RuleAnyType = 24, 
+    RuleDimType = 25, RuleDimFactor = 26, RuleInParens = 27, RuleTypeName = 28, 
+    RulePrimType = 29, RuleIfStmt = 30, RuleIfBody = 31, RuleWhileStmt = 32, 
+    RuleDoStmt = 33, RuleForStmt = 34, RuleForHeader = 35, RuleForInit = 36, 
+    RuleForUpdate = 37, RuleSwitchStmt = 38, RuleSwitchCase = 39, RuleTryStmt = 40, 
+    RuleCatchClause = 41, RuleParallelStmt = 42, RuleWhenStmt = 43, RuleEveryStmt = 44, 
+    RuleWaitStmt = 45, RuleWithStmt = 46, RulePathStmt = 47, RuleRecordStmt = 48, 
+    RuleExprStmt = 49, RuleAssignTail = 50, RuleCompoundOp = 51, RuleExpression = 52, 
+    RuleLambda = 53, RuleExpr = 54, RulePrimary = 55, RuleRow = 56, RuleItem = 57, 
+    RuleNewArray = 58, RuleNewDim = 59, RuleIndexItem = 60, RuleArgs = 61, 
+    RuleArg = 62, RuleLiteral = 63, RuleName = 64
   };
 
   RbtParser(antlr4::TokenStream *input);
@@ -77,6 +78,7 @@ public:
   class DeclaratorContext;
   class InitializerContext;
   class BraceInitContext;
+  class BraceItemContext;
   class BlockDeclContext;
   class BlockItemContext;
   class FnDeclContext;
@@ -88,6 +90,7 @@ public:
   class ImportDeclContext;
   class TestDeclContext;
   class TypeContext;
+  class BracketPairContext;
   class FnTypeContext;
   class ResultTypeContext;
   class AnyTypeContext;
@@ -123,6 +126,7 @@ public:
   class ExprContext;
   class PrimaryContext;
   class RowContext;
+  class ItemContext;
   class NewArrayContext;
   class NewDimContext;
   class IndexItemContext;
@@ -278,8 +282,8 @@ public:
     virtual size_t getRuleIndex() const override;
     antlr4::tree::TerminalNode *LBRACE();
     antlr4::tree::TerminalNode *RBRACE();
-    std::vector<InitializerContext *> initializer();
-    InitializerContext* initializer(size_t i);
+    std::vector<BraceItemContext *> braceItem();
+    BraceItemContext* braceItem(size_t i);
     std::vector<antlr4::tree::TerminalNode *> COMMA();
     antlr4::tree::TerminalNode* COMMA(size_t i);
 
@@ -287,6 +291,19 @@ public:
   };
 
   BraceInitContext* braceInit();
+
+  class  BraceItemContext : public GuardedCtx {
+  public:
+    BraceItemContext(antlr4::ParserRuleContext *parent, size_t invokingState);
+    virtual size_t getRuleIndex() const override;
+    std::vector<InitializerContext *> initializer();
+    InitializerContext* initializer(size_t i);
+    antlr4::tree::TerminalNode *COLON();
+
+   
+  };
+
+  BraceItemContext* braceItem();
 
   class  BlockDeclContext : public GuardedCtx {
   public:
@@ -464,15 +481,27 @@ public:
     virtual size_t getRuleIndex() const override;
     PrimTypeContext *primType();
     TypeNameContext *typeName();
-    std::vector<antlr4::tree::TerminalNode *> LBRACK();
-    antlr4::tree::TerminalNode* LBRACK(size_t i);
-    std::vector<antlr4::tree::TerminalNode *> RBRACK();
-    antlr4::tree::TerminalNode* RBRACK(size_t i);
+    std::vector<BracketPairContext *> bracketPair();
+    BracketPairContext* bracketPair(size_t i);
 
    
   };
 
   TypeContext* type();
+
+  class  BracketPairContext : public GuardedCtx {
+  public:
+    BracketPairContext(antlr4::ParserRuleContext *parent, size_t invokingState);
+    virtual size_t getRuleIndex() const override;
+    antlr4::tree::TerminalNode *LBRACK();
+    antlr4::tree::TerminalNode *RBRACK();
+    PrimTypeContext *primType();
+    TypeNameContext *typeName();
+
+   
+  };
+
+  BracketPairContext* bracketPair();
 
   class  FnTypeContext : public GuardedCtx {
   public:
@@ -542,10 +571,8 @@ public:
     antlr4::tree::TerminalNode *INT();
     antlr4::tree::TerminalNode *MINUS();
     InParensContext *inParens();
-    std::vector<antlr4::tree::TerminalNode *> LBRACK();
-    antlr4::tree::TerminalNode* LBRACK(size_t i);
-    std::vector<antlr4::tree::TerminalNode *> RBRACK();
-    antlr4::tree::TerminalNode* RBRACK(size_t i);
+    std::vector<BracketPairContext *> bracketPair();
+    BracketPairContext* bracketPair(size_t i);
 
    
   };
@@ -1158,6 +1185,7 @@ public:
     RowContext* row(size_t i);
     std::vector<antlr4::tree::TerminalNode *> SEMI();
     antlr4::tree::TerminalNode* SEMI(size_t i);
+    antlr4::tree::TerminalNode *COLON();
     antlr4::tree::TerminalNode *NEW();
     TypeNameContext *typeName();
 
@@ -1170,8 +1198,8 @@ public:
   public:
     RowContext(antlr4::ParserRuleContext *parent, size_t invokingState);
     virtual size_t getRuleIndex() const override;
-    std::vector<ExpressionContext *> expression();
-    ExpressionContext* expression(size_t i);
+    std::vector<ItemContext *> item();
+    ItemContext* item(size_t i);
     std::vector<antlr4::tree::TerminalNode *> COMMA();
     antlr4::tree::TerminalNode* COMMA(size_t i);
 
@@ -1179,6 +1207,19 @@ public:
   };
 
   RowContext* row();
+
+  class  ItemContext : public GuardedCtx {
+  public:
+    ItemContext(antlr4::ParserRuleContext *parent, size_t invokingState);
+    virtual size_t getRuleIndex() const override;
+    std::vector<ExpressionContext *> expression();
+    ExpressionContext* expression(size_t i);
+    antlr4::tree::TerminalNode *COLON();
+
+   
+  };
+
+  ItemContext* item();
 
   class  NewArrayContext : public GuardedCtx {
   public:

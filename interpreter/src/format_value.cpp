@@ -152,6 +152,7 @@ class Writer {
   void number(double value, Dim dim);
   void text(std::string_view text);
   void list(const ListObj& list, const Type& element);
+  void map(const MapObj& map, const Type& type);
   void table(Slot s, const RecordInfo& info);
   void record(const RecordObj& record, const RecordInfo& info);
   void matrix(const MatrixObj& matrix);
@@ -265,6 +266,26 @@ void Writer::list(const ListObj& list, const Type& element) {
   out += ']';
 }
 
+// ["bolt": 3, "nut": 5]; a format is for the values.
+void Writer::map(const MapObj& map, const Type& type) {
+  out += '[';
+  bool is_first = true;
+  for (const MapEntry& entry : map.all()) {
+    if (!goes_on()) return;
+    if (entry.is_removed) continue;
+    if (!is_first) out += ", ";
+    is_first = false;
+    if (type.key->is(Kind::kText)) {
+      text(static_cast<TextObj*>(entry.key.o)->view());
+    } else {
+      out += value_text(entry.key, *type.key);
+    }
+    out += ": ";
+    value(entry.value, *type.element);
+  }
+  out += is_first ? ":]" : "]";
+}
+
 void Writer::record(const RecordObj& record, const RecordInfo& info) {
   out += info.name;
   out += '(';
@@ -311,6 +332,7 @@ void Writer::reference(Slot s, const Type& type) {
   }
   ++level_;
   if (type.is(Kind::kList)) list(*static_cast<ListObj*>(s.o), *type.element);
+  if (type.is(Kind::kMap)) map(*static_cast<MapObj*>(s.o), type);
   if (type.is_table()) {
     table(s, *type.record);
   } else if (type.is(Kind::kRecord)) {

@@ -57,6 +57,7 @@ class Evaluator {
   struct Index {
     std::int64_t row = 0;  // or of a list
     std::int64_t column = 0;
+    Value key = {};  // of a map
   };
   using Indices = std::vector<Index>;
 
@@ -75,6 +76,17 @@ class Evaluator {
   [[nodiscard]] Value closure(const lang::hir::ClosureExpr& e);
   [[nodiscard]] Value error(const lang::hir::ErrorExpr& e);
   [[nodiscard]] Value mutate(const lang::hir::MutateExpr& e);
+
+  // ---- maps
+  [[nodiscard]] Value of_map(const lang::hir::Expr& e);
+  [[nodiscard]] Value map(const lang::hir::MapExpr& e);
+  [[nodiscard]] Value entry(const lang::hir::EntryExpr& e);
+  [[nodiscard]] Value map_query(const lang::hir::MapQueryExpr& e);
+  [[nodiscard]] Value remove_key(const lang::hir::MutateExpr& e);
+  [[nodiscard]] Value& step_to_entry(Value& map, const lang::hir::Step& step, const Value& key,
+                                     bool makes) const;
+  [[nodiscard]] static std::string key_text(const Value& key, const Type& type);
+  [[noreturn]] void fail_key(const Value& key, const Type& map, Span where) const;
 
   // ---- matrices and parts
   struct Stretch {
@@ -153,7 +165,9 @@ class Evaluator {
   void declare(const lang::hir::Variable& v, Value value);
   void check_set(const lang::hir::Variable& v, Span where);
   [[nodiscard]] Indices indices(const lang::hir::Place& place);
-  [[nodiscard]] Value& walk(const lang::hir::Place& place, const Indices& indices);
+  // makes: the entry of a map that the place ends with, if it is not there.
+  [[nodiscard]] Value& walk(const lang::hir::Place& place, const Indices& indices,
+                            bool makes = false);
 
   // ---- failures
   [[nodiscard]] std::string text(Span span) const;

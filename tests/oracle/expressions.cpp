@@ -113,12 +113,14 @@ Value Evaluator::evaluate_made(const Expr& e) {
     case ExprKind::kMutate:
       return mutate(e.as<MutateExpr>());
     default:
-      throw std::logic_error("the oracle has no such expression: " + text(e.span));
+      return of_map(e);
   }
 }
 
 Value Evaluator::length(const LengthExpr& e) {
   const Value object = evaluate(*e.object);
+  if (std::holds_alternative<Map>(object.is))
+    return {static_cast<std::int64_t>(object.map().keys.size())};
   const bool is_text = std::holds_alternative<std::string>(object.is);
   return {static_cast<std::int64_t>(is_text ? characters(object.text()).size()
                                             : object.list().items.size())};
@@ -254,6 +256,7 @@ Value Evaluator::closure(const ClosureExpr& e) {
 }
 
 Value Evaluator::mutate(const MutateExpr& e) {
+  if (e.mutation == Mutation::kRemoveKey) return remove_key(e);
   check_set(*e.place.variable, e.span);
   const Indices where = indices(e.place);
   const Value index = e.index == nullptr ? Value{} : evaluate(*e.index);

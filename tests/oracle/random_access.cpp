@@ -6,7 +6,9 @@
 namespace armlet::oracle {
 
 std::string RandomProgram::from_elsewhere(const Ty* type, int depth) {
-  switch (below(7)) {
+  switch (below(8)) {
+    case 7:
+      return from_map(type, depth);
     case 0:
     case 1:
       return calls_left_ > 0 && loops_ < 2 ? call(type, depth) : "";

@@ -21,6 +21,8 @@ std::string RandomProgram::expr(const Ty* type, int depth) {
       return text_expr(depth);
     case Sort::kList:
       return list(type, depth);
+    case Sort::kMap:
+      return map_literal(type, depth);
     case Sort::kStruct:
       return record(type, depth);
     case Sort::kEnum:
@@ -75,6 +77,8 @@ std::string RandomProgram::literal(const Ty* type) {
       for (std::size_t i = 0; i < count; ++i) items += (i == 0 ? "" : ", ") + leaf(type->element);
       return "[" + items + "]";
     }
+    case Sort::kMap:
+      return map_literal(type, 0);
     case Sort::kStruct:
       return record(type, 0);
     case Sort::kEnum:
@@ -294,7 +298,8 @@ std::string RandomProgram::piece(int depth) {
   static const std::vector<std::string> kWord = {"", "", ":<8", ":>8", ":^7", ":12"};
   const Ty* type = one_in(4) ? storable() : scalar();
   const std::string value = expr(type, depth);
-  const Ty* number = type->is(Sort::kList) ? type->element : type;
+  const bool has_elements = type->is(Sort::kList) || type->is(Sort::kMap);
+  const Ty* number = has_elements ? type->element : type;
   if (number->is(Sort::kInt) || number->is(Sort::kReal)) return value + one_of(kNumber);
   if (type->is(Sort::kLength)) return value + one_of(kLength);
   if (type->is(Sort::kAngle)) return value + one_of(kAngle);

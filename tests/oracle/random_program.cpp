@@ -85,6 +85,7 @@ const Ty* RandomProgram::scalar() {
 }
 
 const Ty* RandomProgram::storable() {
+  if (one_in(10)) return some_map();
   switch (below(10)) {
     case 0:
     case 1:
@@ -104,7 +105,7 @@ const Ty* RandomProgram::storable() {
 }
 
 bool RandomProgram::comparable(const Ty* type) const {
-  if (type->is(Sort::kList)) return comparable(type->element);
+  if (type->is(Sort::kList) || type->is(Sort::kMap)) return comparable(type->element);
   if (type->is(Sort::kStruct)) return structs_[type->id].comparable;
   return !type->is(Sort::kFunction);
 }
@@ -295,7 +296,9 @@ void RandomProgram::declare_late() {
 // Defaults are values written in the text; "" for types that have none.
 std::string RandomProgram::constant(const Ty* type) {
   const Ty* item = type->is(Sort::kList) ? type->element : type;
-  if (item->is(Sort::kList) || item->is(Sort::kStruct) || item->is(Sort::kFunction)) return "";
+  if (item->is(Sort::kList) || item->is(Sort::kStruct) || item->is(Sort::kFunction) ||
+      item->is(Sort::kMap))
+    return "";
   const std::deque<Var> hidden = std::exchange(vars_, {});
   std::string out = literal(type);
   vars_ = hidden;

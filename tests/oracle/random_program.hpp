@@ -25,6 +25,7 @@ enum class Sort : std::uint8_t {
   kAngle,
   kTime,
   kList,
+  kMap,
   kStruct,
   kEnum,
   kFunction
@@ -33,10 +34,11 @@ enum class Sort : std::uint8_t {
 struct Ty {
   Sort sort;
   std::string name;             // as the program writes it
-  const Ty* element = nullptr;  // kList
+  const Ty* element = nullptr;  // kList, kMap
   std::size_t id = 0;           // kStruct, kEnum: which
   std::vector<const Ty*> parameters{};
   const Ty* result = nullptr;
+  const Ty* key = nullptr;  // kMap
 
   [[nodiscard]] bool is(Sort s) const { return sort == s; }
   [[nodiscard]] bool is_list_of(Sort s) const { return sort == Sort::kList && element->sort == s; }
@@ -128,6 +130,18 @@ class RandomProgram {
   std::string table_index(const std::string& base);
   std::string table_int();
   std::string table_real();
+
+  // ---- maps (random_map.cpp)
+  const Ty* map_of(const Ty* key, const Ty* element);
+  const Ty* some_map();
+  std::string plain_key(const Ty* key, std::size_t i);
+  std::string key_of(const Ty* map, int depth);
+  std::string map_literal(const Ty* type, int depth);
+  // Any key, any element: null.
+  const Var* find_map(const Ty* key, const Ty* element, bool to_change);
+  std::string from_map(const Ty* type, int depth);
+  void map_statement();
+  void visit_map(const std::string& name, const Ty* type);
 
   // ---- names in sight
   std::vector<const Var*> visible(const Ty* type, bool to_change);

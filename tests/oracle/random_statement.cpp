@@ -63,7 +63,9 @@ void RandomProgram::body(int count) {
 
 void RandomProgram::simple() {
   if (has_tasks_ && !in_lambda_ && one_in(8)) return waiting();
-  switch (below(12)) {
+  switch (below(13)) {
+    case 12:
+      return map_statement();
     case 0:
     case 1:
       return declaration();
@@ -163,6 +165,12 @@ std::string RandomProgram::place(const Ty* type) {
     if (const Var* found = find(list_of(type), true)) {
       const std::string name = found->name;
       return name + "[" + index_of(name, 1) + "]";
+    }
+  }
+  if (one_in(4)) {
+    if (const Var* found = find_map(nullptr, type, true)) {
+      const std::string name = found->name;
+      return name + "[" + key_of(found->type, 1) + "]";
     }
   }
   if (one_in(2)) {

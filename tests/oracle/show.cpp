@@ -155,6 +155,15 @@ std::string show_list(const List& list, const Type& element, const Style& style)
   return out + "]";
 }
 
+std::string show_map(const Map& map, const Type& type, const Style& style) {
+  std::string out;
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    out += (i > 0 ? ", " : "") + show_inside(map.keys[i], *type.key, {}) + ": " +
+           show_inside(map.values[i], *type.element, style);
+  }
+  return "[" + (out.empty() ? ":" : out) + "]";
+}
+
 std::string show_record(const Record& record, const RecordInfo& info, const Style& style) {
   std::string out = info.name + "(";
   for (std::size_t i = 0; i < info.fields.size(); ++i) {
@@ -203,6 +212,8 @@ std::string show(const Value& value, const Type& type, const Style& style) {
                     false);
     case Kind::kList:
       return show_list(value.list(), *type.element, style);
+    case Kind::kMap:
+      return show_map(value.map(), type, style);
     case Kind::kRecord:
       return show_record(value.record(), *type.record, style);
     case Kind::kMatrix:

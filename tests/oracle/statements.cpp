@@ -218,19 +218,27 @@ Evaluator::Indices Evaluator::indices(const Place& place) {
   Indices out;
   for (const Step& step : place.steps) {
     Index index;
-    if (step.index != nullptr) index.row = evaluate(*step.index).integer();
+    if (step.map != nullptr) {
+      index.key = evaluate(*step.index);
+    } else if (step.index != nullptr) {
+      index.row = evaluate(*step.index).integer();
+    }
     if (step.column != nullptr) index.column = evaluate(*step.column).integer();
     out.push_back(index);
   }
   return out;
 }
 
-Value& Evaluator::walk(const Place& place, const Indices& indices) {
+Value& Evaluator::walk(const Place& place, const Indices& indices, bool makes) {
   Value* at = home(*place.variable).at(place.variable).get();
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const Step& step = place.steps[i];
     if (step.is_field) {
       at = &at->record().fields[step.field];
+      continue;
+    }
+    if (step.map != nullptr) {
+      at = &step_to_entry(*at, step, indices[i].key, makes && i + 1 == indices.size());
       continue;
     }
     if (step.column != nullptr) {
@@ -265,7 +273,7 @@ void Evaluator::assign(const AssignStmt& s) {
     if (at == nullptr) at = std::make_shared<Value>();
     *at = std::move(value);
   } else {
-    walk(s.place, where) = std::move(value);
+    walk(s.place, where, !s.compound) = std::move(value);
   }
 }
 

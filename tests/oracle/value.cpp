@@ -14,6 +14,16 @@ bool equal_all(const std::vector<Value>& a, const std::vector<Value>& b) {
   return true;
 }
 
+// In any order.
+bool equal_maps(const Map& a, const Map& b) {
+  if (a.keys.size() != b.keys.size()) return false;
+  for (std::size_t i = 0; i < a.keys.size(); ++i) {
+    const std::size_t at = b.find(a.keys[i]);
+    if (at == b.keys.size() || !equal(a.values[i], b.values[at])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool equal(const Value& a, const Value& b) {
@@ -28,6 +38,7 @@ bool equal(const Value& a, const Value& b) {
     return a.matrix().rows == b.matrix().rows && a.matrix().cols == b.matrix().cols &&
            equal_all(a.matrix().numbers, b.matrix().numbers);
   }
+  if (std::holds_alternative<Map>(a.is)) return equal_maps(a.map(), b.map());
   throw std::logic_error("these values cannot be compared");
 }
 

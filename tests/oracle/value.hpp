@@ -32,6 +32,11 @@ struct Record {
   std::vector<Value> fields;
   std::shared_ptr<const Failure> failure;  // of a caught error; thrown again it is the old one
 };
+struct Map {
+  std::vector<Value> keys;
+  std::vector<Value> values;                               // as many
+  [[nodiscard]] std::size_t find(const Value& key) const;  // the number of keys: it is not there
+};
 using Captures = std::vector<std::shared_ptr<Value>>;
 struct Closure {
   const lang::hir::Function* function;
@@ -45,7 +50,8 @@ struct Matrix {
 
 struct Value {
   // Enum values are the ordinals.
-  std::variant<Absent, bool, std::int64_t, double, std::string, List, Record, Closure, Matrix> is;
+  std::variant<Absent, bool, std::int64_t, double, std::string, List, Record, Closure, Matrix, Map>
+      is;
 
   [[nodiscard]] bool absent() const { return std::holds_alternative<Absent>(is); }
   [[nodiscard]] bool truth() const { return std::get<bool>(is); }
@@ -57,6 +63,8 @@ struct Value {
   [[nodiscard]] Record& record() { return std::get<Record>(is); }
   [[nodiscard]] const Record& record() const { return std::get<Record>(is); }
   [[nodiscard]] const Closure& closure() const { return std::get<Closure>(is); }
+  [[nodiscard]] Map& map() { return std::get<Map>(is); }
+  [[nodiscard]] const Map& map() const { return std::get<Map>(is); }
   [[nodiscard]] Matrix& matrix() { return std::get<Matrix>(is); }
   [[nodiscard]] const Matrix& matrix() const { return std::get<Matrix>(is); }
 };

@@ -27,7 +27,7 @@ bool is_literal(const hir::Expr& value) {
 }
 
 bool can_be_shown(const Type* type) {
-  while (type->is(Kind::kList)) type = type->element;
+  while (type->is(Kind::kList) || type->is(Kind::kMap)) type = type->element;
   if (type->is(Kind::kHost)) return type->host->text != nullptr;
   return !type->is(Kind::kFunction) && !type->is(Kind::kVoid) && !type->is(Kind::kAny);
 }

@@ -6,6 +6,7 @@
 #include "check/function_names.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
+#include "check/maps.hpp"
 #include "check/printf.hpp"
 #include "check/unknown_names.hpp"
 
@@ -177,6 +178,11 @@ hir::Expr* Checker::call_value(hir::Expr* function, const ast::CallExpr& call) {
 }
 
 hir::Expr* Checker::check_new_object(const ast::NewObjectExpr& expr) {
+  if (type_called(text_of(expr.type->span)) == nullptr) {
+    if (hir::Expr* told =
+            foreign_empty_map(*this, text_of(expr.type->span), expr.args.size(), expr.span))
+      return told;
+  }
   const Type* type = resolve(*expr.type);
   if (type->is(Kind::kAny)) return failed(expr.span);
   std::string_view name = arena_.copy(type_name(type));

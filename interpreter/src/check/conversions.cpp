@@ -1,6 +1,7 @@
 // The five conversions that happen by themselves (language reference, section 5), and casts.
 
 #include "check/checker.hpp"
+#include "check/maps.hpp"
 
 namespace armlet::lang {
 
@@ -33,6 +34,11 @@ hir::Expr* Checker::convert(hir::Expr* value, const Type* type) {
   if (from->is_table() && type->is_table() && from->record == type->record)
     return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span,
                                   hir::Conversion::kSame, value);
+  if (value->kind == hir::ExprKind::kMap && type->is(Kind::kMap))
+    return convert_map(*this, value->as<hir::MapExpr>(), type);
+  if (from->is(Kind::kMap) && type->is(Kind::kMap) && conversion_cost(from, type) == 0)
+    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span,
+                                  hir::Conversion::kSame, value);
   if (!from->is(Kind::kList) || !type->is(Kind::kList)) return nullptr;
   if (value->kind == hir::ExprKind::kList) {
     // A literal takes the element type that is asked for.
@@ -60,6 +66,13 @@ hir::Expr* Checker::require(hir::Expr* value, const Target& target) {
       if (convert(item, target.type->element) != nullptr) continue;
       Target element{.role = Target::Role::kElement, .type = target.type->element};
       require(item, element);
+      return failed(value->span);
+    }
+  }
+  if (value->kind == hir::ExprKind::kMap && target.type->is(Kind::kMap)) {
+    for (hir::Expr* item : value->as<hir::MapExpr>().values) {
+      if (convert(item, target.type->element) != nullptr) continue;
+      require(item, {.role = Target::Role::kElement, .type = target.type->element});
       return failed(value->span);
     }
   }
@@ -107,6 +120,10 @@ hir::Expr* Checker::cast(hir::Expr* value, const Type* type, Span span) {
 
 const Type* Checker::common_type(const hir::Expr& a, const hir::Expr& b) {
   if (a.type->is(Kind::kAny) || b.type->is(Kind::kAny)) return types_.any();
+  const bool maps = a.type->is(Kind::kMap) && b.type->is(Kind::kMap);
+  const bool lists = a.type->is(Kind::kList) && b.type->is(Kind::kList);
+  if ((maps || lists) && a.type->element->is(Kind::kAny)) return b.type;
+  if ((maps || lists) && b.type->element->is(Kind::kAny)) return a.type;
   if (conversion_cost(b.type, a.type, is_zero(b)) == 0) return a.type;
   if (a.type->is_number() && b.type->is_number()) {
     if (is_zero(a) && b.type->is(Kind::kReal)) return b.type;
@@ -114,9 +131,7 @@ const Type* Checker::common_type(const hir::Expr& a, const hir::Expr& b) {
     const auto dim = common_dimension(a.type->dim, b.type->dim);
     return dim ? types_.quantity(*dim) : nullptr;
   }
-  if (!a.type->is(Kind::kList) || !b.type->is(Kind::kList)) return nullptr;
-  if (a.type->element->is(Kind::kAny)) return b.type;
-  if (b.type->element->is(Kind::kAny)) return a.type;
+  if (!maps && !lists) return nullptr;
   if (conversion_cost(b.type, a.type) >= 0) return a.type;
   return conversion_cost(a.type, b.type) >= 0 ? b.type : nullptr;
 }

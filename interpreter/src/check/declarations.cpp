@@ -121,6 +121,26 @@ hir::Stmt* Checker::check_var(const ast::VarStmt& stmt) {
   return make<hir::Block>(hir::StmtKind::kBlock, stmt.span, seq(body));
 }
 
+namespace {
+
+// let xs = [] and let m = [:]: whether the type of the elements is not known, after a message.
+bool refuse_unknown_elements(Checker& checker, const ast::Name& name, const hir::Expr& value) {
+  const Type* inner = value.type;
+  while (inner->is(Kind::kList) || inner->is(Kind::kMap)) inner = inner->element;
+  if (inner == value.type || !inner->is(Kind::kAny)) return false;
+  const bool is_map = value.type->is(Kind::kMap);
+  Diagnostic diagnostic =
+      make_diagnostic("E0323", value.span, {is_map ? "this empty map" : "this empty list"});
+  const Span after{name.span.end, name.span.end, name.span.source};
+  const std::string written = is_map ? ": int[string]" : ": double[]";
+  diagnostic.fix = Fix{.text = "write its type, such as " + std::string(name.text) + written,
+                       .edits = {{after, written}}};
+  checker.report(std::move(diagnostic));
+  return true;
+}
+
+}  // namespace
+
 hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& declarator) {
   const ast::Name& name = declarator.name;
   const bool top_level = here_ == &main_ && main_.blocks.size() == 1;
@@ -137,17 +157,7 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
   use_ = use_before;
   if (type == nullptr && value != nullptr) {
     type = value->type;
-    const Type* inner = type;
-    while (inner->is(Kind::kList)) inner = inner->element;
-    if (type->is(Kind::kList) && inner->is(Kind::kAny)) {
-      Diagnostic diagnostic = make_diagnostic("E0323", value->span, {"this empty list"});
-      const Span after{name.span.end, name.span.end, name.span.source};
-      diagnostic.fix =
-          Fix{.text = "write its type, such as " + std::string(name.text) + ": double[]",
-              .edits = {{after, ": double[]"}}};
-      report(std::move(diagnostic));
-      type = types_.any();
-    }
+    if (refuse_unknown_elements(*this, name, *value)) type = types_.any();
   }
   if (type == nullptr) {
     report(make_diagnostic("E0323", name.span, {"`" + std::string(name.text) + "`"}));

@@ -6,6 +6,7 @@
 #include "check/function_names.hpp"
 #include "check/imports.hpp"
 #include "check/joined_lines.hpp"
+#include "check/maps.hpp"
 #include "check/matrices.hpp"
 #include "check/tasks.hpp"
 #include "compile/cancelled.hpp"
@@ -73,6 +74,8 @@ hir::Expr* Checker::check_any(const ast::Expr& expr, const Type* expected) {
       return check_list(expr, expr.as<ast::ListExpr>().items, expected);
     case ExprKind::kBrace:
       return check_list(expr, expr.as<ast::BraceExpr>().items, expected);
+    case ExprKind::kMap:
+      return check_map(*this, expr.as<ast::MapExpr>(), expected);
     case ExprKind::kMatrix:
       return check_matrix(*this, expr.as<ast::MatrixExpr>());
     case ExprKind::kNewObject:
@@ -219,6 +222,9 @@ hir::Expr* Checker::check_conditional(const ast::CondExpr& cond, const Type* exp
 
 hir::Expr* Checker::check_list(const ast::Expr& expr, ast::Seq<ast::Expr*> items,
                                const Type* expected) {
+  if (items.empty() && expr.kind == ast::ExprKind::kBrace && expected != nullptr &&
+      expected->is(Kind::kMap))
+    return empty_map(*this, expected, expr.span);
   const Type* wanted =
       expected != nullptr && expected->is(Kind::kList) ? expected->element : nullptr;
   std::vector<hir::Expr*> values;

@@ -30,7 +30,7 @@ hir::Expr* Checker::in_format(hir::Expr* value, const ast::FormatSpec& format) {
   if (format.style.is_plain() && format.unit.empty()) return to_text(value);
 
   const Type* number = value->type;
-  while (number->is(Kind::kList)) number = number->element;
+  while (number->is(Kind::kList) || number->is(Kind::kMap)) number = number->element;
   if (number->is(Kind::kMatrix)) number = types_.real();
   const bool only_width = !format.style.needs_number() && format.unit.empty();
   const bool is_word =

@@ -11,8 +11,10 @@
 #include <string_view>
 
 #include "check/hir_expr.hpp"
+#include "check/hir_map.hpp"
 #include "check/hir_matrix.hpp"
 #include "check/hir_over_list.hpp"
+#include "check/hir_place.hpp"
 
 namespace armlet::lang::hir {
 

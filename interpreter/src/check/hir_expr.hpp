@@ -101,7 +101,10 @@ enum class ExprKind : std::uint8_t {
   kGuarded,
   kMatrix,
   kPart,
-  kOverList
+  kOverList,
+  kMap,
+  kEntry,
+  kMapQuery
 };
 
 enum class Op : std::uint8_t {
@@ -270,28 +273,6 @@ struct ErrorExpr : Expr {  // error("text", kind: "word") -> the library's error
   Expr* kind_text;  // null: no kind
 };
 
-// A place that can be assigned: a variable, then fields and elements of it.
-struct Step {
-  bool is_field;
-  std::uint32_t field;
-  Expr* index;       // elements
-  const Type* type;  // of the place after this step
-  Span span;         // from the start of the place to the end of this step
-  Expr* column;      // elements of matrices
-};
-struct Place {
-  Variable* variable;
-  Seq<Step> steps;
-  const Type* type;
-  Span span;
-};
-enum class Mutation : std::uint8_t { kPush, kPop, kInsert, kRemoveAt };
-struct MutateExpr : Expr {  // xs.push(x): void; xs.pop(), xs.removeAt(i): the element
-  Mutation mutation;
-  Place place;
-  Expr* index;  // insert, removeAt
-  Expr* value;  // push, insert
-};
 struct GuardedExpr : Expr {  // motion until condition
   Expr* motion;              // a CallNativeExpr that pauses
   Expr* condition;           // a ClosureExpr or FunctionValueExpr without parameters -> bool

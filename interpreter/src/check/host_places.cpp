@@ -25,8 +25,9 @@ const Type* type_of_place(Checker& checker, const ast::Expr& expr) {
   if (expr.kind != ast::ExprKind::kIndex || is_part(expr)) return nullptr;
   const auto& index = expr.as<ast::IndexExpr>();
   const Type* object = type_of_place(checker, *index.object);
-  return object != nullptr && object->is(Kind::kList) && index.items.size() == 1 ? object->element
-                                                                                 : nullptr;
+  const bool has_elements =
+      object != nullptr && (object->is(Kind::kList) || object->is(Kind::kMap));
+  return has_elements && index.items.size() == 1 ? object->element : nullptr;
 }
 
 const ast::Expr* object_of(const ast::Expr& target) {

@@ -3,6 +3,7 @@
 
 #include "armlet/interpreter/engine.hpp"
 #include "check/checker.hpp"
+#include "check/maps.hpp"
 #include "check/printf.hpp"
 
 namespace armlet::lang {
@@ -173,7 +174,8 @@ hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call,
   const Type* type = object->type;
   known = true;
   const auto no_values = [&] { return takes(call, name, 0, 0); };
-  if (name == "length" && (type->is(Kind::kList) || type->is(Kind::kText))) {
+  if (name == "length" &&
+      (type->is(Kind::kList) || type->is(Kind::kText) || type->is(Kind::kMap))) {
     if (!no_values()) return failed(call.span);
     return make<hir::LengthExpr>(hir::ExprKind::kLength, types_.integer(), call.span, object);
   }
@@ -183,6 +185,11 @@ hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call,
     if (name == "pop") return mutation(call, member, hir::Mutation::kPop);
     if (name == "insert") return mutation(call, member, hir::Mutation::kInsert);
     if (name == "removeAt") return mutation(call, member, hir::Mutation::kRemoveAt);
+  }
+  if (type->is(Kind::kMap)) {
+    hir::Expr* result = call_of_map(*this, object, call, member);
+    known = result != nullptr;
+    return result;
   }
   if (type->is(Kind::kText) && name == "equals") {
     if (!takes(call, name, 1, 1)) return failed(call.span);

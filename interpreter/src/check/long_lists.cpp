@@ -150,6 +150,9 @@ bool is_fixed_value(const hir::Expr& value, int& parts) {
              is_fixed_value(*value.as<hir::BinaryExpr>().right, parts);
     case hir::ExprKind::kList:
       return all_fixed(value.as<hir::ListExpr>().items, parts);
+    case hir::ExprKind::kMap:
+      return all_fixed(value.as<hir::MapExpr>().keys, parts) &&
+             all_fixed(value.as<hir::MapExpr>().values, parts);
     case hir::ExprKind::kMatrix:
       return all_fixed(value.as<hir::MatrixExpr>().items, parts);
     case hir::ExprKind::kRecord:

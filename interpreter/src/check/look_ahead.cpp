@@ -92,6 +92,9 @@ class Lookout {
         return list(at->as<ListExpr>().items);
       case ExprKind::kBrace:
         return list(at->as<BraceExpr>().items);
+      case ExprKind::kMap:
+        list(at->as<MapExpr>().keys);
+        return list(at->as<MapExpr>().values);
       case ExprKind::kMatrix:
         for (const Seq<ast::Expr*>& row : at->as<MatrixExpr>().rows) list(row);
         return;

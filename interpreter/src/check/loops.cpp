@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/maps.hpp"
 #include "check/recordings.hpp"
 
 namespace armlet::lang {
@@ -60,6 +61,46 @@ hir::Stmt* loop_over_places(Checker& checker, const ast::ForInStmt& stmt, hir::E
   const std::vector<hir::Stmt*> both = {
       checker.make<hir::InitStmt>(hir::StmtKind::kInit, span, all, items), loop};
   return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(both));
+}
+
+// for (k, v in m): a loop over the entries of the map as it is at the start.
+hir::Stmt* loop_over_entries(Checker& checker, const ast::ForInStmt& stmt, hir::Expr* items) {
+  const Span span = items->span;
+  std::vector<hir::Stmt*> out;
+  const auto kept = [&](hir::Expr* value) {
+    hir::Variable* variable = checker.hidden(value->type, span);
+    variable->init = value;
+    out.push_back(checker.make<hir::InitStmt>(hir::StmtKind::kInit, span, variable, value));
+    return variable;
+  };
+  const auto read = [&](hir::Variable* variable) {
+    return checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, variable->type, span,
+                                           variable);
+  };
+  const Type* integer = checker.types_.integer();
+  hir::Variable* map = kept(items);
+  hir::Variable* keys = kept(parts_of_map(checker, hir::MapQuestion::kKeys, read(map), span));
+  hir::Variable* values = kept(parts_of_map(checker, hir::MapQuestion::kValues, read(map), span));
+  auto* loop = checker.make<hir::RangeStmt>(hir::StmtKind::kRange, stmt.span, nullptr, nullptr,
+                                            nullptr, nullptr, nullptr);
+  loop->first = checker.make<hir::IntExpr>(hir::ExprKind::kInt, integer, span, std::int64_t{0});
+  loop->last = checker.make<hir::LengthExpr>(hir::ExprKind::kLength, integer, span, read(keys));
+  checker.open_block();
+  loop->variable = checker.hidden(integer, stmt.name.span);
+  std::vector<hir::Stmt*> pass;
+  const auto element = [&](const ast::Name& name, hir::Variable* list) {
+    hir::Variable* variable = loop_variable(checker, name, list->type->element);
+    hir::Expr* value = checker.make<hir::ElementExpr>(hir::ExprKind::kElement, variable->type, span,
+                                                      read(list), read(loop->variable), nullptr);
+    pass.push_back(checker.make<hir::InitStmt>(hir::StmtKind::kInit, name.span, variable, value));
+  };
+  element(stmt.index, keys);
+  element(stmt.name, values);
+  pass.push_back(checker.loop_body(loop, *stmt.body, false));
+  loop->body = checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.body->span, checker.seq(pass));
+  checker.close_block();
+  out.push_back(loop);
+  return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(out));
 }
 
 }  // namespace
@@ -180,6 +221,10 @@ hir::Stmt* Checker::check_for_in(const ast::ForInStmt& stmt) {
                                    hir::Conversion::kMatrixToRows, items);
   }
   if (items->type->is_table()) items = rows_of(*this, items);
+  if (items->type->is(Kind::kMap) && !items->type->element->is(Kind::kAny)) {
+    if (!stmt.index.text.empty()) return loop_over_entries(*this, stmt, items);
+    items = parts_of_map(*this, hir::MapQuestion::kKeys, items, items->span);
+  }
   if (items->type->is(Kind::kText) && wanted == nullptr)
     return loop_over_places(*this, stmt, items);
   if (!items->type->is(Kind::kList) && !items->type->is(Kind::kAny)) {

@@ -193,9 +193,10 @@ bool is_part(const ast::Expr& target) {
 }
 
 void evaluate_once(Checker& checker, hir::Expr*& index, std::vector<hir::Stmt*>& before) {
-  if (index == nullptr || index->kind == ExprKind::kInt || index->kind == ExprKind::kVariable)
+  if (index == nullptr || index->kind == ExprKind::kInt || index->kind == ExprKind::kVariable ||
+      index->kind == ExprKind::kText || index->kind == ExprKind::kEnum)
     return;
-  hir::Variable* once = checker.hidden(checker.types_.integer(), index->span);
+  hir::Variable* once = checker.hidden(index->type, index->span);
   before.push_back(checker.make<hir::InitStmt>(hir::StmtKind::kInit, index->span, once, index));
   index = checker.make<hir::VariableExpr>(ExprKind::kVariable, once->type, once->declared, once);
 }

@@ -6,6 +6,7 @@
 #include "check/function_names.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
+#include "check/maps.hpp"
 #include "check/matrices.hpp"
 #include "check/recordings.hpp"
 
@@ -104,7 +105,8 @@ hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string
 hir::Expr* Checker::field_of(hir::Expr* object, const ast::MemberExpr& member) {
   const std::string_view field = member.member.text;
   const Type* type = object->type;
-  if ((type->is(Kind::kList) || type->is(Kind::kText)) && field == "length") {
+  const bool has_length = type->is(Kind::kList) || type->is(Kind::kText) || type->is(Kind::kMap);
+  if (has_length && field == "length") {
     return make<hir::LengthExpr>(hir::ExprKind::kLength, types_.integer(), member.span, object);
   }
   if (type->is(Kind::kList) && field == "last") return last_of(object, member.span);
@@ -152,7 +154,7 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
     }
   } else if (type->is(Kind::kList)) {
     names = {"length", "last"};
-  } else if (type->is(Kind::kText)) {
+  } else if (type->is(Kind::kText) || type->is(Kind::kMap)) {
     names = {"length"};
   } else if (type->is(Kind::kEnum)) {
     names = {"name"};
@@ -168,7 +170,10 @@ hir::Expr* Checker::unknown_field(const hir::Expr& object, const ast::Name& fiel
                       names[i];
   }
   if (names.size() == 1) diagnostic.why = "its only field is " + names[0];
-  if (find_function(field.text) != nullptr || !registry_.functions(field.text).empty()) {
+  if (std::optional<Fix> meant;
+      type->is(Kind::kMap) && (meant = fix_of_map_member(*this, type, field))) {
+    diagnostic.fix = std::move(meant);
+  } else if (find_function(field.text) != nullptr || !registry_.functions(field.text).empty()) {
     const std::string call = std::string(field.text) + "()";
     diagnostic.fix = Fix{.text = "write " + call, .edits = {{field.span, call}}};
   } else {
@@ -195,6 +200,7 @@ hir::Expr* Checker::check_index(const ast::IndexExpr& index) {
     return failed(index.span);
   }
   const ast::IndexItem& item = index.items[0];
+  if (type->is(Kind::kMap)) return entry_of(*this, index, object);
   const bool is_text = type->is(Kind::kText);
   if (type->is(Kind::kList) || is_text) {
     if (item.is_range) {

@@ -75,6 +75,7 @@ bool is_int_literal(const hir::Expr& expr) { return expr.kind == hir::ExprKind::
 bool has_deep_equality(const Type* type) {
   switch (type->kind) {
     case Kind::kList:
+    case Kind::kMap:
       return has_deep_equality(type->element);
     case Kind::kHost:
       return type->host->equal != nullptr;

@@ -7,6 +7,7 @@
 #include "check/host_places.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
+#include "check/maps.hpp"
 #include "check/matrices.hpp"
 #include "check/tasks.hpp"
 #include "check/unknown_names.hpp"
@@ -153,8 +154,8 @@ std::optional<hir::Place> Checker::check_place(const ast::Expr& expr, Span state
   const bool is_whole = whole && chain.empty();
   const Type* type = local->variable->type;
   if (type->is(Kind::kAny)) return std::nullopt;
-  const bool has_parts =
-      type->is(Kind::kList) || type->is(Kind::kRecord) || type->is(Kind::kMatrix);
+  const bool has_parts = type->is(Kind::kList) || type->is(Kind::kRecord) ||
+                         type->is(Kind::kMatrix) || type->is(Kind::kMap);
   if (!chain.empty() && !has_parts) {
     report(make_diagnostic("E0328", expr.span));
     return std::nullopt;
@@ -206,6 +207,7 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
         const std::string element = list + '[' + list + ".length - 1]";
         diagnostic.fix = Fix{.text = "write " + element, .edits = {{at.span, element}}};
       }
+      if (type->is(Kind::kMap)) diagnostic.fix = fix_of_map_member(*this, type, field);
       report(std::move(diagnostic));
     }
     if (i < 0) return std::nullopt;
@@ -220,6 +222,7 @@ std::optional<hir::Step> Checker::check_place_step(const ast::Expr& at, const Ty
     not_available(at.span, kStoringPlaces);
     return std::nullopt;
   }
+  if (type->is(Kind::kMap)) return entry_step(*this, index, type);
   if (!type->is(Kind::kList)) {
     report(make_diagnostic("E0328", whole));
     return std::nullopt;
@@ -291,7 +294,10 @@ hir::Expr* Checker::read_place(const hir::Place& place) {
   hir::Expr* value = make<hir::VariableExpr>(hir::ExprKind::kVariable, place.variable->type,
                                              place.span, place.variable);
   for (const hir::Step& step : place.steps) {
-    if (step.is_field) {
+    if (step.map != nullptr) {
+      value = make<hir::EntryExpr>(hir::ExprKind::kEntry, step.type, step.span, value, step.index,
+                                   nullptr);
+    } else if (step.is_field) {
       value = make<hir::FieldExpr>(hir::ExprKind::kField, step.type, step.span, value, step.field);
     } else {
       value = make<hir::ElementExpr>(hir::ExprKind::kElement, step.type, step.span, value,

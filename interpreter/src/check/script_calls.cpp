@@ -85,8 +85,10 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
           {std::string(name), any_table_phrase(written), type_phrase(value->type)}));
       return failed(span);
     }
-    if (value->type->is(Kind::kList) && value->type->element->is(Kind::kAny)) {
-      report(make_diagnostic("E0323", value->span, {"this empty list"}));
+    const bool is_map = value->type->is(Kind::kMap);
+    if ((is_map || value->type->is(Kind::kList)) && value->type->element->is(Kind::kAny)) {
+      report(
+          make_diagnostic("E0323", value->span, {is_map ? "this empty map" : "this empty list"}));
       return failed(span);
     }
     values.push_back(value);

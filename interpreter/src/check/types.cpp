@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/imports.hpp"
+#include "check/maps.hpp"
 #include "check/unknown_names.hpp"
 
 namespace armlet::lang {
@@ -81,6 +82,8 @@ const Type* Checker::resolve(const ast::TypeExpr& type) {
       const Type* element = resolve(*type.element);
       return element->is(Kind::kAny) ? element : types_.list(element);
     }
+    case ast::TypeForm::kMap:
+      return map_type(*this, type);
     case ast::TypeForm::kProduct:
       return resolve_product(type);
     case ast::TypeForm::kFunction: {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "check/edits.hpp"
+#include "check/maps.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -122,6 +123,7 @@ hir::Expr* foreign_method(Checker& checker, const ast::CallExpr& call,
 hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string_view name) {
   constexpr std::array<std::string_view, 6> kLengths = {"len",    "size",   "count",
                                                         "sizeof", "strlen", "numel"};
+  if (hir::Expr* told = foreign_empty_map(checker, name, call.args.size(), call.span)) return told;
   if (std::ranges::find(kLengths, name) == kLengths.end() || call.args.size() != 1) {
     return nullptr;
   }
@@ -140,14 +142,16 @@ hir::Expr* not_a_function(Checker& checker, const ast::CallExpr& call, std::stri
   Diagnostic diagnostic =
       make_diagnostic("E0217", call.callee->span, {std::string(name), type_phrase(type)});
   const bool is_matrix = type->is(Kind::kMatrix);
-  const bool has_parts = type->is(Kind::kList) || type->is(Kind::kText) || is_matrix;
+  const bool has_parts =
+      type->is(Kind::kList) || type->is(Kind::kText) || type->is(Kind::kMap) || is_matrix;
   const bool has_indexes = call.args.size() == 1 || (is_matrix && call.args.size() == 2);
   const bool are_named =
       std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
   if (has_parts && has_indexes && !are_named) {
     const Span first = call.args[0].value->span;
     const Span last = call.args[call.args.size() - 1].value->span;
-    diagnostic.why = "indexes stand in square brackets and count from 0";
+    diagnostic.why = type->is(Kind::kMap) ? "keys stand in square brackets"
+                                          : "indexes stand in square brackets and count from 0";
     diagnostic.fix =
         Fix{.text = "write " + std::string(name) + '[' + checker.text_of(cover(first, last)) + ']',
             .edits = {{{call.callee->span.end, first.begin, first.source}, "["},
@@ -189,6 +193,7 @@ bool refuse_decimal_comma(Checker& checker, const std::vector<Argument>& argumen
 std::string_view empty_value(const Type& type) {
   if (type.is(Kind::kText)) return "\"\"";
   if (type.is(Kind::kList)) return "[]";
+  if (type.is(Kind::kMap)) return "[:]";
   if (type.is(Kind::kBool)) return "false";
   if (type.is(Kind::kInt)) return "0";
   return type.is(Kind::kReal) ? "0.0" : std::string_view();

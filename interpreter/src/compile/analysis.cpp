@@ -266,6 +266,9 @@ const Variable* root_variable(const Expr& expr) {
       case ExprKind::kElement:
         e = e->as<ElementExpr>().object;
         break;
+      case ExprKind::kEntry:
+        e = e->as<EntryExpr>().object;
+        break;
       case ExprKind::kConvert:
         e = e->as<ConvertExpr>().operand;
         break;

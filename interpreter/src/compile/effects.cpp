@@ -47,6 +47,9 @@ constexpr OpCode kPlain[] = {
     OpCode::MSUBEL,    OpCode::OWNED,    OpCode::OWNEDF,     OpCode::POP,       OpCode::INSERT,
     OpCode::INSERTREF, OpCode::EQDEEP,   OpCode::LISTTOREAL, OpCode::SLICE,     OpCode::SLICETEXT,
     OpCode::MAKELIST,  OpCode::NEWARRAY, OpCode::STRIDE,     OpCode::SETF,      OpCode::MADDF,
+    OpCode::NEWMAP,    OpCode::MAPADD,   OpCode::MAPLD,      OpCode::MAPGET,    OpCode::MAPHAS,
+    OpCode::MAPLEN,    OpCode::MAPKEYS,  OpCode::MAPVALUES,  OpCode::ENTRYADDR, OpCode::ENTRYMAKE,
+    OpCode::MAPPOP,
 };
 
 using EffectTable = std::array<Effect, static_cast<std::size_t>(OpCode::kCount)>;

@@ -82,6 +82,7 @@ bool Lowering::handed_over(const CallExpr& e, std::size_t argument, Hold hold, R
       return true;
     }
     case ExprKind::kList:
+    case ExprKind::kMap:
     case ExprKind::kNewArray:
     case ExprKind::kRecord:
     case ExprKind::kCall:

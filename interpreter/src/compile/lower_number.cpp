@@ -178,6 +178,16 @@ void Lowering::compute(const Expr& e, Dest to) {
     case ExprKind::kElement:
       load_element(e.as<ElementExpr>(), to.reg, Hold::kNow);
       break;
+    case ExprKind::kEntry:
+      if (e.as<EntryExpr>().otherwise == nullptr) {
+        load_entry(e.as<EntryExpr>(), to.reg, Hold::kNow);
+      } else {
+        own_entry_or(e.as<EntryExpr>(), to.reg);
+      }
+      break;
+    case ExprKind::kMapQuery:
+      has_key_into(e.as<MapQueryExpr>(), to.reg);
+      break;
     case ExprKind::kLength:
       length_into(e.as<LengthExpr>(), to.reg);
       break;
@@ -409,7 +419,11 @@ void Lowering::convert_into(const ConvertExpr& e, Dest to) {
 void Lowering::length_into(const LengthExpr& e, Reg to) {
   const Reg object = borrow(*e.object, Hold::kNow);
   code_.at(e.span, &e);
-  code_.emit(e.object->type->is(Kind::kText) ? OpCode::LENTEXT : OpCode::LEN, to, object);
+  const Type& type = *e.object->type;
+  const OpCode length = type.is(Kind::kText)  ? OpCode::LENTEXT
+                        : type.is(Kind::kMap) ? OpCode::MAPLEN
+                                              : OpCode::LEN;
+  code_.emit(length, to, object);
 }
 
 // ---- fields and elements, also as borrowed references

@@ -158,6 +158,8 @@ void Lowering::operate(const AssignStmt& s, Reg left, Reg to) {
 // ---- inside lists and records
 // -------------------------------------------------------------------------------------
 
+static bool is_literal_text(const Expr& e) { return e.kind == ExprKind::kText; }
+
 // What stands in the brackets is evaluated first, then the value; then the way to the place is
 // walked at once.
 void Lowering::assign_inside(const AssignStmt& s) {
@@ -167,7 +169,7 @@ void Lowering::assign_inside(const AssignStmt& s) {
   const Indices indices = index_values(s.place);
   if (s.place.type->is_reference()) {
     const Reg from = borrow(*s.value, hold_for(s.place, *s.value));
-    const Reg to = address(s.place, indices);
+    const Reg to = address(s.place, indices, Missing::kIsMade);
     code_.emit(OpCode::PUTREF, to, from);
   } else if (!s.compound) {
     store_inside(s.place, indices, value(*s.value));
@@ -185,7 +187,8 @@ void Lowering::assign_inside(const AssignStmt& s) {
 bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
   const auto& steps = s.place.steps;
   Reg list;
-  if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field)
+  if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field ||
+      has_key(s.place))
     return false;
   if (!own_register(*s.place.variable, list) || !is_product(*s.value) || !is_plain(*s.value))
     return false;
@@ -215,8 +218,9 @@ bool Lowering::operate_inside(const AssignStmt& s, const Indices& indices) {
   return true;
 }
 
-// All steps but the last lead to lists or records.
+// All steps but the last lead to lists or records, and the last one is inside one.
 bool Lowering::is_chain_of_objects(const Place& place) {
+  if (has_key(place)) return false;
   for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
     if (place.steps[i].column != nullptr) return false;
   }
@@ -243,7 +247,11 @@ Lowering::Indices Lowering::index_values(const Place& place) {
   Indices indices;
   for (const Step& step : place.steps) {
     StepIndex at;
-    if (!step.is_field) at.index = value(*step.index);
+    if (step.map != nullptr) {
+      at.index = key(*step.index, is_literal_text(*step.index) ? Hold::kNow : Hold::kOwn);
+    } else if (!step.is_field) {
+      at.index = value(*step.index);
+    }
     if (step.column != nullptr) at.column = value(*step.column);
     indices.push_back(at);
   }
@@ -269,7 +277,7 @@ bool Lowering::own_register(const Variable& variable, Reg& out) const {
 void Lowering::store_inside(const Place& place, const Indices& indices, Reg from) {
   Reg object;
   if (!own_register(*place.variable, object) || !is_chain_of_objects(place)) {
-    const Reg to = address(place, indices);
+    const Reg to = address(place, indices, Missing::kIsMade);
     code_.emit(OpCode::PUT, to, from);
     return;
   }
@@ -300,7 +308,7 @@ void Lowering::store_inside(const Place& place, const Indices& indices, Reg from
 }
 
 // The address of the place, good until anything else runs.
-Reg Lowering::address(const Place& place, const Indices& indices) {
+Reg Lowering::address(const Place& place, const Indices& indices, Missing missing) {
   const Variable& variable = *place.variable;
   const Reg to = code_.number();
   switch (variable.storage) {
@@ -319,6 +327,9 @@ Reg Lowering::address(const Place& place, const Indices& indices) {
     code_.at(step.span);
     if (step.is_field) {
       code_.push(OpCode::ADDRF, to.bits, to.bits, step.field);
+    } else if (step.map != nullptr) {
+      const bool is_last = i + 1 == place.steps.size();
+      step_to_entry(step, to, indices[i].index, is_last && missing == Missing::kIsMade);
     } else if (step.column != nullptr) {
       code_.emit(OpCode::ADDRM, to, to, indices[i].index);
       code_.emit(OpCode::WITH, indices[i].column);
@@ -338,6 +349,9 @@ void Lowering::load_place(const Place& place, const Indices& indices, Reg to) {
     code_.at(step.span);
     if (step.is_field) {
       code_.push(OpCode::FLD, to.bits, object.bits, step.field);
+    } else if (step.map != nullptr) {
+      code_.emit(OpCode::MAPLD, to, object, indices[i].index);
+      code_.word(code_.type(step.map));
     } else if (step.column != nullptr) {
       code_.emit(OpCode::LDM, to, object, indices[i].index);
       code_.emit(OpCode::WITH, indices[i].column);
@@ -358,6 +372,7 @@ void Lowering::load_place(const Place& place, const Indices& indices, Reg to) {
 // Returns the register of the removed element; a reference there is owned and has to be taken at
 // once.
 Reg Lowering::mutate(const MutateExpr& e) {
+  if (e.mutation == Mutation::kRemoveKey) return remove_key(e);
   const bool reference = e.value != nullptr && e.value->type->is_reference();
   const Reg result = code_.number();
   code_.at(e.span, &e);
@@ -380,6 +395,7 @@ Reg Lowering::mutate(const MutateExpr& e) {
       break;
     case Mutation::kPop:
     case Mutation::kRemoveAt:
+    case Mutation::kRemoveKey:
       code_.emit(OpCode::POP, result, list, index);
       break;
   }

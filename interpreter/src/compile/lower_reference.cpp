@@ -15,6 +15,11 @@ bool is_text_already(const ToTextExpr& e) {
   return e.value->type->is(Kind::kText) && e.style.is_plain() && e.unit.empty();
 }
 
+// m.get(k, other)
+bool gives_other(const Expr& e) {
+  return e.kind == ExprKind::kEntry && e.as<EntryExpr>().otherwise != nullptr;
+}
+
 // A text that is known.
 bool constant_text(const Expr& e, std::string_view& out) {
   if (e.kind == ExprKind::kText) {
@@ -55,7 +60,9 @@ Reg Lowering::borrow(const Expr& e, Hold hold) {
       case ExprKind::kText:
       case ExprKind::kAbsent:
       case ExprKind::kField:
+      case ExprKind::kEntry:
       case ExprKind::kElement: {
+        if (gives_other(e)) break;
         const Reg to = code_.number();
         const Emitter::Mark mark = code_.mark();
         borrow_into(e, to, hold);
@@ -89,6 +96,10 @@ void Lowering::borrow_into(const Expr& e, Reg to, Hold hold) {
         return;
       case ExprKind::kElement:
         load_element(e.as<ElementExpr>(), to, hold);
+        return;
+      case ExprKind::kEntry:
+        if (gives_other(e)) break;
+        load_entry(e.as<EntryExpr>(), to, hold);
         return;
       default:
         break;
@@ -166,6 +177,12 @@ void Lowering::own_into(const Expr& e, Reg to) {
     case ExprKind::kConvert:
       own_converted(e.as<ConvertExpr>(), to);
       break;
+    case ExprKind::kEntry:
+      if (gives_other(e)) {
+        own_entry_or(e.as<EntryExpr>(), to);
+        break;
+      }
+      [[fallthrough]];
     case ExprKind::kField:
     case ExprKind::kElement: {
       const Reg borrowed = borrow(e, Hold::kNow);
@@ -209,6 +226,12 @@ void Lowering::make(const Expr& e, Reg to) {
   switch (e.kind) {
     case ExprKind::kList:
       make_list(e.as<ListExpr>(), to);
+      break;
+    case ExprKind::kMap:
+      make_map(e.as<MapExpr>(), to);
+      break;
+    case ExprKind::kMapQuery:
+      make_map_list(e.as<MapQueryExpr>(), to);
       break;
     case ExprKind::kNewArray:
       make_array(e.as<NewArrayExpr>(), to);

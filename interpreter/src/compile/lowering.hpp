@@ -117,6 +117,16 @@ class Lowering {
   static std::vector<hir::Expr*> joined_parts(const hir::ConcatExpr& e);
   void to_text(const hir::ToTextExpr& e, Reg to);
 
+  // ---- lower_map.cpp
+  void make_map(const hir::MapExpr& e, Reg to);
+  void make_map_list(const hir::MapQueryExpr& e, Reg to);
+  void load_entry(const hir::EntryExpr& e, Reg to, Hold hold);
+  void own_entry_or(const hir::EntryExpr& e, Reg to);
+  void has_key_into(const hir::MapQueryExpr& e, Reg to);
+  Reg key(const hir::Expr& e, Hold hold);
+  void step_to_entry(const hir::Step& step, Reg to, Reg key, bool makes);
+  Reg remove_key(const hir::MutateExpr& e);
+
   // ---- lower_matrix.cpp
   void make_matrix(const hir::MatrixExpr& e, Reg to);
   void make_part(const hir::PartExpr& e, Reg to);
@@ -196,12 +206,17 @@ class Lowering {
   bool add_product_inside(const hir::AssignStmt& s, const Indices& indices);
   bool operate_inside(const hir::AssignStmt& s, const Indices& indices);
   static bool is_chain_of_objects(const hir::Place& place);
+  static bool has_key(const hir::Place& place);
   Reg owned_inside(const hir::Place& place, const Indices& indices, Reg object);
   Indices index_values(const hir::Place& place);
   static Hold hold_for(const hir::Place& place, const hir::Expr& value);
   bool own_register(const hir::Variable& variable, Reg& out) const;
   void store_inside(const hir::Place& place, const Indices& indices, Reg from);
-  Reg address(const hir::Place& place, const Indices& indices);
+  enum class Missing : std::uint8_t {
+    kFails,
+    kIsMade
+  };  // the entry of a map that a place ends with
+  Reg address(const hir::Place& place, const Indices& indices, Missing missing = Missing::kFails);
   void load_place(const hir::Place& place, const Indices& indices, Reg to);
   Reg mutate(const hir::MutateExpr& e);
 

@@ -23,6 +23,10 @@ bool changes_memory(const Effects& effects, OpCode op) {
     case OpCode::GCHECK:
     case OpCode::GSET:
     case OpCode::CMPTEXT:
+    case OpCode::MAPLD:
+    case OpCode::MAPGET:
+    case OpCode::MAPHAS:
+    case OpCode::MAPLEN:
     case OpCode::EXPANDED:
     case OpCode::JT:
     case OpCode::JF:

@@ -22,6 +22,26 @@ void for_each_end(const hir::PartEnds& ends, F f) {
   if (ends.last != nullptr) f(*ends.last);
 }
 
+template <class F>
+void for_each_operand_of_map(const hir::Expr& e, F f) {
+  if (e.kind == hir::ExprKind::kMap) {
+    const auto& map = e.as<hir::MapExpr>();
+    for (std::size_t i = 0; i < map.keys.size(); ++i) {
+      f(*map.keys[i]);
+      f(*map.values[i]);
+    }
+  } else if (e.kind == hir::ExprKind::kEntry) {
+    const auto& entry = e.as<hir::EntryExpr>();
+    f(*entry.object);
+    f(*entry.key);
+    if (entry.otherwise != nullptr) f(*entry.otherwise);
+  } else if (e.kind == hir::ExprKind::kMapQuery) {
+    const auto& query = e.as<hir::MapQueryExpr>();
+    f(*query.object);
+    if (query.key != nullptr) f(*query.key);
+  }
+}
+
 // The operands of expressions that have any number of them, or may lack some.
 template <class F>
 void for_each_listed_operand(const hir::Expr& e, F f) {
@@ -81,7 +101,7 @@ void for_each_listed_operand(const hir::Expr& e, F f) {
       maybe(e.as<hir::MutateExpr>().value);
       break;
     default:
-      break;
+      for_each_operand_of_map(e, f);
   }
 }
 

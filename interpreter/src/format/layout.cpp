@@ -192,7 +192,7 @@ Doc Layout::sequence(const ShapeNode& node, Lead lead, bool is_value) {
       if (node.rule == Rule::kBlockDecl) out.add(column(part.token));
       out.add(braces(node, i, before, Braces::kAsWritten));
       i = closing_part(node, i);
-    } else if (is(part, "(") || is(part, "[") || is(part, "{")) {
+    } else if (is(part, "(") || (is(part, "[") && !is_one_word(node)) || is(part, "{")) {
       const bool is_header = node.rule >= Rule::kWhileStmt && node.rule <= Rule::kRecordStmt;
       out.add(is_header ? header(node, i, before) : brackets(node, i, before, is_value));
       i = closing_part(node, i);

@@ -87,6 +87,8 @@ class Layout {
   [[nodiscard]] Doc behind_lead(const ShapeNode& node, Lead lead, Doc inner) const;
   Doc choice(const ShapeNode& node, Lead lead);
   Doc brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is_value);
+  // [:] and the [string] of a type, which are never broken.
+  [[nodiscard]] bool is_one_word(const ShapeNode& node) const;
   [[nodiscard]] bool is_short(const ShapeNode& node) const;
 
   const Source& source_;

@@ -27,11 +27,16 @@ bool is_tight(Rule rule) {
 
 }  // namespace
 
+bool Layout::is_one_word(const ShapeNode& node) const {
+  return node.rule == Rule::kBracketPair ||
+         (node.rule == Rule::kPrimary && node.parts.size() == 3 && is(node.parts[1], ":"));
+}
+
 // What stands in front of part `part`, which is not the first one.
 Lead Layout::between(const ShapeNode& node, std::size_t part) const {
   const ShapeNode& right = node.parts[part];
   if (shape_.tokens[right.token].inserted || is(right, ",") || is(right, ";")) return Lead::kTight;
-  if (is_tight(node.rule)) return Lead::kTight;
+  if (is_tight(node.rule) || is_one_word(node)) return Lead::kTight;
   switch (node.rule) {
     case Rule::kExpr:
       return between_operands(node, part);

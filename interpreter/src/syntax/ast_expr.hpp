@@ -29,7 +29,7 @@ struct Name {
 // ---- types as written
 // -----------------------------------------------------------------------------------------
 
-enum class TypeForm : std::uint8_t { kNamed, kPrimitive, kArray, kProduct, kFunction, kVoid };
+enum class TypeForm : std::uint8_t { kNamed, kPrimitive, kArray, kMap, kProduct, kFunction, kVoid };
 
 // One factor of a dimension product: force/length^2 has factors (force, +1), (length, -2).
 struct TypeFactor {
@@ -42,7 +42,8 @@ struct TypeExpr {
   Span span;
   Seq<Name> path;     // kNamed: pal.Pallet; kPrimitive: one name as written (int long double float
                       // bool boolean)
-  TypeExpr* element;  // kArray
+  TypeExpr* element;  // kArray, kMap
+  TypeExpr* key;      // kMap
   Seq<TypeFactor> factors;    // kProduct
   Seq<TypeExpr*> parameters;  // kFunction
   TypeExpr* result;           // kFunction
@@ -67,6 +68,7 @@ enum class ExprKind : std::uint8_t {
   kCond,
   kCast,
   kList,
+  kMap,
   kMatrix,
   kNewObject,
   kNewArray,
@@ -197,7 +199,11 @@ struct CastExpr : Expr {  // (int) x
 };
 struct ListExpr : Expr {
   Seq<Expr*> items;
-};  // [a, b]
+};                       // [a, b]
+struct MapExpr : Expr {  // ["a": 1, "b": 2], and {"a": 1, "b": 2} as an initialiser
+  Seq<Expr*> keys;
+  Seq<Expr*> values;  // as many
+};
 struct MatrixExpr : Expr {
   Seq<Seq<Expr*>> rows;
 };                             // [a, b; c, d]

@@ -138,6 +138,8 @@ class AstBuilder {
   ast::TypeExpr* named_type(RbtParser::TypeNameContext* ctx);
   ast::TypeExpr* type_expr(ast::TypeForm form, Span span);
   ast::TypeExpr* array_of(ast::TypeExpr* element, std::size_t dimensions, Span span);
+  ast::TypeExpr* in_brackets(ast::TypeExpr* element,
+                             const std::vector<RbtParser::BracketPairContext*>& pairs, Span span);
   ast::Seq<ast::Param> params(RbtParser::ParamsContext* ctx);
   ast::Param param(RbtParser::ParamContext* ctx);
 
@@ -149,14 +151,23 @@ class AstBuilder {
   ast::Expr* index(ast::Expr* object, RbtParser::ExprContext* ctx);
   ast::IndexItem index_item(RbtParser::IndexItemContext* ctx);
   ast::Expr* primary(RbtParser::PrimaryContext* ctx);
-  ast::Expr* list_or_matrix(RbtParser::PrimaryContext* ctx);
   ast::Expr* lambda(RbtParser::LambdaContext* ctx);
   ast::Expr* new_array(RbtParser::NewArrayContext* ctx);
   ast::Expr* initializer(RbtParser::InitializerContext* ctx);
-  ast::Expr* brace_init(RbtParser::BraceInitContext* ctx);
   ast::Seq<ast::Expr*> expressions(const antlr4::ParserRuleContext* ctx);
   ast::Seq<ast::Arg> args(RbtParser::ArgsContext* ctx);
   ast::Seq<ast::Arg> args(const std::vector<RbtParser::ArgContext*>& list);
+
+  // build_list.cpp: lists, matrices, maps
+  // A value, or a key with its value.
+  struct Item {
+    ast::Expr* first;
+    ast::Expr* second;  // null: the item has no colon
+  };
+  ast::Expr* list_or_matrix(RbtParser::PrimaryContext* ctx);
+  ast::Expr* brace_init(RbtParser::BraceInitContext* ctx);
+  ast::Seq<ast::Expr*> firsts_of(const std::vector<Item>& items);
+  ast::Expr* map_of(Span span, const std::vector<Item>& items);
 
   // build_literal.cpp: numbers and texts
   ast::Expr* literal(RbtParser::LiteralContext* ctx);

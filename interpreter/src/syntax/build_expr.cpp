@@ -197,19 +197,6 @@ ast::Expr* AstBuilder::primary(RbtParser::PrimaryContext* ctx) {
   }
 }
 
-// [a, b] is a list; a `;` anywhere, even behind the last row, makes a matrix.
-ast::Expr* AstBuilder::list_or_matrix(RbtParser::PrimaryContext* ctx) {
-  std::vector<ast::Seq<ast::Expr*>> rows;
-  for (RbtParser::RowContext* row : ctx->row()) rows.push_back(expressions(row));
-  const Span span = span_of(ctx);
-  if (!ctx->SEMI().empty()) {
-    return in_.arena.make<ast::MatrixExpr>(base(ast::ExprKind::kMatrix, span),
-                                           in_.arena.copy(rows));
-  }
-  return in_.arena.make<ast::ListExpr>(base(ast::ExprKind::kList, span),
-                                       rows.empty() ? ast::Seq<ast::Expr*>{} : rows.front());
-}
-
 ast::Expr* AstBuilder::lambda(RbtParser::LambdaContext* ctx) {
   auto* out = fresh<ast::LambdaExpr>(ast::ExprKind::kLambda, span_of(ctx));
   out->params = params(ctx->params());
@@ -237,17 +224,6 @@ ast::Expr* AstBuilder::new_array(RbtParser::NewArrayContext* ctx) {
 
 ast::Expr* AstBuilder::initializer(RbtParser::InitializerContext* ctx) {
   return ctx->braceInit() != nullptr ? brace_init(ctx->braceInit()) : expression(ctx->expression());
-}
-
-ast::Expr* AstBuilder::brace_init(RbtParser::BraceInitContext* ctx) {
-  const Deeper deeper(*this, 1, span_of(ctx));
-  std::vector<ast::Expr*> items;
-  for (ParseTree* node : ctx->children) {
-    if (auto* item = dynamic_cast<RbtParser::InitializerContext*>(node))
-      items.push_back(initializer(item));
-  }
-  return in_.arena.make<ast::BraceExpr>(base(ast::ExprKind::kBrace, span_of(ctx)),
-                                        in_.arena.copy(items));
 }
 
 // All expressions directly below `ctx`.

@@ -73,7 +73,7 @@ ast::TypeExpr* AstBuilder::dim_type(RbtParser::DimTypeContext* ctx) {
 // (fn(int) -> int)[]
 ast::TypeExpr* AstBuilder::type_in_parens(RbtParser::DimFactorContext* ctx) {
   const Deeper deeper(*this, 1, span_of(ctx));
-  return array_of(any_type(ctx->inParens()->anyType()), ctx->LBRACK().size(), span_of(ctx));
+  return in_brackets(any_type(ctx->inParens()->anyType()), ctx->bracketPair(), span_of(ctx));
 }
 
 ast::TypeExpr* AstBuilder::function_type(RbtParser::FnTypeContext* ctx) {
@@ -94,7 +94,7 @@ ast::TypeExpr* AstBuilder::result_type(RbtParser::ResultTypeContext* ctx) {
 }
 
 ast::TypeExpr* AstBuilder::type(RbtParser::TypeContext* ctx) {
-  return array_of(base_type(ctx->primType(), ctx->typeName()), ctx->LBRACK().size(), span_of(ctx));
+  return in_brackets(base_type(ctx->primType(), ctx->typeName()), ctx->bracketPair(), span_of(ctx));
 }
 
 ast::TypeExpr* AstBuilder::base_type(RbtParser::PrimTypeContext* primitive,
@@ -121,6 +121,21 @@ ast::TypeExpr* AstBuilder::array_of(ast::TypeExpr* element, std::size_t dimensio
     ast::TypeExpr* array = type_expr(ast::TypeForm::kArray, span);
     array->element = element;
     element = array;
+  }
+  return element;
+}
+
+// int[string][]: from left to right, each pair makes a list or a map of what stands before it.
+ast::TypeExpr* AstBuilder::in_brackets(ast::TypeExpr* element,
+                                       const std::vector<RbtParser::BracketPairContext*>& pairs,
+                                       Span span) {
+  const Deeper deeper(*this, pairs.size(), span);
+  for (RbtParser::BracketPairContext* pair : pairs) {
+    const bool is_map = pair->children.size() > 2;
+    ast::TypeExpr* type = type_expr(is_map ? ast::TypeForm::kMap : ast::TypeForm::kArray, span);
+    type->element = element;
+    if (is_map) type->key = base_type(pair->primType(), pair->typeName());
+    element = type;
   }
   return element;
 }

@@ -94,6 +94,21 @@ class FailureSite {
     return opener(close).value_or(statement);
   }
 
+  // The first token of the value that ends with token `last`: p[i].x
+  [[nodiscard]] std::size_t value_start(std::size_t last) const {
+    while (true) {
+      if (is_closer(type(last))) last = opener_of(last);
+      if (last <= statement) return last;
+      if (is_opener(type(last)) && ends_value(type(last - 1))) {
+        --last;
+      } else if (type(last - 1) == RbtLexer::DOT && last >= statement + 2) {
+        last -= 2;
+      } else {
+        return last;
+      }
+    }
+  }
+
   // Whether `(` at token `open` passes arguments: it follows something that can be called.
   [[nodiscard]] bool is_call(std::size_t open) const {
     if (open == 0) return false;
@@ -123,6 +138,7 @@ class FailureSite {
 
 // Habits from other languages, words and marks: the message, or nothing if none is the cause.
 [[nodiscard]] std::optional<Diagnostic> explain_habit(const FailureSite& site);
+[[nodiscard]] std::optional<Diagnostic> explain_map_habit(const FailureSite& site);
 [[nodiscard]] std::optional<Diagnostic> explain_sign(const FailureSite& site);
 
 }  // namespace armlet::lang

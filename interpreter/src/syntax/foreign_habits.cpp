@@ -232,7 +232,7 @@ Answer braces_as_value(const FailureSite& site) {
   }
   const std::size_t close = site.closer(site.at);
   Diagnostic out = make_diagnostic("E0128", site.span(site.at), {"{"});
-  out.why = "braces make a list only behind `=` and `new T[]`";
+  out.why = "braces make a list or a map only behind `=` and `new T[]`";
   if (site.at + 1 < close) {
     out.fix = Fix{"write [" + site.text(site.at + 1, close - 1) + ']',
                   {{site.span(site.at), "["}, {site.span(close), "]"}},

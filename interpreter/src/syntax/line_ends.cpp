@@ -121,16 +121,28 @@ class Filter {
       ++i;
       while (in_[i].type == RbtLexer::DOT && is_name(in_[i + 1].type)) i += 2;
     }
-    while (in_[i].type == RbtLexer::LBRACK && in_[i + 1].type == RbtLexer::RBRACK) i += 2;
+    while (in_[i].type == RbtLexer::LBRACK) {
+      const std::size_t close = close_of_pair(i);
+      if (close == i) break;
+      i = close + 1;
+    }
     return is_name(in_[i].type);
   }
 
-  // `{` after `=`, after `new T[]`, or inside a list after `,` or `{`.
+  // The `]` of [] or [string] at `open`; `open` if it is neither.
+  std::size_t close_of_pair(std::size_t open) const {
+    std::size_t i = open + 1;
+    if (is_primitive_type(in_[i].type) || is_name(in_[i].type)) ++i;
+    while (i > open + 1 && in_[i].type == RbtLexer::DOT && is_name(in_[i + 1].type)) i += 2;
+    return in_[i].type == RbtLexer::RBRACK ? i : open;
+  }
+
+  // `{` after `=`, after `new T[]`, or inside a list after `,`, `:` or `{`.
   bool is_list_brace(std::size_t i) {
     if (i == 0) return false;
     const std::uint16_t before = in_[i - 1].type;
     if (before == RbtLexer::ASSIGN) return true;
-    if (before == RbtLexer::COMMA || before == RbtLexer::LBRACE) {
+    if (before == RbtLexer::COMMA || before == RbtLexer::LBRACE || before == RbtLexer::COLON) {
       return top().bracket == Bracket::kListBrace;
     }
     return before == RbtLexer::RBRACK && closes_new_array(i - 1);

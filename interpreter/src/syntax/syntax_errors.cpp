@@ -157,23 +157,6 @@ Answer unbraced_body(const FailureSite& site) {
   return out;
 }
 
-// The first token of the value that ends with token `last`: p[i].x
-std::size_t value_start(const FailureSite& site, std::size_t last) {
-  while (true) {
-    if (is_closer(site.type(last))) last = site.opener_of(last);
-    if (last <= site.statement) return last;
-    const bool is_suffix =
-        is_opener(site.type(last)) && FailureSite::ends_value(site.type(last - 1));
-    if (is_suffix) {
-      --last;
-    } else if (site.type(last - 1) == RbtLexer::DOT && last >= site.statement + 2) {
-      last -= 2;
-    } else {
-      return last;
-    }
-  }
-}
-
 // Puts a step of its own before or behind the statement, and its variable where it was. Headers of
 // loops and the like run more than once or end elsewhere, so they have no such edits.
 std::vector<Edit> moved_out(const FailureSite& site, std::size_t first, std::size_t last,
@@ -200,7 +183,7 @@ Answer step_as_value(const FailureSite& site) {
   std::size_t last = site.at;
   const bool behind = site.at > site.statement && FailureSite::ends_value(site.before());
   if (behind) {
-    first = value_start(site, site.at - 1);
+    first = site.value_start(site.at - 1);
   } else if (is_name(site.type(site.at + 1))) {
     last = site.at + 1;
   }
@@ -211,7 +194,7 @@ Answer step_as_value(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(first);
   const bool is_index = open && site.type(*open) == RbtLexer::LBRACK && *open + 1 == first &&
                         site.type(last + 1) == RbtLexer::RBRACK && *open > site.statement;
-  if (is_index) use = site.text(value_start(site, *open - 1), *open) + variable + ']';
+  if (is_index) use = site.text(site.value_start(*open - 1), *open) + variable + ']';
   out.fix = behind ? Fix{"use " + use + " here and write " + step + " on the next line",
                          moved_out(site, first, last, variable, step, true), Confidence::kMaybe}
                    : Fix{"write " + step + " on the line before and use " + use + " here",
@@ -225,7 +208,7 @@ Answer assignment_as_value(const FailureSite& site) {
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || site.type(*open) != RbtLexer::LPAREN)
     return std::nullopt;
   if (!FailureSite::ends_value(site.before())) return std::nullopt;
-  const std::size_t first = value_start(site, site.at - 1);
+  const std::size_t first = site.value_start(site.at - 1);
   const std::size_t last = site.closer(*open) - 1;
   if (last <= site.at) return std::nullopt;
   const std::string stored = site.text(first, last);
@@ -243,7 +226,7 @@ Answer assignment_as_result(const FailureSite& site) {
   const bool stores =
       mark == RbtLexer::ASSIGN || (mark >= RbtLexer::PLUSEQ && mark <= RbtLexer::PERCENTEQ);
   if (!stores || site.at == 0 || !FailureSite::ends_value(site.before())) return std::nullopt;
-  const std::size_t first = value_start(site, site.at - 1);
+  const std::size_t first = site.value_start(site.at - 1);
   if (first <= site.statement || site.type(first - 1) != RbtLexer::FATARROW) return std::nullopt;
   const std::optional<std::size_t> open = site.opener(first);
   const std::size_t last = open ? std::max(site.closer(*open) - 1, site.at) : site.at;
@@ -441,9 +424,9 @@ Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size
                            std::size_t at) {
   const FailureSite site(source, tokens, statement, at);
   for (const auto explain :
-       {explain_sign, assignment_as_test, explain_habit, bare_condition, unbraced_body,
-        step_as_value, assignment_as_value, assignment_as_result, block_after_arrow, orphan,
-        word_as_name, missing_separator, something_missing}) {
+       {explain_sign, assignment_as_test, explain_map_habit, explain_habit, bare_condition,
+        unbraced_body, step_as_value, assignment_as_value, assignment_as_result, block_after_arrow,
+        orphan, word_as_name, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }
   return does_not_fit(site);

@@ -370,6 +370,10 @@ int conversion_cost(const Type* from, const Type* to, bool zero) {
   if (from->is(Kind::kList) && to->is(Kind::kList)) {
     return conversion_cost(from->element, to->element);
   }
+  if (from->is(Kind::kMap) && to->is(Kind::kMap)) {
+    const bool is_open = from->key->is(Kind::kAny) || to->key->is(Kind::kAny);
+    return is_open ? 0 : -1;
+  }
   return from->is_table() && to->is_table() && from->record == to->record ? 0 : -1;
 }
 

@@ -27,6 +27,12 @@ std::string function_name(const Type* type) {
   return out;
 }
 
+// fn() -> double[] is a function that gives a list.
+std::string element_name(const Type* type) {
+  const std::string name = type_name(type->element);
+  return type->element->is(Kind::kFunction) ? '(' + name + ')' : name;
+}
+
 std::size_t hash_of(const Type& type) {
   std::size_t hash = static_cast<std::size_t>(type.kind);
   const auto add = [&hash](std::size_t part) { hash = (hash ^ part) * 0x9E37'79B9'7F4A'7C15ULL; };
@@ -34,6 +40,7 @@ std::size_t hash_of(const Type& type) {
   for (const int exponent : {type.dim.length, type.dim.mass, type.dim.time, type.dim.angle})
     add(static_cast<std::size_t>(exponent));
   add_address(type.element);
+  add_address(type.key);
   add_address(type.record);
   add_address(type.enumeration);
   add_address(type.host);
@@ -43,9 +50,9 @@ std::size_t hash_of(const Type& type) {
 }
 
 bool same(const Type& a, const Type& b) {
-  return a.kind == b.kind && a.dim == b.dim && a.element == b.element && a.record == b.record &&
-         a.enumeration == b.enumeration && a.host == b.host && a.parameters == b.parameters &&
-         a.result == b.result;
+  return a.kind == b.kind && a.dim == b.dim && a.element == b.element && a.key == b.key &&
+         a.record == b.record && a.enumeration == b.enumeration && a.host == b.host &&
+         a.parameters == b.parameters && a.result == b.result;
 }
 
 }  // namespace
@@ -62,6 +69,7 @@ bool Type::is_reference() const {
   switch (kind) {
     case Kind::kText:
     case Kind::kList:
+    case Kind::kMap:
     case Kind::kMatrix:
     case Kind::kRecord:
     case Kind::kFunction:
@@ -89,11 +97,10 @@ std::string type_name(const Type* type) {
       return "string";
     case Kind::kMatrix:
       return "matrix";
-    case Kind::kList: {
-      const std::string element = type_name(type->element);
-      // fn() -> double[] is a function that gives a list.
-      return type->element->is(Kind::kFunction) ? '(' + element + ")[]" : element + "[]";
-    }
+    case Kind::kList:
+      return element_name(type) + "[]";
+    case Kind::kMap:
+      return element_name(type) + '[' + type_name(type->key) + ']';
     case Kind::kRecord:
       return type->record->name;
     case Kind::kEnum:
@@ -132,6 +139,10 @@ const Type* TypePool::quantity(Dim dim) { return intern({.kind = Kind::kReal, .d
 
 const Type* TypePool::list(const Type* element) {
   return intern({.kind = Kind::kList, .element = element});
+}
+
+const Type* TypePool::map(const Type* key, const Type* element) {
+  return intern({.kind = Kind::kMap, .element = element, .key = key});
 }
 
 const Type* TypePool::function(std::vector<const Type*> parameters, const Type* result) {

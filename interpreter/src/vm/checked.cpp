@@ -28,6 +28,8 @@ KindOfObject object_of(Kind kind) {
       return {ObjKind::kText, "a text"};
     case Kind::kList:
       return {ObjKind::kList, "a list"};
+    case Kind::kMap:
+      return {ObjKind::kMap, "a map"};
     case Kind::kMatrix:
       return {ObjKind::kMatrix, "a matrix"};
     case Kind::kFunction:
@@ -40,8 +42,8 @@ KindOfObject object_of(Kind kind) {
 }
 
 std::string name_of(ObjKind kind) {
-  for (const Kind each :
-       {Kind::kText, Kind::kList, Kind::kMatrix, Kind::kFunction, Kind::kHost, Kind::kRecord}) {
+  for (const Kind each : {Kind::kText, Kind::kList, Kind::kMap, Kind::kMatrix, Kind::kFunction,
+                          Kind::kHost, Kind::kRecord}) {
     if (object_of(each).kind == kind) return object_of(each).name;
   }
   return "an object of the machine";

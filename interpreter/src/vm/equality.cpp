@@ -7,6 +7,7 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures.hpp"
+#include "vm/map.hpp"
 
 namespace armlet::lang {
 
@@ -156,6 +157,8 @@ class Comparison {
         return settle(equal_hosts(*static_cast<HostObj*>(a.o), *static_cast<HostObj*>(b.o)));
       case Kind::kList:
         return compare_lists(*static_cast<ListObj*>(a.o), *static_cast<ListObj*>(b.o), type);
+      case Kind::kMap:
+        return compare_maps(map_in(a), map_in(b), type);
       case Kind::kRecord:
         if (type.is_table()) return settle(a.o == b.o);  // a handle
         return open(a.o, b.o, type);
@@ -202,6 +205,20 @@ class Comparison {
     return open(&a, &b, type);
   }
 
+  bool compare_maps(const MapObj& a, const MapObj& b, const Type& type) {
+    if (a.size != b.size) return settle(false);
+    return a.size == 0 || open(&a, &b, type);
+  }
+
+  // The value of entry i of one map, and that of the same key in the other one.
+  bool compare_entries(const MapObj& a, const MapObj& b, std::uint32_t i, const Type& element) {
+    const MapEntry& entry = a.entries[i];
+    if (entry.is_removed) return true;
+    MapEntry* other = nullptr;
+    if (!find_entry(state_, b, entry.key, entry.hash, other)) return false;
+    return other != nullptr ? compare(entry.value, other->value, element) : settle(false);
+  }
+
   // An object that only one other refers to is reached only through that one.
   bool open(const Obj* a, const Obj* b, const Type& type) {
     if (a->refs > 1 || b->refs > 1) {
@@ -225,6 +242,11 @@ class Comparison {
       if (i == fields.size()) return close();
       return compare(static_cast<const RecordObj*>(at.a)->fields()[i],
                      static_cast<const RecordObj*>(at.b)->fields()[i], *fields[i].type);
+    }
+    if (at.type->is(Kind::kMap)) {
+      const auto& map = *static_cast<const MapObj*>(at.a);
+      if (i == map.used) return close();
+      return compare_entries(map, *static_cast<const MapObj*>(at.b), i, *at.type->element);
     }
     const auto& a = *static_cast<const ListObj*>(at.a);
     if (i == a.size) return close();

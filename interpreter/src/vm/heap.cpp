@@ -207,6 +207,24 @@ ListObj* Heap::make_list(std::uint64_t size, bool references, bool zero) {
   return nullptr;
 }
 
+MapObj* Heap::new_map(std::uint8_t flags, std::uint32_t capacity) {
+  auto* map = begin_object<MapObj>(take(sizeof(MapObj)), ObjKind::kMap);
+  if (map == nullptr) return nullptr;
+  map->flags = flags;
+  map->size = map->used = 0;
+  map->capacity = capacity;
+  map->entries = nullptr;
+  if (capacity == 0) return map;
+  map->entries = static_cast<MapEntry*>(take(map_bytes(capacity)));
+  if (map->entries != nullptr) {
+    std::memset(static_cast<void*>(map->entries + capacity), 0,
+                map_bytes(capacity) - capacity * sizeof(MapEntry));
+    return map;
+  }
+  give_back(map, sizeof(MapObj));
+  return nullptr;
+}
+
 RecordObj* Heap::new_record(const RecordLayout& layout) {
   auto* record = begin_object<RecordObj>(take(sizeof(RecordObj) + sizeof(Slot) * layout.size),
                                          ObjKind::kRecord);
@@ -286,6 +304,11 @@ Obj* Heap::bury_children(const Slot* slots, std::uint32_t count, Obj* waiting) {
       if (list->data != own_room(*list)) give_back(list->data, list->capacity * sizeof(Slot));
       return give_back(object, sizeof(ListObj) + room_of(*list) * sizeof(Slot));
     }
+    case ObjKind::kMap: {
+      auto* map = static_cast<MapObj*>(object);
+      if (map->capacity > 0) give_back(map->entries, map_bytes(map->capacity));
+      return give_back(object, sizeof(MapObj));
+    }
     case ObjKind::kRecord:
       return give_back(
           object, sizeof(RecordObj) + sizeof(Slot) * static_cast<RecordObj*>(object)->layout->size);
@@ -326,6 +349,20 @@ Obj* Heap::bury_elements(ListObj& list, std::size_t most, Obj* waiting) {
   return bury_children(list.data + list.size, count, waiting);
 }
 
+Obj* Heap::bury_entries(MapObj& map, std::size_t most, Obj* waiting) {
+  const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(map.used, most));
+  map.used -= count;
+  if (map.used > 0) {
+    link_dead(&map, waiting);
+    waiting = &map;
+  }
+  for (const MapEntry& entry : std::span(map.entries + map.used, count)) {
+    if (map.has_text_keys()) waiting = bury(entry.key.o, waiting);
+    if (map.holds_references()) waiting = bury(entry.value.o, waiting);
+  }
+  return waiting;
+}
+
 void Heap::reclaim(std::size_t most) {
   Obj* waiting = dead_;
   for (; waiting != nullptr && most > 0; --most) {
@@ -336,6 +373,12 @@ void Heap::reclaim(std::size_t most) {
         if (auto* list = static_cast<ListObj*>(dead); list->holds_references()) {
           waiting = bury_elements(*list, kReclaimed, waiting);
           if (list->size > 0) continue;
+        }
+        break;
+      case ObjKind::kMap:
+        if (auto* map = static_cast<MapObj*>(dead); map->flags != 0) {
+          waiting = bury_entries(*map, kReclaimed, waiting);
+          if (map->used > 0) continue;
         }
         break;
       case ObjKind::kRecord: {

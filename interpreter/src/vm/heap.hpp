@@ -70,6 +70,7 @@ class Heap {
   [[nodiscard]] TextObj* new_text_buffer(std::size_t size);                     // bytes not set
   [[nodiscard]] ListObj* new_list(std::uint64_t size, bool references);         // elements zero
   [[nodiscard]] ListObj* new_list_unset(std::uint64_t size, bool references);   // elements not set
+  [[nodiscard]] MapObj* new_map(std::uint8_t flags, std::uint32_t capacity);    // empty
   [[nodiscard]] RecordObj* new_record(const RecordLayout& layout);              // fields not set
   [[nodiscard]] MatrixObj* new_matrix(std::uint32_t rows, std::uint32_t cols);  // elements not set
   [[nodiscard]] MatrixObj* new_zero_matrix(std::uint32_t rows, std::uint32_t cols);
@@ -164,6 +165,7 @@ class Heap {
   void reclaim(std::size_t most);
   void make_way(std::uint64_t bytes);
   Obj* bury_elements(ListObj& list, std::size_t most, Obj* waiting);
+  Obj* bury_entries(MapObj& map, std::size_t most, Obj* waiting);
   Obj* bury(Obj* object, Obj* waiting);
   Obj* bury_children(const Slot* slots, std::uint32_t count, Obj* waiting);
   void free_object(Obj* object);
@@ -189,6 +191,11 @@ class Heap {
 inline constexpr std::uint64_t kMaxCount = 0xFFFFFFFEULL;
 [[nodiscard]] constexpr std::size_t text_bytes(std::uint64_t capacity) {
   return sizeof(TextObj) + capacity;
+}
+
+// The block of the entries of a map and of its index.
+[[nodiscard]] constexpr std::size_t map_bytes(std::uint64_t capacity) {
+  return capacity * (sizeof(MapEntry) + 2 * sizeof(std::uint32_t));
 }
 
 inline void retain_object(Obj* object) {

@@ -4,6 +4,7 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures.hpp"
+#include "vm/map.hpp"
 #include "vm/slow_ops.hpp"
 
 namespace armlet::lang {
@@ -14,6 +15,7 @@ constexpr std::size_t kLarge = 1U << 14U;  // elements
 
 std::size_t elements_of(const Obj& object) {
   if (object.kind == ObjKind::kList) return static_cast<const ListObj&>(object).size;
+  if (object.kind == ObjKind::kMap) return static_cast<const MapObj&>(object).size;
   if (object.kind != ObjKind::kMatrix) return 0;
   const auto& matrix = static_cast<const MatrixObj&>(object);
   return std::size_t{matrix.rows} * matrix.cols;
@@ -73,13 +75,14 @@ bool copy_to_own(VmState& state, Slot& place) {
   Obj* old = place.o;
   const std::size_t count = elements_of(*old);
   if (count > kTold) note_large_copy(state, count);
-  if (count < kLarge) {
+  if (count < kLarge && old->kind != ObjKind::kMap) {
     return (charge_work(state.vm, count)) &&
            (copy_shared(state.heap, place) || raise_out_of_memory(state));
   }
-  Obj* copy = old->kind == ObjKind::kList
-                  ? static_cast<Obj*>(copy_of(state, *static_cast<ListObj*>(old)))
-                  : copy_of(state, *static_cast<MatrixObj*>(old));
+  Obj* copy = nullptr;
+  if (old->kind == ObjKind::kMap) copy = copy_map(state, *static_cast<MapObj*>(old));
+  if (old->kind == ObjKind::kList) copy = copy_of(state, *static_cast<ListObj*>(old));
+  if (old->kind == ObjKind::kMatrix) copy = copy_of(state, *static_cast<MatrixObj*>(old));
   if (copy == nullptr) return false;
   --old->refs;  // it is shared, so it stays alive
   place.o = copy;

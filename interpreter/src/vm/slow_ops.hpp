@@ -15,7 +15,9 @@ using SlowOp = bool(VmState& state, Slot* base, const Instr* pc);
 SlowOp op_powi, op_powr, op_rtoi, op_cmptext, op_eqdeep;
 SlowOp op_box, op_closure, op_newlist, op_makelist, op_newarray, op_makerec, op_listtoreal;
 SlowOp op_slice, op_putslice, op_pushref, op_pop, op_insert, op_insertref;
-SlowOp op_makemat, op_part, op_putpart, op_rowsof;  // matrix_ops.cpp
+SlowOp op_makemat, op_part, op_putpart, op_rowsof;                       // matrix_ops.cpp
+SlowOp op_newmap, op_mapadd, op_mapld, op_mapget, op_maphas, op_maplen;  // map_ops.cpp
+SlowOp op_mapkeys, op_mapvalues, op_entryaddr, op_entrymake, op_mappop;
 SlowOp op_slicetext, op_charat, op_totext, op_concat;
 SlowOp op_wait, op_waituntil;  // leave what is waited for in state.pending
 SlowOp op_spawn, op_openwatch, op_watchwhen, op_watchevery;

@@ -60,6 +60,11 @@ class TreeDump {
       case ast::TypeForm::kArray:
         type(expr->element);
         return add("[]");
+      case ast::TypeForm::kMap:
+        type(expr->element);
+        add("[");
+        type(expr->key);
+        return add("]");
       case ast::TypeForm::kProduct:
         return list("product", expr->factors, [&](const ast::TypeFactor& factor) {
           type(factor.type);
@@ -104,6 +109,9 @@ class TreeDump {
         return values("list", expr->as<ast::ListExpr>().items);
       case K::kBrace:
         return values("brace", expr->as<ast::BraceExpr>().items);
+      case K::kMap:
+        values("keys", expr->as<ast::MapExpr>().keys);
+        return values("values", expr->as<ast::MapExpr>().values);
       case K::kMatrix:
         return list("matrix", expr->as<ast::MatrixExpr>().rows,
                     [&](ast::Seq<ast::Expr*> row) { values("row", row); });

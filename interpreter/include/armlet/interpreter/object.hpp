@@ -35,7 +35,7 @@ static_assert(sizeof(Slot) == 8);
 inline constexpr std::int64_t kAbsentBits = static_cast<std::int64_t>(0xFFF8'A851'7000'0001ULL);
 [[nodiscard]] inline bool is_absent_scalar(Slot s) { return s.i == kAbsentBits; }
 
-enum class ObjKind : std::uint8_t { kText, kList, kRecord, kMatrix, kClosure, kBox, kHost };
+enum class ObjKind : std::uint8_t { kText, kList, kMap, kRecord, kMatrix, kClosure, kBox, kHost };
 
 struct Obj {
   std::uint32_t refs;
@@ -68,6 +68,28 @@ struct ListObj : Obj {
   [[nodiscard]] std::span<const double> reals() const {
     return {reinterpret_cast<const double*>(data), size};
   }
+};
+
+struct MapEntry {
+  Slot key;
+  Slot value;
+  std::uint32_t hash;
+  bool is_removed;  // its key and its value are null
+};
+
+// Entries in the order in which their keys were inserted. Behind them in the same block lies an
+// index of twice their capacity, which finds an entry by the hash of its key: the place of an entry
+// counted from 1, or 0. What holds entries is changed by vm/map.hpp only.
+struct MapObj : Obj {
+  static constexpr std::uint8_t kReferences = 1;  // flag: the values are references
+  static constexpr std::uint8_t kTextKeys = 2;    // flag: the keys are texts
+  std::uint32_t size;                             // entries that are not removed
+  std::uint32_t used;                             // entries, removed ones included
+  std::uint32_t capacity;                         // a power of two, or 0
+  MapEntry* entries;
+  [[nodiscard]] bool holds_references() const { return (flags & kReferences) != 0; }
+  [[nodiscard]] bool has_text_keys() const { return (flags & kTextKeys) != 0; }
+  [[nodiscard]] std::span<const MapEntry> all() const { return {entries, used}; }
 };
 
 // How the fields of a record or the captures of a closure are laid out.

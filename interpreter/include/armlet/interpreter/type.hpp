@@ -26,6 +26,7 @@ enum class Kind : std::uint8_t {
   kReal,  // double (dim none) and every quantity
   kText,
   kList,
+  kMap,
   kMatrix,
   kRecord,  // struct types, and records of the library such as Move
   kEnum,
@@ -58,7 +59,8 @@ struct EnumInfo {
 struct Type {
   Kind kind = Kind::kAny;
   Dim dim{};                              // kReal
-  const Type* element = nullptr;          // kList
+  const Type* element = nullptr;          // kList; kMap: of the values
+  const Type* key = nullptr;              // kMap
   RecordInfo* record = nullptr;           // kRecord; fields may be filled in after interning
   const EnumInfo* enumeration = nullptr;  // kEnum
   const HostType* host = nullptr;         // kHost
@@ -99,6 +101,7 @@ class TypePool {
   const Type* matrix() const { return matrix_; }
   const Type* quantity(Dim dim);
   const Type* list(const Type* element);
+  const Type* map(const Type* key, const Type* element);
   const Type* function(std::vector<const Type*> parameters, const Type* result);
   const Type* host(const HostType* host);
   // A new record or enum type each time: these are compared by identity.
