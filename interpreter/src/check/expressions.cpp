@@ -8,6 +8,7 @@
 #include "check/joined_lines.hpp"
 #include "check/maps.hpp"
 #include "check/matrices.hpp"
+#include "check/new_structs.hpp"
 #include "check/tasks.hpp"
 #include "compile/cancelled.hpp"
 
@@ -266,6 +267,9 @@ hir::Expr* Checker::check_new_array(const ast::NewArrayExpr& expr) {
   for (int i = 0; i < expr.open_dimensions; ++i) type = types_.list(type);
   if (expr.init != nullptr)
     return check_list(*expr.init, expr.init->as<ast::BraceExpr>().items, type);
+  if (expr.open_dimensions == 0) {
+    if (hir::Expr* list = new_structs(*this, expr, innermost)) return list;
+  }
   if (expr.open_dimensions == 0 &&
       (innermost->is(Kind::kHost) || innermost->is(Kind::kRecord) ||
        innermost->is(Kind::kFunction) || innermost->is(Kind::kMatrix))) {
