@@ -319,11 +319,7 @@ Signal random_int(Vm& vm, Slot* args) {
 }
 // Marsaglia's polar method; one value of the pair is used, so that the state is only the
 // generator's.
-Signal random_normal(Vm& vm, Slot* args) {
-  Random& random = vm.random();
-  if (!std::isfinite(args[0].d)) return not_finite(vm, "the mean", args[0].d, 0);
-  if (!(args[1].d >= 0.0 && std::isfinite(args[1].d)))
-    return domain_failure(vm, "randomNormal", args[1].d, "not be a negative deviation", {}, 1);
+double normal(Random& random, double mean, double sd) {
   double u = 0.0;
   double s = 0.0;
   do {
@@ -331,7 +327,14 @@ Signal random_normal(Vm& vm, Slot* args) {
     const double v = 2.0 * random.uniform() - 1.0;
     s = u * u + v * v;
   } while (s >= 1.0 || s == 0.0);
-  return give(args, args[0].d + args[1].d * u * std::sqrt(-2.0 * det::log(s) / s));
+  return mean + sd * u * std::sqrt(-2.0 * det::log(s) / s);
+}
+Signal random_standard(Vm& vm, Slot* args) { return give(args, normal(vm.random(), 0.0, 1.0)); }
+Signal random_normal(Vm& vm, Slot* args) {
+  if (!std::isfinite(args[0].d)) return not_finite(vm, "the mean", args[0].d, 0);
+  if (!(args[1].d >= 0.0 && std::isfinite(args[1].d)))
+    return domain_failure(vm, "randomNormal", args[1].d, "not be a negative deviation", {}, 1);
+  return give(args, normal(vm.random(), args[0].d, args[1].d));
 }
 Signal set_seed(Vm& vm, Slot* args) {
   vm.seed(static_cast<std::uint64_t>(args[0].i));
@@ -458,6 +461,9 @@ constexpr NativeFunction kFunctions[] = {
      random_between},
     {"randomInt", "(n: int) -> int", "A whole number from 0 up to but excluding n.", "randomInt(6)",
      random_int},
+    {"randomNormal", "() -> double",
+     "A number that is normally distributed about 0 with deviation 1.", "randomNormal()",
+     random_standard},
     {"randomNormal", "(mean: D = 0.0, sd: D) -> D", "A normally distributed number.",
      "randomNormal(0mm, 1mm)", random_normal},
     {"seed", "(n: int)", "Starts the numbers of random anew from n.", "seed(7)", set_seed},

@@ -88,7 +88,7 @@ bool add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units) {
       !check_log(vm, {.unit = units.y, .log = upright.log}, series.y, 'y', units.y_parameter)) {
     return false;
   }
-  const bool is_map = series.kind == SeriesKind::kPoints && units.x == "m" && units.y == "m";
+  const bool is_map = series.kind != SeriesKind::kBars && units.x == "m" && units.y == "m";
   if (is_new) figure.x = {is_map ? "x" : quantity_name(units.x), units.x, figure.x.log};
   if (new_side) upright = {is_map ? "y" : quantity_name(units.y), units.y, upright.log};
   figure.series.push_back(std::move(series));

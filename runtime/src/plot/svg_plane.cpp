@@ -102,6 +102,21 @@ void fit_map(Plane& plane) {
 
 constexpr double kBelowNamed = 46.0;  // px for values and a name
 
+// Makes room on the left for names that lean that way; how much they need below.
+double lean_names(Plane& plane, double each) {
+  constexpr double kCos = 0.766, kSin = 0.643;  // of 40 deg
+  double longest = 0.0, beyond = 0.0, place = plane.field.left + 0.5 * each;
+  for (const std::string& name : plane.figure.names) {
+    const double width = width_of(shortened(name), kLetter);
+    longest = std::max(longest, width);
+    beyond = std::max(beyond, 8.0 + kCos * width - place);
+    place += each;
+  }
+  plane.field.left += beyond;
+  plane.name_at += beyond;
+  return 24.0 + kSin * longest;
+}
+
 // How much room the values and the name below the field take.
 double room_below(Plane& plane) {
   if (!plane.named_below) return 8.0;
@@ -109,11 +124,7 @@ double room_below(Plane& plane) {
   if (names.empty()) return axis_text(plane.figure.x, plane.x.unit).empty() ? 28.0 : kBelowNamed;
   const double each = plane.field.width() / static_cast<double>(names.size());
   plane.slanted_names = widest(names) > each - 6.0;
-  if (!plane.slanted_names) return 28.0;
-  double longest = 0.0;
-  for (const std::string& name : names)
-    longest = std::max(longest, width_of(shortened(name), kLetter));
-  return 24.0 + 0.65 * longest;
+  return plane.slanted_names ? lean_names(plane, each) : 28.0;
 }
 
 void set_x(Plane& plane, const Extent& extent) {

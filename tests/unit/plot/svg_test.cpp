@@ -312,6 +312,8 @@ TEST_CASE("names stand below their bars, and lean where they are long") {
   check_well_formed(svg);
   CHECK(count(svg, "rotate(-40") == 30);
   CHECK(count(svg, "\u2026<") == 30);
+  const auto first = matches(svg, "rotate\\(-40 ([0-9.]+) ");
+  CHECK(std::stod(first[0][1]) > 0.766 * 20 * 0.58 * 12);  // its letters begin on the page
   figure.names.assign(500, "x");
   CHECK(count(picture(figure), ">x<") < 500);
 }
