@@ -36,6 +36,20 @@ Signal add_lines(Vm& vm, Slot* args, std::size_t lines, F value) {
   return give_nothing();
 }
 
+// (y, label, axis, yUnit): over 0, 1, 2, ...
+Signal plot_numbered(Vm& vm, Slot* args) {
+  const auto y = reals_value(args[0]);
+  if (!has_room(vm, 2 * y.size())) return Signal::kFail;
+  Series series{.label = text_or_nothing(args[1]), .y = {y.begin(), y.end()}};
+  for (std::size_t i = 0; i < y.size(); ++i) series.x.push_back(static_cast<double>(i));
+  const PlotUnits units{{}, text_or_nothing(args[3]), 0, 0};
+  if (!read_side(vm, args[2], 2, series.right) ||
+      !add_series(vm, current_figure(Host::of(vm)), std::move(series), units)) {
+    return Signal::kFail;
+  }
+  return give_nothing();
+}
+
 // (x, y: matrix, label, axis, xUnit, yUnit)
 Signal plot_matrix(Vm& vm, Slot* args) {
   const MatrixObj& y = matrix_value(args[kY]);
@@ -62,6 +76,9 @@ Signal plot_lists(Vm& vm, Slot* args) {
 }
 
 constexpr NativeFunction kFunctions[] = {
+    {"plot", "(y: D[], label: string?, axis: string?, yUnit: string?)",
+     "Draws the values of a list over their numbers 0, 1, 2, ...", "plot([2mm, 3mm, 5mm])",
+     plot_numbered},
     {"plot", "(x: D[], y: matrix, label: string[]?, axis: string?, xUnit: string?, yUnit: string?)",
      "Draws a line for each column of a matrix, whose rows belong to x; label: their names; yUnit: "
      "what the numbers are in SI, such as \"rad\".",

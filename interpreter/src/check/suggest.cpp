@@ -73,6 +73,20 @@ constexpr ForeignName kForeign[] = {
     {"char", "string", "a single character is a text of length 1"},
     {"charAt", "", "a single character of a text is s[i]"},
     {"get", "", "a value of a list is xs[i]"},
+    // figures
+    {"bar", "bars", ""},
+    {"qplot", "plot", ""},
+    {"plot3", "scatter3", ""},
+    {"savefig", "savePlot", ""},
+    {"saveas", "savePlot", ""},
+    {"title", "", "the title of a figure is given where it begins: figure(\"speed\")"},
+    {"legend", "", "a line gets its name where it is drawn: plot(t, y, label: \"joint 1\")"},
+    {"xlabel", "", "axes get their units from the types of what is drawn"},
+    {"ylabel", "", "axes get their units from the types of what is drawn"},
+    {"subplot", "", "each figure(\"...\") is a picture; plot(tr) and plot(run) draw panels"},
+    {"semilogx", "", "figure(\"...\", log: \"x\") before plot(x, y) makes the axis logarithmic"},
+    {"semilogy", "", "figure(\"...\", log: \"y\") before plot(x, y) makes the axis logarithmic"},
+    {"loglog", "", "figure(\"...\", log: \"xy\") before plot(x, y) makes the axes logarithmic"},
 };
 
 struct ForeignSetting {

@@ -171,8 +171,8 @@ TEST_CASE("columns of a matrix and lists of a list are lines, with names or with
       "let t = [0s, 1s, 2s]\n"
       "figure(\"m\"); plot(t, [0, 1; 2, 3; 4, 5], label: [\"a\", \"b\"], yUnit: \"rad\")\n"
       "figure(\"l\"); plot(t, [[1mm, 2mm, 3mm], [4mm, 5mm, 6mm]])\n"
-      "figure(\"q\"); plot([0s, 1s], [home(), posJ(90deg, 60deg, 100mm, 45deg)])\n");
-  REQUIRE(figures.size() == 3);
+      "figure(\"q\"); plot([0s, 1s], [home(), posJ(90deg, 60deg, 100mm, 45deg)])\n"
+      "figure(\"y\"); plot([1mm, 2mm, 4mm], label: \"heights\")\n");
   REQUIRE(figures[0].series.size() == 2);
   CHECK(figures[0].series[1].y == std::vector<double>{1, 3, 5});
   CHECK(figures[0].series[1].label == "b");
@@ -181,6 +181,9 @@ TEST_CASE("columns of a matrix and lists of a list are lines, with names or with
   CHECK(figures[1].y.unit == "m");
   REQUIRE(figures[2].series.size() == 4);
   CHECK(figures[2].series[0].label == "joint 1");
+  REQUIRE(figures.size() == 4);
+  CHECK(figures[3].series[0].x == std::vector<double>{0, 1, 2});
+  CHECK(figures[3].y.unit == "m");
 }
 
 TEST_CASE("every column of a record has a panel with its unit") {
