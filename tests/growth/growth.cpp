@@ -3,6 +3,8 @@
 //
 //   growth FILE...     at most kMost files; file number i is worked on by read<i>, check<i>,
 //   lower<i>, show<i>, lay_out<i>
+#include <malloc.h>
+
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -113,6 +115,11 @@ int main(int argc, char** argv) {
     HostOptions options;
     options.robot = make_robot("scara");
     Host host(std::move(options));
+#ifdef __GLIBC__
+    // What earlier programs freed is joined now: malloc would do it, thousands of pieces at once,
+    // in whatever part first asks for much.
+    malloc_trim(0);
+#endif
     kAll[static_cast<std::size_t>(i)](engine, host, text);
   }
 }
