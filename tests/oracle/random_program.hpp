@@ -117,6 +117,13 @@ class RandomProgram {
   void kernel_fields();
   std::string kernel_term(int depth, const std::string& index);
 
+  // ---- elements and characters as operands, loops of one statement (random_operands.cpp)
+  void declare_operands();
+  void operand_statement();
+  void operand_loop();
+  std::string operand_relation();
+  std::string operand_test();
+
   // ---- values that change their owner (random_handing.cpp)
   void declare_handing();
   void handing_statement();

@@ -78,6 +78,10 @@ std::string meaning(const CompiledProgram& program, const FunctionCode& function
       return fmt::format("{}", function.constants[instr.a].d);
     case OpCode::TEXT:
     case OpCode::TEXTREF:
+    case OpCode::IFEQTK:
+    case OpCode::IFNETK:
+    case OpCode::IFEQTK_LOOP:
+    case OpCode::IFNETK_LOOP:
       return fmt::format("\"{}\"", program.texts[instr.b]);
     case OpCode::CONST:
       return fmt::format("{} or {}", function.constants[instr.b].d, function.constants[instr.b].i);

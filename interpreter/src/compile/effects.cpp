@@ -16,13 +16,16 @@ constexpr OpCode kPure[] = {
     OpCode::ITOR,   OpCode::RTOI,  OpCode::LTI,   OpCode::LEI,    OpCode::EQI,    OpCode::NEI,
     OpCode::LTR,    OpCode::LER,   OpCode::EQR,   OpCode::NER,    OpCode::CALLD1, OpCode::CALLD2,
     OpCode::CALLD3, OpCode::ADDRK, OpCode::MULRK, OpCode::SCALE,  OpCode::SUMP,   OpCode::DIFFP,
-    OpCode::MULIK,  OpCode::DIVP,  OpCode::MODP,  OpCode::SCALEI,
+    OpCode::MULIK,  OpCode::DIVP,  OpCode::MODP,  OpCode::SCALEI, OpCode::MADDIK, OpCode::MULADDI,
+    OpCode::ADDIIK,
 };
 // And on memory.
 constexpr OpCode kLoads[] = {
-    OpCode::GLOAD,  OpCode::BLOAD,  OpCode::CAPTURE, OpCode::LEN, OpCode::LENTEXT,
-    OpCode::LD,     OpCode::LDI,    OpCode::LDLD,    OpCode::LDF, OpCode::FLD,
-    OpCode::ADDLDF, OpCode::SUBLDF, OpCode::MULLDF,  OpCode::LDM, OpCode::LDO,
+    OpCode::GLOAD,  OpCode::BLOAD,  OpCode::CAPTURE, OpCode::LEN,   OpCode::LENTEXT, OpCode::LD,
+    OpCode::LDI,    OpCode::LDLD,   OpCode::LDF,     OpCode::FLD,   OpCode::ADDLDF,  OpCode::SUBLDF,
+    OpCode::MULLDF, OpCode::LDM,    OpCode::LDO,     OpCode::ADDIX, OpCode::SUBIX,   OpCode::XSUBI,
+    OpCode::MULIX,  OpCode::ADDIXK, OpCode::ADDIXX,  OpCode::ADDRX, OpCode::SUBRX,   OpCode::XSUBR,
+    OpCode::MULRX,  OpCode::LDG,    OpCode::CODEAT,  OpCode::ROW,
 };
 // And on what the register held.
 constexpr OpCode kUpdates[] = {
@@ -49,7 +52,8 @@ constexpr OpCode kPlain[] = {
     OpCode::MAKELIST,  OpCode::NEWARRAY, OpCode::STRIDE,     OpCode::SETF,      OpCode::MADDF,
     OpCode::NEWMAP,    OpCode::MAPADD,   OpCode::MAPLD,      OpCode::MAPGET,    OpCode::MAPHAS,
     OpCode::MAPLEN,    OpCode::MAPKEYS,  OpCode::MAPVALUES,  OpCode::ENTRYADDR, OpCode::ENTRYMAKE,
-    OpCode::MAPPOP,
+    OpCode::MAPPOP,    OpCode::MADDELX,  OpCode::MSUBELX,    OpCode::STG,       OpCode::SWITCH,
+    OpCode::OWNROW,
 };
 
 using EffectTable = std::array<Effect, static_cast<std::size_t>(OpCode::kCount)>;
@@ -69,7 +73,7 @@ constexpr EffectTable kEffects = [] {
       table[op] = effect;
     }
   };
-  set_all(OpCode::IFLTI, OpCode::IFNER, Effect::kPlain);
+  set_all(OpCode::IFLTI, OpCode::IFNETK, Effect::kPlain);
   set_all(OpCode::FORI, OpCode::FORGEK, Effect::kUpdate);
   set_all(OpCode::MOVELTI, OpCode::COUNTLER, Effect::kUpdate);
   return table;
@@ -92,6 +96,7 @@ Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at) {
   effects.reads_first = instr.op == OpCode::RETTAKE || instr.op == OpCode::APPEND;
   effects.empties = instr.op == OpCode::TAKE || instr.op == OpCode::GIVE;
   if (is_compare_and_branch(instr.op)) ++effects.words;
+  if (instr.op == OpCode::SWITCH) effects.words += instr.c + 1;
   while (at + effects.words < code.size() && is_operand_word(code[at + effects.words].op)) {
     ++effects.words;
   }

@@ -28,6 +28,7 @@ bool ends_flow(OpCode op) {
   switch (op) {
     case OpCode::JUMP:
     case OpCode::LOOP:
+    case OpCode::SWITCH:
     case OpCode::RET:
     case OpCode::RETPLAIN:
     case OpCode::RETHERE:
@@ -217,6 +218,19 @@ void Emitter::drop_jump(Label to) {
   reachable_ = true;
 }
 
+void Emitter::switch_on(Reg value, std::int64_t lowest, const std::vector<Label>& targets,
+                        Label otherwise) {
+  if (!reachable_) return;
+  push(OpCode::SWITCH, value.bits, static_cast<std::uint16_t>(lowest),
+       static_cast<std::uint32_t>(targets.size()));
+  const auto jump_word = [this](Label to) {
+    labels_[to.id].used = true;
+    code_.push_back({OpCode::JUMP, 0, 0, 0, to.id, expr_, span_});
+  };
+  jump_word(otherwise);
+  for (const Label target : targets) jump_word(target);
+}
+
 void Emitter::branch(OpCode op, std::uint32_t a, Label to) {
   if (!reachable_) return;
   labels_[to.id].used = true;
@@ -338,6 +352,53 @@ static void tell_loops_apart(std::vector<Instr>& code) {
   }
 }
 
+// The form of an instruction that does several passes of a loop of its own; HALT: there is none.
+static OpCode form_for_each(const Instr& instr, std::uint16_t added_to, std::size_t& words) {
+  words = 2;
+  switch (instr.op) {
+    case OpCode::ADDRX_W:
+      return instr.a == added_to ? OpCode::ADDRX_EACH : OpCode::HALT;
+    case OpCode::ADDIX:
+      return instr.a == added_to ? OpCode::ADDIX_EACH : OpCode::HALT;
+    case OpCode::MADDLD_A:
+      return OpCode::MADDLD_EACH;
+    case OpCode::MADDTWO_A:
+      return OpCode::MADDTWO_EACH;
+    case OpCode::COPYEL:
+      return OpCode::COPYEL_EACH;
+    case OpCode::ST:
+      words = 1;
+      return OpCode::ST_EACH;
+    case OpCode::MADDROW_A:
+      words = 3;
+      return OpCode::MADDROW_EACH;
+    case OpCode::MADDELX:
+      words = 3;
+      return OpCode::MADDELX_EACH;
+    case OpCode::MSUBELX:
+      words = 3;
+      return OpCode::MSUBELX_EACH;
+    default:
+      return OpCode::HALT;
+  }
+}
+
+// A loop that counts up behind a single instruction, which it leads back to.
+static void find_loops_of_one(std::vector<Instr>& code) {
+  for (std::size_t i = 0; i + 3 < code.size(); ++i) {
+    std::size_t words = 0;
+    const OpCode form = form_for_each(code[i], code[i + 1].a, words);
+    if (form == OpCode::HALT || i + words + 1 >= code.size()) continue;
+    const Instr& loop = code[i + words];
+    const bool by_one = loop.op == OpCode::FORLE_LOOP || loop.op == OpCode::FORLEK_LOOP;
+    const bool counts_up = loop.op == OpCode::FORI_LOOP || loop.op == OpCode::FORBYLT_LOOP ||
+                           loop.op == OpCode::FORBYLTK_LOOP || (by_one && loop.c == 1);
+    const Instr& back = code[i + words + 1];
+    const auto offset = static_cast<std::int32_t>(std::uint32_t{back.c} << 16U | back.b);
+    if (counts_up && offset == -static_cast<std::int32_t>(words + 2)) code[i].op = form;
+  }
+}
+
 void Emitter::finish(FunctionCode& into, CompiledProgram& program) {
   if (parameters_ + most_references_ + pinned_ + most_numbers_ >= kMostIndices) {
     throw TooLarge{whole_, "variables and temporaries in one function", kMostIndices};
@@ -356,6 +417,7 @@ void Emitter::finish(FunctionCode& into, CompiledProgram& program) {
     }
   }
   tell_loops_apart(into.code);
+  find_loops_of_one(into.code);
   fill_tables(into, shift);
   for (const Shown& shown : shown_) {
     for (const Reg reg : shown.registers) {

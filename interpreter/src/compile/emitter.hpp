@@ -90,6 +90,9 @@ class Emitter {
   void bind_loop(Label label, bool reachable);
   void jump(Label to);                       // LOOP if the label is already bound
   void jump_if(OpCode op, Reg a, Label to);  // JT, JF; forward only
+  // Goes to targets[value - lowest], or to `otherwise`.
+  void switch_on(Reg value, std::int64_t lowest, const std::vector<Label>& targets,
+                 Label otherwise);
   // Takes back the last instruction if it jumps to the label, which is bound here next.
   void drop_jump(Label to);
   [[nodiscard]] bool is_bound(Label label) const { return labels_[label.id].position != kUnbound; }

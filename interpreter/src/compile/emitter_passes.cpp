@@ -11,6 +11,7 @@
 #include "compile/hand_over.hpp"
 #include "compile/hoist.hpp"
 #include "compile/last_double.hpp"
+#include "compile/operands.hpp"
 #include "compile/repeats.hpp"
 
 namespace armlet::lang {
@@ -29,11 +30,12 @@ CodeShape Emitter::shape() const {
 
 void Emitter::improve() {
   const std::function<Reg()> fresh = [this] { return pinned(); };
-  hand_over_last_uses(code_, shape());
-  edit({find_repeats(code_, shape(), fresh), {}});
+  edit(hand_over_last_uses(code_, shape()));
+  edit(find_repeats(code_, shape(), fresh));
   edit(hoist_rows(code_, shape(), fresh));
   edit(fuse(code_, shape()));
   edit(combine(code_, shape()));
+  edit(take_operands(code_, shape()));
   edit(share_elements(code_, shape(), fresh));
   edit(use_last_double(code_, shape()));
 }

@@ -90,17 +90,28 @@ std::unordered_set<const Variable*> adopted_parameters(const Module& module) {
   return Collector().run(module);
 }
 
-void hand_over_last_uses(std::vector<WideInstr>& code, const CodeShape& shape) {
+Edits hand_over_last_uses(std::vector<WideInstr>& code, const CodeShape& shape) {
   Deaths deaths(code, shape, RegClass::kReference);
+  Edits edits;
+  edits.removed.assign(code.size(), false);
   for (std::uint32_t at = 0; at < code.size(); ++at) {
     WideInstr& instr = code[at];
     if (instr.op == OpCode::GIVE) {
       if (!deaths.dies(instr.b, at)) instr.op = OpCode::MOVE;
     } else if (instr.op == OpCode::MOVEREF && instr.c == 1) {
       instr.c = 0;
-      if (instr.a != instr.b && deaths.dies(instr.b, at)) instr.op = OpCode::TAKE;
+      if (instr.a == instr.b || !deaths.dies(instr.b, at)) continue;
+      instr.op = OpCode::TAKE;
+      // What was adopted just before is adopted into the variable at once: nothing leads in
+      // between, because parameters are adopted where the function begins.
+      WideInstr* before = at == 0 ? nullptr : &code[at - 1];
+      if (before != nullptr && before->op == OpCode::ADOPT && before->a == instr.b) {
+        before->a = instr.a;
+        edits.removed[at] = true;
+      }
     }
   }
+  return edits;
 }
 
 }  // namespace armlet::lang

@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "compile/liveness.hpp"
+#include "compile/flow.hpp"
 
 namespace armlet::lang {
 
@@ -16,6 +16,6 @@ namespace armlet::lang {
 
 // Decides, now that all code is there, which uses are the last ones. MOVEREF with c = 1 becomes
 // TAKE where nothing reads its source again; GIVE becomes MOVE where something does.
-void hand_over_last_uses(std::vector<WideInstr>& code, const CodeShape& shape);
+[[nodiscard]] Edits hand_over_last_uses(std::vector<WideInstr>& code, const CodeShape& shape);
 
 }  // namespace armlet::lang

@@ -8,8 +8,9 @@
 
 namespace armlet::lang {
 
-// rows[i][j] in a loop that changes neither rows nor i: rows[i] is looked up once, before the loop,
-// if that is the first thing there that can fail.
+// rows[i][j] in a loop that changes neither rows nor i: rows[i] is looked up once, before the loop.
+// A row that is missing is told of where the program needs it. Where the loop stores into rows,
+// nobody else sees the row from there on.
 //
 // fresh  a register of its own for every call.
 [[nodiscard]] Edits hoist_rows(std::vector<WideInstr>& code, const CodeShape& shape,

@@ -35,6 +35,10 @@ constexpr Form kForms[] = {
     {OpCode::MULADD, Operand::kNextA, OpCode::MULADD_W},
     {OpCode::ADDRI, Operand::kB, OpCode::ADDRI_B},
     {OpCode::SUBRI, Operand::kB, OpCode::SUBRI_B},
+    {OpCode::ADDRX, Operand::kNextA, OpCode::ADDRX_W},
+    {OpCode::SUBRX, Operand::kNextA, OpCode::SUBRX_W},
+    {OpCode::XSUBR, Operand::kNextA, OpCode::XSUBR_W},
+    {OpCode::MULRX, Operand::kNextA, OpCode::MULRX_W},
     {OpCode::MULRI, Operand::kB, OpCode::MULRI_B},
     {OpCode::DIVRI, Operand::kB, OpCode::DIVRI_B},
     {OpCode::ADDRK, Operand::kB, OpCode::ADDRK_B},
@@ -91,20 +95,23 @@ constexpr ChangeTable kChanges = [] {
     set(op, Change::kMakes);
   }
   for (const OpCode op :
-       {OpCode::MOVE,   OpCode::INT,    OpCode::CONST,  OpCode::ZERO,     OpCode::GLOAD,
-        OpCode::GSTORE, OpCode::ADDI,   OpCode::SUBI,   OpCode::MULI,     OpCode::DIVI,
-        OpCode::MODI,   OpCode::NEGI,   OpCode::ADDIK,  OpCode::NOT,      OpCode::LTI,
-        OpCode::LEI,    OpCode::EQI,    OpCode::NEI,    OpCode::LTR,      OpCode::LER,
-        OpCode::EQR,    OpCode::NER,    OpCode::LEN,    OpCode::LD,       OpCode::LDLD,
-        OpCode::LDI,    OpCode::LDF,    OpCode::FLD,    OpCode::BSTORE,   OpCode::PUT,
-        OpCode::ST,     OpCode::STF,    OpCode::STLF,   OpCode::MADDLF,   OpCode::STM,
-        OpCode::OWNED,  OpCode::SETF,   OpCode::MADDF,  OpCode::ADDRL,    OpCode::ADDRG,
-        OpCode::ADDRB,  OpCode::ADDRE,  OpCode::ADDRF,  OpCode::ADDRM,    OpCode::LDM,
-        OpCode::BLOAD,  OpCode::JT,     OpCode::JF,     OpCode::EXPANDED, OpCode::MULIK,
-        OpCode::SCALEI, OpCode::DIVP,   OpCode::MODP,   OpCode::LDO,      OpCode::STO,
-        OpCode::STLD,   OpCode::COPYEL, OpCode::SWAPEL, OpCode::COUNTEL,  OpCode::ADDEL,
-        OpCode::SUBEL,  OpCode::ADDELR, OpCode::SUBELR, OpCode::MULELR,   OpCode::MADDEL,
-        OpCode::MSUBEL, OpCode::OWNEDF}) {
+       {OpCode::MOVE,   OpCode::INT,    OpCode::CONST,   OpCode::ZERO,     OpCode::GLOAD,
+        OpCode::GSTORE, OpCode::ADDI,   OpCode::SUBI,    OpCode::MULI,     OpCode::DIVI,
+        OpCode::MODI,   OpCode::NEGI,   OpCode::ADDIK,   OpCode::NOT,      OpCode::LTI,
+        OpCode::LEI,    OpCode::EQI,    OpCode::NEI,     OpCode::LTR,      OpCode::LER,
+        OpCode::EQR,    OpCode::NER,    OpCode::LEN,     OpCode::LD,       OpCode::LDLD,
+        OpCode::LDI,    OpCode::LDF,    OpCode::FLD,     OpCode::BSTORE,   OpCode::PUT,
+        OpCode::ST,     OpCode::STF,    OpCode::STLF,    OpCode::MADDLF,   OpCode::STM,
+        OpCode::OWNED,  OpCode::SETF,   OpCode::MADDF,   OpCode::ADDRL,    OpCode::ADDRG,
+        OpCode::ADDRB,  OpCode::ADDRE,  OpCode::ADDRF,   OpCode::ADDRM,    OpCode::LDM,
+        OpCode::BLOAD,  OpCode::JT,     OpCode::JF,      OpCode::EXPANDED, OpCode::MULIK,
+        OpCode::SCALEI, OpCode::DIVP,   OpCode::MODP,    OpCode::LDO,      OpCode::STO,
+        OpCode::STLD,   OpCode::COPYEL, OpCode::SWAPEL,  OpCode::COUNTEL,  OpCode::ADDEL,
+        OpCode::SUBEL,  OpCode::ADDELR, OpCode::SUBELR,  OpCode::MULELR,   OpCode::MADDEL,
+        OpCode::MSUBEL, OpCode::OWNEDF, OpCode::MADDELX, OpCode::MSUBELX,  OpCode::STG,
+        OpCode::LDG,    OpCode::ADDIX,  OpCode::SUBIX,   OpCode::XSUBI,    OpCode::MULIX,
+        OpCode::ADDIXK, OpCode::ADDIXX, OpCode::MADDIK,  OpCode::MULADDI,  OpCode::ADDIIK,
+        OpCode::ROW,    OpCode::OWNROW}) {
     set(op, Change::kKeeps);
   }
   const auto set_all = [&](OpCode first, OpCode last) {
@@ -113,6 +120,9 @@ constexpr ChangeTable kChanges = [] {
     }
   };
   set_all(OpCode::IFLTI, OpCode::FORGEK);
+  for (const OpCode op : {OpCode::IFEQT, OpCode::IFNET, OpCode::IFEQTK, OpCode::IFNETK}) {
+    set(op, Change::kForgets);
+  }
   set_all(OpCode::MOVELTI, OpCode::COUNTLER);
   return table;
 }();

@@ -63,15 +63,16 @@ void Liveness::link_blocks(const CodeShape& shape) {
     for (std::uint32_t at = block.begin; at < block.end;) {
       const std::uint32_t words = effects_of(code_, at).words;
       const bool branches = is_compare_and_branch(code_[at].op);
-      const WideInstr& jump = code_[branches ? at + 1 : at];
-      if (jump.label != WideInstr::kNoLabel)
-        block.next.push_back(block_at(shape.labels[jump.label]));
+      for (std::uint32_t word = at; word < at + words; ++word) {
+        const std::uint32_t label = code_[word].label;
+        if (label != WideInstr::kNoLabel) block.next.push_back(block_at(shape.labels[label]));
+      }
       falls_through = branches || !ends_flow(code_[at].op);
       at += words;
     }
     if (falls_through && i + 1 < blocks_.size()) block.next.push_back(i + 1);
   }
-  find_only_ways(shape);
+  find_dominators(shape);
   for (const auto& handler : shape.handlers) {
     if (handler.begin >= handler.end) continue;
     const std::uint32_t last = block_at(handler.end - 1);
@@ -80,17 +81,29 @@ void Liveness::link_blocks(const CodeShape& shape) {
   }
 }
 
-void Liveness::find_only_ways(const CodeShape& shape) {
-  std::vector<std::uint32_t> ways(blocks_.size(), 0);
-  if (!ways.empty()) ways[0] = 1;
-  for (const auto& handler : shape.handlers) ways[block_at(handler.handler)] += 2;
+// Blocks lie in the order of the text, so only loops lead up. A handler can be reached from
+// anywhere.
+void Liveness::find_dominators(const CodeShape& shape) {
+  std::vector<bool> is_handler(blocks_.size(), false);
+  for (const auto& handler : shape.handlers) is_handler[block_at(handler.handler)] = true;
+  std::vector<bool> seen(blocks_.size(), false);
+  const auto common = [&](std::uint32_t a, std::uint32_t b) {
+    while (a != b && a != CodeBlock::kNone && b != CodeBlock::kNone) {
+      std::uint32_t& later = a > b ? a : b;
+      later = blocks_[later].dominator;
+    }
+    return a == b ? a : CodeBlock::kNone;
+  };
   for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
     for (const std::uint32_t next : blocks_[i].next) {
-      if (++ways[next] == 1 && i < next) blocks_[next].only_from = i;
+      CodeBlock& block = blocks_[next];
+      if (next <= i) {
+        block.loop_last = i;
+      } else if (!is_handler[next]) {
+        block.dominator = seen[next] ? common(block.dominator, i) : i;
+        seen[next] = true;
+      }
     }
-  }
-  for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
-    if (ways[i] != 1) blocks_[i].only_from = CodeBlock::kNone;
   }
 }
 

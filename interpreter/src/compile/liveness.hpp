@@ -26,7 +26,8 @@ struct CodeBlock {
   static constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  std::uint32_t only_from = kNone;      // the only block that leads here, one further up
+  std::uint32_t dominator = kNone;      // the last block that every way to here passes through
+  std::uint32_t loop_last = kNone;      // of a block that a loop begins with: the loop's last block
   std::vector<std::uint32_t> next;      // blocks that may follow
   std::vector<std::uint32_t> handlers;  // blocks where failures in this one go on
 };
@@ -49,7 +50,7 @@ class Liveness {
   using Bits = std::vector<std::uint64_t>;
   void find_blocks(const CodeShape& shape);
   void link_blocks(const CodeShape& shape);
-  void find_only_ways(const CodeShape& shape);
+  void find_dominators(const CodeShape& shape);
   [[nodiscard]] std::uint32_t block_at(std::uint32_t position) const { return block_of_[position]; }
   void read_block(const CodeBlock& block, Bits& reads, Bits& writes) const;
   void solve();

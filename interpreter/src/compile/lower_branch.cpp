@@ -226,7 +226,51 @@ void Lowering::branch_real(const BinaryExpr& e, bool when, Label to) {
   code_.jump(to);
 }
 
+namespace {
+
+// The number of a text of one character that is known.
+bool known_character(const Expr& e, std::int64_t& code) {
+  std::string_view text;
+  if (e.kind == ExprKind::kText) {
+    text = e.as<TextExpr>().value;
+  } else if (e.constant != nullptr && e.constant->kind == Constant::Kind::kText) {
+    text = e.constant->text;
+  }
+  if (text.size() != 1 || static_cast<unsigned char>(text[0]) >= 0x80U) return false;
+  code = text[0];
+  return true;
+}
+
+bool is_character(const Expr& e) { return e.kind == ExprKind::kCharacter && e.constant == nullptr; }
+
+}  // namespace
+
+// text[i] == "x", text[i] == text[j]: the numbers of the characters are compared.
+bool Lowering::branch_characters(const BinaryExpr& e, Op op, Label to) {
+  std::int64_t code = 0;
+  const bool with_known = is_character(*e.left) && known_character(*e.right, code);
+  if (!options_.optimise || (op != Op::kEqI && op != Op::kNeI)) return false;
+  if (!with_known && !(is_character(*e.left) && is_character(*e.right))) return false;
+  const Emitter::Mark mark = code_.mark();
+  const Reg left = code_.number();
+  character_code(e.left->as<CharacterExpr>(), left);
+  if (with_known) {
+    code_.release(mark);
+    code_.at(e.span, &e);
+    code_.push(compare_small(op), left.bits, static_cast<std::uint16_t>(code), 0);
+  } else {
+    const Reg right = code_.number();
+    character_code(e.right->as<CharacterExpr>(), right);
+    code_.release(mark);
+    code_.at(e.span, &e);
+    code_.emit(compare(op), left, right);
+  }
+  code_.jump(to);
+  return true;
+}
+
 void Lowering::branch_text(const BinaryExpr& e, Op op, Label to) {
+  if (branch_characters(e, op, to)) return;
   const Emitter::Mark mark = code_.mark();
   const Reg sign = code_.number();
   const Reg left = borrow(*e.left, hold_over(*e.right));

@@ -116,7 +116,7 @@ Reg Lowering::base_for(Dest to) {
 
 void Lowering::call_into(const Expr& e, Dest to) {
   if (options_.optimise && e.kind == ExprKind::kCallNative &&
-      call_direct(e.as<CallNativeExpr>(), to)) {
+      (call_direct(e.as<CallNativeExpr>(), to) || code_of_character(e.as<CallNativeExpr>(), to))) {
     return;
   }
   if (e.kind == ExprKind::kCall && e.as<CallExpr>().function->expands) {
@@ -203,6 +203,23 @@ Reg Lowering::call_guarded(const GuardedExpr& e, Dest to) {
   code_.at(motion.span, &motion);
   code_.push(OpCode::CALLN, base.bits, tables_.native(motion.function), 0);
   return base;
+}
+
+// codeOf(text[i]) needs no text of one character.
+bool Lowering::code_of_character(const CallNativeExpr& e, Dest to) {
+  if (e.function->name != "codeOf" || e.arguments.size() != 1 ||
+      e.arguments[0]->kind != ExprKind::kCharacter || e.arguments[0]->constant != nullptr) {
+    return false;
+  }
+  character_code(e.arguments[0]->as<CharacterExpr>(), to.reg);
+  return true;
+}
+
+void Lowering::character_code(const CharacterExpr& e, Reg to) {
+  const Reg text = borrow(*e.object, hold_over(*e.index));
+  const Reg index = value(*e.index);
+  code_.at(e.span, &e);
+  code_.emit(OpCode::CODEAT, to, text, index);
 }
 
 // Functions of one to three doubles need no window.

@@ -131,13 +131,14 @@ bool Lowering::counted_loop(const LoopStmt& s, const Summary& body) {
   return true;
 }
 
-// A bound that stays in a register: a number, a variable, or the length of a list that keeps its
-// length.
+// A bound that stays in a register: a number, a variable, or the length of a list or text that
+// keeps its length.
 bool Lowering::loop_bound(const Expr& e, const Summary& body, Reg& out) {
   if (in_register(e, out)) return true;
   if (e.kind != ExprKind::kLength) return false;
   const Expr& list = *e.as<LengthExpr>().object;
-  if (list.kind != ExprKind::kVariable || !list.type->is(Kind::kList)) return false;
+  const bool has_length = list.type->is(Kind::kList) || list.type->is(Kind::kText);
+  if (list.kind != ExprKind::kVariable || !has_length) return false;
   const Variable& variable = *list.as<VariableExpr>().variable;
   Reg pinned;
   const bool in_reach = variable.storage == Storage::kLocal || pinned_global(&variable, pinned);

@@ -186,29 +186,29 @@ void Lowering::assign_inside(const AssignStmt& s) {
 // xs[i].field += a * b in one instruction.
 bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
   const auto& steps = s.place.steps;
-  Reg list;
   if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field ||
       has_key(s.place))
     return false;
-  if (!own_register(*s.place.variable, list) || !is_product(*s.value) || !is_plain(*s.value))
-    return false;
+  if (!can_own(*s.place.variable) || !is_product(*s.value) || !is_plain(*s.value)) return false;
   const auto& product = s.value->as<BinaryExpr>();
   const Reg a = value(*product.left);
   const Reg b = value(*product.right);
+  const Reg list = own_register(*s.place.variable);
   code_.at(steps[0].span);
   code_.emit(OpCode::MADDLF, list, indices[0].index);
   code_.push(OpCode::FACTORS, a.bits, b.bits, steps[1].field);
   return true;
 }
 
-// rows[i][j] += value: the row is looked up once.
+// rows[i][j] += value: the row is looked up once. Likewise xs[i] += value where xs is a variable of
+// the program.
 bool Lowering::operate_inside(const AssignStmt& s, const Indices& indices) {
-  Reg object;
   const Step& last = s.place.steps.back();
-  if (s.place.steps.size() < 2 || last.is_field || last.column != nullptr) return false;
-  if (!own_register(*s.place.variable, object) || !is_chain_of_objects(s.place)) return false;
+  if (last.is_field || last.column != nullptr) return false;
+  if (!can_own(*s.place.variable) || !is_chain_of_objects(s.place)) return false;
   const Addend added = addend(s);
-  const Reg inner = owned_inside(s.place, indices, object);
+  const Reg object = own_register(*s.place.variable);
+  const Reg inner = s.place.steps.size() < 2 ? object : owned_inside(s.place, indices, object);
   const Reg now = code_.number();
   code_.at(last.span);
   code_.emit(OpCode::LD, now, inner, indices.back().index);
@@ -264,23 +264,30 @@ Hold Lowering::hold_for(const Place& place, const Expr& value) {
   return root_variable(value) == place.variable ? Hold::kOwn : Hold::kNow;
 }
 
-// The list or record of a variable in a register that stores may change in place.
-bool Lowering::own_register(const Variable& variable, Reg& out) const {
+// Stores may change the list or record of the variable in a register.
+bool Lowering::can_own(const Variable& variable) const {
   if (!options_.optimise) return false;
-  if (variable.storage == Storage::kLocal && reg_of(variable).is_reference()) {
-    out = reg_of(variable);
-    return true;
-  }
-  return pinned_global(&variable, out);
+  return variable.storage == Storage::kGlobal ||
+         (variable.storage == Storage::kLocal && reg_of(variable).is_reference());
+}
+
+// That register; of a variable of the program good until anything else runs.
+Reg Lowering::own_register(const Variable& variable) {
+  Reg reg;
+  if (variable.storage == Storage::kLocal) return reg_of(variable);
+  if (pinned_global(&variable, reg)) return reg;
+  reg = code_.number();
+  code_.push(OpCode::GOWN, reg.bits, variable.index, 0);
+  return reg;
 }
 
 void Lowering::store_inside(const Place& place, const Indices& indices, Reg from) {
-  Reg object;
-  if (!own_register(*place.variable, object) || !is_chain_of_objects(place)) {
+  if (!can_own(*place.variable) || !is_chain_of_objects(place)) {
     const Reg to = address(place, indices, Missing::kIsMade);
     code_.emit(OpCode::PUT, to, from);
     return;
   }
+  Reg object = own_register(*place.variable);
   const std::size_t steps = place.steps.size();
   const Step& first = place.steps[0];
   const Step& last = place.steps.back();

@@ -1,6 +1,7 @@
 // Statements, apart from assignments, loops and try.
 
 #include <algorithm>
+#include <map>
 
 #include "compile/cancelled.hpp"
 #include "compile/lowering.hpp"
@@ -178,10 +179,15 @@ void Lowering::switch_case(const SwitchStmt& s) {
   for (const SwitchCase& c : s.cases) {
     bodies.push_back(code_.label());
     if (c.is_default) fallback = &c;
-    for (const Expr* test : c.tests) branch(*test, true, bodies.back());
   }
-  code_.jump(fallback == nullptr ? end
-                                 : bodies[static_cast<std::size_t>(fallback - s.cases.data())]);
+  const Label otherwise =
+      fallback == nullptr ? end : bodies[static_cast<std::size_t>(fallback - s.cases.data())];
+  if (!switch_by_table(s, bodies, otherwise)) {
+    for (std::size_t i = 0; i < s.cases.size(); ++i) {
+      for (const Expr* test : s.cases[i].tests) branch(*test, true, bodies[i]);
+    }
+    code_.jump(otherwise);
+  }
   exits_.push_back({&s, end, end, tries_.size(), {}, {}});
   for (std::size_t i = 0; i < s.cases.size(); ++i) {
     code_.bind(bodies[i]);
@@ -191,6 +197,41 @@ void Lowering::switch_case(const SwitchStmt& s) {
   exits_.pop_back();
   code_.bind(end);
   code_.release(mark);
+}
+
+// The number that a case `subject == number` asks for.
+static bool number_of_case(const Expr& test, const Variable& subject, std::int64_t& out) {
+  if (test.kind != ExprKind::kBinary || test.as<BinaryExpr>().op != Op::kEqI) return false;
+  const auto& equal = test.as<BinaryExpr>();
+  const bool asks = equal.left->kind == ExprKind::kVariable &&
+                    equal.left->as<VariableExpr>().variable == &subject;
+  return asks && small_int(*equal.right, out);
+}
+
+// Numbers that lie close together are looked up, the first case of each.
+bool Lowering::switch_by_table(const SwitchStmt& s, const std::vector<Label>& bodies,
+                               Label otherwise) {
+  constexpr std::size_t kFewest = 4;
+  if (!options_.optimise || s.subject->storage != Storage::kLocal) return false;
+  std::map<std::int64_t, Label> targets;
+  for (std::size_t i = 0; i < s.cases.size(); ++i) {
+    for (const Expr* test : s.cases[i].tests) {
+      std::int64_t number = 0;
+      if (!number_of_case(*test, *s.subject, number)) return false;
+      targets.emplace(number, bodies[i]);
+    }
+  }
+  if (targets.size() < kFewest) return false;
+  const std::int64_t lowest = targets.begin()->first;
+  const auto span = static_cast<std::size_t>(targets.rbegin()->first - lowest + 1);
+  if (span > 4 * targets.size()) return false;
+  std::vector<Label> table(span, otherwise);
+  for (const auto& [number, label] : targets) {
+    table[static_cast<std::size_t>(number - lowest)] = label;
+  }
+  code_.at(s.value->span, s.value);
+  code_.switch_on(reg_of(*s.subject), lowest, table, otherwise);
+  return true;
 }
 
 // ---- going elsewhere

@@ -148,6 +148,8 @@ class Lowering {
   Reg call_native(const hir::CallNativeExpr& e, Reg base);
   Reg call_guarded(const hir::GuardedExpr& e, Dest to);
   bool call_direct(const hir::CallNativeExpr& e, Dest to);
+  bool code_of_character(const hir::CallNativeExpr& e, Dest to);
+  void character_code(const hir::CharacterExpr& e, Reg to);
 
   // ---- expand.cpp
   void expand(const hir::CallExpr& e, Dest to);
@@ -180,6 +182,7 @@ class Lowering {
   bool branch_compare(const hir::BinaryExpr& e, bool when, Label to);
   void branch_int(const hir::BinaryExpr& e, hir::Op op, Label to);
   void branch_real(const hir::BinaryExpr& e, bool when, Label to);
+  bool branch_characters(const hir::BinaryExpr& e, hir::Op op, Label to);
   void branch_text(const hir::BinaryExpr& e, hir::Op op, Label to);
   void branch_deep(const hir::BinaryExpr& e, bool equal, Label to);
 
@@ -210,7 +213,8 @@ class Lowering {
   Reg owned_inside(const hir::Place& place, const Indices& indices, Reg object);
   Indices index_values(const hir::Place& place);
   static Hold hold_for(const hir::Place& place, const hir::Expr& value);
-  bool own_register(const hir::Variable& variable, Reg& out) const;
+  [[nodiscard]] bool can_own(const hir::Variable& variable) const;
+  Reg own_register(const hir::Variable& variable);
   void store_inside(const hir::Place& place, const Indices& indices, Reg from);
   enum class Missing : std::uint8_t {
     kFails,
@@ -230,6 +234,7 @@ class Lowering {
   void note_set(const hir::Variable& variable);
   void if_else(const hir::IfStmt& s);
   void switch_case(const hir::SwitchStmt& s);
+  bool switch_by_table(const hir::SwitchStmt& s, const std::vector<Label>& bodies, Label otherwise);
   void jump(const hir::JumpStmt& s);
   void give_back(const hir::ReturnStmt& s);
   void give_back_reference(const hir::Expr& e);

@@ -5,6 +5,7 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/checked.hpp"
+#include "vm/each.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
 

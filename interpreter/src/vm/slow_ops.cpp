@@ -100,6 +100,25 @@ bool op_eqdeep(VmState& state, Slot* base, const Instr* pc) {
   return true;
 }
 
+Obj* missing_row(VmState& state, const Instr* pc, std::int64_t index, std::uint64_t size) {
+  MissingRow& row = state.missing_rows[pc[1].c];
+  row.refs = 1;
+  row.kind = ObjKind::kList;
+  row.index = index;
+  row.rows = size;
+  row.at = pc;
+  return &row;
+}
+
+bool raise_element(VmState& state, const ListObj& list, std::int64_t index) {
+  for (const MissingRow& row : state.missing_rows) {
+    if (&row != &list) continue;
+    state.running->top->pc = row.at + 1;
+    return raise_index(state, row.index, row.rows);
+  }
+  return raise_index(state, index, list.size);
+}
+
 bool op_calld_again(VmState& state, Slot* base, const Instr* pc) {
   const NativeFunction& native = *state.program.natives[pc->c];
   Slot* scratch = base + state.running->top->callee->registers;

@@ -18,7 +18,9 @@ SlowOp op_slice, op_putslice, op_pushref, op_pop, op_insert, op_insertref;
 SlowOp op_makemat, op_part, op_putpart, op_rowsof;                       // matrix_ops.cpp
 SlowOp op_newmap, op_mapadd, op_mapld, op_mapget, op_maphas, op_maplen;  // map_ops.cpp
 SlowOp op_mapkeys, op_mapvalues, op_entryaddr, op_entrymake, op_mappop;
-SlowOp op_slicetext, op_charat, op_totext, op_concat;
+SlowOp op_slicetext, op_charat, op_codeat, op_totext, op_concat;
+// -1, 0 or 1, counted as work. False: the failure is set.
+bool compare_texts(VmState& state, const TextObj& one, const TextObj& other, int& order);
 SlowOp op_wait, op_waituntil;  // leave what is waited for in state.pending
 SlowOp op_spawn, op_openwatch, op_watchwhen, op_watchevery;
 SlowOp op_parallel, op_endwatch,
@@ -33,6 +35,9 @@ bool op_calld_again(VmState& state, Slot* base, const Instr* pc);
 [[nodiscard]] inline bool own(VmState& state, Slot& place) {
   return place.o->refs == 1 || copy_to_own(state, place);
 }
+// What stands for a row that the instruction does not find in a list of this size.
+[[nodiscard]] Obj* missing_row(VmState& state, const Instr* pc, std::int64_t index,
+                               std::uint64_t size);
 // Adds a long tail to the text in `place`. False: the failure is set.
 bool append_slowly(VmState& state, Slot& place, const TextObj& tail);
 // Makes sure that the characters of a text have been counted, as work. False: the failure is set.
@@ -49,6 +54,8 @@ bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::strin
 // The running task waits for state.pending from now on; `pc` is the instruction that made it wait.
 bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc);
 
+// An element of this list, which may be a MissingRow.
+bool raise_element(VmState& state, const ListObj& list, std::int64_t index);
 // The element with this row and column, one of which is outside.
 bool raise_cell(VmState& state, const MatrixObj& matrix, std::int64_t row, std::int64_t column);
 bool raise_unset(VmState& state, std::uint32_t global);

@@ -73,6 +73,13 @@ class KernelWork final : public Supervisor {
   return &mark;
 }
 
+// Stands for a row that a loop may look for, but that its list does not have (ROW).
+struct MissingRow : ListObj {
+  std::int64_t index;
+  std::uint64_t rows;  // that there are
+  const Instr* at;     // where it was looked for
+};
+
 struct VmState {
   VmState(Vm& vm, const CompiledProgram& program, const VmOptions& options);
   ~VmState();
@@ -80,6 +87,7 @@ struct VmState {
   VmState& operator=(const VmState&) = delete;
 
   static constexpr std::uint32_t kHostCalls = 200;  // calls of the program inside calls of the host
+  static constexpr std::size_t kMissingRows = 8;    // of one loop
   static constexpr std::uint32_t kScratch = 4;  // slots behind a frame that native calls may use
 
   Vm& vm;
@@ -98,6 +106,7 @@ struct VmState {
   Obj* ascii[128] = {};     // texts of one character, made when first needed
   std::vector<std::unique_ptr<RecordLayout>> own_layouts;  // of records that only the library makes
   std::vector<std::unique_ptr<std::vector<std::uint16_t>>> own_references;
+  MissingRow missing_rows[kMissingRows] = {};  // only loops that call nothing have any
   const RecordLayout* error_layout = nullptr;  // one slot more than the type says: the hidden fault
 
   Task main;

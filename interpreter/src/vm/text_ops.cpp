@@ -22,18 +22,25 @@ void set_reference(VmState& state, Slot& place, Obj* object) {
 
 }  // namespace
 
-bool op_cmptext(VmState& state, Slot* base, const Instr* pc) {
-  const std::string_view a = text_in(base[pc->b]).view();
-  const std::string_view b = text_in(base[pc->c]).view();
+bool compare_texts(VmState& state, const TextObj& one, const TextObj& other, int& order) {
+  const std::string_view a = one.view();
+  const std::string_view b = other.view();
   const std::size_t common = std::min(a.size(), b.size());
-  int order = 0;
+  order = 0;
   const auto compare = [&](std::size_t begin, std::size_t end) {
     order = a.substr(begin, end - begin).compare(b.substr(begin, end - begin));
     return order == 0;
   };
   if (!in_blocks(state.vm, common, 1, compare) && order == 0) return false;
   if (order == 0) order = (a.size() > b.size() ? 1 : 0) - (a.size() < b.size() ? 1 : 0);
-  base[pc->a].i = (order > 0 ? 1 : 0) - (order < 0 ? 1 : 0);
+  order = (order > 0 ? 1 : 0) - (order < 0 ? 1 : 0);
+  return true;
+}
+
+bool op_cmptext(VmState& state, Slot* base, const Instr* pc) {
+  int order = 0;
+  if (!compare_texts(state, text_in(base[pc->b]), text_in(base[pc->c]), order)) return false;
+  base[pc->a].i = order;
   return true;
 }
 
@@ -131,6 +138,27 @@ bool op_charat(VmState& state, Slot* base, const Instr* pc) {
   }
   const auto at = static_cast<std::uint32_t>(index);
   return put_part(state, base[pc->a], part_of_text(state, text, at, at + 1));
+}
+
+bool op_codeat(VmState& state, Slot* base, const Instr* pc) {
+  TextObj& text = text_in(base[pc->b]);
+  const std::int64_t index = base[pc->c].i;
+  if (!count_characters(state, text)) return false;
+  if (static_cast<std::uint64_t>(index) >= character_count(text)) {
+    return raise_index(state, index, character_count(text), "text");
+  }
+  std::uint32_t at = 0;
+  if (!find_character(state, text, static_cast<std::uint32_t>(index), at)) return false;
+  const auto lead = static_cast<unsigned char>(text.data()[at++]);
+  std::int64_t code = lead < 0x80U ? lead
+                                   : lead & (lead < 0xE0U   ? 0x1FU
+                                             : lead < 0xF0U ? 0x0FU
+                                                            : 7U);
+  for (; at < text.size && !starts_character(text.data()[at]); ++at) {
+    code = code << 6U | (static_cast<unsigned char>(text.data()[at]) & 0x3FU);
+  }
+  base[pc->a].i = code;
+  return true;
 }
 
 bool op_totext(VmState& state, Slot* base, const Instr* pc) {

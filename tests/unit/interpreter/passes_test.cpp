@@ -19,9 +19,11 @@ std::string listing(const std::string& program) {
 
 int count(const std::string& listing, const std::string& op) {
   int found = 0;
-  for (std::size_t at = listing.find("  " + op + " "); at != std::string::npos;
-       at = listing.find("  " + op + " ", at + 1)) {
-    ++found;
+  const std::string name = "  " + op;
+  for (std::size_t at = listing.find(name); at != std::string::npos;
+       at = listing.find(name, at + 1)) {
+    const char next = listing[at + name.size()];
+    if (next == ' ' || next == 'r' || next == '#') ++found;
   }
   return found;
 }
@@ -61,7 +63,7 @@ TEST_CASE("sums and differences of two products are one instruction") {
 
 TEST_CASE("a row that stays the same is looked up before the loop") {
   const std::string code = listing(kMultiply);
-  CHECK(count(code, "MADDROW_A") == 1);
+  CHECK(count(code, "MADDROW_EACH") == 1);
   CHECK(count(code, "LDLD") == 0);
   const std::string rows = "let m = [[1.0, 2.0], [3.0, 4.0]]\n";
   prints(kMultiply + rows + "print(cell(m, m, 1, 0, 2), cell([], [], 5, 0, 0))", "15.0 0.0\n");
@@ -74,8 +76,8 @@ TEST_CASE("a row that stays the same is looked up before the loop") {
 
 TEST_CASE("a row is looked up in every pass when something in the loop could change it") {
   for (const char* body :
-       {"s += a[i][k] * 2.0\n a[i][0] = s", "s += a[i][k] * 2.0\n i = 0", "s += xs[k] * a[i][k]",
-        "try { s += a[i][k] * 2.0 } catch { s = 1.0 }", "print(s)\n s += a[i][k] * 2.0"}) {
+       {"s += a[i][k] * 2.0\n i = 0", "try { s += a[i][k] * 2.0 } catch { s = 1.0 }",
+        "print(s)\n s += a[i][k] * 2.0", "s += a[i][k] * 2.0\n a[i] = [s, s]"}) {
     const std::string loop =
         "fn f(rows: double[][], xs: double[]) -> double {\n  var a = rows\n"
         "  var s = 0.0\n  var i = 1\n  for (k in range(2)) { " +
