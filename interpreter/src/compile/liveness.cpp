@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostInstructions = 20'000;
 constexpr std::size_t kMostWords = 1U << 18U;  // of all sets together
+constexpr int kMostSteps = 32;  // from two blocks to the one that both are reached through
 
 bool test(const std::vector<std::uint64_t>& bits, std::uint32_t i) {
   return (bits[i / 64] >> (i % 64) & 1U) != 0;
@@ -88,7 +89,8 @@ void Liveness::find_dominators(const CodeShape& shape) {
   for (const auto& handler : shape.handlers) is_handler[block_at(handler.handler)] = true;
   std::vector<bool> seen(blocks_.size(), false);
   const auto common = [&](std::uint32_t a, std::uint32_t b) {
-    while (a != b && a != CodeBlock::kNone && b != CodeBlock::kNone) {
+    for (int steps = 0; a != b && a != CodeBlock::kNone && b != CodeBlock::kNone; ++steps) {
+      if (steps == kMostSteps) return CodeBlock::kNone;
       std::uint32_t& later = a > b ? a : b;
       later = blocks_[later].dominator;
     }
