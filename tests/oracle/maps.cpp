@@ -1,5 +1,7 @@
 // Maps: entries one after the other, found by looking at each.
 
+#include <algorithm>
+
 #include "evaluator.hpp"
 #include "show.hpp"
 
@@ -87,9 +89,15 @@ Value& Evaluator::step_to_entry(Value& map, const Step& step, const Value& key, 
   return entries.values[at];
 }
 
+// Long texts are cut where a character begins.
 std::string Evaluator::key_text(const Value& key, const Type& type) {
+  constexpr std::size_t kLongest = 40;
   const std::string text = show(key, type, {});
-  return type.is(Kind::kText) ? '"' + text + '"' : text;
+  if (!type.is(Kind::kText)) return text;
+  std::size_t end = std::min(text.size(), kLongest);
+  const auto is_inside = [&] { return (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U; };
+  while (end < text.size() && end > 0 && is_inside()) --end;
+  return '"' + text.substr(0, end) + (end < text.size() ? "...\"" : "\"");
 }
 
 void Evaluator::fail_key(const Value& key, const Type& map, Span where) const {
