@@ -124,7 +124,12 @@ struct NewFile::Open {
 
   ~Open() {
     if (file.number() >= 0) unlinkat(folder.number(), temporary.c_str(), 0);
+    forget();
+  }
+
+  void forget() {
     if (slot != nullptr) slot->folder.store(Unfinished::kFree);
+    slot = nullptr;
   }
 
   void fail(int number) {
@@ -146,11 +151,13 @@ struct NewFile::Open {
     }
     for (int attempt = 0; !failure && file.number() < 0; ++attempt) {
       temporary = temporary_name();
+      forget();
+      slot =
+          remember(folder.number(), temporary);  // before it exists: a signal may come at any time
       file = Handle(openat(folder.number(), temporary.c_str(),
                            O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
       if (file.number() < 0 && (errno != EEXIST || attempt == 100)) fail(errno);
     }
-    if (!failure) slot = remember(folder.number(), temporary);
     return !failure;
   }
 
