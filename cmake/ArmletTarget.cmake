@@ -1,6 +1,9 @@
-# armlet_add_library(NAME SOURCES ... PUBLIC ... PRIVATE ... PRECOMPILE ...) adds the library armlet_NAME, alias
+# armlet_add_library(NAME SOURCES ... PUBLIC ... PRIVATE ... PRECOMPILE ... UNITY ...) adds the library armlet_NAME, alias
 # armlet::NAME, linked to PUBLIC and PRIVATE; PRECOMPILE are headers that most of its sources include. SOURCES are
 # folders, each followed by the names of its sources: src/check/ calls scope stands for src/check/calls.cpp and scope.cpp.
+# UNITY is what armlet_group_sources needs.
+# armlet_group_sources(TARGET GROUPS SALT) compiles the sources of TARGET as so many translation units if ARMLET_UNITY is on.
+# armlet_compile_apart(SOURCE...) keeps sources out of these groups.
 # armlet_compile_options(TARGET) gives a target the flags that all of our own code is compiled with.
 
 # A compiler cache when there is one; it and precompiled headers get in each other's way.
@@ -38,7 +41,7 @@ function(armlet_sanitize target)
 endfunction()
 
 function(armlet_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILE;UNITY" ${ARGN})
   add_library(armlet_${name} STATIC)
   foreach(item IN LISTS ARG_SOURCES)
     if(item MATCHES "/$")
@@ -56,4 +59,29 @@ function(armlet_add_library name)
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(armlet_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   target_precompile_headers(armlet_${name} PRIVATE ${ARG_PRECOMPILE})
+  if(ARG_UNITY)
+    armlet_group_sources(armlet_${name} ${ARG_UNITY})
+  endif()
+endfunction()
+
+# A source's group follows from its name alone, so a new source changes one group. Two sources of a group share their
+# anonymous namespace: where they use one name for two things, the compiler says so and one of them is renamed. SALT was
+# chosen so that the sources of that day did not meet (docs/decisions/0029).
+function(armlet_group_sources target groups salt)
+  if(NOT ARMLET_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source FILENAME file)
+    string(MD5 hash "${salt}${file}")
+    string(SUBSTRING ${hash} 0 6 hash)
+    math(EXPR group "0x${hash} % ${groups}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+function(armlet_compile_apart)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -1,5 +1,5 @@
 # armlet_add_unit_tests(LAYER LIBRARY [INCLUDE...]) adds the program test_LAYER from tests/unit/LAYER.
-# armlet_add_script_tests(FOLDER) adds one test for every .rbt file below it, except those in folders called modules.
+# armlet_add_script_tests(FOLDER...) adds one test for every .rbt file below, except those in folders called modules.
 
 # Tests use std::regex, in which g++ 12 sees uninitialised variables when it is to check addresses (gcc.gnu.org/PR105562).
 if(ARMLET_SANITIZE)
@@ -10,6 +10,19 @@ endif()
 function(armlet_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
+
+# Groups and salt of the tests of a layer (armlet_group_sources).
+set(unity_backend 1 0)
+set(unity_cell 2 41)
+set(unity_core 2 454)
+set(unity_interpreter 8 53)
+set(unity_kinematics 6 2184)
+set(unity_math 3 2424)
+set(unity_model 3 976)
+set(unity_plot 1 0)
+set(unity_stdlib 4 2589)
+set(unity_trajectory 5 63)
+set(unity_world 1 0)
 
 function(armlet_add_unit_tests layer library)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/unit/${layer}/*_test.cpp)
@@ -22,11 +35,15 @@ function(armlet_add_unit_tests layer library)
   target_link_libraries(test_${layer} PRIVATE armlet_test_main ${library})
   target_include_directories(test_${layer} PRIVATE ${ARGN})
   target_precompile_headers(test_${layer} REUSE_FROM armlet_test_main)
+  if(DEFINED unity_${layer})
+    armlet_group_sources(test_${layer} ${unity_${layer}})
+  endif()
   add_test(NAME unit.${layer} COMMAND test_${layer})
 endfunction()
 
-function(armlet_add_script_tests folder)
-  file(GLOB_RECURSE scripts CONFIGURE_DEPENDS ${folder}/*.rbt)
+function(armlet_add_script_tests)
+  list(TRANSFORM ARGN APPEND /*.rbt)
+  file(GLOB_RECURSE scripts CONFIGURE_DEPENDS ${ARGN})
   list(FILTER scripts EXCLUDE REGEX "/modules/")
   foreach(script IN LISTS scripts)
     cmake_path(NORMAL_PATH script)

@@ -1,4 +1,5 @@
-// The acceleration parameters of a trajectory and their integration (language reference, section 19).
+// The acceleration parameters of a trajectory and their integration (language reference, section
+// 19).
 
 #include <fmt/format.h>
 
@@ -151,7 +152,7 @@ Signal integrate(Vm& vm, Slot* args) {
   }
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kAccelerationFunctions[] = {
     {"trajectory.accelParameters", "(tr: trajectory, joint: int) -> matrix",
      "The acceleration of a joint, counted from 1, as polynomials: row i holds the coefficients "
      "a0, a1, a2 ... of the powers of t - knots[i] (SI), up to the next knot.",
@@ -168,6 +169,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> acceleration_functions() { return kFunctions; }
+std::span<const NativeFunction> acceleration_functions() { return kAccelerationFunctions; }
 
 }  // namespace armlet::bind

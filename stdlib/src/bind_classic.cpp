@@ -127,7 +127,7 @@ constexpr std::string_view kMoveJHelp =
 constexpr std::string_view kMoveCHelp =
     "Moves the hand to a place: 'Lin' in a straight line, other planners with the joints.";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kClassicFunctions[] = {
     {"posC", "(values: double[]) -> posC",
      "A place (3 numbers), a place and a turn about z (4), or a place with roll, pitch, yaw (6); "
      "metres and radians.",
@@ -162,6 +162,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> classic_functions() { return kFunctions; }
+std::span<const NativeFunction> classic_functions() { return kClassicFunctions; }
 
 }  // namespace armlet::bind

@@ -136,7 +136,7 @@ constexpr std::string_view kInversePosition =
     "Joint values near q0 that bring the tool point to p.";
 constexpr auto kNearList = check_joint_list<1>;
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kDhFunctions[] = {
     {"dh", kWord, kFromTable, "dh([[0.0, 0.0, 0.3, 0.0]], types: \"R\", limits: [[-1.5, 1.5]])",
      robot_from_table<false>, nullptr, nullptr, check_dh_table},
     {"dh", kTexts, kFromTable, "dh([[0.0, 0.0, 0.3, 0.0]], types: [\"R\"], limits: [[-1.5, 1.5]])",
@@ -181,6 +181,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> dh_functions() { return kFunctions; }
+std::span<const NativeFunction> dh_functions() { return kDhFunctions; }
 
 }  // namespace armlet::bind

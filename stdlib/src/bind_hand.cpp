@@ -86,7 +86,7 @@ Signal holding_this(Vm& vm, Slot* args) {
       args, holding(Host::of(vm).cell(), robot_id(args[0])) == host_value<ObjectRef>(args[1]).name);
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kHandFunctions[] = {
     commanding({"grasp", "(r: robot, o: object)",
                 "Closes the hand on an object whose centre or grasp point is within the grasp "
                 "distance of the tool point; "
@@ -107,6 +107,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> hand_functions() { return kFunctions; }
+std::span<const NativeFunction> hand_functions() { return kHandFunctions; }
 
 }  // namespace armlet::bind

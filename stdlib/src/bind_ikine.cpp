@@ -185,7 +185,7 @@ constexpr NativeFunction explained(NativeFunction function, Thunk explain) {
   return function;
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kIkineFunctions[] = {
     explained({"ikine",
                "(r: robot, p: posC, near: posJ?, mask: int[]?, axes: string = \"world\", "
                "posture: string?) -> posJ",
@@ -240,6 +240,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> ikine_functions() { return kFunctions; }
+std::span<const NativeFunction> ikine_functions() { return kIkineFunctions; }
 
 }  // namespace armlet::bind

@@ -137,7 +137,7 @@ constexpr std::string_view kHelp =
     "that would be farthest outside its limits, from 1 (0: none); `margin`, each joint's distance "
     "to its nearer limit (rad, m), below 0 beyond it.";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kIkineInfoFunctions[] = {
     {"ikineInfo", "(r: robot, p: posC, near: posJ?, limits: bool = true) -> IkInfo", kHelp,
      "ikineInfo(xyz(2m, 0m, 300mm)).distance", ikine_info<false>},
     {"ikineInfo", "(r: robot, p: posC, near: double[], limits: bool = true) -> IkInfo", kHelp,
@@ -147,6 +147,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> ikine_info_functions() { return kFunctions; }
+std::span<const NativeFunction> ikine_info_functions() { return kIkineInfoFunctions; }
 
 }  // namespace armlet::bind

@@ -20,7 +20,7 @@ constexpr NativeFunction later_motion(std::string_view name, std::string_view si
   return function;
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kLaterFunctions[] = {
     // trajectories and motion
     later("plan", "(r: robot, to: posJ, avoid: bool = true) -> trajectory"),
     later("plan", "(r: robot, to: posC, avoid: bool = true) -> trajectory"),
@@ -95,6 +95,6 @@ const HostType kCamera = {.name = "camera", .is_handle = true, .noun = "a camera
 const HostType kImage = {.name = "image", .noun = "an image"};
 const HostType kFinger = {.name = "finger", .is_handle = true, .noun = "a finger of a hand"};
 
-std::span<const NativeFunction> later_functions() { return kFunctions; }
+std::span<const NativeFunction> later_functions() { return kLaterFunctions; }
 
 }  // namespace armlet::bind

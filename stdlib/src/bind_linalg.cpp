@@ -1,4 +1,5 @@
-// Linear algebra: equations, decompositions, functions of matrices (language reference, section 19).
+// Linear algebra: equations, decompositions, functions of matrices (language reference, section
+// 19).
 
 #include <fmt/format.h>
 
@@ -293,7 +294,7 @@ Signal power_of(Vm& vm, Slot* args) {
   });
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kLinalgFunctions[] = {
     {"operator\\", "(A: matrix, b: double[]) -> double[]",
      "Solves A x = b: by LU for a square matrix, otherwise least squares by QR; with fewer rows "
      "than columns the smallest solution.",
@@ -341,6 +342,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> linalg_functions() { return kFunctions; }
+std::span<const NativeFunction> linalg_functions() { return kLinalgFunctions; }
 
 }  // namespace armlet::bind

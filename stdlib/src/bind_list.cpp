@@ -162,7 +162,7 @@ Signal reverse(Vm& vm, Slot* args) {
                     [xs](Slot& to, std::size_t i) { to = xs[xs.size() - 1 - i]; });
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kListFunctions[] = {
     {"range", "(b: int) -> int[]", "The whole numbers from 0 up to but excluding b.", "range(3)",
      range_to},
     {"range", "(a: int, b: int, step: int = 1) -> int[]",
@@ -215,6 +215,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> list_functions() { return kFunctions; }
+std::span<const NativeFunction> list_functions() { return kListFunctions; }
 
 }  // namespace armlet::bind

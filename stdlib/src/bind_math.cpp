@@ -341,7 +341,7 @@ Signal set_seed(Vm& vm, Slot* args) {
   return give_nothing();
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kMathFunctions[] = {
     {"sin", "(x: double) -> double", "Sine of an angle; a plain number counts radians.",
      "sin(30deg)", real1<det::sin>, det::sin},
     {"cos", "(x: double) -> double", "Cosine of an angle; a plain number counts radians.",
@@ -471,6 +471,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> math_functions() { return kFunctions; }
+std::span<const NativeFunction> math_functions() { return kMathFunctions; }
 
 }  // namespace armlet::bind

@@ -342,7 +342,7 @@ Signal explain_near(Vm& vm, Slot* args) {
                                              worst / A.cols, worst % A.cols)));
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kMatrixFunctions[] = {
     {"matrix", "(rows: double[][]) -> matrix", "A matrix from a list of rows.",
      "matrix([[1.0, 2.0], [3.0, 4.0]])", matrix_from<false>},
     {"matrix", "(rows: int[][]) -> matrix", "A matrix from a list of rows.",
@@ -399,6 +399,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> matrix_functions() { return kFunctions; }
+std::span<const NativeFunction> matrix_functions() { return kMatrixFunctions; }
 
 }  // namespace armlet::bind

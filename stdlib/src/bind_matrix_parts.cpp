@@ -275,7 +275,7 @@ Signal posc_with_rotation(Vm& vm, Slot* args) {
   return give(args, new_posc(vm, pose));
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kMatrixPartsFunctions[] = {
     {"hcat", "(A: matrix, B: matrix) -> matrix", "Two matrices side by side.",
      "hcat([1, 2; 3, 4], eye(2))", join_two<beside>},
     {"hcat", "(A: matrix, v: double[]) -> matrix", "A matrix with a column more.",
@@ -332,6 +332,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> matrix_part_functions() { return kFunctions; }
+std::span<const NativeFunction> matrix_part_functions() { return kMatrixPartsFunctions; }
 
 }  // namespace armlet::bind

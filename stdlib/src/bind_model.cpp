@@ -270,7 +270,7 @@ Signal tool_point(Vm& vm, Slot* args) {
 
 constexpr std::string_view kReady = "(base: posC?, tool: tool?, name: string?) -> robot";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kModelFunctions[] = {
     {"robot.joint.revolute",
      "(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = 0rad, limits: angle[]?, "
      "maxSpeed: angularSpeed?, maxAccel: angularAccel?, "
@@ -349,6 +349,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> model_functions() { return kFunctions; }
+std::span<const NativeFunction> model_functions() { return kModelFunctions; }
 
 }  // namespace armlet::bind

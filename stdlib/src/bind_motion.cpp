@@ -155,7 +155,7 @@ constexpr std::string_view kMoveSplineHelp =
     "\"Spline3\", \"Spline4\", \"Spline5\" or \"Cubic\", of which the last never swings out; with "
     "any other the joints run through the places.";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kMotionFunctions[] = {
     in_path({"moveJ",
              "(r: robot, target: posJ, time: time?, speed: double?, accel: double?, traj: string = "
              "\"Syn\", near: posJ?, blend: length?) -> Move",
@@ -222,6 +222,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> motion_functions() { return kFunctions; }
+std::span<const NativeFunction> motion_functions() { return kMotionFunctions; }
 
 }  // namespace armlet::bind

@@ -269,7 +269,7 @@ Signal minimum(Vm& vm, Slot* args) {
   return cannot_minimise(vm, found);
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kNumericFunctions[] = {
     {"polyfit", "(x: double[], y: double[], n: int) -> double[]",
      "The polynomial of degree n that fits the points best by least squares: its coefficients, the "
      "one of the highest power first.",
@@ -297,6 +297,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> numeric_functions() { return kFunctions; }
+std::span<const NativeFunction> numeric_functions() { return kNumericFunctions; }
 
 }  // namespace armlet::bind

@@ -16,7 +16,7 @@
 namespace armlet::bind {
 namespace {
 
-enum Parameter { kRate, kStart, kFrom, kTo, kStep, kMethod, kTolerance, kKnots };
+enum Parameter { kRate, kStart, kFrom, kTo, kStepSize, kMethod, kTolerance, kKnots };
 
 constexpr double kMostSteps = 10'000'000;
 
@@ -24,14 +24,15 @@ constexpr double kMostSteps = 10'000'000;
 bool check_times(Vm& vm, const Slot* args) {
   const double t0 = args[kFrom].d;
   const double t1 = args[kTo].d;
-  const double step = args[kStep].d;
-  for (const int p : {kFrom, kTo, kStep}) {
+  const double step = args[kStepSize].d;
+  for (const int p : {kFrom, kTo, kStepSize}) {
     if (std::isfinite(args[p].d)) continue;
     static_cast<void>(not_finite(vm, "a time given to ode", args[p].d, p));
     return false;
   }
   if (step <= 0.0) {
-    static_cast<void>(domain_failure(vm, "ode with a step", step, "be longer than 0 s", {}, kStep));
+    static_cast<void>(
+        domain_failure(vm, "ode with a step", step, "be longer than 0 s", {}, kStepSize));
     return false;
   }
   if (t1 <= t0) {
@@ -143,15 +144,15 @@ std::optional<std::vector<double>> times_of(Vm& vm, const Slot* args) {
     if (knot > knots.back() + apart && knot < t1 - apart) knots.push_back(knot);
   }
   knots.push_back(t1);
-  const double steps = count_steps(knots, args[kStep].d);
+  const double steps = count_steps(knots, args[kStepSize].d);
   if (steps <= kMostSteps) {
     if (!charge_work(vm, static_cast<std::uint64_t>(8.0 * steps))) return std::nullopt;
-    return step_times(knots, args[kStep].d);
+    return step_times(knots, args[kStepSize].d);
   }
   static_cast<void>(
       failure(vm, "R0613",
               fmt::format("ode would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps),
-              kStep, {}, "use a longer step"));
+              kStepSize, {}, "use a longer step"));
   return std::nullopt;
 }
 
@@ -224,7 +225,7 @@ Signal ode(Vm& vm, Slot* args) {
   return integrate(vm, args, integrator, *instants);
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kOdeFunctions[] = {
     {"ode",
      "(f: fn(double, double[]) -> double[], y0: double[], t0: time, t1: time, step: time, method: "
      "string = \"rk4\", tol: double = 1e-8, knots: time[]?) -> OdeSolution",
@@ -238,6 +239,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> ode_functions() { return kFunctions; }
+std::span<const NativeFunction> ode_functions() { return kOdeFunctions; }
 
 }  // namespace armlet::bind

@@ -55,7 +55,7 @@ Signal set_time(Vm& vm, Slot* args) {
 void check_blend_setting(CheckCall& call) { check_blend(call, 0); }
 void check_time_setting(CheckCall& call) { check_duration(call, 0); }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kPathFunctions[] = {
     {"path{", "()", "", "", enter},
     {"path}", "()", "", "", leave},
     {.name = "path{move}",
@@ -92,6 +92,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> path_functions() { return kFunctions; }
+std::span<const NativeFunction> path_functions() { return kPathFunctions; }
 
 }  // namespace armlet::bind

@@ -14,7 +14,7 @@
 namespace armlet::bind {
 namespace {
 
-enum Parameter { kName, kLaw };
+enum Parameter { kPlannerName, kLaw };
 
 constexpr int kPieces = 64;  // of a law given as a function
 
@@ -30,7 +30,7 @@ Signal add_polynomial(Vm& vm, Slot* args) try {
   for (const double c : coefficients) {
     if (!std::isfinite(c)) return not_finite(vm, "a coefficient of the law", c, kLaw);
   }
-  return add_planner(vm, text_value(args[kName]), law_of_polynomial(coefficients));
+  return add_planner(vm, text_value(args[kPlannerName]), law_of_polynomial(coefficients));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0626", error, kLaw);
 }
@@ -45,7 +45,7 @@ Signal add_function(Vm& vm, Slot* args) try {
     if (!std::isfinite(s)) return not_finite(vm, "a value of the law", s, kLaw);
     values.push_back(s);
   }
-  return add_planner(vm, text_value(args[kName]), law_of_values(values));
+  return add_planner(vm, text_value(args[kPlannerName]), law_of_values(values));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0626", error, kLaw);
 }
@@ -63,7 +63,7 @@ Signal planner_names(Vm& vm, Slot* args) {
   return give(args, list);
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kPlannersFunctions[] = {
     {"addPlanner", "(name: string, law: double[])",
      "Adds a planner of one's own, or replaces one: all joints go the fraction s(x) of their way "
      "in the fraction x of the time. law holds the coefficients c0, c1, c2 ... of s, which leads "
@@ -80,6 +80,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> planner_functions() { return kFunctions; }
+std::span<const NativeFunction> planner_functions() { return kPlannersFunctions; }
 
 }  // namespace armlet::bind

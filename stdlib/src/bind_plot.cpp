@@ -225,7 +225,7 @@ Signal save_plot(Vm& vm, Slot* args) {
 constexpr std::string_view kValues =
     "(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kPlotFunctions[] = {
     {"figure", "(title: string, log: string?)",
      "Begins a figure, or goes on with the one of that title; what is plotted next belongs to it. "
      "log: \"y\", \"x\" or \"xy\" makes these axes logarithmic, which show values above zero only.",
@@ -260,6 +260,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> plot_functions() { return kFunctions; }
+std::span<const NativeFunction> plot_functions() { return kPlotFunctions; }
 
 }  // namespace armlet::bind

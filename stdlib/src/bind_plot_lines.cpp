@@ -75,7 +75,7 @@ Signal plot_lists(Vm& vm, Slot* args) {
                    [&](std::size_t k, std::size_t i) { return reals_value(lists[k])[i]; });
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kPlotLinesFunctions[] = {
     {"plot", "(y: D[], label: string?, axis: string?, yUnit: string?)",
      "Draws the values of a list over their numbers 0, 1, 2, ...", "plot([2mm, 3mm, 5mm])",
      plot_numbered},
@@ -92,6 +92,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> plot_line_functions() { return kFunctions; }
+std::span<const NativeFunction> plot_line_functions() { return kPlotLinesFunctions; }
 
 }  // namespace armlet::bind

@@ -284,7 +284,7 @@ Signal plot_table(Vm& vm, Slot* args) {
   return draw(vm, t, std::move(panels));
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kPlotMotionFunctions[] = {
     {"plot", "(tr: trajectory, label: string?, joint: int?)",
      "Draws positions, speeds and accelerations of a trajectory in three panels, angles in degrees "
      "on the left and lengths on the right; joint: only this one, counted from 1; label: what the "
@@ -307,6 +307,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> plot_motion_functions() { return kFunctions; }
+std::span<const NativeFunction> plot_motion_functions() { return kPlotMotionFunctions; }
 
 }  // namespace armlet::bind

@@ -289,7 +289,7 @@ Signal lerp_joints(Vm& vm, Slot* args) {
   return combine(vm, args, [s](double a, double b) { return a + (b - a) * s; });
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kPoseFunctions[] = {
     {"xyz", "(x: length = 0m, y: length = 0m, z: length = 0m) -> posC",
      "A place, without an orientation of its own.", "xyz(300mm, 120mm, 20mm)", xyz},
     {"rotX", "(a: angle) -> posC", "A turn about the x axis.", "rotX(180deg)", turn<rot_x>},
@@ -385,6 +385,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> pose_functions() { return kFunctions; }
+std::span<const NativeFunction> pose_functions() { return kPoseFunctions; }
 
 }  // namespace armlet::bind

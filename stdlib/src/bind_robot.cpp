@@ -189,7 +189,7 @@ constexpr std::string_view kJacobianDot =
     "The acceleration of the tool point that the joint speeds qd cause while they do not change: "
     "the rate of the Jacobian times qd, three values in m/s^2 and three in rad/s^2, in the world.";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kRobotFunctions[] = {
     {"joints", "(r: robot) -> posJ", "The joint values now.", "joints()", joints},
     {"jointSpeeds", "(r: robot) -> double[]", "The joint speeds now, rad/s and m/s.",
      "jointSpeeds()", joint_speeds},
@@ -265,6 +265,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> robot_functions() { return kFunctions; }
+std::span<const NativeFunction> robot_functions() { return kRobotFunctions; }
 
 }  // namespace armlet::bind

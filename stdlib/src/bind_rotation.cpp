@@ -127,7 +127,7 @@ Signal move_point(Vm& vm, Slot* args) {
 
 constexpr std::string_view kEuler = "(a: angle, b: angle, c: angle) -> posC";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kRotationFunctions[] = {
     {"eulerXYX", kEuler, "Turns about the moving axes x, y, x.", "eulerXYX(10deg, 20deg, 30deg)",
      from_euler<0>},
     {"eulerXZX", kEuler, "Turns about the moving axes x, z, x.", "eulerXZX(10deg, 20deg, 30deg)",
@@ -193,6 +193,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> rotation_functions() { return kFunctions; }
+std::span<const NativeFunction> rotation_functions() { return kRotationFunctions; }
 
 }  // namespace armlet::bind

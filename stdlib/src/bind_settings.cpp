@@ -108,7 +108,7 @@ Signal set_frame_object(Vm& vm, Slot* args) {
 }
 
 // E0513.
-void check_fraction(CheckCall& call, std::string_view what) {
+void check_share(CheckCall& call, std::string_view what) {
   const auto constant = call.constant(0);
   if (!constant || (constant->real > 0.0 && constant->real <= 1.0)) return;
   Diagnostic d = make_diagnostic(
@@ -124,10 +124,10 @@ void check_track_setting(CheckCall& call) {
       make_diagnostic("E0513", call.span(0),
                       {"track", "\"exact\", \"slow\" or \"damped\"", '"' + constant->text + '"'}));
 }
-void check_speed_setting(CheckCall& call) { check_fraction(call, "the speed"); }
-void check_accel_setting(CheckCall& call) { check_fraction(call, "the acceleration"); }
+void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
+void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kSettingsFunctions[] = {
     in_path({"with{", "()", "", "", enter}),
     in_path({"with}", "()", "", "", leave}),
     {"with.speed", "(speed: double)",
@@ -163,6 +163,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> settings_functions() { return kFunctions; }
+std::span<const NativeFunction> settings_functions() { return kSettingsFunctions; }
 
 }  // namespace armlet::bind

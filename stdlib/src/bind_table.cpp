@@ -169,7 +169,7 @@ Signal save(Vm& vm, Slot* args) {
   return fail(vm, std::move(f));
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kTableFunctions[] = {
     {"save", "(t: table, file: string)",
      "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
      "names of "
@@ -179,6 +179,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> table_functions() { return kFunctions; }
+std::span<const NativeFunction> table_functions() { return kTableFunctions; }
 
 }  // namespace armlet::bind

@@ -178,7 +178,7 @@ Signal join(Vm& vm, Slot* args) {
 }
 
 // The beginning of a text in quotes, as messages show it.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kShown = 60;
   const std::string_view shown = whole_characters(text, kShown);
   return fmt::format("\"{}{}\"", shown, shown.size() < text.size() ? "..." : "");
@@ -202,7 +202,8 @@ Signal not_a_number(Vm& vm, std::string_view whole, std::string_view s, const ch
     append_character(character, next_character(whole, behind));
     why = fmt::format("`{}`, character {}, does not belong to {}", character, before + 1, what);
   }
-  return failure(vm, "R0609", fmt::format("{} is not {}", quoted(whole), what), 0, std::move(why));
+  return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(whole), what), 0,
+                 std::move(why));
 }
 
 // A number as a text says it, after blanks and a plus sign in front of a digit or point.
@@ -214,7 +215,7 @@ Signal parse_number(Vm& vm, Slot* args, std::string_view what, std::string_view 
   if (!trim_ends(vm, s)) return Signal::kFail;
   const std::string_view trimmed = s;
   if (s.size() > kLongest) {
-    return failure(vm, "R0609", fmt::format("{} is not {}", quoted(s), what), 0,
+    return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(s), what), 0,
                    fmt::format("{} bytes are too many for a number", s.size()));
   }
   if (s.size() > 1 && s[0] == '+' && s[1] != '-') s.remove_prefix(1);
@@ -255,7 +256,7 @@ Signal char_of(Vm& vm, Slot* args) {
   return give(args, new_text(vm, out));
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kTextFunctions[] = {
     {"upper", "(s: string) -> string", "The text in capital letters.", "\"arm\".upper()",
      change_case<true>},
     {"lower", "(s: string) -> string", "The text in small letters.", "\"ARM\".lower()",
@@ -293,6 +294,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> text_functions() { return kFunctions; }
+std::span<const NativeFunction> text_functions() { return kTextFunctions; }
 
 }  // namespace armlet::bind

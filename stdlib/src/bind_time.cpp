@@ -28,7 +28,7 @@ Signal set_number(Vm& vm, Slot* args) {
   return give_nothing();
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kTimeFunctions[] = {
     {"now", "() -> time", "The virtual time.", "now()", now},
     {"signal", "(name: string) -> bool", "Whether a signal is on; one that was never set is off.",
      "signal(\"start\")", get_signal},
@@ -43,6 +43,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> time_functions() { return kFunctions; }
+std::span<const NativeFunction> time_functions() { return kTimeFunctions; }
 
 }  // namespace armlet::bind

@@ -203,7 +203,7 @@ constexpr std::string_view kRobotPlacesExample =
     "trajectory(\"Spline3\", [xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)], robot: "
     "robots.scara(name: \"other\"))";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kTrajectoryFunctions[] = {
     {"trajectory",
      "(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
      "accel: double?) -> trajectory",
@@ -268,6 +268,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> trajectory_functions() { return kFunctions; }
+std::span<const NativeFunction> trajectory_functions() { return kTrajectoryFunctions; }
 
 }  // namespace armlet::bind

@@ -175,7 +175,7 @@ Signal int_and_ints(Vm& vm, Slot* args) {
   return whole_numbers<kOperator>(vm, args, std::span(&k, b.empty() ? 0 : 1), b);
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kVectorFunctions[] = {
     {"dot", "(a: D[], b: E[]) -> D*E", "The inner product.", "dot([1.0, 2.0], [3.0, 4.0])", dot},
     {"cross", "(a: D[], b: E[]) -> (D*E)[]", "The vector product of two lists of three.",
      "cross([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])", cross},
@@ -237,6 +237,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> vector_functions() { return kFunctions; }
+std::span<const NativeFunction> vector_functions() { return kVectorFunctions; }
 
 }  // namespace armlet::bind

@@ -218,7 +218,7 @@ constexpr std::string_view kSpeedCHelp =
     "Moves the tool point with this velocity: vx, vy, vz in m/s, wx, wy, wz in rad/s along the "
     "axes of the frame, the world's if there is none. The rest as for speedJ.";
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kVelocityFunctions[] = {
     {.name = "speedJ",
      .signature = "(r: robot, rates: double[], during: time)",
      .help = kSpeedJHelp,
@@ -250,6 +250,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> velocity_functions() { return kFunctions; }
+std::span<const NativeFunction> velocity_functions() { return kVelocityFunctions; }
 
 }  // namespace armlet::bind

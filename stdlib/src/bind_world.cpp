@@ -216,7 +216,7 @@ Signal top_grasp(Vm& vm, Slot* args) {
   return give(args, new_posc(vm, {make_pose(renormalised(R_tool), p), true}));
 }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kWorldFunctions[] = {
     {"box", "(x: length, y: length, z: length) -> shape",
      "A box with its edges along its own axes.", "box(40mm, 40mm, 40mm)", box, nullptr, nullptr,
      check_box},
@@ -262,6 +262,6 @@ constexpr NativeFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const NativeFunction> world_functions() { return kFunctions; }
+std::span<const NativeFunction> world_functions() { return kWorldFunctions; }
 
 }  // namespace armlet::bind

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "diagnostic/backticks.hpp"
 #include "syntax/reserved_words.hpp"
 
 namespace armlet::lang {
 namespace {
-
-std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'; }
 
 std::string without_folders(std::string_view path) {
   return std::string(path.substr(path.find_last_of('/') + 1));
@@ -88,7 +87,7 @@ bool refuse_member(Checker& checker, const Checker& file, std::string_view impor
   const std::vector<std::string_view> names = public_names(file);
   if (const auto meant = suggest(member.text, std::span<const std::string_view>(names))) {
     const std::string better = std::string(import) + '.' + std::string(*meant);
-    diagnostic.fix = Fix{.text = "did you mean " + quoted(better) + ", declared on " +
+    diagnostic.fix = Fix{.text = "did you mean " + in_backticks(better) + ", declared on " +
                                  line_phrase(checker, declaration_of(file, *meant)) + "?",
                          .edits = {{member.span, std::string(*meant)}}};
   } else if (names.empty()) {
@@ -219,7 +218,7 @@ const Type* imported_type(Checker& checker, const ast::TypeExpr& type) {
     std::vector<std::string_view> names;
     for (const auto& [name, import] : checker.imports_) names.push_back(name);
     Diagnostic diagnostic = make_diagnostic("E0216", type.span, {checker.text_of(type.span)});
-    diagnostic.why = "no file is imported under the name " + quoted(first.text);
+    diagnostic.why = "no file is imported under the name " + in_backticks(first.text);
     diagnostic.fix = checker.did_you_mean(first.text, first.span, names);
     checker.report(std::move(diagnostic));
     return checker.types_.any();

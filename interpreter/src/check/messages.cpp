@@ -12,6 +12,7 @@
 #include "check/joined_lines.hpp"
 #include "check/matrices.hpp"
 #include "check/unknown_names.hpp"
+#include "diagnostic/backticks.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -23,8 +24,6 @@ std::string ordinal(int position) {
   if (position >= 1 && position <= 10) return std::string(kWords[position - 1]);
   return std::to_string(position) + "th";
 }
-
-std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'; }
 
 }  // namespace
 
@@ -79,7 +78,7 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
   if (!takes_errors()) return std::nullopt;
   const auto found = suggest(name, std::span<const std::string_view>(names));
   if (!found) return std::nullopt;
-  return Fix{.text = "did you mean " + quoted(*found) + "?",
+  return Fix{.text = "did you mean " + in_backticks(*found) + "?",
              .edits = {{span, std::string(*found)}},
              .confidence = Confidence::kMaybe};
 }
@@ -104,7 +103,7 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
   }
   if (const auto found = suggest(name, std::span<const Candidate>(own), wanted)) {
     const int line = line_of(declared[found->name]);
-    return Fix{.text = "did you mean " + quoted(found->name) + ", declared on line " +
+    return Fix{.text = "did you mean " + in_backticks(found->name) + ", declared on line " +
                        std::to_string(line) + "?",
                .edits = {{span, std::string(found->name)}},
                .confidence = Confidence::kMaybe};
@@ -166,7 +165,7 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span, const Type* e
     report(make_diagnostic("E0219", span, {std::string(name), "module"}));
     return failed(span);
   }
-  if (registry_.is_planned(name)) return not_available(span, quoted(name));
+  if (registry_.is_planned(name)) return not_available(span, in_backticks(name));
   Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
   if (const ForeignName* foreign = foreign_name(name)) {
     diagnostic.why = foreign->note;
@@ -238,7 +237,7 @@ Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, con
   Diagnostic out =
       make_diagnostic("E0301", value.span, {ordinal(target.position), std::string(host.noun)});
   out.mark.label = "this is " + type_phrase(value.type);
-  if (!host.use.empty()) out.why = quoted(target.function) + ' ' + std::string(host.use);
+  if (!host.use.empty()) out.why = in_backticks(target.function) + ' ' + std::string(host.use);
   if (!constructible) return out;
   const std::string made =
       "new " + std::string(host.name) + '(' + checker.text_of(value.span) + ')';

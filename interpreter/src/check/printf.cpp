@@ -71,7 +71,7 @@ hir::Expr* convert_value(Checker& checker, const ast::Arg& arg, const Conversion
   return checker.in_format(value, piece.format);
 }
 
-void refuse(Checker& checker, Span span, std::string reason) {
+void refuse_printf(Checker& checker, Span span, std::string reason) {
   checker.report(make_diagnostic("E0107", span, {std::move(reason)}));
 }
 
@@ -79,8 +79,8 @@ void refuse(Checker& checker, Span span, std::string reason) {
 
 std::optional<std::vector<hir::Expr*>> printf_parts(Checker& checker, const ast::CallExpr& call) {
   if (call.args.empty() || call.args[0].value->kind != ast::ExprKind::kText) {
-    refuse(checker, call.args.empty() ? call.span : call.args[0].span,
-           "printf needs its text written here");
+    refuse_printf(checker, call.args.empty() ? call.span : call.args[0].span,
+                  "printf needs its text written here");
     return std::nullopt;
   }
   const Span span = call.args[0].span;
@@ -99,7 +99,7 @@ std::optional<std::vector<hir::Expr*>> printf_parts(Checker& checker, const ast:
     if (text.empty()) break;
     const Conversion conversion = read_conversion(text.substr(1));
     if (conversion.letter == 0) {
-      refuse(checker, span, "after % comes d, s, b, f, .2f, 8.2f, e, g, n or %");
+      refuse_printf(checker, span, "after % comes d, s, b, f, .2f, 8.2f, e, g, n or %");
       return std::nullopt;
     }
     text.remove_prefix(1 + conversion.size);

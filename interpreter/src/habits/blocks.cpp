@@ -11,7 +11,7 @@
 namespace armlet::lang {
 namespace {
 
-using Block = ForeignBlocks::Block;
+using ForeignBlock = ForeignBlocks::Block;
 
 std::string lower_case(std::string_view text) {
   std::string out(text);
@@ -58,7 +58,7 @@ struct Open {
   const BlockHabit* row;
   std::size_t indent;
   std::vector<std::string> parts;
-  Block block;
+  ForeignBlock block;
 };
 
 bool is_indented(const Open& open) { return open.row->end == ":"; }
@@ -115,7 +115,7 @@ class Reader {
  public:
   explicit Reader(const Source& source) : source_(source) {}
 
-  std::vector<Block> run() {
+  std::vector<ForeignBlock> run() {
     for (int number = 1; number <= source_.line_count(); ++number) {
       const std::optional<Numbered> line = numbered(source_, number);
       if (!line) continue;
@@ -132,7 +132,7 @@ class Reader {
 
  private:
   // Replaces the statement of a line, or empties the line.
-  void change(Block& block, const Numbered& line, const std::string& here) {
+  void change(ForeignBlock& block, const Numbered& line, const std::string& here) {
     const std::uint32_t base = source_.line_start(line.number);
     if (here.empty()) {
       const auto end = static_cast<std::uint32_t>(base + line.line.text.size());
@@ -242,7 +242,7 @@ class Reader {
 
   const Source& source_;
   OpenBlocks open_;
-  std::vector<Block> blocks_;
+  std::vector<ForeignBlock> blocks_;
   std::string result_;
   int last_ = 0;
 };
@@ -267,7 +267,7 @@ std::vector<Edit> joined(std::vector<Edit> edits) {
 ForeignBlocks::ForeignBlocks(const Source& source)
     : source_(source), blocks_(Reader(source).run()) {}
 
-Diagnostic ForeignBlocks::explanation(const Block& outer) const {
+Diagnostic ForeignBlocks::explanation(const ForeignBlock& outer) const {
   const std::uint32_t begin =
       source_.line_start(outer.first) +
       static_cast<std::uint32_t>(source_.line(outer.first).find_first_not_of(" \t"));
@@ -281,7 +281,7 @@ Diagnostic ForeignBlocks::explanation(const Block& outer) const {
                 ? "what belongs together stands in braces; indentation alone says nothing"
                 : "what belongs together stands in braces";
   std::vector<Edit> edits;
-  for (const Block& block : blocks_) {
+  for (const ForeignBlock& block : blocks_) {
     if (block.first < outer.first || block.last > outer.last) continue;
     std::ranges::copy(block.edits, std::back_inserter(edits));
   }
@@ -292,9 +292,9 @@ Diagnostic ForeignBlocks::explanation(const Block& outer) const {
 }
 
 std::vector<Explanation> ForeignBlocks::around(int line) const {
-  const Block* outer = nullptr;
-  const Block* inner = nullptr;
-  for (const Block& block : blocks_) {
+  const ForeignBlock* outer = nullptr;
+  const ForeignBlock* inner = nullptr;
+  for (const ForeignBlock& block : blocks_) {
     if (line < block.first || line > block.last) continue;
     if (outer == nullptr || block.first <= outer->first) outer = &block;
     if (inner == nullptr || block.first >= inner->first) inner = &block;

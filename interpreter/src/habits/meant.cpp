@@ -241,25 +241,25 @@ Answer turn(const std::string& part) {
   return is_zero ? "" : " * expPose([0.0, 0.0, 0.0, " + part + "])";
 }
 
-Answer print(const std::string& part) { return formatted_text(values_of(part), true); }
-Answer text(const std::string& part) { return formatted_text(values_of(part), false); }
+Answer printed(const std::string& part) { return formatted_text(values_of(part), true); }
+Answer as_text(const std::string& part) { return formatted_text(values_of(part), false); }
 
 Answer braces(const std::string& part) { return text_with_braces(values_of(part)); }
 Answer inner(const std::string& part) { return part.substr(1, part.size() - 2); }
 
-struct Conversion {
+struct PartConversion {
   std::string_view name;
   Answer (*apply)(const std::string&);
 };
 
-constexpr auto kConversions = std::to_array<Conversion>({
+constexpr auto kConversions = std::to_array<PartConversion>({
     {"operand", operand},
     {"test", test},
     {"truth", truth},
     {"type", type},
     {"parameters", parameters},
-    {"print", print},
-    {"text", text},
+    {"print", printed},
+    {"text", as_text},
     {"braces", braces},
     {"inner", inner},
     {"stream", stream},
@@ -274,7 +274,7 @@ constexpr auto kConversions = std::to_array<Conversion>({
 
 Answer converted(const std::string& part, std::string_view conversion) {
   if (conversion.empty()) return part;
-  const auto found = std::ranges::find(kConversions, conversion, &Conversion::name);
+  const auto found = std::ranges::find(kConversions, conversion, &PartConversion::name);
   return found == kConversions.end() ? with_unit(part, std::string(conversion))
                                      : found->apply(part);
 }

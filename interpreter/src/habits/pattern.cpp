@@ -13,8 +13,8 @@ bool same_word(std::string_view a, std::string_view b) {
   });
 }
 
-bool opens(std::string_view piece) { return piece == "(" || piece == "[" || piece == "{"; }
-bool closes(std::string_view piece) { return piece == ")" || piece == "]" || piece == "}"; }
+bool opens_bracket(std::string_view piece) { return piece == "(" || piece == "[" || piece == "{"; }
+bool closes_bracket(std::string_view piece) { return piece == ")" || piece == "]" || piece == "}"; }
 
 class Matcher {
  public:
@@ -103,10 +103,10 @@ class Matcher {
       if (enough && depth == 0 && !longest && try_value(at, end, behind)) return true;
       if (patience_ < 0 || end == last_) break;
       const std::string_view piece = line_.piece(end);
-      const bool ends = closes(piece) || ((piece == "," || piece == ";") && !commas);
+      const bool ends = closes_bracket(piece) || ((piece == "," || piece == ";") && !commas);
       if (depth == 0 && ends) break;
       if (depth == 0 && !whole_ && (piece == "=" || piece == "return")) break;
-      depth += opens(piece) ? 1 : closes(piece) ? -1 : 0;
+      depth += opens_bracket(piece) ? 1 : closes_bracket(piece) ? -1 : 0;
     }
     return longest && depth == 0 && end > at && try_value(at, end, behind);
   }
@@ -122,7 +122,8 @@ class Matcher {
 bool may_begin_value(const Line& line, std::size_t first, std::size_t at) {
   if (at == first) return true;
   const std::string_view before = line.piece(at - 1);
-  return opens(before) || before == "," || before == "=" || before == ":=" || before == "return";
+  return opens_bracket(before) || before == "," || before == "=" || before == ":=" ||
+         before == "return";
 }
 
 }  // namespace

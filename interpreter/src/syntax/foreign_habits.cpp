@@ -61,15 +61,15 @@ bool is_modifier(const FailureSite& site, std::size_t i) {
 }
 
 // A class or a main that begins at a token, with modifiers in front: where its header ends.
-struct Frame {
+struct ProgramFrame {
   std::size_t modifier;  // the last of them
   std::size_t brace;     // behind the header
   bool is_frame;         // of a whole program
 };
 
-std::optional<Frame> frame_at(const FailureSite& site, std::size_t first) {
+std::optional<ProgramFrame> frame_at(const FailureSite& site, std::size_t first) {
   if (!is_modifier(site, first)) return std::nullopt;
-  Frame out{first, 0, false};
+  ProgramFrame out{first, 0, false};
   while (is_modifier(site, out.modifier + 1)) ++out.modifier;
   bool has_main = false;
   out.brace = out.modifier + 1;
@@ -86,7 +86,7 @@ std::optional<Frame> frame_at(const FailureSite& site, std::size_t first) {
 
 // public static void main(String[] args) {, and what stands directly inside of such a frame.
 Answer java_frame(const FailureSite& site) {
-  std::optional<Frame> frame = frame_at(site, site.statement);
+  std::optional<ProgramFrame> frame = frame_at(site, site.statement);
   if (!frame) return std::nullopt;
   const std::size_t last = frame->is_frame ? frame->brace - 1 : frame->modifier;
   Diagnostic out =

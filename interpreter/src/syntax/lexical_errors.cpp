@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "armlet/interpreter/unit.hpp"
+#include "diagnostic/backticks.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -97,8 +98,6 @@ std::string_view family_sentence(std::string_view unit_name) {
   }
   return {};
 }
-
-std::string quoted(std::string_view text) { return '`' + std::string(text) + '`'; }
 
 struct Replacement {
   std::string_view found;
@@ -232,7 +231,7 @@ Diagnostic bad_number(const Source& source, Span number) {
     return out;
   }
   const std::vector<std::string> near = units_near(word);
-  out.why = quoted(word) + " is not a unit";
+  out.why = in_backticks(word) + " is not a unit";
   if (near.empty()) {
     const std::string product = digits + " * " + word;
     out.fix = fix("to multiply, write " + product, {{number, product}}, Confidence::kMaybe);

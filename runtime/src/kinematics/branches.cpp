@@ -36,7 +36,7 @@ Elbow solve_elbow(const Links& links, double X, double Y, const Turn& x1_if_free
   const double R = length_of(X, Y);
   const double size = l + m;
   const double miss = std::fmax(R - size, std::abs(l - m) - R);
-  if (miss > kSlack * (size + R + 1.0)) return out;
+  if (miss > kClosedSlack * (size + R + 1.0)) return out;
   const double shortest = std::fmin(R, std::fmin(l, m));
   if (shortest < kNoLength) {
     return elbow_without_length(links, X, Y, x1_if_free, x2_if_free);
@@ -65,7 +65,7 @@ Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
   Euler out;
   const double ss = alpha.s * beta.s;
   double c = (alpha.c * beta.c - M(2, 2)) / ss;
-  if (std::abs(c) > 1.0 + kSlack) return out;
+  if (std::abs(c) > 1.0 + kClosedSlack) return out;
   double s = 0.0;
   if (alpha.c == 0.0 && beta.c == 0.0) {
     // sin x2 itself is in the matrix: no digits are lost next to the singularity.

@@ -41,7 +41,7 @@ struct Branches {
 
 // A value that a sine or a length may exceed by rounding alone. Branches are verified afterwards,
 // so it may be generous.
-inline constexpr double kSlack = 1e-6;
+inline constexpr double kClosedSlack = 1e-6;
 
 // Turns x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if
 // every turn will do.
@@ -60,7 +60,7 @@ inline TurnPair circle_meets_plane(double A, double B, double C) {
   }
   double h2 = (r - C) * (r + C);
   if (h2 < 0.0) {
-    if (std::abs(C) - r > kSlack * size) return out;
+    if (std::abs(C) - r > kClosedSlack * size) return out;
     h2 = 0.0;
     C = C > 0.0 ? r : -r;
   }

@@ -50,7 +50,7 @@ Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w
   // (z + h cos alpha)^2 = distance^2 - what does not change with z
   const double rest = x * x + v.y() * v.y() + 2.0 * h * alpha.s * v.y() + h * h * alpha.s * alpha.s;
   const double square = distance2 - rest;
-  if (square < -kSlack * (distance2 + rest)) return {};
+  if (square < -kClosedSlack * (distance2 + rest)) return {};
   const double root = std::sqrt(std::fmax(square, 0.0));
   const double middle = -h * alpha.c - v.z();
   return {root == 0.0 ? 1 : 2, false, {rows.phi[2], rows.phi[2]}, {middle + root, middle - root}};
@@ -117,7 +117,7 @@ int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height,
     return 2;
   }
   const double h2 = (rho - m) * (rho + m);
-  if (h2 < -kSlack * rho2) return 0;
+  if (h2 < -kClosedSlack * rho2) return 0;
   const double h = std::sqrt(std::fmax(h2, 0.0));
   const double r2 = h * h + m * m;
   for (std::size_t i = 0; i < 2; ++i) {

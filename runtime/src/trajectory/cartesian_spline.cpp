@@ -82,7 +82,7 @@ CurveSpline spline_through(const Knots& knots, SplineKind kind) {
   return curve;
 }
 
-double length_of(const CurveSpline& curve) {
+double chord_length(const CurveSpline& curve) {
   double length = 0.0;
   Eigen::Vector3d before = curve.at(0.0).translation();
   for (int k = 1; k <= kLengthIntervals; ++k) {
@@ -123,7 +123,7 @@ SplinePlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
     return plan;
   }
   const CurveSpline spline = spline_through(knots, move.kind);
-  plan.length = length_of(spline);
+  plan.length = chord_length(spline);
   PoseCurve curve;
   curve.add(spline);
   LineSamples samples(robot, move.q0, std::move(curve), move.task, CurveLaw::kGiven);

@@ -10,6 +10,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
 #include "trajectory/pose_curve.hpp"
+#include "uniform.hpp"
 
 using namespace armlet;
 
@@ -19,10 +20,6 @@ Eigen::Isometry3d tool_at(const Robot& robot, const Trajectory& motion, double t
   Eigen::VectorXd q(motion.n());
   for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, t);
   return forward(robot, q);
-}
-
-double uniform(std::mt19937_64& generator, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
 }
 
 Eigen::Isometry3d shifted(Eigen::Isometry3d T, double x, double y, double z) {

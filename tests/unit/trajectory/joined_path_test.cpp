@@ -11,14 +11,11 @@
 #include "armlet/model/catalog.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
 #include "armlet/trajectory/joint_move.hpp"
+#include "uniform.hpp"
 
 using namespace armlet;
 
 namespace {
-
-double between(std::mt19937_64& generator, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
-}
 
 Eigen::VectorXd joints_at(const Trajectory& motion, double t) {
   Eigen::VectorXd q(motion.n());
@@ -36,7 +33,7 @@ Eigen::VectorXd random_joints(const Robot& robot, std::mt19937_64& generator) {
   for (int i = 0; i < robot.n(); ++i) {
     const double middle = 0.5 * (robot.lower()[i] + robot.upper()[i]);
     const double half = std::min(1.0, robot.upper()[i] - middle);
-    q[i] = std::clamp(q[i] + 0.3 * (middle - q[i]) + between(generator, -0.4, 0.4) * half,
+    q[i] = std::clamp(q[i] + 0.3 * (middle - q[i]) + uniform(generator, -0.4, 0.4) * half,
                       robot.lower()[i], robot.upper()[i]);
   }
   return q;
@@ -83,7 +80,7 @@ TEST_CASE("a blend along a line of the joints is what the tool travels there") {
   for (int k = 0; k < 40; ++k) {
     const Trajectory line =
         joint_line(arm, random_joints(arm, generator), random_joints(arm, generator));
-    const double blend = between(generator, 0.005, 0.05);
+    const double blend = uniform(generator, 0.005, 0.05);
     for (const bool at_end : {false, true}) {
       const Trajectory path = at_end ? line.reversed() : line;
       const double r = at_end ? blend_at_end(arm, line, blend) : blend_at_start(arm, line, blend);
@@ -124,12 +121,12 @@ TEST_CASE("paths with moves of the joints keep their lines, their corners and al
           at.push_back(q);
         } else {
           T.translation() +=
-              Eigen::Vector3d(between(generator, -0.06, 0.06), between(generator, -0.06, 0.06),
-                              between(generator, -0.06, 0.06));
+              Eigen::Vector3d(uniform(generator, -0.06, 0.06), uniform(generator, -0.06, 0.06),
+                              uniform(generator, -0.06, 0.06));
           move.points.push_back({.T_world_tool = T, .blend = kBlend});
           at.push_back({});
         }
-        if (k % 2 == 1) move.points.back().tool_speed = between(generator, 0.05, 0.2);
+        if (k % 2 == 1) move.points.back().tool_speed = uniform(generator, 0.05, 0.2);
       }
       const PathPlan plan = plan_path(robot, move);
       if (!plan.ok()) continue;

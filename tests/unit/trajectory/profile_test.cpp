@@ -6,14 +6,11 @@
 #include <random>
 
 #include "armlet/core/error.hpp"
+#include "uniform.hpp"
 
 using namespace armlet;
 
 namespace {
-
-double uniform(std::mt19937_64& generator, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
-}
 
 Trajectory one_joint(std::vector<Segment> pieces, double end) {
   const double T = pieces.back().end();

@@ -7,14 +7,11 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/jerk_limited.hpp"
+#include "uniform.hpp"
 
 using namespace armlet;
 
 namespace {
-
-double uniform(std::mt19937_64& generator, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
-}
 
 Trajectory straight_line(double L) {
   return {{{{{.duration = L, .degree = 1, .c = {0.0, 1.0}}}, L}}, L};

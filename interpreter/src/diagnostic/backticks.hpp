@@ -1,0 +1,11 @@
+#pragma once
+// How messages show a piece of a program.
+
+#include <string>
+#include <string_view>
+
+namespace armlet::lang {
+
+inline std::string in_backticks(std::string_view text) { return '`' + std::string(text) + '`'; }
+
+}  // namespace armlet::lang
