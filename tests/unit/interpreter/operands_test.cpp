@@ -5,29 +5,12 @@
 
 #include <string>
 
-#include "script_support.hpp"
+#include "code_listing.hpp"
 
 using namespace armlet;
 using namespace armlet::lang;
 
 namespace {
-
-std::string listing(const std::string& program) {
-  const Compilation compilation = compile_script(program);
-  REQUIRE(compilation.program != nullptr);
-  return compilation.program->disassemble();
-}
-
-int count(const std::string& listing, const std::string& op) {
-  int found = 0;
-  const std::string name = "  " + op;
-  for (std::size_t at = listing.find(name); at != std::string::npos;
-       at = listing.find(name, at + 1)) {
-    const char next = listing[at + name.size()];
-    if (next == ' ' || next == 'r' || next == '#') ++found;
-  }
-  return found;
-}
 
 // Output, steps, and all of a failure.
 void same(const std::string& program, const RunLimits& limits = {}) {
