@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "script_support.hpp"
+#include "code_listing.hpp"
 
 using namespace armlet;
 using namespace armlet::lang;
@@ -14,12 +14,6 @@ namespace {
 
 const std::string kPut =
     "fn put(h: int[], x: int) -> int[] {\n  var r = h\n  r.push(x)\n  return r\n}\n";
-
-std::string listing(const std::string& program) {
-  const Compilation compilation = compile_script(program);
-  REQUIRE(compilation.program != nullptr);
-  return compilation.program->disassemble();
-}
 
 bool contains(const std::string& listing, const std::string& op) {
   return listing.find("  " + op + " ") != std::string::npos;
