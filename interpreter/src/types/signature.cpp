@@ -156,7 +156,7 @@ class SignatureReader {
 
   TypePattern factor() {
     TypePattern out = base();
-    while (accept("[]")) out = list_of(std::move(out));
+    while (ok() && accept("[")) out = accept("]") ? list_of(std::move(out)) : map_of(out);
     if (!accept("^")) return out;
     const int sign = accept("-") ? -1 : 1;
     const std::string_view digits = take([](unsigned char c) { return std::isdigit(c) != 0; });
@@ -171,6 +171,22 @@ class SignatureReader {
     out.d *= n;
     out.e *= n;
     return simplified(out);
+  }
+
+  // int[string], double[][int]: behind the `[`.
+  TypePattern map_of(const TypePattern& element) {
+    const std::size_t begin = at_;
+    const TypePattern key = type();
+    expect("]");
+    const Type* values = instantiate(element, {}, types_);
+    const bool is_key =
+        key.type != nullptr &&
+        (key.type->is(Kind::kText) || key.type->is(Kind::kInt) || key.type->is(Kind::kAny));
+    if (ok() && (!is_key || values == nullptr || values->is(Kind::kVoid))) {
+      at_ = begin;
+      fail(is_key ? "the values of a map have no variable type" : "keys are texts or ints");
+    }
+    return {.type = ok() ? types_.map(key.type, values) : types_.any()};
   }
 
   TypePattern base() {

@@ -4,6 +4,7 @@
 
 #include "armlet/core/error.hpp"
 #include "vm/failures.hpp"
+#include "vm/map.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -67,6 +68,11 @@ std::string object_fault(const Obj& object, const Type& type) {
     if (any || list.holds_references() == references) return {};
     return references ? "a list of numbers where one of references is expected"
                       : "a list of references where one of numbers is expected";
+  }
+  if (type.is(Kind::kMap)) {
+    const auto& map = static_cast<const MapObj&>(object);
+    const bool any = map.size == 0 || type.element->is(Kind::kAny);
+    return any || map.flags == map_flags(type) ? "" : "a map of other keys or values";
   }
   if (type.is(Kind::kRecord) && !type.is_table()) {
     const Type* given = static_cast<const RecordObj&>(object).layout->type;
