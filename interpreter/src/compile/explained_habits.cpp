@@ -62,7 +62,7 @@ bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic expla
     return true;
   }
   const std::optional<Trial> trial = trials.with(explanation.fix->edits);
-  if (!trial || trial->still_says(messages[at]) || trial->fails_at_its_places(explanation))
+  if (!trial || trial->still_says(messages[at]) || fails_as_shown(*trial, explanation, trials))
     return false;
   const auto behind = messages.begin() + static_cast<std::ptrdiff_t>(at) + 1;
   const auto gone = std::remove_if(behind, messages.end(), [&](const Diagnostic& other) {
@@ -74,6 +74,26 @@ bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic expla
 }
 
 }  // namespace
+
+// A message may be shown as an explanation whose mark is larger than its own.
+bool fails_as_shown(const Trial& trial, const Diagnostic& repaired, const Trials& trials) {
+  if (trial.fails_at_its_places(repaired)) return true;
+  if (trials.is_behind_another()) return false;
+  const std::vector<Span> places = trial.places(repaired);
+  const auto is_there = [&](const Diagnostic& message) {
+    return std::ranges::any_of(places, [&](Span place) { return touch(place, message.mark.span); });
+  };
+  Explanations explanations(trial.sources());
+  return std::ranges::any_of(trial.left(), [&](const Diagnostic& message) {
+    if (message.severity != Severity::kError) return false;
+    const auto is_candidate = [&](const Explanation& one) { return is_there(one.message); };
+    if (std::ranges::none_of(explanations.of(message), is_candidate)) return false;
+    std::vector<Diagnostic> shown = {message};
+    Trials next = trials.behind(trial);
+    explain_habits(shown, trial.sources(), next);
+    return is_there(shown[0]);
+  });
+}
 
 void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sources,
                     Trials& trials) {

@@ -12,4 +12,9 @@ namespace armlet::lang {
 // messages about the same lines that go away with it are dropped.
 void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sources, Trials& trials);
 
+// Whether, after the edits of a message's fix, an error is shown at the places of the trial: also
+// one whose explanation reaches there.
+[[nodiscard]] bool fails_as_shown(const Trial& trial, const Diagnostic& repaired,
+                                  const Trials& trials);
+
 }  // namespace armlet::lang

@@ -31,11 +31,14 @@ std::string with_edits(std::string_view text, const std::vector<Edit>& edits) {
   return out;
 }
 
-bool touch(Span a, Span b) { return a.begin <= b.end && b.begin <= a.end; }
+struct Messages {
+  std::shared_ptr<const SourceSet> sources;
+  std::vector<Diagnostic> all;
+};
 
 // What is wrong in one file of a program.
-std::vector<Diagnostic> messages_about(const Source& file, const Registry& registry,
-                                       const Source& main, const CompileOptions& options) {
+Messages messages_about(const Source& file, const Registry& registry, const Source& main,
+                        const CompileOptions& options) {
   DiagnosticSink sink(2 * options.limits.errors);
   CompiledProgram program;
   program.sources = std::make_shared<SourceSet>();
@@ -57,7 +60,7 @@ std::vector<Diagnostic> messages_about(const Source& file, const Registry& regis
   std::erase_if(out, [&](const Diagnostic& diagnostic) {
     return sources[diagnostic.mark.span.source].name() != file.name();
   });
-  return out;
+  return {program.sources, std::move(out)};
 }
 
 }  // namespace
@@ -79,7 +82,7 @@ Span Trial::moved(Span place) const {
   return {out.begin, std::max(out.begin, out.end), place.source};
 }
 
-bool Trial::fails_at_its_places(const Diagnostic& repaired) const {
+std::vector<Span> Trial::places(const Diagnostic& repaired) const {
   std::vector<Span> places = {moved(repaired.mark.span)};
   std::int64_t shift = 0;
   for (const Edit& edit : edits_) {
@@ -87,6 +90,11 @@ bool Trial::fails_at_its_places(const Diagnostic& repaired) const {
     places.push_back({begin, begin + static_cast<std::uint32_t>(edit.text.size()), 0});
     shift += static_cast<std::int64_t>(edit.text.size()) - (edit.span.end - edit.span.begin);
   }
+  return places;
+}
+
+bool Trial::fails_at_its_places(const Diagnostic& repaired) const {
+  const std::vector<Span> places = this->places(repaired);
   return std::ranges::any_of(left_, [&](const Diagnostic& other) {
     const bool counts = other.severity == Severity::kError || other.code == repaired.code;
     return counts &&
@@ -113,14 +121,21 @@ Trials::Trials(const Registry& registry, const SourceSet& sources, const Compile
   for (std::uint32_t i = 0; i < sources.size(); ++i) all_ += sources[i].text().size();
 }
 
+Trials Trials::behind(const Trial& first) const {
+  Trials out(registry_, first.sources(), options_);
+  out.read_ = read_;
+  out.behind_another_ = true;
+  return out;
+}
+
 std::optional<Trial> Trials::with(std::vector<Edit> edits) {
   std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
   if (exhausted() || !fit_together(edits)) return std::nullopt;
-  read_ += all_;
+  *read_ += all_;
   const Source& source = sources_[edits[0].span.source];
   const Source file(source.name(), with_edits(source.text(), edits), source.id());
-  std::vector<Diagnostic> left = messages_about(file, registry_, sources_[0], options_);
-  return Trial(std::move(edits), std::move(left));
+  Messages left = messages_about(file, registry_, sources_[0], options_);
+  return Trial(std::move(edits), std::move(left.sources), std::move(left.all));
 }
 
 }  // namespace armlet::lang

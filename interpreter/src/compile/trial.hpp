@@ -2,6 +2,7 @@
 // A program with other text in some places, checked again: what its messages would be.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,14 +14,19 @@ namespace armlet::lang {
 // A file after some edits: what is wrong in it, and where places of the old text are now.
 class Trial {
  public:
-  Trial(std::vector<Edit> in_order, std::vector<Diagnostic> left)
-      : edits_(std::move(in_order)), left_(std::move(left)) {}
+  // sources  the program after the edits, in which the messages that are left have their marks.
+  Trial(std::vector<Edit> in_order, std::shared_ptr<const SourceSet> sources,
+        std::vector<Diagnostic> left)
+      : edits_(std::move(in_order)), sources_(std::move(sources)), left_(std::move(left)) {}
 
-  // Whether an error, or a message with the code of `repaired`, touches a place that the edits
-  // changed or the mark of `repaired`.
+  // The mark of `repaired` and what the edits wrote, as they lie now.
+  [[nodiscard]] std::vector<Span> places(const Diagnostic& repaired) const;
+  // Whether an error, or a message with the code of `repaired`, touches one of these places.
   [[nodiscard]] bool fails_at_its_places(const Diagnostic& repaired) const;
   // Whether an error stands in a part of the old text.
   [[nodiscard]] bool fails_inside(Span part) const;
+  [[nodiscard]] const SourceSet& sources() const { return *sources_; }
+  [[nodiscard]] const std::vector<Diagnostic>& left() const { return left_; }
   // Whether a message of the old text is still there.
   [[nodiscard]] bool still_says(const Diagnostic& message) const;
 
@@ -29,8 +35,11 @@ class Trial {
   [[nodiscard]] Span moved(Span place) const;
 
   std::vector<Edit> edits_;
+  std::shared_ptr<const SourceSet> sources_;
   std::vector<Diagnostic> left_;
 };
+
+[[nodiscard]] inline bool touch(Span a, Span b) { return a.begin <= b.end && b.begin <= a.end; }
 
 // Checks a program again and again. The work is bounded: nothing is tried when more than 256 KB of
 // text have been read again.
@@ -40,7 +49,11 @@ class Trials {
   // options  `load` is asked again for the files that the program imports.
   Trials(const Registry& registry, const SourceSet& sources, const CompileOptions& options);
 
-  [[nodiscard]] bool exhausted() const { return read_ + all_ > kMostBytes; }
+  // Further edits of what a trial has changed. They count against the same bound.
+  [[nodiscard]] Trials behind(const Trial& first) const;
+  [[nodiscard]] bool is_behind_another() const { return behind_another_; }
+
+  [[nodiscard]] bool exhausted() const { return *read_ + all_ > kMostBytes; }
   // The program with edits of one file. Nothing if they overlap or belong to several files, or if
   // the bound is reached.
   [[nodiscard]] std::optional<Trial> with(std::vector<Edit> edits);
@@ -52,7 +65,8 @@ class Trials {
   const SourceSet& sources_;
   const CompileOptions& options_;
   std::size_t all_ = 0;
-  std::size_t read_ = 0;
+  std::shared_ptr<std::size_t> read_ = std::make_shared<std::size_t>(0);
+  bool behind_another_ = false;
 };
 
 }  // namespace armlet::lang

@@ -1,5 +1,7 @@
 #include "compile/tried_fixes.hpp"
 
+#include "compile/explained_habits.hpp"
+
 namespace armlet::lang {
 
 void drop_useless_fixes(std::vector<Diagnostic>& diagnostics, Trials& trials) {
@@ -10,7 +12,7 @@ void drop_useless_fixes(std::vector<Diagnostic>& diagnostics, Trials& trials) {
       continue;
     }
     const std::optional<Trial> trial = trials.with(diagnostic.fix->edits);
-    if (trial && trial->fails_at_its_places(diagnostic)) diagnostic.fix.reset();
+    if (trial && fails_as_shown(*trial, diagnostic, trials)) diagnostic.fix.reset();
   }
 }
 

@@ -327,6 +327,17 @@ TEST_CASE("every fix that a program gets works") {
   CHECK(fixes_tried > 350);
 }
 
+TEST_CASE("a fix is not given if an explanation of the whole statement is left") {
+  // Without the bracket the statement is one of Python, which an explanation marks to its end.
+  for (const std::string text : {"print(1, end = 2))\n", "raise ValueError(\"x\"))\n"}) {
+    every_fix_works(text);
+    const std::vector<Problem> problems = problems_of(text);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].diagnostic.code == "E0131");
+    CHECK(!problems[0].diagnostic.fix.has_value());
+  }
+}
+
 TEST_CASE("a missing token seldom gives more than two messages") {
   // A part of what the program token_deletions tries: every 7th token of the examples.
   test::Distribution result;
