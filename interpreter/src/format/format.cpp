@@ -75,7 +75,9 @@ std::string lay_out(const Source& source, const Shape& shape, const std::atomic<
     const Source again(source.name(), text);
     DiagnosticSink none;
     const Reading reading = read(again, none, cancelled);
-    std::string next = reading.ok ? lay_out_once(again, reading.shape, cancelled) : text;
+    // Also of a program that has mistakes of other kinds than those of its form.
+    const bool is_read = same_shape(shape, source, reading.shape, again);
+    std::string next = is_read ? lay_out_once(again, reading.shape, cancelled) : text;
     if (next == text) break;
     text = std::move(next);
   }
