@@ -5,6 +5,7 @@
 
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
+#include "check/divided_remarks.hpp"
 #include "check/imports.hpp"
 #include "check/look_ahead.hpp"
 
@@ -152,6 +153,7 @@ hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& dec
   if (declarator.init != nullptr) naming_ = {name.text, declarator.init->span};
   hir::Expr* value = declarator.init != nullptr ? check_value(*declarator.init, type) : nullptr;
   classic_declaration_ = classic_before;
+  if (value != nullptr) advise_on_divided_remark(*this, *declarator.init, *value, type);
   if (value != nullptr && type != nullptr)
     value = require(value, {.type = type, .name = name.text});
   use_ = use_before;

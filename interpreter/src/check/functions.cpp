@@ -5,6 +5,7 @@
 
 #include "check/any_table.hpp"
 #include "check/checker.hpp"
+#include "check/divided_remarks.hpp"
 #include "check/edits.hpp"
 
 namespace armlet::lang {
@@ -116,6 +117,8 @@ hir::Block* Checker::value_body(const ast::Expr& expr, FunctionContext& context)
   } else if (wants_nothing && context.kind == FunctionContext::Kind::kLambda) {
     stmt = make<hir::ExprStmt>(hir::StmtKind::kExpr, expr.span, value);
   } else {
+    advise_on_divided_remark(*this, expr, *value,
+                             context.result_is_declared ? context.result : nullptr);
     stmt = return_value(value, expr.span);
   }
   return make<hir::Block>(hir::StmtKind::kBlock, expr.span, seq(std::vector<hir::Stmt*>{stmt}));

@@ -11,6 +11,7 @@
 #include "check/imports.hpp"
 #include "check/joined_lines.hpp"
 #include "check/matrices.hpp"
+#include "check/nothings.hpp"
 #include "check/unknown_names.hpp"
 #include "diagnostic/backticks.hpp"
 
@@ -144,9 +145,7 @@ hir::Expr* Checker::unknown_name(std::string_view name, Span span, const Type* e
     report(make_diagnostic("E0201", span, {std::string(name)}));
     return failed(span);
   }
-  constexpr std::array<std::string_view, 6> kNothings = {"null", "None",      "nil",
-                                                         "NULL", "undefined", "nullptr"};
-  if (std::ranges::find(kNothings, name) != kNothings.end()) {
+  if (is_nothing(name)) {
     Diagnostic diagnostic = make_diagnostic("E0310", span, {std::string(name)});
     diagnostic.why = "every variable has a value of its type from the start";
     if (const std::string empty(expected != nullptr ? empty_value(*expected) : ""); !empty.empty())

@@ -8,6 +8,7 @@
 #include "check/checker.hpp"
 #include "check/edits.hpp"
 #include "check/matrices.hpp"
+#include "check/nothings.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -133,10 +134,24 @@ hir::Expr* Checker::check_binary(const ast::BinaryExpr& binary, const Type* expe
   }
   // The sides of a sum are what the sum is; those of a product need not be.
   const bool is_alone = chain.size() == 1 && is_sum(binary.op);
-  hir::Expr* left = check_value(*chain.back()->left, is_alone ? expected : nullptr);
+  const ast::Expr* nothing = nothing_in(*this, *chain.back());
+  auto node = chain.rbegin();
+  hir::Expr* left = nullptr;
+  if (nothing != nullptr && nothing == chain.back()->left) {
+    left = compared_with_nothing(*this, **node, *nothing, *check_value(*(*node)->right));
+    ++node;
+  } else {
+    left = check_value(*chain.back()->left, is_alone ? expected : nullptr);
+  }
   std::vector<hir::Expr*> texts;
-  for (auto node = chain.rbegin(); node != chain.rend(); ++node) {
+  for (; node != chain.rend(); ++node) {
     const ast::BinaryExpr& at = **node;
+    nothing = nothing_in(*this, at);
+    if (nothing != nullptr && nothing == at.right) {
+      left = compared_with_nothing(*this, at, *nothing, *left);
+      texts.clear();
+      continue;
+    }
     hir::Expr* right = check_value(*at.right);
     if (at.op == BinaryOp::kAdd && !left->type->is(Kind::kAny) && !right->type->is(Kind::kAny) &&
         (left->type->is(Kind::kText) || right->type->is(Kind::kText))) {

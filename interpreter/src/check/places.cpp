@@ -4,6 +4,7 @@
 
 #include "armlet/interpreter/later.hpp"
 #include "check/checker.hpp"
+#include "check/divided_remarks.hpp"
 #include "check/host_places.hpp"
 #include "check/imports.hpp"
 #include "check/long_lists.hpp"
@@ -250,6 +251,7 @@ hir::Stmt* Checker::assign_one(const ast::Expr& target, const ast::AssignStmt& a
     return nullptr;
   }
   hir::Expr* value = check_as(*assign.value, {.type = place->type, .name = place->variable->name});
+  advise_on_divided_remark(*this, *assign.value, *value, place->type);
   if (place->steps.empty()) note_assigned(*here_, place->variable);
   return make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, value, false,
                                hir::Op::kAddI, assign.op_span);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/divided_remarks.hpp"
 #include "check/explained.hpp"
 #include "check/imports.hpp"
 #include "check/paths.hpp"
@@ -291,8 +292,10 @@ hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
     return nullptr;
   }
   if (stmt.value != nullptr) {
-    return return_value(check(*stmt.value, context.result_is_declared ? context.result : nullptr),
-                        stmt.span);
+    const Type* wanted = context.result_is_declared ? context.result : nullptr;
+    hir::Expr* value = check(*stmt.value, wanted);
+    advise_on_divided_remark(*this, *stmt.value, *value, wanted);
+    return return_value(value, stmt.span);
   }
   if (context.result_is_declared && !is_void && !context.result->is(Kind::kAny)) {
     report(make_diagnostic("E0322", stmt.span, {type_phrase(context.result)}));
