@@ -324,7 +324,10 @@ void Writer::matrix(const MatrixObj& matrix) {
 }
 
 void Writer::reference(Slot s, const Type& type) {
-  if (s.o == nullptr) return;  // an argument that was left out
+  if (s.o == nullptr) {  // an element that is not set, or an argument that was left out
+    if (level_ > 0) out += "unset";
+    return;
+  }
   if (type.is(Kind::kText)) return text(static_cast<TextObj*>(s.o)->view());
   if (level_ >= kMostLevels) {
     out += "...";

@@ -52,13 +52,22 @@ Value Evaluator::call(const Function& function, Values arguments, const Captures
 Value Evaluator::call_back(const Value& function, Values arguments, Span where) {
   const Aside aside(*this);
   ++host_calls_;
-  return call(*function.closure().function, std::move(arguments), function.closure().captures,
-              where, 2);
+  const Function& called = *function.closure().function;
+  Value result = call(called, std::move(arguments), function.closure().captures, where, 2);
+  if (called.result != nullptr) check_whole(result, *called.result, where);
+  return result;
 }
 
 Value Evaluator::call_native(const CallNativeExpr& e) {
   Values arguments = evaluate_all(e.arguments);
   const std::string_view name = e.function->name;
+  if (name == "new") {
+    const std::int64_t size = arguments[0].integer();
+    if (size >= 0) return {List{Values(static_cast<std::size_t>(size), arguments[1])}};
+  } else if (name != "last") {
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      check_whole(arguments[i], *e.arguments[i]->type, e.arguments[i]->span);
+  }
   if (name == "print") {
     output_ += arguments[0].text();
     return {};
@@ -66,8 +75,11 @@ Value Evaluator::call_native(const CallNativeExpr& e) {
   if (name == "now") return {static_cast<double>(tasks_.now_ns()) * 1e-9};
   if (name == "last") {
     const Values& items = arguments[0].list().items;
-    if (!items.empty()) return items.back();
     const Span list = e.site.arguments[0].empty() ? e.site.call : e.site.arguments[0];
+    if (!items.empty() && items.back().absent())
+      throw Failure{"R0623", "the last element of this list is read before it has a value", "",
+                    list};
+    if (!items.empty()) return items.back();
     throw Failure{"R0606", "an empty list has no last value", "IndexError", list};
   }
   Value result;

@@ -68,6 +68,7 @@ class Evaluator {
   [[nodiscard]] Value variable(const lang::hir::Variable& v, Span where);
   [[nodiscard]] Value binary(const lang::hir::BinaryExpr& e);
   [[nodiscard]] Value convert(const lang::hir::ConvertExpr& e);
+  [[nodiscard]] Value to_text(const lang::hir::ToTextExpr& e);
   [[nodiscard]] Value length(const lang::hir::LengthExpr& e);
   [[nodiscard]] Value character(const lang::hir::CharacterExpr& e);
   [[nodiscard]] Value element(const lang::hir::ElementExpr& e);
@@ -168,6 +169,15 @@ class Evaluator {
   // makes: the entry of a map that the place ends with, if it is not there.
   [[nodiscard]] Value& walk(const lang::hir::Place& place, const Indices& indices,
                             bool makes = false);
+
+  // ---- elements without a value
+  [[nodiscard]] std::string short_text(Span span) const;
+  // Where the last pair of brackets begins.
+  [[nodiscard]] static std::size_t last_bracket(const std::string& text);
+  [[noreturn]] void fail_unset(std::int64_t index, Span list, Span where) const;
+  void check_whole(const Value& value, const Type& type, Span where, bool deep = true) const;
+  // An element that a loop visits; `where` is the list.
+  [[nodiscard]] const Value& set_item(const Value& list, std::size_t index, Span where) const;
 
   // ---- failures
   [[nodiscard]] std::string text(Span span) const;

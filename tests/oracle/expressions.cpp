@@ -102,12 +102,8 @@ Value Evaluator::evaluate_made(const Expr& e) {
       for (const Expr* part : e.as<ConcatExpr>().parts) all += evaluate(*part).text();
       return {all};
     }
-    case ExprKind::kToText: {
-      const auto& to = e.as<ToTextExpr>();
-      return {show(evaluate(*to.value), *to.value->type,
-                   {to.style.digits, to.style.notation, std::string(to.unit), to.factor,
-                    to.style.align, to.style.sign, to.style.zeros, to.style.width})};
-    }
+    case ExprKind::kToText:
+      return to_text(e.as<ToTextExpr>());
     case ExprKind::kError:
       return error(e.as<ErrorExpr>());
     case ExprKind::kMutate:
@@ -115,6 +111,14 @@ Value Evaluator::evaluate_made(const Expr& e) {
     default:
       return of_map(e);
   }
+}
+
+Value Evaluator::to_text(const ToTextExpr& e) {
+  const Value value = evaluate(*e.value);
+  check_whole(value, *e.value->type, e.value->span);
+  return {show(value, *e.value->type,
+               {e.style.digits, e.style.notation, std::string(e.unit), e.factor, e.style.align,
+                e.style.sign, e.style.zeros, e.style.width})};
 }
 
 Value Evaluator::length(const LengthExpr& e) {
@@ -145,6 +149,10 @@ Value Evaluator::variable(const Variable& v, Span where) {
 Value Evaluator::binary(const BinaryExpr& e) {
   const Value left = evaluate(*e.left);
   const Value right = evaluate(*e.right);
+  if (e.op == Op::kEqDeep || e.op == Op::kNeDeep) {
+    check_whole(left, *e.left->type, e.left->span);
+    check_whole(right, *e.right->type, e.right->span);
+  }
   return calculate_at(e.op, left, right, e.span);
 }
 
@@ -186,6 +194,13 @@ Value Evaluator::element(const ElementExpr& e) {
   const Values& items = object.list().items;
   if (index < 0 || static_cast<std::size_t>(index) >= items.size())
     fail_index(index, items.size(), e.span);
+  if (items[index].absent()) {
+    Span list = e.object->span;
+    // A place that is assigned: its variable has the span of all of it.
+    if (list.end >= e.span.end)
+      list.end = list.begin + static_cast<std::uint32_t>(last_bracket(text(e.span)));
+    fail_unset(index, list, e.span);
+  }
   return items[index];
 }
 
@@ -209,12 +224,16 @@ Value Evaluator::slice(const SliceExpr& e) {
     return {part};
   }
   const auto begin = object.list().items.begin();
+  for (std::int64_t i = first; i < last; ++i) {
+    if (begin[i].absent()) fail_unset(i, e.object->span, e.span);
+  }
   return {List{{begin + first, begin + last}}};
 }
 
 namespace {
 
 Value zero_of(const Type& type) {
+  if (!lang::has_zero(type)) return {};
   switch (type.kind) {
     case Kind::kBool:
       return {false};
@@ -275,6 +294,7 @@ Value Evaluator::mutate(const MutateExpr& e) {
   }
   if (at < 0 || at >= size) fail_index(at, items.size(), e.span);
   const Value removed = items[at];
+  if (removed.absent()) fail_unset(at, e.place.span, e.span);
   items.erase(items.begin() + at);
   return removed;
 }

@@ -25,30 +25,35 @@ Value Evaluator::over_list(const OverListExpr& e) {
     const Closure& function = operands.back().closure();
     return call(*function.function, std::move(arguments), function.captures, e.span);
   };
+  const auto item_at = [&](std::size_t i) -> const Value& {
+    return set_item(operands[0], i, e.operands[0]->span);
+  };
+  const std::size_t count = items.size();
   List out;
   switch (e.verb) {
     case ListVerb::kMap:
-      for (const Value& item : items) out.items.push_back(run({item}));
+      for (std::size_t i = 0; i < count; ++i) out.items.push_back(run({item_at(i)}));
       return {std::move(out)};
     case ListVerb::kFilter:
-      for (const Value& item : items) {
-        if (run({item}).truth()) out.items.push_back(item);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (run({item_at(i)}).truth()) out.items.push_back(items[i]);
       }
       return {std::move(out)};
     case ListVerb::kFold: {
       Value all = operands[1];
-      for (const Value& item : items) all = run({all, item});
+      for (std::size_t i = 0; i < count; ++i) all = run({all, item_at(i)});
       return all;
     }
     case ListVerb::kAny:
     case ListVerb::kAll:
-      for (const Value& item : items) {
-        if (run({item}).truth() == (e.verb == ListVerb::kAny)) return {e.verb == ListVerb::kAny};
+      for (std::size_t i = 0; i < count; ++i) {
+        if (run({item_at(i)}).truth() == (e.verb == ListVerb::kAny))
+          return {e.verb == ListVerb::kAny};
       }
       return {e.verb == ListVerb::kAll};
     case ListVerb::kSort: {
       std::vector<std::pair<Value, Value>> keyed;
-      for (const Value& item : items) keyed.emplace_back(run({item}), item);
+      for (std::size_t i = 0; i < count; ++i) keyed.emplace_back(run({item_at(i)}), items[i]);
       std::ranges::stable_sort(keyed, comes_before,
                                [](const auto& pair) -> const Value& { return pair.first; });
       for (auto& [key, item] : keyed) out.items.push_back(std::move(item));
@@ -68,10 +73,15 @@ Value Evaluator::look_up(const OverListExpr& e, const Values& operands) {
       fail("R0613", e.span,
            {std::to_string(items.size()) + " and " + std::to_string(others.size()) + " values"});
     List out;
-    for (std::size_t i = 0; i < items.size(); ++i)
-      out.items.push_back({Record{{items[i], others[i]}, nullptr}});
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      Value first = set_item(operands[0], i, e.operands[0]->span);
+      Value second = set_item(operands[1], i, e.operands[1]->span);
+      out.items.push_back({Record{{std::move(first), std::move(second)}, nullptr}});
+    }
     return {std::move(out)};
   }
+  for (std::size_t i = 0; i < 2; ++i)
+    check_whole(operands[i], *e.operands[i]->type, e.operands[i]->span);
   const auto found =
       std::ranges::find_if(items, [&](const Value& item) { return equal(item, operands[1]); });
   if (e.verb == ListVerb::kContains) return {found != items.end()};

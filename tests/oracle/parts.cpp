@@ -81,6 +81,7 @@ void Evaluator::store_part(const StorePartStmt& s) {
   const Ends row_ends = ends(s.rows);
   const Ends col_ends = is_list ? Ends{{}, {}, true} : ends(s.cols);
   const Value value = evaluate(*s.value);
+  if (is_list) check_whole(value, *s.value->type, s.value->span, false);
   Value& target = walk(s.place, where);
   if (is_list) {
     store_in_list(target.list(), stretch(row_ends, target.list().items.size(), s.span, "list"),

@@ -356,6 +356,8 @@ std::string RandomProgram::list(const Ty* type, int depth) {
     case 7:
       if (numbers && !in_format_)
         return "(new " + type->name.substr(0, type->name.size() - 2) + "[" + leaf(int_) + " % 5])";
+      if (type->element->is(Sort::kStruct) && !in_format_ && one_in(3))
+        return "(new " + type->element->name + "[2])";
       break;
     default:
       break;

@@ -24,6 +24,7 @@ std::string RandomProgram::text() {
   if (one_in(2)) declare_table();
   if (one_in(3)) declare_handing();
   if (one_in(2)) declare_operands();
+  if (one_in(3)) declare_unset();
   const std::size_t globals = vars_.size();
   const bool shows_end = !one_in(4);
   statements_left_ = (is_large ? 12 : 4) + static_cast<int>(below(8));

@@ -129,6 +129,10 @@ class RandomProgram {
   void handing_statement();
   std::string handing_call();
 
+  // ---- elements that are not set yet (random_unset.cpp)
+  void declare_unset();
+  void unset_statement();
+
   // ---- loops over lists that are changed (random_table.cpp)
   void declare_table();
   void table_loop();

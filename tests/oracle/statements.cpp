@@ -118,8 +118,8 @@ Completion Evaluator::range(const RangeStmt& s) {
 
 Completion Evaluator::for_list(const ForListStmt& s) {
   const Value items = evaluate(*s.items);
-  for (const Value& item : items.list().items) {
-    declare(*s.variable, item);
+  for (std::size_t i = 0; i < items.list().items.size(); ++i) {
+    declare(*s.variable, set_item(items, i, s.items->span));
     Completion completion = execute(*s.body);
     if (completion.is(Jump::kBreak, s)) return {};
     if (!completion.is_normal() && !completion.is(Jump::kContinue, s)) return completion;
@@ -250,6 +250,11 @@ Value& Evaluator::walk(const Place& place, const Indices& indices, bool makes) {
     const bool inside = index >= 0 && static_cast<std::size_t>(index) < items.size();
     if (!inside) fail_index(index, items.size(), step.span);
     at = &items[index];
+    if (at->absent() && i + 1 < indices.size()) {
+      const std::string name = short_text(step.span);
+      const std::string list = name.substr(0, last_bracket(name));
+      fail("R0623", step.span, {list + '[' + std::to_string(index) + ']'});
+    }
   }
   return *at;
 }

@@ -82,6 +82,8 @@ void finish(SharedState& shared, CompiledProgram& into) {
   module.functions = into.arena->copy(shared.all_functions);
   module.tests = into.arena->copy(shared.tests);
   module.globals = into.arena->copy(globals);
+  module.unset =
+      into.arena->copy(std::vector<const Type*>(shared.unset.begin(), shared.unset.end()));
   module.global_count = static_cast<std::uint32_t>(globals.size());
   into.mentioned.assign(shared.mentioned.begin(), shared.mentioned.end());
 }

@@ -270,15 +270,7 @@ hir::Expr* Checker::check_new_array(const ast::NewArrayExpr& expr) {
   if (expr.open_dimensions == 0) {
     if (hir::Expr* list = new_structs(*this, expr, innermost)) return list;
   }
-  if (expr.open_dimensions == 0 &&
-      (innermost->is(Kind::kHost) || innermost->is(Kind::kRecord) ||
-       innermost->is(Kind::kFunction) || innermost->is(Kind::kMatrix))) {
-    Diagnostic diagnostic = make_diagnostic("E0315", expr.element->span,
-                                            {"a type with a zero value", type_phrase(innermost)});
-    diagnostic.fix = Fix{.text = "start with an empty list and push values"};
-    report(std::move(diagnostic));
-    return failed(expr.span);
-  }
+  if (expr.open_dimensions == 0 && !has_zero(*innermost)) shared_.unset.insert(innermost);
   std::vector<hir::Expr*> sizes;
   for (const ast::Expr* size : expr.sizes) {
     sizes.push_back(check_as(*size, {.type = types_.integer(), .name = "size"}));

@@ -195,6 +195,7 @@ struct Module {
   Seq<Test> tests;
   std::uint32_t global_count = 0;
   Seq<Variable*> globals;  // numbered by index
+  Seq<const Type*> unset;  // types of elements that `new T[n]` leaves without a value
 };
 
 }  // namespace armlet::lang::hir

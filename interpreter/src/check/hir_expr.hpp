@@ -206,7 +206,7 @@ struct ListExpr : Expr {
 };
 struct NewArrayExpr : Expr {
   Seq<Expr*> sizes;
-};  // elements zero, false, "" or empty lists; type: the whole list
+};  // elements zero, false, "", empty lists, or not set (has_zero); type: the whole list
 struct RecordExpr : Expr {
   Seq<Expr*> fields;
 };  // all of them, in order

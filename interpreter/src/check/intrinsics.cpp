@@ -3,6 +3,7 @@
 
 #include "armlet/interpreter/engine.hpp"
 #include "check/checker.hpp"
+#include "check/hand_on.hpp"
 #include "check/maps.hpp"
 #include "check/printf.hpp"
 
@@ -30,16 +31,27 @@ Signal last_element(Vm& vm, Slot* args) {
     return fail(vm, std::move(failure));
   }
   const Slot last = list->data[list->size - 1];
+  if (list->holds_references() && last.o == nullptr) {
+    Failure failure;
+    failure.code = "R0623";
+    failure.message = "the last element of this list is read before it has a value";
+    failure.mark_parameter = 0;
+    return fail(vm, std::move(failure));
+  }
   if (list->holds_references()) retain(last.o);
   args[0] = last;
   return Signal::kDone;
 }
 
-constexpr NativeFunction kLast = {.name = "last",
-                                  .signature = "(xs: T[]) -> T",
-                                  .help = "The last value of a list.",
-                                  .example = "[1, 2].last",
-                                  .thunk = &last_element};
+}  // namespace
+
+const NativeFunction kLast = {.name = "last",
+                              .signature = "(xs: T[]) -> T",
+                              .help = "The last value of a list.",
+                              .example = "[1, 2].last",
+                              .thunk = &last_element};
+
+namespace {
 
 std::string values(std::size_t least, std::size_t most) {
   if (most == 0) return "no values";

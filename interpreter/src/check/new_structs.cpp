@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "armlet/interpreter/work.hpp"
+#include "check/hand_on.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -32,11 +33,15 @@ Signal fill(Vm& vm, Slot* args) {
   return Signal::kDone;
 }
 
-constexpr NativeFunction kFilled = {.name = "new",
-                                    .signature = "(size: int, value: T) -> T[]",
-                                    .help = "A list of equal structs.",
-                                    .example = "struct Bin { n: int = 0 }; print(new Bin[2])",
-                                    .thunk = &fill};
+}  // namespace
+
+const NativeFunction kFilled = {.name = "new",
+                                .signature = "(size: int, value: T) -> T[]",
+                                .help = "A list of equal structs.",
+                                .example = "struct Bin { n: int = 0 }; print(new Bin[2])",
+                                .thunk = &fill};
+
+namespace {
 
 bool has_all_defaults(const ast::StructStmt& node) {
   return std::ranges::all_of(

@@ -72,6 +72,7 @@ struct SharedState {
   std::unordered_map<const hir::Variable*, Use> init_uses{};
   std::set<std::string> mentioned{};
   std::map<std::string, Span> later{};  // what the program uses and nothing stands behind yet
+  std::set<const Type*> unset{};        // of elements that begin without a value
   const Type* error_type = nullptr;
   // By record or enum with many names: where each stands.
   std::unordered_map<const void*, std::unordered_map<std::string_view, int>> places{};

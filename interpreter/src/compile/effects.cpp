@@ -53,7 +53,7 @@ constexpr OpCode kPlain[] = {
     OpCode::NEWMAP,    OpCode::MAPADD,   OpCode::MAPLD,      OpCode::MAPGET,    OpCode::MAPHAS,
     OpCode::MAPLEN,    OpCode::MAPKEYS,  OpCode::MAPVALUES,  OpCode::ENTRYADDR, OpCode::ENTRYMAKE,
     OpCode::MAPPOP,    OpCode::MADDELX,  OpCode::MSUBELX,    OpCode::STG,       OpCode::SWITCH,
-    OpCode::OWNROW,
+    OpCode::OWNROW,    OpCode::LDSET,    OpCode::PLACESET,   OpCode::CHECKSET,
 };
 
 using EffectTable = std::array<Effect, static_cast<std::size_t>(OpCode::kCount)>;

@@ -31,6 +31,7 @@ void Lowering::start(FunctionCode& into) {
   into.name = function_.name;
   into.span = function_.span;
   into.function = &function_;
+  into.may_give_unset = function_.result != nullptr && may_hold_unset(*function_.result);
   code_.set_parameters(static_cast<std::uint32_t>(function_.parameters.size()));
   for (std::uint32_t i = 0; i < function_.parameters.size(); ++i) {
     Variable& parameter = *function_.parameters[i];
@@ -103,6 +104,7 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
   if (module.global_count > UINT16_MAX) {
     throw TooLarge{module.main->span, "variables of the program", UINT16_MAX};
   }
+  program.unset = UnsetElements(module.unset);
   Tables tables(program);
   if (options.optimise) {
     mark_expanding_functions(module);

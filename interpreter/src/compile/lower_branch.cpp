@@ -287,6 +287,8 @@ void Lowering::branch_deep(const BinaryExpr& e, bool equal, Label to) {
   const Reg truth = code_.number();
   const Reg left = borrow(*e.left, hold_over(*e.right));
   const Reg right = borrow(*e.right, Hold::kNow);
+  check_whole(*e.left, left);
+  check_whole(*e.right, right);
   code_.at(e.span, &e);
   code_.emit(OpCode::EQDEEP, truth, left, right);
   code_.word(code_.type(e.left->type));

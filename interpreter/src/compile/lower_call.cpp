@@ -188,6 +188,7 @@ Reg Lowering::call(const Expr& e, Dest to) {
 
 Reg Lowering::call_native(const CallNativeExpr& e, Reg base) {
   window(e.arguments, base, is_quiet(e) ? Hold::kNow : Hold::kCall);
+  check_arguments(e, base);
   code_.at(e.span, &e);
   code_.push(OpCode::CALLN, base.bits, tables_.native(e.function), windowed(e.arguments));
   return base;
@@ -198,6 +199,7 @@ Reg Lowering::call_guarded(const GuardedExpr& e, Dest to) {
   const Reg condition = borrow(*e.condition, Hold::kOwn);
   const Reg base = base_for(to);
   window(motion.arguments, base, Hold::kCall);
+  check_arguments(motion, base);
   code_.at(e.span, &e);
   code_.emit(OpCode::GUARD, condition);
   code_.at(motion.span, &motion);

@@ -277,7 +277,7 @@ void Lowering::for_list(const ForListStmt& s) {
   const std::uint32_t begin = code_.position();
   count_up(s.span, counter, last, [&] {
     const Emitter::Mark pass = code_.mark();
-    code_.emit(OpCode::LD, item, list, counter);
+    load_item(item, list, counter, *s.variable->type, *s.items);
     // The list owns the item, so the variable only borrows it.
     if (s.variable->storage == Storage::kLocal) {
       s.variable->index = item.bits;

@@ -79,6 +79,7 @@ void Lowering::store_part(const StorePartStmt& s) {
   const bool list = s.place.type->is(Kind::kList);
   const Reg base = list ? part_ends(std::array{s.rows}) : part_ends(std::array{s.rows, s.cols});
   const Reg from = borrow(*s.value, hold_for(s.place, *s.value));
+  check_whole(*s.value, from, true);
   const Reg to = address(s.place, indices);
   code_.at(s.span);
   code_.emit(list ? OpCode::PUTSLICE : OpCode::PUTPART, to, base, from);

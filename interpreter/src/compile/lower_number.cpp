@@ -308,6 +308,7 @@ bool Lowering::with_int(Site site, Op op, Reg left, const Expr& right, Reg to) {
 // x - xs[i].field
 bool Lowering::with_field(Site site, Op op, Reg left, const Expr& right, Reg to) {
   if (op < Op::kAddR || op > Op::kMulR || !is_field_of_element(right)) return false;
+  if (may_be_unset(*right.as<FieldExpr>().object->type)) return false;
   static constexpr OpCode kOps[] = {OpCode::ADDLDF, OpCode::SUBLDF, OpCode::MULLDF};
   const auto& element = right.as<FieldExpr>().object->as<ElementExpr>();
   const Reg list = borrow(*element.object, hold_over(*element.index));
@@ -430,7 +431,7 @@ void Lowering::length_into(const LengthExpr& e, Reg to) {
 // --------------------------------------------------------------
 
 void Lowering::load_field(const FieldExpr& e, Reg to, Hold hold) {
-  if (options_.optimise && e.object->kind == ExprKind::kElement) {
+  if (options_.optimise && e.object->kind == ExprKind::kElement && !may_be_unset(*e.object->type)) {
     const auto& element = e.object->as<ElementExpr>();
     const Reg list = borrow(*element.object, stronger(hold, hold_over(*element.index)));
     const Reg index = value(*element.index);
@@ -461,17 +462,18 @@ bool Lowering::load_element_twice(const ElementExpr& e, Reg to, Hold hold) {
 
 void Lowering::load_element(const ElementExpr& e, Reg to, Hold hold) {
   if (e.column != nullptr) return load_matrix_element(e, to, hold);
-  if (load_element_twice(e, to, hold)) return;
+  const bool may_fail = may_be_unset(*e.type);
+  if (!may_fail && load_element_twice(e, to, hold)) return;
   const Reg list = borrow(*e.object, stronger(hold, hold_over(*e.index)));
   std::int64_t small = 0;
-  if (options_.optimise && small_int(*e.index, small)) {
+  if (options_.optimise && !may_fail && small_int(*e.index, small)) {
     code_.at(e.span, &e);
     code_.push(OpCode::LDI, to.bits, list.bits, static_cast<std::uint16_t>(small));
     return;
   }
   const Reg index = value(*e.index);
   code_.at(e.span, &e);
-  code_.emit(OpCode::LD, to, list, index);
+  code_.emit(may_fail ? OpCode::LDSET : OpCode::LD, to, list, index);
 }
 
 }  // namespace armlet::lang

@@ -147,7 +147,7 @@ Reg Lowering::map_list(const OverListExpr& e, Reg list, const Type* element) {
   }
   each(e, last, [&](Reg counter) {
     const Reg base = code_.number();
-    code_.emit(OpCode::LD, base, list, counter);
+    load_item(base, list, counter, *element_of(e), *e.operands[0]);
     call_each(e, function, base);
     if (references) {
       code_.emit(OpCode::TAKE, item, base);
@@ -169,7 +169,7 @@ Reg Lowering::filter_list(const OverListExpr& e) {
     const Reg item = code_.number();
     const Reg base = code_.number();
     const Label skip = code_.label();
-    code_.emit(OpCode::LD, item, list, counter);
+    load_item(item, list, counter, *element_of(e), *e.operands[0]);
     code_.emit(OpCode::MOVE, base, item);
     call_each(e, function, base);
     code_.jump_if(OpCode::JF, base, skip);
@@ -193,7 +193,7 @@ Reg Lowering::fold_list(const OverListExpr& e) {
     const Reg base = code_.number();
     const Reg item = code_.number();
     code_.emit(OpCode::MOVE, base, so_far);
-    code_.emit(OpCode::LD, item, list, counter);
+    load_item(item, list, counter, *element_of(e), *e.operands[0]);
     call_each(e, function, base);
     code_.emit(reference ? OpCode::TAKE : OpCode::MOVE, so_far, base);
   });
@@ -210,7 +210,7 @@ Reg Lowering::test_list(const OverListExpr& e) {
   const Label end = code_.label();
   each(e, length_of(e, list), [&](Reg counter) {
     const Reg base = code_.number();
-    code_.emit(OpCode::LD, base, list, counter);
+    load_item(base, list, counter, *element_of(e), *e.operands[0]);
     call_each(e, function, base);
     code_.jump_if(any ? OpCode::JT : OpCode::JF, base, decided);
   });
@@ -250,8 +250,10 @@ Reg Lowering::zip_lists(const OverListExpr& e) {
   const Reg item = code_.reference();
   each(e, last, [&](Reg counter) {
     const Reg first = code_.number();
-    code_.emit(OpCode::LD, first, left, counter);
-    code_.emit(OpCode::LD, code_.number(), right, counter);
+    load_item(first, left, counter, *element_of(e), *e.operands[0]);
+    const Expr& others = *e.operands[1];
+    load_item(code_.number(), right, counter, *others.type->element, others);
+    code_.at(e.span, &e);
     code_.push(OpCode::MAKEREC, item.bits, first.bits, tables_.layout(pair));
     add_to(e, out, item, pair);
   });
@@ -262,6 +264,8 @@ Reg Lowering::find_in_list(const OverListExpr& e) {
   const bool tells_where = e.verb == ListVerb::kIndexOf;
   const Reg list = held(e, 0);
   const Reg wanted = held(e, 1);
+  check_whole(*e.operands[0], list);
+  check_whole(*e.operands[1], wanted);
   const Reg result = code_.number();
   const Label found = code_.label();
   const Label end = code_.label();

@@ -187,7 +187,7 @@ void Lowering::assign_inside(const AssignStmt& s) {
 bool Lowering::add_product_inside(const AssignStmt& s, const Indices& indices) {
   const auto& steps = s.place.steps;
   if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field ||
-      has_key(s.place))
+      has_key(s.place) || leads_through_unset(s.place))
     return false;
   if (!can_own(*s.place.variable) || !is_product(*s.value) || !is_plain(*s.value)) return false;
   const auto& product = s.value->as<BinaryExpr>();
@@ -219,8 +219,8 @@ bool Lowering::operate_inside(const AssignStmt& s, const Indices& indices) {
 }
 
 // All steps but the last lead to lists or records, and the last one is inside one.
-bool Lowering::is_chain_of_objects(const Place& place) {
-  if (has_key(place)) return false;
+bool Lowering::is_chain_of_objects(const Place& place) const {
+  if (has_key(place) || leads_through_unset(place)) return false;
   for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
     if (place.steps[i].column != nullptr) return false;
   }
@@ -342,6 +342,8 @@ Reg Lowering::address(const Place& place, const Indices& indices, Missing missin
       code_.emit(OpCode::WITH, indices[i].column);
     } else {
       code_.emit(OpCode::ADDRE, to, to, indices[i].index);
+      const bool goes_on = i + 1 < place.steps.size();
+      if (goes_on && may_be_unset(*step.type)) code_.emit(OpCode::PLACESET, to, indices[i].index);
     }
   }
   return to;
@@ -349,6 +351,7 @@ Reg Lowering::address(const Place& place, const Indices& indices, Missing missin
 
 // The number at the place as it is now.
 void Lowering::load_place(const Place& place, const Indices& indices, Reg to) {
+  if (leads_through_unset(place)) (void)address(place, indices);  // fails if an element is not set
   Reg object = borrow_variable(*place.variable, Hold::kNow);
   const std::size_t steps = place.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {

@@ -411,6 +411,7 @@ void Lowering::to_text(const ToTextExpr& e, Reg to) {
   }
   const bool reference = e.value->type->is_reference();
   const Reg from = reference ? borrow(*e.value, Hold::kNow) : value(*e.value);
+  check_whole(*e.value, from);
   const std::uint32_t format = tables_.format(
       {e.value->type, e.style, std::string(e.unit), e.unit.empty() ? 1.0 : e.factor});
   code_.at(e.span, &e);

@@ -50,10 +50,6 @@ class Lowering {
     Dest to;    // its result
     Label end;  // where it returns to
   };
-  struct RangeStep {
-    std::int64_t by = 1;  // 0: known only while running, in `reg`
-    Reg reg;
-  };
   struct StepIndex {
     Reg index;
     Reg column;  // elements of matrices
@@ -116,6 +112,14 @@ class Lowering {
   void join(const hir::ConcatExpr& e, Reg to);
   static std::vector<hir::Expr*> joined_parts(const hir::ConcatExpr& e);
   void to_text(const hir::ToTextExpr& e, Reg to);
+
+  // ---- lower_unset.cpp: elements that may have no value yet
+  [[nodiscard]] bool may_be_unset(const Type& element) const;
+  [[nodiscard]] bool may_hold_unset(const Type& type) const;
+  [[nodiscard]] bool leads_through_unset(const hir::Place& place) const;
+  void load_item(Reg to, Reg list, Reg index, const Type& element, const hir::Expr& written);
+  void check_whole(const hir::Expr& e, Reg value, bool only_itself = false);
+  void check_arguments(const hir::CallNativeExpr& e, Reg base);
 
   // ---- lower_map.cpp
   void make_map(const hir::MapExpr& e, Reg to);
@@ -208,7 +212,7 @@ class Lowering {
   void operate(const hir::AssignStmt& s, Reg left, Reg to);
   bool add_product_inside(const hir::AssignStmt& s, const Indices& indices);
   bool operate_inside(const hir::AssignStmt& s, const Indices& indices);
-  static bool is_chain_of_objects(const hir::Place& place);
+  [[nodiscard]] bool is_chain_of_objects(const hir::Place& place) const;
   static bool has_key(const hir::Place& place);
   Reg owned_inside(const hir::Place& place, const Indices& indices, Reg object);
   Indices index_values(const hir::Place& place);
@@ -216,10 +220,6 @@ class Lowering {
   [[nodiscard]] bool can_own(const hir::Variable& variable) const;
   Reg own_register(const hir::Variable& variable);
   void store_inside(const hir::Place& place, const Indices& indices, Reg from);
-  enum class Missing : std::uint8_t {
-    kFails,
-    kIsMade
-  };  // the entry of a map that a place ends with
   Reg address(const hir::Place& place, const Indices& indices, Missing missing = Missing::kFails);
   void load_place(const hir::Place& place, const Indices& indices, Reg to);
   Reg mutate(const hir::MutateExpr& e);

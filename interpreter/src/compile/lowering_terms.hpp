@@ -18,6 +18,15 @@ struct Site {
   const hir::Expr* expr;
 };
 
+// The step of a range.
+struct RangeStep {
+  std::int64_t by = 1;  // 0: known only while running, in `reg`
+  Reg reg;
+};
+
+// The entry of a map that a place ends with.
+enum class Missing : std::uint8_t { kFails, kIsMade };
+
 // How long a borrowed reference must stay good.
 enum class Hold : std::uint8_t {
   kNow,   // nothing else runs until it is used

@@ -11,6 +11,7 @@
 #include "armlet/interpreter/source.hpp"
 #include "armlet/interpreter/type.hpp"
 #include "check/hir.hpp"
+#include "compile/unset.hpp"
 #include "syntax/arena.hpp"
 #include "types/text_style.hpp"
 
@@ -87,11 +88,12 @@ struct FunctionCode {
   std::vector<LoopInfo> loops;
   std::vector<ExpandedCall> expanded;  // inner ones first
   std::vector<CodeSpan> spans;         // sorted by pc
-  std::vector<const Type*> types;      // for EQDEEP, NEWARRAY
+  std::vector<const Type*> types;      // for EQDEEP, NEWARRAY, CHECKSET
   // Captures of a closure: which are references (for release).
   std::vector<std::uint16_t> capture_references;
   std::uint16_t captures = 0;
   const hir::Function* function = nullptr;
+  bool may_give_unset = false;  // its result may hold elements that are not set
 };
 
 struct Format {
@@ -125,6 +127,7 @@ struct CompiledProgram {
   std::vector<const hir::AssertThrowsStmt*> expects;
   std::vector<const hir::WaitUntilStmt*> waits;
   std::vector<bool> global_is_reference;
+  UnsetElements unset;
   std::vector<std::string> mentioned;  // library functions named in the text, sorted
 
   CompiledProgram() = default;

@@ -9,6 +9,7 @@
 #include "vm/failures.hpp"
 #include "vm/interpret.hpp"
 #include "vm/slow_ops.hpp"
+#include "vm/unset.hpp"
 
 namespace armlet {
 
@@ -43,6 +44,13 @@ bool refuse(VmState& state, const Callee& callee, bool deep) {
   if (!count_step(state)) return false;
   return deep ? raise_too_deep(state, callee, state.options.limits.call_depth)
               : raise_out_of_memory(state);
+}
+
+// What the library is given it may read.
+bool check_given(VmState& state, const Callee& callee, Slot result) {
+  if (check_result(state, result, *callee.function->function->result)) return true;
+  state.heap.release(result.o);
+  return false;
 }
 
 // The frame of the function above that; the loop is told where it is.
@@ -176,6 +184,8 @@ PreparedCall::Outcome PreparedCall::run() const {
   if (left.exit != lang::Exit::kDone) [[unlikely]]
     return {false};
   task_.top = below_;
+  if (callee_->checks_result && !lang::check_given(state, *callee_, *window_)) [[unlikely]]
+    return {false};
   return {true, left.result};
 }
 

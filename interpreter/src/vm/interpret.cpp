@@ -8,6 +8,7 @@
 #include "vm/each.hpp"
 #include "vm/failures.hpp"
 #include "vm/slow_ops.hpp"
+#include "vm/unset.hpp"
 
 // Every instruction ends with its own jump to the next one: branch predictors learn the program
 // that way. Labels as values are an extension that both of our compilers have.

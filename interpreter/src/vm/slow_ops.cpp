@@ -9,6 +9,7 @@
 #include "format_value.hpp"
 #include "vm/equality.hpp"
 #include "vm/failures.hpp"
+#include "vm/unset.hpp"
 
 namespace armlet::lang {
 
@@ -182,7 +183,7 @@ bool op_makelist(VmState& state, Slot* base, const Instr* pc) {
 }
 
 // Lists of lists are made from the inside out: all inner lists of one row share their storage until
-// one is changed.
+// one is changed. Elements without a zero value begin as null references.
 bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
   const Type* type = state.running->top->callee->function->types[pc[1].b];
   const int count = pc->c;
@@ -190,30 +191,32 @@ bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
   const bool texts = type->element->is(Kind::kText);
   const bool references = type->element->is_reference();
   Slot inner{.o = nullptr};
-  if (references) {
+  const bool unset = !has_zero(*type->element);
+  if (references && !unset) {
     inner.o = texts ? static_cast<Obj*>(state.heap.new_text({}))
                     : state.heap.new_list(0, type->element->element->is_reference());
     if (inner.o == nullptr) return raise_out_of_memory(state);
   }
   bool inner_references = references;
+  bool fills = references && !unset;
   for (int level = count - 1; level >= 0; --level) {
     ListObj* list = new_list_of(state, base[pc->b + level].i, inner_references);
     if (list == nullptr) {
-      if (inner_references) state.heap.release(inner.o);
+      if (fills) state.heap.release(inner.o);
       return false;
     }
     const auto fill = [&](std::size_t begin, std::size_t end) {
       std::fill(list->data + begin, list->data + end, inner);
       inner.o->refs += static_cast<std::uint32_t>(end - begin);
     };
-    const bool filled = !inner_references || in_blocks(state.vm, list->size, 4, fill);
-    if (inner_references) state.heap.release(inner.o);
+    const bool filled = !fills || in_blocks(state.vm, list->size, 4, fill);
+    if (fills) state.heap.release(inner.o);
     if (!filled) {
       state.heap.release(list);
       return false;
     }
     inner.o = list;
-    inner_references = true;
+    inner_references = fills = true;
   }
   set_reference(state, base[pc->a], inner.o);
   return true;
@@ -242,6 +245,16 @@ bool op_listtoreal(VmState& state, Slot* base, const Instr* pc) {
 
 // ---- lists ----------------------------------------------------------------------------------
 
+// Whether all elements in a part of a list have been set. False: the failure is set.
+static bool check_part(VmState& state, const ListObj& list, std::uint32_t first,
+                       std::uint32_t last) {
+  if (!list.holds_references()) return true;
+  for (std::uint32_t i = first; i < last; ++i) {
+    if (list.data[i].o == nullptr) return raise_unset_element(state, i);
+  }
+  return true;
+}
+
 bool slice_ends(VmState& state, const Slot* ends, std::uint64_t size, std::string_view what,
                 std::uint32_t& first, std::uint32_t& last) {
   const std::int64_t a = is_absent_scalar(ends[0]) ? 0 : ends[0].i;
@@ -259,6 +272,7 @@ bool op_slice(VmState& state, Slot* base, const Instr* pc) {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
   if (!slice_ends(state, base + pc->c, from.size, "list", first, last)) return false;
+  if (!check_part(state, from, first, last)) return false;
   ListObj* list = state.heap.new_list(last - first, from.holds_references());
   if (list == nullptr) return raise_out_of_memory(state);
   const auto copy = [&](std::size_t begin, std::size_t end) {
@@ -340,6 +354,8 @@ bool op_pop(VmState& state, Slot* base, const Instr* pc) {
   const Slot wanted = base[pc->c];
   const std::int64_t index = is_absent_scalar(wanted) ? std::int64_t{list.size} - 1 : wanted.i;
   if (static_cast<std::uint64_t>(index) >= list.size) return raise_index(state, index, list.size);
+  if (list.holds_references() && list.data[index].o == nullptr)
+    return raise_unset_element(state, index);
   if (!charge_work(state.vm, list.size - static_cast<std::uint64_t>(index))) return false;
   base[pc->a] = list.data[index];
   --list.size;

@@ -47,8 +47,8 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
   callees.reserve(program.functions.size());
   for (const FunctionCode& f : program.functions) {
     const auto references = static_cast<std::uint16_t>(f.references_end - f.references_begin);
-    callees.push_back(
-        {f.code.data(), &f, f.constants.data(), f.registers, f.references_begin, references, 0});
+    callees.push_back({f.code.data(), &f, f.constants.data(), f.registers, f.references_begin,
+                       references, f.may_give_unset});
   }
   globals.assign(program.global_is_reference.size(), Slot{.i = 0});
   global_is_set.assign(globals.size(), 0);

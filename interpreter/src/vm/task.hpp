@@ -20,7 +20,7 @@ struct Callee {
   std::uint16_t registers;
   std::uint16_t references_begin;  // the first reference register
   std::uint16_t references;        // how many there are
-  std::uint16_t reserved;
+  bool checks_result;              // it may hold elements that are not set
 };
 
 struct Frame {
