@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "armlet/core/error.hpp"
+#include "armlet/interpreter/define.hpp"
 #include "compile/pipeline.hpp"
 #include "compile/program.hpp"
 #include "registry.hpp"
@@ -34,6 +35,17 @@ Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::st
   }
   registry_->add_chapter({chapter, functions, {}});
   return *this;
+}
+
+Engine& Engine::define(const Definition& definition, std::string_view chapter) {
+  const std::string name(definition.function.name);
+  const std::vector<std::string> faults = registry_->faults_of(definition.function);
+  if (!faults.empty()) {
+    std::string all = "The function `" + name + "` cannot be defined: ";
+    for (std::size_t i = 0; i < faults.size(); ++i) all += (i == 0 ? "" : "; ") + faults[i];
+    throw ArgumentError(all + '.');
+  }
+  return add_functions(registry_->keep(definition), chapter);
 }
 
 Engine& Engine::add_constants(std::span<const NativeConstant> constants, std::string_view chapter) {
@@ -66,7 +78,15 @@ Engine& Engine::add_planned(std::span<const std::string_view> names) {
 
 Compilation Engine::compile(std::string text, std::string name,
                             const CompileOptions& options) const {
-  return lang::compile_text(*registry_, std::move(text), std::move(name), options);
+  Compilation made = lang::compile_text(*registry_, std::move(text), std::move(name), options);
+  if (made.program == nullptr) return made;
+  struct Kept {
+    std::shared_ptr<const Program> program;
+    std::shared_ptr<const lang::Registry> vocabulary;
+  };
+  auto kept = std::make_shared<const Kept>(Kept{std::move(made.program), registry_});
+  made.program = {kept, kept->program.get()};
+  return made;
 }
 
 std::vector<std::string> Engine::check_signatures() const { return registry_->check_signatures(); }

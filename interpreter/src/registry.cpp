@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "armlet/interpreter/define.hpp"
+#include "types/typed_signature.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -42,6 +45,11 @@ const NativeFunction* Registry::add_functions(std::span<const NativeFunction> fu
     return &function;
   }
   return nullptr;
+}
+
+std::span<const NativeFunction> Registry::keep(const Definition& definition) {
+  kept_.push_back(definition.kept);
+  return {&defined_.emplace_back(definition.function), 1};
 }
 
 void Registry::add_constant(const NativeConstant& constant) {
@@ -121,6 +129,17 @@ void Registry::declare_records(TypePool& types) const {
   }
 }
 
+namespace {
+
+std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
+                                const TypeNames& names) {
+  std::string error;
+  const auto signature = parse_signature(function.signature, types, names, error);
+  return signature ? typed_faults(function, *signature) : std::vector<std::string>{error};
+}
+
+}  // namespace
+
 std::vector<std::string> Registry::check_signatures() const {
   TypePool types;
   declare_records(types);
@@ -132,11 +151,17 @@ std::vector<std::string> Registry::check_signatures() const {
   }
   for (const auto& [name, overloads] : functions_) {
     for (const NativeFunction* function : overloads) {
-      if (parse_signature(function->signature, types, names, error)) continue;
-      problems.push_back(std::string(name) + std::string(function->signature) + ": " + error);
+      for (const std::string& fault : faults(*function, types, names))
+        problems.push_back(std::string(name) + std::string(function->signature) + ": " + fault);
     }
   }
   return problems;
+}
+
+std::vector<std::string> Registry::faults_of(const NativeFunction& function) const {
+  TypePool types;
+  declare_records(types);
+  return faults(function, types, type_names(types));
 }
 
 }  // namespace armlet::lang

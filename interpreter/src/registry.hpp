@@ -5,7 +5,9 @@
 // Only names and texts are kept here. A program reads the signatures it needs against its own
 // types, so an engine may be shared by threads.
 
+#include <deque>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -16,6 +18,10 @@
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/type.hpp"
 #include "types/signature.hpp"
+
+namespace armlet {
+struct Definition;
+}
 
 namespace armlet::lang {
 
@@ -32,6 +38,8 @@ class Registry {
 
   // Adds all, or none and returns the first that is there already.
   const NativeFunction* add_functions(std::span<const NativeFunction> functions);
+  // Keeps a function as long as the registry, for add_functions.
+  std::span<const NativeFunction> keep(const Definition& definition);
   void add_constant(const NativeConstant& constant);
   void add_type(const HostType& type);
   void add_record(std::string_view name, std::string_view fields);
@@ -60,8 +68,11 @@ class Registry {
   void declare_records(TypePool& types) const;
   // Host types and library records by name, as types of one program.
   [[nodiscard]] TypeNames type_names(TypePool& types) const;
-  // Every signature and record that cannot be read, with the reason.
+  // Every signature and record that cannot be read or differs from its function in C++, with the
+  // reason.
   [[nodiscard]] std::vector<std::string> check_signatures() const;
+  // The same of one function, as clauses.
+  [[nodiscard]] std::vector<std::string> faults_of(const NativeFunction& function) const;
 
  private:
   // The names are those of the functions and constants, which outlive the engine.
@@ -71,6 +82,8 @@ class Registry {
   std::map<std::string, std::string, std::less<>> records_;
   std::set<std::string_view> planned_;
   std::vector<Chapter> chapters_;
+  std::deque<NativeFunction> defined_;
+  std::vector<std::shared_ptr<const void>> kept_;  // what they need
 };
 
 }  // namespace armlet::lang

@@ -7,7 +7,7 @@
 
 namespace armlet::bind {
 
-Signal failure(Vm& vm, std::string_view code, std::string message, int parameter, std::string why,
+Failed failure(Vm& vm, std::string_view code, std::string message, int parameter, std::string why,
                std::string fix) {
   Failure f;
   f.code = code;
@@ -18,7 +18,7 @@ Signal failure(Vm& vm, std::string_view code, std::string message, int parameter
   return fail(vm, std::move(f));
 }
 
-Signal domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
+Failed domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
                       std::string fix, int parameter) {
   if (!std::isfinite(value))
     return not_finite(vm, fmt::format("the value given to {}", function), value, parameter);
@@ -32,7 +32,7 @@ Signal domain_failure(Vm& vm, std::string_view function, double value, std::stri
   return fail(vm, std::move(f));
 }
 
-Signal not_finite(Vm& vm, std::string_view what, double value, int parameter) {
+Failed not_finite(Vm& vm, std::string_view what, double value, int parameter) {
   return failure(vm, "R0612",
                  fmt::format("{} is {}, which is not a finite number", what,
                              std::isnan(value) ? "nan"
@@ -41,7 +41,7 @@ Signal not_finite(Vm& vm, std::string_view what, double value, int parameter) {
                  parameter);
 }
 
-Signal size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right) {
+Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right) {
   return failure(vm, "R0613",
                  fmt::format("{}: the sizes do not fit: {} and {}", what, left, right));
 }
@@ -57,7 +57,7 @@ std::string clause_of(const std::exception& error) {
   return sentence;
 }
 
-Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter,
+Failed failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter,
                   std::string fix) {
   Failure f;
   f.code = code;

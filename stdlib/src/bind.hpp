@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "armlet/interpreter/define.hpp"
 #include "armlet/interpreter/engine.hpp"
-#include "armlet/interpreter/native.hpp"
 
 namespace armlet::bind {
 
@@ -71,19 +71,19 @@ std::span<const NativeFunction> later_functions();
 }
 
 // R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
-Signal domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
+Failed domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
                       std::string fix = {}, int parameter = 0);
 // R0612: an argument that is infinite or not a number.
-Signal not_finite(Vm& vm, std::string_view what, double value, int parameter);
+Failed not_finite(Vm& vm, std::string_view what, double value, int parameter);
 // R0613: two sizes that do not fit.
-Signal size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right);
+Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right);
 
 // A failure of a native function with a code of the catalogue and its own headline.
-Signal failure(Vm& vm, std::string_view code, std::string message, int parameter = -1,
+Failed failure(Vm& vm, std::string_view code, std::string message, int parameter = -1,
                std::string why = {}, std::string fix = {});
 
 // The same with the sentence of a broken precondition as its argument.
-Signal failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter = -1,
+Failed failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter = -1,
                   std::string fix = {});
 
 // The sentence of a broken precondition as it goes on from other words, without capital and full

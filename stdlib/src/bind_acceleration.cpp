@@ -16,9 +16,8 @@ namespace armlet::bind {
 namespace {
 
 // (tr, joint)
-Signal parameters(Vm& vm, Slot* args) {
-  const PlannedMotion& plan = planned(args[0]);
-  const std::int64_t joint = args[1].i;
+Answer<Obj*> parameters(Vm& vm, const Trajectory& tr, std::int64_t joint) {
+  const PlannedMotion& plan = tr;
   if (joint < 1 || joint > plan.motion.n()) {
     return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, plan.motion.n()),
                    1);
@@ -28,12 +27,12 @@ Signal parameters(Vm& vm, Slot* args) {
   for (const Segment& piece : pieces) degree = std::max(degree, piece.degree);
   MatrixObj* matrix = new_matrix(vm, static_cast<std::uint32_t>(pieces.size()),
                                  static_cast<std::uint32_t>(degree + 1));
-  if (matrix == nullptr) return Signal::kFail;
+  if (matrix == nullptr) return Failed{};
   double* out = matrix->data();
   for (const Segment& piece : pieces) {
     for (int k = 0; k <= degree; ++k) *out++ = piece.c[static_cast<std::size_t>(k)];
   }
-  return give(args, matrix);
+  return matrix;
 }
 
 enum Parameter { kMotion, kStep, kMethod, kSplit };
@@ -153,10 +152,11 @@ Signal integrate(Vm& vm, Slot* args) {
 }
 
 constexpr NativeFunction kAccelerationFunctions[] = {
-    {"trajectory.accelParameters", "(tr: trajectory, joint: int) -> matrix",
-     "The acceleration of a joint, counted from 1, as polynomials: row i holds the coefficients "
-     "a0, a1, a2 ... of the powers of t - knots[i] (SI), up to the next knot.",
-     "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).accelParameters(1)", parameters},
+    def<parameters>(
+        "trajectory.accelParameters(tr: trajectory, joint: int) -> matrix",
+        "The acceleration of a joint, counted from 1, as polynomials: row i holds the coefficients "
+        "a0, a1, a2 ... of the powers of t - knots[i] (SI), up to the next knot.",
+        "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).accelParameters(1)"),
     {"trajectory.integrate",
      "(tr: trajectory, step: time, method: string = \"rk4\", split: bool = true) -> OdeSolution",
      "Integrates the accelerations of all joints from the start, with the methods of ode: t holds "

@@ -19,17 +19,15 @@ namespace {
 
 // posC(numbers): 3 = place only; 4 = place and turn about z, for an arm whose tool keeps its tilt;
 // 6 = place, roll, pitch, yaw (section 8).
-Signal posc_from(Vm& vm, Slot* args) {
-  const auto v = reals_value(args[0]);
+Answer<PosC> posc_from(Vm& vm, std::span<const double> v) {
   for (const double x : v) {
     if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
   }
-  if (v.size() == 3) return give(args, new_posc(vm, {make_translation({v[0], v[1], v[2]}), false}));
-  if (v.size() == 6)
-    return give(args, new_posc(vm, {pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true}));
+  if (v.size() == 3) return PosC{make_translation({v[0], v[1], v[2]}), false};
+  if (v.size() == 6) return PosC{pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true};
   const Robot* robot = Host::of(vm).only_robot();
   if (v.size() == 4 && robot != nullptr && robot->n() == 4) {
-    return give(args, new_posc(vm, {pose_from_rpy({v[0], v[1], v[2]}, {0.0, 0.0, v[3]}), true}));
+    return PosC{pose_from_rpy({v[0], v[1], v[2]}, {0.0, 0.0, v[3]}), true};
   }
   return failure(
       vm, "R0613",
@@ -106,19 +104,19 @@ Signal insert_obj(Vm& vm, Slot* args) try {
   return failure_of(vm, "R0631", error);
 }
 
-Signal get_pos_obj(Vm& vm, Slot* args) {
-  const std::string name(text_value(args[0]));
+Answer<Obj*> get_pos_obj(Vm& vm, std::string_view given_name) {
+  const std::string name(given_name);
   const Object* object = find_object(vm, name);
   if (object == nullptr) return fail_unknown_object(vm, name, 0);
   const Eigen::Vector3d p = object->T_world_obj.translation();
-  return give(args, new_reals(vm, {p.data(), 3}));
+  return new_reals(vm, {p.data(), 3});
 }
-Signal get_pos_robot(Vm& vm, Slot* args) {
-  const Eigen::VectorXd& q = Host::of(vm).cell().robot(host_value<RobotRef>(args[0]).id).q;
-  return give(args, new_reals(vm, {q.data(), static_cast<std::size_t>(q.size())}));
+Obj* get_pos_robot(Vm& vm, const RobotRef& r) {
+  const Eigen::VectorXd& q = Host::of(vm).cell().robot(r.id).q;
+  return new_reals(vm, {q.data(), static_cast<std::size_t>(q.size())});
 }
-Signal get_number_obj(Vm& vm, Slot* args) {
-  return give(args, static_cast<std::int64_t>(Host::of(vm).cell().task_objects().size()));
+std::int64_t get_number_obj(Vm& vm) {
+  return static_cast<std::int64_t>(Host::of(vm).cell().task_objects().size());
 }
 
 constexpr std::string_view kMoveJHelp =
@@ -128,10 +126,11 @@ constexpr std::string_view kMoveCHelp =
     "Moves the hand to a place: 'Lin' in a straight line, other planners with the joints.";
 
 constexpr NativeFunction kClassicFunctions[] = {
-    {"posC", "(values: double[]) -> posC",
-     "A place (3 numbers), a place and a turn about z (4), or a place with roll, pitch, yaw (6); "
-     "metres and radians.",
-     "posC([0.3, 0.1, 0.2])", posc_from},
+    def<posc_from>("posC(values: double[]) -> posC",
+                   "A place (3 numbers), a place and a turn about z (4), or a place with roll, "
+                   "pitch, yaw (6); "
+                   "metres and radians.",
+                   "posC([0.3, 0.1, 0.2])"),
     {"moveJ", "(r: robot, traj: string, p: posJ, time: double) -> Move", kMoveJHelp,
      "moveJ('Syn', home(), 2.0)", move_j, nullptr, nullptr, check_classic_joints, nullptr, true},
     {"moveJ", "(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,
@@ -152,12 +151,13 @@ constexpr NativeFunction kClassicFunctions[] = {
      never_run, nullptr, nullptr, explain_arc, nullptr, true},
     {"insertObj", "(name: string)", "Makes an object of the world part of the task.",
      "insertObj(\"cube\")", insert_obj, nullptr, nullptr, check_object_name},
-    {"getPosObj", "(name: string) -> double[]", "The centre of an object: x, y, z in metres.",
-     "getPosObj(\"cube\")", get_pos_obj, nullptr, nullptr, check_object_name},
-    {"getPosRobot", "(r: robot) -> double[]", "The joint values, radians and metres.",
-     "getPosRobot()", get_pos_robot},
-    {"getNumberObj", "() -> int", "How many objects were made part of the task.", "getNumberObj()",
-     get_number_obj},
+    def<get_pos_obj>("getPosObj(name: string) -> double[]",
+                     "The centre of an object: x, y, z in metres.", "getPosObj(\"cube\")",
+                     {.check = check_object_name}),
+    def<get_pos_robot>("getPosRobot(r: robot) -> double[]", "The joint values, radians and metres.",
+                       "getPosRobot()"),
+    def<get_number_obj>("getNumberObj() -> int", "How many objects were made part of the task.",
+                        "getNumberObj()"),
 };
 
 }  // namespace

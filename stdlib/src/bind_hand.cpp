@@ -12,7 +12,7 @@
 namespace armlet::bind {
 namespace {
 
-Signal fail_grasp(Vm& vm, int robot, const GraspResult& result) {
+Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
   const Cell& cell = Host::of(vm).cell();
   Failure f;
   f.code = "R0605";

@@ -191,14 +191,14 @@ Signal rank_of(Vm& vm, Slot* args) {
   });
 }
 
-Signal trace_of(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
+Answer<double> trace_of(Vm& vm, const MatrixObj& A) {
   if (A.rows != A.cols) return not_square(vm, "trace", A);
   double sum = 0.0;
   const auto add = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) sum += A.data()[i * A.cols + i];
   };
-  return in_blocks(vm, A.rows, kFunctionCost, add) ? give(args, sum) : Signal::kFail;
+  if (!(in_blocks(vm, A.rows, kFunctionCost, add))) return Failed{};
+  return sum;
 }
 
 // ---- decompositions ----------------------------------------------------------------------------
@@ -314,8 +314,8 @@ constexpr NativeFunction kLinalgFunctions[] = {
     {"rank", "(A: matrix) -> int",
      "How many rows are independent: singular values above the rounding of the largest.",
      "rank([1, 2; 2, 4])", rank_of},
-    {"trace", "(A: matrix) -> double", "The sum of the diagonal.", "trace([1, 2; 3, 4])", trace_of,
-     nullptr, nullptr, check_square_to_number},
+    def<trace_of>("trace(A: matrix) -> double", "The sum of the diagonal.", "trace([1, 2; 3, 4])",
+                  {.check = check_square_to_number}),
     {"lu", "(A: matrix) -> Lu",
      "P * A = L * U: P exchanges rows, L has ones on its diagonal, U is upper triangular.",
      "lu([1, 2; 3, 4]).U", lu_of, nullptr, nullptr, check_square_to_number},

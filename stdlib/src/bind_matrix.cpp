@@ -104,16 +104,15 @@ Signal diagonal_matrix(Vm& vm, Slot* args) {
   });
 }
 
-Signal diagonal_of(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
+Answer<Obj*> diagonal_of(Vm& vm, const MatrixObj& A) {
   ListObj* list = new_list(vm, std::min(A.rows, A.cols), false);
-  if (list == nullptr) return Signal::kFail;
+  if (list == nullptr) return Failed{};
   const auto fill = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) list->data[i].d = A.data()[i * A.cols + i];
   };
-  if (in_blocks(vm, list->size, kFunctionCost, fill)) return give(args, list);
+  if (in_blocks(vm, list->size, kFunctionCost, fill)) return list;
   release(vm, list);
-  return Signal::kFail;
+  return Failed{};
 }
 
 Signal outer(Vm& vm, Slot* args) {
@@ -132,12 +131,8 @@ Signal outer(Vm& vm, Slot* args) {
   });
 }
 
-Signal rows(Vm&, Slot* args) {
-  return give(args, static_cast<std::int64_t>(matrix_value(args[0]).rows));
-}
-Signal cols(Vm&, Slot* args) {
-  return give(args, static_cast<std::int64_t>(matrix_value(args[0]).cols));
-}
+std::int64_t rows(const MatrixObj& _a) { return static_cast<std::int64_t>(_a.rows); }
+std::int64_t cols(const MatrixObj& _a) { return static_cast<std::int64_t>(_a.cols); }
 
 Signal transposed(Vm& vm, Slot* args) {
   const MatrixObj& A = matrix_value(args[0]);
@@ -148,10 +143,9 @@ Signal transposed(Vm& vm, Slot* args) {
   });
 }
 
-Signal flattened(Vm& vm, Slot* args) {
-  const auto values = elements(matrix_value(args[0]));
-  return give_numbers(vm, args, values.size(),
-                      [values](Slot& to, std::size_t i) { to.d = values[i]; });
+Obj* flattened(Vm& vm, const MatrixObj& _a) {
+  const auto values = elements(_a);
+  return numbers_of(vm, values.size(), [values](Slot& to, std::size_t i) { to.d = values[i]; });
 }
 
 // ---- element by element ------------------------------------------------------------------------
@@ -264,20 +258,18 @@ bool multiply_charged(Vm& vm, const MatrixObj& A, const MatrixObj& B, MatrixObj&
   return true;
 }
 
-Signal product(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
-  const MatrixObj& B = matrix_value(args[1]);
+Answer<Obj*> product(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
   if (A.cols != B.rows) {
     return sizes_differ(
         vm, fmt::format("{} times {}", size_text(A.rows, A.cols), size_text(B.rows, B.cols)), 1,
         "the first matrix needs as many columns as the second has rows");
   }
-  if (!possible_size(vm, A.rows, B.cols, -1)) return Signal::kFail;
+  if (!possible_size(vm, A.rows, B.cols, -1)) return Failed{};
   MatrixObj* C = new_matrix_unset(vm, A.rows, B.cols);
-  if (C == nullptr) return Signal::kFail;
-  if (multiply_charged(vm, A, B, *C)) return give(args, C);
+  if (C == nullptr) return Failed{};
+  if (multiply_charged(vm, A, B, *C)) return C;
   release(vm, C);
-  return Signal::kFail;
+  return Failed{};
 }
 
 Signal product_with(Vm& vm, Slot* args, std::span<const double> x) {
@@ -306,26 +298,23 @@ Signal product_with_joints(Vm& vm, Slot* args) {
 
 // ---- comparing ---------------------------------------------------------------------------------
 
-Signal near(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
-  const MatrixObj& B = matrix_value(args[1]);
-  if (A.rows != B.rows || A.cols != B.cols) return give(args, false);
+Answer<bool> near(Vm& vm, const MatrixObj& A, const MatrixObj& B, double tol) {
+  if (A.rows != B.rows || A.cols != B.cols) return false;
   bool is_near = true;
   const auto look = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && is_near; ++i)
-      is_near = std::abs(A.data()[i] - B.data()[i]) <= args[2].d;
+      is_near = std::abs(A.data()[i] - B.data()[i]) <= tol;
     return is_near;
   };
   const bool seen = in_blocks(vm, count_of(A), kCost, look) || !is_near;
-  return seen ? give(args, is_near) : Signal::kFail;
+  if (!(seen)) return Failed{};
+  return is_near;
 }
 
-Signal explain_near(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
-  const MatrixObj& B = matrix_value(args[1]);
+Answer<std::string> explain_near(Vm& vm, const MatrixObj& A, const MatrixObj& B, double) {
   if (A.rows != B.rows || A.cols != B.cols) {
-    return give(args, new_text(vm, fmt::format("the sizes are {} and {}", size_text(A.rows, A.cols),
-                                               size_text(B.rows, B.cols))));
+    return fmt::format("the sizes are {} and {}", size_text(A.rows, A.cols),
+                       size_text(B.rows, B.cols));
   }
   std::size_t worst = 0;
   double most = -1.0;
@@ -337,9 +326,8 @@ Signal explain_near(Vm& vm, Slot* args) {
       most = difference;
     }
   };
-  if (!in_blocks(vm, count_of(A), kCost, look)) return Signal::kFail;
-  return give(args, new_text(vm, fmt::format("they differ by {:.3g} at [{}, {}]", most,
-                                             worst / A.cols, worst % A.cols)));
+  if (!in_blocks(vm, count_of(A), kCost, look)) return Failed{};
+  return fmt::format("they differ by {:.3g} at [{}, {}]", most, worst / A.cols, worst % A.cols);
 }
 
 constexpr NativeFunction kMatrixFunctions[] = {
@@ -355,18 +343,18 @@ constexpr NativeFunction kMatrixFunctions[] = {
      check_identity},
     {"diag", "(v: double[]) -> matrix", "A square matrix with v on its diagonal.",
      "diag([1.0, 2.0])", diagonal_matrix, nullptr, nullptr, check_diagonal},
-    {"diag", "(A: matrix) -> double[]", "The diagonal of a matrix.", "diag([1, 2; 3, 4])",
-     diagonal_of},
+    def<diagonal_of>("diag(A: matrix) -> double[]", "The diagonal of a matrix.",
+                     "diag([1, 2; 3, 4])"),
     {"outer", "(v: double[], w: double[]) -> matrix", "The products of every pair of values.",
      "outer([1.0, 2.0], [3.0, 4.0])", outer, nullptr, nullptr, check_outer},
-    {"matrix.rows", "(A: matrix) -> int", "How many rows there are.", "[1, 2; 3, 4].rows", rows},
-    {"matrix.cols", "(A: matrix) -> int", "How many columns there are.", "[1, 2; 3, 4].cols", cols},
+    def<rows>("matrix.rows(A: matrix) -> int", "How many rows there are.", "[1, 2; 3, 4].rows"),
+    def<cols>("matrix.cols(A: matrix) -> int", "How many columns there are.", "[1, 2; 3, 4].cols"),
     {"matrix.T", "(A: matrix) -> matrix", "The transpose: rows become columns.", "[1, 2; 3, 4].T",
      transposed, nullptr, nullptr, check_transposed},
-    {"flatten", "(A: matrix) -> double[]", "All values, row by row.", "flatten([1, 2; 3, 4])",
-     flattened},
-    {"operator*", "(A: matrix, B: matrix) -> matrix", "The matrix product.",
-     "[1, 2; 3, 4] * [0, 1; 1, 0]", product, nullptr, nullptr, check_product},
+    def<flattened>("flatten(A: matrix) -> double[]", "All values, row by row.",
+                   "flatten([1, 2; 3, 4])"),
+    def<product>("operator*(A: matrix, B: matrix) -> matrix", "The matrix product.",
+                 "[1, 2; 3, 4] * [0, 1; 1, 0]", {.check = check_product}),
     {"operator*", "(A: matrix, v: double[]) -> double[]", "A matrix times a column of values.",
      "[1, 2; 3, 4] * [5.0, 6.0]", product_with_list, nullptr, nullptr, check_product},
     {"operator*", "(A: matrix, q: posJ) -> double[]", "A matrix times joint values.",
@@ -391,10 +379,10 @@ constexpr NativeFunction kMatrixFunctions[] = {
      "[1, 2; 3, 4] .^ [1, 2; 1, 2]", powers_of_elements, nullptr, nullptr, check_sum},
     {"operator.^", "(A: matrix, k: double) -> matrix", "Every element to the power k.",
      "[1, 2; 3, 4] .^ 2.0", power_of_elements, nullptr, nullptr, check_same_size},
-    {"near", "(a: matrix, b: matrix, tol: double) -> bool",
-     "Whether two matrices differ by at most tol in every element.",
-     "near([1, 2; 3, 4], [1, 2; 3, 4.01], tol: 0.1)", near, nullptr, nullptr, nullptr,
-     explain_near},
+    def<near>("near(a: matrix, b: matrix, tol: double) -> bool",
+              "Whether two matrices differ by at most tol in every element.",
+              "near([1, 2; 3, 4], [1, 2; 3, 4.01], tol: 0.1)",
+              {.explain = explained_by<explain_near>}),
 };
 
 }  // namespace

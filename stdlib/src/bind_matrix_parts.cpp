@@ -127,10 +127,11 @@ Signal join_all(Vm& vm, Slot* args) {
 
 // ---- one number --------------------------------------------------------------------------------
 
-Signal frobenius(Vm& vm, Slot* args) {
+Answer<double> frobenius(Vm& vm, const MatrixObj& _a) {
   double length = 0.0;
-  const bool done = length_of(vm, elements(matrix_value(args[0])), length);
-  return done ? give(args, length) : Signal::kFail;
+  const bool done = length_of(vm, elements(_a), length);
+  if (!(done)) return Failed{};
+  return length;
 }
 
 bool total(Vm& vm, const MatrixObj& A, double& sum) {
@@ -139,9 +140,10 @@ bool total(Vm& vm, const MatrixObj& A, double& sum) {
     for (const double x : elements(A).subspan(begin, end - begin)) sum += x;
   });
 }
-Signal sum_of(Vm& vm, Slot* args) {
+Answer<double> sum_of(Vm& vm, const MatrixObj& _a) {
   double sum = 0.0;
-  return total(vm, matrix_value(args[0]), sum) ? give(args, sum) : Signal::kFail;
+  if (!(total(vm, _a, sum))) return Failed{};
+  return sum;
 }
 
 bool has_elements(Vm& vm, const MatrixObj& A, std::string_view what) {
@@ -149,24 +151,23 @@ bool has_elements(Vm& vm, const MatrixObj& A, std::string_view what) {
   (void)failure(vm, "R0613", fmt::format("a matrix without values has no {}", what), 0);
   return false;
 }
-Signal mean_of(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
-  if (!has_elements(vm, A, "mean")) return Signal::kFail;
+Answer<double> mean_of(Vm& vm, const MatrixObj& A) {
+  if (!has_elements(vm, A, "mean")) return Failed{};
   double sum = 0.0;
-  if (!total(vm, A, sum)) return Signal::kFail;
-  return give(args, sum / static_cast<double>(count_of(A)));
+  if (!total(vm, A, sum)) return Failed{};
+  return sum / static_cast<double>(count_of(A));
 }
 template <bool kMax>
-Signal extreme(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
-  if (!has_elements(vm, A, kMax ? "largest value" : "smallest value")) return Signal::kFail;
+Answer<double> extreme(Vm& vm, const MatrixObj& A) {
+  if (!has_elements(vm, A, kMax ? "largest value" : "smallest value")) return Failed{};
   double best = A.data()[0];
   const auto look = [&](std::size_t begin, std::size_t end) {
     for (const double x : elements(A).subspan(begin, end - begin)) {
       if (kMax ? x > best : x < best) best = x;
     }
   };
-  return in_blocks(vm, count_of(A), kCost, look) ? give(args, best) : Signal::kFail;
+  if (!(in_blocks(vm, count_of(A), kCost, look))) return Failed{};
+  return best;
 }
 
 // ---- element by element ------------------------------------------------------------------------
@@ -174,10 +175,9 @@ Signal extreme(Vm& vm, Slot* args) {
 using Real1 = double (*)(double);
 
 template <Real1 kFunction>
-Signal each(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
+Answer<Obj*> each(Vm& vm, const MatrixObj& A) {
   MatrixObj* B = new_matrix_unset(vm, A.rows, A.cols);
-  if (B == nullptr) return Signal::kFail;
+  if (B == nullptr) return Failed{};
   const auto compute = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double x = A.data()[i];
@@ -192,9 +192,9 @@ Signal each(Vm& vm, Slot* args) {
     }
     return true;
   };
-  if (in_blocks(vm, count_of(A), kFunctionCost, compute)) return give(args, B);
+  if (in_blocks(vm, count_of(A), kFunctionCost, compute)) return B;
   release(vm, B);
-  return Signal::kFail;
+  return Failed{};
 }
 
 double absolute(double x) { return std::abs(x); }
@@ -251,10 +251,9 @@ std::optional<Eigen::Matrix3d> rotation_of(Vm& vm, const MatrixObj& given, int a
   return renormalised(R);
 }
 
-Signal posc_from_rotation(Vm& vm, Slot* args) {
-  const auto p = reals_value(args[1]);
-  const auto R = rotation_of(vm, matrix_value(args[0]), 0);
-  if (!R) return Signal::kFail;
+Answer<PosC> posc_from_rotation(Vm& vm, const MatrixObj& _r, std::span<const double> p) {
+  const auto R = rotation_of(vm, _r, 0);
+  if (!R) return Failed{};
   if (p.size() != 3) return sizes_differ(vm, fmt::format("a place has 3 values, not {}", p.size()));
   for (const double x : p) {
     if (!std::isfinite(x)) return not_finite(vm, "a value of the place", x, 1);
@@ -263,16 +262,16 @@ Signal posc_from_rotation(Vm& vm, Slot* args) {
   pose.T.linear() = *R;
   pose.T.translation() = Eigen::Vector3d(p[0], p[1], p[2]);
   pose.has_orientation = true;
-  return give(args, new_posc(vm, pose));
+  return pose;
 }
 
-Signal posc_with_rotation(Vm& vm, Slot* args) {
-  const auto R = rotation_of(vm, matrix_value(args[1]), 1);
-  if (!R) return Signal::kFail;
-  PosC pose = posc(args[0]);
+Answer<PosC> posc_with_rotation(Vm& vm, const PosC& p, const MatrixObj& _r) {
+  const auto R = rotation_of(vm, _r, 1);
+  if (!R) return Failed{};
+  PosC pose = p;
   pose.T.linear() = *R;
   pose.has_orientation = true;
-  return give(args, new_posc(vm, pose));
+  return pose;
 }
 
 constexpr NativeFunction kMatrixPartsFunctions[] = {
@@ -292,42 +291,45 @@ constexpr NativeFunction kMatrixPartsFunctions[] = {
      "vcat([5.0, 6.0], [1, 2; 3, 4])", join_list_and_matrix<above_each_other, row_of>},
     {"vcat", "(parts: matrix[]) -> matrix", "Matrices one above the other.",
      "vcat([eye(2), eye(2)])", join_all<above_each_other>},
-    {"norm", "(A: matrix) -> double", "The root of the sum of all squares.", "norm([1, 2; 3, 4])",
-     frobenius},
-    {"sum", "(A: matrix) -> double", "The sum of all values.", "sum([1, 2; 3, 4])", sum_of},
-    {"mean", "(A: matrix) -> double", "The mean of all values.", "mean([1, 2; 3, 4])", mean_of},
-    {"min", "(A: matrix) -> double", "The smallest value.", "min([1, 2; 3, 4])", extreme<false>},
-    {"max", "(A: matrix) -> double", "The largest value.", "max([1, 2; 3, 4])", extreme<true>},
-    {"abs", "(A: matrix) -> matrix", "Absolute value of each element.", "abs([-1, 2; 3, -4])",
-     each<absolute>, nullptr, nullptr, check_same_size},
-    {"sqrt", "(A: matrix) -> matrix", "Square root of each element.", "sqrt([1, 4; 9, 16])",
-     each<square_root>, nullptr, nullptr, check_same_size},
-    {"exp", "(A: matrix) -> matrix",
-     "e to the power of each element; expm is the exponential of the matrix.", "exp([0, 1; 2, 3])",
-     each<det::exp>, nullptr, nullptr, check_same_size},
-    {"log", "(A: matrix) -> matrix", "Natural logarithm of each element.", "log([1, 2; 3, 4])",
-     each<det::log>, nullptr, nullptr, check_same_size},
-    {"sin", "(A: matrix) -> matrix", "Sine of each element, in radians.", "sin([0, 1; 2, 3])",
-     each<det::sin>, nullptr, nullptr, check_same_size},
-    {"cos", "(A: matrix) -> matrix", "Cosine of each element, in radians.", "cos([0, 1; 2, 3])",
-     each<det::cos>, nullptr, nullptr, check_same_size},
-    {"tan", "(A: matrix) -> matrix", "Tangent of each element, in radians.", "tan([0, 1; 2, 3])",
-     each<det::tan>, nullptr, nullptr, check_same_size},
-    {"floor", "(A: matrix) -> matrix", "The whole number at or below each element.",
-     "floor([1.5, 2.5; 3, 4])", each<round_down>, nullptr, nullptr, check_same_size},
-    {"ceil", "(A: matrix) -> matrix", "The whole number at or above each element.",
-     "ceil([1.5, 2.5; 3, 4])", each<round_up>, nullptr, nullptr, check_same_size},
+    def<frobenius>("norm(A: matrix) -> double", "The root of the sum of all squares.",
+                   "norm([1, 2; 3, 4])"),
+    def<sum_of>("sum(A: matrix) -> double", "The sum of all values.", "sum([1, 2; 3, 4])"),
+    def<mean_of>("mean(A: matrix) -> double", "The mean of all values.", "mean([1, 2; 3, 4])"),
+    def<extreme<false>>("min(A: matrix) -> double", "The smallest value.", "min([1, 2; 3, 4])"),
+    def<extreme<true>>("max(A: matrix) -> double", "The largest value.", "max([1, 2; 3, 4])"),
+    def<each<absolute>>("abs(A: matrix) -> matrix", "Absolute value of each element.",
+                        "abs([-1, 2; 3, -4])", {.check = check_same_size}),
+    def<each<square_root>>("sqrt(A: matrix) -> matrix", "Square root of each element.",
+                           "sqrt([1, 4; 9, 16])", {.check = check_same_size}),
+    def<each<det::exp>>("exp(A: matrix) -> matrix",
+                        "e to the power of each element; expm is the exponential of the matrix.",
+                        "exp([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each<det::log>>("log(A: matrix) -> matrix", "Natural logarithm of each element.",
+                        "log([1, 2; 3, 4])", {.check = check_same_size}),
+    def<each<det::sin>>("sin(A: matrix) -> matrix", "Sine of each element, in radians.",
+                        "sin([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each<det::cos>>("cos(A: matrix) -> matrix", "Cosine of each element, in radians.",
+                        "cos([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each<det::tan>>("tan(A: matrix) -> matrix", "Tangent of each element, in radians.",
+                        "tan([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each<round_down>>("floor(A: matrix) -> matrix",
+                          "The whole number at or below each element.", "floor([1.5, 2.5; 3, 4])",
+                          {.check = check_same_size}),
+    def<each<round_up>>("ceil(A: matrix) -> matrix", "The whole number at or above each element.",
+                        "ceil([1.5, 2.5; 3, 4])", {.check = check_same_size}),
     {"posC.R", "(p: posC) -> matrix", "The orientation as a 3x3 rotation.", "rotZ(90deg).R",
      posc_rotation},
-    {"posC.R=", "(p: posC, R: matrix) -> posC", "The orientation changed to a rotation.",
-     "var p = here(); p.R = rotX(90deg).R", posc_with_rotation},
+    def<posc_with_rotation>("posC.R=(p: posC, R: matrix) -> posC",
+                            "The orientation changed to a rotation.",
+                            "var p = here(); p.R = rotX(90deg).R"),
     {"posC.T", "(p: posC) -> matrix", "The 4x4 matrix of the whole, lengths in metres.",
      "xyz(1m, 2m, 3m).T", posc_transform},
-    {"posC", "(R: matrix, p: length[]) -> posC", "An orientation as a rotation, and a place.",
-     "posC(eye(3), [100mm, 0mm, 50mm])", posc_from_rotation},
-    {"posC", "(R: matrix, p: double[]) -> posC",
-     "An orientation as a rotation, and a place in metres.", "posC(eye(3), [0.1, 0.0, 0.05])",
-     posc_from_rotation},
+    def<posc_from_rotation>("posC(R: matrix, p: length[]) -> posC",
+                            "An orientation as a rotation, and a place.",
+                            "posC(eye(3), [100mm, 0mm, 50mm])"),
+    def<posc_from_rotation>("posC(R: matrix, p: double[]) -> posC",
+                            "An orientation as a rotation, and a place in metres.",
+                            "posC(eye(3), [0.1, 0.0, 0.05])"),
 };
 
 }  // namespace

@@ -243,10 +243,10 @@ Signal ready_robot(Vm& vm, Slot* args) try {
   return failure_of(vm, "R0630", error);
 }
 
-Signal default_robot(Vm& vm, Slot* args) {
+Answer<Obj*> default_robot(Vm& vm) {
   const Result<int> id = Host::of(vm).default_robot();
   if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
-  return give(args, new_host_value(vm, kRobot, RobotRef{*id, &Host::of(vm).cell()}));
+  return new_host_value(vm, kRobot, RobotRef{*id, &Host::of(vm).cell()});
 }
 
 // ---- tools
@@ -264,8 +264,8 @@ Signal suction(Vm& vm, Slot* args) try {
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0631", error);
 }
-Signal tool_point(Vm& vm, Slot* args) {
-  return give(args, new_host_value(vm, kTool, ToolValue{point_tool(), posc(args[0]).T}));
+Obj* tool_point(Vm& vm, const PosC& p) {
+  return new_host_value(vm, kTool, ToolValue{point_tool(), p.T});
 }
 
 constexpr std::string_view kReady = "(base: posC?, tool: tool?, name: string?) -> robot";
@@ -302,8 +302,8 @@ constexpr NativeFunction kModelFunctions[] = {
      "A robot from a description in the program's folder; tip: the link at its end, where the file "
      "has several arms.",
      "urdf(\"arm.urdf\", tip: \"tool0\")", robot_from_urdf},
-    {"robot()", "() -> robot", "The robot that the host supplies.", "joints()", default_robot,
-     nullptr, nullptr, check_default_robot},
+    def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
+                       {.check = check_default_robot}),
     {"robots.planar2", kReady, "Two links of 1 m in the vertical x-z plane.", "robots.planar2()",
      ready_robot<make_planar2>, nullptr, nullptr, check_ready_robot<make_planar2>},
     {"robots.planar3", kReady, "Three links in the horizontal plane.", "robots.planar3()",
@@ -343,8 +343,8 @@ constexpr NativeFunction kModelFunctions[] = {
      "parallelGripper(stroke: 60mm)", gripper},
     {"suctionCup", "(radius: length, length: length = 60mm) -> tool", "A suction cup.",
      "suctionCup(radius: 15mm)", suction},
-    {"tcp", "(p: posC) -> tool", "A tool point without a hand; it cannot grasp.",
-     "tcp(xyz(z: 50mm))", tool_point},
+    def<tool_point>("tcp(p: posC) -> tool", "A tool point without a hand; it cannot grasp.",
+                    "tcp(xyz(z: 50mm))"),
 };
 
 }  // namespace

@@ -118,22 +118,22 @@ Signal move_circ(Vm& vm, Slot* args) {
                      {.time = given(args[3]), .speed = given(args[4]), .blend = given(args[5])});
 }
 
-Signal halt(Vm& vm, Slot* args) { return halt_robot(vm, host_value<RobotRef>(args[0]).id); }
+void halt(Vm& vm, const RobotRef& r) { return halt_robot(vm, r.id); }
 
-Signal set_joints(Vm& vm, Slot* args) {
+Answer<void> set_joints(Vm& vm, const RobotRef& r, const PosJ& given_q) {
   Host& host = Host::of(vm);
-  const int id = host_value<RobotRef>(args[0]).id;
+  const int id = r.id;
   const CellRobot& robot = host.cell().robot(id);
-  const Eigen::VectorXd q = posj(args[1]).vector();
+  const Eigen::VectorXd q = given_q.vector();
   if (q.size() != robot.model->n())
     return size_failure(vm, "setJoints", static_cast<std::size_t>(q.size()),
                         static_cast<std::size_t>(robot.model->n()));
   const MoveCall call{.function = "setJoints", .robot = id};
   if (const auto outside = limit_violations(*robot.model, q); !outside.empty())
     return fail_outside(vm, call, q, outside.front());
-  if (refuse_busy(vm, id)) return Signal::kFail;
+  if (refuse_busy(vm, id)) return Failed{};
   host.cell().set_joints(id, q);
-  return give_nothing();
+  return {};
 }
 
 constexpr std::string_view kMoveJHelp =
@@ -205,19 +205,15 @@ constexpr NativeFunction kMotionFunctions[] = {
      .example = "follow(trajectory(\"Syn\", [joints(), home()]))",
      .thunk = follow,
      .pauses = true},
-    {.name = "halt",
-     .signature = "(r: robot)",
-     .help =
-         "Stops the robot under control, along its path and within its limits on acceleration and "
-         "jerk, and waits until it stands; the move that is interrupted fails with the kind "
-         "Halted.",
-     .example = "halt()",
-     .thunk = halt,
-     .pauses = true,
-     .interrupts = true},
-    commanding({"setJoints", "(r: robot, q: posJ)",
-                "Puts a simulated robot into a position without moving it.", "setJoints(home())",
-                set_joints}),
+    def<halt>(
+        "halt(r: robot)",
+        "Stops the robot under control, along its path and within its limits on acceleration and "
+        "jerk, and waits until it stands; the move that is interrupted fails with the kind "
+        "Halted.",
+        "halt()", {.pauses = true, .interrupts = true}),
+    def<set_joints>("setJoints(r: robot, q: posJ)",
+                    "Puts a simulated robot into a position without moving it.",
+                    "setJoints(home())", {.commands = true}),
 };
 
 }  // namespace

@@ -73,17 +73,15 @@ bool long_horner(Vm& vm, std::span<const double> c, double x, double& value) {
     value = horner(c.subspan(begin, end - begin), x, value);
   });
 }
-Signal polyval(Vm& vm, Slot* args) {
+Answer<double> polyval(Vm& vm, std::span<const double> c, double x) {
   double value = 0.0;
-  if (!long_horner(vm, reals_value(args[0]), args[1].d, value)) return Signal::kFail;
+  if (!long_horner(vm, c, x, value)) return Failed{};
   if (std::isnan(value)) return not_finite(vm, "the polynomial's value", value, -1);
-  return give(args, value);
+  return value;
 }
-Signal polyval_list(Vm& vm, Slot* args) {
-  const auto xs = reals_value(args[1]);
+Answer<Obj*> polyval_list(Vm& vm, std::span<const double> c, std::span<const double> xs) {
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (list == nullptr) return Signal::kFail;
-  const auto c = reals_value(args[0]);
+  if (list == nullptr) return Failed{};
   const bool is_long = c.size() * kCost > kBlockWork;
   const auto compute = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -100,9 +98,9 @@ Signal polyval_list(Vm& vm, Slot* args) {
     return true;
   };
   const auto cost = static_cast<unsigned>(kCost + (is_long ? 0 : kCost * c.size()));
-  if (in_blocks(vm, xs.size(), cost, compute)) return give(args, list);
+  if (in_blocks(vm, xs.size(), cost, compute)) return list;
   release(vm, list);
-  return Signal::kFail;
+  return Failed{};
 }
 
 Signal roots(Vm& vm, Slot* args) {
@@ -215,16 +213,14 @@ Signal cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
   }
 }
 
-Signal solve(Vm& vm, Slot* args) {
-  const double lo = args[1].d;
-  const double hi = args[2].d;
+Answer<double> solve(Vm& vm, Slot f, double lo, double hi) {
   if (!std::isfinite(lo)) return not_finite(vm, "the lower end", lo, 1);
   if (!std::isfinite(hi)) return not_finite(vm, "the upper end", hi, 2);
-  const ScriptFunction<double(double)> f(vm, args[0]);
+  const ScriptFunction<double(double)> f(vm, f);
   const RootSearch found =
       find_root([&](double x, double& value) { return f.call(value, x); }, lo, hi);
-  if (found.status == RootSearch::Status::kFound) return give(args, found.x);
-  if (found.status == RootSearch::Status::kStopped) return Signal::kFail;
+  if (found.status == RootSearch::Status::kFound) return found.x;
+  if (found.status == RootSearch::Status::kStopped) return Failed{};
   return cannot_solve(vm, found, lo, hi);
 }
 
@@ -274,11 +270,12 @@ constexpr NativeFunction kNumericFunctions[] = {
      "The polynomial of degree n that fits the points best by least squares: its coefficients, the "
      "one of the highest power first.",
      "polyfit([0.0, 1.0, 2.0], [1.0, 2.0, 4.0], 1)", polyfit},
-    {"polyval", "(c: double[], x: double) -> double",
-     "The value at x of the polynomial with coefficients c, the one of the highest power first.",
-     "polyval([1.0, 0.0, -2.0], 3.0)", polyval},
-    {"polyval", "(c: double[], xs: double[]) -> double[]", "The polynomial's value at each x.",
-     "polyval([1.0, 0.0, -2.0], [1.0, 2.0])", polyval_list},
+    def<polyval>(
+        "polyval(c: double[], x: double) -> double",
+        "The value at x of the polynomial with coefficients c, the one of the highest power first.",
+        "polyval([1.0, 0.0, -2.0], 3.0)"),
+    def<polyval_list>("polyval(c: double[], xs: double[]) -> double[]",
+                      "The polynomial's value at each x.", "polyval([1.0, 0.0, -2.0], [1.0, 2.0])"),
     {"roots", "(c: double[]) -> double[]",
      "The real roots of the polynomial with coefficients c, the one of the highest power first: "
      "smallest first, a multiple root once, complex ones left out.",
@@ -286,10 +283,11 @@ constexpr NativeFunction kNumericFunctions[] = {
     {"interp", "(x: D[], y: E[], at: D) -> E",
      "The value at a place between points, on the straight line through its neighbours; x rises.",
      "interp([0s, 1s, 3s], [0mm, 20mm, 30mm], 2s)", interpolate},
-    {"solve", "(f: fn(double) -> double, lo: double, hi: double) -> double",
-     "Where f is zero between lo and hi, at which it has different signs; exact to the last "
-     "digits.",
-     "solve(fn(x) => x^2 - 2.0, 0.0, 2.0)", solve},
+    def<solve>(
+        "solve(f: fn(double) -> double, lo: double, hi: double) -> double",
+        "Where f is zero between lo and hi, at which it has different signs; exact to the last "
+        "digits.",
+        "solve(fn(x) => x^2 - 2.0, 0.0, 2.0)"),
     {"minimise", "(f: fn(double[]) -> double, start: double[]) -> double[]",
      "Where f is smallest, looked for downhill from the start without derivatives.",
      "minimise(fn(v) => (v[0] - 1.0)^2 + (v[1] - 2.0)^2, [0.0, 0.0])", minimum},

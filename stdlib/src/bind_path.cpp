@@ -32,24 +32,24 @@ Signal make(Vm& vm, Slot* args) {
   return make_path(vm, args, *path);
 }
 
-Signal set_blend(Vm& vm, Slot* args) {
-  if (!check_blend_length(vm, args[0].d, 0)) return Signal::kFail;
-  settings_of(vm).path->blend = args[0].d;
-  return give_nothing();
+Answer<void> set_blend(Vm& vm, double blend) {
+  if (!check_blend_length(vm, blend, 0)) return Failed{};
+  settings_of(vm).path->blend = blend;
+  return {};
 }
 
-Signal set_speed(Vm& vm, Slot* args) {
-  if (!check_above_zero(vm, "a speed", args[0].d, "mm/s", 0)) return Signal::kFail;
-  settings_of(vm).path->speed = args[0].d;
-  return give_nothing();
+Answer<void> set_speed(Vm& vm, double speed) {
+  if (!check_above_zero(vm, "a speed", speed, "mm/s", 0)) return Failed{};
+  settings_of(vm).path->speed = speed;
+  return {};
 }
 
-Signal set_time(Vm& vm, Slot* args) {
-  if (!check_duration(vm, args[0].d, 0)) return Signal::kFail;
+Answer<void> set_time(Vm& vm, double time) {
+  if (!check_duration(vm, time, 0)) return Failed{};
   CollectedPath& path = *settings_of(vm).path;
-  path.time = args[0].d;
+  path.time = time;
   path.time_place = place_of_call(vm);
-  return give_nothing();
+  return {};
 }
 
 void check_blend_setting(CheckCall& call) { check_blend(call, 0); }
@@ -64,30 +64,26 @@ constexpr NativeFunction kPathFunctions[] = {
      .example = "",
      .thunk = make,
      .pauses = true},
-    {.name = "path.blend",
-     .signature = "(blend: length)",
-     .help = "Moves inside the block are planned and made as one motion, and its corners are "
-             "rounded: up to this far before and after a target, and at most half of either move, "
-             "the hand leaves its line. Moves with a blend of their own keep it; with 0 mm the "
-             "hand stops there.",
-     .example = "moveJ(xyz(300mm, 200mm, 150mm)); path (blend: 20mm) { moveL(xyz(300mm, 0mm, "
-                "150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
-     .thunk = set_blend,
-     .check = check_blend_setting},
-    {.name = "path.speed",
-     .signature = "(speed: speed)",
-     .help = "The highest speed of the hand in moves that have none of their own.",
-     .example = "moveJ(xyz(300mm, 200mm, 150mm)); path (speed: 200mm/s) { moveL(xyz(300mm, 0mm, "
-                "150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
-     .thunk = set_speed},
-    {.name = "path.time",
-     .signature = "(time: time)",
-     .help = "How long the whole path takes; without it, it is made as fast as the joints and the "
-             "speeds of its moves allow.",
-     .example = "moveJ(xyz(300mm, 200mm, 150mm)); path (blend: 20mm, time: 4s) { moveL(xyz(300mm, "
-                "0mm, 150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
-     .thunk = set_time,
-     .check = check_time_setting},
+    def<set_blend>(
+        "path.blend(blend: length)",
+        "Moves inside the block are planned and made as one motion, and its corners are "
+        "rounded: up to this far before and after a target, and at most half of either move, "
+        "the hand leaves its line. Moves with a blend of their own keep it; with 0 mm the "
+        "hand stops there.",
+        "moveJ(xyz(300mm, 200mm, 150mm)); path (blend: 20mm) { moveL(xyz(300mm, 0mm, "
+        "150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
+        {.check = check_blend_setting}),
+    def<set_speed>("path.speed(speed: speed)",
+                   "The highest speed of the hand in moves that have none of their own.",
+                   "moveJ(xyz(300mm, 200mm, 150mm)); path (speed: 200mm/s) { moveL(xyz(300mm, 0mm, "
+                   "150mm)); moveL(xyz(400mm, 0mm, 150mm)) }"),
+    def<set_time>(
+        "path.time(time: time)",
+        "How long the whole path takes; without it, it is made as fast as the joints and the "
+        "speeds of its moves allow.",
+        "moveJ(xyz(300mm, 200mm, 150mm)); path (blend: 20mm, time: 4s) { moveL(xyz(300mm, "
+        "0mm, 150mm)); moveL(xyz(400mm, 0mm, 150mm)) }",
+        {.check = check_time_setting}),
 };
 
 }  // namespace

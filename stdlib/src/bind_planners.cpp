@@ -50,17 +50,17 @@ Signal add_function(Vm& vm, Slot* args) try {
   return failure_of(vm, "R0626", error, kLaw);
 }
 
-Signal planner_names(Vm& vm, Slot* args) {
+Answer<Obj*> planner_names(Vm& vm) {
   const std::vector<std::string> names = Host::of(vm).planners().names();
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(names.size()), true);
-  if (list == nullptr) return Signal::kFail;
+  if (list == nullptr) return Failed{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     list->data[i].o = new_text(vm, names[i]);
     if (list->data[i].o != nullptr) continue;
     release(vm, list);
-    return Signal::kFail;
+    return Failed{};
   }
-  return give(args, list);
+  return list;
 }
 
 constexpr NativeFunction kPlannersFunctions[] = {
@@ -74,8 +74,8 @@ constexpr NativeFunction kPlannersFunctions[] = {
      "spline leads through its values.",
      "addPlanner(\"Wave\", fn(x) => 0.5 - 0.5 * cos(x * 180deg)); moveJ(home(), traj: \"Wave\")",
      add_function},
-    {"planners", "() -> string[]", "The names of all planners, those of the program included.",
-     "planners()", planner_names},
+    def<planner_names>("planners() -> string[]",
+                       "The names of all planners, those of the program included.", "planners()"),
 };
 
 }  // namespace

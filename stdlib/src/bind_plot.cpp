@@ -186,15 +186,16 @@ std::size_t points_of(const Figure& figure) {
 }
 
 // (path, figure)
-Signal save_plot(Vm& vm, Slot* args) {
+Answer<void> save_plot(Vm& vm, std::string_view given_path,
+                       std::optional<std::string_view> figure) {
   Host& host = Host::of(vm);
-  const std::string path(text_value(args[0]));
+  const std::string path(given_path);
   std::vector<Figure*> chosen;
   for (Figure& figure : host.figures()) {
-    if (args[1].o == nullptr || figure.title == text_value(args[1])) chosen.push_back(&figure);
+    if (!figure || figure.title == *figure) chosen.push_back(&figure);
   }
-  if (chosen.empty() && args[1].o != nullptr) {
-    return failure(vm, "R0626", fmt::format("there is no figure \"{}\"", text_value(args[1])), 1);
+  if (chosen.empty() && figure) {
+    return failure(vm, "R0626", fmt::format("there is no figure \"{}\"", *figure), 1);
   }
   if (chosen.empty()) {
     return failure(vm, "R0626", "there is no figure to save", 0, {}, "call plot(x, y) before");
@@ -207,7 +208,7 @@ Signal save_plot(Vm& vm, Slot* args) {
   constexpr std::uint64_t kCost = 256;  // of a point on its way into a picture
   std::vector<Figure> shown;
   for (const Figure* each : chosen) {
-    if (!charge_work(vm, kCost * points_of(*each))) return Signal::kFail;
+    if (!charge_work(vm, kCost * points_of(*each))) return Failed{};
     shown.push_back(*each);
   }
   std::string content;
@@ -219,7 +220,7 @@ Signal save_plot(Vm& vm, Slot* args) {
                    fmt::format("\"{}\" cannot be written: {}", path, saved.error().message), 0);
   }
   for (Figure* each : chosen) each->saved = true;
-  return give_nothing();
+  return {};
 }
 
 constexpr std::string_view kValues =
@@ -251,11 +252,12 @@ constexpr NativeFunction kPlotFunctions[] = {
      "The same for the rows of a matrix of three columns; unit: what its numbers are in SI, such "
      "as \"m\".",
      "scatter3([0.1, 0, 0.05; 0, 0.1, 0.08], title: \"reach\", unit: \"m\")", scatter_matrix},
-    {"savePlot", "(path: string, figure: string?)",
-     "Saves all figures, or the one of that title, below the folder of the program: a picture "
-     "(.svg) "
-     "or text (.txt).",
-     "plot([0s, 1s], [0deg, 30deg]); savePlot(\"speeds.svg\")", save_plot},
+    def<save_plot>(
+        "savePlot(path: string, figure: string?)",
+        "Saves all figures, or the one of that title, below the folder of the program: a picture "
+        "(.svg) "
+        "or text (.txt).",
+        "plot([0s, 1s], [0deg, 30deg]); savePlot(\"speeds.svg\")"),
 };
 
 }  // namespace

@@ -54,25 +54,24 @@ Signal singular(Vm& vm, Slot* args) {
   return give(args, is_euler_singular(text_value(args[1]), posc(args[0]).T.linear()));
 }
 
-Signal quaternion(Vm& vm, Slot* args) {
-  const Eigen::Vector4d q = quaternion_from_R(posc(args[0]).T.linear());
-  return give(args, new_reals(vm, {q.data(), 4}));
+Obj* quaternion(Vm& vm, const PosC& p) {
+  const Eigen::Vector4d q = quaternion_from_R(p.T.linear());
+  return new_reals(vm, {q.data(), 4});
 }
-Signal axis(Vm& vm, Slot* args) {
-  const Vector3d k = axis_of_rotation(posc(args[0]).T.linear());
-  return give(args, new_reals(vm, {k.data(), 3}));
+Obj* axis(Vm& vm, const PosC& p) {
+  const Vector3d k = axis_of_rotation(p.T.linear());
+  return new_reals(vm, {k.data(), 3});
 }
 Signal angle(Vm&, Slot* args) {
   return give(
       args, angle_between(Eigen::Matrix3d::Identity(), Eigen::Matrix3d(posc(args[0]).T.linear())));
 }
 
-Signal log_pose(Vm& vm, Slot* args) {
-  const Vector6d xi = pose_log(posc(args[0]).T);
-  return give(args, new_reals(vm, {xi.data(), 6}));
+Obj* log_pose(Vm& vm, const PosC& p) {
+  const Vector6d xi = pose_log(p.T);
+  return new_reals(vm, {xi.data(), 6});
 }
-Signal exp_pose(Vm& vm, Slot* args) {
-  const auto v = reals_value(args[0]);
+Answer<PosC> exp_pose(Vm& vm, std::span<const double> v) {
   if (v.size() != 6) {
     return failure(vm, "R0613", fmt::format("a twist has 6 values, not {}", v.size()), 0,
                    "they are v (m) and w (rad), as logPose gives them");
@@ -86,7 +85,7 @@ Signal exp_pose(Vm& vm, Slot* args) {
   if (!turns || !T.matrix().allFinite())
     return failure(vm, "R0612", "the pose of this twist is not finite: its values are too large",
                    0);
-  return give(args, new_posc(vm, {T, true}));
+  return PosC{T, true};
 }
 
 Signal give_matrix(Vm& vm, Slot* args, const Eigen::Ref<const Eigen::MatrixXd>& A) {
@@ -105,9 +104,9 @@ Signal hat_of(Vm& vm, Slot* args) {
   return give_matrix(vm, args, hat({v[0], v[1], v[2]}));
 }
 
-Signal wrapped(Vm& vm, Slot* args) {
-  if (!std::isfinite(args[0].d)) return not_finite(vm, "the angle", args[0].d, 0);
-  return give(args, wrap_angle(args[0].d));
+Answer<double> wrapped(Vm& vm, double a) {
+  if (!std::isfinite(a)) return not_finite(vm, "the angle", a, 0);
+  return wrap_angle(a);
 }
 Signal turn_between(Vm& vm, Slot* args) {
   for (int i = 0; i < 2; ++i) {
@@ -117,12 +116,11 @@ Signal turn_between(Vm& vm, Slot* args) {
 }
 
 // (p, point)
-Signal move_point(Vm& vm, Slot* args) {
-  const auto v = reals_value(args[1]);
+Answer<Obj*> move_point(Vm& vm, const PosC& p, std::span<const double> v) {
   if (v.size() != 3)
     return failure(vm, "R0613", fmt::format("a point has 3 values, not {}", v.size()), 1);
-  const Vector3d moved = posc(args[0]).T * Vector3d(v[0], v[1], v[2]);
-  return give(args, new_reals(vm, {moved.data(), 3}));
+  const Vector3d moved = p.T * Vector3d(v[0], v[1], v[2]);
+  return new_reals(vm, {moved.data(), 3});
 }
 
 constexpr std::string_view kEuler = "(a: angle, b: angle, c: angle) -> posC";
@@ -160,35 +158,37 @@ constexpr NativeFunction kRotationFunctions[] = {
     {"posC.singular", "(p: posC, sequence: string) -> bool",
      "Whether the Euler angles of this sequence are not unique: the first and third axis coincide.",
      "rotY(90deg).singular(\"ZYX\")", singular},
-    {"posC.quat", "(p: posC) -> double[]",
-     "The orientation as a unit quaternion w, x, y, z with w >= 0.", "rotZ(90deg).quat",
-     quaternion},
-    {"posC.axis", "(p: posC) -> double[]",
-     "The axis of the turn, a unit vector; that of no turn at all is z.", "rotX(20deg).axis", axis},
+    def<quaternion>("posC.quat(p: posC) -> double[]",
+                    "The orientation as a unit quaternion w, x, y, z with w >= 0.",
+                    "rotZ(90deg).quat"),
+    def<axis>("posC.axis(p: posC) -> double[]",
+              "The axis of the turn, a unit vector; that of no turn at all is z.",
+              "rotX(20deg).axis"),
     {"posC.angle", "(p: posC) -> angle", "The angle of the turn about its axis, 0 to 180 deg.",
      "rotX(20deg).angle", angle},
-    {"logPose", "(p: posC) -> double[]",
-     "The twist [v; w] (m and rad) that leads from the origin to p in a unit of time.",
-     "logPose(xyz(1m, 0m, 0m) * rotZ(90deg))", log_pose},
-    {"expPose", "(v: double[]) -> posC", "The pose to which a twist [v; w] leads: undoes logPose.",
-     "expPose([0.1, 0.0, 0.0, 0.0, 0.0, 0.5])", exp_pose},
+    def<log_pose>("logPose(p: posC) -> double[]",
+                  "The twist [v; w] (m and rad) that leads from the origin to p in a unit of time.",
+                  "logPose(xyz(1m, 0m, 0m) * rotZ(90deg))"),
+    def<exp_pose>("expPose(v: double[]) -> posC",
+                  "The pose to which a twist [v; w] leads: undoes logPose.",
+                  "expPose([0.1, 0.0, 0.0, 0.0, 0.0, 0.5])"),
     {"adjoint", "(p: posC) -> matrix",
      "The 6x6 matrix that takes a twist [v; w] seen in p to the same motion seen in the world's "
      "axes at its origin.",
      "adjoint(xyz(1m, 0m, 0m)) * [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]", adjoint_of},
     {"hat", "(v: double[]) -> matrix", "The cross product as a matrix: hat(a) * b is cross(a, b).",
      "hat([1.0, 2.0, 3.0])", hat_of},
-    {"wrapAngle", "(a: angle) -> angle", "The same direction between -180 and 180 deg.",
-     "wrapAngle(350deg)", wrapped},
+    def<wrapped>("wrapAngle(a: angle) -> angle", "The same direction between -180 and 180 deg.",
+                 "wrapAngle(350deg)"),
     {"angleDifference", "(from: angle, to: angle) -> angle",
      "The shortest turn from one angle to another.", "angleDifference(350deg, 10deg)",
      turn_between},
-    {"operator*", "(p: posC, point: length[]) -> length[]",
-     "The point as the world sees it that is given as p sees it.", "rotZ(90deg) * [10mm, 0mm, 0mm]",
-     move_point},
-    {"operator*", "(p: posC, point: double[]) -> double[]",
-     "The point as the world sees it that is given as p sees it, in metres.",
-     "rotZ(90deg) * [0.1, 0.0, 0.0]", move_point},
+    def<move_point>("operator*(p: posC, point: length[]) -> length[]",
+                    "The point as the world sees it that is given as p sees it.",
+                    "rotZ(90deg) * [10mm, 0mm, 0mm]"),
+    def<move_point>("operator*(p: posC, point: double[]) -> double[]",
+                    "The point as the world sees it that is given as p sees it, in metres.",
+                    "rotZ(90deg) * [0.1, 0.0, 0.0]"),
 };
 
 }  // namespace

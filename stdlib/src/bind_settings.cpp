@@ -46,8 +46,7 @@ Signal leave(Vm& vm, Slot*) {
 }
 
 template <double BlockSettings::*kMember>
-Signal set_fraction(Vm& vm, Slot* args) {
-  const double value = args[0].d;
+Answer<void> set_fraction(Vm& vm, double value) {
   constexpr double kLeast = 1e-9;  // a turn would take years
   if (!(value >= kLeast && value <= 1.0)) {
     return failure(
@@ -59,7 +58,7 @@ Signal set_fraction(Vm& vm, Slot* args) {
   BlockSettings settings = settings_of(vm);
   settings.*kMember = value;
   replace_settings(vm, std::move(settings));
-  return give_nothing();
+  return {};
 }
 
 struct TrackName {
@@ -74,26 +73,25 @@ const TrackName* track_called(std::string_view name) {
   return found != std::end(kTracks) ? found : nullptr;
 }
 
-Signal set_track(Vm& vm, Slot* args) {
-  const TrackName* track = track_called(text_value(args[0]));
+Answer<void> set_track(Vm& vm, std::string_view track) {
+  const TrackName* track = track_called(track);
   if (track == nullptr) {
     return failure(vm, "R0609",
                    fmt::format("lines cannot be tracked \"{}\": it is \"exact\", \"slow\" or "
                                "\"damped\"",
-                               text_value(args[0])),
+                               track),
                    0);
   }
   BlockSettings settings = settings_of(vm);
   settings.track = track->track;
   replace_settings(vm, std::move(settings));
-  return give_nothing();
+  return {};
 }
 
-Signal set_tool(Vm& vm, Slot* args) {
+void set_tool(Vm& vm, const PosC& tool) {
   BlockSettings settings = settings_of(vm);
-  settings.T_flange_tool = posc(args[0]).T;
+  settings.T_flange_tool = tool.T;
   replace_settings(vm, std::move(settings));
-  return give_nothing();
 }
 
 Signal set_frame(Vm& vm, Frame frame) {
@@ -102,10 +100,8 @@ Signal set_frame(Vm& vm, Frame frame) {
   replace_settings(vm, std::move(settings));
   return give_nothing();
 }
-Signal set_frame_place(Vm& vm, Slot* args) { return set_frame(vm, posc(args[0]).T); }
-Signal set_frame_object(Vm& vm, Slot* args) {
-  return set_frame(vm, host_value<ObjectRef>(args[0]).name);
-}
+void set_frame_place(Vm& vm, const PosC& frame) { return set_frame(vm, frame.T); }
+void set_frame_object(Vm& vm, const ObjectRef& frame) { return set_frame(vm, frame.name); }
 
 // E0513.
 void check_share(CheckCall& call, std::string_view what) {
@@ -130,35 +126,35 @@ void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"
 constexpr NativeFunction kSettingsFunctions[] = {
     in_path({"with{", "()", "", "", enter}),
     in_path({"with}", "()", "", "", leave}),
-    {"with.speed", "(speed: double)",
-     "Moves inside the block that give neither time nor speed run at this fraction of the joint "
-     "limits.",
-     "with (speed: 0.5) { moveJ(home()) }", set_fraction<&BlockSettings::speed>, nullptr, nullptr,
-     check_speed_setting},
-    {"with.accel", "(accel: double)",
-     "Moves inside the block keep to this fraction of the acceleration limits of the joints.",
-     "with (accel: 0.5) { moveJ(home()) }", set_fraction<&BlockSettings::accel>, nullptr, nullptr,
-     check_accel_setting},
-    {"with.tool", "(tool: posC)",
-     "Moves inside the block bring this point, seen from the flange, to their targets.",
-     "with (tool: xyz(z: 20mm)) { moveJ(xyz(300mm, 200mm, 200mm)) }", set_tool},
-    {.name = "with.track",
-     .signature = "(track: string)",
-     .help =
-         "How moveL and moveCirc inside the block follow their way where joints would have to be "
-         "fast, next to a singularity. \"exact\": the whole move is so slow that they can. "
-         "\"slow\": it slows down only there. \"damped\": the joints stay slow and the hand "
-         "leaves its way a little; the Move says how far, as its deviation.",
-     .example = "with (track: \"slow\") { moveL(xyz(300mm, 200mm, 200mm), speed: 200mm/s) }",
-     .thunk = set_track,
-     .check = check_track_setting},
-    in_path({"with.frame", "(frame: posC)",
-             "Targets in space inside the block are read in this frame.",
-             "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", set_frame_place}),
-    in_path({"with.frame", "(frame: object)",
-             "Targets in space inside the block are read in the frame of this object, wherever it "
-             "is when the move begins.",
-             "with (frame: object(\"cube\")) { moveJ(xyz(z: 60mm)) }", set_frame_object}),
+    def<set_fraction<&BlockSettings::speed>>(
+        "with.speed(speed: double)",
+        "Moves inside the block that give neither time nor speed run at this fraction of the joint "
+        "limits.",
+        "with (speed: 0.5) { moveJ(home()) }", {.check = check_speed_setting}),
+    def<set_fraction<&BlockSettings::accel>>(
+        "with.accel(accel: double)",
+        "Moves inside the block keep to this fraction of the acceleration limits of the joints.",
+        "with (accel: 0.5) { moveJ(home()) }", {.check = check_accel_setting}),
+    def<set_tool>(
+        "with.tool(tool: posC)",
+        "Moves inside the block bring this point, seen from the flange, to their targets.",
+        "with (tool: xyz(z: 20mm)) { moveJ(xyz(300mm, 200mm, 200mm)) }"),
+    def<set_track>(
+        "with.track(track: string)",
+        "How moveL and moveCirc inside the block follow their way where joints would have to be "
+        "fast, next to a singularity. \"exact\": the whole move is so slow that they can. "
+        "\"slow\": it slows down only there. \"damped\": the joints stay slow and the hand "
+        "leaves its way a little; the Move says how far, as its deviation.",
+        "with (track: \"slow\") { moveL(xyz(300mm, 200mm, 200mm), speed: 200mm/s) }",
+        {.check = check_track_setting}),
+    def<set_frame_place>(
+        "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
+        "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),
+    def<set_frame_object>(
+        "with.frame(frame: object)",
+        "Targets in space inside the block are read in the frame of this object, wherever it "
+        "is when the move begins.",
+        "with (frame: object(\"cube\")) { moveJ(xyz(z: 60mm)) }", {.in_path = true}),
 };
 
 }  // namespace

@@ -25,16 +25,15 @@ bool count_characters(Vm& vm, std::string_view s, std::int64_t& count) {
 }
 
 template <bool kUpper>
-Signal change_case(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
+Answer<Obj*> change_case(Vm& vm, std::string_view s) {
   TextMaker out(vm);
   for (std::size_t begin = 0; begin < s.size();) {
     const std::string_view piece = whole_characters(s.substr(begin), kPiece);
     if (!charge_work(vm, kFunctionCost * piece.size()) || !out.add(with_case(piece, kUpper)))
-      return Signal::kFail;
+      return Failed{};
     begin += piece.size();
   }
-  return give(args, out.take());
+  return out.take();
 }
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -72,26 +71,21 @@ Signal trim(Vm& vm, Slot* args) {
   return trim_ends(vm, s) ? give_text(vm, args, s) : Signal::kFail;
 }
 
-Signal split(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
-  const std::string_view separator = text_value(args[1]);
+Answer<Obj*> split(Vm& vm, std::string_view s, std::string_view separator) {
   if (separator.empty())
     return failure(vm, "R0609", "split needs a text to split at, and this one is empty", 1);
   ListMaker parts(vm);
   std::size_t begin = 0;
   for (std::size_t at = 0; at != std::string_view::npos; begin = at + separator.size()) {
-    if (!find_text(vm, s, separator, begin, at)) return Signal::kFail;
+    if (!find_text(vm, s, separator, begin, at)) return Failed{};
     TextMaker part(vm);
-    if (!part.add(s.substr(begin, at - begin)) || !parts.push(part.take())) return Signal::kFail;
+    if (!part.add(s.substr(begin, at - begin)) || !parts.push(part.take())) return Failed{};
     if (at == std::string_view::npos) break;
   }
-  return give(args, parts.take());
+  return parts.take();
 }
 
-Signal replace(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
-  const std::string_view from = text_value(args[1]);
-  const std::string_view to = text_value(args[2]);
+Answer<Obj*> replace(Vm& vm, std::string_view s, std::string_view from, std::string_view to) {
   if (from.empty())
     return failure(vm, "R0609", "replace needs a text to look for, and this one is empty", 1);
   TextMaker out(vm);
@@ -99,9 +93,9 @@ Signal replace(Vm& vm, Slot* args) {
   while (true) {
     std::size_t at = 0;
     if (!find_text(vm, s, from, begin, at) || !out.add(s.substr(begin, at - begin)))
-      return Signal::kFail;
-    if (at == std::string_view::npos) return give(args, out.take());
-    if (!out.add(to)) return Signal::kFail;
+      return Failed{};
+    if (at == std::string_view::npos) return out.take();
+    if (!out.add(to)) return Failed{};
     begin = at + from.size();
   }
 }
@@ -128,19 +122,18 @@ Signal ends_with(Vm& vm, Slot* args) {
   if (t.size() > s.size()) return give(args, false);
   return give_same(vm, args, s.substr(s.size() - t.size()), t);
 }
-Signal index_of_text(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
+Answer<std::int64_t> index_of_text(Vm& vm, std::string_view s, std::string_view t) {
   std::size_t at = 0;
-  if (!find_text(vm, s, text_value(args[1]), 0, at)) return Signal::kFail;
+  if (!find_text(vm, s, t, 0, at)) return Failed{};
   std::int64_t index = -1;
   if (at != std::string_view::npos && !count_characters(vm, s.substr(0, at), index))
-    return Signal::kFail;
-  return give(args, index);
+    return Failed{};
+  return index;
 }
-Signal contains_text(Vm& vm, Slot* args) {
+Answer<bool> contains_text(Vm& vm, std::string_view s, std::string_view t) {
   std::size_t at = 0;
-  if (!find_text(vm, text_value(args[0]), text_value(args[1]), 0, at)) return Signal::kFail;
-  return give(args, at != std::string_view::npos);
+  if (!find_text(vm, s, t, 0, at)) return Failed{};
+  return at != std::string_view::npos;
 }
 Signal equals(Vm& vm, Slot* args) {
   const std::string_view a = text_value(args[0]);
@@ -164,9 +157,7 @@ Signal substring(Vm& vm, Slot* args) {
   return give(args, new_text_part(vm, args[0], a, b));
 }
 
-Signal join(Vm& vm, Slot* args) {
-  const auto parts = items_value(args[0]);
-  const std::string_view separator = text_value(args[1]);
+Answer<Obj*> join(Vm& vm, std::span<const Slot> parts, std::string_view separator) {
   TextMaker out(vm);
   const auto add = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -174,7 +165,8 @@ Signal join(Vm& vm, Slot* args) {
     }
     return true;
   };
-  return in_blocks(vm, parts.size(), 16, add) ? give(args, out.take()) : Signal::kFail;
+  if (!(in_blocks(vm, parts.size(), 16, add))) return Failed{};
+  return out.take();
 }
 
 // The beginning of a text in quotes, as messages show it.
@@ -237,59 +229,57 @@ Signal parse_int(Vm& vm, Slot* args) {
   return parse_number<std::int64_t>(vm, args, "a whole number", "too large for an int");
 }
 
-Signal code_of(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
+Answer<std::int64_t> code_of(Vm& vm, std::string_view s) {
   std::int64_t count = 0;
-  if (!count_characters(vm, s, count)) return Signal::kFail;
+  if (!count_characters(vm, s, count)) return Failed{};
   if (count != 1)
     return failure(vm, "R0613",
                    fmt::format("codeOf needs one character, and this text has {}", count), 0);
   std::size_t at = 0;
-  return give(args, static_cast<std::int64_t>(next_character(s, at)));
+  return static_cast<std::int64_t>(next_character(s, at));
 }
-Signal char_of(Vm& vm, Slot* args) {
-  const std::int64_t n = args[0].i;
+Answer<std::string> char_of(Vm& vm, std::int64_t n) {
   if (n < 0 || n > 0x10FFFF || (n >= 0xD800 && n <= 0xDFFF))
     return failure(vm, "R0609", fmt::format("there is no character number {}", n), 0);
   std::string out;
   append_character(out, static_cast<char32_t>(n));
-  return give(args, new_text(vm, out));
+  return out;
 }
 
 constexpr NativeFunction kTextFunctions[] = {
-    {"upper", "(s: string) -> string", "The text in capital letters.", "\"arm\".upper()",
-     change_case<true>},
-    {"lower", "(s: string) -> string", "The text in small letters.", "\"ARM\".lower()",
-     change_case<false>},
+    def<change_case<true>>("upper(s: string) -> string", "The text in capital letters.",
+                           "\"arm\".upper()"),
+    def<change_case<false>>("lower(s: string) -> string", "The text in small letters.",
+                            "\"ARM\".lower()"),
     {"trim", "(s: string) -> string", "The text without blanks at its ends.", "\" arm \".trim()",
      trim},
-    {"split", "(s: string, t: string) -> string[]",
-     "The parts of s between the places where t stands.", "\"a,b\".split(\",\")", split},
-    {"replace", "(s: string, a: string, b: string) -> string",
-     "The text with every a replaced by b.", "\"a-b\".replace(\"-\", \"+\")", replace},
+    def<split>("split(s: string, t: string) -> string[]",
+               "The parts of s between the places where t stands.", "\"a,b\".split(\",\")"),
+    def<replace>("replace(s: string, a: string, b: string) -> string",
+                 "The text with every a replaced by b.", "\"a-b\".replace(\"-\", \"+\")"),
     {"startsWith", "(s: string, t: string) -> bool", "Whether s begins with t.",
      "\"armlet\".startsWith(\"arm\")", starts_with},
     {"endsWith", "(s: string, t: string) -> bool", "Whether s ends with t.",
      "\"armlet\".endsWith(\"let\")", ends_with},
-    {"indexOf", "(s: string, t: string) -> int",
-     "At which character t begins for the first time; -1 if it does not.",
-     "\"armlet\".indexOf(\"let\")", index_of_text},
-    {"contains", "(s: string, t: string) -> bool", "Whether t stands somewhere in s.",
-     "\"armlet\".contains(\"let\")", contains_text},
+    def<index_of_text>("indexOf(s: string, t: string) -> int",
+                       "At which character t begins for the first time; -1 if it does not.",
+                       "\"armlet\".indexOf(\"let\")"),
+    def<contains_text>("contains(s: string, t: string) -> bool", "Whether t stands somewhere in s.",
+                       "\"armlet\".contains(\"let\")"),
     {"equals", "(s: string, t: string) -> bool",
      "Whether two texts are the same; Java's spelling of ==.", "\"a\".equals(\"a\")", equals},
     {"substring", "(s: string, a: int, b: int?) -> string",
      "The characters from a up to but excluding b.", "\"armlet\".substring(0, 3)", substring},
-    {"join", "(xs: string[], t: string) -> string", "The texts of a list with t between them.",
-     "join([\"a\", \"b\"], \", \")", join},
+    def<join>("join(xs: string[], t: string) -> string", "The texts of a list with t between them.",
+              "join([\"a\", \"b\"], \", \")"),
     {"parseDouble", "(s: string) -> double", "The number that a text says.", "parseDouble(\"2.5\")",
      parse_double},
     {"parseInt", "(s: string) -> int", "The whole number that a text says.", "parseInt(\"42\")",
      parse_int},
-    {"codeOf", "(s: string) -> int", "The number (code point) of a character.", "codeOf(\"A\")",
-     code_of},
-    {"charOf", "(n: int) -> string", "The character with a number (code point).", "charOf(65)",
-     char_of},
+    def<code_of>("codeOf(s: string) -> int", "The number (code point) of a character.",
+                 "codeOf(\"A\")"),
+    def<char_of>("charOf(n: int) -> string", "The character with a number (code point).",
+                 "charOf(65)"),
 };
 
 }  // namespace

@@ -8,37 +8,32 @@
 namespace armlet::bind {
 namespace {
 
-Signal now(Vm& vm, Slot* args) { return give(args, to_seconds(vm.timeline().now_ns())); }
+double now(Vm& vm) { return to_seconds(vm.timeline().now_ns()); }
 
-Signal get_signal(Vm& vm, Slot* args) {
-  const auto value = Host::of(vm).cell().signals().get(text_value(args[0]));
-  return give(args, value && std::holds_alternative<bool>(*value) && std::get<bool>(*value));
+template <class T>
+T signal_or(Vm& vm, std::string_view name, T otherwise) {
+  const auto value = Host::of(vm).cell().signals().get(name);
+  return value && std::holds_alternative<T>(*value) ? std::get<T>(*value) : otherwise;
 }
-Signal set_signal(Vm& vm, Slot* args) {
-  Host::of(vm).cell().signals().set(text_value(args[0]), args[1].i != 0);
-  return give_nothing();
-}
-Signal get_number(Vm& vm, Slot* args) {
-  const auto value = Host::of(vm).cell().signals().get(text_value(args[0]));
-  return give(args,
-              value && std::holds_alternative<double>(*value) ? std::get<double>(*value) : 0.0);
-}
-Signal set_number(Vm& vm, Slot* args) {
-  Host::of(vm).cell().signals().set(text_value(args[0]), args[1].d);
-  return give_nothing();
+bool get_signal(Vm& vm, std::string_view name) { return signal_or(vm, name, false); }
+double get_number(Vm& vm, std::string_view name) { return signal_or(vm, name, 0.0); }
+
+template <class T>
+void set_signal(Vm& vm, std::string_view name, T value) {
+  Host::of(vm).cell().signals().set(name, value);
 }
 
 constexpr NativeFunction kTimeFunctions[] = {
-    {"now", "() -> time", "The virtual time.", "now()", now},
-    {"signal", "(name: string) -> bool", "Whether a signal is on; one that was never set is off.",
-     "signal(\"start\")", get_signal},
-    {"setSignal", "(name: string, on: bool)", "Switches a signal.", "setSignal(\"lamp\", true)",
-     set_signal},
-    {"number", "(name: string) -> double",
-     "The value of a numeric signal; one that was never set is 0.", "number(\"level\")",
-     get_number},
-    {"setNumber", "(name: string, x: double)", "Sets a numeric signal.",
-     "setNumber(\"level\", 2.5)", set_number},
+    def<now>("now() -> time", "The virtual time.", "now()"),
+    def<get_signal>("signal(name: string) -> bool",
+                    "Whether a signal is on; one that was never set is off.", "signal(\"start\")"),
+    def<set_signal<bool>>("setSignal(name: string, on: bool)", "Switches a signal.",
+                          "setSignal(\"lamp\", true)"),
+    def<get_number>("number(name: string) -> double",
+                    "The value of a numeric signal; one that was never set is 0.",
+                    "number(\"level\")"),
+    def<set_signal<double>>("setNumber(name: string, x: double)", "Sets a numeric signal.",
+                            "setNumber(\"level\", 2.5)"),
 };
 
 }  // namespace

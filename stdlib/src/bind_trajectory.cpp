@@ -92,36 +92,30 @@ Signal make_from_places(Vm& vm, Slot* args) {
 // ---------------------------------------------------------------------------------------------------
 
 template <int kOrder>
-Signal value_at(Vm& vm, Slot* args) {
-  const PlannedMotion& plan = planned(args[0]);
-  const double t = args[1].d;
+Answer<Obj*> value_at(Vm& vm, const Trajectory& tr, double t) {
+  const PlannedMotion& plan = tr;
   if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
   if constexpr (kOrder == 0) {
     PosJ values = plan.joints;
     for (int i = 0; i < values.n; ++i)
       values.q[static_cast<std::size_t>(i)] = plan.motion.value(i, t, kOrder);
-    return give(args, new_posj(vm, values));
+    return new_posj(vm, values);
   } else {
     std::vector<double> values;
     for (int i = 0; i < plan.motion.n(); ++i) values.push_back(plan.motion.value(i, t, kOrder));
-    return give(args, new_reals(vm, values));
+    return new_reals(vm, values);
   }
 }
 
-Signal duration(Vm&, Slot* args) { return give(args, planned(args[0]).motion.duration()); }
+double duration(const Trajectory& tr) { return tr.motion.duration(); }
 
-Signal knots(Vm& vm, Slot* args) {
-  return give(args, new_reals(vm, planned(args[0]).motion.knots()));
-}
+Obj* knots(Vm& vm, const Trajectory& tr) { return new_reals(vm, tr.motion.knots()); }
 
-Signal planner_name(Vm& vm, Slot* args) {
-  return give(args, new_text(vm, planned(args[0]).planner));
-}
+std::string planner_name(const Trajectory& tr) { return tr.planner; }
 
 // (tr, order)
-Signal peaks(Vm& vm, Slot* args) {
-  const PlannedMotion& plan = planned(args[0]);
-  const std::int64_t order = args[1].i;
+Answer<Obj*> peaks(Vm& vm, const Trajectory& tr, std::int64_t order) {
+  const PlannedMotion& plan = tr;
   if (order < 1 || order > Segment::kMaxDegree) {
     return failure(
         vm, "R0609",
@@ -134,7 +128,7 @@ Signal peaks(Vm& vm, Slot* args) {
     values.push_back(jumps ? std::numeric_limits<double>::infinity()
                            : plan.motion.peak(i, static_cast<int>(order)));
   }
-  return give(args, new_reals(vm, values));
+  return new_reals(vm, values);
 }
 
 // ---- joining
@@ -164,15 +158,15 @@ Signal print_line(Vm& vm, const std::string& text) {
   return vm.print(text + '\n') ? give_nothing() : Signal::kFail;
 }
 
-Signal explain_trajectory(Vm& vm, Slot* args) {
-  const PlannedMotion& plan = planned(args[0]);
+void explain_trajectory(Vm& vm, const Trajectory& tr) {
+  const PlannedMotion& plan = tr;
   const std::string what = fmt::format("trajectory {} of {}", plan.planner, plan.robot->name());
   return print_line(vm, explain_motion(what, *plan.robot, plan.motion));
 }
 
-Signal explain_robot(Vm& vm, Slot* args) {
+void explain_robot(Vm& vm, const RobotRef& r) {
   Host& host = Host::of(vm);
-  const int id = host_value<RobotRef>(args[0]).id;
+  const int id = r.id;
   const CellRobot& robot = host.cell().robot(id);
   const LastMotion* last = host.last_motion(id);
   if (last == nullptr) {
@@ -221,34 +215,40 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
      "double?, robot: robot) -> trajectory",
      kMakeHelp, kRobotPlacesExample, make_from_places<false>, nullptr, nullptr,
      check_trajectory<false>},
-    {"trajectory.q", "(tr: trajectory, t: time) -> posJ",
-     "The joint values at that time; before the start and after the end those of the ends.",
-     "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)", value_at<0>},
-    {"trajectory.qd", "(tr: trajectory, t: time) -> double[]",
-     "The joint speeds at that time, rad/s and m/s.",
-     "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)", value_at<1>},
-    {"trajectory.qdd", "(tr: trajectory, t: time) -> double[]",
-     "The joint accelerations at that time, rad/s^2 and m/s^2. Where one jumps, the later value.",
-     "trajectory(\"Syn\", [home(), home()], time: 2s).qdd(1s)", value_at<2>},
-    {"trajectory.jerk", "(tr: trajectory, t: time) -> double[]",
-     "How fast the joint accelerations change at that time, rad/s^3 and m/s^3. Where it jumps, the "
-     "later value.",
-     "trajectory(\"Syn\", [home(), home()], time: 2s).jerk(1s)", value_at<3>},
-    {"trajectory.duration", "(tr: trajectory) -> time", "How long it takes.",
-     "trajectory(\"Syn\", [home(), home()], time: 2s).duration", duration},
-    {"trajectory.knots", "(tr: trajectory) -> time[]",
-     "The times at which polynomials begin and end, from 0 to the duration.",
-     "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s).knots", knots},
-    {"trajectory.planner", "(tr: trajectory) -> string", "The name of the planner that made it.",
-     "trajectory(\"Syn\", [home(), home()], time: 2s).planner", planner_name},
-    {"trajectory.peaks", "(tr: trajectory, order: int = 1) -> double[]",
-     "The largest magnitude of each joint's derivative of this order over the whole motion, from "
-     "the polynomials and not from samples: 1 is speed, 2 acceleration, 3 jerk. It is inf where "
-     "the "
-     "derivative below jumps, as the acceleration of \"Trap\" and \"Cubic\" does: no jerk is "
-     "enough "
-     "for that.",
-     "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).peaks(2)", peaks},
+    def<value_at<0>>(
+        "trajectory.q(tr: trajectory, t: time) -> posJ",
+        "The joint values at that time; before the start and after the end those of the ends.",
+        "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)"),
+    def<value_at<1>>("trajectory.qd(tr: trajectory, t: time) -> double[]",
+                     "The joint speeds at that time, rad/s and m/s.",
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)"),
+    def<value_at<2>>("trajectory.qdd(tr: trajectory, t: time) -> double[]",
+                     "The joint accelerations at that time, rad/s^2 and m/s^2. Where one jumps, "
+                     "the later value.",
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).qdd(1s)"),
+    def<value_at<3>>("trajectory.jerk(tr: trajectory, t: time) -> double[]",
+                     "How fast the joint accelerations change at that time, rad/s^3 and m/s^3. "
+                     "Where it jumps, the "
+                     "later value.",
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).jerk(1s)"),
+    def<duration>("trajectory.duration(tr: trajectory) -> time", "How long it takes.",
+                  "trajectory(\"Syn\", [home(), home()], time: 2s).duration"),
+    def<knots>("trajectory.knots(tr: trajectory) -> time[]",
+               "The times at which polynomials begin and end, from 0 to the duration.",
+               "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s).knots"),
+    def<planner_name>("trajectory.planner(tr: trajectory) -> string",
+                      "The name of the planner that made it.",
+                      "trajectory(\"Syn\", [home(), home()], time: 2s).planner"),
+    def<peaks>(
+        "trajectory.peaks(tr: trajectory, order: int = 1) -> double[]",
+        "The largest magnitude of each joint's derivative of this order over the whole motion, "
+        "from "
+        "the polynomials and not from samples: 1 is speed, 2 acceleration, 3 jerk. It is inf where "
+        "the "
+        "derivative below jumps, as the acceleration of \"Trap\" and \"Cubic\" does: no jerk is "
+        "enough "
+        "for that.",
+        "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).peaks(2)"),
     {"operator+", "(a: trajectory, b: trajectory) -> trajectory",
      "One motion and then the other, which starts where the first ends.",
      "let tr = trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]); tr + tr.reversed()",
@@ -256,14 +256,16 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
     {"trajectory.reversed", "(tr: trajectory) -> trajectory",
      "The same path run backwards in the same time.",
      "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()", reversed},
-    {"explain", "(tr: trajectory)",
-     "Prints what a trajectory is made of: for every joint its way and its peaks of speed, "
-     "acceleration and jerk, also in percent of the limits; how long this path takes at least, and "
-     "the joint that decides.",
-     "explain(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))",
-     explain_trajectory},
-    {"explain", "(r: robot)", "Prints the same of the last move of a robot, as it was planned.",
-     "moveJ(posJ(60deg, 30deg, 0mm, 0deg)); explain()", explain_robot},
+    def<explain_trajectory>(
+        "explain(tr: trajectory)",
+        "Prints what a trajectory is made of: for every joint its way and its peaks of speed, "
+        "acceleration and jerk, also in percent of the limits; how long this path takes at least, "
+        "and "
+        "the joint that decides.",
+        "explain(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))"),
+    def<explain_robot>("explain(r: robot)",
+                       "Prints the same of the last move of a robot, as it was planned.",
+                       "moveJ(posJ(60deg, 30deg, 0mm, 0deg)); explain()"),
 };
 
 }  // namespace

@@ -73,7 +73,7 @@ std::string rate_text(JointKind kind, LimitKind limit, double value) {
   return format_joint_value(kind, value) + kPer[static_cast<int>(limit)];
 }
 
-Signal fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
+Failed fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
   const Robot& robot = model_of(vm, call);
   if (plan.too_high) {
     static constexpr const char* kVerbs[] = {"move", "gain speed", "gain acceleration"};
@@ -142,13 +142,13 @@ VelocityStart start_of(Vm& vm, const MoveCall& call, std::int64_t during_ns) {
 }
 
 // (r, rates, during)
-Signal speed_j(Vm& vm, Slot* args) {
-  const MoveCall call{.function = "speedJ", .robot = host_value<RobotRef>(args[0]).id};
-  if (refuse_driving(vm, call)) return Signal::kFail;
-  const auto during = holding_time(vm, args[2].d, 2);
-  if (!during) return Signal::kFail;
+Answer<void> speed_j(Vm& vm, const RobotRef& r, std::span<const double> values,
+                     double given_during) {
+  const MoveCall call{.function = "speedJ", .robot = r.id};
+  if (refuse_driving(vm, call)) return Failed{};
+  const auto during = holding_time(vm, given_during, 2);
+  if (!during) return Failed{};
   const Robot& robot = model_of(vm, call);
-  const auto values = reals_value(args[1]);
   if (values.size() != static_cast<std::size_t>(robot.n())) {
     return failure(vm, "R0613",
                    fmt::format("{} joint speeds for a robot with {} joint{}", values.size(),
@@ -219,12 +219,8 @@ constexpr std::string_view kSpeedCHelp =
     "axes of the frame, the world's if there is none. The rest as for speedJ.";
 
 constexpr NativeFunction kVelocityFunctions[] = {
-    {.name = "speedJ",
-     .signature = "(r: robot, rates: double[], during: time)",
-     .help = kSpeedJHelp,
-     .example = "speedJ([0.2, 0.1, 0.0, 0.0], during: 500ms)",
-     .thunk = speed_j,
-     .pauses = true},
+    def<speed_j>("speedJ(r: robot, rates: double[], during: time)", kSpeedJHelp,
+                 "speedJ([0.2, 0.1, 0.0, 0.0], during: 500ms)", {.pauses = true}),
     {.name = "speedC",
      .signature = "(r: robot, v: double[], during: time)",
      .help = kSpeedCHelp,

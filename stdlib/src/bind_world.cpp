@@ -16,7 +16,7 @@
 
 namespace armlet::bind {
 
-Signal fail_unknown_object(Vm& vm, std::string_view name, int parameter) {
+Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter) {
   Host& host = Host::of(vm);
   const World& world = host.cell().world();
   Failure f;
@@ -56,14 +56,14 @@ const Object* object_of(Vm& vm, Slot s, int parameter) {
   return object;
 }
 
-Signal box(Vm& vm, Slot* args) {
-  return give(args, new_host_value(vm, kShape, ShapeValue{Box{{args[0].d, args[1].d, args[2].d}}}));
+Obj* box(Vm& vm, double x, double y, double z) {
+  return new_host_value(vm, kShape, ShapeValue{Box{{x, y, z}}});
 }
-Signal cylinder(Vm& vm, Slot* args) {
-  return give(args, new_host_value(vm, kShape, ShapeValue{Cylinder{args[0].d, args[1].d}}));
+Obj* cylinder(Vm& vm, double radius, double height) {
+  return new_host_value(vm, kShape, ShapeValue{Cylinder{radius, height}});
 }
-Signal sphere(Vm& vm, Slot* args) {
-  return give(args, new_host_value(vm, kShape, ShapeValue{Sphere{args[0].d}}));
+Obj* sphere(Vm& vm, double radius) {
+  return new_host_value(vm, kShape, ShapeValue{Sphere{radius}});
 }
 
 Signal insert_object(Vm& vm, Slot* args, Object object) try {
@@ -98,14 +98,12 @@ Signal spawn(Vm& vm, Slot* args) {
   return insert_object(vm, args, std::move(object));
 }
 
-Signal object_named(Vm& vm, Slot* args) {
-  const std::string name(text_value(args[0]));
+Answer<Obj*> object_named(Vm& vm, std::string_view given_name) {
+  const std::string name(given_name);
   if (find_object(vm, name) == nullptr) return fail_unknown_object(vm, name, 0);
-  return give(args, new_object(vm, name));
+  return new_object(vm, name);
 }
-Signal object_name(Vm& vm, Slot* args) {
-  return give(args, new_text(vm, host_value<ObjectRef>(args[0]).name));
-}
+std::string object_name(const ObjectRef& o) { return o.name; }
 
 Signal pose_of(Vm& vm, Slot* args) {
   const Object* object = object_of(vm, args[0], 0);
@@ -159,18 +157,18 @@ Signal remove_object(Vm& vm, Slot* args) {
   return give_nothing();
 }
 
-Signal objects(Vm& vm, Slot* args) {
+Answer<Obj*> objects(Vm& vm) {
   const std::vector<std::string> names = Host::of(vm).cell().world().names();
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(names.size()), true);
-  if (list == nullptr) return Signal::kFail;
+  if (list == nullptr) return Failed{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     list->data[i].o = new_object(vm, names[i]);
     if (list->data[i].o == nullptr) {
       release(vm, list);
-      return Signal::kFail;
+      return Failed{};
     }
   }
-  return give(args, list);
+  return list;
 }
 
 // The object that is not fixed and whose centre is nearest to a place; null if there is none.
@@ -190,15 +188,15 @@ Signal object_at(Vm& vm, Slot* args) {
   return give(args,
               object != nullptr && (object->T_world_obj.translation() - p).norm() <= args[1].d);
 }
-Signal nearest_object(Vm& vm, Slot* args) {
-  const Object* object = nearest(vm, posc(args[0]).T.translation());
+Answer<Obj*> nearest_object(Vm& vm, const PosC& p) {
+  const Object* object = nearest(vm, p.T.translation());
   if (object == nullptr) {
     Failure f;
     f.code = "R0625";
     f.message = "there is no object that could be grasped in this world";
     return fail(vm, std::move(f));
   }
-  return give(args, new_object(vm, object->name));
+  return new_object(vm, object->name);
 }
 
 // From above: the tool's z axis points down, its x axis along the object's x axis turned by yaw.
@@ -217,14 +215,14 @@ Signal top_grasp(Vm& vm, Slot* args) {
 }
 
 constexpr NativeFunction kWorldFunctions[] = {
-    {"box", "(x: length, y: length, z: length) -> shape",
-     "A box with its edges along its own axes.", "box(40mm, 40mm, 40mm)", box, nullptr, nullptr,
-     check_box},
-    {"cylinder", "(radius: length, height: length) -> shape",
-     "A cylinder standing along its own z axis.", "cylinder(radius: 20mm, height: 50mm)", cylinder,
-     nullptr, nullptr, check_cylinder},
-    {"sphere", "(radius: length) -> shape", "A sphere.", "sphere(15mm)", sphere, nullptr, nullptr,
-     check_sphere},
+    def<box>("box(x: length, y: length, z: length) -> shape",
+             "A box with its edges along its own axes.", "box(40mm, 40mm, 40mm)",
+             {.check = check_box}),
+    def<cylinder>("cylinder(radius: length, height: length) -> shape",
+                  "A cylinder standing along its own z axis.",
+                  "cylinder(radius: 20mm, height: 50mm)", {.check = check_cylinder}),
+    def<sphere>("sphere(radius: length) -> shape", "A sphere.", "sphere(15mm)",
+                {.check = check_sphere}),
     acting({"object{}",
             "(name: string, shape: shape, at: posC, mass: mass = 0kg, friction: double = 0.5, "
             "color: string = \"gray\", fixed: bool = false) -> object",
@@ -235,9 +233,9 @@ constexpr NativeFunction kWorldFunctions[] = {
             "object",
             "Adds an object to the world, in loops for example.",
             "sphere(15mm).spawn(\"ball\", at: xyz(300mm, 0mm, 300mm))", spawn}),
-    {"object", "(name: string) -> object", "The object of that name.", "object(\"cube\")",
-     object_named, nullptr, nullptr, check_object_name},
-    {"object.name", "(o: object) -> string", "The name.", "object(\"cube\").name", object_name},
+    def<object_named>("object(name: string) -> object", "The object of that name.",
+                      "object(\"cube\")", {.check = check_object_name}),
+    def<object_name>("object.name(o: object) -> string", "The name.", "object(\"cube\").name"),
     {"poseOf", "(o: object) -> posC", "The frame of an object's centre.",
      "poseOf(object(\"cube\"))", pose_of},
     {"setPose", "(o: object, p: posC)",
@@ -248,13 +246,13 @@ constexpr NativeFunction kWorldFunctions[] = {
      "Takes an object that no hand holds out of the world; what rested on it falls to the next "
      "surface.",
      "remove(object(\"cube\"))", remove_object},
-    {"objects", "() -> object[]", "All objects of the world.", "objects()", objects},
+    def<objects>("objects() -> object[]", "All objects of the world.", "objects()"),
     {"objectAt", "(p: posC, within: length) -> bool",
      "Whether an object that is not fixed has its centre near p.",
      "objectAt(xyz(300mm, 0mm, 0mm), within: 20mm)", object_at},
-    {"nearestObject", "(p: posC) -> object",
-     "The object that is not fixed and has its centre nearest to p.",
-     "nearestObject(poseOf(object(\"cube\")))", nearest_object},
+    def<nearest_object>("nearestObject(p: posC) -> object",
+                        "The object that is not fixed and has its centre nearest to p.",
+                        "nearestObject(poseOf(object(\"cube\")))"),
     {"topGrasp", "(o: object, yaw: angle = 0rad) -> posC",
      "The pose for grasping an object from above, at the upper end of what is long and stands.",
      "topGrasp(object(\"cube\"))", top_grasp},

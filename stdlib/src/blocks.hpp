@@ -13,27 +13,28 @@ inline constexpr unsigned kCost = 4;
 // The same where a function such as the sine is computed, or a number is made a text.
 inline constexpr unsigned kFunctionCost = 32;
 
-// A list of `count` elements, each set by make(slot, i), as the result; references are counted
-// here.
+// A new list of `count` elements, each set by make(slot, i); references are counted here. Null: it
+// failed.
 template <class F>
-Signal give_items(Vm& vm, Slot* args, std::size_t count, bool references, F make,
-                  unsigned cost = kCost) {
+[[nodiscard]] ListObj* list_of(Vm& vm, std::size_t count, bool references, F make,
+                               unsigned cost = kCost) {
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), references);
-  if (list == nullptr) return Signal::kFail;
+  if (list == nullptr) return nullptr;
   const auto fill = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       make(list->data[i], i);
       if (references) retain(list->data[i].o);
     }
   };
-  if (in_blocks(vm, count, references ? cost + 4 : cost, fill)) return give(args, list);
+  if (in_blocks(vm, count, references ? cost + 4 : cost, fill)) return list;
   release(vm, list);
-  return Signal::kFail;
+  return nullptr;
 }
 
+// The same of numbers.
 template <class F>
-Signal give_numbers(Vm& vm, Slot* args, std::size_t count, F make, unsigned cost = kCost) {
-  return give_items(vm, args, count, false, make, cost);
+[[nodiscard]] ListObj* numbers_of(Vm& vm, std::size_t count, F make, unsigned cost = kCost) {
+  return list_of(vm, count, false, make, cost);
 }
 
 // The first number that `is_wanted`; `at` is left as it is if there is none. False: the program has

@@ -14,7 +14,7 @@ std::string values_text(std::int64_t count) {
   return fmt::format("{} value{}", count, count == 1 ? "" : "s");
 }
 
-Signal sizes_differ(Vm& vm, const std::string& sizes, int parameter, std::string fix) {
+Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter, std::string fix) {
   Failure f;
   f.code = "R0613";
   f.arguments = {sizes};
@@ -23,7 +23,7 @@ Signal sizes_differ(Vm& vm, const std::string& sizes, int parameter, std::string
   return fail(vm, std::move(f));
 }
 
-Signal not_square(Vm& vm, std::string_view function, const MatrixObj& A) {
+Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A) {
   return failure(vm, "R0613",
                  fmt::format("{} needs a square matrix, but this one is {}", function,
                              size_text(A.rows, A.cols)),

@@ -22,9 +22,9 @@ namespace armlet::bind {
 [[nodiscard]] std::string values_text(std::int64_t count);
 
 // R0613 "the sizes do not fit: 3x3 times 4", with the last argument marked.
-Signal sizes_differ(Vm& vm, const std::string& sizes, int parameter = 1, std::string fix = {});
+Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter = 1, std::string fix = {});
 // R0613 for a matrix that `function` needs to be square.
-Signal not_square(Vm& vm, std::string_view function, const MatrixObj& A);
+Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A);
 // Whether a matrix of this size can be made; fails with R0613 if not.
 [[nodiscard]] bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
 

@@ -177,7 +177,7 @@ std::string rate(const Robot& robot, int joint, LimitKind kind, double value) {
 
 }  // namespace
 
-Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
+Failed fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
                         const IkResult& result) {
   const Robot& robot = model_of(vm, call);
   Failure f = start(vm, call, "R0601", call.target);
@@ -215,7 +215,7 @@ Signal fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
   return fail(vm, std::move(f));
 }
 
-Signal fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
+Failed fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
   const Robot& robot = model_of(vm, call);
   const Eigen::VectorXd& q = Host::of(vm).cell().robot(call.robot).q;
   const IkResult place = solve_ik(robot, target.T, {.seed = q, .task = IkTask::kPlace});
@@ -264,7 +264,7 @@ Failure outside_limits(Vm& vm, const MoveCall& call, const LimitViolation& outsi
 
 }  // namespace
 
-Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
+Failed fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
                     const LimitViolation& outside) {
   Failure f = outside_limits(vm, call, outside);
   for (int i = 0; i < q.size(); ++i)
@@ -275,21 +275,21 @@ Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
   return fail(vm, std::move(f));
 }
 
-Signal fail_outside_at(Vm& vm, const MoveCall& call, const std::string& which,
+Failed fail_outside_at(Vm& vm, const MoveCall& call, const std::string& which,
                        const LimitViolation& outside) {
   Failure f = outside_limits(vm, call, outside);
   f.why = fmt::format("this is the {} of the points", which);
   return fail(vm, std::move(f));
 }
 
-Signal fail_swings_outside(Vm& vm, const MoveCall& call, const LimitViolation& outside) {
+Failed fail_swings_outside(Vm& vm, const MoveCall& call, const LimitViolation& outside) {
   Failure f = outside_limits(vm, call, outside);
   f.why = "the points are inside the limits, but the way between them leaves them";
   f.fix = "add a point where it swings out";
   return fail(vm, std::move(f));
 }
 
-Signal fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, double stands) {
+Failed fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, double stands) {
   const JointKind kind = model_of(vm, call).joint(joint).kind;
   Failure f = start(vm, call, "R0634", call.target);
   f.arguments = {fmt::format("`{}` does not stand where the trajectory starts", f.robot)};
@@ -299,7 +299,7 @@ Signal fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, do
   return fail(vm, std::move(f));
 }
 
-Signal fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
+Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   const Robot& robot = model_of(vm, call);
   const JointKind kind = robot.joint(fast.joint).kind;
   Failure f = start(vm, call, "R0604", call.time);
@@ -332,7 +332,7 @@ void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   vm.advise(f);
 }
 
-Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_joints,
+Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_joints,
                  const PosC& target, const LineFault& fault) {
   if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
   const Robot& robot = model_of(vm, call);
@@ -375,7 +375,7 @@ Signal fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
   return fail(vm, std::move(f));
 }
 
-Signal fail_joint_count(Vm& vm, const MoveCall& call, int count) {
+Failed fail_joint_count(Vm& vm, const MoveCall& call, int count) {
   const Robot& robot = model_of(vm, call);
   Failure f = start(vm, call, "R0613", call.target);
   f.message = fmt::format("{} joint value{} for a robot with {} joint{}", count,
@@ -386,7 +386,7 @@ Signal fail_joint_count(Vm& vm, const MoveCall& call, int count) {
   return fail(vm, std::move(f));
 }
 
-Signal fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner) {
+Failed fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner) {
   Failure f = start(vm, call, "R0604", call.planner);
   f.message =
       fmt::format("\"{}\" makes the joints jump to their speed, which no drive can do", planner);
@@ -395,7 +395,7 @@ Signal fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner) {
   return fail(vm, std::move(f));
 }
 
-Signal fail_planner(Vm& vm, const MoveCall& call, std::string_view planner) {
+Failed fail_planner(Vm& vm, const MoveCall& call, std::string_view planner) {
   const std::vector<std::string> names = Host::of(vm).planners().names();
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   Failure f = start(vm, call, "R0626", call.planner);
@@ -405,7 +405,7 @@ Signal fail_planner(Vm& vm, const MoveCall& call, std::string_view planner) {
   return fail(vm, std::move(f));
 }
 
-Signal fail_no_time(Vm& vm, const MoveCall& call, double distance) {
+Failed fail_no_time(Vm& vm, const MoveCall& call, double distance) {
   Failure f = start(vm, call, "R0604", call.time);
   f.message = fmt::format("0 s is too short for this move of {}", format_mm(distance));
   f.fix = "give a time, or leave it out to move as fast as the joints allow";

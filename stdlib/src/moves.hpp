@@ -54,8 +54,8 @@ struct MoveSettings {
 // The robot that a call plans with.
 [[nodiscard]] const Robot& model_of(Vm& vm, const MoveCall& call);
 
-// What of a target counts for this arm (rulings 14 and 54). Empty if its orientation cannot agree with the
-// arm at all.
+// What of a target counts for this arm (rulings 14 and 54). Empty if its orientation cannot agree
+// with the arm at all.
 [[nodiscard]] std::optional<IkTask> task_of(const Robot& robot, const PosC& target);
 
 // Joint values for a target in the world, near `seed`; empty: the failure is set.
@@ -101,11 +101,11 @@ Signal halt_robot(Vm& vm, int robot);
 [[nodiscard]] bool refuse_busy(Vm& vm, int robot);
 
 // Failures as messages.
-Signal fail_unreachable(Vm& vm, const MoveCall& call, const Eigen::Isometry3d& goal,
+Failed fail_unreachable(Vm& vm, const MoveCall& call, const Eigen::Isometry3d& goal,
                         const IkResult& result);
-Signal fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
+Failed fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
                     const LimitViolation& outside);
-Signal fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
+Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
 
 // Checks a duration: finite and not negative. False: the failure is set.
 [[nodiscard]] bool check_duration(Vm& vm, double seconds, int parameter);

@@ -10,6 +10,6 @@ namespace armlet::bind {
 // The object of that name, also in the default world if nobody gave one; null if there is none.
 const Object* find_object(Vm& vm, std::string_view name);
 // R0625 with the names there are.
-Signal fail_unknown_object(Vm& vm, std::string_view name, int parameter);
+Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter);
 
 }  // namespace armlet::bind

@@ -24,7 +24,7 @@ Signal give_no_move(Vm& vm, Slot* args) {
   return give(args, new_record(vm, vm.program().library_record("Move")));
 }
 
-Signal fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
+Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   Failure f;
   f.code = "R0635";
   f.arguments = {std::move(what)};
@@ -91,7 +91,7 @@ class Corners {
 };
 
 // What went wrong, said of the move that it is about.
-Signal fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const Corners& corners,
+Failed fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const Corners& corners,
                  const PathPlan& plan) {
   if (plan.fault) {
     MoveCall call = path.moves[static_cast<std::size_t>(plan.point)].call;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "armlet/interpreter/native.hpp"
+#include "armlet/interpreter/define.hpp"
 #include "armlet/model/joint.hpp"
 #include "armlet/model/link.hpp"
 #include "armlet/model/robot.hpp"
@@ -84,3 +84,21 @@ extern const HostType kFinger;
 [[nodiscard]] std::string posj_text(const PosJ& q);
 
 }  // namespace armlet::bind
+
+// The types of the language that these values have, for functions that `def` makes.
+namespace armlet {
+template <>
+inline constexpr const HostType* kHostType<bind::PosJ> = &bind::kPosJ;
+template <>
+inline constexpr const HostType* kHostType<bind::PosC> = &bind::kPosC;
+template <>
+inline constexpr const HostType* kHostType<bind::RobotRef> = &bind::kRobot;
+template <>
+inline constexpr const HostType* kHostType<bind::ObjectRef> = &bind::kObject;
+template <>
+inline constexpr const HostType* kHostType<bind::ShapeValue> = &bind::kShape;
+template <>
+inline constexpr const HostType* kHostType<bind::ToolValue> = &bind::kTool;
+template <>
+inline constexpr const HostType* kHostType<bind::JointRow> = &bind::kJointRow;
+}  // namespace armlet

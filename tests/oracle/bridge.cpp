@@ -18,7 +18,7 @@ VmOptions options_for(void* host) {
 }  // namespace
 
 Signal Bridge::run(const NativeFunction& function, Slot* window) {
-  if (function.thunk != nullptr) return function.thunk(vm_, window);
+  if (function.thunk) return function.thunk(vm_, window);
   const double x = window[0].d;
   if (function.real1 != nullptr) window[0].d = function.real1(x);
   if (function.real2 != nullptr) window[0].d = function.real2(x, window[1].d);

@@ -99,7 +99,7 @@ void Checker::split_condition(hir::AssertStmt& stmt, hir::Expr* test) {
       if (!call->site.arguments[i].empty()) keep(arguments[i], arguments[i]->span);
     }
     call->arguments = seq(arguments);
-    if (call->function->explain != nullptr) {
+    if (call->function->explain) {
       NativeFunction why = *call->function;
       why.thunk = why.explain;
       why.real1 = nullptr;

@@ -22,7 +22,7 @@ hir::Expr* explained_call(Checker& checker, std::string_view name,
   if (last.waits() || !last.name.empty() || last.value->kind != hir::ExprKind::kCallNative)
     return nullptr;
   const auto& call = last.value->as<hir::CallNativeExpr>();
-  if (call.function->explain == nullptr || call.arguments.empty()) return nullptr;
+  if (!call.function->explain || call.arguments.empty()) return nullptr;
   if (arguments.size() == 2) {
     const Argument& object = arguments.front();
     if (object.waits() || !is_same_variable(checker, *object.value, *call.arguments[0]))

@@ -137,7 +137,7 @@ bool is_own_object(const hir::CallNativeExpr& call, const Slot* args, Slot befor
 
 }  // namespace
 
-Signal call_checked(VmState& state, const Frame& frame, Thunk thunk, Slot* args) {
+Signal call_checked(VmState& state, const Frame& frame, const Thunk& thunk, Slot* args) {
   const CodeSpan* at = code_span(frame);
   const bool is_known =
       at != nullptr && at->expr != nullptr && at->expr->kind == hir::ExprKind::kCallNative;

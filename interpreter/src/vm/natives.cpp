@@ -55,9 +55,9 @@ void release(Vm& vm, Obj* object) { vm.state().heap.release(object); }
 
 CallPlace place_of_call(Vm& vm) { return CallPlace(lang::code_span(vm.state())); }
 
-Signal fail(Vm& vm, Failure failure) {
+Failed fail(Vm& vm, Failure failure) {
   lang::raise(vm.state(), failure);
-  return Signal::kFail;
+  return {};
 }
 
 Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting) {

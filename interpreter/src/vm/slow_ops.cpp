@@ -126,7 +126,7 @@ bool op_calld_again(VmState& state, Slot* base, const Instr* pc) {
   scratch[0] = base[pc->b];
   if (pc->op == OpCode::CALLD2 || pc->op == OpCode::CALLD3) scratch[1] = base[pc[1].a];
   if (pc->op == OpCode::CALLD3) scratch[2] = base[pc[1].b];
-  if (native.thunk == nullptr) {
+  if (!native.thunk) {
     scratch[0].d = std::nan("");
   } else if (native.thunk(state.vm, scratch) != Signal::kDone) {
     return require_failure(state);

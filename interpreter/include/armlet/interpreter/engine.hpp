@@ -33,6 +33,7 @@ struct Frame;
 struct Instr;
 struct Task;
 }  // namespace lang
+struct Definition;
 
 struct ParseLimits {
   std::uint32_t bytes = 16U << 20U;
@@ -100,6 +101,13 @@ class Engine {
   // `chapter` is where the reference lists them (reference.hpp).
   Engine& add_functions(std::span<const NativeFunction> functions,
                         std::string_view chapter = "Functions of the host");
+  // A function that `def` made (define.hpp); the engine and its programs keep it. The types in its
+  // signature have been added before.
+  //
+  // throws  ArgumentError if the signature cannot be read or says something else than the C++
+  // types:
+  //         every difference is told.
+  Engine& define(const Definition& definition, std::string_view chapter = "Functions of the host");
   Engine& add_constants(std::span<const NativeConstant> constants,
                         std::string_view chapter = "Functions of the host");
   Engine& add_type(const HostType& type);
@@ -118,7 +126,7 @@ class Engine {
   [[nodiscard]] const lang::Registry& registry() const { return *registry_; }
 
  private:
-  std::unique_ptr<lang::Registry> registry_;
+  std::shared_ptr<lang::Registry> registry_;  // programs keep it too
 };
 
 // Virtual time ends a hundred years of 365.25 days after the start, ns; a host may let it end

@@ -24,6 +24,8 @@
 // "path.blend", "path{" and "path}" are the same for `path`, whose motions are made by "path{move}"
 // when its block has ended.
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -49,16 +51,79 @@ class CheckCall;
 // takes virtual time.
 enum class Signal : std::uint8_t { kDone, kFail, kPause };
 
+// What `fail` gives: the failure is in the Vm. It stands for the result of any function that may
+// fail.
+struct [[nodiscard]] Failed {
+  operator Signal() const { return Signal::kFail; }
+  template <class T>
+  operator std::optional<T>() const {
+    return std::nullopt;
+  }
+};
+
+// What runs when a program calls a native function.
+//
 // args: one slot per parameter, then room for the result in args[0]. References in args are
 // borrowed; a reference left as the result belongs to the caller.
-using Thunk = Signal (*)(Vm& vm, Slot* args);
+// closure: what the function keeps between calls, which outlives the engine; null if it keeps
+// nothing.
+class Thunk {
+ public:
+  using Plain = Signal (*)(Vm& vm, Slot* args);
+  using Bound = Signal (*)(Vm& vm, Slot* args, const void* closure);
+
+  constexpr Thunk(std::nullptr_t = nullptr) {}
+  constexpr Thunk(Plain function) : plain_(function) {}
+  template <class Lambda>
+  requires std::convertible_to<Lambda, Plain>
+  constexpr Thunk(Lambda function) : plain_(function) {}
+  constexpr Thunk(Bound function, const void* closure) : bound_(function), closure_(closure) {}
+
+  Signal operator()(Vm& vm, Slot* args) const {
+    return bound_ == nullptr ? plain_(vm, args) : bound_(vm, args, closure_);
+  }
+  constexpr bool operator==(const Thunk&) const = default;
+  [[nodiscard]] constexpr explicit operator bool() const {
+    return plain_ != nullptr || bound_ != nullptr;
+  }
+
+ private:
+  Plain plain_ = nullptr;
+  Bound bound_ = nullptr;
+  const void* closure_ = nullptr;
+};
+
+// What a parameter or result of a function in C++ is, to be compared with its signature
+// (define.hpp).
+struct ValueKind {
+  enum class Form : std::uint8_t {
+    kAny,  // a slot as it lies
+    kNothing,
+    kBool,
+    kInt,
+    kReal,
+    kText,
+    kReals,  // a list of doubles or quantities
+    kItems,  // any list, as slots
+    kMatrix,
+    kRecord,  // a struct, a record of the library or a table
+    kFunction,
+    kHost,
+    kHosts,  // a list of them
+  };
+  Form form = Form::kAny;
+  bool optional = false;
+  const HostType* host = nullptr;
+
+  bool operator==(const ValueKind&) const = default;
+};
 
 struct NativeFunction {
   std::string_view name;
   std::string_view signature;
   std::string_view help;     // one or two sentences
   std::string_view example;  // one line that runs
-  Thunk thunk = nullptr;     // null for map, filter ...: the program itself runs these, as loops
+  Thunk thunk{};             // null for map, filter ...: the program itself runs these, as loops
   // The same function for a direct call, when its result depends on nothing but its arguments:
   // repeated calls may be left out. When it gives no number the thunk is asked, which may fail.
   double (*real1)(double) = nullptr;
@@ -68,7 +133,7 @@ struct NativeFunction {
   // the arguments that are not written as literals, in their order. Of a function whose result is
   // no bool: how the result comes about or why there is none; explain(f(x)) calls this instead of
   // f.
-  Thunk explain = nullptr;
+  Thunk explain{};
   bool pauses = false;  // takes virtual time: not allowed in conditions
   // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what
   // is missing, if that is not the whole function.
@@ -82,6 +147,9 @@ struct NativeFunction {
   // May stand in a `path`, which otherwise holds nothing that acts or takes time: a motion that is
   // collected there, or a setting that moves obey when they are collected.
   bool in_path = false;
+  // Of a function that `def` made: its parameters in the order of the signature, and its result.
+  std::span<const ValueKind> takes{};
+  const ValueKind* gives = nullptr;  // null: it was not made by `def`
 };
 
 // A named number of the library: PI, E.
@@ -206,7 +274,7 @@ class Scratch {
   bool granted_;
 };
 [[nodiscard]] inline Signal give_nothing() { return Signal::kDone; }
-Signal fail(Vm& vm, Failure failure);
+Failed fail(Vm& vm, Failure failure);
 Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting);
 
 // ---- rules checked before running

@@ -13,6 +13,7 @@
 #include <span>
 #include <type_traits>
 
+#include "armlet/interpreter/answer.hpp"
 #include "armlet/interpreter/engine.hpp"
 
 namespace armlet {
@@ -58,6 +59,11 @@ class ScriptFunction<Result(Arguments...)> {
     require_types(vm, function.o, kKinds, kind_of_number<Result>());
   }
 
+  [[nodiscard]] Answer<Result> operator()(Arguments... arguments) const {
+    Result result{};
+    if (!call(result, arguments...)) return Failed{};
+    return result;
+  }
   // False: the call failed, and the failure is set in the Vm; the host function returns kFail then.
   [[nodiscard]] bool call(Result& result, Arguments... arguments) const {
     [[maybe_unused]] Slot* next = call_.window();

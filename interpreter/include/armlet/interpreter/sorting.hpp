@@ -94,13 +94,13 @@ template <class T, class Less>
   return true;
 }
 
-// A new list of the items of the list args[0] in order, as the result.
+// A new list of the items of a list in order; null: it failed.
 template <class Less>
-Signal give_sorted(Vm& vm, Slot* args, Less less, unsigned cost = 8) {
-  const auto xs = items_value(args[0]);
-  const bool references = static_cast<const ListObj*>(args[0].o)->holds_references();
+[[nodiscard]] ListObj* sorted_list(Vm& vm, const ListObj& of, Less less, unsigned cost = 8) {
+  const std::span<const Slot> xs(of.data, of.size);
+  const bool references = of.holds_references();
   const Scratch scratch(vm, 2 * xs.size() * sizeof(Slot));
-  if (!scratch.granted()) return Signal::kFail;
+  if (!scratch.granted()) return nullptr;
   std::vector<Slot> items(xs.size());
   std::vector<Slot> room(xs.size());
   const auto take = [&](std::size_t begin, std::size_t end) {
@@ -110,19 +110,19 @@ Signal give_sorted(Vm& vm, Slot* args, Less less, unsigned cost = 8) {
   };
   if (!in_blocks(vm, xs.size(), 4, take) ||
       !sort_stably(vm, std::span<Slot>(items), std::span<Slot>(room), less, cost)) {
-    return Signal::kFail;
+    return nullptr;
   }
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), references);
-  if (list == nullptr) return Signal::kFail;
+  if (list == nullptr) return nullptr;
   const auto put = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       list->data[i] = items[i];
       if (references) retain(items[i].o);
     }
   };
-  if (in_blocks(vm, xs.size(), 8, put)) return give(args, list);
+  if (in_blocks(vm, xs.size(), 8, put)) return list;
   release(vm, list);
-  return Signal::kFail;
+  return nullptr;
 }
 
 }  // namespace armlet

@@ -1,0 +1,16 @@
+#pragma once
+// Whether a function in C++ has the parameters and the result that its signature says (define.hpp).
+
+#include <string>
+#include <vector>
+
+#include "types/signature.hpp"
+
+namespace armlet::lang {
+
+// Every difference, as a clause each: "parameter 2, `tol: length`, is a std::string_view in C++".
+// Empty for functions that `def` did not make.
+[[nodiscard]] std::vector<std::string> typed_faults(const NativeFunction& function,
+                                                    const Signature& signature);
+
+}  // namespace armlet::lang
