@@ -56,7 +56,7 @@ def type_named(head):
         if "(" in rest:  # a function that returns a type spelled with its key word
             return None
         until = next((j for j, w in enumerate(rest) if w == ":"), len(rest))
-        return "".join(rest[:until]) or None
+        return None if "<" in rest[:until] else "".join(rest[:until]) or None  # a specialisation defines no name
     return None
 
 
@@ -79,6 +79,11 @@ def parameter_types(words):
     return " ".join(kept)
 
 
+def is_specialised_constant(head):
+    """Whether `head` gives a constant template another value: template <> inline constexpr int kName<T> = 1."""
+    return "=" in head and head[head.index("=") - 1] == ">"
+
+
 def inline_name(head):
     """Name, and for functions types of the parameters, of what `head` begins to define, if several files may define it."""
     if not {"inline", "constexpr", "consteval", "template"} & set(head) or "static" in head:
@@ -90,6 +95,8 @@ def inline_name(head):
             if depth == 0:
                 break
         head = head[i + 1:]
+        if head and head[0] in TYPE:  # a specialisation for a type of function
+            return None
     until = next((i for i, word in enumerate(head) if word in ("(", "=", "[")), len(head))
     if until == 0 or not re.match(r"[A-Za-z_]", head[until - 1]):
         return None
@@ -120,7 +127,7 @@ def definitions(text):
                 scopes.pop()
             head = []
         elif token == ";":
-            if "inline" in head and "=" in head and all(scope is not None for scope in scopes):
+            if "inline" in head and "=" in head and not is_specialised_constant(head) and all(scope is not None for scope in scopes):
                 path = [name for scope in scopes for name in scope]
                 if None not in path:
                     yield "::".join([*path, inline_name(head) or "?"]), line

@@ -44,44 +44,42 @@ struct Task {
   unsigned copies = 3;
 };
 
-bool is_finite(Vm& vm, const MatrixObj& A, int parameter) {
+Answer<void> require_finite(Vm& vm, const MatrixObj& A, int parameter) {
   std::size_t bad = count_of(A);
-  if (!find_number(vm, elements(A), bad, [](double x) { return !std::isfinite(x); })) return false;
-  if (bad == count_of(A)) return true;
-  (void)not_finite(vm, fmt::format("element [{}, {}] of the matrix", bad / A.cols, bad % A.cols),
-                   A.data()[bad], parameter);
-  return false;
+  if (!find_number(vm, elements(A), bad, [](double x) { return !std::isfinite(x); }))
+    return Failed{};
+  if (bad == count_of(A)) return {};
+  return not_finite(vm, fmt::format("element [{}, {}] of the matrix", bad / A.cols, bad % A.cols),
+                    A.data()[bad], parameter);
 }
 
-bool is_ready(Vm& vm, const MatrixObj& A, const Task& task) {
-  if (task.square && A.rows != A.cols) {
-    (void)not_square(vm, task.name, A);
-    return false;
-  }
+Answer<void> make_ready(Vm& vm, const MatrixObj& A, const Task& task) {
+  if (task.square && A.rows != A.cols) return not_square(vm, task.name, A);
   if (std::max(A.rows, A.cols) > kMostDecomposed) {
-    (void)failure(vm, "R0613",
-                  fmt::format("{} of a {} matrix: at most {} rows and columns are possible",
-                              task.name, size_text(A.rows, A.cols), kMostDecomposed),
-                  0);
-    return false;
+    return failure(vm, "R0613",
+                   fmt::format("{} of a {} matrix: at most {} rows and columns are possible",
+                               task.name, size_text(A.rows, A.cols), kMostDecomposed),
+                   0);
   }
-  return is_finite(vm, A, 0) &&
-         charge_work(vm, std::uint64_t{task.work} * count_of(A) * std::min(A.rows, A.cols));
+  if (!require_finite(vm, A, 0) ||
+      !charge_work(vm, std::uint64_t{task.work} * count_of(A) * std::min(A.rows, A.cols))) {
+    return Failed{};
+  }
+  return {};
 }
 
-// f(matrix) after all that can be wrong with it was looked at.
+// f(matrix), an Answer, after all that can be wrong with it was looked at.
 template <class F>
-Signal on_matrix(Vm& vm, Slot* args, const Task& task, F f) {
-  const MatrixObj& A = matrix_value(args[0]);
-  if (!is_ready(vm, A, task)) return Signal::kFail;
+auto on_matrix(Vm& vm, const MatrixObj& A, const Task& task, F f) -> decltype(f(MatrixXd())) {
+  if (!make_ready(vm, A, task)) return Failed{};
   const std::uint64_t longest = std::max(A.rows, A.cols);
   const Scratch scratch(vm, std::uint64_t{task.copies} * longest * longest * sizeof(double));
-  if (!scratch.granted()) return Signal::kFail;
+  if (!scratch.granted()) return Failed{};
   return f(to_eigen(A));
 }
 
 // Why there is no answer, in the words of the catalogue.
-Signal no_answer(Vm& vm, std::string_view name, const Error& error) {
+Failed no_answer(Vm& vm, std::string_view name, const Error& error) {
   if (error.code == "singular") {
     Failure f;
     f.code = "R0616";
@@ -105,15 +103,14 @@ Signal no_answer(Vm& vm, std::string_view name, const Error& error) {
   return failure(vm, "R0610", fmt::format("{}: {}", name, error.message), 0);
 }
 
-Signal give_matrix(Vm& vm, Slot* args, std::string_view name, const Result<MatrixXd>& result) {
+Answer<Obj*> matrix_or_why(Vm& vm, std::string_view name, const Result<MatrixXd>& result) {
   if (!result) return no_answer(vm, name, result.error());
-  return give(args, to_matrix(vm, *result));
+  return to_matrix(vm, *result);
 }
 
 // A record of the library from its parts; a part that could not be made has failed already.
 template <std::size_t kParts>
-Signal give_record(Vm& vm, Slot* args, std::string_view type,
-                   const std::array<Obj*, kParts>& parts) {
+Answer<Obj*> record_of(Vm& vm, std::string_view type, const std::array<Obj*, kParts>& parts) {
   bool whole = true;
   for (const Obj* part : parts) whole = whole && part != nullptr;
   RecordObj* record = whole ? new_record(vm, vm.program().library_record(type)) : nullptr;
@@ -124,70 +121,71 @@ Signal give_record(Vm& vm, Slot* args, std::string_view type,
       release(vm, parts[i]);
     }
   }
-  return give(args, record);
+  return record;
 }
 
 // ---- equations ---------------------------------------------------------------------------------
 
-Signal solve_matrix(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
-  const MatrixObj& B = matrix_value(args[1]);
+Answer<Obj*> solve_matrix(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
   if (A.rows != B.rows) {
     return sizes_differ(
         vm, fmt::format("{} \\ {}", size_text(A.rows, A.cols), size_text(B.rows, B.cols)), 1,
         "both matrices need equally many rows");
   }
-  if (!is_finite(vm, B, 1) || !charge_work(vm, count_of(B) * A.cols)) return Signal::kFail;
-  return on_matrix(vm, args, {.name = "solving", .work = 2, .copies = 4}, [&](const MatrixXd& a) {
-    return give_matrix(vm, args, "solving", solve(a, to_eigen(B)));
+  if (!require_finite(vm, B, 1) || !charge_work(vm, count_of(B) * A.cols)) return Failed{};
+  return on_matrix(vm, A, {.name = "solving", .work = 2, .copies = 4}, [&](const MatrixXd& a) {
+    return matrix_or_why(vm, "solving", solve(a, to_eigen(B)));
   });
 }
 
-Signal solve_list(Vm& vm, Slot* args) {
-  const MatrixObj& A = matrix_value(args[0]);
-  const auto b = reals_value(args[1]);
+Answer<Obj*> solve_list(Vm& vm, const MatrixObj& A, std::span<const double> b) {
   if (A.rows != b.size()) {
     return sizes_differ(vm, fmt::format("{} \\ {}", size_text(A.rows, A.cols), b.size()), 1,
                         "the matrix needs as many rows as the list has values");
   }
   std::size_t bad = b.size();
-  if (!find_number(vm, b, bad, [](double x) { return !std::isfinite(x); })) return Signal::kFail;
+  if (!find_number(vm, b, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
   if (bad != b.size()) return not_finite(vm, fmt::format("element {} of the list", bad), b[bad], 1);
-  return on_matrix(vm, args, {.name = "solving", .work = 2, .copies = 4}, [&](const MatrixXd& a) {
+  const auto solved = [&](const MatrixXd& a) -> Answer<Obj*> {
     const auto x =
         solve(a, Eigen::Map<const VectorXd>(b.data(), static_cast<Eigen::Index>(b.size())));
     if (!x) return no_answer(vm, "solving", x.error());
-    return give(args, to_list(vm, x->col(0)));
-  });
+    return to_list(vm, x->col(0));
+  };
+  return on_matrix(vm, A, {.name = "solving", .work = 2, .copies = 4}, solved);
 }
 
-Signal inverse_of(Vm& vm, Slot* args) {
-  const Task task{.name = "inv", .square = true, .work = 3};
-  return on_matrix(vm, args, task,
-                   [&](const MatrixXd& A) { return give_matrix(vm, args, "inv", inverse(A)); });
+Answer<Obj*> inverse_of(Vm& vm, const MatrixObj& M) {
+  return on_matrix(vm, M, {.name = "inv", .square = true, .work = 3},
+                   [&](const MatrixXd& A) { return matrix_or_why(vm, "inv", inverse(A)); });
 }
 
-Signal pseudo_inverse(Vm& vm, Slot* args) {
-  return on_matrix(vm, args, {.name = "pinv", .work = 25, .copies = 6}, [&](const MatrixXd& A) {
-    const MatrixXd P = damped_pseudo_inverse(A);
-    if (P.allFinite()) return give(args, to_matrix(vm, P));
-    return no_answer(vm, "pinv",
-                     {"overflow", "the numbers of the result are too large for a double"});
+// A matrix whose numbers are all finite.
+Answer<Obj*> finite_matrix(Vm& vm, std::string_view name, const MatrixXd& A) {
+  if (A.allFinite()) return to_matrix(vm, A);
+  return no_answer(vm, name, {"overflow", "the numbers of the result are too large for a double"});
+}
+
+Answer<Obj*> pseudo_inverse(Vm& vm, const MatrixObj& M) {
+  return on_matrix(vm, M, {.name = "pinv", .work = 25, .copies = 6}, [&](const MatrixXd& A) {
+    return finite_matrix(vm, "pinv", damped_pseudo_inverse(A));
   });
 }
 
 // ---- numbers -----------------------------------------------------------------------------------
 
-Signal determinant_of(Vm& vm, Slot* args) {
-  return on_matrix(vm, args, {.name = "det", .square = true}, [&](const MatrixXd& A) {
+Answer<double> determinant_of(Vm& vm, const MatrixObj& M) {
+  const auto found = [&](const MatrixXd& A) -> Answer<double> {
     const auto det = determinant(A);
-    return det ? give(args, *det) : no_answer(vm, "det", det.error());
-  });
+    if (!det) return no_answer(vm, "det", det.error());
+    return *det;
+  };
+  return on_matrix(vm, M, {.name = "det", .square = true}, found);
 }
 
-Signal rank_of(Vm& vm, Slot* args) {
-  return on_matrix(vm, args, {.name = "rank", .work = 20, .copies = 6}, [&](const MatrixXd& A) {
-    return give(args, static_cast<std::int64_t>(rank(A)));
+Answer<std::int64_t> rank_of(Vm& vm, const MatrixObj& M) {
+  return on_matrix(vm, M, {.name = "rank", .work = 20, .copies = 6}, [](const MatrixXd& A) {
+    return Answer<std::int64_t>(static_cast<std::int64_t>(rank(A)));
   });
 }
 
@@ -197,67 +195,64 @@ Answer<double> trace_of(Vm& vm, const MatrixObj& A) {
   const auto add = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) sum += A.data()[i * A.cols + i];
   };
-  if (!(in_blocks(vm, A.rows, kFunctionCost, add))) return Failed{};
+  if (!in_blocks(vm, A.rows, kFunctionCost, add)) return Failed{};
   return sum;
 }
 
 // ---- decompositions ----------------------------------------------------------------------------
 
-Signal lu_of(Vm& vm, Slot* args) {
-  return on_matrix(vm, args, {.name = "lu", .square = true, .copies = 5}, [&](const MatrixXd& A) {
+Answer<Obj*> lu_of(Vm& vm, const MatrixObj& M) {
+  return on_matrix(vm, M, {.name = "lu", .square = true, .copies = 5}, [&](const MatrixXd& A) {
     const LuParts parts = lu_decomposition(A);
-    return give_record<3>(vm, args, "Lu",
-                          {to_matrix(vm, parts.L), to_matrix(vm, parts.U), to_matrix(vm, parts.P)});
+    return record_of<3>(vm, "Lu",
+                        {to_matrix(vm, parts.L), to_matrix(vm, parts.U), to_matrix(vm, parts.P)});
   });
 }
 
-Signal qr_of(Vm& vm, Slot* args) {
-  return on_matrix(vm, args, {.name = "qr", .work = 3, .copies = 4}, [&](const MatrixXd& A) {
+Answer<Obj*> qr_of(Vm& vm, const MatrixObj& M) {
+  return on_matrix(vm, M, {.name = "qr", .work = 3, .copies = 4}, [&](const MatrixXd& A) {
     const QrParts parts = qr_decomposition(A);
-    return give_record<2>(vm, args, "Qr", {to_matrix(vm, parts.Q), to_matrix(vm, parts.R)});
+    return record_of<2>(vm, "Qr", {to_matrix(vm, parts.Q), to_matrix(vm, parts.R)});
   });
 }
 
-Signal cholesky_of(Vm& vm, Slot* args) {
-  return on_matrix(vm, args, {.name = "chol", .square = true},
-                   [&](const MatrixXd& A) { return give_matrix(vm, args, "chol", cholesky(A)); });
+Answer<Obj*> cholesky_of(Vm& vm, const MatrixObj& M) {
+  return on_matrix(vm, M, {.name = "chol", .square = true},
+                   [&](const MatrixXd& A) { return matrix_or_why(vm, "chol", cholesky(A)); });
 }
 
-Signal svd_of(Vm& vm, Slot* args) {
-  return on_matrix(vm, args, {.name = "svd", .work = 20, .copies = 8}, [&](const MatrixXd& A) {
+Answer<Obj*> svd_of(Vm& vm, const MatrixObj& M) {
+  return on_matrix(vm, M, {.name = "svd", .work = 20, .copies = 8}, [&](const MatrixXd& A) {
     const SvdParts parts = singular_values(A);
-    return give_record<3>(vm, args, "Svd",
-                          {to_matrix(vm, parts.U), to_list(vm, parts.s), to_matrix(vm, parts.V)});
+    return record_of<3>(vm, "Svd",
+                        {to_matrix(vm, parts.U), to_list(vm, parts.s), to_matrix(vm, parts.V)});
   });
 }
 
-Signal eigenvectors_of(Vm& vm, Slot* args) {
+Answer<Obj*> eigenvectors_of(Vm& vm, const MatrixObj& M) {
   const Task task{.name = "eig", .square = true, .work = 25, .copies = 6};
-  return on_matrix(vm, args, task, [&](const MatrixXd& A) {
+  return on_matrix(vm, M, task, [&](const MatrixXd& A) -> Answer<Obj*> {
     const auto parts = eigenvectors(A);
     if (!parts) return no_answer(vm, "eig", parts.error());
-    return give_record<2>(vm, args, "Eig",
-                          {to_list(vm, parts->values), to_matrix(vm, parts->vectors)});
+    return record_of<2>(vm, "Eig", {to_list(vm, parts->values), to_matrix(vm, parts->vectors)});
   });
 }
 
-Signal eigenvalues_of(Vm& vm, Slot* args) {
+Answer<Obj*> eigenvalues_of(Vm& vm, const MatrixObj& M) {
   const Task task{.name = "eigenvalues", .square = true, .work = 20, .copies = 5};
-  return on_matrix(vm, args, task, [&](const MatrixXd& A) {
+  return on_matrix(vm, M, task, [&](const MatrixXd& A) -> Answer<Obj*> {
     const auto parts = eigenvalues(A);
     if (!parts) return no_answer(vm, "eigenvalues", parts.error());
-    return give_record<2>(vm, args, "Eigenvalues",
-                          {to_list(vm, parts->re), to_list(vm, parts->im)});
+    return record_of<2>(vm, "Eigenvalues", {to_list(vm, parts->re), to_list(vm, parts->im)});
   });
 }
 
 // ---- powers ------------------------------------------------------------------------------------
 
-Signal exponential_of(Vm& vm, Slot* args) {
+Answer<Obj*> exponential_of(Vm& vm, const MatrixObj& M) {
   const Task task{.name = "expm", .square = true, .work = 25, .copies = 8};
-  return on_matrix(vm, args, task, [&](const MatrixXd& A) {
-    return give_matrix(vm, args, "expm", exponential(A));
-  });
+  return on_matrix(vm, M, task,
+                   [&](const MatrixXd& A) { return matrix_or_why(vm, "expm", exponential(A)); });
 }
 
 // By squaring. n: not negative.
@@ -278,66 +273,73 @@ bool raise(Vm& vm, RowMatrix A, std::uint64_t n, RowMatrix& power) {
   return true;
 }
 
-Signal power_of(Vm& vm, Slot* args) {
-  const std::int64_t n = args[1].i;
+Answer<Obj*> power_of(Vm& vm, const MatrixObj& M, std::int64_t n) {
   const Task task{.name = "a power", .square = true, .work = n < 0 ? 3U : 1U, .copies = 5};
-  return on_matrix(vm, args, task, [&](const MatrixXd& A) {
-    Result<MatrixXd> base = n < 0 ? inverse(A) : Result<MatrixXd>(A);
+  return on_matrix(vm, M, task, [&](const MatrixXd& A) -> Answer<Obj*> {
+    const Result<MatrixXd> base = n < 0 ? inverse(A) : Result<MatrixXd>(A);
     if (!base) return no_answer(vm, "a power", base.error());
     const std::uint64_t times =
         n < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(n) : static_cast<std::uint64_t>(n);
     RowMatrix power;
-    if (!raise(vm, *base, times, power)) return Signal::kFail;
-    if (power.allFinite()) return give(args, to_matrix(vm, power));
-    return no_answer(vm, "a power",
-                     {"overflow", "the numbers of the result are too large for a double"});
+    if (!raise(vm, *base, times, power)) return Failed{};
+    return finite_matrix(vm, "a power", power);
   });
 }
 
 constexpr NativeFunction kLinalgFunctions[] = {
-    {"operator\\", "(A: matrix, b: double[]) -> double[]",
-     "Solves A x = b: by LU for a square matrix, otherwise least squares by QR; with fewer rows "
-     "than columns the smallest solution.",
-     "[2, 1; 1, 3] \\ [3.0, 5.0]", solve_list, nullptr, nullptr, check_solve},
-    {"operator\\", "(A: matrix, B: matrix) -> matrix", "Solves A X = B for every column of B.",
-     "[2, 1; 1, 3] \\ eye(2)", solve_matrix, nullptr, nullptr, check_solve},
-    {"operator^", "(A: matrix, n: int) -> matrix",
-     "The matrix times itself; with a negative n, the inverse times itself.", "[1, 1; 1, 0] ^ 10",
-     power_of, nullptr, nullptr, check_square},
-    {"inv", "(A: matrix) -> matrix", "The inverse. To solve equations, A \\ b is better.",
-     "inv([2, 1; 1, 3])", inverse_of, nullptr, nullptr, check_square},
-    {"pinv", "(A: matrix) -> matrix",
-     "The pseudo-inverse; singular values below 1e-12 of the largest count as 0.",
-     "pinv([1, 2; 3, 4; 5, 6])", pseudo_inverse, nullptr, nullptr, check_transposed},
-    {"det", "(A: matrix) -> double", "The determinant.", "det([1, 2; 3, 4])", determinant_of,
-     nullptr, nullptr, check_square_to_number},
-    {"rank", "(A: matrix) -> int",
-     "How many rows are independent: singular values above the rounding of the largest.",
-     "rank([1, 2; 2, 4])", rank_of},
+    def<solve_list>(
+        "operator\\(A: matrix, b: double[]) -> double[]",
+        "Solves A x = b: by LU for a square matrix, otherwise least squares by QR; with fewer rows "
+        "than columns the smallest solution.",
+        "[2, 1; 1, 3] \\ [3.0, 5.0]", {.check = check_solve}),
+    def<solve_matrix>("operator\\(A: matrix, B: matrix) -> matrix",
+                      "Solves A X = B for every column of B.", "[2, 1; 1, 3] \\ eye(2)",
+                      {.check = check_solve}),
+    def<power_of>("operator^(A: matrix, n: int) -> matrix",
+                  "The matrix times itself; with a negative n, the inverse times itself.",
+                  "[1, 1; 1, 0] ^ 10", {.check = check_square}),
+    def<inverse_of>("inv(A: matrix) -> matrix",
+                    "The inverse. To solve equations, A \\ b is better.", "inv([2, 1; 1, 3])",
+                    {.check = check_square}),
+    def<pseudo_inverse>(
+        "pinv(A: matrix) -> matrix",
+        "The pseudo-inverse; singular values below 1e-12 of the largest count as 0.",
+        "pinv([1, 2; 3, 4; 5, 6])", {.check = check_transposed}),
+    def<determinant_of>("det(A: matrix) -> double", "The determinant.", "det([1, 2; 3, 4])",
+                        {.check = check_square_to_number}),
+    def<rank_of>(
+        "rank(A: matrix) -> int",
+        "How many rows are independent: singular values above the rounding of the largest.",
+        "rank([1, 2; 2, 4])"),
     def<trace_of>("trace(A: matrix) -> double", "The sum of the diagonal.", "trace([1, 2; 3, 4])",
                   {.check = check_square_to_number}),
-    {"lu", "(A: matrix) -> Lu",
-     "P * A = L * U: P exchanges rows, L has ones on its diagonal, U is upper triangular.",
-     "lu([1, 2; 3, 4]).U", lu_of, nullptr, nullptr, check_square_to_number},
-    {"qr", "(A: matrix) -> Qr",
-     "A = Q * R: columns of Q orthonormal, R upper triangular with no negative number on its "
-     "diagonal.",
-     "qr([1, 2; 3, 4; 5, 6]).R", qr_of},
-    {"chol", "(A: matrix) -> matrix",
-     "The lower triangular L with L * L.T = A, for a symmetric positive definite A.",
-     "chol([4, 2; 2, 3])", cholesky_of, nullptr, nullptr, check_square},
-    {"svd", "(A: matrix) -> Svd",
-     "A = U * diag(s) * V.T: columns of U and V orthonormal, s in descending order.",
-     "svd([1, 2; 3, 4]).s", svd_of},
-    {"eig", "(A: matrix) -> Eig",
-     "Real eigenvalues in ascending order, and an eigenvector of length 1 in each column. Other "
-     "matrices have eigenvalues(A).",
-     "eig([2, 1; 1, 2]).values", eigenvectors_of, nullptr, nullptr, check_square_to_number},
-    {"eigenvalues", "(A: matrix) -> Eigenvalues",
-     "Real and imaginary parts of all eigenvalues, in ascending order.",
-     "eigenvalues([0, -1; 1, 0]).im", eigenvalues_of, nullptr, nullptr, check_square_to_number},
-    {"expm", "(A: matrix) -> matrix", "e to the power of a matrix: the sum of A^n / n!.",
-     "expm([0, -1; 1, 0])", exponential_of, nullptr, nullptr, check_square},
+    def<lu_of>(
+        "lu(A: matrix) -> Lu",
+        "P * A = L * U: P exchanges rows, L has ones on its diagonal, U is upper triangular.",
+        "lu([1, 2; 3, 4]).U", {.check = check_square_to_number}),
+    def<qr_of>(
+        "qr(A: matrix) -> Qr",
+        "A = Q * R: columns of Q orthonormal, R upper triangular with no negative number on its "
+        "diagonal.",
+        "qr([1, 2; 3, 4; 5, 6]).R"),
+    def<cholesky_of>(
+        "chol(A: matrix) -> matrix",
+        "The lower triangular L with L * L.T = A, for a symmetric positive definite A.",
+        "chol([4, 2; 2, 3])", {.check = check_square}),
+    def<svd_of>("svd(A: matrix) -> Svd",
+                "A = U * diag(s) * V.T: columns of U and V orthonormal, s in descending order.",
+                "svd([1, 2; 3, 4]).s"),
+    def<eigenvectors_of>(
+        "eig(A: matrix) -> Eig",
+        "Real eigenvalues in ascending order, and an eigenvector of length 1 in each column. Other "
+        "matrices have eigenvalues(A).",
+        "eig([2, 1; 1, 2]).values", {.check = check_square_to_number}),
+    def<eigenvalues_of>("eigenvalues(A: matrix) -> Eigenvalues",
+                        "Real and imaginary parts of all eigenvalues, in ascending order.",
+                        "eigenvalues([0, -1; 1, 0]).im", {.check = check_square_to_number}),
+    def<exponential_of>("expm(A: matrix) -> matrix",
+                        "e to the power of a matrix: the sum of A^n / n!.", "expm([0, -1; 1, 0])",
+                        {.check = check_square}),
 };
 
 }  // namespace

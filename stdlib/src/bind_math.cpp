@@ -31,70 +31,60 @@ Answer<double> real1(Vm& vm, double x) {
 }
 
 // One function on every element of a list.
-template <Real1 kFunction>
-Answer<Obj*> each(Vm& vm, std::span<const double> xs) {
-  ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (result == nullptr) return Failed{};
-  const auto compute = [&](std::size_t begin, std::size_t end) {
+// A new list of `count` elements, each set by set(slot, i), which may fail. Null: it failed.
+template <class F>
+ListObj* checked_items(Vm& vm, std::size_t count, unsigned cost, F set) {
+  ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), false);
+  if (list == nullptr) return nullptr;
+  const auto fill = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      result->data[i].d = kFunction(xs[i]);
-      if (!std::isnan(result->data[i].d)) continue;
-      (void)failure(
-          vm, "R0609",
-          fmt::format("element {} of the list is {:.15g}, where the function has no value", i,
-                      xs[i]),
-          0);
-      return false;
+      if (!set(list->data[i], i)) return false;
     }
     return true;
   };
-  if (in_blocks(vm, xs.size(), kFunctionCost, compute)) return result;
-  release(vm, result);
-  return Failed{};
+  if (in_blocks(vm, count, cost, fill)) return list;
+  release(vm, list);
+  return nullptr;
+}
+
+template <Real1 kFunction>
+ListObj* each(Vm& vm, std::span<const double> xs) {
+  const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {
+    to.d = kFunction(xs[i]);
+    if (!std::isnan(to.d)) return {};
+    return failure(
+        vm, "R0609",
+        fmt::format("element {} of the list is {:.15g}, where the function has no value", i, xs[i]),
+        0);
+  };
+  return checked_items(vm, xs.size(), kFunctionCost, compute);
 }
 
 // The same with whole numbers as the result.
 template <Real1 kRound>
-Answer<Obj*> each_to_int(Vm& vm, std::span<const double> xs) {
-  ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (result == nullptr) return Failed{};
-  const auto compute = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double x = kRound(xs[i]);
-      if (fits_int(x)) {
-        result->data[i].i = static_cast<std::int64_t>(x);
-        continue;
-      }
-      if (!std::isfinite(x)) {
-        (void)not_finite(vm, fmt::format("element {} of the list", i), x, 0);
-      } else {
-        (void)failure(vm, "R0610",
-                      fmt::format("element {} of the list is {:.15g}, too large for an int", i, x),
-                      0);
-      }
-      return false;
+ListObj* each_to_int(Vm& vm, std::span<const double> xs) {
+  const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {
+    const double x = kRound(xs[i]);
+    if (!std::isfinite(x)) return not_finite(vm, fmt::format("element {} of the list", i), x, 0);
+    if (!fits_int(x)) {
+      return failure(vm, "R0610",
+                     fmt::format("element {} of the list is {:.15g}, too large for an int", i, x),
+                     0);
     }
-    return true;
+    to.i = static_cast<std::int64_t>(x);
+    return {};
   };
-  if (in_blocks(vm, xs.size(), kCost, compute)) return result;
-  release(vm, result);
-  return Failed{};
+  return checked_items(vm, xs.size(), kCost, compute);
 }
-template <Signal (*kFunction)(Vm&, Slot*)>
-Signal each_int(Vm& vm, Slot* args) {
-  const std::span<const Slot> xs = items_value(args[0]);
-  ListObj* result = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
-  if (result == nullptr) return Signal::kFail;
-  const auto compute = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      result->data[i] = xs[i];
-      if (kFunction(vm, &result->data[i]) != Signal::kDone) return false;
-    }
-    return true;
+template <auto kFunction>
+ListObj* each_int(Vm& vm, std::span<const Slot> xs) {
+  const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {
+    const Answer<std::int64_t> y = kFunction(vm, xs[i].i);
+    if (!y) return Failed{};
+    to.i = *y;
+    return {};
   };
-  if (in_blocks(vm, xs.size(), kCost, compute)) return give(args, result);
-  release(vm, result);
-  return Signal::kFail;
+  return checked_items(vm, xs.size(), kCost, compute);
 }
 
 double square_root(double x) { return x >= 0.0 ? std::sqrt(x) : std::nan(""); }
@@ -179,7 +169,7 @@ Answer<std::int64_t> abs_int(Vm& vm, std::int64_t x) {
     return failure(vm, "R0610", "the absolute value of the smallest int does not fit an int", 0);
   return x < 0 ? -x : x;
 }
-std::int64_t sign_int(std::int64_t x) { return static_cast<std::int64_t>((x > 0) - (x < 0)); }
+std::int64_t sign_int(Vm&, std::int64_t x) { return static_cast<std::int64_t>((x > 0) - (x < 0)); }
 
 std::int64_t min_int(std::int64_t a, std::int64_t b) { return std::min(a, b); }
 std::int64_t max_int(std::int64_t a, std::int64_t b) { return std::max(a, b); }
@@ -187,38 +177,40 @@ double smaller(double a, double b) { return std::isnan(a) || a < b ? a : b; }
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 // One of the two is not a number, or the direct call would have done it.
 template <Real2 kFunction>
-Signal extreme_of_two(Vm& vm, Slot* args) {
-  for (int i = 0; i < 2; ++i) {
-    if (std::isnan(args[i].d))
-      return not_finite(vm, i == 0 ? "the first value" : "the second value", args[i].d, i);
-  }
-  return give(args, kFunction(args[0].d, args[1].d));
+Answer<double> extreme_of_two(Vm& vm, double a, double b) {
+  if (std::isnan(a)) return not_finite(vm, "the first value", a, 0);
+  if (std::isnan(b)) return not_finite(vm, "the second value", b, 1);
+  return kFunction(a, b);
 }
 
-template <bool kMax, bool kInt>
-Signal extreme(Vm& vm, Slot* args) {
-  const std::span<const Slot> xs = items_value(args[0]);
+// The first of the elements that no other one is above (kMax) or below.
+template <bool kMax, class Number>
+Answer<Number> extreme(Vm& vm, std::span<const Slot> xs) {
+  constexpr bool kInt = std::is_same_v<Number, std::int64_t>;
   if (xs.empty())
     return failure(vm, "R0613",
                    fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
-  if (!kInt) {
-    std::size_t bad = xs.size();
-    if (!find_number(vm, reals_value(args[0]), bad, [](double x) { return std::isnan(x); }))
-      return Signal::kFail;
-    if (bad != xs.size())
-      return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
-  }
-  Slot best = xs[0];
-  const auto look = [&](std::size_t begin, std::size_t end) {
-    for (const Slot x : xs.subspan(begin, end - begin)) {
-      const bool less = kInt ? x.i < best.i : x.d < best.d;
-      const bool more = kInt ? x.i > best.i : x.d > best.d;
-      if (kMax ? more : less) best = x;
-    }
+  const auto number = [xs](std::size_t i) -> Number {
+    if constexpr (kInt)
+      return xs[i].i;
+    else
+      return xs[i].d;
   };
-  if (!in_blocks(vm, xs.size(), kCost, look)) return Signal::kFail;
-  args[0] = best;
-  return Signal::kDone;
+  std::size_t bad = xs.size();
+  Number best = number(0);
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Number x = number(i);
+      if (x != x && bad == xs.size()) bad = i;
+      if (kMax ? x > best : x < best) best = x;
+    }
+    return bad == xs.size();
+  };
+  const bool done = in_blocks(vm, xs.size(), kCost, look);
+  if (bad != xs.size())
+    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
+  if (!done) return Failed{};
+  return best;
 }
 
 Answer<std::int64_t> clamp_int(Vm& vm, std::int64_t x, std::int64_t lo, std::int64_t hi) {
@@ -242,11 +234,13 @@ double between(double x, double lo, double hi) {
   return x < lo ? lo : x > hi ? hi : x;
 }
 
-Signal lerp_real(Vm& vm, Slot* args) {
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(args[i].d)) return not_finite(vm, "a value given to lerp", args[i].d, i);
+Answer<double> lerp_real(Vm& vm, double a, double b, double s) {
+  int parameter = 0;
+  for (const double value : {a, b, s}) {
+    if (!std::isfinite(value)) return not_finite(vm, "a value given to lerp", value, parameter);
+    ++parameter;
   }
-  return give(args, args[0].d + (args[1].d - args[0].d) * args[2].d);
+  return a + (b - a) * s;
 }
 double part_of_way(double a, double b, double s) {
   const bool finite = std::isfinite(a) && std::isfinite(b) && std::isfinite(s);
@@ -267,8 +261,7 @@ Answer<bool> near_list(Vm& vm, std::span<const double> a, std::span<const double
     for (std::size_t i = begin; i < end && is_near; ++i) is_near = std::abs(a[i] - b[i]) <= tol;
     return is_near;
   };
-  const bool seen = in_blocks(vm, a.size(), kCost, look) || !is_near;
-  if (!(seen)) return Failed{};
+  if (!in_blocks(vm, a.size(), kCost, look) && is_near) return Failed{};
   return is_near;
 }
 
@@ -286,13 +279,12 @@ Answer<double> random_between(Vm& vm, double lo, double hi) {
         0);
   return vm.random().uniform(lo, hi);
 }
-Signal random_int(Vm& vm, Slot* args) {
-  if (args[0].i <= 0)
-    return failure(
-        vm, "R0609",
-        fmt::format("randomInt of {}: the number of choices must be greater than 0", args[0].i), 0);
-  return give(args,
-              static_cast<std::int64_t>(vm.random().below(static_cast<std::uint64_t>(args[0].i))));
+Answer<std::int64_t> random_int(Vm& vm, std::int64_t n) {
+  if (n <= 0)
+    return failure(vm, "R0609",
+                   fmt::format("randomInt of {}: the number of choices must be greater than 0", n),
+                   0);
+  return static_cast<std::int64_t>(vm.random().below(static_cast<std::uint64_t>(n)));
 }
 // Marsaglia's polar method; one value of the pair is used, so that the state is only the
 // generator's.
@@ -367,14 +359,14 @@ constexpr NativeFunction kMathFunctions[] = {
                       "log10([1.0, 10.0])"),
     def<abs_int>("abs(x: int) -> int", "Absolute value.", "abs(-3)"),
     def<real1<absolute>>("abs(x: D) -> D", "Absolute value.", "abs(-20mm)", {.real1 = absolute}),
-    {"abs", "(xs: int[]) -> int[]", "Absolute value of each element.", "abs([-1, 2])",
-     each_int<abs_int>},
+    def<each_int<abs_int>>("abs(xs: int[]) -> int[]", "Absolute value of each element.",
+                           "abs([-1, 2])"),
     def<each<absolute>>("abs(xs: D[]) -> D[]", "Absolute value of each element.",
                         "abs([-1.0, 2.0])"),
     def<sign_int>("sign(x: int) -> int", "-1, 0 or 1.", "sign(-3)"),
     def<real1<sign_of>>("sign(x: D) -> double", "-1, 0 or 1.", "sign(-20mm)", {.real1 = sign_of}),
-    {"sign", "(xs: int[]) -> int[]", "-1, 0 or 1 for each element.", "sign([-3, 0])",
-     each_int<sign_int>},
+    def<each_int<sign_int>>("sign(xs: int[]) -> int[]", "-1, 0 or 1 for each element.",
+                            "sign([-3, 0])"),
     def<each<sign_of>>("sign(xs: D[]) -> double[]", "-1, 0 or 1 for each element.",
                        "sign([-2mm, 0mm])"),
     def<real1<round_down>>("floor(x: double) -> double", "The whole number at or below x.",
@@ -394,25 +386,23 @@ constexpr NativeFunction kMathFunctions[] = {
                                   "Each element without its fraction.", "trunc([1.5, -2.4])"),
     def<min_int>("min(a: int, b: int) -> int", "The smaller of two.", "min(2, 3)"),
     def<max_int>("max(a: int, b: int) -> int", "The larger of two.", "max(2, 3)"),
-    {"min", "(a: D, b: D) -> D", "The smaller of two.", "min(2mm, 3mm)", extreme_of_two<smaller>,
-     nullptr, smaller},
-    {"max", "(a: D, b: D) -> D", "The larger of two.", "max(2mm, 3mm)", extreme_of_two<larger>,
-     nullptr, larger},
-    {"min", "(xs: int[]) -> int", "The smallest of a list.", "min([3, 1, 2])",
-     extreme<false, true>},
-    {"max", "(xs: int[]) -> int", "The largest of a list.", "max([3, 1, 2])", extreme<true, true>},
-    {"min", "(xs: D[]) -> D", "The smallest of a list.", "min([3mm, 1mm])", extreme<false, false>},
-    {"max", "(xs: D[]) -> D", "The largest of a list.", "max([3mm, 1mm])", extreme<true, false>},
+    def<extreme_of_two<smaller>>("min(a: D, b: D) -> D", "The smaller of two.", "min(2mm, 3mm)",
+                                 {.real2 = smaller}),
+    def<extreme_of_two<larger>>("max(a: D, b: D) -> D", "The larger of two.", "max(2mm, 3mm)",
+                                {.real2 = larger}),
+    def<extreme<false, std::int64_t>>("min(xs: int[]) -> int", "The smallest of a list.",
+                                      "min([3, 1, 2])"),
+    def<extreme<true, std::int64_t>>("max(xs: int[]) -> int", "The largest of a list.",
+                                     "max([3, 1, 2])"),
+    def<extreme<false, double>>("min(xs: D[]) -> D", "The smallest of a list.", "min([3mm, 1mm])"),
+    def<extreme<true, double>>("max(xs: D[]) -> D", "The largest of a list.", "max([3mm, 1mm])"),
     def<clamp_int>("clamp(x: int, lo: int, hi: int) -> int",
                    "x, but not below lo and not above hi.", "clamp(7, 0, 5)"),
     def<clamp_real>("clamp(x: D, lo: D, hi: D) -> D", "x, but not below lo and not above hi.",
                     "clamp(1.2, -1.0, 1.0)", {.real3 = between}),
-    {.name = "lerp",
-     .signature = "(a: D, b: D, s: double) -> D",
-     .help = "The value the fraction s of the way from a to b.",
-     .example = "lerp(0mm, 10mm, 0.5)",
-     .thunk = lerp_real,
-     .real3 = part_of_way},
+    def<lerp_real>("lerp(a: D, b: D, s: double) -> D",
+                   "The value the fraction s of the way from a to b.", "lerp(0mm, 10mm, 0.5)",
+                   {.real3 = part_of_way}),
     def<lerp_list>("lerp(a: D[], b: D[], s: double) -> D[]",
                    "The values the fraction s of the way from a to b.",
                    "lerp([0.0, 1.0], [1.0, 3.0], 0.5)"),
@@ -435,8 +425,8 @@ constexpr NativeFunction kMathFunctions[] = {
                      "random()"),
     def<random_between>("random(lo: D, hi: D) -> D", "A number between lo and hi.",
                         "random(1mm, 5mm)"),
-    {"randomInt", "(n: int) -> int", "A whole number from 0 up to but excluding n.", "randomInt(6)",
-     random_int},
+    def<random_int>("randomInt(n: int) -> int", "A whole number from 0 up to but excluding n.",
+                    "randomInt(6)"),
     def<random_standard>("randomNormal() -> double",
                          "A number that is normally distributed about 0 with deviation 1.",
                          "randomNormal()"),

@@ -13,6 +13,7 @@
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/rotation.hpp"
 #include "blocks.hpp"
+#include "eigen_results.hpp"
 #include "matrices.hpp"
 #include "values.hpp"
 
@@ -28,8 +29,8 @@ struct Block {
   const double* data = nullptr;
 };
 Block block_of(const MatrixObj& A) { return {A.rows, A.cols, A.data()}; }
-Block column_of(Slot list) { return {reals_value(list).size(), 1, reals_value(list).data()}; }
-Block row_of(Slot list) { return {1, reals_value(list).size(), reals_value(list).data()}; }
+Block column_of(std::span<const double> list) { return {list.size(), 1, list.data()}; }
+Block row_of(std::span<const double> list) { return {1, list.size(), list.data()}; }
 
 MatrixObj* new_joined(Vm& vm, std::size_t rows, std::size_t cols) {
   const auto r = static_cast<std::int64_t>(rows);
@@ -42,7 +43,7 @@ std::string block_size(const Block& block) {
   return size_text(static_cast<std::int64_t>(block.rows), static_cast<std::int64_t>(block.cols));
 }
 
-Signal beside(Vm& vm, Slot* args, std::span<const Block> blocks) {
+Answer<MatrixObj*> beside(Vm& vm, std::span<const Block> blocks) {
   std::size_t cols = 0;
   for (const Block& block : blocks) {
     if (block.rows != blocks[0].rows) {
@@ -53,7 +54,7 @@ Signal beside(Vm& vm, Slot* args, std::span<const Block> blocks) {
   }
   const std::size_t rows = blocks.empty() ? 0 : blocks[0].rows;
   MatrixObj* A = new_joined(vm, rows, cols);
-  if (A == nullptr) return Signal::kFail;
+  if (A == nullptr) return Failed{};
   double* to = A->data();
   const auto copy = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -62,12 +63,12 @@ Signal beside(Vm& vm, Slot* args, std::span<const Block> blocks) {
     }
   };
   const unsigned cost = 16 + kCost * std::min(A->cols, 100'000'000U);
-  if (in_blocks(vm, rows, cost, copy)) return give(args, A);
+  if (in_blocks(vm, rows, cost, copy)) return A;
   release(vm, A);
-  return Signal::kFail;
+  return Failed{};
 }
 
-Signal above_each_other(Vm& vm, Slot* args, std::span<const Block> blocks) {
+Answer<MatrixObj*> above_each_other(Vm& vm, std::span<const Block> blocks) {
   std::size_t rows = 0;
   for (const Block& block : blocks) {
     if (block.cols != blocks[0].cols) {
@@ -77,7 +78,7 @@ Signal above_each_other(Vm& vm, Slot* args, std::span<const Block> blocks) {
     rows += block.rows;
   }
   MatrixObj* A = new_joined(vm, rows, blocks.empty() ? 0 : blocks[0].cols);
-  if (A == nullptr) return Signal::kFail;
+  if (A == nullptr) return Failed{};
   double* to = A->data();
   for (const Block& block : blocks) {
     const std::size_t count = block.rows * block.cols;
@@ -86,87 +87,78 @@ Signal above_each_other(Vm& vm, Slot* args, std::span<const Block> blocks) {
     };
     if (!in_blocks(vm, count, kCost, copy)) {
       release(vm, A);
-      return Signal::kFail;
+      return Failed{};
     }
     to += count;
   }
-  return give(args, A);
+  return A;
 }
 
-using Join = Signal (*)(Vm&, Slot*, std::span<const Block>);
-using ListBlock = Block (*)(Slot);
+using Join = Answer<MatrixObj*> (*)(Vm&, std::span<const Block>);
+using ListBlock = Block (*)(std::span<const double>);
 
 template <Join kJoin>
-Signal join_two(Vm& vm, Slot* args) {
-  const std::array<Block, 2> blocks = {block_of(matrix_value(args[0])),
-                                       block_of(matrix_value(args[1]))};
-  return kJoin(vm, args, blocks);
+Answer<MatrixObj*> join_two(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
+  return kJoin(vm, std::array{block_of(A), block_of(B)});
 }
 template <Join kJoin, ListBlock kList>
-Signal join_matrix_and_list(Vm& vm, Slot* args) {
-  const std::array<Block, 2> blocks = {block_of(matrix_value(args[0])), kList(args[1])};
-  return kJoin(vm, args, blocks);
+Answer<MatrixObj*> join_matrix_and_list(Vm& vm, const MatrixObj& A, std::span<const double> v) {
+  return kJoin(vm, std::array{block_of(A), kList(v)});
 }
 template <Join kJoin, ListBlock kList>
-Signal join_list_and_matrix(Vm& vm, Slot* args) {
-  const std::array<Block, 2> blocks = {kList(args[0]), block_of(matrix_value(args[1]))};
-  return kJoin(vm, args, blocks);
+Answer<MatrixObj*> join_list_and_matrix(Vm& vm, std::span<const double> v, const MatrixObj& A) {
+  return kJoin(vm, std::array{kList(v), block_of(A)});
 }
 template <Join kJoin>
-Signal join_all(Vm& vm, Slot* args) {
-  const auto items = items_value(args[0]);
+Answer<MatrixObj*> join_all(Vm& vm, std::span<const Slot> items) {
   const Scratch scratch(vm, items.size() * sizeof(Block));
-  if (!scratch.granted()) return Signal::kFail;
+  if (!scratch.granted()) return Failed{};
   std::vector<Block> blocks;
   blocks.reserve(items.size());
   const auto take = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) blocks.push_back(block_of(matrix_value(items[i])));
   };
-  return in_blocks(vm, items.size(), 8, take) ? kJoin(vm, args, blocks) : Signal::kFail;
+  if (!in_blocks(vm, items.size(), 8, take)) return Failed{};
+  return kJoin(vm, blocks);
 }
 
 // ---- one number --------------------------------------------------------------------------------
 
-Answer<double> frobenius(Vm& vm, const MatrixObj& _a) {
+Answer<double> frobenius(Vm& vm, const MatrixObj& A) {
   double length = 0.0;
-  const bool done = length_of(vm, elements(_a), length);
-  if (!(done)) return Failed{};
+  if (!length_of(vm, elements(A), length)) return Failed{};
   return length;
 }
 
-bool total(Vm& vm, const MatrixObj& A, double& sum) {
-  sum = 0.0;
-  return in_blocks(vm, count_of(A), kCost, [&](std::size_t begin, std::size_t end) {
-    for (const double x : elements(A).subspan(begin, end - begin)) sum += x;
-  });
-}
-Answer<double> sum_of(Vm& vm, const MatrixObj& _a) {
+Answer<double> sum_of(Vm& vm, const MatrixObj& A) {
   double sum = 0.0;
-  if (!(total(vm, _a, sum))) return Failed{};
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (const double x : elements(A).subspan(begin, end - begin)) sum += x;
+  };
+  if (!in_blocks(vm, count_of(A), kCost, add)) return Failed{};
   return sum;
 }
 
-bool has_elements(Vm& vm, const MatrixObj& A, std::string_view what) {
-  if (count_of(A) > 0) return true;
-  (void)failure(vm, "R0613", fmt::format("a matrix without values has no {}", what), 0);
-  return false;
+Answer<void> require_elements(Vm& vm, const MatrixObj& A, std::string_view what) {
+  if (count_of(A) > 0) return {};
+  return failure(vm, "R0613", fmt::format("a matrix without values has no {}", what), 0);
 }
 Answer<double> mean_of(Vm& vm, const MatrixObj& A) {
-  if (!has_elements(vm, A, "mean")) return Failed{};
-  double sum = 0.0;
-  if (!total(vm, A, sum)) return Failed{};
-  return sum / static_cast<double>(count_of(A));
+  if (!require_elements(vm, A, "mean")) return Failed{};
+  const Answer<double> sum = sum_of(vm, A);
+  if (!sum) return Failed{};
+  return *sum / static_cast<double>(count_of(A));
 }
 template <bool kMax>
 Answer<double> extreme(Vm& vm, const MatrixObj& A) {
-  if (!has_elements(vm, A, kMax ? "largest value" : "smallest value")) return Failed{};
+  if (!require_elements(vm, A, kMax ? "largest value" : "smallest value")) return Failed{};
   double best = A.data()[0];
   const auto look = [&](std::size_t begin, std::size_t end) {
     for (const double x : elements(A).subspan(begin, end - begin)) {
       if (kMax ? x > best : x < best) best = x;
     }
   };
-  if (!(in_blocks(vm, count_of(A), kCost, look))) return Failed{};
+  if (!in_blocks(vm, count_of(A), kCost, look)) return Failed{};
   return best;
 }
 
@@ -175,26 +167,25 @@ Answer<double> extreme(Vm& vm, const MatrixObj& A) {
 using Real1 = double (*)(double);
 
 template <Real1 kFunction>
-Answer<Obj*> each(Vm& vm, const MatrixObj& A) {
+Answer<MatrixObj*> each(Vm& vm, const MatrixObj& A) {
   MatrixObj* B = new_matrix_unset(vm, A.rows, A.cols);
   if (B == nullptr) return Failed{};
+  std::size_t bad = count_of(A);
   const auto compute = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double x = A.data()[i];
-      B->data()[i] = kFunction(x);
-      if (!std::isnan(B->data()[i]) || std::isnan(x)) continue;
-      (void)failure(vm, "R0609",
-                    fmt::format("element [{}, {}] of the matrix is {:.15g}, where the function has "
-                                "no value",
-                                i / A.cols, i % A.cols, x),
-                    0);
-      return false;
+    for (std::size_t i = begin; i < end && bad == count_of(A); ++i) {
+      B->data()[i] = kFunction(A.data()[i]);
+      if (std::isnan(B->data()[i]) && !std::isnan(A.data()[i])) bad = i;
     }
-    return true;
+    return bad == count_of(A);
   };
   if (in_blocks(vm, count_of(A), kFunctionCost, compute)) return B;
   release(vm, B);
-  return Failed{};
+  if (bad == count_of(A)) return Failed{};
+  return failure(vm, "R0609",
+                 fmt::format("element [{}, {}] of the matrix is {:.15g}, where the function has no "
+                             "value",
+                             bad / A.cols, bad % A.cols, A.data()[bad]),
+                 0);
 }
 
 double absolute(double x) { return std::abs(x); }
@@ -204,55 +195,40 @@ double round_up(double x) { return std::ceil(x); }
 
 // ---- the matrices of a posC --------------------------------------------------------------------
 
-template <class Matrix>
-Signal give_fixed(Vm& vm, Slot* args, const Matrix& A) {
-  MatrixObj* out = new_matrix_unset(vm, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime);
-  if (out == nullptr) return Signal::kFail;
-  for (int i = 0; i < A.rows(); ++i) {
-    for (int j = 0; j < A.cols(); ++j) out->data()[i * A.cols() + j] = A(i, j);
-  }
-  return give(args, out);
-}
-Signal posc_rotation(Vm& vm, Slot* args) {
-  return give_fixed(vm, args, Eigen::Matrix3d(posc(args[0]).T.linear()));
-}
-Signal posc_transform(Vm& vm, Slot* args) {
-  return give_fixed(vm, args, Eigen::Matrix4d(posc(args[0]).T.matrix()));
-}
+Eigen::Matrix3d posc_rotation(const PosC& p) { return p.T.linear(); }
+Eigen::Matrix4d posc_transform(const PosC& p) { return p.T.matrix(); }
 
 // The rotation that a matrix holds; numbers that were written with few digits are turned into an
-// exact one. Empty: the failure is set, for argument `argument`.
-std::optional<Eigen::Matrix3d> rotation_of(Vm& vm, const MatrixObj& given, int argument) {
+// exact one; failures mark argument `argument`.
+Answer<Eigen::Matrix3d> rotation_of(Vm& vm, const MatrixObj& given, int argument) {
   constexpr double kNearly = 1e-3;
-  const auto refuse = [](Signal) { return std::nullopt; };
   if (given.rows != 3 || given.cols != 3)
-    return refuse(sizes_differ(
+    return sizes_differ(
         vm, fmt::format("a rotation is 3x3, this is {}", size_text(given.rows, given.cols)),
-        argument));
+        argument);
   Eigen::Matrix3d R;
   for (int i = 0; i < 9; ++i) {
     const double x = given.data()[i];
     if (!std::isfinite(x))
-      return refuse(
-          not_finite(vm, fmt::format("element [{}, {}] of the matrix", i / 3, i % 3), x, argument));
+      return not_finite(vm, fmt::format("element [{}, {}] of the matrix", i / 3, i % 3), x,
+                        argument);
     R(i / 3, i % 3) = x;
   }
   const double error = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(error <= kNearly)) {
-    return refuse(
-        failure(vm, "R0609", "this matrix is no rotation", argument,
-                fmt::format("R.T * R differs from eye(3) by {:.3g}; at most {} is allowed", error,
-                            kNearly)));
+    return failure(vm, "R0609", "this matrix is no rotation", argument,
+                   fmt::format("R.T * R differs from eye(3) by {:.3g}; at most {} is allowed",
+                               error, kNearly));
   }
   if (R.determinant() < 0.0) {
-    return refuse(failure(vm, "R0609", "this matrix mirrors; it is no rotation", argument,
-                          "its determinant is -1"));
+    return failure(vm, "R0609", "this matrix mirrors; it is no rotation", argument,
+                   "its determinant is -1");
   }
-  return renormalised(R);
+  return Eigen::Matrix3d(renormalised(R));
 }
 
-Answer<PosC> posc_from_rotation(Vm& vm, const MatrixObj& _r, std::span<const double> p) {
-  const auto R = rotation_of(vm, _r, 0);
+Answer<PosC> posc_from_rotation(Vm& vm, const MatrixObj& matrix, std::span<const double> p) {
+  const auto R = rotation_of(vm, matrix, 0);
   if (!R) return Failed{};
   if (p.size() != 3) return sizes_differ(vm, fmt::format("a place has 3 values, not {}", p.size()));
   for (const double x : p) {
@@ -265,8 +241,8 @@ Answer<PosC> posc_from_rotation(Vm& vm, const MatrixObj& _r, std::span<const dou
   return pose;
 }
 
-Answer<PosC> posc_with_rotation(Vm& vm, const PosC& p, const MatrixObj& _r) {
-  const auto R = rotation_of(vm, _r, 1);
+Answer<PosC> posc_with_rotation(Vm& vm, const PosC& p, const MatrixObj& matrix) {
+  const auto R = rotation_of(vm, matrix, 1);
   if (!R) return Failed{};
   PosC pose = p;
   pose.T.linear() = *R;
@@ -275,22 +251,26 @@ Answer<PosC> posc_with_rotation(Vm& vm, const PosC& p, const MatrixObj& _r) {
 }
 
 constexpr NativeFunction kMatrixPartsFunctions[] = {
-    {"hcat", "(A: matrix, B: matrix) -> matrix", "Two matrices side by side.",
-     "hcat([1, 2; 3, 4], eye(2))", join_two<beside>},
-    {"hcat", "(A: matrix, v: double[]) -> matrix", "A matrix with a column more.",
-     "hcat([1, 2; 3, 4], [5.0, 6.0])", join_matrix_and_list<beside, column_of>},
-    {"hcat", "(v: double[], A: matrix) -> matrix", "A column in front of a matrix.",
-     "hcat([5.0, 6.0], [1, 2; 3, 4])", join_list_and_matrix<beside, column_of>},
-    {"hcat", "(parts: matrix[]) -> matrix", "Matrices side by side.", "hcat([eye(2), eye(2)])",
-     join_all<beside>},
-    {"vcat", "(A: matrix, B: matrix) -> matrix", "One matrix above another.",
-     "vcat([1, 2; 3, 4], eye(2))", join_two<above_each_other>},
-    {"vcat", "(A: matrix, v: double[]) -> matrix", "A matrix with a row more.",
-     "vcat([1, 2; 3, 4], [5.0, 6.0])", join_matrix_and_list<above_each_other, row_of>},
-    {"vcat", "(v: double[], A: matrix) -> matrix", "A row above a matrix.",
-     "vcat([5.0, 6.0], [1, 2; 3, 4])", join_list_and_matrix<above_each_other, row_of>},
-    {"vcat", "(parts: matrix[]) -> matrix", "Matrices one above the other.",
-     "vcat([eye(2), eye(2)])", join_all<above_each_other>},
+    def<join_two<beside>>("hcat(A: matrix, B: matrix) -> matrix", "Two matrices side by side.",
+                          "hcat([1, 2; 3, 4], eye(2))"),
+    def<join_matrix_and_list<beside, column_of>>("hcat(A: matrix, v: double[]) -> matrix",
+                                                 "A matrix with a column more.",
+                                                 "hcat([1, 2; 3, 4], [5.0, 6.0])"),
+    def<join_list_and_matrix<beside, column_of>>("hcat(v: double[], A: matrix) -> matrix",
+                                                 "A column in front of a matrix.",
+                                                 "hcat([5.0, 6.0], [1, 2; 3, 4])"),
+    def<join_all<beside>>("hcat(parts: matrix[]) -> matrix", "Matrices side by side.",
+                          "hcat([eye(2), eye(2)])"),
+    def<join_two<above_each_other>>("vcat(A: matrix, B: matrix) -> matrix",
+                                    "One matrix above another.", "vcat([1, 2; 3, 4], eye(2))"),
+    def<join_matrix_and_list<above_each_other, row_of>>("vcat(A: matrix, v: double[]) -> matrix",
+                                                        "A matrix with a row more.",
+                                                        "vcat([1, 2; 3, 4], [5.0, 6.0])"),
+    def<join_list_and_matrix<above_each_other, row_of>>("vcat(v: double[], A: matrix) -> matrix",
+                                                        "A row above a matrix.",
+                                                        "vcat([5.0, 6.0], [1, 2; 3, 4])"),
+    def<join_all<above_each_other>>("vcat(parts: matrix[]) -> matrix",
+                                    "Matrices one above the other.", "vcat([eye(2), eye(2)])"),
     def<frobenius>("norm(A: matrix) -> double", "The root of the sum of all squares.",
                    "norm([1, 2; 3, 4])"),
     def<sum_of>("sum(A: matrix) -> double", "The sum of all values.", "sum([1, 2; 3, 4])"),
@@ -317,13 +297,13 @@ constexpr NativeFunction kMatrixPartsFunctions[] = {
                           {.check = check_same_size}),
     def<each<round_up>>("ceil(A: matrix) -> matrix", "The whole number at or above each element.",
                         "ceil([1.5, 2.5; 3, 4])", {.check = check_same_size}),
-    {"posC.R", "(p: posC) -> matrix", "The orientation as a 3x3 rotation.", "rotZ(90deg).R",
-     posc_rotation},
+    def<posc_rotation>("posC.R(p: posC) -> matrix", "The orientation as a 3x3 rotation.",
+                       "rotZ(90deg).R"),
     def<posc_with_rotation>("posC.R=(p: posC, R: matrix) -> posC",
                             "The orientation changed to a rotation.",
                             "var p = here(); p.R = rotX(90deg).R"),
-    {"posC.T", "(p: posC) -> matrix", "The 4x4 matrix of the whole, lengths in metres.",
-     "xyz(1m, 2m, 3m).T", posc_transform},
+    def<posc_transform>("posC.T(p: posC) -> matrix",
+                        "The 4x4 matrix of the whole, lengths in metres.", "xyz(1m, 2m, 3m).T"),
     def<posc_from_rotation>("posC(R: matrix, p: length[]) -> posC",
                             "An orientation as a rotation, and a place.",
                             "posC(eye(3), [100mm, 0mm, 50mm])"),

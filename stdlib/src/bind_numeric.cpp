@@ -22,40 +22,36 @@ namespace {
 using Eigen::Map;
 using Eigen::VectorXd;
 
-Map<const VectorXd> vector_of(Slot list) {
-  const auto values = reals_value(list);
+Map<const VectorXd> vector_of(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 Obj* list_of(Vm& vm, const VectorXd& values) {
   return new_reals(vm, {values.data(), static_cast<std::size_t>(values.size())});
 }
 
-// R0612 for the first element that is infinite or undefined; false if there is one.
-bool all_finite(Vm& vm, Slot list, std::string_view what, int parameter) {
-  const auto values = reals_value(list);
+// R0612 for the first element that is infinite or undefined.
+Answer<void> require_finite(Vm& vm, std::span<const double> values, std::string_view what,
+                            int parameter) {
   std::size_t bad = values.size();
-  if (!find_number(vm, values, bad, [](double x) { return !std::isfinite(x); })) return false;
-  if (bad == values.size()) return true;
-  static_cast<void>(
-      not_finite(vm, fmt::format("element {} of {}", bad, what), values[bad], parameter));
-  return false;
+  if (!find_number(vm, values, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
+  if (bad == values.size()) return {};
+  return not_finite(vm, fmt::format("element {} of {}", bad, what), values[bad], parameter);
 }
 
 // ---- polynomials: the language writes the highest power first, the runtime the constant term ----
 
-Signal polyfit(Vm& vm, Slot* args) {
-  const auto x = vector_of(args[0]);
-  const auto y = vector_of(args[1]);
+Answer<Obj*> polyfit(Vm& vm, std::span<const double> x, std::span<const double> y,
+                     std::int64_t degree) {
   if (x.size() != y.size()) return size_failure(vm, "polyfit", x.size(), y.size());
-  if (!all_finite(vm, args[0], "x", 0) || !all_finite(vm, args[1], "y", 1)) return Signal::kFail;
-  const std::int64_t degree = args[2].i;
+  if (!require_finite(vm, x, "x", 0) || !require_finite(vm, y, "y", 1)) return Failed{};
   if (degree < 0 || degree > 50)
     return failure(vm, "R0609", fmt::format("polyfit of degree {}: it must be 0 to 50", degree), 2);
   // The points and their x in order.
-  const Scratch scratch(vm, static_cast<std::uint64_t>(x.size()) * 3 * sizeof(double));
-  if (!scratch.granted()) return Signal::kFail;
+  const Scratch scratch(vm, x.size() * 3 * sizeof(double));
+  if (!scratch.granted()) return Failed{};
   try {
-    return give(args, list_of(vm, fit_polynomial(x, y, static_cast<int>(degree)).reverse()));
+    return list_of(vm,
+                   fit_polynomial(vector_of(x), vector_of(y), static_cast<int>(degree)).reverse());
   } catch (const ArgumentError& error) {
     return failure(vm, "R0609", "these points do not decide a polynomial of that degree", 0,
                    clause_of(error));
@@ -66,34 +62,34 @@ double horner(std::span<const double> c, double x, double value = 0.0) {
   for (const double coefficient : c) value = value * x + coefficient;
   return value;
 }
-// The same for any number of coefficients. False: the failure is set.
-bool long_horner(Vm& vm, std::span<const double> c, double x, double& value) {
-  value = 0.0;
-  return in_blocks(vm, c.size(), kCost, [&](std::size_t begin, std::size_t end) {
-    value = horner(c.subspan(begin, end - begin), x, value);
-  });
-}
-Answer<double> polyval(Vm& vm, std::span<const double> c, double x) {
+// The same for any number of coefficients.
+Answer<double> long_horner(Vm& vm, std::span<const double> c, double x) {
   double value = 0.0;
-  if (!long_horner(vm, c, x, value)) return Failed{};
-  if (std::isnan(value)) return not_finite(vm, "the polynomial's value", value, -1);
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    value = horner(c.subspan(begin, end - begin), x, value);
+  };
+  if (!in_blocks(vm, c.size(), kCost, add)) return Failed{};
   return value;
 }
-Answer<Obj*> polyval_list(Vm& vm, std::span<const double> c, std::span<const double> xs) {
+Answer<double> polyval(Vm& vm, std::span<const double> c, double x) {
+  const Answer<double> value = long_horner(vm, c, x);
+  if (value && std::isnan(*value)) return not_finite(vm, "the polynomial's value", *value, -1);
+  return value;
+}
+Answer<ListObj*> polyval_list(Vm& vm, std::span<const double> c, std::span<const double> xs) {
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(xs.size()), false);
   if (list == nullptr) return Failed{};
   const bool is_long = c.size() * kCost > kBlockWork;
+  const auto value_at = [&](std::size_t i) -> Answer<void> {
+    const Answer<double> value = is_long ? long_horner(vm, c, xs[i]) : horner(c, xs[i]);
+    if (!value) return Failed{};
+    list->data[i].d = *value;
+    if (!std::isnan(*value)) return {};
+    return not_finite(vm, fmt::format("the polynomial's value at element {}", i), *value, -1);
+  };
   const auto compute = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (!is_long) {
-        list->data[i].d = horner(c, xs[i]);
-      } else if (!long_horner(vm, c, xs[i], list->data[i].d)) {
-        return false;
-      }
-      if (!std::isnan(list->data[i].d)) continue;
-      (void)not_finite(vm, fmt::format("the polynomial's value at element {}", i), std::nan(""),
-                       -1);
-      return false;
+      if (!value_at(i)) return false;
     }
     return true;
   };
@@ -103,17 +99,16 @@ Answer<Obj*> polyval_list(Vm& vm, std::span<const double> c, std::span<const dou
   return Failed{};
 }
 
-Signal roots(Vm& vm, Slot* args) {
+Answer<Obj*> roots(Vm& vm, std::span<const double> c) {
   constexpr std::size_t kMost = 100'000;  // coefficients, zeros in front included
-  const std::size_t count = reals_value(args[0]).size();
-  if (count > kMost) {
-    return failure(vm, "R0609",
-                   fmt::format("roots of {} coefficients: at most {} are possible", count, kMost),
-                   0);
+  if (c.size() > kMost) {
+    return failure(
+        vm, "R0609",
+        fmt::format("roots of {} coefficients: at most {} are possible", c.size(), kMost), 0);
   }
-  if (!all_finite(vm, args[0], "the coefficients", 0)) return Signal::kFail;
+  if (!require_finite(vm, c, "the coefficients", 0)) return Failed{};
   try {
-    return give(args, new_reals(vm, real_roots(vector_of(args[0]).reverse())));
+    return new_reals(vm, real_roots(vector_of(c).reverse()));
   } catch (const ArgumentError& error) {
     return failure(vm, "R0609", "the roots of this polynomial cannot be told", 0, clause_of(error));
   }
@@ -121,13 +116,11 @@ Signal roots(Vm& vm, Slot* args) {
 
 // ---- between points -------------------------------------------------------------------------
 
-Signal interpolate(Vm& vm, Slot* args) {
-  const auto x = reals_value(args[0]);
-  const auto y = reals_value(args[1]);
-  const double at = args[2].d;
+Answer<double> interpolate(Vm& vm, std::span<const double> x, std::span<const double> y,
+                           double at) {
   if (x.size() != y.size()) return size_failure(vm, "interp", x.size(), y.size());
   if (x.empty()) return failure(vm, "R0613", "interp needs at least one point", 0);
-  if (!all_finite(vm, args[0], "x", 0) || !all_finite(vm, args[1], "y", 1)) return Signal::kFail;
+  if (!require_finite(vm, x, "x", 0) || !require_finite(vm, y, "y", 1)) return Failed{};
   if (!std::isfinite(at)) return not_finite(vm, "the place", at, 2);
   std::size_t turn = x.size();
   const auto rises = [&](std::size_t begin, std::size_t end) {
@@ -138,7 +131,7 @@ Signal interpolate(Vm& vm, Slot* args) {
     }
     return true;
   };
-  if (!in_blocks(vm, x.size() - 1, kCost, rises) && turn == x.size()) return Signal::kFail;
+  if (!in_blocks(vm, x.size() - 1, kCost, rises) && turn == x.size()) return Failed{};
   if (turn != x.size()) {
     return failure(vm, "R0609",
                    fmt::format("interp needs x in rising order: element {} is {:.15g} and element "
@@ -160,8 +153,8 @@ Signal interpolate(Vm& vm, Slot* args) {
   const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
   const std::size_t first = above < 2 ? 0 : above - 2;
   const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(4, x.size() - first));
-  return give(args, value_between(Map<const VectorXd>(x.data() + first, count),
-                                  Map<const VectorXd>(y.data() + first, count), at));
+  return value_between(Map<const VectorXd>(x.data() + first, count),
+                       Map<const VectorXd>(y.data() + first, count), at);
 }
 
 // ---- functions of the program ---------------------------------------------------------------
@@ -192,7 +185,7 @@ class ListArgument {
   ListObj* list_ = nullptr;
 };
 
-Signal cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
+Failed cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
   // What is left of halving around zero says nothing.
   const double x = std::abs(found.x) < 1e-15 * std::abs(hi - lo) ? 0.0 : found.x;
   switch (found.status) {
@@ -213,10 +206,9 @@ Signal cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
   }
 }
 
-Answer<double> solve(Vm& vm, Slot f, double lo, double hi) {
+Answer<double> solve(Vm& vm, const ScriptFunction<double(double)>& f, double lo, double hi) {
   if (!std::isfinite(lo)) return not_finite(vm, "the lower end", lo, 1);
   if (!std::isfinite(hi)) return not_finite(vm, "the upper end", hi, 2);
-  const ScriptFunction<double(double)> f(vm, f);
   const RootSearch found =
       find_root([&](double x, double& value) { return f.call(value, x); }, lo, hi);
   if (found.status == RootSearch::Status::kFound) return found.x;
@@ -224,7 +216,7 @@ Answer<double> solve(Vm& vm, Slot f, double lo, double hi) {
   return cannot_solve(vm, found, lo, hi);
 }
 
-Signal cannot_minimise(Vm& vm, const Minimum& found) {
+Failed cannot_minimise(Vm& vm, const Minimum& found) {
   std::string place;
   for (const double x : found.x) place += fmt::format("{}{:.6g}", place.empty() ? "" : ", ", x);
   place = "[" + place + "]";
@@ -242,55 +234,56 @@ Signal cannot_minimise(Vm& vm, const Minimum& found) {
   }
 }
 
-Signal minimum(Vm& vm, Slot* args) {
-  const Slot f = args[0];
-  if (reals_value(args[1]).empty())
-    return failure(vm, "R0613", "minimise needs a start of at least one value", 1);
-  if (!all_finite(vm, args[1], "the start", 1)) return Signal::kFail;
+Answer<Obj*> minimum(Vm& vm, FunctionValue f, std::span<const double> start) {
+  if (start.empty()) return failure(vm, "R0613", "minimise needs a start of at least one value", 1);
+  if (!require_finite(vm, start, "the start", 1)) return Failed{};
   // The corners of the simplex, one more than there are variables.
-  const std::uint64_t n = reals_value(args[1]).size();
+  const std::uint64_t n = start.size();
   const Scratch scratch(vm, (n + 5) * n * sizeof(double));
-  if (!scratch.granted()) return Signal::kFail;
+  if (!scratch.granted()) return Failed{};
   ListArgument argument(vm);
   const auto call = [&](const VectorXd& x, double& value) {
     const Slot list{.o = argument.with({x.data(), static_cast<std::size_t>(x.size())})};
     Slot result;
-    if (list.o == nullptr || !vm.call(f.o, {&list, 1}, result)) return false;
+    if (list.o == nullptr || !vm.call(f.object, {&list, 1}, result)) return false;
     value = result.d;
     return true;
   };
-  const Minimum found = minimise(call, vector_of(args[1]));
-  if (found.status == Minimum::Status::kFound) return give(args, list_of(vm, found.x));
-  if (found.status == Minimum::Status::kStopped) return Signal::kFail;
+  const Minimum found = minimise(call, vector_of(start));
+  if (found.status == Minimum::Status::kFound) return list_of(vm, found.x);
+  if (found.status == Minimum::Status::kStopped) return Failed{};
   return cannot_minimise(vm, found);
 }
 
 constexpr NativeFunction kNumericFunctions[] = {
-    {"polyfit", "(x: double[], y: double[], n: int) -> double[]",
-     "The polynomial of degree n that fits the points best by least squares: its coefficients, the "
-     "one of the highest power first.",
-     "polyfit([0.0, 1.0, 2.0], [1.0, 2.0, 4.0], 1)", polyfit},
+    def<polyfit>("polyfit(x: double[], y: double[], n: int) -> double[]",
+                 "The polynomial of degree n that fits the points best by least squares: its "
+                 "coefficients, the "
+                 "one of the highest power first.",
+                 "polyfit([0.0, 1.0, 2.0], [1.0, 2.0, 4.0], 1)"),
     def<polyval>(
         "polyval(c: double[], x: double) -> double",
         "The value at x of the polynomial with coefficients c, the one of the highest power first.",
         "polyval([1.0, 0.0, -2.0], 3.0)"),
     def<polyval_list>("polyval(c: double[], xs: double[]) -> double[]",
                       "The polynomial's value at each x.", "polyval([1.0, 0.0, -2.0], [1.0, 2.0])"),
-    {"roots", "(c: double[]) -> double[]",
-     "The real roots of the polynomial with coefficients c, the one of the highest power first: "
-     "smallest first, a multiple root once, complex ones left out.",
-     "roots([1.0, 0.0, -2.0])", roots},
-    {"interp", "(x: D[], y: E[], at: D) -> E",
-     "The value at a place between points, on the straight line through its neighbours; x rises.",
-     "interp([0s, 1s, 3s], [0mm, 20mm, 30mm], 2s)", interpolate},
+    def<roots>(
+        "roots(c: double[]) -> double[]",
+        "The real roots of the polynomial with coefficients c, the one of the highest power first: "
+        "smallest first, a multiple root once, complex ones left out.",
+        "roots([1.0, 0.0, -2.0])"),
+    def<interpolate>("interp(x: D[], y: E[], at: D) -> E",
+                     "The value at a place between points, on the straight line through its "
+                     "neighbours; x rises.",
+                     "interp([0s, 1s, 3s], [0mm, 20mm, 30mm], 2s)"),
     def<solve>(
         "solve(f: fn(double) -> double, lo: double, hi: double) -> double",
         "Where f is zero between lo and hi, at which it has different signs; exact to the last "
         "digits.",
         "solve(fn(x) => x^2 - 2.0, 0.0, 2.0)"),
-    {"minimise", "(f: fn(double[]) -> double, start: double[]) -> double[]",
-     "Where f is smallest, looked for downhill from the start without derivatives.",
-     "minimise(fn(v) => (v[0] - 1.0)^2 + (v[1] - 2.0)^2, [0.0, 0.0])", minimum},
+    def<minimum>("minimise(f: fn(double[]) -> double, start: double[]) -> double[]",
+                 "Where f is smallest, looked for downhill from the start without derivatives.",
+                 "minimise(fn(v) => (v[0] - 1.0)^2 + (v[1] - 2.0)^2, [0.0, 0.0])"),
 };
 
 }  // namespace

@@ -14,23 +14,27 @@
 namespace armlet::bind {
 namespace {
 
-// (x, y, label, axis, xUnit, yUnit)
+// A series of the figure that the program draws now.
+Answer<void> add_to_current(Vm& vm, Series series, OptionalText axis, int axis_parameter,
+                            const PlotUnits& units) {
+  const auto right = is_right(vm, axis, axis_parameter);
+  if (!right) return Failed{};
+  series.right = *right;
+  return add_series(vm, current_figure(Host::of(vm)), std::move(series), units);
+}
+
 template <SeriesKind kKind>
-Signal plot_values(Vm& vm, Slot* args) {
-  enum { kX, kY, kLabel, kAxis, kXUnit, kYUnit };
-  const auto x = reals_value(args[kX]), y = reals_value(args[kY]);
+Answer<void> plot_values(Vm& vm, std::span<const double> x, std::span<const double> y,
+                         OptionalText label, OptionalText axis, OptionalText x_unit,
+                         OptionalText y_unit) {
   if (x.size() != y.size()) return size_failure(vm, "x and y", x.size(), y.size());
-  if (!has_room(vm, 2 * x.size())) return Signal::kFail;
+  if (!make_room(vm, 2 * x.size())) return Failed{};
   Series series{.kind = kKind,
-                .label = text_or_nothing(args[kLabel]),
+                .label = text_or_nothing(label),
                 .x = {x.begin(), x.end()},
                 .y = {y.begin(), y.end()}};
-  const PlotUnits units{text_or_nothing(args[kXUnit]), text_or_nothing(args[kYUnit]), kX, kY};
-  if (!read_side(vm, args[kAxis], kAxis, series.right) ||
-      !add_series(vm, current_figure(Host::of(vm)), std::move(series), units)) {
-    return Signal::kFail;
-  }
-  return give_nothing();
+  return add_to_current(vm, std::move(series), axis, 3,
+                        {text_or_nothing(x_unit), text_or_nothing(y_unit), 0, 1});
 }
 
 // Where the bar of each name stands: below the same name of the figure, or behind all that are
@@ -53,41 +57,37 @@ std::vector<double> places_of(std::span<const Slot> given, std::vector<std::stri
   return places;
 }
 
-// (names, y, label, axis, yUnit)
-Signal named_bars(Vm& vm, Slot* args) {
-  enum { kNames, kY, kLabel, kAxis, kYUnit };
-  const auto given = items_value(args[kNames]);
-  const auto y = reals_value(args[kY]);
+Answer<void> named_bars(Vm& vm, std::span<const Slot> given, std::span<const double> y,
+                        OptionalText label, OptionalText axis, OptionalText y_unit) {
   if (given.size() != y.size()) return size_failure(vm, "names and y", given.size(), y.size());
-  if (!has_room(vm, 2 * y.size())) return Signal::kFail;
+  if (!make_room(vm, 2 * y.size())) return Failed{};
   Figure& figure = current_figure(Host::of(vm));
   if ((figure.names.empty() && !figure.series.empty()) || figure.x.log) {
-    return failure(vm, "R0626", "this figure has numbers below it, not names", kNames, {},
+    return failure(vm, "R0626", "this figure has numbers below it, not names", 0, {},
                    "begin another figure(\"...\") before");
   }
   Series series{
-      .kind = SeriesKind::kBars, .label = text_or_nothing(args[kLabel]), .y = {y.begin(), y.end()}};
+      .kind = SeriesKind::kBars, .label = text_or_nothing(label), .y = {y.begin(), y.end()}};
   std::vector<std::string> names = figure.names;
   series.x = places_of(given, names);
-  const PlotUnits units{{}, text_or_nothing(args[kYUnit]), kNames, kY};
-  if (!read_side(vm, args[kAxis], kAxis, series.right) ||
-      !add_series(vm, figure, std::move(series), units)) {
-    return Signal::kFail;
-  }
+  if (!add_to_current(vm, std::move(series), axis, 3, {{}, text_or_nothing(y_unit), 0, 1}))
+    return Failed{};
   figure.names = std::move(names);
-  return give_nothing();
+  return {};
 }
 
-// Whether what a figure holds can be shown on axes that become logarithmic. False: the failure is
-// set.
-bool check_log_of(Vm& vm, const Figure& figure) {
+// Fails unless what a figure holds can be shown on axes that become logarithmic.
+Answer<void> check_log_of(Vm& vm, const Figure& figure) {
   for (const Figure& panel : figure.panels) {
-    if (!check_log_of(vm, panel)) return false;
+    if (!check_log_of(vm, panel)) return Failed{};
   }
-  return std::ranges::all_of(figure.series, [&](const Series& series) {
-    return check_log(vm, figure.x, series.x, 'x', 1) &&
-           check_log(vm, series.right ? figure.right : figure.y, series.y, 'y', 1);
-  });
+  for (const Series& series : figure.series) {
+    if (!check_log(vm, figure.x, series.x, 'x', 1) ||
+        !check_log(vm, series.right ? figure.right : figure.y, series.y, 'y', 1)) {
+      return Failed{};
+    }
+  }
+  return {};
 }
 
 void set_log(Figure& figure, bool x, bool y) {
@@ -96,34 +96,33 @@ void set_log(Figure& figure, bool x, bool y) {
   for (Figure& panel : figure.panels) set_log(panel, x, y);
 }
 
-// (title, log): a figure of that title goes on; otherwise a new one begins.
-Signal figure(Vm& vm, Slot* args) {
+// A figure of that title goes on; otherwise a new one begins.
+Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   std::vector<Figure>& figures = Host::of(vm).figures();
-  const std::string title(text_value(args[0]));
-  const std::string log = text_or_nothing(args[1]);
-  const bool x = log == "x" || log == "xy" || log == "yx";
-  const bool y = log == "y" || log == "xy" || log == "yx";
-  if (args[1].o != nullptr && !x && !y && !log.empty()) {
-    return failure(vm, "R0626", fmt::format("there is no logarithmic axis \"{}\"", log), 1,
+  const bool both = log == "xy" || log == "yx";
+  const bool x = both || log == "x";
+  const bool y = both || log == "y";
+  if (log && !x && !y && !log->empty()) {
+    return failure(vm, "R0626", fmt::format("there is no logarithmic axis \"{}\"", *log), 1,
                    "log: is \"x\", \"y\" or \"xy\"");
   }
   const auto found = std::ranges::find(figures, title, &Figure::title);
   if (found == figures.end()) {
-    figures.push_back({.title = title});
+    figures.push_back({.title = std::string(title)});
   } else {
     std::rotate(found, found + 1, figures.end());
   }
   Figure& current = figures.back();
-  if (args[1].o == nullptr || (current.x.log == x && current.y.log == y)) return give_nothing();
+  if (!log || (current.x.log == x && current.y.log == y)) return {};
   Figure changed = current;
   set_log(changed, x, y);
   if (x && (changed.is_spatial() || !changed.names.empty())) {
     return failure(vm, "R0626", "only an axis of numbers in the plane can be logarithmic", 1);
   }
-  if (!charge_steps(vm, changed.series.size()) || !check_log_of(vm, changed)) return Signal::kFail;
+  if (!charge_steps(vm, changed.series.size()) || !check_log_of(vm, changed)) return Failed{};
   changed.saved = false;
   current = std::move(changed);
-  return give_nothing();
+  return {};
 }
 
 // A figure of a series in space. A figure that was begun and is still empty becomes this one.
@@ -138,14 +137,13 @@ void add_cloud(Host& host, Series series, std::string title, const std::string& 
   figures.push_back(std::move(figure));
 }
 
-Signal not_spatial(Vm& vm, std::size_t values) {
+Failed not_spatial(Vm& vm, std::size_t values) {
   return failure(vm, "R0613", fmt::format("a point in space has 3 values, not {}", values), 0);
 }
 
-// (points, title, pointsUnit)
-Signal scatter_lists(Vm& vm, Slot* args) {
-  const auto points = items_value(args[0]);
-  if (!has_room(vm, 3 * points.size())) return Signal::kFail;
+Answer<void> scatter_lists(Vm& vm, std::span<const Slot> points, OptionalText title,
+                           OptionalText unit) {
+  if (!make_room(vm, 3 * points.size())) return Failed{};
   Series series{.kind = SeriesKind::kPoints};
   for (std::vector<double>* part : {&series.x, &series.y, &series.z}) part->reserve(points.size());
   for (const Slot point : points) {
@@ -155,15 +153,14 @@ Signal scatter_lists(Vm& vm, Slot* args) {
     series.y.push_back(p[1]);
     series.z.push_back(p[2]);
   }
-  add_cloud(Host::of(vm), std::move(series), text_or_nothing(args[1]), text_or_nothing(args[2]));
-  return give_nothing();
+  add_cloud(Host::of(vm), std::move(series), text_or_nothing(title), text_or_nothing(unit));
+  return {};
 }
 
-// (points, title, unit)
-Signal scatter_matrix(Vm& vm, Slot* args) {
-  const MatrixObj& points = matrix_value(args[0]);
+Answer<void> scatter_matrix(Vm& vm, const MatrixObj& points, OptionalText title,
+                            OptionalText unit) {
   if (points.cols != 3) return not_spatial(vm, points.cols);
-  if (!has_room(vm, std::size_t{3} * points.rows)) return Signal::kFail;
+  if (!make_room(vm, std::size_t{3} * points.rows)) return Failed{};
   Series series{.kind = SeriesKind::kPoints};
   for (std::size_t i = 0; i < points.rows; ++i) {
     const double* p = points.data() + 3 * i;
@@ -171,8 +168,8 @@ Signal scatter_matrix(Vm& vm, Slot* args) {
     series.y.push_back(p[1]);
     series.z.push_back(p[2]);
   }
-  add_cloud(Host::of(vm), std::move(series), text_or_nothing(args[1]), text_or_nothing(args[2]));
-  return give_nothing();
+  add_cloud(Host::of(vm), std::move(series), text_or_nothing(title), text_or_nothing(unit));
+  return {};
 }
 
 constexpr std::string_view kPictureEndings[] = {".svg", ".txt"};
@@ -185,17 +182,15 @@ std::size_t points_of(const Figure& figure) {
   return count;
 }
 
-// (path, figure)
-Answer<void> save_plot(Vm& vm, std::string_view given_path,
-                       std::optional<std::string_view> figure) {
+Answer<void> save_plot(Vm& vm, std::string_view file, OptionalText title) {
   Host& host = Host::of(vm);
-  const std::string path(given_path);
+  const std::string path(file);
   std::vector<Figure*> chosen;
   for (Figure& figure : host.figures()) {
-    if (!figure || figure.title == *figure) chosen.push_back(&figure);
+    if (!title || figure.title == *title) chosen.push_back(&figure);
   }
-  if (chosen.empty() && figure) {
-    return failure(vm, "R0626", fmt::format("there is no figure \"{}\"", *figure), 1);
+  if (chosen.empty() && title) {
+    return failure(vm, "R0626", fmt::format("there is no figure \"{}\"", *title), 1);
   }
   if (chosen.empty()) {
     return failure(vm, "R0626", "there is no figure to save", 0, {}, "call plot(x, y) before");
@@ -223,35 +218,38 @@ Answer<void> save_plot(Vm& vm, std::string_view given_path,
   return {};
 }
 
-constexpr std::string_view kValues =
-    "(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)";
-
 constexpr NativeFunction kPlotFunctions[] = {
-    {"figure", "(title: string, log: string?)",
-     "Begins a figure, or goes on with the one of that title; what is plotted next belongs to it. "
-     "log: \"y\", \"x\" or \"xy\" makes these axes logarithmic, which show values above zero only.",
-     "figure(\"speeds\")", figure},
-    {"plot", kValues,
-     "Draws a line through the points (x, y); label: its name in the legend, axis: \"left\" or "
-     "\"right\", with a unit of its own. Units come from the types.",
-     "plot([0s, 1s, 2s], [0deg, 30deg, 90deg], label: \"joint 1\")",
-     plot_values<SeriesKind::kLine>},
-    {"scatter", kValues, "Draws points; lengths over lengths are drawn to one scale.",
-     "scatter([100mm, 200mm], [0mm, 50mm])", plot_values<SeriesKind::kPoints>},
-    {"bars", kValues, "Draws a bar from zero to y at each x.",
-     "bars([1.0, 2.0, 3.0], [4.0, 2.0, 5.0])", plot_values<SeriesKind::kBars>},
-    {"bars", "(names: string[], y: E[], label: string?, axis: string?, yUnit: string?)",
-     "Draws a bar for each name, which stands below it. Further bars of the figure stand beside "
-     "those of the same name.",
-     "bars([\"base\", \"shoulder\", \"elbow\"], [12Nm, 31Nm, 8Nm], label: \"no load\")",
-     named_bars},
-    {"scatter3", "(points: D[][], title: string?, pointsUnit: string?)",
-     "A figure of points [x, y, z] in space; the colour shows the height.",
-     "scatter3([[100mm, 0mm, 50mm], [0mm, 100mm, 80mm]], title: \"reach\")", scatter_lists},
-    {"scatter3", "(points: matrix, title: string?, unit: string?)",
-     "The same for the rows of a matrix of three columns; unit: what its numbers are in SI, such "
-     "as \"m\".",
-     "scatter3([0.1, 0, 0.05; 0, 0.1, 0.08], title: \"reach\", unit: \"m\")", scatter_matrix},
+    def<figure>("figure(title: string, log: string?)",
+                "Begins a figure, or goes on with the one of that title; what is plotted next "
+                "belongs to it. "
+                "log: \"y\", \"x\" or \"xy\" makes these axes logarithmic, which show values above "
+                "zero only.",
+                "figure(\"speeds\")"),
+    def<plot_values<SeriesKind::kLine>>(
+        "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
+        "Draws a line through the points (x, y); label: its name in the legend, axis: \"left\" or "
+        "\"right\", with a unit of its own. Units come from the types.",
+        "plot([0s, 1s, 2s], [0deg, 30deg, 90deg], label: \"joint 1\")"),
+    def<plot_values<SeriesKind::kPoints>>(
+        "scatter(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
+        "Draws points; lengths over lengths are drawn to one scale.",
+        "scatter([100mm, 200mm], [0mm, 50mm])"),
+    def<plot_values<SeriesKind::kBars>>(
+        "bars(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
+        "Draws a bar from zero to y at each x.", "bars([1.0, 2.0, 3.0], [4.0, 2.0, 5.0])"),
+    def<named_bars>(
+        "bars(names: string[], y: E[], label: string?, axis: string?, yUnit: string?)",
+        "Draws a bar for each name, which stands below it. Further bars of the figure stand beside "
+        "those of the same name.",
+        "bars([\"base\", \"shoulder\", \"elbow\"], [12Nm, 31Nm, 8Nm], label: \"no load\")"),
+    def<scatter_lists>("scatter3(points: D[][], title: string?, pointsUnit: string?)",
+                       "A figure of points [x, y, z] in space; the colour shows the height.",
+                       "scatter3([[100mm, 0mm, 50mm], [0mm, 100mm, 80mm]], title: \"reach\")"),
+    def<scatter_matrix>("scatter3(points: matrix, title: string?, unit: string?)",
+                        "The same for the rows of a matrix of three columns; unit: what its "
+                        "numbers are in SI, such "
+                        "as \"m\".",
+                        "scatter3([0.1, 0, 0.05; 0, 0.1, 0.08], title: \"reach\", unit: \"m\")"),
     def<save_plot>(
         "savePlot(path: string, figure: string?)",
         "Saves all figures, or the one of that title, below the folder of the program: a picture "

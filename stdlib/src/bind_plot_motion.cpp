@@ -43,51 +43,51 @@ void take_back(Figure& figure, const std::vector<std::size_t>& sizes) {
 }
 
 // Adds the panels to the figure of the program, all or none of them.
-Signal draw(Vm& vm, const std::vector<double>& t, std::vector<Panel> panels) {
+Answer<void> draw(Vm& vm, const std::vector<double>& t, std::vector<Panel> panels) {
   std::size_t values = 0;
   std::vector<std::string> titles;
   for (const Panel& panel : panels) {
     titles.push_back(panel.title);
     values += 2 * panel.lines.size() * t.size();
   }
-  if (!has_room(vm, values)) return Signal::kFail;
+  if (!make_room(vm, values)) return Failed{};
   Figure& figure = current_figure(Host::of(vm));
   std::vector<std::size_t> sizes;
   for (const Figure& panel : figure.panels) sizes.push_back(panel.series.size());
-  std::vector<Figure>* fields = panels_of(vm, figure, titles);
-  if (fields == nullptr) return Signal::kFail;
+  const auto fields = panels_of(vm, figure, titles);
+  if (!fields) return Failed{};
   for (std::size_t k = 0; k < panels.size(); ++k) {
     for (Line& line : panels[k].lines) {
       Series series{.label = std::move(line.label), .x = t, .y = std::move(line.y)};
       series.right = line.right;
       const PlotUnits units{.x = "s", .y = line.unit};
-      if (!add_series(vm, (*fields)[k], std::move(series), units)) {
+      if (!add_series(vm, (**fields)[k], std::move(series), units)) {
         take_back(figure, sizes);
-        return Signal::kFail;
+        return Failed{};
       }
     }
-    (*fields)[k].y.label.clear();
+    (**fields)[k].y.label.clear();
   }
-  return give_nothing();
+  return {};
 }
 
 // ---- trajectories
 // ----------------------------------------------------------------------------------------------
 
 // The joints `first` to `last` with a name each.
-Signal draw_motion(Vm& vm, const PlannedMotion& plan, int first, int last,
-                   const std::vector<std::string>& labels) {
+Answer<void> draw_motion(Vm& vm, const PlannedMotion& plan, int first, int last,
+                         const std::vector<std::string>& labels) {
   const Trajectory& motion = plan.motion;
   const auto knots = motion.knots().size();
   const auto joints = static_cast<std::size_t>(last - first);
   // Each value is looked for among the pieces of its joint.
-  if (!charge_steps(vm, joints * (1 + knots / 64))) return Signal::kFail;
+  if (!charge_steps(vm, joints * (1 + knots / 64))) return Failed{};
   const std::vector<double> t = drawing_times(motion);
   std::vector<Panel> panels{
       {.title = "position q"}, {.title = "speed qd"}, {.title = "acceleration qdd"}};
   for (int order = 0; order < 3; ++order) {
     for (int joint = first; joint < last; ++joint) {
-      if (!charge_steps(vm, 1 + t.size() / 4)) return Signal::kFail;
+      if (!charge_steps(vm, 1 + t.size() / 4)) return Failed{};
       Line line{.label = labels[static_cast<std::size_t>(joint - first)]};
       for (const double at : t) line.y.push_back(motion.value(joint, at, order));
       set_unit(line, plan.joints, joint, order);
@@ -97,19 +97,17 @@ Signal draw_motion(Vm& vm, const PlannedMotion& plan, int first, int last,
   return draw(vm, t, std::move(panels));
 }
 
-// (tr, label, joint)
-Signal plot_trajectory(Vm& vm, Slot* args) {
-  const PlannedMotion& plan = planned(args[0]);
-  const std::string label = text_or_nothing(args[1]);
+Answer<void> plot_trajectory(Vm& vm, const PlannedMotion& plan, OptionalText given_label,
+                             std::optional<std::int64_t> only) {
+  const std::string label = text_or_nothing(given_label);
   int first = 0, last = plan.motion.n();
-  if (!is_absent(args[2])) {
-    const std::int64_t joint = args[2].i;
-    if (joint < 1 || joint > last) {
+  if (only) {
+    if (*only < 1 || *only > last) {
       return failure(vm, "R0626",
-                     fmt::format("there is no joint {}: the motion has {}", joint, last), 2,
+                     fmt::format("there is no joint {}: the motion has {}", *only, last), 2,
                      "joints count from 1");
     }
-    first = static_cast<int>(joint) - 1;
+    first = static_cast<int>(*only) - 1;
     last = first + 1;
     if (!label.empty()) return draw_motion(vm, plan, first, last, {label});
   }
@@ -119,13 +117,10 @@ Signal plot_trajectory(Vm& vm, Slot* args) {
   return draw_motion(vm, plan, first, last, labels);
 }
 
-// (tr, label: string[])
-Signal plot_named_trajectory(Vm& vm, Slot* args) {
-  const PlannedMotion& plan = planned(args[0]);
-  std::vector<std::string> labels;
-  const auto count = static_cast<std::size_t>(plan.motion.n());
-  if (!read_labels(vm, args[1], 1, count, labels)) return Signal::kFail;
-  return draw_motion(vm, plan, 0, plan.motion.n(), labels);
+Answer<void> plot_named_trajectory(Vm& vm, const PlannedMotion& plan, std::span<const Slot> names) {
+  const auto labels = labels_of(vm, names, 1, static_cast<std::size_t>(plan.motion.n()));
+  if (!labels) return Failed{};
+  return draw_motion(vm, plan, 0, plan.motion.n(), *labels);
 }
 
 // ---- positions
@@ -149,32 +144,28 @@ std::optional<std::vector<Line>> joint_lines(std::span<const Slot> positions,
   return lines;
 }
 
-// (x, y: posJ[], label, xUnit)
-Signal plot_positions(Vm& vm, Slot* args) {
-  const auto x = reals_value(args[0]);
-  const auto positions = items_value(args[1]);
+Answer<void> plot_positions(Vm& vm, std::span<const double> x, std::span<const Slot> positions,
+                            OptionalItems given_labels, OptionalText x_unit) {
   if (x.size() != positions.size()) return size_failure(vm, "x and y", x.size(), positions.size());
-  if (!has_room(vm, 2 * x.size())) return Signal::kFail;
+  if (!make_room(vm, 2 * x.size())) return Failed{};
   auto lines = joint_lines(positions, "joint ");
   if (!lines) return failure(vm, "R0613", "the positions have different numbers of joints", 1);
-  std::vector<std::string> labels;
-  if (args[2].o != nullptr && !read_labels(vm, args[2], 2, lines->size(), labels))
-    return Signal::kFail;
-  if (!has_room(vm, 2 * x.size() * lines->size())) return Signal::kFail;
+  const auto labels = labels_of(vm, given_labels, 2, lines->size());
+  if (!labels || !make_room(vm, 2 * x.size() * lines->size())) return Failed{};
   Figure& figure = current_figure(Host::of(vm));
   const std::size_t had = figure.series.size();
   for (std::size_t k = 0; k < lines->size(); ++k) {
     Line& line = (*lines)[k];
-    Series series{.label = labels.empty() ? line.label : labels[k],
+    Series series{.label = given_labels ? (*labels)[k] : line.label,
                   .x = {x.begin(), x.end()},
                   .y = std::move(line.y)};
     series.right = line.right;
-    const PlotUnits units{text_or_nothing(args[3]), line.unit, 0, 1};
-    if (add_series(vm, figure, std::move(series), units)) continue;
+    if (add_series(vm, figure, std::move(series), {text_or_nothing(x_unit), line.unit, 0, 1}))
+      continue;
     figure.series.resize(had);
-    return Signal::kFail;
+    return Failed{};
   }
-  return give_nothing();
+  return {};
 }
 
 // ---- records
@@ -248,25 +239,23 @@ std::size_t width_of(std::span<const Slot> values, const Type& type) {
   return type.is(Kind::kHost) ? kMaxJoints : 1;
 }
 
-// (run, label)
-Signal plot_table(Vm& vm, Slot* args) {
-  const auto& info = *static_cast<const RecordObj*>(args[0].o)->layout->type->record;
-  const std::vector<RecordField>& columns = info.row->record->fields;
-  const auto rows = table_rows(args[0]);
-  const std::string label = text_or_nothing(args[1]);
+Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label) {
+  const std::vector<RecordField>& columns = table.layout->type->record->row->record->fields;
+  const auto rows = table_rows(table);
+  const std::string label = text_or_nothing(given_label);
   if (rows.empty()) return failure(vm, "R0626", "there are no samples to draw", 0);
   std::vector<double> t;
   std::vector<Panel> panels;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Type& type = *columns[k].type;
     std::vector<Slot> values;
-    if (!charge_steps(vm, rows.size())) return Signal::kFail;
+    if (!charge_steps(vm, rows.size())) return Failed{};
     for (const Slot row : rows) values.push_back(static_cast<const RecordObj*>(row.o)->fields()[k]);
     if (k == 0) {
       for (const Slot time : values) t.push_back(time.d);
       continue;
     }
-    if (!has_room(vm, 2 * width_of(values, type) * rows.size())) return Signal::kFail;
+    if (!make_room(vm, 2 * width_of(values, type) * rows.size())) return Failed{};
     Column column = column_of(values, type, columns[k].name);
     if (column.uneven) {
       return failure(
@@ -285,24 +274,29 @@ Signal plot_table(Vm& vm, Slot* args) {
 }
 
 constexpr NativeFunction kPlotMotionFunctions[] = {
-    {"plot", "(tr: trajectory, label: string?, joint: int?)",
-     "Draws positions, speeds and accelerations of a trajectory in three panels, angles in degrees "
-     "on the left and lengths on the right; joint: only this one, counted from 1; label: what the "
-     "lines are called in the legend.",
-     "plot(trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))",
-     plot_trajectory},
-    {"plot", "(tr: trajectory, label: string[])", "The same with a name for each joint.",
-     "plot(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]), label: [\"base\", "
-     "\"elbow\", \"stroke\", \"wrist\"])",
-     plot_named_trajectory},
-    {"plot", "(x: D[], y: posJ[], label: string[]?, xUnit: string?)",
-     "Draws a line for each joint of positions, angles on the left and lengths on the right.",
-     "plot([0s, 1s], [home(), posJ(60deg, 30deg, 0mm, 0deg)])", plot_positions},
-    {"plot", "(run: table, label: string?)",
-     "Draws every column of a record over its time, in a panel each. A list, a posJ and a posC are "
-     "several lines; texts and other columns without numbers are left out. label: the name of the "
-     "record in the legend, where two are compared in one figure.",
-     "record run every (10ms) { q: joints() }; moveJ(home()); plot(run)", plot_table},
+    def<plot_trajectory>(
+        "plot(tr: trajectory, label: string?, joint: int?)",
+        "Draws positions, speeds and accelerations of a trajectory in three panels, angles in "
+        "degrees "
+        "on the left and lengths on the right; joint: only this one, counted from 1; label: what "
+        "the "
+        "lines are called in the legend.",
+        "plot(trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))"),
+    def<plot_named_trajectory>(
+        "plot(tr: trajectory, label: string[])", "The same with a name for each joint.",
+        "plot(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]), label: [\"base\", "
+        "\"elbow\", \"stroke\", \"wrist\"])"),
+    def<plot_positions>(
+        "plot(x: D[], y: posJ[], label: string[]?, xUnit: string?)",
+        "Draws a line for each joint of positions, angles on the left and lengths on the right.",
+        "plot([0s, 1s], [home(), posJ(60deg, 30deg, 0mm, 0deg)])"),
+    def<plot_table>("plot(run: table, label: string?)",
+                    "Draws every column of a record over its time, in a panel each. A list, a posJ "
+                    "and a posC are "
+                    "several lines; texts and other columns without numbers are left out. label: "
+                    "the name of the "
+                    "record in the legend, where two are compared in one figure.",
+                    "record run every (10ms) { q: joints() }; moveJ(home()); plot(run)"),
 };
 
 }  // namespace

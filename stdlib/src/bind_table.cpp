@@ -124,17 +124,16 @@ class Growth {
   std::size_t counted_ = 0;
 };
 
-// (t: table, file: string)
-Signal save(Vm& vm, Slot* args) {
-  const auto& info = *static_cast<const RecordObj*>(args[0].o)->layout->type->record;
+Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file) {
+  const RecordInfo& info = *table.layout->type->record;
   const std::vector<RecordField>& columns = info.row->record->fields;
   std::vector<std::size_t> widths;
   std::string header;
   std::string body;
   Growth room(vm);
-  const auto rows = table_rows(args[0]);
+  const auto rows = table_rows(table);
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    if (!room.add(header.size() + body.size())) return Signal::kFail;
+    if (!room.add(header.size() + body.size())) return Failed{};
     const Slot* fields = static_cast<const RecordObj*>(rows[row].o)->fields();
     for (std::size_t i = 0; i < columns.size(); ++i) {
       constexpr std::uint64_t kMostCells = 100'000;
@@ -158,9 +157,8 @@ Signal save(Vm& vm, Slot* args) {
     }
     body += '\n';
   }
-  const std::string file(text_value(args[1]));
-  const auto saved = Host::of(vm).save_file(kTable, file, header + '\n' + body);
-  if (saved.ok()) return give_nothing();
+  const auto saved = Host::of(vm).save_file(kTable, std::string(file), header + '\n' + body);
+  if (saved.ok()) return {};
   Failure f;
   f.code = "R0626";
   f.message = fmt::format("`{}` cannot be saved", file);
@@ -170,11 +168,13 @@ Signal save(Vm& vm, Slot* args) {
 }
 
 constexpr NativeFunction kTableFunctions[] = {
-    {"save", "(t: table, file: string)",
-     "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
-     "names of "
-     "the columns, then one line for each row. A list, a posJ and a posC become several columns.",
-     "record run every (10ms) { q: joints() }; run.save(\"run.csv\")", save},
+    def<save>(
+        "save(t: table, file: string)",
+        "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
+        "names of "
+        "the columns, then one line for each row. A list, a posJ and a posC become several "
+        "columns.",
+        "record run every (10ms) { q: joints() }; run.save(\"run.csv\")"),
 };
 
 }  // namespace

@@ -17,11 +17,13 @@ namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 13U;  // bytes
 
-bool count_characters(Vm& vm, std::string_view s, std::int64_t& count) {
-  count = 0;
-  return in_blocks(vm, s.size(), 1, [&](std::size_t begin, std::size_t end) {
+Answer<std::int64_t> count_characters(Vm& vm, std::string_view s) {
+  std::int64_t count = 0;
+  const auto add = [&](std::size_t begin, std::size_t end) {
     count += characters(s.substr(begin, end - begin));
-  });
+  };
+  if (!in_blocks(vm, s.size(), 1, add)) return Failed{};
+  return count;
 }
 
 template <bool kUpper>
@@ -38,8 +40,8 @@ Answer<Obj*> change_case(Vm& vm, std::string_view s) {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-// Takes the blanks at its ends off a text. False: the failure is set.
-bool trim_ends(Vm& vm, std::string_view& s) {
+// A text without the blanks at its ends.
+Answer<std::string_view> trimmed(Vm& vm, std::string_view s) {
   std::size_t front = 0;
   std::size_t back = 0;
   const auto count_front = [&](std::size_t begin, std::size_t end) {
@@ -48,27 +50,22 @@ bool trim_ends(Vm& vm, std::string_view& s) {
     return begin == end;
   };
   if (!in_blocks(vm, s.size(), 2, count_front) && (front == s.size() || is_blank(s[front])))
-    return false;
+    return Failed{};
   s.remove_prefix(front);
   const auto count_back = [&](std::size_t begin, std::size_t end) {
     while (begin < end && is_blank(s[s.size() - 1 - begin])) ++begin;
     back = begin;
     return begin == end;
   };
-  if (!in_blocks(vm, s.size(), 2, count_back) && is_blank(s[s.size() - 1 - back])) return false;
+  if (!in_blocks(vm, s.size(), 2, count_back) && is_blank(s[s.size() - 1 - back])) return Failed{};
   s.remove_suffix(back);
-  return true;
+  return s;
 }
 
-// A copy of a text as the result.
-Signal give_text(Vm& vm, Slot* args, std::string_view text) {
+Obj* trim(Vm& vm, std::string_view s) {
+  const Answer<std::string_view> text = trimmed(vm, s);
   TextMaker out(vm);
-  return out.add(text) ? give(args, out.take()) : Signal::kFail;
-}
-
-Signal trim(Vm& vm, Slot* args) {
-  std::string_view s = text_value(args[0]);
-  return trim_ends(vm, s) ? give_text(vm, args, s) : Signal::kFail;
+  return text && out.add(*text) ? out.take() : nullptr;
 }
 
 Answer<Obj*> split(Vm& vm, std::string_view s, std::string_view separator) {
@@ -101,51 +98,43 @@ Answer<Obj*> replace(Vm& vm, std::string_view s, std::string_view from, std::str
 }
 
 // Whether two texts of one length are the same.
-Signal give_same(Vm& vm, Slot* args, std::string_view a, std::string_view b) {
-  bool same = true;
+Answer<bool> same(Vm& vm, std::string_view a, std::string_view b) {
+  bool is_same = true;
   const auto compare = [&](std::size_t begin, std::size_t end) {
-    same = a.substr(begin, end - begin) == b.substr(begin, end - begin);
-    return same;
+    is_same = a.substr(begin, end - begin) == b.substr(begin, end - begin);
+    return is_same;
   };
-  const bool seen = in_blocks(vm, a.size(), 1, compare) || !same;
-  return seen ? give(args, same) : Signal::kFail;
+  if (!in_blocks(vm, a.size(), 1, compare) && is_same) return Failed{};
+  return is_same;
 }
-Signal starts_with(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
-  const std::string_view t = text_value(args[1]);
-  if (t.size() > s.size()) return give(args, false);
-  return give_same(vm, args, s.substr(0, t.size()), t);
+Answer<bool> starts_with(Vm& vm, std::string_view s, std::string_view t) {
+  if (t.size() > s.size()) return false;
+  return same(vm, s.substr(0, t.size()), t);
 }
-Signal ends_with(Vm& vm, Slot* args) {
-  const std::string_view s = text_value(args[0]);
-  const std::string_view t = text_value(args[1]);
-  if (t.size() > s.size()) return give(args, false);
-  return give_same(vm, args, s.substr(s.size() - t.size()), t);
+Answer<bool> ends_with(Vm& vm, std::string_view s, std::string_view t) {
+  if (t.size() > s.size()) return false;
+  return same(vm, s.substr(s.size() - t.size()), t);
 }
 Answer<std::int64_t> index_of_text(Vm& vm, std::string_view s, std::string_view t) {
   std::size_t at = 0;
   if (!find_text(vm, s, t, 0, at)) return Failed{};
-  std::int64_t index = -1;
-  if (at != std::string_view::npos && !count_characters(vm, s.substr(0, at), index))
-    return Failed{};
-  return index;
+  if (at == std::string_view::npos) return -1;
+  return count_characters(vm, s.substr(0, at));
 }
 Answer<bool> contains_text(Vm& vm, std::string_view s, std::string_view t) {
   std::size_t at = 0;
   if (!find_text(vm, s, t, 0, at)) return Failed{};
   return at != std::string_view::npos;
 }
-Signal equals(Vm& vm, Slot* args) {
-  const std::string_view a = text_value(args[0]);
-  const std::string_view b = text_value(args[1]);
-  return a.size() == b.size() ? give_same(vm, args, a, b) : give(args, false);
+Answer<bool> equals(Vm& vm, std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  return same(vm, a, b);
 }
 
-Signal substring(Vm& vm, Slot* args) {
-  const std::int64_t a = args[1].i;
+Answer<Obj*> substring(Vm& vm, Slot text, std::int64_t a, std::optional<std::int64_t> last) {
   std::int64_t count = 0;
-  if (!text_length(vm, args[0], count)) return Signal::kFail;
-  const std::int64_t b = is_absent(args[2]) ? count : args[2].i;
+  if (!text_length(vm, text, count)) return Failed{};
+  const std::int64_t b = last.value_or(count);
   if (a >= 0 && a <= count && b < a) {
     return failure(vm, "R0606", fmt::format("the characters from {} to {} run backwards", a, b));
   }
@@ -154,7 +143,7 @@ Signal substring(Vm& vm, Slot* args) {
         vm, "R0606",
         fmt::format("characters {} to {} are outside a text of {} characters", a, b, count));
   }
-  return give(args, new_text_part(vm, args[0], a, b));
+  return new_text_part(vm, text, a, b);
 }
 
 Answer<Obj*> join(Vm& vm, std::span<const Slot> parts, std::string_view separator) {
@@ -178,7 +167,7 @@ std::string in_quotes(std::string_view text) {
 
 // "2.5x" is not a number, with the place where it stops being one. `end` points into `whole`, `s`
 // is what it says without blanks.
-Signal not_a_number(Vm& vm, std::string_view whole, std::string_view s, const char* end,
+Failed not_a_number(Vm& vm, std::string_view whole, std::string_view s, const char* end,
                     std::string_view what) {
   std::string why;
   const auto at = static_cast<std::size_t>(end - whole.data());
@@ -188,11 +177,11 @@ Signal not_a_number(Vm& vm, std::string_view whole, std::string_view s, const ch
     why = "it ends too early";
   } else {
     std::size_t behind = at;
-    std::int64_t before = 0;
-    if (!count_characters(vm, whole.substr(0, at), before)) return Signal::kFail;
+    const Answer<std::int64_t> before = count_characters(vm, whole.substr(0, at));
+    if (!before) return Failed{};
     std::string character;
     append_character(character, next_character(whole, behind));
-    why = fmt::format("`{}`, character {}, does not belong to {}", character, before + 1, what);
+    why = fmt::format("`{}`, character {}, does not belong to {}", character, *before + 1, what);
   }
   return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(whole), what), 0,
                  std::move(why));
@@ -200,12 +189,12 @@ Signal not_a_number(Vm& vm, std::string_view whole, std::string_view s, const ch
 
 // A number as a text says it, after blanks and a plus sign in front of a digit or point.
 template <class Number>
-Signal parse_number(Vm& vm, Slot* args, std::string_view what, std::string_view limits) {
+Answer<Number> parse_number(Vm& vm, std::string_view whole, std::string_view what,
+                            std::string_view limits) {
   constexpr std::size_t kLongest = 10'000;  // beyond that reading it would take long
-  const std::string_view whole = text_value(args[0]);
-  std::string_view s = whole;
-  if (!trim_ends(vm, s)) return Signal::kFail;
-  const std::string_view trimmed = s;
+  const Answer<std::string_view> text = trimmed(vm, whole);
+  if (!text) return Failed{};
+  std::string_view s = *text;
   if (s.size() > kLongest) {
     return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(s), what), 0,
                    fmt::format("{} bytes are too many for a number", s.size()));
@@ -217,24 +206,24 @@ Signal parse_number(Vm& vm, Slot* args, std::string_view what, std::string_view 
     return failure(vm, "R0610", fmt::format("{} is {}", s, limits), 0);
   // "inf" and "nan" are read by the C++ library, but are no numbers here.
   if (error == std::errc() && !std::isfinite(static_cast<double>(value)))
-    return not_a_number(vm, whole, trimmed, s.data() + (s[0] == '-' ? 1 : 0), what);
+    return not_a_number(vm, whole, *text, s.data() + (s[0] == '-' ? 1 : 0), what);
   if (error != std::errc() || end != s.data() + s.size())
-    return not_a_number(vm, whole, trimmed, end, what);
-  return give(args, value);
+    return not_a_number(vm, whole, *text, end, what);
+  return value;
 }
-Signal parse_double(Vm& vm, Slot* args) {
-  return parse_number<double>(vm, args, "a number", "too large or too small for a double");
+Answer<double> parse_double(Vm& vm, std::string_view s) {
+  return parse_number<double>(vm, s, "a number", "too large or too small for a double");
 }
-Signal parse_int(Vm& vm, Slot* args) {
-  return parse_number<std::int64_t>(vm, args, "a whole number", "too large for an int");
+Answer<std::int64_t> parse_int(Vm& vm, std::string_view s) {
+  return parse_number<std::int64_t>(vm, s, "a whole number", "too large for an int");
 }
 
 Answer<std::int64_t> code_of(Vm& vm, std::string_view s) {
-  std::int64_t count = 0;
-  if (!count_characters(vm, s, count)) return Failed{};
-  if (count != 1)
+  const Answer<std::int64_t> count = count_characters(vm, s);
+  if (!count) return Failed{};
+  if (*count != 1)
     return failure(vm, "R0613",
-                   fmt::format("codeOf needs one character, and this text has {}", count), 0);
+                   fmt::format("codeOf needs one character, and this text has {}", *count), 0);
   std::size_t at = 0;
   return static_cast<std::int64_t>(next_character(s, at));
 }
@@ -251,31 +240,31 @@ constexpr NativeFunction kTextFunctions[] = {
                            "\"arm\".upper()"),
     def<change_case<false>>("lower(s: string) -> string", "The text in small letters.",
                             "\"ARM\".lower()"),
-    {"trim", "(s: string) -> string", "The text without blanks at its ends.", "\" arm \".trim()",
-     trim},
+    def<trim>("trim(s: string) -> string", "The text without blanks at its ends.",
+              "\" arm \".trim()"),
     def<split>("split(s: string, t: string) -> string[]",
                "The parts of s between the places where t stands.", "\"a,b\".split(\",\")"),
     def<replace>("replace(s: string, a: string, b: string) -> string",
                  "The text with every a replaced by b.", "\"a-b\".replace(\"-\", \"+\")"),
-    {"startsWith", "(s: string, t: string) -> bool", "Whether s begins with t.",
-     "\"armlet\".startsWith(\"arm\")", starts_with},
-    {"endsWith", "(s: string, t: string) -> bool", "Whether s ends with t.",
-     "\"armlet\".endsWith(\"let\")", ends_with},
+    def<starts_with>("startsWith(s: string, t: string) -> bool", "Whether s begins with t.",
+                     "\"armlet\".startsWith(\"arm\")"),
+    def<ends_with>("endsWith(s: string, t: string) -> bool", "Whether s ends with t.",
+                   "\"armlet\".endsWith(\"let\")"),
     def<index_of_text>("indexOf(s: string, t: string) -> int",
                        "At which character t begins for the first time; -1 if it does not.",
                        "\"armlet\".indexOf(\"let\")"),
     def<contains_text>("contains(s: string, t: string) -> bool", "Whether t stands somewhere in s.",
                        "\"armlet\".contains(\"let\")"),
-    {"equals", "(s: string, t: string) -> bool",
-     "Whether two texts are the same; Java's spelling of ==.", "\"a\".equals(\"a\")", equals},
-    {"substring", "(s: string, a: int, b: int?) -> string",
-     "The characters from a up to but excluding b.", "\"armlet\".substring(0, 3)", substring},
+    def<equals>("equals(s: string, t: string) -> bool",
+                "Whether two texts are the same; Java's spelling of ==.", "\"a\".equals(\"a\")"),
+    def<substring>("substring(s: string, a: int, b: int?) -> string",
+                   "The characters from a up to but excluding b.", "\"armlet\".substring(0, 3)"),
     def<join>("join(xs: string[], t: string) -> string", "The texts of a list with t between them.",
               "join([\"a\", \"b\"], \", \")"),
-    {"parseDouble", "(s: string) -> double", "The number that a text says.", "parseDouble(\"2.5\")",
-     parse_double},
-    {"parseInt", "(s: string) -> int", "The whole number that a text says.", "parseInt(\"42\")",
-     parse_int},
+    def<parse_double>("parseDouble(s: string) -> double", "The number that a text says.",
+                      "parseDouble(\"2.5\")"),
+    def<parse_int>("parseInt(s: string) -> int", "The whole number that a text says.",
+                   "parseInt(\"42\")"),
     def<code_of>("codeOf(s: string) -> int", "The number (code point) of a character.",
                  "codeOf(\"A\")"),
     def<char_of>("charOf(n: int) -> string", "The character with a number (code point).",

@@ -30,16 +30,16 @@ Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A) {
                  0);
 }
 
-bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter) {
+Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter) {
   constexpr std::int64_t kMost = 100'000'000;
   if (rows >= 0 && cols >= 0 && rows <= kMost && cols <= kMost &&
       (cols == 0 || rows <= kMost / cols)) {
-    return true;
+    return {};
   }
   const bool negative = rows < 0 || cols < 0;
-  (void)failure(vm, "R0613", fmt::format("a matrix cannot have {} rows and {} columns", rows, cols),
-                parameter, negative ? "" : fmt::format("a matrix has at most {} values", kMost));
-  return false;
+  return failure(vm, "R0613",
+                 fmt::format("a matrix cannot have {} rows and {} columns", rows, cols), parameter,
+                 negative ? "" : fmt::format("a matrix has at most {} values", kMost));
 }
 
 bool length_of(Vm& vm, std::span<const double> values, double& length) {

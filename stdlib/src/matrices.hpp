@@ -26,7 +26,7 @@ Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter = 1, std::st
 // R0613 for a matrix that `function` needs to be square.
 Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A);
 // Whether a matrix of this size can be made; fails with R0613 if not.
-[[nodiscard]] bool possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
+Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
 
 // The root of the sum of squares, scaled so that neither large nor small values are lost. False:
 // the program has to stop and the failure is set.

@@ -22,14 +22,14 @@ std::size_t values_of(const Figure& figure) {
 
 std::string unit_phrase(const std::string& unit) { return unit.empty() ? "plain numbers" : unit; }
 
-// Whether an axis shows this unit, or nothing yet. False: the failure is set.
-bool check_unit(Vm& vm, const Axis& axis, bool is_new, const std::string& unit, int parameter) {
-  if (is_new || axis.unit == unit) return true;
-  static_cast<void>(failure(vm, "R0626",
-                            fmt::format("this figure shows {} on that axis, these values are {}",
-                                        unit_phrase(axis.unit), unit_phrase(unit)),
-                            parameter, {}, "begin another figure(\"...\") before"));
-  return false;
+// Fails unless an axis shows this unit, or nothing yet.
+Answer<void> check_unit(Vm& vm, const Axis& axis, bool is_new, const std::string& unit,
+                        int parameter) {
+  if (is_new || axis.unit == unit) return {};
+  return failure(vm, "R0626",
+                 fmt::format("this figure shows {} on that axis, these values are {}",
+                             unit_phrase(axis.unit), unit_phrase(unit)),
+                 parameter, {}, "begin another figure(\"...\") before");
 }
 
 // What people call the values of a unit, where nothing else is said.
@@ -47,36 +47,33 @@ Figure& current_figure(Host& host) {
   return host.figures().back();
 }
 
-bool has_room(Vm& vm, std::size_t more) {
-  if (!charge_steps(vm, more)) return false;
+Answer<void> make_room(Vm& vm, std::size_t more) {
+  if (!charge_steps(vm, more)) return Failed{};
   std::size_t values = more;
   for (const Figure& figure : Host::of(vm).figures()) values += values_of(figure);
-  if (values <= kMaxValues) return true;
-  static_cast<void>(failure(
-      vm, "R0626", fmt::format("the figures of a program hold at most {} values", kMaxValues), 0,
-      {}, "draw fewer points, for example every tenth"));
-  return false;
+  if (values <= kMaxValues) return {};
+  return failure(vm, "R0626",
+                 fmt::format("the figures of a program hold at most {} values", kMaxValues), 0, {},
+                 "draw fewer points, for example every tenth");
 }
 
-bool check_log(Vm& vm, const Axis& axis, std::span<const double> values, char name, int parameter) {
-  if (!axis.log) return true;
+Answer<void> check_log(Vm& vm, const Axis& axis, std::span<const double> values, char name,
+                       int parameter) {
+  if (!axis.log) return {};
   const auto low = std::ranges::find_if(values, [](double v) { return v <= 0.0; });
-  if (low == values.end()) return true;
-  static_cast<void>(
-      failure(vm, "R0609",
-              fmt::format("a logarithmic axis shows values above zero: {}[{}] is {}{}", name,
-                          low - values.begin(), *low, axis.unit.empty() ? "" : " " + axis.unit),
-              parameter, {}, "plot magnitudes, abs(...), or begin a figure without log:"));
-  return false;
+  if (low == values.end()) return {};
+  return failure(vm, "R0609",
+                 fmt::format("a logarithmic axis shows values above zero: {}[{}] is {}{}", name,
+                             low - values.begin(), *low, axis.unit.empty() ? "" : " " + axis.unit),
+                 parameter, {}, "plot magnitudes, abs(...), or begin a figure without log:");
 }
 
-bool add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units) {
+Answer<void> add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units) {
   if (figure.is_spatial() || !figure.panels.empty()) {
-    static_cast<void>(failure(
+    return failure(
         vm, "R0626",
         figure.is_spatial() ? "this figure is drawn in space" : "this figure is drawn in panels",
-        units.x_parameter, {}, "begin another figure(\"...\") before"));
-    return false;
+        units.x_parameter, {}, "begin another figure(\"...\") before");
   }
   Axis& upright = series.right ? figure.right : figure.y;
   const bool is_new = figure.series.empty();
@@ -86,16 +83,17 @@ bool add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units) {
       !check_unit(vm, upright, new_side, units.y, units.y_parameter) ||
       !check_log(vm, {.unit = units.x, .log = figure.x.log}, series.x, 'x', units.x_parameter) ||
       !check_log(vm, {.unit = units.y, .log = upright.log}, series.y, 'y', units.y_parameter)) {
-    return false;
+    return Failed{};
   }
   const bool is_map = series.kind != SeriesKind::kBars && units.x == "m" && units.y == "m";
   if (is_new) figure.x = {is_map ? "x" : quantity_name(units.x), units.x, figure.x.log};
   if (new_side) upright = {is_map ? "y" : quantity_name(units.y), units.y, upright.log};
   figure.series.push_back(std::move(series));
-  return true;
+  return {};
 }
 
-std::vector<Figure>* panels_of(Vm& vm, Figure& figure, const std::vector<std::string>& titles) {
+Answer<std::vector<Figure>*> panels_of(Vm& vm, Figure& figure,
+                                       const std::vector<std::string>& titles) {
   if (figure.is_empty()) {
     for (const std::string& title : titles) {
       figure.panels.push_back(
@@ -103,38 +101,30 @@ std::vector<Figure>* panels_of(Vm& vm, Figure& figure, const std::vector<std::st
     }
   }
   if (std::ranges::equal(figure.panels, titles, {}, &Figure::title)) return &figure.panels;
-  static_cast<void>(failure(vm, "R0626", "this figure shows something else", 0, {},
-                            "begin another figure(\"...\") before"));
-  return nullptr;
+  return failure(vm, "R0626", "this figure shows something else", 0, {},
+                 "begin another figure(\"...\") before");
 }
 
-bool read_side(Vm& vm, Slot s, int parameter, bool& right) {
-  const std::string side = s.o != nullptr ? text_or_nothing(s) : "left";
-  right = side == "right";
-  if (right || side == "left") return true;
-  static_cast<void>(failure(vm, "R0626", fmt::format("there is no axis \"{}\"", side), parameter,
-                            "the axes are \"left\" and \"right\""));
-  return false;
+Answer<bool> is_right(Vm& vm, OptionalText side, int parameter) {
+  if (!side || *side == "left") return false;
+  if (*side == "right") return true;
+  return failure(vm, "R0626", fmt::format("there is no axis \"{}\"", *side), parameter,
+                 "the axes are \"left\" and \"right\"");
 }
 
-bool read_labels(Vm& vm, Slot s, int parameter, std::size_t count,
-                 std::vector<std::string>& labels) {
-  if (s.o == nullptr) {
-    labels.resize(count);
-    return true;
+Answer<std::vector<std::string>> labels_of(Vm& vm, OptionalItems labels, int parameter,
+                                           std::size_t count) {
+  if (!labels) return std::vector<std::string>(count);
+  if (labels->size() != count) {
+    return failure(vm, "R0613",
+                   fmt::format("{} label{} for {} line{}", labels->size(),
+                               labels->size() == 1 ? "" : "s", count, count == 1 ? "" : "s"),
+                   parameter);
   }
-  const auto items = items_value(s);
-  if (items.size() != count) {
-    static_cast<void>(
-        failure(vm, "R0613",
-                fmt::format("{} label{} for {} line{}", items.size(), items.size() == 1 ? "" : "s",
-                            count, count == 1 ? "" : "s"),
-                parameter));
-    return false;
-  }
-  if (!charge_work(vm, 16 * count)) return false;
-  for (const Slot item : items) labels.emplace_back(text_value(item));
-  return true;
+  if (!charge_work(vm, 16 * count)) return Failed{};
+  std::vector<std::string> texts;
+  for (const Slot label : *labels) texts.emplace_back(text_value(label));
+  return texts;
 }
 
 }  // namespace armlet::bind

@@ -2,8 +2,10 @@
 // Figures of a program (language reference, section 16): what the functions that draw share.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "armlet/plot/figure.hpp"
@@ -12,42 +14,45 @@
 
 namespace armlet::bind {
 
-[[nodiscard]] inline std::string text_or_nothing(Slot s) {
-  return s.o != nullptr ? std::string(text_value(s)) : std::string();
+// A text or a list that may be left out.
+using OptionalText = std::optional<std::string_view>;
+using OptionalItems = std::optional<std::span<const Slot>>;
+
+[[nodiscard]] inline std::string text_or_nothing(OptionalText text) {
+  return std::string(text.value_or(""));
 }
 
 // The figure that plot adds to: the last one, or a first one without a title.
 [[nodiscard]] Figure& current_figure(Host& host);
 
-// Room for more values, as steps and as memory of the host. False: the failure is set.
-[[nodiscard]] bool has_room(Vm& vm, std::size_t more);
+// Room for more values, as steps and as memory of the host.
+[[nodiscard]] Answer<void> make_room(Vm& vm, std::size_t more);
 
 // Adds a series to a figure or a panel whose axes show, or from now on show, these units.
 //
 // x_parameter, y_parameter  of the call, for messages.
-// False: the failure is set and the figure shows what it did before.
+// A failure leaves the figure as it was.
 struct PlotUnits {
   std::string x{}, y{};
   int x_parameter = 0, y_parameter = 0;
 };
-[[nodiscard]] bool add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units);
+[[nodiscard]] Answer<void> add_series(Vm& vm, Figure& figure, Series series,
+                                      const PlotUnits& units);
 
-// Whether an axis that is logarithmic can show all of the values, of which the finite ones have to
-// be above zero. False: the failure is set.
-[[nodiscard]] bool check_log(Vm& vm, const Axis& axis, std::span<const double> values, char name,
-                             int parameter);
+// Fails unless an axis that is logarithmic can show all of the values, of which the finite ones
+// have to be above zero.
+[[nodiscard]] Answer<void> check_log(Vm& vm, const Axis& axis, std::span<const double> values,
+                                     char name, int parameter);
 
-// The panels of a figure that is empty or has panels of these titles already; null: the failure is
-// set.
-[[nodiscard]] std::vector<Figure>* panels_of(Vm& vm, Figure& figure,
-                                             const std::vector<std::string>& titles);
+// The panels of a figure that is empty or has panels of these titles already.
+[[nodiscard]] Answer<std::vector<Figure>*> panels_of(Vm& vm, Figure& figure,
+                                                     const std::vector<std::string>& titles);
 
-// "left" or "right" from an argument that may be left out. False: the failure is set.
-[[nodiscard]] bool read_side(Vm& vm, Slot s, int parameter, bool& right);
+// Whether an argument that may be left out is "right" and not "left".
+[[nodiscard]] Answer<bool> is_right(Vm& vm, OptionalText side, int parameter);
 
-// The texts of a list argument: one for each of `count` lines, or none if it was left out. False:
-// the failure is set.
-[[nodiscard]] bool read_labels(Vm& vm, Slot s, int parameter, std::size_t count,
-                               std::vector<std::string>& labels);
+// The texts of a list argument: one for each of `count` lines, or empty ones if it was left out.
+[[nodiscard]] Answer<std::vector<std::string>> labels_of(Vm& vm, OptionalItems labels,
+                                                         int parameter, std::size_t count);
 
 }  // namespace armlet::bind

@@ -28,6 +28,17 @@ struct TrajectoryValue {
   return *host_value<TrajectoryValue>(s).plan;
 }
 [[nodiscard]] Obj* new_trajectory(Vm& vm, PlannedMotion plan);
+}  // namespace armlet::bind
+
+namespace armlet {
+template <>
+struct Argument<const bind::PlannedMotion&> {
+  static constexpr ValueKind kKind{ValueKind::Form::kHost, false, &bind::kTrajectory};
+  static const bind::PlannedMotion& read(Vm&, Slot slot) { return bind::planned(slot); }
+};
+}  // namespace armlet
+
+namespace armlet::bind {
 
 // How points are to be joined.
 //
