@@ -6,7 +6,7 @@
 #include <lua.hpp>
 #include <string>
 
-#include "armlet/interpreter/script_function.hpp"
+#include "armlet/interpreter/define.hpp"
 #include "bench.hpp"
 
 namespace {
@@ -30,55 +30,39 @@ double nanoseconds(Work work) {
 
 // ---- Armlet ---------------------------------------------------------------------------------
 
-// timeOf(loop): ns of one pass of loop(n).
-Signal time_of(Vm& vm, Slot* args) {
-  const ScriptFunction<double(std::int64_t)> loop(vm, args[0]);
+// ns of one pass of loop(n).
+Answer<double> time_of(const ScriptFunction<double(std::int64_t)>& loop) {
   double sum = 0.0;
   bool done = true;
   const double time = nanoseconds([&] { done = loop.call(sum, kCalls); });
-  return done ? give(args, time) : Signal::kFail;
+  if (!done) return Failed{};
+  return time;
 }
 
-// timeOfCalls(f): ns of one call of f by the host.
-Signal time_of_calls(Vm& vm, Slot* args) {
-  const ScriptFunction<double(double)> function(vm, args[0]);
+// ns of one call of f by the host.
+Answer<double> time_of_calls(const ScriptFunction<double(double)>& f) {
   double x = 0.5;
   bool done = true;
   const double time = nanoseconds([&] {
-    for (std::int64_t i = 0; done && i < kCalls; ++i) done = function.call(x, x);
+    for (std::int64_t i = 0; done && i < kCalls; ++i) done = f.call(x, x);
   });
-  return done ? give(args, time) : Signal::kFail;
+  if (!done) return Failed{};
+  return time;
 }
 
+// A function that is not called directly, but through its slots.
+std::int64_t next_of(std::int64_t n, bool up) { return up ? n + 1 : n - 1; }
+
 const NativeFunction kFunctions[] = {
-    {.name = "shrink",
-     .signature = "(x: double) -> double",
-     .help = "x / 2 + 1.",
-     .example = "shrink(1.0)",
-     .thunk = [](Vm&, Slot* args) { return give(args, shrink(args[0].d)); },
-     .real1 = &shrink},
-    {.name = "mix",
-     .signature = "(x: double, y: double) -> double",
-     .help = "The mean.",
-     .example = "mix(1.0, 2.0)",
-     .thunk = [](Vm&, Slot* args) { return give(args, mix(args[0].d, args[1].d)); },
-     .real2 = &mix},
-    {.name = "limit",
-     .signature = "(x: double, low: double, high: double) -> double",
-     .help = "x, not below low and not above high.",
-     .example = "limit(1.0, 0.0, 2.0)",
-     .thunk = [](Vm&, Slot* args) { return give(args, clamp(args[0].d, args[1].d, args[2].d)); },
-     .real3 = &clamp},
-    {.name = "timeOf",
-     .signature = "(loop: fn(int) -> double) -> double",
-     .help = "Nanoseconds of a pass.",
-     .example = "timeOf(fn(n) => 0.0)",
-     .thunk = &time_of},
-    {.name = "timeOfCalls",
-     .signature = "(f: fn(double) -> double) -> double",
-     .help = "Nanoseconds of a call.",
-     .example = "timeOfCalls(fn(x) => x)",
-     .thunk = &time_of_calls},
+    def<shrink>("shrink(x: double) -> double", "x / 2 + 1.", "shrink(1.0)", {.real1 = &shrink}),
+    def<mix>("mix(x: double, y: double) -> double", "The mean.", "mix(1.0, 2.0)", {.real2 = &mix}),
+    def<clamp>("limit(x: double, low: double, high: double) -> double",
+               "x, not below low and not above high.", "limit(1.0, 0.0, 2.0)", {.real3 = &clamp}),
+    def<next_of>("step(n: int, up: bool) -> int", "One more or less.", "step(1, true)"),
+    def<time_of>("timeOf(loop: fn(int) -> double) -> double", "Nanoseconds of a pass.",
+                 "timeOf(fn(n) => 0.0)"),
+    def<time_of_calls>("timeOfCalls(f: fn(double) -> double) -> double", "Nanoseconds of a call.",
+                       "timeOfCalls(fn(x) => x)"),
 };
 
 constexpr const char* kProgram = R"(
@@ -91,13 +75,17 @@ fn mixing(n: int) -> double { var x = 0.5
 fn limiting(n: int) -> double { var x = 0.5
  for (i in range(n)) { x = limit(x, 0.0, 2.0) }
  return x }
+fn stepping(n: int) -> double { var k = 0
+ for (i in range(n)) { k = step(k, true) }
+ return double(k) }
 fn next(x: double) -> double { return 0.5 * x + 1.0 }
-print(timeOf(shrinking), timeOf(mixing), timeOf(limiting), timeOfCalls(next))
+print(timeOf(shrinking), timeOf(mixing), timeOf(limiting), timeOf(stepping), timeOfCalls(next))
 )";
 
-constexpr int kKinds = 4;
+constexpr int kKinds = 5;
 constexpr const char* kNames[kKinds] = {"script calls f(x)", "script calls f(x, y)",
-                                        "script calls f(x, y, z)", "host calls f(x)"};
+                                        "script calls f(x, y, z)", "script calls step(n, up)",
+                                        "host calls f(x)"};
 
 void time_armlet(const Engine& engine, std::vector<double> (&times)[kKinds]) {
   const Compilation compilation = engine.compile(kProgram, "calls.rbt");
@@ -130,18 +118,23 @@ int lua_limit(lua_State* lua) {
       lua, clamp(luaL_checknumber(lua, 1), luaL_checknumber(lua, 2), luaL_checknumber(lua, 3)));
   return 1;
 }
+int lua_step(lua_State* lua) {
+  lua_pushinteger(lua, next_of(luaL_checkinteger(lua, 1), lua_toboolean(lua, 2) != 0));
+  return 1;
+}
 
 constexpr const char* kLuaProgram = R"(
-local shrink, mix, limit = shrink, mix, limit
+local shrink, mix, limit, step = shrink, mix, limit, step
 function shrinking(n) local x = 0.5 for i = 1, n do x = shrink(x) end return x end
 function mixing(n) local x = 0.5 for i = 1, n do x = mix(x, 2.0) end return x end
 function limiting(n) local x = 0.5 for i = 1, n do x = limit(x, 0.0, 2.0) end return x end
+function stepping(n) local k = 0 for i = 1, n do k = step(k, true) end return k end
 function following(x) return 0.5 * x + 1.0 end
 )";
 
 void time_lua(lua_State* lua, std::vector<double> (&times)[kKinds]) {
   int kind = 0;
-  for (const char* loop : {"shrinking", "mixing", "limiting"}) {
+  for (const char* loop : {"shrinking", "mixing", "limiting", "stepping"}) {
     times[kind++].push_back(nanoseconds([&] {
       lua_getglobal(lua, loop);
       lua_pushinteger(lua, kCalls);
@@ -173,6 +166,7 @@ int main() {
   lua_register(lua, "shrink", &lua_shrink);
   lua_register(lua, "mix", &lua_mix);
   lua_register(lua, "limit", &lua_limit);
+  lua_register(lua, "step", &lua_step);
   if (luaL_dostring(lua, kLuaProgram) != LUA_OK) std::abort();
   std::vector<double> ours[kKinds];
   std::vector<double> theirs[kKinds];

@@ -1,4 +1,5 @@
 // A host program: one function of its own, one script, and the robot library without the language.
+#include <armlet/interpreter/define.hpp>
 #include <armlet/interpreter/engine.hpp>
 #include <armlet/kinematics/forward.hpp>
 #include <armlet/model/catalog.hpp>
@@ -9,15 +10,7 @@
 
 namespace {
 
-armlet::Signal twice(armlet::Vm&, armlet::Slot* args) {
-  return armlet::give(args, 2.0 * args[0].d);
-}
-
-const armlet::NativeFunction kFunctions[] = {{.name = "twice",
-                                              .signature = "(x: double) -> double",
-                                              .help = "Two times x.",
-                                              .example = "twice(1.5)",
-                                              .thunk = &twice}};
+double twice(double x) { return 2.0 * x; }
 
 std::string printed_by(const armlet::Engine& engine, const char* text) {
   const armlet::Compilation compilation = engine.compile(text, "host.rbt");
@@ -31,7 +24,7 @@ std::string printed_by(const armlet::Engine& engine, const char* text) {
 
 int main() {
   armlet::Engine engine;
-  engine.add_functions(kFunctions);
+  engine.define(armlet::def("twice(x: double) -> double", &twice, "Two times x.", "twice(1.5)"));
   const std::string printed = printed_by(engine, "print(twice(1.5))");
   const auto robot = armlet::make_robot("scara");
   const double reach = armlet::forward(*robot, Eigen::VectorXd::Zero(robot->n())).translation().x();

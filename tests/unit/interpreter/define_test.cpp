@@ -18,16 +18,25 @@ namespace armlet {
 namespace {
 struct Pear {
   double weight = 0.0;
+  bool operator==(const Pear&) const = default;
+  [[nodiscard]] double times(double k) const { return k * weight; }
+  [[nodiscard]] std::string text() const {
+    return "pear of " + std::to_string(static_cast<int>(weight));
+  }
 };
-void pear_text(const void* value, std::string& out) {
-  out += "pear of " + std::to_string(static_cast<int>(static_cast<const Pear*>(value)->weight));
-}
-const HostType kPear{.name = "pear", .size = sizeof(Pear), .text = pear_text};
+// With a destructor that counts.
+struct Crate {
+  std::shared_ptr<int> content;
+};
+const HostType kPear = host_type<Pear>("pear", "A fruit.");
+const HostType kCrate = host_type<Crate>("crate", "Holds something.");
 const HostType kStone{.name = "stone", .size = sizeof(int)};
 }  // namespace
 
 template <>
 inline constexpr const HostType* kHostType<Pear> = &kPear;
+template <>
+inline constexpr const HostType* kHostType<Crate> = &kCrate;
 
 namespace {
 
@@ -47,6 +56,9 @@ std::vector<double> shifted(std::span<const double> xs, std::optional<double> by
 std::int64_t count(std::span<const Slot> items) { return static_cast<std::int64_t>(items.size()); }
 Pear pear(double weight) { return {weight}; }
 double weight(const Pear& p) { return p.weight; }
+const std::shared_ptr<int> kContent = std::make_shared<int>(7);
+Crate crate() { return {kContent}; }
+std::int64_t content(const Crate& c) { return *c.content; }
 bool is_given(const Pear* p) { return p != nullptr; }
 std::vector<Pear> split(const Pear& p) { return {{p.weight / 2.0}, {p.weight / 4.0}}; }
 double total(HostList<Pear> pears) {
@@ -81,7 +93,10 @@ constexpr NativeFunction kTyped[] = {
     def<shifted>("shifted(xs: double[], by: double?) -> double[]", "", ""),
     def<count>("count(xs: T[]) -> int", "", ""),
     def<pear>("pear(weight: double) -> pear", "", ""),
-    def<weight>("pear.weight(p: pear) -> double", "", ""),
+    def<&Pear::weight>("pear.weight(p: pear) -> double", "", ""),
+    def<&Pear::times>("times(p: pear, k: double) -> double", "", ""),
+    def<crate>("crate() -> crate", "", ""),
+    def<content>("content(c: crate) -> int", "", ""),
     def<is_given>("isGiven(p: pear?) -> bool", "", ""),
     def<split>("split(p: pear) -> pear[]", "", ""),
     def<total>("total(pears: pear[]) -> double", "", ""),
@@ -110,7 +125,7 @@ Run run(const Engine& engine, const std::string& text) {
 
 Engine typed_engine() {
   Engine engine;
-  engine.add_type(kPear).add_functions(kTyped);
+  engine.add_type(kPear).add_type(kCrate).add_functions(kTyped);
   return engine;
 }
 
@@ -128,6 +143,10 @@ TEST_CASE("functions of C++ take and give values of their own types") {
   CHECK(printed("print(isGiven(), isGiven(pear(1.0)))") == "false true\n");
   CHECK(printed("print(split(pear(8.0)), total(split(pear(8.0))))") ==
         "[pear of 4, pear of 2] 6.0\n");
+  CHECK(printed("print(pear(8.0) == pear(8.0), pear(8.0) == pear(7.0))") == "true false\n");
+  CHECK(printed("print(pear(8.0).times(3.0))") == "24.0\n");
+  CHECK(printed("let c = crate()\nprint(content(c), content(crate()))") == "7 7\n");
+  CHECK(kContent.use_count() == 1);
   CHECK(printed("print(sumOf(fn(x) => x * x, 4))") == "14.0\n");
   CHECK(printed("print(traceOf([1.0, 2.0; 3.0, 4.0]))") == "5.0\n");
   CHECK(printed("nothing(false)\nprint(minus(2.0))") == "-2.0\n");

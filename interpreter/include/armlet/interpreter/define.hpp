@@ -8,11 +8,13 @@
 //         "middle([1.0])"),
 //     };
 //
-// The parameters stand in the order of the signature; a Vm& in front of them is not one. What they
-// may be is in typed_parameters.hpp, what the result may be in typed_results.hpp. Both are compared
+// A member of a type of the host is a function of that type: def<&Pear::weight>(...). The
+// parameters stand in the order of the signature; a Vm& in front of them is not one. What they may
+// be is in typed_parameters.hpp, what the result may be in typed_results.hpp. Both are compared
 // with the signature: Engine::define refuses what differs, Engine::check_signatures tells it of
 // tables.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -27,9 +29,17 @@ namespace armlet {
 
 namespace typed {
 
-// The parameters and the result of a function, pointer to one, or lambda without template.
+// The parameters and the result of a function, of a member of a type of the host, and of a lambda
+// without template.
+template <class Call>
+struct OfLambda;
+template <class F, class R, class... Parameters>
+struct OfLambda<R (F::*)(Parameters...) const> {
+  using Result = R;
+  using Takes = std::tuple<Parameters...>;
+};
 template <class F>
-struct Shape : Shape<decltype(&F::operator())> {};
+struct Shape : OfLambda<decltype(&F::operator())> {};
 template <class R, class... Parameters>
 struct Shape<R (*)(Parameters...)> {
   using Result = R;
@@ -37,8 +47,11 @@ struct Shape<R (*)(Parameters...)> {
 };
 template <class R, class... Parameters>
 struct Shape<R (*)(Parameters...) noexcept> : Shape<R (*)(Parameters...)> {};
-template <class F, class R, class... Parameters>
-struct Shape<R (F::*)(Parameters...) const> : Shape<R (*)(Parameters...)> {};
+template <class T, class R, class... Parameters>
+struct Shape<R (T::*)(Parameters...) const> : Shape<R (*)(const T&, Parameters...)> {};
+template <class T, class V>
+requires(!std::is_function_v<V>) struct Shape<V T::*> : Shape<V (*)(const T&)> {
+};
 
 // Calls `function` with the slots as its parameters and leaves its result in the first of them.
 template <class Result, class... Parameters>
@@ -57,11 +70,11 @@ struct Caller {
   static Signal read_and_call(Vm& vm, Slot* args, const F& function, std::index_sequence<I...>,
                               First&... first) {
     if constexpr (std::is_void_v<Result>) {
-      function(first..., Argument<Parameters>::read(vm, args[I])...);
+      std::invoke(function, first..., Argument<Parameters>::read(vm, args[I])...);
       return Signal::kDone;
     } else {
       return Given<Result>::leave(
-          vm, function(first..., Argument<Parameters>::read(vm, args[I])...), args[0]);
+          vm, std::invoke(function, first..., Argument<Parameters>::read(vm, args[I])...), args[0]);
     }
   }
 };

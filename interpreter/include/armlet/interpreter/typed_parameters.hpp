@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -28,6 +29,24 @@ namespace armlet {
 // The type of the language whose values are T in C++; specialise it beside the HostType.
 template <class T>
 inline constexpr const HostType* kHostType = nullptr;
+
+// The HostType of values that are T: their size, how they are destroyed, compared (where T has ==)
+// and printed (where T has `std::string text() const`).
+template <class T>
+constexpr HostType host_type(std::string_view name, std::string_view help) {
+  HostType type{.name = name, .size = sizeof(T), .help = help};
+  if constexpr (!std::is_trivially_destructible_v<T>)
+    type.destroy = [](void* value) { static_cast<T*>(value)->~T(); };
+  if constexpr (requires(const T& a) { bool{a == a}; })
+    type.equal = [](const void* a, const void* b) {
+      return *static_cast<const T*>(a) == *static_cast<const T*>(b);
+    };
+  if constexpr (requires(const T& a) { std::string(a.text()); })
+    type.text = [](const void* value, std::string& out) {
+      out += static_cast<const T*>(value)->text();
+    };
+  return type;
+}
 
 template <class T>
 concept HostValue = kHostType<std::remove_cvref_t<T>>
