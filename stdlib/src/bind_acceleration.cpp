@@ -15,14 +15,11 @@
 namespace armlet::bind {
 namespace {
 
-// (tr, joint)
-Answer<Obj*> parameters(Vm& vm, const Trajectory& tr, std::int64_t joint) {
-  const PlannedMotion& plan = tr;
-  if (joint < 1 || joint > plan.motion.n()) {
-    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, plan.motion.n()),
-                   1);
-  }
-  const auto pieces = acceleration_pieces(plan.motion, static_cast<int>(joint) - 1);
+Answer<MatrixObj*> parameters(Vm& vm, const PlannedMotion& tr, std::int64_t joint) {
+  const Trajectory& motion = tr.motion;
+  if (joint < 1 || joint > motion.n())
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, motion.n()), 1);
+  const auto pieces = acceleration_pieces(motion, static_cast<int>(joint) - 1);
   int degree = 0;
   for (const Segment& piece : pieces) degree = std::max(degree, piece.degree);
   MatrixObj* matrix = new_matrix(vm, static_cast<std::uint32_t>(pieces.size()),
@@ -35,7 +32,7 @@ Answer<Obj*> parameters(Vm& vm, const Trajectory& tr, std::int64_t joint) {
   return matrix;
 }
 
-enum Parameter { kMotion, kStep, kMethod, kSplit };
+enum Parameter { kStep = 1, kMethod = 2 };
 
 constexpr double kMostSteps = 1'000'000;
 constexpr double kTolerance = 1e-8;
@@ -72,58 +69,50 @@ class Accelerations {
   int stretch_ = -1;  // -1: the one of the time
 };
 
-// What is asked for, checked; nothing: the failure is set.
+// What is asked for, checked.
 struct Request {
   OdeMethod method;
   std::vector<double> times;  // from step to step
 };
-std::optional<Request> request_of(Vm& vm, const Slot* args) {
-  const auto method = ode_method(text_value(args[kMethod]));
-  const double step = args[kStep].d;
+Answer<Request> request_of(Vm& vm, const Trajectory& motion, double step, std::string_view name,
+                           bool split) {
+  const auto method = ode_method(name);
   if (!method) {
     std::string names;
-    for (const std::string_view name : ode_method_names())
-      names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
-    static_cast<void>(failure(
-        vm, "R0609",
-        fmt::format("there is no method \"{}\" to integrate with", text_value(args[kMethod])),
-        kMethod, "the methods are " + names));
-    return std::nullopt;
+    for (const std::string_view known : ode_method_names())
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", known);
+    return failure(vm, "R0609", fmt::format("there is no method \"{}\" to integrate with", name),
+                   kMethod, "the methods are " + names);
   }
-  if (!(std::isfinite(step) && step > 0.0)) {
-    static_cast<void>(
-        domain_failure(vm, "an integration with a step", step, "be longer than 0 s", {}, kStep));
-    return std::nullopt;
-  }
-  const Trajectory& motion = planned(args[kMotion]).motion;
+  if (!(std::isfinite(step) && step > 0.0))
+    return domain_failure(vm, "an integration with a step", step, "be longer than 0 s", {}, kStep);
   std::vector<double> knots = motion.knots();
-  if (args[kSplit].i == 0 && knots.size() > 2) knots = {knots.front(), knots.back()};
+  if (!split && knots.size() > 2) knots = {knots.front(), knots.back()};
   const double steps = count_steps(knots, step);
   if (steps <= kMostSteps) return Request{*method, step_times(knots, step)};
-  static_cast<void>(failure(
+  return failure(
       vm, "R0613",
       fmt::format("this would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps), kStep,
-      {}, "use a longer step"));
-  return std::nullopt;
+      {}, "use a longer step");
 }
 
-// (tr, step, method, split)
-Signal integrate(Vm& vm, Slot* args) {
-  const auto request = request_of(vm, args);
-  if (!request) return Signal::kFail;
-  const Trajectory& motion = planned(args[kMotion]).motion;
+Answer<RecordObj*> integrate(Vm& vm, const PlannedMotion& tr, double step, std::string_view method,
+                             bool split) {
+  const Trajectory& motion = tr.motion;
+  const auto request = request_of(vm, motion, step, method, split);
+  if (!request) return Failed{};
   const auto n = static_cast<std::uint32_t>(motion.n());
   const auto rows = static_cast<std::uint32_t>(request->times.size());
-  if (!charge_steps(vm, rows)) return Signal::kFail;
+  if (!charge_steps(vm, rows)) return Failed{};
   RecordObj* solution = new_record(vm, vm.program().library_record("OdeSolution"));
-  if (solution == nullptr) return Signal::kFail;
+  if (solution == nullptr) return Failed{};
   ListObj* times = new_list(vm, rows, false);
   solution->fields()[0].o = times;
   MatrixObj* states = times != nullptr ? new_matrix(vm, rows, 2 * n) : nullptr;
   solution->fields()[1].o = states;
   if (states == nullptr) {
     release(vm, solution);
-    return Signal::kFail;
+    return Failed{};
   }
   std::vector<double> y(2 * std::size_t{n});
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -139,8 +128,8 @@ Signal integrate(Vm& vm, Slot* args) {
     const double t = request->times[row];
     times->data[row].d = t;
     std::ranges::copy(y, states->data() + std::size_t{row} * y.size());
-    if (row + 1 == rows) return give(args, solution);
-    if (args[kSplit].i != 0) a.stay_behind(t);
+    if (row + 1 == rows) return solution;
+    if (split) a.stay_behind(t);
     const OdeOutcome outcome = integrator.advance(rate, t, request->times[row + 1] - t, y);
     if (outcome.status == OdeStatus::kDone) continue;
     release(vm, solution);
@@ -157,14 +146,15 @@ constexpr NativeFunction kAccelerationFunctions[] = {
         "The acceleration of a joint, counted from 1, as polynomials: row i holds the coefficients "
         "a0, a1, a2 ... of the powers of t - knots[i] (SI), up to the next knot.",
         "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).accelParameters(1)"),
-    {"trajectory.integrate",
-     "(tr: trajectory, step: time, method: string = \"rk4\", split: bool = true) -> OdeSolution",
-     "Integrates the accelerations of all joints from the start, with the methods of ode: t holds "
-     "the start and the end of every step, y one row for each with all positions and then all "
-     "speeds. From knot to knot all steps are equal, and none is longer than step; without split "
-     "they are so over the whole motion, whatever its knots.",
-     "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).integrate(step: 10ms).t.last",
-     integrate},
+    def<integrate>(
+        "trajectory.integrate(tr: trajectory, step: time, method: string = \"rk4\", split: bool = "
+        "true) -> OdeSolution",
+        "Integrates the accelerations of all joints from the start, with the methods of ode: t "
+        "holds the start and the end of every step, y one row for each with all positions and then "
+        "all speeds. From knot to knot all steps are equal, and none is longer than step; without "
+        "split they are so over the whole motion, whatever its knots.",
+        "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).integrate(step: "
+        "10ms).t.last"),
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "bind.hpp"
+#include "eigen_results.hpp"
 #include "moves.hpp"
 #include "objects.hpp"
 #include "rules.hpp"
@@ -38,32 +39,25 @@ Answer<PosC> posc_from(Vm& vm, std::span<const double> v) {
       "with 4 joints");
 }
 
-// (r, traj, position, time)
-Signal move_j(Vm& vm, Slot* args) {
-  const MoveCall call{.function = "moveJ",
-                      .robot = host_value<RobotRef>(args[0]).id,
-                      .target = 2,
-                      .time = 3,
-                      .planner = 1,
-                      .classic = true};
-  return move_to_joints(vm, args, call, posj(args[2]).vector(), std::string(text_value(args[1])),
-                        {.time = args[3].d});
+MoveCall classic_call(std::string_view function, const RobotRef& r) {
+  return {
+      .function = function, .robot = r.id, .target = 2, .time = 3, .planner = 1, .classic = true};
 }
-Signal move_c(Vm& vm, Slot* args) {
-  const MoveCall call{.function = "moveC",
-                      .robot = host_value<RobotRef>(args[0]).id,
-                      .target = 2,
-                      .time = 3,
-                      .planner = 1,
-                      .classic = true};
-  const std::string_view planner = text_value(args[1]);
-  if (planner == "Lin") return move_on_line(vm, args, call, posc(args[2]), {.time = args[3].d});
-  return move_to_place(vm, args, call, posc(args[2]), {}, std::string(planner),
-                       {.time = args[3].d});
+Started move_j(Vm& vm, const RobotRef& r, std::string_view planner, const PosJ& p, double time) {
+  return move_to_joints(vm, classic_call("moveJ", r), p.vector(), std::string(planner),
+                        {.time = time});
 }
+Started move_c(Vm& vm, const RobotRef& r, std::string_view planner, const PosC& p, double time) {
+  const MoveCall call = classic_call("moveC", r);
+  if (planner == "Lin") return move_on_line(vm, call, p, {.time = time});
+  return move_to_place(vm, call, p, {}, std::string(planner), {.time = time});
+}
+
 // Calls that are only there to be explained before running.
-Signal never_run(Vm& vm, Slot*) {
-  return failure(vm, "R0626", "this call was refused before running");
+constexpr NativeFunction refused(std::string_view signature, void (*check)(CheckCall& call)) {
+  NativeFunction function = declare(signature, "", "", check);
+  function.pauses = true;
+  return function;
 }
 
 constexpr double kStandInSize = 0.040;  // m
@@ -82,9 +76,9 @@ Isometry3d stand_in_place(const Host& host) {
   return T;
 }
 
-Signal insert_obj(Vm& vm, Slot* args) try {
+Answer<void> insert_obj(Vm& vm, std::string_view given_name) try {
   Host& host = Host::of(vm);
-  const std::string name(text_value(args[0]));
+  const std::string name(given_name);
   if (find_object(vm, name) == nullptr) {
     if (host.has_world()) return fail_unknown_object(vm, name, 0);
     Object cube;
@@ -99,22 +93,17 @@ Signal insert_obj(Vm& vm, Slot* args) try {
     vm.advise(advice);
   }
   host.cell().add_to_task(name);
-  return give_nothing();
+  return {};
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0631", error);
 }
 
-Answer<Obj*> get_pos_obj(Vm& vm, std::string_view given_name) {
-  const std::string name(given_name);
+Answer<Eigen::Vector3d> get_pos_obj(Vm& vm, std::string_view name) {
   const Object* object = find_object(vm, name);
   if (object == nullptr) return fail_unknown_object(vm, name, 0);
-  const Eigen::Vector3d p = object->T_world_obj.translation();
-  return new_reals(vm, {p.data(), 3});
+  return Eigen::Vector3d(object->T_world_obj.translation());
 }
-Obj* get_pos_robot(Vm& vm, const RobotRef& r) {
-  const Eigen::VectorXd& q = Host::of(vm).cell().robot(r.id).q;
-  return new_reals(vm, {q.data(), static_cast<std::size_t>(q.size())});
-}
+Eigen::VectorXd get_pos_robot(Vm& vm, const RobotRef& r) { return state_of(vm, r).q; }
 std::int64_t get_number_obj(Vm& vm) {
   return static_cast<std::int64_t>(Host::of(vm).cell().task_objects().size());
 }
@@ -131,26 +120,26 @@ constexpr NativeFunction kClassicFunctions[] = {
                    "pitch, yaw (6); "
                    "metres and radians.",
                    "posC([0.3, 0.1, 0.2])"),
-    {"moveJ", "(r: robot, traj: string, p: posJ, time: double) -> Move", kMoveJHelp,
-     "moveJ('Syn', home(), 2.0)", move_j, nullptr, nullptr, check_classic_joints, nullptr, true},
-    {"moveJ", "(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,
-     "moveJ('Syn', home(), 2s)", move_j, nullptr, nullptr, check_classic_joints, nullptr, true},
-    {"moveC", "(r: robot, traj: string, p: posC, time: double) -> Move", kMoveCHelp,
-     "moveC('Lin', here(), 2.0)", move_c, nullptr, nullptr, check_classic_place, nullptr, true},
-    {"moveC", "(r: robot, traj: string, p: posC, time: time) -> Move", kMoveCHelp,
-     "moveC('Lin', here(), 2s)", move_c, nullptr, nullptr, check_classic_place, nullptr, true},
-    {"moveJ", "(r: robot, traj: string, q: double[], time: double) -> Move", "", "", never_run,
-     nullptr, nullptr, explain_list_for_posj, nullptr, true},
-    {"moveJ", "(r: robot, traj: string, q: double[], time: time) -> Move", "", "", never_run,
-     nullptr, nullptr, explain_list_for_posj, nullptr, true},
-    {"moveC", "(r: robot, traj: string, q: double[], time: double) -> Move", "", "", never_run,
-     nullptr, nullptr, explain_list_for_posj, nullptr, true},
-    {"moveC", "(r: robot, traj: string, q: double[], time: time) -> Move", "", "", never_run,
-     nullptr, nullptr, explain_list_for_posj, nullptr, true},
-    {"moveC", "(r: robot, via: posC, goal: posC, time: time?, speed: speed?) -> Move", "", "",
-     never_run, nullptr, nullptr, explain_arc, nullptr, true},
-    {"insertObj", "(name: string)", "Makes an object of the world part of the task.",
-     "insertObj(\"cube\")", insert_obj, nullptr, nullptr, check_object_name},
+    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: double) -> Move", kMoveJHelp,
+                "moveJ('Syn', home(), 2.0)", {.check = check_classic_joints, .pauses = true}),
+    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,
+                "moveJ('Syn', home(), 2s)", {.check = check_classic_joints, .pauses = true}),
+    def<move_c>("moveC(r: robot, traj: string, p: posC, time: double) -> Move", kMoveCHelp,
+                "moveC('Lin', here(), 2.0)", {.check = check_classic_place, .pauses = true}),
+    def<move_c>("moveC(r: robot, traj: string, p: posC, time: time) -> Move", kMoveCHelp,
+                "moveC('Lin', here(), 2s)", {.check = check_classic_place, .pauses = true}),
+    refused("moveJ(r: robot, traj: string, q: double[], time: double) -> Move",
+            explain_list_for_posj),
+    refused("moveJ(r: robot, traj: string, q: double[], time: time) -> Move",
+            explain_list_for_posj),
+    refused("moveC(r: robot, traj: string, q: double[], time: double) -> Move",
+            explain_list_for_posj),
+    refused("moveC(r: robot, traj: string, q: double[], time: time) -> Move",
+            explain_list_for_posj),
+    refused("moveC(r: robot, via: posC, goal: posC, time: time?, speed: speed?) -> Move",
+            explain_arc),
+    def<insert_obj>("insertObj(name: string)", "Makes an object of the world part of the task.",
+                    "insertObj(\"cube\")", {.check = check_object_name}),
     def<get_pos_obj>("getPosObj(name: string) -> double[]",
                      "The centre of an object: x, y, z in metres.", "getPosObj(\"cube\")",
                      {.check = check_object_name}),

@@ -54,55 +54,51 @@ Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
   return fail(vm, std::move(f));
 }
 
-Signal grasp_object(Vm& vm, Slot* args) {
-  const int robot = robot_id(args[0]);
-  if (refuse_busy(vm, robot)) return Signal::kFail;
-  const GraspResult result = grasp(Host::of(vm).cell(), robot, host_value<ObjectRef>(args[1]).name);
-  return result.ok() ? give_nothing() : fail_grasp(vm, robot, result);
+Answer<void> grasp_object(Vm& vm, const RobotRef& r, const ObjectRef& o) {
+  if (!check_idle(vm, r.id)) return Failed{};
+  const GraspResult result = grasp(Host::of(vm).cell(), r.id, o.name);
+  if (!result.ok()) return fail_grasp(vm, r.id, result);
+  return {};
 }
-Signal grasp_nearest(Vm& vm, Slot* args) {
-  const int robot = robot_id(args[0]);
-  if (refuse_busy(vm, robot)) return Signal::kFail;
-  const GraspResult result = grasp(Host::of(vm).cell(), robot);
-  return result.ok() ? give_nothing() : fail_grasp(vm, robot, result);
+Answer<void> grasp_nearest(Vm& vm, const RobotRef& r) {
+  if (!check_idle(vm, r.id)) return Failed{};
+  const GraspResult result = grasp(Host::of(vm).cell(), r.id);
+  if (!result.ok()) return fail_grasp(vm, r.id, result);
+  return {};
 }
-Signal release_object(Vm& vm, Slot* args) {
+Answer<void> release_object(Vm& vm, const RobotRef& r) {
   Cell& cell = Host::of(vm).cell();
-  const int robot = robot_id(args[0]);
-  if (refuse_busy(vm, robot)) return Signal::kFail;
-  if (release(cell, robot)) return give_nothing();
+  if (!check_idle(vm, r.id)) return Failed{};
+  if (release(cell, r.id)) return {};
   Failure f;
   f.code = "R0619";
-  f.robot = cell.robot(robot).name;
+  f.robot = cell.robot(r.id).name;
   f.arguments = {f.robot};
   f.fix = "grasp something first, or ask holding()";
   return fail(vm, std::move(f));
 }
-Signal holding_any(Vm& vm, Slot* args) {
-  return give(args, !holding(Host::of(vm).cell(), robot_id(args[0])).empty());
-}
-Signal holding_this(Vm& vm, Slot* args) {
-  return give(
-      args, holding(Host::of(vm).cell(), robot_id(args[0])) == host_value<ObjectRef>(args[1]).name);
+bool holding_any(Vm& vm, const RobotRef& r) { return !holding(Host::of(vm).cell(), r.id).empty(); }
+bool holding_this(Vm& vm, const RobotRef& r, const ObjectRef& o) {
+  return holding(Host::of(vm).cell(), r.id) == o.name;
 }
 
 constexpr NativeFunction kHandFunctions[] = {
-    commanding({"grasp", "(r: robot, o: object)",
-                "Closes the hand on an object whose centre or grasp point is within the grasp "
-                "distance of the tool point; "
-                "a long object can be taken along its length. What rests on it travels with it.",
-                "grasp(object(\"cube\"))", grasp_object}),
-    commanding(
-        {"grasp", "(r: robot)",
-         "Closes the hand on the nearest object within the grasp distance of the tool point.",
-         "grasp()", grasp_nearest}),
-    commanding({"release", "(r: robot)",
-                "Opens the hand; what it held falls straight down to the first surface.",
-                "release()", release_object}),
-    {"holding", "(r: robot) -> bool", "Whether the hand holds something.", "holding()",
-     holding_any},
-    {"holding", "(r: robot, o: object) -> bool", "Whether the hand holds this object.",
-     "holding(object(\"cube\"))", holding_this},
+    def<grasp_object>(
+        "grasp(r: robot, o: object)",
+        "Closes the hand on an object whose centre or grasp point is within the grasp distance of "
+        "the tool point; a long object can be taken along its length. What rests on it travels "
+        "with it.",
+        "grasp(object(\"cube\"))", {.commands = true}),
+    def<grasp_nearest>(
+        "grasp(r: robot)",
+        "Closes the hand on the nearest object within the grasp distance of the tool point.",
+        "grasp()", {.commands = true}),
+    def<release_object>("release(r: robot)",
+                        "Opens the hand; what it held falls straight down to the first surface.",
+                        "release()", {.commands = true}),
+    def<holding_any>("holding(r: robot) -> bool", "Whether the hand holds something.", "holding()"),
+    def<holding_this>("holding(r: robot, o: object) -> bool", "Whether the hand holds this object.",
+                      "holding(object(\"cube\"))"),
 };
 
 }  // namespace

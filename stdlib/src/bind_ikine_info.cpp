@@ -16,7 +16,7 @@
 namespace armlet::bind {
 namespace {
 
-enum Parameter { kArm, kTarget, kNear, kLimits };
+constexpr int kNear = 2;  // the parameter
 
 // What an IkInfo says.
 struct Info {
@@ -85,9 +85,9 @@ Info info_of(const Robot& robot, const PosC& target, IkTask task, IkOptions opti
 }
 
 // Fields that refer to other values are made first; all or none.
-Signal give_info(Vm& vm, Slot* args, const Info& info) {
+RecordObj* record_of(Vm& vm, const Info& info) {
   RecordObj* record = new_record(vm, vm.program().library_record("IkInfo"));
-  if (record == nullptr) return Signal::kFail;
+  if (record == nullptr) return nullptr;
   Slot* fields = record->fields();
   enum { kFound, kQ, kMethod, kBranch, kIterations, kResidual, kTilt, kDistance, kNearestPose };
   enum { kWorst = kNearestPose + 1, kMargin };
@@ -106,27 +106,22 @@ Signal give_info(Vm& vm, Slot* args, const Info& info) {
       set(kBranch, new_text(vm, info.branch)) && set(kNearestPose, new_posc(vm, info.nearest)) &&
       set(kMargin,
           new_reals(vm, {info.margin.data(), static_cast<std::size_t>(info.margin.size())}));
-  if (whole) return give(args, record);
+  if (whole) return record;
   release(vm, record);
-  return Signal::kFail;
+  return nullptr;
 }
 
-template <bool kNearList>
-Signal ikine_info(Vm& vm, Slot* args) {
-  const CellRobot& state = state_of(vm, args[kArm]);
-  const Robot& robot = *state.model;
-  const PosC& target = posc(args[kTarget]);
+template <class Near>
+Answer<RecordObj*> ikine_info(Vm& vm, const RobotRef& r, const PosC& p, Near near, bool limits) {
+  const Robot& robot = model_of(vm, r);
   IkOptions options;
-  options.seed = state.q;
-  options.respect_limits = args[kLimits].i != 0;
-  if (args[kNear].o != nullptr) {
-    auto near = joint_argument(vm, robot, args[kNear], kNearList, kNear);
-    if (!near) return Signal::kFail;
-    options.seed = *std::move(near);
-  }
+  options.respect_limits = limits;
+  auto seed = seed_of(vm, r, near, kNear);
+  if (!seed) return Failed{};
+  options.seed = *std::move(seed);
   // An orientation that the arm cannot take at all is a pose like another here: it is not found.
-  const IkTask task = task_of(robot, target).value_or(IkTask::kPose);
-  return give_info(vm, args, info_of(robot, target, task, std::move(options)));
+  const IkTask task = task_of(robot, p).value_or(IkTask::kPose);
+  return record_of(vm, info_of(robot, p, task, std::move(options)));
 }
 
 constexpr std::string_view kHelp =
@@ -138,11 +133,12 @@ constexpr std::string_view kHelp =
     "to its nearer limit (rad, m), below 0 beyond it.";
 
 constexpr NativeFunction kIkineInfoFunctions[] = {
-    {"ikineInfo", "(r: robot, p: posC, near: posJ?, limits: bool = true) -> IkInfo", kHelp,
-     "ikineInfo(xyz(2m, 0m, 300mm)).distance", ikine_info<false>},
-    {"ikineInfo", "(r: robot, p: posC, near: double[], limits: bool = true) -> IkInfo", kHelp,
-     "ikineInfo(here(), near: [0.0, 0.5, 0.1, 0.0]).found", ikine_info<true>, nullptr, nullptr,
-     check_joint_list<kNear>},
+    def<ikine_info<const PosJ*>>(
+        "ikineInfo(r: robot, p: posC, near: posJ?, limits: bool = true) -> IkInfo", kHelp,
+        "ikineInfo(xyz(2m, 0m, 300mm)).distance"),
+    def<ikine_info<JointList>>(
+        "ikineInfo(r: robot, p: posC, near: double[], limits: bool = true) -> IkInfo", kHelp,
+        "ikineInfo(here(), near: [0.0, 0.5, 0.1, 0.0]).found", {.check = check_joint_list<kNear>}),
 };
 
 }  // namespace

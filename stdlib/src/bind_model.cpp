@@ -21,108 +21,90 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-double or_zero(Slot s) { return is_absent(s) ? 0.0 : s.d; }
+using Number = std::optional<double>;
+using Numbers = std::optional<std::span<const double>>;
+using Rows = std::optional<std::span<const Slot>>;  // of numbers
+using Text = std::optional<std::string_view>;
 
 // ---- rows: joint revolute(...), joint prismatic(...)
-// ----------------------------------------------------------- Parameters of both rows, in order.
-enum Row {
-  kTheta,
-  kD,
-  kA,
-  kAlpha,
-  kLimits,
-  kMaxSpeed,
-  kMaxAccel,
-  kMaxJerk,
-  kMaxEffort,
-  kMass,
-  kCom,
-  kInertia,
-  kFriction,
-  kMotorInertia,
-  kGear,
-  kMesh
-};
+// -----------------------------------------------------------------------------------------------------
 
-bool read_limits(Vm& vm, Slot slot, Joint& joint) {
-  if (slot.o == nullptr) return true;
-  const auto limits = reals_value(slot);
-  if (limits.size() != 2) {
-    static_cast<void>(failure(
+// Where the parameters of both rows stand.
+enum Row { kLimits = 4, kCom = 10, kInertia = 11, kFriction = 12 };
+
+Answer<void> read_limits(Vm& vm, Numbers limits, Joint& joint) {
+  if (!limits) return {};
+  if (limits->size() != 2) {
+    return failure(
         vm, "R0613",
-        fmt::format("limits are two values, the lower and the upper one, not {}", limits.size()),
-        kLimits));
-    return false;
+        fmt::format("limits are two values, the lower and the upper one, not {}", limits->size()),
+        kLimits);
   }
-  joint.lower = limits[0];
-  joint.upper = limits[1];
-  return true;
+  joint.lower = (*limits)[0];
+  joint.upper = (*limits)[1];
+  return {};
 }
 
-bool read_vector3(Vm& vm, Slot slot, int parameter, std::string_view what, Vector3d& out) {
-  if (slot.o == nullptr) return true;
-  const auto values = reals_value(slot);
-  if (values.size() != 3) {
-    static_cast<void>(failure(
-        vm, "R0613", fmt::format("{} has 3 values, not {}", what, values.size()), parameter));
-    return false;
+Answer<void> read_vector3(Vm& vm, Numbers values, int parameter, std::string_view what,
+                          Vector3d& out) {
+  if (!values) return {};
+  if (values->size() != 3) {
+    return failure(vm, "R0613", fmt::format("{} has 3 values, not {}", what, values->size()),
+                   parameter);
   }
-  out = Vector3d(values[0], values[1], values[2]);
-  return true;
+  out = Eigen::Map<const Vector3d>(values->data());
+  return {};
 }
 
-bool read_inertia(Vm& vm, Slot slot, Link& link) {
-  if (slot.o == nullptr) return true;
-  const auto rows = items_value(slot);
-  bool square = rows.size() == 3;
-  for (std::size_t i = 0; square && i < 3; ++i) square = reals_value(rows[i]).size() == 3;
-  if (!square) {
-    static_cast<void>(failure(vm, "R0613", "an inertia has 3 rows of 3 values", kInertia));
-    return false;
-  }
+Answer<void> read_inertia(Vm& vm, Rows rows, Link& link) {
+  if (!rows) return {};
+  bool square = rows->size() == 3;
+  for (std::size_t i = 0; square && i < 3; ++i) square = reals_value((*rows)[i]).size() == 3;
+  if (!square) return failure(vm, "R0613", "an inertia has 3 rows of 3 values", kInertia);
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) link.inertia(i, j) = reals_value(rows[i])[j];
+    for (int j = 0; j < 3; ++j) link.inertia(i, j) = reals_value((*rows)[i])[j];
   }
-  return true;
+  return {};
 }
 
-bool read_friction(Vm& vm, Slot slot, Link& link) {
-  if (slot.o == nullptr) return true;
-  const auto f = reals_value(slot);
+Answer<void> read_friction(Vm& vm, Numbers given, Link& link) {
+  if (!given) return {};
+  const auto f = *given;
   if (f.size() != 1 && f.size() != 3) {
-    static_cast<void>(failure(
-        vm, "R0613", fmt::format("friction is [B] or [B, Tc+, Tc-], not {} values", f.size()),
-        kFriction));
-    return false;
+    return failure(vm, "R0613",
+                   fmt::format("friction is [B] or [B, Tc+, Tc-], not {} values", f.size()),
+                   kFriction);
   }
   link.friction.viscous = f[0];
   if (f.size() == 3) {
     link.friction.coulomb_plus = f[1];
     link.friction.coulomb_minus = f[2];
   }
-  return true;
+  return {};
 }
 
 template <JointKind kKind>
-Signal joint_row(Vm& vm, Slot* args) {
+Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alpha, Numbers limits,
+                           Number max_speed, Number max_accel, Number max_jerk, Number max_effort,
+                           double mass, Numbers com, Rows inertia, Numbers friction,
+                           double motor_inertia, double gear, Text mesh) {
   JointRow row{.joint = joint_without_limits(kKind), .link = {}};
   Joint& joint = row.joint;
-  joint.dh = {args[kTheta].d, args[kD].d, args[kA].d, args[kAlpha].d};
-  joint.max_speed = or_zero(args[kMaxSpeed]);
-  joint.max_accel = or_zero(args[kMaxAccel]);
-  joint.max_jerk = or_zero(args[kMaxJerk]);
-  if (!is_absent(args[kMaxEffort])) joint.max_effort = args[kMaxEffort].d;
-  row.link.mass = args[kMass].d;
-  row.link.motor_inertia = args[kMotorInertia].d;
-  row.link.gear = args[kGear].d;
-  if (args[kMesh].o != nullptr) row.link.mesh = std::string(text_value(args[kMesh]));
-  if (!read_limits(vm, args[kLimits], joint) ||
-      !read_vector3(vm, args[kCom], kCom, "the centre of mass", row.link.com) ||
-      !read_inertia(vm, args[kInertia], row.link) ||
-      !read_friction(vm, args[kFriction], row.link)) {
-    return Signal::kFail;
+  joint.dh = {theta, d, a, alpha};
+  joint.max_speed = max_speed.value_or(0.0);
+  joint.max_accel = max_accel.value_or(0.0);
+  joint.max_jerk = max_jerk.value_or(0.0);
+  if (max_effort) joint.max_effort = *max_effort;
+  row.link.mass = mass;
+  row.link.motor_inertia = motor_inertia;
+  row.link.gear = gear;
+  if (mesh) row.link.mesh = *mesh;
+  if (!read_limits(vm, limits, joint) ||
+      !read_vector3(vm, com, kCom, "the centre of mass", row.link.com) ||
+      !read_inertia(vm, inertia, row.link) || !read_friction(vm, friction, row.link)) {
+    return Failed{};
   }
-  return give(args, new_host_value(vm, kJointRow, row));
+  return row;
 }
 
 // ---- robots
@@ -130,21 +112,21 @@ Signal joint_row(Vm& vm, Slot* args) {
 
 }  // namespace
 
-Signal add_robot(Vm& vm, Slot* args, Robot robot) {
+Answer<RobotRef> add_robot(Vm& vm, Robot robot) {
   Result<int> id = Host::of(vm).add_robot(std::make_shared<const Robot>(std::move(robot)));
   if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
-  return give(args, new_host_value(vm, kRobot, RobotRef{*id, &Host::of(vm).cell()}));
+  return RobotRef{*id, &Host::of(vm).cell()};
 }
 
 // What every way to make a robot accepts: base, tool and a name, all optional.
-Robot finished(Robot robot, Slot base, Slot tool, Slot name) {
-  if (base.o != nullptr) robot = robot.with_base(posc(base).T);
-  if (tool.o != nullptr) {
-    const auto& value = host_value<ToolValue>(tool);
-    robot = value.T_flange_tool ? robot.with_tool_point(*value.T_flange_tool)
-                                : robot.with_tool(value.tool);
+Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
+               std::optional<std::string_view> name) {
+  if (base != nullptr) robot = robot.with_base(base->T);
+  if (tool != nullptr) {
+    robot = tool->T_flange_tool ? robot.with_tool_point(*tool->T_flange_tool)
+                                : robot.with_tool(tool->tool);
   }
-  if (name.o != nullptr) robot = robot.with_name(std::string(text_value(name)));
+  if (name) robot = robot.with_name(std::string(*name));
   return robot;
 }
 
@@ -180,43 +162,47 @@ void check_meshes(Vm& vm, const RobotSpec& spec) {
 }
 
 // robot name { joint ...; base: ...; tool: ...; gravity: ...; convention: ... }
-Signal robot_block(Vm& vm, Slot* args) try {
-  enum { kName, kJoints, kBase, kTool, kGravity, kConvention, kHome, kTcp, kInertias };
+Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> joints,
+                             const PosC* base, const ToolValue* tool, Numbers gravity,
+                             std::string_view convention, const PosJ* home, const PosC* tcp,
+                             std::string_view inertias) try {
+  constexpr int kGravity = 4;
   RobotSpec spec;
-  spec.name = std::string(text_value(args[kName]));
+  spec.name = name;
   spec.source = "declared in the program";
-  spec.convention = convention_of(text_value(args[kConvention]));
+  spec.convention = convention_of(convention);
   bool has_mass = false;
-  for (const Slot item : items_value(args[kJoints])) {
-    const auto& row = host_value<JointRow>(item);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const JointRow& row = joints[i];
     spec.joints.push_back(row.joint);
     spec.links.push_back(row.link);
     has_mass = has_mass || row.link.mass != 0.0 || row.link.motor_inertia != 0.0 ||
                !row.link.inertia.isZero(0.0) || !row.link.mesh.empty();
   }
-  spec.inertia_check = inertia_check_of(text_value(args[kInertias]));
+  spec.inertia_check = inertia_check_of(inertias);
   check_meshes(vm, spec);
   if (!has_mass) spec.links.clear();
-  if (!read_vector3(vm, args[kGravity], kGravity, "gravity", spec.gravity)) return Signal::kFail;
-  if (args[kHome].o != nullptr) spec.home = posj(args[kHome]).vector();
-  Robot robot = finished(Robot(std::move(spec)), args[kBase], args[kTool], Slot{.o = nullptr});
-  if (args[kTcp].o != nullptr) robot = robot.with_tool_point(posc(args[kTcp]).T);
-  return add_robot(vm, args, std::move(robot));
+  if (!read_vector3(vm, gravity, kGravity, "gravity", spec.gravity)) return Failed{};
+  if (home != nullptr) spec.home = home->vector();
+  Robot robot = finished(Robot(std::move(spec)), base, tool);
+  if (tcp != nullptr) robot = robot.with_tool_point(tcp->T);
+  return add_robot(vm, std::move(robot));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0630", error);
 }
 
 // A robot from a file in the folder of the program.
-Signal robot_from_urdf(Vm& vm, Slot* args) try {
-  enum { kPath, kTip, kInertias, kBase, kTool, kName };
-  const std::string path(text_value(args[kPath]));
+Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::string_view inertias,
+                                 const PosC* base, const ToolValue* tool, Text name) try {
+  constexpr int kPath = 0;
+  const std::string path(file);
   const Result<std::string> text = Host::of(vm).load_file(path);
   if (!text.ok()) {
     return failure(vm, "R0626",
                    fmt::format("\"{}\" cannot be read: {}", path, text.error().message), kPath);
   }
   UrdfOptions options;
-  options.inertia_check = inertia_check_of(text_value(args[kInertias]));
+  options.inertia_check = inertia_check_of(inertias);
   options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
   const Result<Mechanism> mechanism = read_urdf(*text, options);
   if (!mechanism.ok()) {
@@ -226,123 +212,115 @@ Signal robot_from_urdf(Vm& vm, Slot* args) try {
     return failure_of(vm, "R0630", ArgumentError(mechanism.error().message), kPath,
                       inertia_only ? kKeepInertias : "");
   }
-  const std::string_view tip =
-      args[kTip].o != nullptr ? text_value(args[kTip]) : std::string_view();
-  Result<RobotSpec> spec = serial_arm(*mechanism, tip);
+  Result<RobotSpec> spec = serial_arm(*mechanism, tip.value_or(""));
   if (!spec.ok()) return failure_of(vm, "R0630", ArgumentError(spec.error().message), kPath);
-  return add_robot(vm, args,
-                   finished(Robot(std::move(spec).value()), args[kBase], args[kTool], args[kName]));
+  return add_robot(vm, finished(Robot(std::move(spec).value()), base, tool, name));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0630", error);
 }
 
 template <Robot (*kMake)()>
-Signal ready_robot(Vm& vm, Slot* args) try {
-  return add_robot(vm, args, finished(kMake(), args[0], args[1], args[2]));
+Answer<RobotRef> ready_robot(Vm& vm, const PosC* base, const ToolValue* tool, Text name) try {
+  return add_robot(vm, finished(kMake(), base, tool, name));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0630", error);
 }
 
-Answer<Obj*> default_robot(Vm& vm) {
+Answer<RobotRef> default_robot(Vm& vm) {
   const Result<int> id = Host::of(vm).default_robot();
   if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
-  return new_host_value(vm, kRobot, RobotRef{*id, &Host::of(vm).cell()});
+  return RobotRef{*id, &Host::of(vm).cell()};
 }
 
 // ---- tools
 // -----------------------------------------------------------------------------------------------------
 
-Signal gripper(Vm& vm, Slot* args) try {
-  return give(
-      args,
-      new_host_value(vm, kTool, ToolValue{parallel_gripper(args[0].d, args[1].d, args[2].d), {}}));
+Answer<ToolValue> gripper(Vm& vm, double stroke, double length, double force) try {
+  return ToolValue{parallel_gripper(stroke, length, force), {}};
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0631", error);
 }
-Signal suction(Vm& vm, Slot* args) try {
-  return give(args, new_host_value(vm, kTool, ToolValue{suction_cup(args[0].d, args[1].d), {}}));
+Answer<ToolValue> suction(Vm& vm, double radius, double length) try {
+  return ToolValue{suction_cup(radius, length), {}};
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0631", error);
 }
-Obj* tool_point(Vm& vm, const PosC& p) {
-  return new_host_value(vm, kTool, ToolValue{point_tool(), p.T});
-}
+ToolValue tool_point(const PosC& p) { return {point_tool(), p.T}; }
 
-constexpr std::string_view kReady = "(base: posC?, tool: tool?, name: string?) -> robot";
+// A function that makes an arm of the catalogue.
+template <Robot (*kMake)()>
+constexpr NativeFunction ready(std::string_view name, std::string_view help,
+                               std::string_view example) {
+  NativeFunction function =
+      def<ready_robot<kMake>>("(base: posC?, tool: tool?, name: string?) -> robot", help, example,
+                              {.check = check_ready_robot<kMake>});
+  function.name = name;
+  return function;
+}
 
 constexpr NativeFunction kModelFunctions[] = {
-    {"robot.joint.revolute",
-     "(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = 0rad, limits: angle[]?, "
-     "maxSpeed: angularSpeed?, maxAccel: angularAccel?, "
-     "maxJerk: angularAccel/time?, maxTorque: torque?, mass: mass = 0kg, com: length[]?, inertia: "
-     "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
-     "string?) -> jointRow",
-     "A joint that turns, with its Denavit-Hartenberg row; theta is its zero.",
-     "joint revolute(d: 400mm, a: 250mm, limits: [-170deg, 170deg])",
-     joint_row<JointKind::kRevolute>, nullptr, nullptr, check_revolute_row},
-    {"robot.joint.prismatic",
-     "(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = 0rad, limits: "
-     "length[]?, maxSpeed: speed?, maxAccel: accel?, "
-     "maxJerk: accel/time?, maxForce: force?, mass: mass = 0kg, com: length[]?, inertia: "
-     "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
-     "string?) -> jointRow",
-     "A joint that slides, with its Denavit-Hartenberg row; d is its zero.",
-     "joint prismatic(limits: [0mm, 150mm])", joint_row<JointKind::kPrismatic>, nullptr, nullptr,
-     check_prismatic_row},
-    {"robot{}",
-     "(name: string, joint: jointRow[], base: posC?, tool: tool?, gravity: accel[]?, convention: "
-     "string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\") -> robot",
-     "A robot made of joints; tcp: the tool point seen from the flange, if the hand does not say "
-     "it; "
-     "inertias: \"published\" keeps numbers that no rigid body has.",
-     "robot arm { joint revolute(a: 300mm) }", robot_block, nullptr, nullptr, check_robot_block},
-    {"urdf",
-     "(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, name: "
-     "string?) -> robot",
-     "A robot from a description in the program's folder; tip: the link at its end, where the file "
-     "has several arms.",
-     "urdf(\"arm.urdf\", tip: \"tool0\")", robot_from_urdf},
+    def<joint_row<JointKind::kRevolute>>(
+        "robot.joint.revolute(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
+        "0rad, limits: angle[]?, maxSpeed: angularSpeed?, maxAccel: angularAccel?, maxJerk: "
+        "angularAccel/time?, maxTorque: torque?, mass: mass = 0kg, com: length[]?, inertia: "
+        "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
+        "string?) -> jointRow",
+        "A joint that turns, with its Denavit-Hartenberg row; theta is its zero.",
+        "joint revolute(d: 400mm, a: 250mm, limits: [-170deg, 170deg])",
+        {.check = check_revolute_row}),
+    def<joint_row<JointKind::kPrismatic>>(
+        "robot.joint.prismatic(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
+        "0rad, limits: length[]?, maxSpeed: speed?, maxAccel: accel?, maxJerk: accel/time?, "
+        "maxForce: force?, mass: mass = 0kg, com: length[]?, inertia: double[][]?, friction: "
+        "double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?) -> jointRow",
+        "A joint that slides, with its Denavit-Hartenberg row; d is its zero.",
+        "joint prismatic(limits: [0mm, 150mm])", {.check = check_prismatic_row}),
+    def<robot_block>(
+        "robot{}(name: string, joint: jointRow[], base: posC?, tool: tool?, gravity: accel[]?, "
+        "convention: string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\") "
+        "-> robot",
+        "A robot made of joints; tcp: the tool point seen from the flange, if the hand does not "
+        "say it; inertias: \"published\" keeps numbers that no rigid body has.",
+        "robot arm { joint revolute(a: 300mm) }", {.check = check_robot_block}),
+    def<robot_from_urdf>(
+        "urdf(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, "
+        "name: string?) -> robot",
+        "A robot from a description in the program's folder; tip: the link at its end, where the "
+        "file has several arms.",
+        "urdf(\"arm.urdf\", tip: \"tool0\")"),
     def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
                        {.check = check_default_robot}),
-    {"robots.planar2", kReady, "Two links of 1 m in the vertical x-z plane.", "robots.planar2()",
-     ready_robot<make_planar2>, nullptr, nullptr, check_ready_robot<make_planar2>},
-    {"robots.planar3", kReady, "Three links in the horizontal plane.", "robots.planar3()",
-     ready_robot<make_planar3>, nullptr, nullptr, check_ready_robot<make_planar3>},
-    {"robots.anthropomorphic", kReady, "Three turning joints, without a wrist.",
-     "robots.anthropomorphic()", ready_robot<make_rrr3>, nullptr, nullptr,
-     check_ready_robot<make_rrr3>},
-    {"robots.scara", kReady,
-     "A SCARA with links of 400 and 300 mm and a 60 mm gripper; the tool points down.",
-     "robots.scara()", ready_robot<make_scara>, nullptr, nullptr, check_ready_robot<make_scara>},
-    {"robots.scorbot", kReady, "Scorbot-ER 4U, five joints.", "robots.scorbot()",
-     ready_robot<make_scorbot>, nullptr, nullptr, check_ready_robot<make_scorbot>},
-    {"robots.puma560", kReady, "Unimation Puma 560, six joints.", "robots.puma560()",
-     ready_robot<make_puma560>, nullptr, nullptr, check_ready_robot<make_puma560>},
-    {"robots.stanford", kReady, "Stanford arm, six joints, the third slides.", "robots.stanford()",
-     ready_robot<make_stanford>, nullptr, nullptr, check_ready_robot<make_stanford>},
-    {"robots.pa10", kReady, "Mitsubishi PA-10 with seven joints.", "robots.pa10()",
-     ready_robot<make_pa10>, nullptr, nullptr, check_ready_robot<make_pa10>},
-    {"robots.pa10_6", kReady, "Mitsubishi PA-10 with six joints.", "robots.pa10_6()",
-     ready_robot<make_pa10_6>, nullptr, nullptr, check_ready_robot<make_pa10_6>},
-    {"robots.irb120", kReady, "ABB IRB 120, six joints.", "robots.irb120()",
-     ready_robot<make_irb120>, nullptr, nullptr, check_ready_robot<make_irb120>},
-    {"robots.ur3", kReady, "Universal Robots UR3, six joints.", "robots.ur3()",
-     ready_robot<make_ur3>, nullptr, nullptr, check_ready_robot<make_ur3>},
-    {"robots.ur5", kReady, "Universal Robots UR5, six joints.", "robots.ur5()",
-     ready_robot<make_ur5>, nullptr, nullptr, check_ready_robot<make_ur5>},
-    {"robots.ur10", kReady, "Universal Robots UR10, six joints.", "robots.ur10()",
-     ready_robot<make_ur10>, nullptr, nullptr, check_ready_robot<make_ur10>},
-    {"robots.panda", kReady, "Franka Emika Panda, seven joints.", "robots.panda()",
-     ready_robot<make_panda>, nullptr, nullptr, check_ready_robot<make_panda>},
-    {"robots.iiwa14", kReady, "KUKA LBR iiwa 14 R820, seven joints.", "robots.iiwa14()",
-     ready_robot<make_iiwa14>, nullptr, nullptr, check_ready_robot<make_iiwa14>},
-    {"robots.arm7", kReady, "A generic arm of seven joints with a shoulder, an elbow and a wrist.",
-     "robots.arm7()", ready_robot<make_arm7>, nullptr, nullptr, check_ready_robot<make_arm7>},
-    {"parallelGripper", "(stroke: length, length: length = 120mm, force: force = 20N) -> tool",
-     "A gripper with two fingers; the tool point is `length` along the flange's z axis.",
-     "parallelGripper(stroke: 60mm)", gripper},
-    {"suctionCup", "(radius: length, length: length = 60mm) -> tool", "A suction cup.",
-     "suctionCup(radius: 15mm)", suction},
+    ready<make_planar2>("robots.planar2", "Two links of 1 m in the vertical x-z plane.",
+                        "robots.planar2()"),
+    ready<make_planar3>("robots.planar3", "Three links in the horizontal plane.",
+                        "robots.planar3()"),
+    ready<make_rrr3>("robots.anthropomorphic", "Three turning joints, without a wrist.",
+                     "robots.anthropomorphic()"),
+    ready<make_scara>(
+        "robots.scara",
+        "A SCARA with links of 400 and 300 mm and a 60 mm gripper; the tool points down.",
+        "robots.scara()"),
+    ready<make_scorbot>("robots.scorbot", "Scorbot-ER 4U, five joints.", "robots.scorbot()"),
+    ready<make_puma560>("robots.puma560", "Unimation Puma 560, six joints.", "robots.puma560()"),
+    ready<make_stanford>("robots.stanford", "Stanford arm, six joints, the third slides.",
+                         "robots.stanford()"),
+    ready<make_pa10>("robots.pa10", "Mitsubishi PA-10 with seven joints.", "robots.pa10()"),
+    ready<make_pa10_6>("robots.pa10_6", "Mitsubishi PA-10 with six joints.", "robots.pa10_6()"),
+    ready<make_irb120>("robots.irb120", "ABB IRB 120, six joints.", "robots.irb120()"),
+    ready<make_ur3>("robots.ur3", "Universal Robots UR3, six joints.", "robots.ur3()"),
+    ready<make_ur5>("robots.ur5", "Universal Robots UR5, six joints.", "robots.ur5()"),
+    ready<make_ur10>("robots.ur10", "Universal Robots UR10, six joints.", "robots.ur10()"),
+    ready<make_panda>("robots.panda", "Franka Emika Panda, seven joints.", "robots.panda()"),
+    ready<make_iiwa14>("robots.iiwa14", "KUKA LBR iiwa 14 R820, seven joints.", "robots.iiwa14()"),
+    ready<make_arm7>("robots.arm7",
+                     "A generic arm of seven joints with a shoulder, an elbow and a wrist.",
+                     "robots.arm7()"),
+    def<gripper>(
+        "parallelGripper(stroke: length, length: length = 120mm, force: force = 20N) -> tool",
+        "A gripper with two fingers; the tool point is `length` along the flange's z axis.",
+        "parallelGripper(stroke: 60mm)"),
+    def<suction>("suctionCup(radius: length, length: length = 60mm) -> tool", "A suction cup.",
+                 "suctionCup(radius: 15mm)"),
     def<tool_point>("tcp(p: posC) -> tool", "A tool point without a hand; it cannot grasp.",
                     "tcp(xyz(z: 50mm))"),
 };

@@ -11,25 +11,19 @@
 namespace armlet::bind {
 namespace {
 
-Signal enter(Vm& vm, Slot*) {
+void enter(Vm& vm) {
   open_settings(vm);
   BlockSettings settings = settings_of(vm);
   settings.path = std::make_shared<CollectedPath>();
   replace_settings(vm, std::move(settings));
-  return give_nothing();
-}
-
-Signal leave(Vm& vm, Slot*) {
-  close_settings(vm);
-  return give_nothing();
 }
 
 // From here on moves are moves again, also those of watches that run meanwhile.
-Signal make(Vm& vm, Slot* args) {
+Started make_moves(Vm& vm) {
   BlockSettings settings = settings_of(vm);
   const std::shared_ptr<CollectedPath> path = std::exchange(settings.path, nullptr);
   replace_settings(vm, std::move(settings));
-  return make_path(vm, args, *path);
+  return make_path(vm, *path);
 }
 
 Answer<void> set_blend(Vm& vm, double blend) {
@@ -56,14 +50,9 @@ void check_blend_setting(CheckCall& call) { check_blend(call, 0); }
 void check_time_setting(CheckCall& call) { check_duration(call, 0); }
 
 constexpr NativeFunction kPathFunctions[] = {
-    {"path{", "()", "", "", enter},
-    {"path}", "()", "", "", leave},
-    {.name = "path{move}",
-     .signature = "() -> Move",
-     .help = "",
-     .example = "",
-     .thunk = make,
-     .pauses = true},
+    def<enter>("path{()", "", ""),
+    def<close_settings>("path}()", "", ""),
+    def<make_moves>("path{move}() -> Move", "", "", {.pauses = true}),
     def<set_blend>(
         "path.blend(blend: length)",
         "Moves inside the block are planned and made as one motion, and its corners are "

@@ -35,16 +35,6 @@ void close_settings(Vm& vm) {
 
 namespace {
 
-Signal enter(Vm& vm, Slot*) {
-  open_settings(vm);
-  return give_nothing();
-}
-
-Signal leave(Vm& vm, Slot*) {
-  close_settings(vm);
-  return give_nothing();
-}
-
 template <double BlockSettings::*kMember>
 Answer<void> set_fraction(Vm& vm, double value) {
   constexpr double kLeast = 1e-9;  // a turn would take years
@@ -73,17 +63,17 @@ const TrackName* track_called(std::string_view name) {
   return found != std::end(kTracks) ? found : nullptr;
 }
 
-Answer<void> set_track(Vm& vm, std::string_view track) {
-  const TrackName* track = track_called(track);
-  if (track == nullptr) {
+Answer<void> set_track(Vm& vm, std::string_view name) {
+  const TrackName* found = track_called(name);
+  if (found == nullptr) {
     return failure(vm, "R0609",
                    fmt::format("lines cannot be tracked \"{}\": it is \"exact\", \"slow\" or "
                                "\"damped\"",
-                               track),
+                               name),
                    0);
   }
   BlockSettings settings = settings_of(vm);
-  settings.track = track->track;
+  settings.track = found->track;
   replace_settings(vm, std::move(settings));
   return {};
 }
@@ -94,14 +84,13 @@ void set_tool(Vm& vm, const PosC& tool) {
   replace_settings(vm, std::move(settings));
 }
 
-Signal set_frame(Vm& vm, Frame frame) {
+void set_frame(Vm& vm, Frame frame) {
   BlockSettings settings = settings_of(vm);
   settings.frame = std::move(frame);
   replace_settings(vm, std::move(settings));
-  return give_nothing();
 }
-void set_frame_place(Vm& vm, const PosC& frame) { return set_frame(vm, frame.T); }
-void set_frame_object(Vm& vm, const ObjectRef& frame) { return set_frame(vm, frame.name); }
+void set_frame_place(Vm& vm, const PosC& frame) { set_frame(vm, frame.T); }
+void set_frame_object(Vm& vm, const ObjectRef& frame) { set_frame(vm, frame.name); }
 
 // E0513.
 void check_share(CheckCall& call, std::string_view what) {
@@ -124,8 +113,8 @@ void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }
 
 constexpr NativeFunction kSettingsFunctions[] = {
-    in_path({"with{", "()", "", "", enter}),
-    in_path({"with}", "()", "", "", leave}),
+    def<open_settings>("with{()", "", "", {.in_path = true}),
+    def<close_settings>("with}()", "", "", {.in_path = true}),
     def<set_fraction<&BlockSettings::speed>>(
         "with.speed(speed: double)",
         "Moves inside the block that give neither time nor speed run at this fraction of the joint "

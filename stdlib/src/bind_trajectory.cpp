@@ -18,160 +18,144 @@ namespace {
 // ---- making
 // ----------------------------------------------------------------------------------------------------
 
-// The parameters behind the robot: (name, points, time, durations, speed, accel). In one signature
-// the robot comes first, so that calls without one mean the robot of the program; in the other it
-// is the setting `robot`, the last one.
-enum Parameter { kName, kPoints, kTime, kDurations, kSpeed, kAccel, kCount };
+using Number = std::optional<double>;
+using Numbers = std::optional<std::span<const double>>;
 
-template <bool kRobotFirst>
-MoveCall call_of(const Slot* args) {
-  constexpr int kFirst = kRobotFirst ? 1 : 0;
+// A call, whose parameters stand one behind the other from the name on.
+MoveCall call_of(const RobotRef& r, int name) {
   return {.function = "trajectory",
-          .robot = host_value<RobotRef>(args[kRobotFirst ? 0 : kCount]).id,
-          .target = kFirst + kPoints,
-          .time = kFirst + kTime,
-          .speed = kFirst + kSpeed,
-          .accel = kFirst + kAccel,
-          .planner = kFirst + kName};
+          .robot = r.id,
+          .target = name + 1,
+          .time = name + 2,
+          .speed = name + 4,
+          .accel = name + 5,
+          .planner = name};
 }
-
-std::optional<double> given(Slot s) {
-  return is_absent(s) ? std::nullopt : std::optional<double>(s.d);
-}
-
-// args from the name on.
-PointSettings settings_from(const Slot* args, int durations_parameter) {
-  PointSettings settings;
-  settings.move = {
-      .time = given(args[kTime]), .speed = given(args[kSpeed]), .accel = given(args[kAccel])};
-  settings.durations_parameter = durations_parameter;
-  if (args[kDurations].o == nullptr) return settings;
-  const auto durations = reals_value(args[kDurations]);
-  settings.durations.assign(durations.begin(), durations.end());
+PointSettings settings_from(const MoveCall& call, const MoveSettings& move, Numbers durations) {
+  PointSettings settings{.move = move, .durations_parameter = call.time + 1};
+  if (durations) settings.durations.assign(durations->begin(), durations->end());
   return settings;
 }
 
-Signal give_motion(Vm& vm, Slot* args, const MoveCall& call, std::string planner,
-                   std::optional<Trajectory> motion) {
-  if (!motion) return Signal::kFail;
+Answer<Trajectory> plan(Vm& vm, const MoveCall& call, const std::string& planner,
+                        HostList<PosJ> list, const PointSettings& settings) {
+  const auto points = joint_points(vm, call, list);
+  if (!points) return Failed{};
+  return plan_through(vm, call, *points, planner, settings);
+}
+Answer<Trajectory> plan(Vm& vm, const MoveCall& call, const std::string& planner,
+                        HostList<PosC> list, const PointSettings& settings) {
+  const auto places = places_in_world(vm, call, settings.move, list);
+  if (!places) return Failed{};
+  const auto points = solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
+  if (!points) return Failed{};
+  return planner == "Lin" && !points->empty()
+             ? plan_lines(vm, call, points->front(), *places, settings)
+             : plan_through(vm, call, *points, planner, settings);
+}
+template <class T>
+Answer<PlannedMotion> planned_of(Vm& vm, const MoveCall& call, std::string_view name,
+                                 HostList<T> points, const PointSettings& settings) {
+  std::string planner(name);
+  auto motion = plan(vm, call, planner, points, settings);
+  if (!motion) return Failed{};
   std::shared_ptr<const Robot> robot = Host::of(vm).cell().robot(call.robot).model;
   const PosJ joints = make_posj(*robot, motion->start());
-  return give(
-      args, new_trajectory(vm, {std::move(planner), *std::move(motion), joints, std::move(robot)}));
+  return PlannedMotion{std::move(planner), *std::move(motion), joints, std::move(robot)};
 }
 
-template <bool kRobotFirst>
-Signal make_from_joints(Vm& vm, Slot* args) {
-  const MoveCall call = call_of<kRobotFirst>(args);
-  const Slot* first = args + (kRobotFirst ? 1 : 0);
-  const auto points = joint_points(vm, call, first[kPoints]);
-  if (!points) return Signal::kFail;
-  std::string planner(text_value(first[kName]));
-  const PointSettings settings = settings_from(first, call.target + 2);
-  auto motion = plan_through(vm, call, *points, planner, settings);
-  return give_motion(vm, args, call, std::move(planner), std::move(motion));
+// With the robot first, calls without one mean the robot of the program; the other signature has it
+// as the setting `robot`.
+template <class T>
+Answer<PlannedMotion> make_for(Vm& vm, const RobotRef& r, std::string_view name, HostList<T> points,
+                               Number time, Numbers durations, Number speed, Number accel) {
+  const MoveCall call = call_of(r, 1);
+  const MoveSettings move{.time = time, .speed = speed, .accel = accel};
+  return planned_of(vm, call, name, points, settings_from(call, move, durations));
 }
-
-template <bool kRobotFirst>
-Signal make_from_places(Vm& vm, Slot* args) {
-  const MoveCall call = call_of<kRobotFirst>(args);
-  const Slot* first = args + (kRobotFirst ? 1 : 0);
-  const PointSettings settings = settings_from(first, call.target + 2);
-  const auto places = places_in_world(vm, call, settings.move, first[kPoints]);
-  if (!places) return Signal::kFail;
-  const auto points = solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
-  if (!points) return Signal::kFail;
-  std::string planner(text_value(first[kName]));
-  auto motion = planner == "Lin" && !points->empty()
-                    ? plan_lines(vm, call, points->front(), *places, settings)
-                    : plan_through(vm, call, *points, planner, settings);
-  return give_motion(vm, args, call, std::move(planner), std::move(motion));
+template <class T>
+Answer<PlannedMotion> make_with(Vm& vm, std::string_view name, HostList<T> points, Number time,
+                                Numbers durations, Number speed, Number accel,
+                                const RobotRef& robot) {
+  const MoveCall call = call_of(robot, 0);
+  const MoveSettings move{.time = time, .speed = speed, .accel = accel};
+  return planned_of(vm, call, name, points, settings_from(call, move, durations));
 }
 
 // ---- reading
 // ---------------------------------------------------------------------------------------------------
 
-template <int kOrder>
-Answer<Obj*> value_at(Vm& vm, const Trajectory& tr, double t) {
-  const PlannedMotion& plan = tr;
+Answer<PosJ> joints_at(Vm& vm, const PlannedMotion& tr, double t) {
   if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
-  if constexpr (kOrder == 0) {
-    PosJ values = plan.joints;
-    for (int i = 0; i < values.n; ++i)
-      values.q[static_cast<std::size_t>(i)] = plan.motion.value(i, t, kOrder);
-    return new_posj(vm, values);
-  } else {
-    std::vector<double> values;
-    for (int i = 0; i < plan.motion.n(); ++i) values.push_back(plan.motion.value(i, t, kOrder));
-    return new_reals(vm, values);
-  }
+  PosJ values = tr.joints;
+  for (int i = 0; i < values.n; ++i) values.q[static_cast<std::size_t>(i)] = tr.motion.value(i, t);
+  return values;
+}
+template <int kOrder>
+Answer<std::vector<double>> rates_at(Vm& vm, const PlannedMotion& tr, double t) {
+  if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
+  const Trajectory& motion = tr.motion;
+  std::vector<double> values;
+  for (int i = 0; i < motion.n(); ++i) values.push_back(motion.value(i, t, kOrder));
+  return values;
 }
 
-double duration(const Trajectory& tr) { return tr.motion.duration(); }
+double duration(const PlannedMotion& tr) { return tr.motion.duration(); }
 
-Obj* knots(Vm& vm, const Trajectory& tr) { return new_reals(vm, tr.motion.knots()); }
+std::vector<double> knots(const PlannedMotion& tr) { return tr.motion.knots(); }
 
-std::string planner_name(const Trajectory& tr) { return tr.planner; }
+std::string planner_name(const PlannedMotion& tr) { return tr.planner; }
 
-// (tr, order)
-Answer<Obj*> peaks(Vm& vm, const Trajectory& tr, std::int64_t order) {
-  const PlannedMotion& plan = tr;
+Answer<std::vector<double>> peaks(Vm& vm, const PlannedMotion& tr, std::int64_t order) {
   if (order < 1 || order > Segment::kMaxDegree) {
     return failure(
         vm, "R0609",
         fmt::format("there are no peaks of order {}: 1 is speed, 2 acceleration, 3 jerk", order),
         1);
   }
+  const Trajectory& motion = tr.motion;
   std::vector<double> values;
-  for (int i = 0; i < plan.motion.n(); ++i) {
-    const bool jumps = plan.motion.continuity(i, 1e-6) < order - 1;
+  for (int i = 0; i < motion.n(); ++i) {
+    const bool jumps = motion.continuity(i, 1e-6) < order - 1;
     values.push_back(jumps ? std::numeric_limits<double>::infinity()
-                           : plan.motion.peak(i, static_cast<int>(order)));
+                           : motion.peak(i, static_cast<int>(order)));
   }
-  return new_reals(vm, values);
+  return values;
 }
 
 // ---- joining
 // ---------------------------------------------------------------------------------------------------
 
-Signal joined(Vm& vm, Slot* args) try {
-  const PlannedMotion& first = planned(args[0]);
-  const PlannedMotion& next = planned(args[1]);
+Answer<PlannedMotion> joined(Vm& vm, const PlannedMotion& first, const PlannedMotion& next) try {
   std::string planner =
       first.planner == next.planner ? first.planner : first.planner + " + " + next.planner;
-  return give(args, new_trajectory(vm, {std::move(planner), first.motion.then(next.motion),
-                                        first.joints, first.robot}));
+  return PlannedMotion{std::move(planner), first.motion.then(next.motion), first.joints,
+                       first.robot};
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0634", error);
 }
 
-Signal reversed(Vm& vm, Slot* args) {
-  const PlannedMotion& plan = planned(args[0]);
-  return give(args,
-              new_trajectory(vm, {plan.planner, plan.motion.reversed(), plan.joints, plan.robot}));
+PlannedMotion reversed(const PlannedMotion& plan) {
+  return {plan.planner, plan.motion.reversed(), plan.joints, plan.robot};
 }
 
 // ---- in words
 // --------------------------------------------------------------------------------------------------
 
-Signal print_line(Vm& vm, const std::string& text) {
-  return vm.print(text + '\n') ? give_nothing() : Signal::kFail;
+Answer<void> print_line(Vm& vm, const std::string& text) {
+  if (!vm.print(text + '\n')) return Failed{};
+  return {};
 }
 
-void explain_trajectory(Vm& vm, const Trajectory& tr) {
-  const PlannedMotion& plan = tr;
+Answer<void> explain_trajectory(Vm& vm, const PlannedMotion& plan) {
   const std::string what = fmt::format("trajectory {} of {}", plan.planner, plan.robot->name());
   return print_line(vm, explain_motion(what, *plan.robot, plan.motion));
 }
 
-void explain_robot(Vm& vm, const RobotRef& r) {
-  Host& host = Host::of(vm);
-  const int id = r.id;
-  const CellRobot& robot = host.cell().robot(id);
-  const LastMotion* last = host.last_motion(id);
-  if (last == nullptr) {
-    return print_line(vm, fmt::format("{} has not moved", robot.name));
-  }
+Answer<void> explain_robot(Vm& vm, const RobotRef& r) {
+  const CellRobot& robot = state_of(vm, r);
+  const LastMotion* last = Host::of(vm).last_motion(r.id);
+  if (last == nullptr) return print_line(vm, fmt::format("{} has not moved", robot.name));
   bool moving = false;  // it took over from a velocity command
   for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
   return print_line(
@@ -198,35 +182,34 @@ constexpr std::string_view kRobotPlacesExample =
     "robots.scara(name: \"other\"))";
 
 constexpr NativeFunction kTrajectoryFunctions[] = {
-    {"trajectory",
-     "(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
-     "accel: double?) -> trajectory",
-     kMakeHelp, kMakeExample, make_from_joints<true>, nullptr, nullptr, check_trajectory<true>},
-    {"trajectory",
-     "(r: robot, name: string, points: posC[], time: time?, durations: time[]?, speed: double?, "
-     "accel: double?) -> trajectory",
-     kMakeHelp, kPlacesExample, make_from_places<true>, nullptr, nullptr, check_trajectory<true>},
-    {"trajectory",
-     "(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, accel: "
-     "double?, robot: robot) -> trajectory",
-     kMakeHelp, kRobotExample, make_from_joints<false>, nullptr, nullptr, check_trajectory<false>},
-    {"trajectory",
-     "(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, accel: "
-     "double?, robot: robot) -> trajectory",
-     kMakeHelp, kRobotPlacesExample, make_from_places<false>, nullptr, nullptr,
-     check_trajectory<false>},
-    def<value_at<0>>(
+    def<make_for<PosJ>>(
+        "trajectory(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, "
+        "speed: double?, accel: double?) -> trajectory",
+        kMakeHelp, kMakeExample, {.check = check_trajectory<true>}),
+    def<make_for<PosC>>(
+        "trajectory(r: robot, name: string, points: posC[], time: time?, durations: time[]?, "
+        "speed: double?, accel: double?) -> trajectory",
+        kMakeHelp, kPlacesExample, {.check = check_trajectory<true>}),
+    def<make_with<PosJ>>(
+        "trajectory(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
+        "accel: double?, robot: robot) -> trajectory",
+        kMakeHelp, kRobotExample, {.check = check_trajectory<false>}),
+    def<make_with<PosC>>(
+        "trajectory(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, "
+        "accel: double?, robot: robot) -> trajectory",
+        kMakeHelp, kRobotPlacesExample, {.check = check_trajectory<false>}),
+    def<joints_at>(
         "trajectory.q(tr: trajectory, t: time) -> posJ",
         "The joint values at that time; before the start and after the end those of the ends.",
         "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)"),
-    def<value_at<1>>("trajectory.qd(tr: trajectory, t: time) -> double[]",
+    def<rates_at<1>>("trajectory.qd(tr: trajectory, t: time) -> double[]",
                      "The joint speeds at that time, rad/s and m/s.",
                      "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)"),
-    def<value_at<2>>("trajectory.qdd(tr: trajectory, t: time) -> double[]",
+    def<rates_at<2>>("trajectory.qdd(tr: trajectory, t: time) -> double[]",
                      "The joint accelerations at that time, rad/s^2 and m/s^2. Where one jumps, "
                      "the later value.",
                      "trajectory(\"Syn\", [home(), home()], time: 2s).qdd(1s)"),
-    def<value_at<3>>("trajectory.jerk(tr: trajectory, t: time) -> double[]",
+    def<rates_at<3>>("trajectory.jerk(tr: trajectory, t: time) -> double[]",
                      "How fast the joint accelerations change at that time, rad/s^3 and m/s^3. "
                      "Where it jumps, the "
                      "later value.",
@@ -249,13 +232,13 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
         "enough "
         "for that.",
         "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).peaks(2)"),
-    {"operator+", "(a: trajectory, b: trajectory) -> trajectory",
-     "One motion and then the other, which starts where the first ends.",
-     "let tr = trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]); tr + tr.reversed()",
-     joined},
-    {"trajectory.reversed", "(tr: trajectory) -> trajectory",
-     "The same path run backwards in the same time.",
-     "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()", reversed},
+    def<joined>("operator+(a: trajectory, b: trajectory) -> trajectory",
+                "One motion and then the other, which starts where the first ends.",
+                "let tr = trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]); tr + "
+                "tr.reversed()"),
+    def<reversed>("trajectory.reversed(tr: trajectory) -> trajectory",
+                  "The same path run backwards in the same time.",
+                  "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()"),
     def<explain_trajectory>(
         "explain(tr: trajectory)",
         "Prints what a trajectory is made of: for every joint its way and its peaks of speed, "

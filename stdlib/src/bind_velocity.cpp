@@ -108,32 +108,29 @@ Failed fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
   return fail(vm, std::move(f));
 }
 
-// A robot that another command still moves takes no velocity. True: the failure is set.
-bool refuse_driving(Vm& vm, const MoveCall& call) {
-  return !Host::of(vm).cell().can_drive(call.robot) && refuse_busy(vm, call.robot);
+// A robot that another command still moves takes no velocity.
+Answer<void> check_drivable(Vm& vm, const MoveCall& call) {
+  if (Host::of(vm).cell().can_drive(call.robot)) return {};
+  return check_idle(vm, call.robot);
 }
 
-// `during` in whole nanoseconds, as the clock counts; nothing: the failure is set.
-std::optional<std::int64_t> holding_time(Vm& vm, double seconds, int parameter) {
-  if (!std::isfinite(seconds)) {
-    static_cast<void>(not_finite(vm, "the time", seconds, parameter));
-    return std::nullopt;
-  }
-  if (!check_time_left(vm, "a velocity", seconds, parameter)) return std::nullopt;
+// `during` in whole nanoseconds, as the clock counts.
+Answer<std::int64_t> holding_time(Vm& vm, double seconds, int parameter) {
+  if (!std::isfinite(seconds)) return not_finite(vm, "the time", seconds, parameter);
+  if (!check_time_left(vm, "a velocity", seconds, parameter)) return Failed{};
   const std::int64_t ns = seconds > 0.0 ? to_ns(seconds) : 0;
   if (ns > 0) return ns;
-  static_cast<void>(domain_failure(vm, "a velocity held for a time", seconds, "be longer than 0 s",
-                                   {}, parameter));
-  return std::nullopt;
+  return domain_failure(vm, "a velocity held for a time", seconds, "be longer than 0 s", {},
+                        parameter);
 }
 
-Signal drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t during_ns) {
+Started drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t during_ns) {
   if (!plan.motion) return fail_velocity(vm, call, plan);
-  if (!check_time_left(vm, "a motion", plan.motion->duration(), kMarkCallee)) return Signal::kFail;
+  if (!check_time_left(vm, "a motion", plan.motion->duration(), kMarkCallee)) return Failed{};
   Host& host = Host::of(vm);
   const int motion =
       host.cell().drive(call.robot, *std::move(plan.motion), host.now_ns() + during_ns);
-  return pause(vm, std::make_unique<VelocityWaiting>(host, call, motion));
+  return std::unique_ptr<Waiting>(std::make_unique<VelocityWaiting>(host, call, motion));
 }
 
 VelocityStart start_of(Vm& vm, const MoveCall& call, std::int64_t during_ns) {
@@ -141,12 +138,10 @@ VelocityStart start_of(Vm& vm, const MoveCall& call, std::int64_t during_ns) {
   return {.q = state.q, .qd = state.qd, .qdd = state.qdd, .during = to_seconds(during_ns)};
 }
 
-// (r, rates, during)
-Answer<void> speed_j(Vm& vm, const RobotRef& r, std::span<const double> values,
-                     double given_during) {
+Started speed_j(Vm& vm, const RobotRef& r, std::span<const double> values, double seconds) {
   const MoveCall call{.function = "speedJ", .robot = r.id};
-  if (refuse_driving(vm, call)) return Failed{};
-  const auto during = holding_time(vm, given_during, 2);
+  if (!check_drivable(vm, call)) return Failed{};
+  const auto during = holding_time(vm, seconds, 2);
   if (!during) return Failed{};
   const Robot& robot = model_of(vm, call);
   if (values.size() != static_cast<std::size_t>(robot.n())) {
@@ -161,13 +156,19 @@ Answer<void> speed_j(Vm& vm, const RobotRef& r, std::span<const double> values,
   return drive(vm, call, plan_joint_velocity(robot, start_of(vm, call, *during), rates), *during);
 }
 
-// The velocity `v` with its axes turned by R.
-Signal speed_c(Vm& vm, Slot* args, const Eigen::Matrix3d& R, int during_parameter) {
-  MoveCall call{.function = "speedC", .robot = host_value<RobotRef>(args[0]).id};
-  if (refuse_driving(vm, call)) return Signal::kFail;
-  const auto during = holding_time(vm, args[during_parameter].d, during_parameter);
-  if (!during) return Signal::kFail;
-  const auto values = reals_value(args[1]);
+// A velocity with its axes turned by R, for so long.
+struct Drift {
+  std::span<const double> values;
+  Eigen::Matrix3d R;
+  double seconds;
+  int seconds_parameter;
+};
+Started speed_c(Vm& vm, const RobotRef& r, const Drift& drift) {
+  MoveCall call{.function = "speedC", .robot = r.id};
+  if (!check_drivable(vm, call)) return Failed{};
+  const auto during = holding_time(vm, drift.seconds, drift.seconds_parameter);
+  if (!during) return Failed{};
+  const std::span<const double> values = drift.values;
   if (values.size() != 6) {
     return failure(vm, "R0613",
                    fmt::format("the velocity of a hand has 6 values, not {}", values.size()), 1,
@@ -176,7 +177,7 @@ Signal speed_c(Vm& vm, Slot* args, const Eigen::Matrix3d& R, int during_paramete
   const Vector6d v = Eigen::Map<const Vector6d>(values.data());
   if (!v.allFinite()) return not_finite(vm, "a velocity", v.sum(), 1);
   Vector6d twist;
-  twist << R * v.head<3>(), R * v.tail<3>();
+  twist << drift.R * v.head<3>(), drift.R * v.tail<3>();
   choose_model(vm, call, {}, 1.0);
   VelocityStart start = start_of(vm, call, *during);
   Host& host = Host::of(vm);
@@ -186,27 +187,29 @@ Signal speed_c(Vm& vm, Slot* args, const Eigen::Matrix3d& R, int during_paramete
     start.same = last->take_up;
   VelocityPlan plan = plan_tool_velocity(model_of(vm, call), start, twist);
   const ToolTakeUp take_up = plan.take_up;
-  const Signal signal = drive(vm, call, std::move(plan), *during);
-  if (signal == Signal::kPause) {
+  auto started = drive(vm, call, std::move(plan), *during);
+  if (started) {
     const int motion = host.cell().robot(call.robot).motion_id;
     host.remember_velocity(call.robot, {.motion = motion, .twist = twist, .take_up = take_up});
   }
-  return signal;
+  return started;
 }
 
-// (r, v, during): along the axes of the frame of the blocks around it, or of the world.
-Signal speed_c_world(Vm& vm, Slot* args) {
-  const MoveCall call{.function = "speedC", .robot = host_value<RobotRef>(args[0]).id};
-  const auto axes = in_world(vm, call, {}, PosC{});
-  return axes ? speed_c(vm, args, axes->T.linear(), 2) : Signal::kFail;
+// Along the axes of the frame of the blocks around it, or of the world.
+Started speed_c_world(Vm& vm, const RobotRef& r, std::span<const double> v, double during) {
+  const auto axes = in_world(vm, {.function = "speedC", .robot = r.id}, {}, PosC{});
+  if (!axes) return Failed{};
+  return speed_c(vm, r, {v, axes->T.linear(), during, 2});
 }
-// (r, v, frame, during)
-Signal speed_c_frame(Vm& vm, Slot* args) { return speed_c(vm, args, posc(args[2]).T.linear(), 3); }
-Signal speed_c_object(Vm& vm, Slot* args) {
-  const std::string& name = host_value<ObjectRef>(args[2]).name;
-  const Object* object = find_object(vm, name);
-  if (object == nullptr) return fail_unknown_object(vm, name, 2);
-  return speed_c(vm, args, object->T_world_obj.linear(), 3);
+Started speed_c_frame(Vm& vm, const RobotRef& r, std::span<const double> v, const PosC& frame,
+                      double during) {
+  return speed_c(vm, r, {v, frame.T.linear(), during, 3});
+}
+Started speed_c_object(Vm& vm, const RobotRef& r, std::span<const double> v, const ObjectRef& frame,
+                       double during) {
+  const Object* object = find_object(vm, frame.name);
+  if (object == nullptr) return fail_unknown_object(vm, frame.name, 2);
+  return speed_c(vm, r, {v, object->T_world_obj.linear(), during, 3});
 }
 
 constexpr std::string_view kSpeedJHelp =
@@ -221,27 +224,20 @@ constexpr std::string_view kSpeedCHelp =
 constexpr NativeFunction kVelocityFunctions[] = {
     def<speed_j>("speedJ(r: robot, rates: double[], during: time)", kSpeedJHelp,
                  "speedJ([0.2, 0.1, 0.0, 0.0], during: 500ms)", {.pauses = true}),
-    {.name = "speedC",
-     .signature = "(r: robot, v: double[], during: time)",
-     .help = kSpeedCHelp,
-     .example = "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], during: "
-                "500ms)",
-     .thunk = speed_c_world,
-     .pauses = true},
-    {.name = "speedC",
-     .signature = "(r: robot, v: double[], frame: posC, during: time)",
-     .help = kSpeedCHelp,
-     .example = "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
-                "rotZ(90deg), during: 500ms)",
-     .thunk = speed_c_frame,
-     .pauses = true},
-    {.name = "speedC",
-     .signature = "(r: robot, v: double[], frame: object, during: time)",
-     .help = kSpeedCHelp,
-     .example = "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
-                "object(\"cube\"), during: 500ms)",
-     .thunk = speed_c_object,
-     .pauses = true},
+    def<speed_c_world>(
+        "speedC(r: robot, v: double[], during: time)", kSpeedCHelp,
+        "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], during: 500ms)",
+        {.pauses = true}),
+    def<speed_c_frame>(
+        "speedC(r: robot, v: double[], frame: posC, during: time)", kSpeedCHelp,
+        "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
+        "rotZ(90deg), during: 500ms)",
+        {.pauses = true}),
+    def<speed_c_object>(
+        "speedC(r: robot, v: double[], frame: object, during: time)", kSpeedCHelp,
+        "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
+        "object(\"cube\"), during: 500ms)",
+        {.pauses = true}),
 };
 
 }  // namespace

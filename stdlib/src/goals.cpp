@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kGoalTolerance = 1e-10;  // m and rad, tried before the solver's usual ones
 
-// As exact as they can be had; empty: the failure is set.
-std::optional<Eigen::VectorXd> solve_exactly(Vm& vm, const MoveCall& call, const PosC& target,
-                                             const Eigen::VectorXd& seed) {
+// As exact as they can be had.
+Answer<Eigen::VectorXd> solve_exactly(Vm& vm, const MoveCall& call, const PosC& target,
+                                      const Eigen::VectorXd& seed) {
   const Robot& robot = model_of(vm, call);
   if (const std::optional<IkTask> task = task_of(robot, target)) {
     IkOptions options{.seed = seed, .task = *task, .diagnose = false};
@@ -24,8 +24,7 @@ std::optional<Eigen::VectorXd> solve_exactly(Vm& vm, const MoveCall& call, const
 
 }  // namespace
 
-std::optional<Goal> goal_after(Vm& vm, const MoveCall& call, const PosC& target,
-                               const Goal& before) {
+Answer<Goal> goal_after(Vm& vm, const MoveCall& call, const PosC& target, const Goal& before) {
   const Robot& robot = model_of(vm, call);
   if (!target.has_orientation) {
     const Eigen::Isometry3d kept = make_pose(before.T_world_tool.linear(), target.T.translation());
@@ -33,7 +32,7 @@ std::optional<Goal> goal_after(Vm& vm, const MoveCall& call, const PosC& target,
     if (same.ok()) return Goal{kept, std::move(same.q)};
   }
   auto q = solve_exactly(vm, call, target, before.q);
-  if (!q) return std::nullopt;
+  if (!q) return Failed{};
   const bool is_whole = task_of(robot, target) == IkTask::kPose;
   return Goal{is_whole ? target.T : forward(robot, *q), std::move(*q)};
 }

@@ -1,8 +1,6 @@
 #pragma once
 // What pose a target means, where the whole of it has to be known before the way to it.
 
-#include <optional>
-
 #include "moves.hpp"
 
 namespace armlet::bind {
@@ -14,8 +12,7 @@ struct Goal {
 };
 
 // The pose of a target in the world after a pose and joints before it: a place alone keeps the
-// orientation as far as the arm can. Empty: the failure is set.
-[[nodiscard]] std::optional<Goal> goal_after(Vm& vm, const MoveCall& call, const PosC& target,
-                                             const Goal& before);
+// orientation as far as the arm can.
+Answer<Goal> goal_after(Vm& vm, const MoveCall& call, const PosC& target, const Goal& before);
 
 }  // namespace armlet::bind

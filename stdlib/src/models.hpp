@@ -3,16 +3,17 @@
 
 #include <string_view>
 
-#include "armlet/interpreter/native.hpp"
 #include "armlet/model/robot.hpp"
+#include "values.hpp"
 
 namespace armlet::bind {
 
-// Puts a robot into the cell and gives its handle; R0630 if the cell refuses it.
-Signal add_robot(Vm& vm, Slot* args, Robot robot);
+// Puts a robot into the cell; R0630 if the cell refuses it.
+Answer<RobotRef> add_robot(Vm& vm, Robot robot);
 
 // The robot with what every such function accepts: base, tool and a name, all optional.
-Robot finished(Robot robot, Slot base, Slot tool, Slot name);
+Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
+               std::optional<std::string_view> name = {});
 
 // throws  ArgumentError for another word than "standard" or "modified".
 DhConvention convention_of(std::string_view word);

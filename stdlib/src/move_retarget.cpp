@@ -14,8 +14,7 @@ bool takes_over(Vm& vm, const MoveCall& call, std::string_view planner,
          !call.classic && (planner == "Syn" || planner == "SCurve");
 }
 
-Signal move_on_from_speed(Vm& vm, Slot* args, const MoveCall& call, const Eigen::VectorXd& q,
-                          double speed) {
+Started move_on_from_speed(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, double speed) {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
   const Robot& robot = model_of(vm, call);
   if (const auto outside = limit_violations(robot, q); !outside.empty())
@@ -33,7 +32,7 @@ Signal move_on_from_speed(Vm& vm, Slot* args, const MoveCall& call, const Eigen:
   if (!plan.outside.empty()) return fail_swings_outside(vm, call, plan.outside.front());
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
   const double length = way_between_ends(vm, call, *plan.trajectory);
-  return start_motion(vm, args, call, *std::move(plan.trajectory), length);
+  return start_motion(vm, call, *std::move(plan.trajectory), length);
 }
 
 }  // namespace armlet::bind

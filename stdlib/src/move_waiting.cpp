@@ -89,6 +89,17 @@ class MoveWaiting : public Waiting {
   Eigen::Vector3d from_;
 };
 
+class NoMove : public Waiting {
+ public:
+  [[nodiscard]] std::int64_t due_ns() const override { return 0; }
+  [[nodiscard]] bool is_over() const override { return true; }
+  void stop() override {}
+  Signal finish(Vm& vm, Slot& result) override {
+    return give(&result, new_record(vm, vm.program().library_record("Move")));
+  }
+  [[nodiscard]] std::string what() const override { return "move"; }
+};
+
 // Until a robot stands that was told to halt.
 class HaltWaiting : public Waiting {
  public:
@@ -97,7 +108,7 @@ class HaltWaiting : public Waiting {
 
   [[nodiscard]] std::int64_t due_ns() const override { return cell_.report(motion_).end_ns; }
   [[nodiscard]] bool is_over() const override {
-    return cell_.report(motion_).state != MotionState::kRunning;
+    return !cell_.is_moving(robot_) || cell_.report(motion_).state != MotionState::kRunning;
   }
   void stop() override {}
   Signal finish(Vm&, Slot&) override { return Signal::kDone; }
@@ -113,28 +124,28 @@ class HaltWaiting : public Waiting {
 
 }  // namespace
 
-Signal start_motion(Vm& vm, Slot* args, const MoveCall& call, Trajectory trajectory, double length,
-                    MotionNotes notes) {
+Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double length,
+                     MotionNotes notes) {
   Host& host = Host::of(vm);
-  if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Signal::kFail;
+  if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
   const bool instant = trajectory.duration() <= 0.0;
   const double deviation = notes.deviation;
   host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});
   const int motion = host.cell().is_moving(call.robot)
                          ? host.cell().drive(call.robot, std::move(trajectory))
                          : host.cell().start(call.robot, std::move(trajectory));
-  auto waiting = std::make_unique<MoveWaiting>(host, call, motion, length, deviation);
-  if (!instant) return pause(vm, std::move(waiting));
-  host.advance_to(host.now_ns());
-  return waiting->finish(vm, args[0]);
+  std::unique_ptr<Waiting> waiting =
+      std::make_unique<MoveWaiting>(host, call, motion, length, deviation);
+  if (instant) host.advance_to(host.now_ns());
+  return waiting;
 }
 
-Signal halt_robot(Vm& vm, int robot) {
+std::unique_ptr<Waiting> no_move() { return std::make_unique<NoMove>(); }
+
+std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot) {
   Cell& cell = Host::of(vm).cell();
-  if (!cell.is_moving(robot)) return give_nothing();
-  cell.halt(robot);
-  if (!cell.is_moving(robot)) return give_nothing();
-  return pause(vm, std::make_unique<HaltWaiting>(cell, robot));
+  if (cell.is_moving(robot)) cell.halt(robot);
+  return std::make_unique<HaltWaiting>(cell, robot);
 }
 
 }  // namespace armlet::bind

@@ -22,16 +22,13 @@
 
 namespace armlet::bind {
 
-std::optional<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
-                             const PosC& target) {
+Answer<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
+                      const PosC& target) {
   std::optional<Frame> frame = settings.frame ? settings.frame : settings_of(vm).frame;
   if (!frame) return target;
   if (const auto* name = std::get_if<std::string>(&*frame)) {
     const Object* object = find_object(vm, *name);
-    if (object == nullptr) {
-      static_cast<void>(fail_unknown_object(vm, *name, call.target));
-      return std::nullopt;
-    }
+    if (object == nullptr) return fail_unknown_object(vm, *name, call.target);
     frame = object->T_world_obj;
   }
   return PosC{std::get<Eigen::Isometry3d>(*frame) * target.T, target.has_orientation};
@@ -47,29 +44,35 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
   call.model = std::make_shared<const Robot>(std::move(model));
 }
 
-bool check_fraction(Vm& vm, const char* what, double value, int parameter) {
+Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter) {
   constexpr double kLeast = 1e-9;  // a turn would take years
-  if (value >= kLeast && value <= 1.0) return true;
+  if (value >= kLeast && value <= 1.0) return {};
   const char* range = value > 0.0 && value < kLeast ? "from 1e-9 to 1" : "above 0 and not above 1";
-  static_cast<void>(failure(
+  return failure(
       vm, "R0609",
       fmt::format("{} of {:.6g}: a fraction of the joint limits lies {}", what, value, range),
-      parameter));
-  return false;
+      parameter);
 }
 
-bool check_above_zero(Vm& vm, const char* what, double value, const char* unit, int parameter) {
-  if (std::isfinite(value) && value > 0.0) return true;
-  static_cast<void>(failure(vm, "R0609",
-                            fmt::format("{} of {} {}: the hand needs one above 0", what,
-                                        format_number(value * 1000.0), unit),
-                            parameter));
-  return false;
+Answer<void> check_above_zero(Vm& vm, const char* what, double value, const char* unit,
+                              int parameter) {
+  if (std::isfinite(value) && value > 0.0) return {};
+  return failure(vm, "R0609",
+                 fmt::format("{} of {} {}: the hand needs one above 0", what,
+                             format_number(value * 1000.0), unit),
+                 parameter);
 }
 
-bool refuse_busy(Vm& vm, int id) {
+Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
+  if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
+    return Failed{};
+  if (!settings.accel) return {};
+  return check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel);
+}
+
+Answer<void> check_idle(Vm& vm, int id) {
   const CellRobot& robot = Host::of(vm).cell().robot(id);
-  if (!robot.motion) return false;
+  if (!robot.motion) return {};
   Failure f;
   f.code = "R0617";
   f.arguments = {robot.name};
@@ -79,25 +82,20 @@ bool refuse_busy(Vm& vm, int id) {
   const bool rolls_out = report.held_ns && *report.held_ns <= Host::of(vm).now_ns();
   f.fix = rolls_out ? "it is slowing down after a velocity command: call halt() first"
                     : "wait until its move has ended";
-  static_cast<void>(fail(vm, std::move(f)));
-  return true;
+  return fail(vm, std::move(f));
 }
 
 const Robot& model_of(Vm& vm, const MoveCall& call) {
   return call.model != nullptr ? *call.model : *Host::of(vm).cell().robot(call.robot).model;
 }
 
-bool check_duration(Vm& vm, double seconds, int parameter) {
+Answer<void> check_duration(Vm& vm, double seconds, int parameter) {
   if (std::isfinite(seconds) && seconds >= 0.0)
     return check_time_left(vm, "a motion", seconds, parameter);
-  if (!std::isfinite(seconds)) {
-    static_cast<void>(not_finite(vm, "the time", seconds, parameter));
-  } else {
-    static_cast<void>(failure(
-        vm, "R0609", fmt::format("a move cannot take {} s", format_number(seconds)), parameter,
-        "time only runs forwards", "use a time of 0 s or more, or leave it out"));
-  }
-  return false;
+  if (!std::isfinite(seconds)) return not_finite(vm, "the time", seconds, parameter);
+  return failure(vm, "R0609", fmt::format("a move cannot take {} s", format_number(seconds)),
+                 parameter, "time only runs forwards",
+                 "use a time of 0 s or more, or leave it out");
 }
 
 std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {
@@ -105,22 +103,13 @@ std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {
   return frame_task(robot, target.T);
 }
 
-std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
-                                            const Eigen::VectorXd& seed) {
+Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
+                                     const Eigen::VectorXd& seed) {
   const Robot& robot = model_of(vm, call);
   const std::optional<IkTask> task = task_of(robot, target);
-  if (!task) {
-    static_cast<void>(fail_tilted(vm, call, target));
-    return std::nullopt;
-  }
-  IkOptions options;
-  options.seed = seed;
-  options.task = *task;
-  IkResult result = solve_ik(robot, target.T, options);
-  if (!result.ok()) {
-    static_cast<void>(fail_unreachable(vm, call, target.T, result));
-    return std::nullopt;
-  }
+  if (!task) return fail_tilted(vm, call, target);
+  IkResult result = solve_ik(robot, target.T, {.seed = seed, .task = *task});
+  if (!result.ok()) return fail_unreachable(vm, call, target.T, result);
   return std::move(result.q);
 }
 
@@ -135,17 +124,17 @@ namespace {
 
 // The part of a move of the joints that is the same for positions and places. The call has its
 // model.
-Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::VectorXd& q,
-                   std::string planner, const MoveSettings& settings) {
+Started move_joints(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, std::string planner,
+                    const MoveSettings& settings) {
   Host& host = Host::of(vm);
   const CellRobot& state = host.cell().robot(call.robot);
   const Robot& robot = model_of(vm, call);
   if (q.size() != robot.n()) return fail_joint_count(vm, call, static_cast<int>(q.size()));
   if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
-    return Signal::kFail;
+    return Failed{};
   if (!host.planners().has(planner)) return fail_planner(vm, call, planner);
   if (Host::of(vm).cell().is_moving(call.robot)) {
-    return move_on_from_speed(vm, args, call, q, settings.speed.value_or(settings_of(vm).speed));
+    return move_on_from_speed(vm, call, q, settings.speed.value_or(settings_of(vm).speed));
   }
   JointMove move{.q0 = state.q,
                  .q1 = q,
@@ -161,68 +150,59 @@ Signal move_joints(Vm& vm, Slot* args, const MoveCall& call, const Eigen::Vector
   if (!starts_and_stops(*plan.trajectory)) return fail_no_ramps(vm, call, move.planner);
   const Eigen::Vector3d from = forward(robot, state.q).translation();
   const Eigen::Vector3d to = forward(robot, q).translation();
-  return start_motion(vm, args, call, *std::move(plan.trajectory), (to - from).norm());
+  return start_motion(vm, call, *std::move(plan.trajectory), (to - from).norm());
 }
 
-// What can be refused of a move of the tool before anything is solved. False: the failure is set.
-bool check_tool_settings(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
-  if (settings.time && !check_duration(vm, *settings.time, call.time)) return false;
-  if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
-    return false;
-  return !settings.accel ||
-         check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel);
-}
-
-// What can be refused before anything is solved. False: the failure is set.
-bool prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
-                    const MoveSettings& settings) {
-  if (!takes_over(vm, call, planner, settings) && refuse_busy(vm, call.robot)) return false;
-  if (settings.time && !check_duration(vm, *settings.time, call.time)) return false;
+// What can be refused before anything is solved.
+Answer<void> prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
+                            const MoveSettings& settings) {
+  if (!takes_over(vm, call, planner, settings) && !check_idle(vm, call.robot)) return Failed{};
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
   const double accel = settings.accel.value_or(settings_of(vm).accel);
-  if (!check_fraction(vm, "an acceleration", accel, call.accel)) return false;
+  if (!check_fraction(vm, "an acceleration", accel, call.accel)) return Failed{};
   choose_model(vm, call, settings, accel);
-  return true;
+  return {};
 }
 
 }  // namespace
 
-Signal move_to_joints(Vm& vm, Slot* args, MoveCall call, const Eigen::VectorXd& q,
-                      std::string planner, const MoveSettings& settings) {
+Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
+                       const MoveSettings& settings) {
   if (settings_of(vm).path != nullptr)
-    return collect_joints(vm, args, call, {}, {.q = q, .planner = std::move(planner)}, settings);
-  if (!prepare_joints(vm, call, planner, settings)) return Signal::kFail;
-  return move_joints(vm, args, call, q, std::move(planner), settings);
+    return collect_joints(vm, call, {}, {.q = q, .planner = std::move(planner)}, settings);
+  if (!prepare_joints(vm, call, planner, settings)) return Failed{};
+  return move_joints(vm, call, q, std::move(planner), settings);
 }
 
-Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
-                     const Eigen::VectorXd& near, std::string planner,
-                     const MoveSettings& settings) {
+Started move_to_place(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
+                      std::string planner, const MoveSettings& settings) {
   if (settings_of(vm).path != nullptr) {
-    return collect_joints(vm, args, call, target, {.near = near, .planner = std::move(planner)},
+    return collect_joints(vm, call, target, {.near = near, .planner = std::move(planner)},
                           settings);
   }
-  if (!prepare_joints(vm, call, planner, settings)) return Signal::kFail;
+  if (!prepare_joints(vm, call, planner, settings)) return Failed{};
   const auto goal = in_world(vm, call, settings, target);
-  if (!goal) return Signal::kFail;
+  if (!goal) return Failed{};
   const Eigen::VectorXd& present = Host::of(vm).cell().robot(call.robot).q;
   const auto q = solve_target(vm, call, *goal, near.size() > 0 ? near : present);
-  if (!q) return Signal::kFail;
-  return move_joints(vm, args, call, *q, std::move(planner), settings);
+  if (!q) return Failed{};
+  return move_joints(vm, call, *q, std::move(planner), settings);
 }
 
 namespace {
 
 // Straight, or over a place on an arc.
-Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
-                 const MoveSettings& settings,
-                 const std::optional<Eigen::Vector3d>& p_world_via) try {
+Started move_tool(Vm& vm, MoveCall call, const PosC& written, const MoveSettings& settings,
+                  const std::optional<Eigen::Vector3d>& p_world_via) try {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
-  if (refuse_busy(vm, call.robot) || !check_tool_settings(vm, call, settings)) return Signal::kFail;
+  if (!check_idle(vm, call.robot)) return Failed{};
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
+  if (!check_tool_rates(vm, call, settings)) return Failed{};
   const BlockSettings block = settings_of(vm);
   choose_model(vm, call, settings, block.accel);
   const Robot& robot = model_of(vm, call);
   const auto target = in_world(vm, call, settings, written);
-  if (!target) return Signal::kFail;
+  if (!target) return Failed{};
   const std::optional<IkTask> task = task_of(robot, *target);
   if (!task) return fail_tilted(vm, call, *target);
   const Eigen::Isometry3d T_world_tool = forward(robot, state.q);
@@ -231,7 +211,7 @@ Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
     return fail_no_time(vm, call, distance);
   const double least = least_time(distance, settings.speed, settings.accel);
   const int slow = settings.speed ? call.speed : call.accel;
-  if (!settings.time && !check_time_left(vm, "a motion", least, slow)) return Signal::kFail;
+  if (!settings.time && !check_time_left(vm, "a motion", least, slow)) return Failed{};
   LineMove move{.q0 = state.q,
                 .T_world_goal = target->T,
                 .task = *task,
@@ -242,7 +222,7 @@ Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
                 .enforce_limits = !call.classic};
   if (block.track != Track::kExact) {
     const auto goal = goal_after(vm, call, *target, {T_world_tool, state.q});
-    if (!goal) return Signal::kFail;
+    if (!goal) return Failed{};
     move.T_world_goal = goal->T_world_tool;
   }
   TrackedLine plan = plan_tracked(robot, move, p_world_via, block.track, !target->has_orientation);
@@ -251,7 +231,7 @@ Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
     return fail_outside(vm, call, state.q, plan.motion.outside.front());
   if (!plan.motion.trajectory) return fail_too_fast(vm, call, *plan.motion.too_fast);
   if (plan.motion.too_fast) advise_too_fast(vm, call, *plan.motion.too_fast);
-  return start_motion(vm, args, call, *std::move(plan.motion.trajectory), plan.length,
+  return start_motion(vm, call, *std::move(plan.motion.trajectory), plan.length,
                       {.deviation = plan.deviation, .turn = plan.turn});
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0626", error);
@@ -259,21 +239,19 @@ Signal move_tool(Vm& vm, Slot* args, MoveCall call, const PosC& written,
 
 }  // namespace
 
-Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& target,
-                    const MoveSettings& settings) {
-  if (settings_of(vm).path != nullptr) return collect(vm, args, call, target, settings);
-  return move_tool(vm, args, std::move(call), target, settings, {});
+Started move_on_line(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings) {
+  if (settings_of(vm).path != nullptr) return collect(vm, call, target, settings);
+  return move_tool(vm, std::move(call), target, settings, {});
 }
 
-Signal move_on_arc(Vm& vm, Slot* args, MoveCall call, const PosC& via, const PosC& target,
-                   const MoveSettings& settings) {
+Started move_on_arc(Vm& vm, MoveCall call, const PosC& via, const PosC& target,
+                    const MoveSettings& settings) {
   const auto place = in_world(vm, call, settings, via);
-  if (!place) return Signal::kFail;
+  if (!place) return Failed{};
   const Eigen::Vector3d p_world_via = place->T.translation();
   call.way = "arc";
-  if (settings_of(vm).path != nullptr)
-    return collect(vm, args, call, target, settings, p_world_via);
-  return move_tool(vm, args, std::move(call), target, settings, p_world_via);
+  if (settings_of(vm).path != nullptr) return collect(vm, call, target, settings, p_world_via);
+  return move_tool(vm, std::move(call), target, settings, p_world_via);
 }
 
 }  // namespace armlet::bind

@@ -15,8 +15,14 @@
 namespace armlet::bind {
 
 // The robot that a value of a program is, in the cell.
-inline int robot_id(Slot s) { return host_value<RobotRef>(s).id; }
-inline const CellRobot& state_of(Vm& vm, Slot s) { return Host::of(vm).cell().robot(robot_id(s)); }
+inline const CellRobot& state_of(Vm& vm, const RobotRef& r) {
+  return Host::of(vm).cell().robot(r.id);
+}
+inline const Robot& model_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).model; }
+
+// A motion on its way, or what stands for one. When it is over it gives a Move, where it gives
+// anything.
+using Started = Answer<std::unique_ptr<Waiting>>;
 
 inline constexpr std::string_view kStraightLine = "straight line";
 
@@ -58,47 +64,44 @@ struct MoveSettings {
 // with the arm at all.
 [[nodiscard]] std::optional<IkTask> task_of(const Robot& robot, const PosC& target);
 
-// Joint values for a target in the world, near `seed`; empty: the failure is set.
-[[nodiscard]] std::optional<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call,
-                                                          const PosC& target,
-                                                          const Eigen::VectorXd& seed);
+// Joint values for a target in the world, near `seed`.
+Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
+                                     const Eigen::VectorXd& seed);
 
-// Plans and starts; kPause when the robot is on its way. Targets are read in the frame of the call
-// or of the blocks around it; `near` chooses among joint values, empty: the present ones.
-Signal move_to_joints(Vm& vm, Slot* args, MoveCall call, const Eigen::VectorXd& q,
+// Plans and starts. Targets are read in the frame of the call or of the blocks around it; `near`
+// chooses among joint values, empty: the present ones.
+Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
+                       const MoveSettings& settings);
+Started move_to_place(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
                       std::string planner, const MoveSettings& settings);
-Signal move_to_place(Vm& vm, Slot* args, MoveCall call, const PosC& target,
-                     const Eigen::VectorXd& near, std::string planner,
-                     const MoveSettings& settings);
-Signal move_on_line(Vm& vm, Slot* args, MoveCall call, const PosC& target,
-                    const MoveSettings& settings);
+Started move_on_line(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings);
 // Over `via`, of which only the place counts.
-Signal move_on_arc(Vm& vm, Slot* args, MoveCall call, const PosC& via, const PosC& target,
-                   const MoveSettings& settings);
+Started move_on_arc(Vm& vm, MoveCall call, const PosC& via, const PosC& target,
+                    const MoveSettings& settings);
 
 // The target as the world sees it: read in the frame of the call, or of the blocks around it.
-// Empty: the failure is set.
-[[nodiscard]] std::optional<PosC> in_world(Vm& vm, const MoveCall& call,
-                                           const MoveSettings& settings, const PosC& target);
+Answer<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
+                      const PosC& target);
 
 // Gives the call the robot with the tool point of this move and this fraction of the accelerations.
 void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double accel);
 
-// Checks a speed ("a speed", "mm/s") or acceleration of the tool. False: the failure is set.
-[[nodiscard]] bool check_above_zero(Vm& vm, const char* what, double value, const char* unit,
-                                    int parameter);
+// Checks a speed ("a speed", "mm/s") or acceleration of the tool; both of a move.
+Answer<void> check_above_zero(Vm& vm, const char* what, double value, const char* unit,
+                              int parameter);
+Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& settings);
 
-// Checks a fraction of the joint limits. False: the failure is set.
-[[nodiscard]] bool check_fraction(Vm& vm, const char* what, double value, int parameter);
+// Checks a fraction of the joint limits.
+Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter);
 
 // Whether every joint speeds up from rest and slows down to rest, without a step in its speed.
 [[nodiscard]] bool starts_and_stops(const Trajectory& motion);
 
-// Stops the robot under control; the move that it makes fails with R0618. kPause until it stands.
-Signal halt_robot(Vm& vm, int robot);
+// Stops the robot under control; the move that it makes fails with R0618. Over when it stands.
+std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot);
 
-// A robot that another task is moving takes no commands: true, and the failure is set.
-[[nodiscard]] bool refuse_busy(Vm& vm, int robot);
+// A robot that another task is moving takes no commands.
+Answer<void> check_idle(Vm& vm, int robot);
 
 // Failures as messages.
 Failed fail_unreachable(Vm& vm, const MoveCall& call, const Eigen::Isometry3d& goal,
@@ -107,7 +110,7 @@ Failed fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
                     const LimitViolation& outside);
 Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
 
-// Checks a duration: finite and not negative. False: the failure is set.
-[[nodiscard]] bool check_duration(Vm& vm, double seconds, int parameter);
+// Checks a duration: finite and not negative.
+Answer<void> check_duration(Vm& vm, double seconds, int parameter);
 
 }  // namespace armlet::bind

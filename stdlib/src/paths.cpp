@@ -20,10 +20,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-Signal give_no_move(Vm& vm, Slot* args) {
-  return give(args, new_record(vm, vm.program().library_record("Move")));
-}
-
 Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   Failure f;
   f.code = "R0635";
@@ -40,14 +36,13 @@ class Corners {
   Corners(Vm& vm, const CollectedPath& path, std::shared_ptr<const Robot> model, const VectorXd& q0)
       : vm_(vm), path_(path), model_(std::move(model)), at_{forward(*model_, q0), q0} {}
 
-  // False: the failure is set.
-  bool lay() {
+  Answer<void> lay() {
     for (const CollectedMove& move : path_.moves) {
       starts_.push_back(at_.q);
       MoveCall call = move.call;
       call.model = model_;
       auto goal = move.joints ? joint_goal(call, move) : goal_after(vm_, call, move.target, at_);
-      if (!goal) return false;
+      if (!goal) return Failed{};
       at_ = *std::move(goal);
       points_.push_back({.T_world_tool = at_.T_world_tool,
                          .q = move.joints ? std::optional(at_.q) : std::nullopt,
@@ -56,7 +51,7 @@ class Corners {
                          .tool_speed = move.speed ? move.speed : path_.speed,
                          .tool_accel = move.accel});
     }
-    return true;
+    return {};
   }
 
   [[nodiscard]] const std::vector<PathPoint>& points() const { return points_; }
@@ -70,15 +65,14 @@ class Corners {
   }
 
  private:
-  // Where a move of the joints ends. Empty: the failure is set.
-  std::optional<Goal> joint_goal(const MoveCall& call, const CollectedMove& move) {
+  // Where a move of the joints ends.
+  Answer<Goal> joint_goal(const MoveCall& call, const CollectedMove& move) {
     const VectorXd& near = move.joints->near.size() > 0 ? move.joints->near : at_.q;
-    auto q = move.joints->q ? move.joints->q : solve_target(vm_, call, move.target, near);
-    if (!q) return std::nullopt;
-    if (const auto outside = limit_violations(*model_, *q); !outside.empty()) {
-      static_cast<void>(fail_outside(vm_, call, *q, outside.front()));
-      return std::nullopt;
-    }
+    auto q = move.joints->q ? Answer<VectorXd>(*move.joints->q)
+                            : solve_target(vm_, call, move.target, near);
+    if (!q) return Failed{};
+    if (const auto outside = limit_violations(*model_, *q); !outside.empty())
+      return fail_outside(vm_, call, *q, outside.front());
     return Goal{forward(*model_, *q), *std::move(q)};
   }
 
@@ -119,64 +113,52 @@ MotionNotes notes_of(const CollectedPath& path, const Corners& corners, const Pa
   return notes;
 }
 
-}  // namespace
-
-namespace {
-
-// What a path takes of no move. False: the failure is set.
-bool check_belongs(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
+// What a path takes of no move.
+Answer<void> check_belongs(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
   const CollectedPath& path = *settings_of(vm).path;
   const Cell& cell = Host::of(vm).cell();
-  const auto refuse = [&](std::string what, int parameter, std::string fix) {
-    static_cast<void>(fail_part(vm, std::move(what), parameter, std::move(fix)));
-    return false;
-  };
   if (settings.time) {
-    return refuse("a move with a time of its own", call.time,
-                  "give the whole path a time, path (time: ...)");
+    return fail_part(vm, "a move with a time of its own", call.time,
+                     "give the whole path a time, path (time: ...)");
   }
   if (settings.T_flange_tool) {
-    return refuse("a move with a tool of its own", kMarkCallee,
-                  "write with (tool: ...) around the path");
+    return fail_part(vm, "a move with a tool of its own", kMarkCallee,
+                     "write with (tool: ...) around the path");
   }
   if (!path.moves.empty() && path.moves.front().call.robot != call.robot) {
-    return refuse(fmt::format("a move of `{}` in a path of `{}`", cell.robot(call.robot).name,
-                              cell.robot(path.moves.front().call.robot).name),
-                  kMarkCallee, "give each robot its own path, side by side in `parallel`");
+    return fail_part(vm,
+                     fmt::format("a move of `{}` in a path of `{}`", cell.robot(call.robot).name,
+                                 cell.robot(path.moves.front().call.robot).name),
+                     kMarkCallee, "give each robot its own path, side by side in `parallel`");
   }
-  return !settings.blend || check_blend_length(vm, *settings.blend, kMarkCallee);
+  if (!settings.blend) return {};
+  return check_blend_length(vm, *settings.blend, kMarkCallee);
 }
 
-Signal add(Vm& vm, Slot* args, CollectedMove move) {
+std::unique_ptr<Waiting> add(Vm& vm, CollectedMove move) {
   move.call.place = place_of_call(vm);
   settings_of(vm).path->moves.push_back(std::move(move));
-  return give_no_move(vm, args);
+  return no_move();
 }
 
 }  // namespace
 
-Signal collect(Vm& vm, Slot* args, MoveCall call, const PosC& target, const MoveSettings& settings,
-               std::optional<Eigen::Vector3d> p_world_via) {
-  if (!check_belongs(vm, call, settings)) return Signal::kFail;
-  if (settings.speed && !check_above_zero(vm, "a speed", *settings.speed, "mm/s", call.speed))
-    return Signal::kFail;
-  if (settings.accel &&
-      !check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel))
-    return Signal::kFail;
+Started collect(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings,
+                std::optional<Eigen::Vector3d> p_world_via) {
+  if (!check_belongs(vm, call, settings) || !check_tool_rates(vm, call, settings)) return Failed{};
   const auto place = in_world(vm, call, settings, target);
-  if (!place) return Signal::kFail;
-  return add(vm, args,
-             {.call = std::move(call),
-              .target = *place,
-              .p_world_via = p_world_via,
-              .blend = settings.blend,
-              .speed = settings.speed,
-              .accel = settings.accel});
+  if (!place) return Failed{};
+  return add(vm, {.call = std::move(call),
+                  .target = *place,
+                  .p_world_via = p_world_via,
+                  .blend = settings.blend,
+                  .speed = settings.speed,
+                  .accel = settings.accel});
 }
 
-Signal collect_joints(Vm& vm, Slot* args, MoveCall call, const PosC& target, JointGoal goal,
-                      const MoveSettings& settings) {
-  if (!check_belongs(vm, call, settings)) return Signal::kFail;
+Started collect_joints(Vm& vm, MoveCall call, const PosC& target, JointGoal goal,
+                       const MoveSettings& settings) {
+  if (!check_belongs(vm, call, settings)) return Failed{};
   if (settings.speed || settings.accel) {
     return fail_part(vm, "a move of the joints with limits of its own",
                      settings.speed ? call.speed : call.accel,
@@ -189,34 +171,32 @@ Signal collect_joints(Vm& vm, Slot* args, MoveCall call, const PosC& target, Joi
   const int n = model_of(vm, call).n();
   if (goal.q && goal.q->size() != n)
     return fail_joint_count(vm, call, static_cast<int>(goal.q->size()));
-  const auto place = goal.q ? std::optional(target) : in_world(vm, call, settings, target);
-  if (!place) return Signal::kFail;
-  return add(vm, args,
-             {.call = std::move(call),
-              .target = *place,
-              .joints = std::move(goal),
-              .blend = settings.blend});
+  const auto place = goal.q ? Answer<PosC>(target) : in_world(vm, call, settings, target);
+  if (!place) return Failed{};
+  return add(vm, {.call = std::move(call),
+                  .target = *place,
+                  .joints = std::move(goal),
+                  .blend = settings.blend});
 }
 
-bool check_blend_length(Vm& vm, double blend, int parameter) {
-  if (std::isfinite(blend) && blend >= 0.0) return true;
-  static_cast<void>(failure(
+Answer<void> check_blend_length(Vm& vm, double blend, int parameter) {
+  if (std::isfinite(blend) && blend >= 0.0) return {};
+  return failure(
       vm, "R0609",
       fmt::format("a blend of {}: corners are rounded within 0 mm or more", format_mm(blend)),
-      parameter));
-  return false;
+      parameter);
 }
 
-Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) try {
-  if (path.moves.empty()) return give_no_move(vm, args);
+Started make_path(Vm& vm, const CollectedPath& path) try {
+  if (path.moves.empty()) return no_move();
   MoveCall whole{.function = "path", .robot = path.moves.front().call.robot, .target = -1};
-  if (refuse_busy(vm, whole.robot)) return Signal::kFail;
+  if (!check_idle(vm, whole.robot)) return Failed{};
   const BlockSettings block = settings_of(vm);
   choose_model(vm, whole, {}, block.accel);
   const CellRobot& state = Host::of(vm).cell().robot(whole.robot);
   const std::shared_ptr<const Robot> model = whole.model != nullptr ? whole.model : state.model;
   Corners corners(vm, path, model, state.q);
-  if (!corners.lay()) return Signal::kFail;
+  if (!corners.lay()) return Failed{};
   PathMove move{.q0 = state.q, .points = corners.points(), .time = path.time};
   if (!move.time) move.speed = block.speed;
   if (block.track == Track::kSlow) move.jerk = Jerk::kFree;
@@ -227,7 +207,7 @@ Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) try {
     slowest += least_time((to - from).norm(), point.tool_speed, point.tool_accel);
     from = to;
   }
-  if (!check_time_left(vm, "a motion", slowest, kMarkCallee)) return Signal::kFail;
+  if (!check_time_left(vm, "a motion", slowest, kMarkCallee)) return Failed{};
   PathPlan plan = plan_path(*model, move);
   if (plan.fault && corners.only_places()) {
     // The orientation cannot be kept all the way: the hand may turn as little as it must.
@@ -236,8 +216,7 @@ Signal make_path(Vm& vm, Slot* args, const CollectedPath& path) try {
   }
   if (!plan.ok()) return fail_path(vm, path, whole, corners, plan);
   MotionNotes notes = notes_of(path, corners, plan);
-  return start_motion(vm, args, whole, *std::move(plan.motion.trajectory), plan.length,
-                      std::move(notes));
+  return start_motion(vm, whole, *std::move(plan.motion.trajectory), plan.length, std::move(notes));
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0626", error);
 }

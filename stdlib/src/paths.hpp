@@ -41,17 +41,17 @@ struct CollectedPath {
 };
 
 // Adds a move to the path around it; its result is a move that was not made.
-Signal collect(Vm& vm, Slot* args, MoveCall call, const PosC& target, const MoveSettings& settings,
-               std::optional<Eigen::Vector3d> p_world_via = {});
+Started collect(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings,
+                std::optional<Eigen::Vector3d> p_world_via = {});
 
 // The same for a move of the joints; of the target only a place counts.
-Signal collect_joints(Vm& vm, Slot* args, MoveCall call, const PosC& target, JointGoal goal,
-                      const MoveSettings& settings);
+Started collect_joints(Vm& vm, MoveCall call, const PosC& target, JointGoal goal,
+                       const MoveSettings& settings);
 
-// Checks how far from their places corners may begin, m. False: the failure is set.
-[[nodiscard]] bool check_blend_length(Vm& vm, double blend, int parameter);
+// Checks how far from their places corners may begin, m.
+Answer<void> check_blend_length(Vm& vm, double blend, int parameter);
 
-// Plans and starts the whole path; kPause when the robot is on its way.
-Signal make_path(Vm& vm, Slot* args, const CollectedPath& path);
+// Plans and starts the whole path.
+Started make_path(Vm& vm, const CollectedPath& path);
 
 }  // namespace armlet::bind

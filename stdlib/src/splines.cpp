@@ -15,15 +15,13 @@
 namespace armlet::bind {
 namespace {
 
-bool check_settings(Vm& vm, const MoveCall& call, std::size_t places, const MoveSettings& settings,
-                    double accel) {
-  if (places == 0) {
-    static_cast<void>(
-        failure(vm, "R0613", "a curve goes through one place or more, not 0", call.target));
-    return false;
-  }
-  if (settings.time && !check_duration(vm, *settings.time, call.time)) return false;
-  if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed)) return false;
+Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t places,
+                            const MoveSettings& settings, double accel) {
+  if (places == 0)
+    return failure(vm, "R0613", "a curve goes through one place or more, not 0", call.target);
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
+  if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
+    return Failed{};
   return check_fraction(vm, "an acceleration", accel, call.accel);
 }
 
@@ -54,11 +52,11 @@ std::optional<SplineKind> spline_called(std::string_view planner) {
   return std::nullopt;
 }
 
-Signal move_on_spline(Vm& vm, Slot* args, MoveCall call, const std::vector<PosC>& places,
-                      SplineKind kind, const MoveSettings& settings) {
+Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, SplineKind kind,
+                       const MoveSettings& settings) {
   const BlockSettings block = settings_of(vm);
   const double accel = settings.accel.value_or(block.accel);
-  if (!check_settings(vm, call, places.size(), settings, accel)) return Signal::kFail;
+  if (!check_settings(vm, call, places.size(), settings, accel)) return Failed{};
   choose_model(vm, call, settings, accel);
   const Robot& robot = model_of(vm, call);
   const Eigen::VectorXd q0 = Host::of(vm).cell().robot(call.robot).q;
@@ -70,7 +68,7 @@ Signal move_on_spline(Vm& vm, Slot* args, MoveCall call, const std::vector<PosC>
     call.element = static_cast<int>(move.places.size());
     starts.push_back(at.q);
     auto goal = goal_after(vm, call, place, at);
-    if (!goal) return Signal::kFail;
+    if (!goal) return Failed{};
     at = *std::move(goal);
     move.places.push_back(at.T_world_tool);
   }
@@ -87,7 +85,7 @@ Signal move_on_spline(Vm& vm, Slot* args, MoveCall call, const std::vector<PosC>
   if (!curve.motion.outside.empty()) return fail_swings_outside(vm, call, curve.motion.outside[0]);
   if (!curve.ok()) return fail_too_fast(vm, call, *curve.motion.too_fast);
   MotionNotes notes = notes_of(places, curve);
-  return start_motion(vm, args, call, *std::move(curve.motion.trajectory), curve.length,
+  return start_motion(vm, call, *std::move(curve.motion.trajectory), curve.length,
                       std::move(notes));
 }
 

@@ -13,9 +13,8 @@ namespace armlet::bind {
 // The curve that a planner of that name lays through places; nothing: it knows only joints.
 [[nodiscard]] std::optional<SplineKind> spline_called(std::string_view planner);
 
-// Plans and starts; kPause when the robot is on its way. Speeds and accelerations are fractions of
-// the joint limits.
-Signal move_on_spline(Vm& vm, Slot* args, MoveCall call, const std::vector<PosC>& places,
-                      SplineKind kind, const MoveSettings& settings);
+// Plans and starts. Speeds and accelerations are fractions of the joint limits.
+Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, SplineKind kind,
+                       const MoveSettings& settings);
 
 }  // namespace armlet::bind

@@ -12,16 +12,15 @@
 
 namespace armlet::bind {
 
-bool check_time_left(Vm& vm, std::string_view what, double seconds, int parameter) {
+Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, int parameter) {
   const double left = time_left(vm);
-  if (seconds <= left) return true;
+  if (seconds <= left) return {};
   Failure f;
   f.code = "R0636";
   f.arguments = {fmt::format("{} of {:.6g} s", what, seconds),
                  fmt::format("{} s", format_number(left))};
   f.mark_parameter = parameter;
-  static_cast<void>(fail(vm, std::move(f)));
-  return false;
+  return fail(vm, std::move(f));
 }
 
 double least_time(double distance, std::optional<double> speed, std::optional<double> accel) {

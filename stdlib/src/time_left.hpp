@@ -4,12 +4,12 @@
 #include <optional>
 #include <string_view>
 
-#include "armlet/interpreter/native.hpp"
+#include "armlet/interpreter/answer.hpp"
 
 namespace armlet::bind {
 
-// Whether `what` is over before virtual time ends. False: the failure is set.
-[[nodiscard]] bool check_time_left(Vm& vm, std::string_view what, double seconds, int parameter);
+// Refuses what is not over before virtual time ends.
+Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, int parameter);
 
 // What a straight move of the tool takes at least, s, whatever the joints can do.
 [[nodiscard]] double least_time(double distance, std::optional<double> speed,
