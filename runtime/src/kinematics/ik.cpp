@@ -20,8 +20,6 @@ namespace {
 constexpr int kNearestStarts = 32;     // after the first solution
 constexpr int kNearStarts = 12;        // around the seed
 constexpr int kRedundantStarts = 4;    // of an arm of seven joints with a closed form
-constexpr std::size_t kSlid = 4;       // of the solutions that the iterations found,
-constexpr std::size_t kSlidOne = 16;   // of which each can go one way only
 constexpr std::size_t kFollowed = 3;   // branches of such an arm
 constexpr int kNearestWanted = 16;     // distinct solutions
 constexpr double kSameChoice = 1e-6;   // rad or m
@@ -114,27 +112,6 @@ bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& opt
   return change < INFINITY;
 }
 
-// What several joints share of the solutions that the iterations found, divided anew, and the
-// nearest of them followed where they have freedom to spare.
-void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                  std::vector<Eigen::VectorXd>& solutions) {
-  IkSolver solver(robot, goal);
-  for (Eigen::VectorXd& solution : solutions) {
-    JointArray q = to_array(solution);
-    const bool inside = bring_near(robot, goal, options, true, q) <= 0.0;
-    if (inside && goal.is_met(solver.error_of(q)) &&
-        change_of(q, options.seed) < largest_change(solution, options.seed))
-      solution = to_vector(q, robot.n());
-  }
-  sort_by_nearness(robot, options.seed, solutions);
-  std::size_t slid = kSlidOne;
-  for (std::size_t k = 0; k < std::min(solutions.size(), slid); ++k) {
-    JointArray q = to_array(solutions[k]);
-    if (slide_nearer(robot, goal, options, q)) slid = kSlid;
-    solutions[k] = to_vector(q, robot.n());
-  }
-}
-
 // An arm that stands at the goal, or as good as there while the solution is far: it stays.
 void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                    IkResult& result) {
@@ -180,7 +157,6 @@ bool find_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
   if (nearest) {
     search_near(robot, goal, options, kNearStarts, search.solutions);
     bring_nearer(robot, goal, options, search.solutions);
-    sort_by_nearness(robot, options.seed, search.solutions);
   }
   take_solution(robot, goal, search.solutions.front(), result);
   return true;

@@ -7,6 +7,7 @@
 #include "ik_free.hpp"
 #include "ik_scan.hpp"
 #include "ik_search.hpp"
+#include "self_motion.hpp"
 
 namespace armlet {
 namespace {
@@ -22,7 +23,9 @@ constexpr double kRounding = 1e-6;
 // goal, rad, and are improved.
 constexpr double kNearlyTurned = 0.1;
 
-constexpr int kNearStarts = 4;  // around the seed, to follow the joints from
+constexpr int kNearStarts = 4;     // around the seed, to follow the joints from
+constexpr int kBranchStarts = 24;  // within the change of the nearest branch
+constexpr double kWholeTurn = 2.0 * kPi;
 
 constexpr double kSame = 1e-6;  // rad or m, of solutions and their changes
 constexpr double kTie = 1e-7;   // rad or m, of changes between which what is given decides
@@ -126,8 +129,34 @@ void follow_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
   }
 }
 
+// The curves of solutions, which run on where a branch of the formula ends: there a joint changes
+// like a root of the open one, and an interval between limits can be narrow beyond finding. A curve
+// may even be so small that it lies between the samples; starts near the seed lead to it.
+void follow_branches(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                     const ClosedSolutions& found, std::vector<FormulaSolution>& solutions) {
+  SelfMotions curves(robot, goal, options);
+  for (const FormulaSolution& solution : solutions) curves.follow(solution.q);
+  for (const ClosedSolution& solution : found) curves.follow(solution.q);
+  double change = INFINITY;
+  for (const FormulaSolution& solution : solutions)
+    change = std::min(change, change_of(solution.q, options.seed));
+  const double known = change;
+  if (!(known <= kWholeTurn)) change = kWholeTurn;
+  IkSolver solver(robot, goal);
+  for (int start = 1; start <= kBranchStarts; ++start) {
+    JointArray q = start_within(robot, options, change, start);
+    if (solver.solve_free(q, options.iterations)) curves.follow(q);
+  }
+  change = known;
+  FormulaSolution nearer{{}, -1};
+  if (curves.bring_nearer(nearer.q, change) && change < known - kSame)
+    add_new(robot, nearer, solutions);
+}
+
 void search_open_joints(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                        unsigned open, bool nearest_only, std::vector<FormulaSolution>& solutions) {
+                        const ClosedSolutions& formula, bool nearest_only,
+                        std::vector<FormulaSolution>& solutions) {
+  const unsigned open = formula.open;
   Eigen::VectorXd near = options.seed;
   const int rounds = (open & (open - 1)) != 0 ? 2 : 1;  // several of them in turn
   for (int round = 0; round < rounds; ++round) {
@@ -141,6 +170,7 @@ void search_open_joints(const Robot& robot, const IkGoal& goal, const IkOptions&
     }
   }
   follow_near(robot, goal, options, solutions);
+  if (rounds == 1) follow_branches(robot, goal, options, formula, solutions);
 }
 
 }  // namespace
@@ -169,7 +199,7 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
       add_new(robot, candidate, solutions);
   }
   if (found.open != 0 && robot.n() <= 6 && counts_all(goal))
-    search_open_joints(robot, goal, options, found.open, nearest_only, solutions);
+    search_open_joints(robot, goal, options, found, nearest_only, solutions);
   const bool all = closed.complete() && !found.free;
   if (solutions.empty()) return all ? FormulaAnswer::kNone : FormulaAnswer::kSilent;
   return all ? FormulaAnswer::kAll : FormulaAnswer::kSome;

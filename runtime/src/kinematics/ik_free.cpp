@@ -1,11 +1,11 @@
 #include "ik_free.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
+#include "self_motion.hpp"
 
 namespace armlet {
 namespace {
@@ -200,6 +200,23 @@ double change_of(const JointArray& q, const Eigen::VectorXd& seed) {
   return change;
 }
 
+double change_within(const Robot& robot, const IkOptions& options, std::size_t i, double low,
+                     double high) {
+  const double seed = options.seed[static_cast<Eigen::Index>(i)];
+  const Range range = range_of(robot, options, i);
+  const bool turns = robot.is_revolute(static_cast<int>(i));
+  const double first = turns ? std::round((seed - 0.5 * (low + high)) / (2.0 * kPi)) : 0.0;
+  const int copies = turns ? 3 : 0;
+  double least = INFINITY;
+  for (int copy = -copies; copy <= copies; ++copy) {
+    const double shift = (first + copy) * (2.0 * kPi);
+    const double from = std::max(low + shift, range.lower - kLimitSlack);
+    const double to = std::min(high + shift, range.upper + kLimitSlack);
+    if (from <= to) least = std::min(least, std::max({from - seed, seed - to, 0.0}));
+  }
+  return least;
+}
+
 double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
                   JointArray& q) {
   double beyond = 0.0;
@@ -231,7 +248,6 @@ double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& optio
 
 namespace {
 
-constexpr double kSingular = 1e-6;    // of the rows that count, rad or m per rad or m
 constexpr double kFirstSlide = 0.3;   // rad or m
 constexpr double kLastSlide = 1e-8;   // and the progress that counts
 constexpr double kNoSlide = 1e-10;    // rad or m; what a way to go must promise
@@ -239,26 +255,7 @@ constexpr double kWorthwhile = 1e-3;  // rad or m
 constexpr int kSlides = 60;
 constexpr int kCorrections = 8;
 
-using Eigen::Dynamic;
 using Eigen::VectorXd;
-using Directions = Eigen::Matrix<double, Dynamic, Dynamic, 0, kMaxJoints, kMaxJoints>;
-
-// Directions, as columns, in which the joints move without what counts of the tool.
-Directions idle_directions(const Robot& robot, const IkGoal& goal, const JointArray& q) {
-  const JacobianFrame frame = goal.in_tool_axes ? JacobianFrame::kTool : JacobianFrame::kWorld;
-  Jacobian J = jacobian(robot, Eigen::Map<const Eigen::VectorXd>(q.data(), robot.n()), frame);
-  for (Eigen::Index r = 0; r < 6; ++r) {
-    if (goal.weights[r] == 0.0) J.row(r).setZero();
-  }
-  using Rows = Eigen::Matrix<double, Dynamic, Dynamic, 0, kMaxJoints, 6>;
-  const Eigen::ColPivHouseholderQR<Rows> rows(J.transpose());
-  const auto pivots = rows.matrixQR().diagonal();
-  Eigen::Index rank = 0;
-  while (rank < pivots.size() && std::abs(pivots[rank]) > kSingular) ++rank;
-  const Directions Q = rows.householderQ();
-  return Q.rightCols(robot.n() - rank);
-}
-
 // The change of a joint along a direction, and its opposite: a + t b.
 struct Line {
   double a = 0.0, b = 0.0;
@@ -331,13 +328,14 @@ class Descent {
 
 }  // namespace
 
-bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q) {
+bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q,
+                  double singular) {
   IkSolver solver(robot, goal);
   bool several = false;
   double change = change_of(q, options.seed);
   double most = kFirstSlide;
   for (int slide = 0; slide < kSlides && most > kLastSlide; ++slide) {
-    const Directions idle = idle_directions(robot, goal, q);
+    const JointDirections idle = idle_directions(robot, goal, q, singular);
     several = several || idle.cols() > 1;
     bool nearer = false, promising = false;
     // Towards the seed first, then each by itself.

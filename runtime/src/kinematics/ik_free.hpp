@@ -20,10 +20,21 @@ double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& optio
 // The largest change of one joint.
 double change_of(const JointArray& q, const Eigen::VectorXd& seed);
 
+// Joints as far beyond a limit, rad or m, are on it.
+inline constexpr double kLimitSlack = 1e-7;
+
+// The smallest change of joint i to a value between low and high, or whole turns away from there,
+// inside the limits; infinite if none lies inside.
+double change_within(const Robot& robot, const IkOptions& options, std::size_t i, double low,
+                     double high);
+
 // Follows the solutions that are connected with q, where there are infinitely many, to one that is
 // nearer to the seed. q meets the goal before and after.
 //
+// singular  m or rad that the tool may move per rad or m of a direction to go.
+//
 // returns whether there were several directions to go at once.
-bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q);
+bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q,
+                  double singular = 1e-6);
 
 }  // namespace armlet

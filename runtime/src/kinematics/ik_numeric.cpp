@@ -252,6 +252,15 @@ bool IkSolver::solve_in_box(JointArray& q, int iterations) {
   return false;
 }
 
+bool IkSolver::correct(JointArray& q, double error) {
+  iterations_used_ += 2;
+  iterate(q, false);
+  move(q);
+  const bool close = iterate(q, false) < 0.5 * error * error;
+  move(q);
+  return close;
+}
+
 // A few more steps while each halves the error at least; at a regular goal one is enough.
 void IkSolver::polish(JointArray& q, bool in_box) {
   double energy = at_.energy;

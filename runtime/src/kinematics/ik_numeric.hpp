@@ -58,6 +58,10 @@ class IkSolver {
   // The same inside the limits: joints on a bound that the step would push out are frozen.
   bool solve_in_box(JointArray& q, int iterations);
 
+  // Two steps from next to a solution. Returns whether after the first less than `error` was left,
+  // m and rad together; the second leaves about its square.
+  bool correct(JointArray& q, double error);
+
   // Least squares inside the limits for goals that cannot be reached: gain-ratio damping (Nielsen,
   // 1999), because damping that follows the error stalls when the error cannot vanish.
   void minimise_in_box(JointArray& q, int iterations);

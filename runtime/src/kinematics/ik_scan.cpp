@@ -182,26 +182,6 @@ class Scan {
     return piece;
   }
 
-  // How far the seed is from what lies between low and high, or whole turns away, inside the
-  // limits.
-  double nearest_in(std::size_t i, double low, double high) const {
-    const auto k = static_cast<Eigen::Index>(i);
-    const double seed = options_.seed[k];
-    const bool turns = robot_.is_revolute(static_cast<int>(i));
-    const double lower = options_.respect_limits ? robot_.lower()[k] - kSlightly : -INFINITY;
-    const double upper = options_.respect_limits ? robot_.upper()[k] + kSlightly : INFINITY;
-    double least = kNone;
-    const double first = turns ? std::round((seed - 0.5 * (low + high)) / kTurn) : 0.0;
-    const int copies = turns ? 3 : 0;
-    for (int copy = -copies; copy <= copies; ++copy) {
-      const double shift = (first + copy) * kTurn;
-      const double from = std::max(low + shift, lower);
-      const double to = std::min(high + shift, upper);
-      if (from <= to) least = std::min(least, std::max({from - seed, seed - to, 0.0}));
-    }
-    return least;
-  }
-
   // No solution on the piece is nearer.
   double lower_bound(const Piece& piece) const {
     if (!piece.left.exists && !piece.right.exists) return kNone;
@@ -212,8 +192,9 @@ class Scan {
     for (std::size_t i = 0; i < n_; ++i) {
       if (((piece.left.loose | piece.right.loose) >> i & 1U) != 0) continue;
       const double other = whole ? end.q[i] + way(i, end.q[i], piece.right.q[i]) : end.q[i];
-      bound = std::max(bound, nearest_in(i, std::min(end.q[i], other) - piece.bend[i],
-                                         std::max(end.q[i], other) + piece.bend[i]));
+      bound = std::max(bound,
+                       change_within(robot_, options_, i, std::min(end.q[i], other) - piece.bend[i],
+                                     std::max(end.q[i], other) + piece.bend[i]));
     }
     return bound;
   }

@@ -9,10 +9,10 @@
 namespace armlet {
 namespace {
 
-constexpr double kSameSolution = 1e-4;   // rad or m
-constexpr double kTurnRounding = 1e-12;  // rad
-constexpr double kAround = 0.6;          // rad or m, in which starts around the seed lie
-constexpr int kFreeStarts = 8;           // of a search for one solution, without a second try each
+constexpr double kSameSolution = 1e-4;  // rad or m
+constexpr double kTurnRounding = 1e-9;  // rad
+constexpr double kAround = 0.6;         // rad or m, in which starts around the seed lie
+constexpr int kFreeStarts = 8;          // of a search for one solution, without a second try each
 constexpr IkPace kFast{.largest_step = 2.0, .progress = 0.9, .stall = 5};
 
 bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,

@@ -40,6 +40,16 @@ double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
 void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
                       std::vector<Eigen::VectorXd>& solutions);
 
+// Element `index` of the sequence of starts that are no farther from the seed than `change`, and
+// inside the limits if they count.
+JointArray start_within(const Robot& robot, const IkOptions& options, double change, int index);
+
+// Follows solutions that the iterations found where they are connected with others, divides anew
+// what joints share, and sorts them. The first is then as near to the seed as any on the
+// self-motions that they, and starts near the seed, lead to.
+void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                  std::vector<Eigen::VectorXd>& solutions);
+
 // The first of at least one branch in that order.
 const FormulaSolution& nearest_branch(const Robot& robot, const Eigen::VectorXd& seed,
                                       const std::vector<FormulaSolution>& branches);
