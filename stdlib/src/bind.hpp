@@ -53,23 +53,6 @@ std::span<const NativeFunction> plot_motion_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 
-// A function that acts on its first argument, a robot.
-[[nodiscard]] constexpr NativeFunction commanding(NativeFunction function) {
-  function.commands = true;
-  return function;
-}
-
-// A motion that a `path` collects, or a setting that moves in it obey.
-[[nodiscard]] constexpr NativeFunction in_path(NativeFunction function) {
-  function.in_path = true;
-  return function;
-}
-// Gives a value, and changes the world.
-[[nodiscard]] constexpr NativeFunction acting(NativeFunction function) {
-  function.acts = true;
-  return function;
-}
-
 // R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
 Failed domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
                       std::string fix = {}, int parameter = 0);
@@ -89,7 +72,5 @@ Failed failure_of(Vm& vm, std::string_view code, const std::exception& error, in
 // The sentence of a broken precondition as it goes on from other words, without capital and full
 // stop.
 [[nodiscard]] std::string clause_of(const std::exception& error);
-
-[[nodiscard]] inline bool is_absent(Slot s) { return is_absent_scalar(s); }
 
 }  // namespace armlet::bind

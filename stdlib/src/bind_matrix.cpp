@@ -31,7 +31,8 @@ MatrixObj* with_rows(Vm& vm, MatrixObj* A, F fill) {
     return true;
   };
   const bool long_rows = cols * kCost > kBlockWork;
-  const bool done = long_rows ? parts_of_rows() : in_blocks(vm, A->rows, 16 + kCost * A->cols, rows);
+  const bool done =
+      long_rows ? parts_of_rows() : in_blocks(vm, A->rows, 16 + kCost * A->cols, rows);
   if (done) return A;
   release(vm, A);
   return nullptr;
