@@ -197,7 +197,10 @@ Value Evaluator::element(const ElementExpr& e) {
   if (items[index].absent()) {
     Span list = e.object->span;
     // A place that is assigned: its variable has the span of all of it.
-    if (list.end >= e.span.end)
+    const bool is_variable = e.object->kind == ExprKind::kVariable;
+    const std::string_view name =
+        is_variable ? e.object->as<VariableExpr>().variable->name : std::string_view();
+    if (!name.empty() && text(list).size() > name.size() && text(list).starts_with(name))
       list.end = list.begin + static_cast<std::uint32_t>(last_bracket(text(e.span)));
     fail_unset(index, list, e.span);
   }

@@ -39,6 +39,14 @@ std::string without_index(std::string text) {
   return text;
 }
 
+// In the place of an assignment the variable has the span of all of it.
+bool has_span_of_place(const VmState& state, const hir::Expr& object) {
+  if (object.kind != hir::ExprKind::kVariable) return false;
+  const std::string_view name = object.as<hir::VariableExpr>().variable->name;
+  const std::string text = source_text(state, object.span);
+  return !name.empty() && text.size() > name.size() && text.starts_with(name);
+}
+
 // Objects that have been looked at, since several may own them.
 class Seen {
  public:
@@ -178,8 +186,9 @@ bool raise_unset_element(VmState& state, std::int64_t index) {
   Span list = at->span;
   if (at->expr != nullptr) {
     if (at->expr->kind == hir::ExprKind::kElement) {
-      list = at->expr->as<hir::ElementExpr>().object->span;
-      if (list.end >= at->span.end)  // the place of an assignment, whose variable has all of it
+      const hir::Expr& object = *at->expr->as<hir::ElementExpr>().object;
+      list = object.span;
+      if (has_span_of_place(state, object))
         return raise_unset_value(state, without_index(name_of(state, at->span)) + bracketed(index));
     }
     if (at->expr->kind == hir::ExprKind::kSlice) list = at->expr->as<hir::SliceExpr>().object->span;
