@@ -103,6 +103,7 @@ constexpr NativeFunction kTyped[] = {
     def<sum_of>("sumOf(f: fn(double) -> double, n: int) -> double", "", ""),
     def<trace_of>("traceOf(m: matrix) -> double", "", ""),
     def<nothing>("nothing(fails: bool)", "", ""),
+    def<&Pear::text>("explain(p: pear) -> string", "", ""),
     def<[](double x) { return -x; }>("minus(x: double) -> double", "", ""),
 };
 
