@@ -29,6 +29,11 @@ step build and test, with the address and undefined-behaviour sanitizers
 step build and test, optimised
 ./dev test
 
+step one definition of everything: linked as a whole
+./dev build odr armlet test_interpreter
+step build with the other compiler
+./dev build clang
+
 if command -v clang-tidy >/dev/null; then
   step clang-tidy on what has changed since the last commit
   git diff --name-only --diff-filter=d HEAD -- '*.cpp' | grep -v '^grammar/generated/' |

@@ -19,6 +19,7 @@ void require_values(const hir::Function& function, std::span<const Slot> argumen
 
 // Calls the native function of the call that the frame is at, and fails if it is done without a
 // result of its type: none was left, or a reference to an argument without a count of its own.
-[[nodiscard]] Signal call_checked(VmState& state, const Frame& frame, const Thunk& thunk, Slot* args);
+[[nodiscard]] Signal call_checked(VmState& state, const Frame& frame, const Thunk& thunk,
+                                  Slot* args);
 
 }  // namespace armlet::lang

@@ -7,8 +7,8 @@
 // without an end, and empty if there is none. Whether the text is XML, the library says.
 namespace armlet {
 
-// More links or joints than a mechanism may have, or the first link that is its own parent, hangs on two joints or belongs to a circle: "link `fore`
-// is its own parent (joint `elbow`)".
+// More links or joints than a mechanism may have, or the first link that is its own parent, hangs
+// on two joints or belongs to a circle: "link `fore` is its own parent (joint `elbow`)".
 std::string structure_fault(std::string_view text);
 
 // The first link or joint with a number that is none: "link `upper` has xyz=\"0 0 nan\" in its

@@ -1,5 +1,5 @@
-// Arms of one to four turning joints of any structure (with the subproblems of Paden and Kahan: every one of
-// them that has no joint to spare has a closed form).
+// Arms of one to four turning joints of any structure (with the subproblems of Paden and Kahan:
+// every one of them that has no joint to spare has a closed form).
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -27,9 +27,9 @@ struct DampedLine {
 // so that they stay slow and the tool leaves the line a little. Away from them the line is exact to
 // the damping's square.
 //
-// The way of the joints is run as fast as their speeds, accelerations and jerks and those of the tool
-// allow everywhere, or in the time that is asked for. Where joints all but jump, so that limited
-// jerk would take many times as long, accelerations step.
+// The way of the joints is run as fast as their speeds, accelerations and jerks and those of the
+// tool allow everywhere, or in the time that is asked for. Where joints all but jump, so that
+// limited jerk would take many times as long, accelerations step.
 //
 // damping  the smallest singular value of the Jacobian below which joints are damped, above 0;
 //          larger values are slower and leave the line further.

@@ -13,8 +13,8 @@ namespace armlet {
 // are exact. A name that is none in the language is changed into one.
 [[nodiscard]] std::string robot_block(const Robot& robot);
 
-// The robot as people read it: its name in a line, and its table with one line per joint: kind, theta, d, a,
-// alpha and the limits, in degrees to 4 decimals and millimetres to 3.
+// The robot as people read it: its name in a line, and its table with one line per joint: kind,
+// theta, d, a, alpha and the limits, in degrees to 4 decimals and millimetres to 3.
 //
 // name  by which it is called, if that is not its own.
 [[nodiscard]] std::string robot_table(const Robot& robot, std::string_view name = {});
