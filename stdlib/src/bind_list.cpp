@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <type_traits>
+#include <vector>
 
 #include "armlet/interpreter/sorting.hpp"
 #include "armlet/interpreter/work.hpp"
@@ -114,6 +117,47 @@ Answer<double> deviation(Vm& vm, std::span<const double> xs) {
   if (!squares) return Failed{};
   return defined(vm, std::sqrt(*squares / static_cast<double>(xs.size() - 1)), xs, "the deviation");
 }
+// The middle one in order, or the mean of the two in the middle.
+Answer<double> median(Vm& vm, std::span<const double> xs) {
+  if (xs.empty()) return failure(vm, "R0613", "an empty list has no median", 0);
+  std::size_t bad = xs.size();
+  if (!find_number(vm, xs, bad, [](double x) { return std::isnan(x); })) return Failed{};
+  if (bad != xs.size())
+    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad], 0);
+  const Scratch scratch(vm, 2 * xs.size() * sizeof(double));
+  if (!scratch.granted() || !charge_work(vm, kCost * xs.size())) return Failed{};
+  std::vector<double> sorted(xs.begin(), xs.end());
+  std::vector<double> room(xs.size());
+  std::less<double> order;
+  if (!sort_stably(vm, std::span(sorted), std::span(room), order)) return Failed{};
+  const double above = sorted[xs.size() / 2];
+  const double below = sorted[(xs.size() - 1) / 2];
+  if (above == below) return above;
+  const double middle = below + 0.5 * (above - below);
+  return defined(vm, std::isfinite(middle) ? middle : 0.5 * below + 0.5 * above, xs, "the median");
+}
+
+// Every sum of the elements up to one of them.
+Answer<ListObj*> running_sums(Vm& vm, std::span<const double> xs) {
+  double sum = 0.0;
+  ListObj* sums = numbers_of(vm, xs.size(), [&](Slot& to, std::size_t i) { to.d = sum += xs[i]; });
+  if (sums == nullptr || defined(vm, sum, xs, "the sum")) return sums;
+  release(vm, sums);
+  return Failed{};
+}
+Answer<ListObj*> running_sums_int(Vm& vm, std::span<const Slot> xs) {
+  std::int64_t sum = 0;
+  std::size_t overflow = xs.size();
+  ListObj* sums = numbers_of(vm, xs.size(), [&](Slot& to, std::size_t i) {
+    if (__builtin_add_overflow(sum, xs[i].i, &sum)) overflow = std::min(overflow, i);
+    to.i = sum;
+  });
+  if (sums == nullptr || overflow == xs.size()) return sums;
+  release(vm, sums);
+  return failure(vm, "R0610",
+                 fmt::format("the sum up to element {} is too large for an int", overflow), 0);
+}
+
 ListObj* differences(Vm& vm, std::span<const double> xs) {
   return numbers_of(vm, xs.empty() ? 0 : xs.size() - 1,
                     [xs](Slot& to, std::size_t i) { to.d = xs[i + 1] - xs[i]; });
@@ -139,6 +183,33 @@ Answer<ListObj*> sort_real(Vm& vm, const ListObj& list) {
   return sorted_list(vm, list, [](Slot a, Slot b) { return a.d < b.d; });
 }
 ListObj* sort_text(Vm& vm, const ListObj& xs) { return sorted_list(vm, xs, TextOrder(vm)); }
+// Where the largest (kMax) or smallest element stands for the first time.
+template <bool kMax, class Number>
+Answer<std::int64_t> place_of_extreme(Vm& vm, std::span<const Slot> xs) {
+  if (xs.empty())
+    return failure(vm, "R0613",
+                   fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
+  const auto number = [xs](std::size_t i) -> Number {
+    if constexpr (std::is_same_v<Number, double>)
+      return xs[i].d;
+    else
+      return xs[i].i;
+  };
+  std::size_t best = 0;
+  std::size_t bad = xs.size();
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && bad == xs.size(); ++i) {
+      if (number(i) != number(i)) bad = i;
+      if (kMax ? number(i) > number(best) : number(i) < number(best)) best = i;
+    }
+    return bad == xs.size();
+  };
+  const bool done = in_blocks(vm, xs.size(), kCost, look);
+  if (bad != xs.size())
+    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
+  if (!done) return Failed{};
+  return static_cast<std::int64_t>(best);
+}
 ListObj* reverse(Vm& vm, const ListObj& xs) {
   return list_of(vm, xs.size, xs.holds_references(),
                  [&xs](Slot& to, std::size_t i) { to = xs.data[xs.size - 1 - i]; });
@@ -160,10 +231,30 @@ constexpr NativeFunction kListFunctions[] = {
     def<mean>("mean(xs: D[]) -> D", "The mean of a list.", "mean([1.0, 2.0])"),
     def<deviation>("std(xs: D[]) -> D", "The standard deviation of a sample.",
                    "std([1.0, 2.0, 4.0])"),
+    def<median>(
+        "median(xs: D[]) -> D",
+        "The value in the middle of the list in order; of an even number, the mean of the two.",
+        "median([3.0, 1.0, 10.0])"),
+    def<running_sums_int>("cumsum(xs: int[]) -> int[]", "The sums of the elements up to each.",
+                          "cumsum([1, 2, 3])"),
+    def<running_sums>("cumsum(xs: D[]) -> D[]", "The sums of the elements up to each.",
+                      "cumsum([1mm, 2mm])"),
     def<differences>("diff(xs: D[]) -> D[]", "The differences of neighbours.",
                      "diff([1.0, 3.0, 6.0])"),
     def<trapezoids>("trapz(y: D[], x: E[]) -> D*E", "The area under y over x, by trapezoids.",
                     "trapz([1.0, 2.0], [0.0, 1.0])"),
+    def<place_of_extreme<false, std::int64_t>>(
+        "argmin(xs: int[]) -> int", "Where the smallest element stands for the first time.",
+        "argmin([3, 1, 2])"),
+    def<place_of_extreme<false, double>>("argmin(xs: D[]) -> int",
+                                         "Where the smallest element stands for the first time.",
+                                         "argmin([3mm, 1mm])"),
+    def<place_of_extreme<true, std::int64_t>>(
+        "argmax(xs: int[]) -> int", "Where the largest element stands for the first time.",
+        "argmax([3, 1, 2])"),
+    def<place_of_extreme<true, double>>("argmax(xs: D[]) -> int",
+                                        "Where the largest element stands for the first time.",
+                                        "argmax([3mm, 1mm])"),
     def<sort_int>("sort(xs: int[]) -> int[]", "A new list in ascending order.", "sort([3, 1, 2])"),
     def<sort_real>("sort(xs: D[]) -> D[]", "A new list in ascending order.", "sort([3mm, 1mm])"),
     def<sort_text>("sort(xs: string[]) -> string[]", "A new list in the order of the letters.",
