@@ -26,6 +26,13 @@
 using namespace armlet;
 using namespace armlet::lang;
 
+// A function that stays a function of its own, whatever the optimiser sees of it.
+#ifdef __clang__
+#define APART [[gnu::noinline, clang::optnone]]
+#else
+#define APART [[gnu::noipa]]
+#endif
+
 namespace {
 
 constexpr std::size_t kMost = 256;  // files
@@ -42,30 +49,30 @@ struct Work {
 };
 
 template <std::size_t kFile>
-[[gnu::noipa]] void read(Work& work) {
+APART void read(Work& work) {
   work.files = load_files(*work.program.sources, work.tree, work.options, work.sink);
 }
 
 template <std::size_t kFile>
-[[gnu::noipa]] void check(Work& work) {
+APART void check(Work& work) {
   work.well =
       check_program(work.files, work.program, work.engine.registry(), work.options, work.sink);
 }
 
 template <std::size_t kFile>
-[[gnu::noipa]] void lower_all(Work& work) {
+APART void lower_all(Work& work) {
   if (work.well && work.files.back().ok) (void)lower(work.program);
 }
 
 template <std::size_t kFile>
-[[gnu::noipa]] void explain(Work& work) {
+APART void explain(Work& work) {
   work.problems = work.sink.take_sorted();
   Trials trials(work.engine.registry(), *work.program.sources, work.options);
   explain_habits(work.problems, *work.program.sources, trials);
 }
 
 template <std::size_t kFile>
-[[gnu::noipa]] void show(Work& work) {
+APART void show(Work& work) {
   for (const Diagnostic& problem : work.problems) {
     (void)render_text(problem, *work.program.sources);
     (void)render_json(problem, *work.program.sources);
@@ -73,7 +80,7 @@ template <std::size_t kFile>
 }
 
 template <std::size_t kFile>
-[[gnu::noipa]] void lay_out(const std::string& text) {
+APART void lay_out(const std::string& text) {
   (void)format_program(Source("growth.rbt", text));
 }
 

@@ -21,8 +21,8 @@ std::vector<double> drawing_times(const Trajectory& motion, int even) {
     times.push_back(knot);
   }
   std::ranges::sort(times);
-  const auto repeated = std::ranges::unique(times);
-  times.erase(repeated.begin(), repeated.end());
+  // clang 14 cannot read std::ranges::unique of g++ 12.
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 
