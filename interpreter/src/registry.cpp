@@ -133,6 +133,7 @@ namespace {
 
 std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
                                 const TypeNames& names) {
+  if (function.name.empty()) return {"it has no name"};
   std::string error;
   const auto signature = parse_signature(function.signature, types, names, error);
   return signature ? typed_faults(function, *signature) : std::vector<std::string>{error};

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <type_traits>
 #include <vector>
 
 #include "armlet/interpreter/sorting.hpp"
@@ -183,33 +182,6 @@ Answer<ListObj*> sort_real(Vm& vm, const ListObj& list) {
   return sorted_list(vm, list, [](Slot a, Slot b) { return a.d < b.d; });
 }
 ListObj* sort_text(Vm& vm, const ListObj& xs) { return sorted_list(vm, xs, TextOrder(vm)); }
-// Where the largest (kMax) or smallest element stands for the first time.
-template <bool kMax, class Number>
-Answer<std::int64_t> place_of_extreme(Vm& vm, std::span<const Slot> xs) {
-  if (xs.empty())
-    return failure(vm, "R0613",
-                   fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
-  const auto number = [xs](std::size_t i) -> Number {
-    if constexpr (std::is_same_v<Number, double>)
-      return xs[i].d;
-    else
-      return xs[i].i;
-  };
-  std::size_t best = 0;
-  std::size_t bad = xs.size();
-  const auto look = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && bad == xs.size(); ++i) {
-      if (number(i) != number(i)) bad = i;
-      if (kMax ? number(i) > number(best) : number(i) < number(best)) best = i;
-    }
-    return bad == xs.size();
-  };
-  const bool done = in_blocks(vm, xs.size(), kCost, look);
-  if (bad != xs.size())
-    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
-  if (!done) return Failed{};
-  return static_cast<std::int64_t>(best);
-}
 ListObj* reverse(Vm& vm, const ListObj& xs) {
   return list_of(vm, xs.size, xs.holds_references(),
                  [&xs](Slot& to, std::size_t i) { to = xs.data[xs.size - 1 - i]; });

@@ -31,22 +31,6 @@ Answer<double> real1(Vm& vm, double x) {
 }
 
 // One function on every element of a list.
-// A new list of `count` elements, each set by set(slot, i), which may fail. Null: it failed.
-template <class F>
-ListObj* checked_items(Vm& vm, std::size_t count, unsigned cost, F set) {
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), false);
-  if (list == nullptr) return nullptr;
-  const auto fill = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!set(list->data[i], i)) return false;
-    }
-    return true;
-  };
-  if (in_blocks(vm, count, cost, fill)) return list;
-  release(vm, list);
-  return nullptr;
-}
-
 template <Real1 kFunction>
 ListObj* each(Vm& vm, std::span<const double> xs) {
   const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {
@@ -183,34 +167,11 @@ Answer<double> extreme_of_two(Vm& vm, double a, double b) {
   return kFunction(a, b);
 }
 
-// The first of the elements that no other one is above (kMax) or below.
 template <bool kMax, class Number>
 Answer<Number> extreme(Vm& vm, std::span<const Slot> xs) {
-  constexpr bool kInt = std::is_same_v<Number, std::int64_t>;
-  if (xs.empty())
-    return failure(vm, "R0613",
-                   fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
-  const auto number = [xs](std::size_t i) -> Number {
-    if constexpr (kInt)
-      return xs[i].i;
-    else
-      return xs[i].d;
-  };
-  std::size_t bad = xs.size();
-  Number best = number(0);
-  const auto look = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Number x = number(i);
-      if (x != x && bad == xs.size()) bad = i;
-      if (kMax ? x > best : x < best) best = x;
-    }
-    return bad == xs.size();
-  };
-  const bool done = in_blocks(vm, xs.size(), kCost, look);
-  if (bad != xs.size())
-    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
-  if (!done) return Failed{};
-  return best;
+  const auto place = place_of_extreme<kMax, Number>(vm, xs);
+  if (!place) return Failed{};
+  return number_in<Number>(xs[static_cast<std::size_t>(*place)]);
 }
 
 Answer<std::int64_t> clamp_int(Vm& vm, std::int64_t x, std::int64_t lo, std::int64_t hi) {

@@ -76,23 +76,6 @@ ListObj* negate(Vm& vm, std::span<const double> a) {
   return map_reals(vm, a, [](double x) { return -x; });
 }
 
-// A new list of as many numbers as f(slot, i) says yes to; at the first no f has said why. Null: it
-// failed.
-template <class F>
-ListObj* checked_numbers(Vm& vm, std::size_t count, unsigned cost, F f) {
-  ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), false);
-  if (list == nullptr) return nullptr;
-  const auto fill = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!f(list->data[i], i)) return false;
-    }
-    return true;
-  };
-  if (in_blocks(vm, count, cost, fill)) return list;
-  release(vm, list);
-  return nullptr;
-}
-
 // Powers: a negative number has only whole ones.
 ListObj* raise(Vm& vm, std::span<const double> xs, std::span<const double> exponents) {
   const auto power_of = [&](Slot& to, std::size_t i) -> Answer<void> {
@@ -105,7 +88,7 @@ ListObj* raise(Vm& vm, std::span<const double> xs, std::span<const double> expon
                                i, xs[i], n),
                    0);
   };
-  return checked_numbers(vm, xs.size(), 2 * kFunctionCost, power_of);
+  return checked_items(vm, xs.size(), 2 * kFunctionCost, power_of);
 }
 Answer<ListObj*> raise_lists(Vm& vm, std::span<const double> a, std::span<const double> b) {
   if (a.size() != b.size()) return size_failure(vm, "powers of lists", a.size(), b.size());
@@ -128,7 +111,7 @@ ListObj* whole_numbers(Vm& vm, std::span<const Slot> a, std::span<const Slot> b)
     if (combine<kOperator>(left, right, to.i)) return {};
     return failure(vm, "R0610", fmt::format("element {} is too large for an int", i));
   };
-  return checked_numbers(vm, std::max(a.size(), b.size()), kCost, combined);
+  return checked_items(vm, std::max(a.size(), b.size()), kCost, combined);
 }
 template <char kOperator>
 Answer<ListObj*> int_lists(Vm& vm, std::span<const Slot> a, std::span<const Slot> b) {

@@ -1,10 +1,13 @@
 #pragma once
 // Lists made element by element and numbers looked through, in blocks that count as work.
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <span>
 
 #include "armlet/interpreter/work.hpp"
+#include "bind.hpp"
 
 namespace armlet::bind {
 
@@ -37,6 +40,22 @@ template <class F>
   return list_of(vm, count, false, make, cost);
 }
 
+// The same of numbers that set(slot, i) finds, which may fail.
+template <class F>
+[[nodiscard]] ListObj* checked_items(Vm& vm, std::size_t count, unsigned cost, F set) {
+  ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), false);
+  if (list == nullptr) return nullptr;
+  const auto fill = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!set(list->data[i], i)) return false;
+    }
+    return true;
+  };
+  if (in_blocks(vm, count, cost, fill)) return list;
+  release(vm, list);
+  return nullptr;
+}
+
 // The first number that `is_wanted`; `at` is left as it is if there is none. False: the program has
 // to stop and the failure is set.
 template <class F>
@@ -50,6 +69,30 @@ template <class F>
     return !found;
   };
   return in_blocks(vm, xs.size(), kCost, look) || found;
+}
+
+// Where the largest (kMax) or smallest element stands for the first time, among ints or doubles of
+// which none is undefined.
+template <bool kMax, class Number>
+Answer<std::int64_t> place_of_extreme(Vm& vm, std::span<const Slot> xs) {
+  if (xs.empty())
+    return failure(vm, "R0613",
+                   fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
+  const auto number = [xs](std::size_t i) { return number_in<Number>(xs[i]); };
+  std::size_t best = 0;
+  std::size_t bad = xs.size();
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && bad == xs.size(); ++i) {
+      if (number(i) != number(i)) bad = i;
+      if (kMax ? number(i) > number(best) : number(i) < number(best)) best = i;
+    }
+    return bad == xs.size();
+  };
+  const bool done = in_blocks(vm, xs.size(), kCost, look);
+  if (bad != xs.size())
+    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
+  if (!done) return Failed{};
+  return static_cast<std::int64_t>(best);
 }
 
 }  // namespace armlet::bind

@@ -7,9 +7,9 @@ namespace {
 
 using Form = ValueKind::Form;
 
-ValueKind kind_of_list(const Type& element) {
-  if (element.is(Kind::kReal)) return {Form::kReals};
-  if (element.is(Kind::kHost)) return {Form::kHosts, false, element.host};
+ValueKind list_of(const ValueKind& element) {
+  if (element.form == Form::kReal) return {Form::kReals};
+  if (element.form == Form::kHost) return {Form::kHosts, false, element.host};
   return {Form::kItems};
 }
 
@@ -29,7 +29,7 @@ ValueKind kind_of(const Type& type) {
     case Kind::kText:
       return {Form::kText};
     case Kind::kList:
-      return kind_of_list(*type.element);
+      return list_of(kind_of(*type.element));
     case Kind::kMap:
       return {Form::kAny};
     case Kind::kMatrix:
@@ -60,10 +60,7 @@ ValueKind kind_of(const TypePattern& pattern) {
     case TypePattern::Form::kList:
       break;
   }
-  const ValueKind element = kind_of(pattern.parts.front());
-  if (element.form == Form::kReal) return {Form::kReals};
-  if (element.form == Form::kHost) return {Form::kHosts, false, element.host};
-  return {Form::kItems};
+  return list_of(kind_of(pattern.parts.front()));
 }
 
 ValueKind kind_of(const Parameter& parameter) {

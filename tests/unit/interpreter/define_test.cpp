@@ -228,6 +228,12 @@ TEST_CASE("every difference between a signature and the types of C++ is told") {
   CHECK(has(refusal("mixed(x: double[], n: int, minus: bool) -> double"),
             "asks for std::span<const double>"));
 
+  CHECK(has(refusal("mixed"), "`(` is missing"));
+  CHECK(has(refusal(""), "it has no name"));
+  CHECK(has(refusal("(x: double, n: int, minus: bool) -> double"), "it has no name"));
+  double (*nothing_behind)(double) = nullptr;
+  CHECK_THROWS_AS(def("f(x: double) -> double", nothing_behind, "", ""), ArgumentError);
+
   Engine engine;
   engine.add_type(kPear).add_type(kStone);
   CHECK_THROWS_WITH_AS(engine.define(def("weigh(p: stone) -> double", &weight, "", "")),

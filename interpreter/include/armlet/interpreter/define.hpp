@@ -14,6 +14,7 @@
 // with the signature: Engine::define refuses what differs, Engine::check_signatures tells it of
 // tables.
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,6 +23,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/typed_parameters.hpp"
 #include "armlet/interpreter/typed_results.hpp"
 
@@ -103,7 +105,7 @@ using SplitOf = Split<typename Shape<F>::Result, typename Shape<F>::Takes>;
 // Where the parameters begin in "name(x: double) -> double"; names may hold "()": "robot()() ->
 // ...".
 constexpr std::size_t parameters_begin(std::string_view text) {
-  const std::size_t open = text.find('(');
+  const std::size_t open = std::min(text.find('('), text.size());
   return text.substr(open).starts_with("()(") ? open + 2 : open;
 }
 
@@ -193,9 +195,15 @@ struct Definition {
 };
 
 // The same of a function, a pointer to one, or a lambda with captures.
+//
+// throws  ArgumentError if the pointer is null.
 template <class F>
 Definition def(std::string signature, F function, std::string help, std::string example,
                const CallOptions& options = {}) {
+  if constexpr (std::is_pointer_v<F> || std::is_member_pointer_v<F>) {
+    if (function == nullptr)
+      throw ArgumentError("There is no function behind `" + signature + "`.");
+  }
   struct Kept {
     std::string signature, help, example;
     F function;
