@@ -14,6 +14,7 @@ endfunction()
 # Groups and salt of the tests of a layer (armlet_group_sources).
 set(unity_backend 1 0)
 set(unity_cell 2 41)
+set(unity_chain 1 0)
 set(unity_core 2 454)
 set(unity_interpreter 8 53)
 set(unity_kinematics 6 2184)

@@ -7,16 +7,17 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-RUNTIME = ["core", "math", "model", "kinematics", "trajectory", "dynamics", "world", "vision", "plot", "backend"]
+RUNTIME = ["core", "math", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "vision", "plot", "backend"]
 
 # layer: the layers whose public headers it may include, besides its own.
 MAY_INCLUDE = {
     "core": [],
     "math": ["core"],
-    "model": ["core", "math"],
-    "kinematics": ["core", "math", "model"],
-    "trajectory": ["core", "math", "model", "kinematics"],
-    "dynamics": ["core", "math", "model"],
+    "chain": ["core", "math"],
+    "model": ["core", "math", "chain"],
+    "kinematics": ["core", "math", "chain", "model"],
+    "dynamics": ["core", "math", "chain", "model"],
+    "trajectory": ["core", "math", "chain", "model", "kinematics", "dynamics"],
     "world": ["core", "math"],
     "vision": ["core", "math", "world"],
     "plot": ["core", "math"],

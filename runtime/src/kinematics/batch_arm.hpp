@@ -6,7 +6,7 @@
 // larger instruction sets include it.
 namespace armlet {
 
-// Twist, as a number.
+// LinkTwist, as a number.
 inline constexpr unsigned char kRightTwist = 1, kAnyTwist = 2;
 
 // A plan as plain pointers.

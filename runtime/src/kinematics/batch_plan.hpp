@@ -1,12 +1,13 @@
 #pragma once
 
-#include "armlet/model/walk_plan.hpp"
+#include "armlet/chain/walk_plan.hpp"
 #include "batch_arm.hpp"
 
 namespace armlet {
 
-static_assert(sizeof(Twist) == 1 && static_cast<unsigned char>(Twist::kRightAngle) == kRightTwist &&
-              static_cast<unsigned char>(Twist::kAny) == kAnyTwist);
+static_assert(sizeof(LinkTwist) == 1 &&
+              static_cast<unsigned char>(LinkTwist::kRightAngle) == kRightTwist &&
+              static_cast<unsigned char>(LinkTwist::kAny) == kAnyTwist);
 
 // What kernels of batches read; it points into the plan.
 inline BatchArm batch_arm(const WalkPlan& plan) {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "armlet/model/chain.hpp"
+#include "armlet/chain/chain.hpp"
 
 namespace armlet {
 

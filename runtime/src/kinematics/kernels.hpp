@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "armlet/model/walk_plan.hpp"
+#include "armlet/chain/walk_plan.hpp"
 
 namespace armlet {
 

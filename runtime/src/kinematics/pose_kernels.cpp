@@ -45,12 +45,12 @@ using Columns = Parts<Lanes>;
 // Z_i behind X_{i+1}.
 [[gnu::always_inline]] inline void step(const WalkPlan& plan, std::size_t i, Lanes sine,
                                         Lanes cosine, Columns& xy, Columns& zp) {
-  if (plan.twist[i + 1] == Twist::kRightAngle) {
+  if (plan.right_angle(i + 1)) {
     xy.turn_right_z(sine, cosine);
     zp.turn_right_z(sine, cosine);
     return;
   }
-  if (plan.twist[i + 1] == Twist::kAny) {
+  if (plan.any_angle(i + 1)) {
     const Lanes sin_alpha = both(plan.sin_alpha[i + 1]);
     const Lanes cos_alpha = both(plan.cos_alpha[i + 1]);
     xy.turn_x(sin_alpha, cos_alpha);

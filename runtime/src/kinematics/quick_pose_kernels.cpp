@@ -29,12 +29,12 @@ struct QuickColumns {
 
   // Z_i behind X_{i+1}.
   [[gnu::always_inline]] void step(const WalkPlan& plan, std::size_t i, Lanes sine, Lanes cosine) {
-    if (plan.twist[i + 1] == Twist::kRightAngle) {
+    if (plan.right_angle(i + 1)) {
       xz.turn_right_z(sine, cosine);
       p.turn_right_z(sine[0], cosine[0]);
       return;
     }
-    if (plan.twist[i + 1] == Twist::kAny) {
+    if (plan.any_angle(i + 1)) {
       const double sin_alpha = plan.sin_alpha[i + 1], cos_alpha = plan.cos_alpha[i + 1];
       xz.turn_x(both(sin_alpha), both(cos_alpha));
       p.turn_x(sin_alpha, cos_alpha);

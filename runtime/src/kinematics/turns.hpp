@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "armlet/model/walk_plan.hpp"
+#include "armlet/chain/walk_plan.hpp"
 #include "lane_steps.hpp"
 #include "math/det_quick_lanes.hpp"
 

@@ -41,10 +41,10 @@ struct WalkFrame {
   [[gnu::always_inline]] void step_x(const WalkPlan& plan, std::size_t i) {
     if (plan.has_a[i]) p = p + both(plan.a[i]) * x;
     const WalkAxis y_before = y;
-    if (plan.twist[i] == Twist::kRightAngle) {
+    if (plan.right_angle(i)) {
       y = z;
       z = -y_before;
-    } else if (plan.twist[i] == Twist::kAny) {
+    } else if (plan.any_angle(i)) {
       const Lanes s = both(plan.sin_alpha[i]);
       const Lanes c = both(plan.cos_alpha[i]);
       y = c * y_before + s * z;

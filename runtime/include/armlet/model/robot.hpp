@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "armlet/model/chain.hpp"
+#include "armlet/chain/chain.hpp"
+#include "armlet/chain/walk_plan.hpp"
 #include "armlet/model/joint.hpp"
 #include "armlet/model/link.hpp"
 #include "armlet/model/tool.hpp"
-#include "armlet/model/walk_plan.hpp"
 
 namespace armlet {
 

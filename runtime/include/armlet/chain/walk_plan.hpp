@@ -1,14 +1,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
-#include "armlet/model/chain.hpp"
+#include "armlet/chain/chain.hpp"
 
 namespace armlet {
 
 // Twists that need no arithmetic, and the others.
-enum class Twist : std::uint8_t { kNone, kRightAngle, kAny };
+enum class LinkTwist : std::uint8_t { kNone, kRightAngle, kAny };
 
 // A chain prepared for walking along it. With B = T_world_base X_0 and T = X_n T_flange_tool,
 //
@@ -30,7 +31,9 @@ struct WalkPlan {
   // X_i = Rx(alpha_i) Tx(a_i) before joint i > 0, and as it was for i = n.
   std::array<double, kMaxJoints + 1> a{}, sin_alpha{}, cos_alpha{};
   std::array<bool, kMaxJoints + 1> has_a{};
-  std::array<Twist, kMaxJoints + 1> twist{};
+  std::array<LinkTwist, kMaxJoints + 1> twist{};
+  bool right_angle(std::size_t i) const { return twist[i] == LinkTwist::kRightAngle; }
+  bool any_angle(std::size_t i) const { return twist[i] == LinkTwist::kAny; }
 
   // 1, or -1 where the frames at joint i are turned: their y and z axes are those of the chain
   // times this.

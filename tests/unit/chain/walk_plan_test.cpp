@@ -1,4 +1,4 @@
-#include "armlet/model/walk_plan.hpp"
+#include "armlet/chain/walk_plan.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@ TEST_CASE("the twists of common arms need no arithmetic") {
     CAPTURE(name);
     const Robot robot = *make_robot(name);
     for (std::size_t i = 1; i < static_cast<std::size_t>(robot.n()); ++i) {
-      CHECK(robot.walk_plan().twist[i] != Twist::kAny);
+      CHECK(robot.walk_plan().twist[i] != LinkTwist::kAny);
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "armlet/model/walk_plan.hpp"
+#include "armlet/chain/walk_plan.hpp"
 
 namespace armlet {
 namespace {
@@ -11,9 +11,9 @@ Eigen::Isometry3d x_step(const Chain& chain, std::size_t i) {
   return X;
 }
 
-Twist twist_of(double sin_alpha, double cos_alpha) {
-  if (sin_alpha == 0.0 && cos_alpha == 1.0) return Twist::kNone;
-  return sin_alpha == 1.0 && cos_alpha == 0.0 ? Twist::kRightAngle : Twist::kAny;
+LinkTwist twist_of(double sin_alpha, double cos_alpha) {
+  if (sin_alpha == 0.0 && cos_alpha == 1.0) return LinkTwist::kNone;
+  return sin_alpha == 1.0 && cos_alpha == 0.0 ? LinkTwist::kRightAngle : LinkTwist::kAny;
 }
 
 // Half a turn about x stays in front of T, where it changes the signs of two rows.
