@@ -199,10 +199,6 @@ std::string ClosedForm::branch_name(int branch) const {
   return text;
 }
 
-const ClosedForm& closed_form(const Robot& robot) {
-  return *static_cast<const ClosedForm*>(robot.derived([](const Robot& arm) -> Robot::Derived {
-    return std::make_shared<ClosedForm>(arm.chain());
-  }));
-}
+const ClosedForm& closed_form(const Robot& robot) { return robot.derived<ClosedForm>(); }
 
 }  // namespace armlet

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <cstring>
 #include <utility>
 
 #include "armlet/core/error.hpp"
@@ -47,6 +47,24 @@ Chain make_chain(const RobotSpec& spec) {
   return chain;
 }
 
+template <class Numbers>
+bool has_same_bits(const Numbers& a, const Numbers& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(*a.data()) * static_cast<std::size_t>(a.size())) ==
+         0;
+}
+
+// To the last bit, 0 and -0 apart, so that nothing worked out from one is a bit different for the
+// other.
+bool is_same_chain(const Chain& a, const Chain& b) {
+  return a.n == b.n && a.standard == b.standard && a.revolute == b.revolute &&
+         has_same_bits(a.theta, b.theta) && has_same_bits(a.d, b.d) &&
+         has_same_bits(a.turns, b.turns) && has_same_bits(a.slides, b.slides) &&
+         has_same_bits(a.a, b.a) && has_same_bits(a.sin_alpha, b.sin_alpha) &&
+         has_same_bits(a.cos_alpha, b.cos_alpha) &&
+         has_same_bits(a.T_world_base.matrix(), b.T_world_base.matrix()) &&
+         has_same_bits(a.T_flange_tool.matrix(), b.T_flange_tool.matrix());
+}
+
 // Farthest that one row can carry the next frame, within the limits.
 double row_reach(const Joint& joint) {
   double d = std::abs(joint.dh.d);
@@ -67,12 +85,7 @@ Eigen::VectorXd gather(const std::vector<Joint>& joints, Member member) {
 
 }  // namespace
 
-struct Robot::DerivedSlot {
-  std::once_flag once;
-  Derived value;
-};
-
-Robot::Robot(RobotSpec spec) : spec_(std::move(spec)), derived_(std::make_shared<DerivedSlot>()) {
+Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
   check_joints(spec_);
   for (Joint& joint : spec_.joints) fill_default_rates(joint);
   if (spec_.links.empty()) spec_.links.resize(spec_.joints.size());
@@ -102,40 +115,54 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)), derived_(std::make_shared
   length_ = std::max(length_, 0.1);
 }
 
-const void* Robot::derived(Derived (*make)(const Robot&)) const {
-  std::call_once(derived_->once, [&] { derived_->value = make(*this); });
-  return derived_->value.get();
+Robot Robot::changed(RobotSpec spec) const {
+  Robot copy(std::move(spec));
+  if (is_same_chain(copy.chain_, chain_)) copy.from_chain_ = from_chain_;
+  return copy;
 }
 
 Robot Robot::with_name(std::string name) const {
   RobotSpec spec = spec_;
   spec.name = std::move(name);
-  return Robot(std::move(spec));
+  return changed(std::move(spec));
 }
 
 Robot Robot::with_base(const Eigen::Isometry3d& T_world_base) const {
   RobotSpec spec = spec_;
   spec.T_world_base = T_world_base;
-  return Robot(std::move(spec));
+  return changed(std::move(spec));
 }
 
 Robot Robot::with_tool(const Tool& tool) const {
   RobotSpec spec = spec_;
   spec.tool = tool;
   spec.T_flange_tool = make_translation({0.0, 0.0, tool.length});
-  return Robot(std::move(spec));
+  return changed(std::move(spec));
 }
 
 Robot Robot::with_tool_point(const Eigen::Isometry3d& T_flange_tool) const {
   RobotSpec spec = spec_;
   spec.T_flange_tool = T_flange_tool;
-  return Robot(std::move(spec));
+  return changed(std::move(spec));
 }
 
 Robot Robot::with_home(const Eigen::VectorXd& home) const {
   RobotSpec spec = spec_;
   spec.home = home;
-  return Robot(std::move(spec));
+  return changed(std::move(spec));
+}
+
+Robot Robot::with_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) const {
+  check_size("lower", lower.size(), n());
+  check_size("upper", upper.size(), n());
+  RobotSpec spec = spec_;
+  for (Eigen::Index i = 0; i < lower.size(); ++i) {
+    Joint& joint = spec.joints[static_cast<std::size_t>(i)];
+    joint.lower = lower[i];
+    joint.upper = upper[i];
+  }
+  spec.home = spec.home.cwiseMax(lower).cwiseMin(upper);
+  return changed(std::move(spec));
 }
 
 Robot Robot::with_acceleration(double fraction) const {
@@ -146,7 +173,7 @@ Robot Robot::with_acceleration(double fraction) const {
   }
   RobotSpec spec = spec_;
   for (Joint& joint : spec.joints) joint.max_accel *= fraction;
-  return Robot(std::move(spec));
+  return changed(std::move(spec));
 }
 
 std::vector<Joint> joints_from_table(const std::vector<std::vector<double>>& rows,

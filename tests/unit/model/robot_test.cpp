@@ -32,6 +32,20 @@ std::string message_of(const RobotSpec& spec) {
   return "accepted";
 }
 
+// What another layer might keep with an arm: one value of its geometry, one of all of it.
+struct Lengths {
+  double sum = 0.0;
+  explicit Lengths(const Chain& chain) {
+    for (int i = 0; i <= chain.n; ++i) sum += chain.a[static_cast<std::size_t>(i)];
+  }
+};
+struct Weight {
+  double sum = 0.0;
+  explicit Weight(const Robot& robot) {
+    for (const Link& link : robot.spec().links) sum += link.mass;
+  }
+};
+
 // The message after one thing is changed.
 template <class Change>
 std::string message_after(Change change) {
@@ -168,6 +182,59 @@ TEST_CASE("copies with one thing changed keep the rest") {
   CHECK(gripping.with_tool_point(Eigen::Isometry3d::Identity()).tool().stroke == 0.08);
   CHECK(arm.with_name("left").name() == "left");
   CHECK(arm.with_home(Eigen::VectorXd::Zero(4)).home().isZero());
+}
+
+TEST_CASE("limits are changed for all joints, and home moves inside") {
+  const Robot arm(two_links());
+  const Robot narrow = arm.with_limits(Eigen::Vector2d(-1.0, 0.25), Eigen::Vector2d(1.0, 2.0));
+  CHECK(narrow.lower() == Eigen::VectorXd(Eigen::Vector2d(-1.0, 0.25)));
+  CHECK(narrow.upper() == Eigen::VectorXd(Eigen::Vector2d(1.0, 2.0)));
+  CHECK(narrow.home() == Eigen::VectorXd(Eigen::Vector2d(0.0, 0.25)));
+  CHECK(narrow.max_accel() == arm.max_accel());
+  CHECK_THROWS_WITH_AS(
+      (void)arm.with_limits(Eigen::Vector2d(1, 0), Eigen::Vector2d(-1, 1)),
+      "Joint 1 of robot `arm` has its limits swapped: 57.3 deg is above -57.3 deg.", ArgumentError);
+  CHECK_THROWS_WITH_AS((void)arm.with_limits(Eigen::Vector3d::Zero(), Eigen::Vector2d(1, 1)),
+                       "`lower` has 3 elements; expected 2.", ArgumentError);
+  CHECK_THROWS_AS((void)arm.with_limits(Eigen::Vector2d(NAN, 0), Eigen::Vector2d(1, 1)),
+                  ArgumentError);
+}
+
+TEST_CASE("an arm keeps values of several types, and its copies share them") {
+  RobotSpec spec = two_links();
+  spec.links[0].mass = 2.0;
+  spec.links[1].mass = 0.5;
+  const Robot arm(spec);
+  CHECK(arm.derived<Weight>().sum == 2.5);
+  CHECK(arm.derived<Lengths>().sum == 1.5);
+  const Robot copy = arm;
+  CHECK(&copy.derived<Weight>() == &arm.derived<Weight>());
+  CHECK(&copy.derived<Lengths>() == &arm.derived<Lengths>());
+  Robot assigned = make_scara();
+  assigned = arm;
+  CHECK(&assigned.derived<Weight>() == &arm.derived<Weight>());
+  CHECK(&assigned.derived<Lengths>() == &arm.derived<Lengths>());
+}
+
+TEST_CASE("a value of the geometry is shared by all copies with the same geometry, and no others") {
+  const Robot arm(two_links());
+  const Lengths& lengths = arm.derived<Lengths>();
+  const Weight& weight = arm.derived<Weight>();
+  const Eigen::Vector2d one = Eigen::Vector2d::Ones();
+  for (const Robot& copy :
+       {arm.with_name("other"), arm.with_home(0.5 * one), arm.with_acceleration(0.5),
+        arm.with_limits(-one, one), arm.with_limits(-one, one).with_acceleration(0.5),
+        arm.with_base(arm.T_world_base()), arm.with_tool_point(arm.T_flange_tool())}) {
+    CHECK(&copy.derived<Lengths>() == &lengths);
+    CHECK(&copy.derived<Weight>() != &weight);  // made of all of the robot
+  }
+  for (const Robot& copy : {arm.with_base(make_translation({0, 0, 1e-9})),
+                            arm.with_base(make_translation({0, 0, -0.0})),
+                            arm.with_tool_point(make_translation({0, 1e-9, 0})),
+                            arm.with_tool(parallel_gripper(0.08))}) {
+    CHECK(&copy.derived<Lengths>() != &lengths);
+  }
+  CHECK(&Robot(arm.spec()).derived<Lengths>() != &lengths);  // not a copy
 }
 
 TEST_CASE("a table that does not fit its joint kinds is explained") {

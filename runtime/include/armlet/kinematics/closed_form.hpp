@@ -138,7 +138,8 @@ class ClosedForm {
   Eigen::Isometry3d T_beside_held_ = Eigen::Isometry3d::Identity();  // what it cannot turn
 };
 
-// The closed form of an arm. It is found once and kept with the arm.
+// The closed form of an arm. It is found once and kept with the arm and with its copies that have
+// the same geometry: limits and home play no part in it.
 const ClosedForm& closed_form(const Robot& robot);
 
 }  // namespace armlet

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <memory>
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "armlet/chain/chain.hpp"
 #include "armlet/chain/walk_plan.hpp"
+#include "armlet/model/derived_values.hpp"
 #include "armlet/model/joint.hpp"
 #include "armlet/model/link.hpp"
 #include "armlet/model/tool.hpp"
@@ -72,11 +73,21 @@ class Robot {
   const Chain& chain() const { return chain_; }
   const WalkPlan& walk_plan() const { return walk_plan_; }
 
-  // What another layer works out once for this arm and keeps with it, such as its closed form.
-  // `make` runs at the first call, in whichever thread comes first; copies of the robot share the
-  // result. All calls must give the same `make`.
-  using Derived = std::shared_ptr<const void>;
-  const void* derived(Derived (*make)(const Robot&)) const;
+  // What another layer works out once for this arm and keeps with it, one value of each type, such
+  // as its closed form. The constructor of T says what the value depends on. One that takes a Chain
+  // sees nothing but the geometry, and the value is shared by all copies with the same chain,
+  // whatever their limits, rates, home and name. One that takes a Robot may use all of it, and
+  // the value is shared by copies with nothing changed. As DerivedValues::get otherwise.
+  template <class T>
+  const T& derived() const {
+    static_assert(std::constructible_from<T, const Chain&> !=
+                  std::constructible_from<T, const Robot&>);
+    if constexpr (std::constructible_from<T, const Chain&>) {
+      return from_chain_.get<T>(chain_);
+    } else {
+      return from_robot_.get<T>(*this);
+    }
+  }
 
   // Copies with one thing changed. with_tool puts the tool point at the hand's length along the
   // flange's z axis; with_tool_point moves the point and keeps the hand.
@@ -85,6 +96,11 @@ class Robot {
   Robot with_tool(const Tool& tool) const;
   Robot with_tool_point(const Eigen::Isometry3d& T_flange_tool) const;
   Robot with_home(const Eigen::VectorXd& home) const;
+  // Limits of all joints, n numbers each, rad or m. A home position outside of them moves to the
+  // nearest value inside.
+  //
+  // throws  ArgumentError on a wrong size, a number that is not finite and limits that are swapped.
+  Robot with_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) const;
   // The acceleration limits multiplied by `fraction`, above 0 and at most 1.
   Robot with_acceleration(double fraction) const;
 
@@ -95,8 +111,10 @@ class Robot {
   Eigen::VectorXd lower_, upper_, max_speed_, max_accel_, max_jerk_;
   double length_ = 0.0;
   double reach_ = 0.0;
-  struct DerivedSlot;
-  std::shared_ptr<DerivedSlot> derived_;  // shared by copies, which are the same arm
+  DerivedValues from_chain_, from_robot_;
+
+  // A copy described by another spec.
+  Robot changed(RobotSpec spec) const;
 };
 
 // Joints from a table with one row theta, d, a, alpha per joint (rad, m) and a word such as "RRPR".

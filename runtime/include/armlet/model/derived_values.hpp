@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+
+namespace armlet {
+
+// Values that are worked out once from a source that never changes: at most one of each type.
+// Copies share them. It may be used from many threads.
+class DerivedValues {
+ public:
+  DerivedValues();
+
+  // The value of type T, which T(source) makes at the first call, in whichever thread comes first;
+  // the others wait for it. It lives as long as the last copy of this.
+  //
+  // source  the same at each call; T must not keep a reference to it. While it is made, T may ask
+  //         for values of other types.
+  // throws  what the constructor throws; then the next call tries again.
+  template <class T, class Source>
+  const T& get(const Source& source) const {
+    static_assert(std::is_object_v<T> && std::is_same_v<T, std::remove_cv_t<T>>);
+    const auto make = [](const void* from) -> std::shared_ptr<const void> {
+      return std::make_shared<const T>(*static_cast<const Source*>(from));
+    };
+    return *static_cast<const T*>(find(&kKey<T>, make, &source));
+  }
+
+ private:
+  // Its address stands for the type.
+  template <class T>
+  static constexpr char kKey = 0;
+
+  using Make = std::shared_ptr<const void>(const void* source);
+  const void* find(const void* key, Make* make, const void* source) const;
+
+  struct Slots;
+  std::shared_ptr<Slots> slots_;  // of all copies
+};
+
+}  // namespace armlet
