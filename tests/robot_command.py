@@ -8,8 +8,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-NAMES = ["planar2", "planar3", "anthropomorphic", "scara", "scorbot", "puma560", "stanford", "pa10_6", "pa10", "irb120", "ur3",
-         "ur5", "ur10", "panda", "iiwa14", "arm7"]
 HANDS = ["barrett_hand", "parallel_gripper", "suction_cup"]
 
 GRIPPER = """<robot name="grabber"><link name="base"/><link name="a"/><link name="b"/><link name="c"/>
@@ -23,6 +21,12 @@ GRIPPER = """<robot name="grabber"><link name="base"/><link name="a"/><link name
 
 def robot(*arguments):
     return subprocess.run([sys.argv[1], "robot", *arguments], capture_output=True, text=True, timeout=60)
+
+
+def arm_names():
+    """The arms that `armlet robot` lists."""
+    entries = [json.loads(line) for line in robot("--json").stdout.splitlines()]
+    return [entry["name"] for entry in entries if entry["joints"] != "hand"]
 
 
 def check(what, found, wanted):
@@ -118,6 +122,7 @@ def check_files(folder):
     check("no such file", robot(str(folder / "none.urdf")).returncode, 66)
 
 
+NAMES = arm_names()
 check_list()
 check_hands()
 with tempfile.TemporaryDirectory() as name:

@@ -143,6 +143,12 @@ def rows():
     return to_programs, to_cpp
 
 
+def expanded(calls, known):
+    """`robots.*` as all names that begin so."""
+    for call in calls:
+        yield from sorted(name for name in known if name.startswith(call[:-1])) if call.endswith(".*") else [call]
+
+
 def main():
     if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--list"]):
         sys.exit(__doc__)
@@ -159,7 +165,7 @@ def main():
         for name in sorted(told.keys() - names):
             faults.append(f"{header}: there is no `{name}`")
         for name, cells in told.items():
-            calls = re.findall(r"`([^`]+)`", cells[0])
+            calls = list(expanded(re.findall(r"`([^`]+)`", cells[0]), known))
             reached.update(calls)
             faults += [f"{header}: `{name}`: the library has no `{call}`" for call in calls if call not in known]
             if not calls and (len(cells) < 2 or not cells[1]):

@@ -219,13 +219,6 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
   return failure_of(vm, "R0630", error);
 }
 
-template <Robot (*kMake)()>
-Answer<RobotRef> ready_robot(Vm& vm, const PosC* base, const ToolValue* tool, Text name) try {
-  return add_robot(vm, finished(kMake(), base, tool, name));
-} catch (const ArgumentError& error) {
-  return failure_of(vm, "R0630", error);
-}
-
 Answer<RobotRef> default_robot(Vm& vm) {
   const Result<int> id = Host::of(vm).default_robot();
   if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
@@ -246,17 +239,6 @@ Answer<ToolValue> suction(Vm& vm, double radius, double length) try {
   return failure_of(vm, "R0631", error);
 }
 ToolValue tool_point(const PosC& p) { return {point_tool(), p.T}; }
-
-// A function that makes an arm of the catalogue.
-template <Robot (*kMake)()>
-constexpr NativeFunction ready(std::string_view name, std::string_view help,
-                               std::string_view example) {
-  NativeFunction function =
-      def<ready_robot<kMake>>("(base: posC?, tool: tool?, name: string?) -> robot", help, example,
-                              {.check = check_ready_robot<kMake>});
-  function.name = name;
-  return function;
-}
 
 constexpr NativeFunction kModelFunctions[] = {
     def<joint_row<JointKind::kRevolute>>(
@@ -290,31 +272,9 @@ constexpr NativeFunction kModelFunctions[] = {
         "urdf(\"arm.urdf\", tip: \"tool0\")"),
     def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
                        {.check = check_default_robot}),
-    ready<make_planar2>("robots.planar2", "Two links of 1 m in the vertical x-z plane.",
-                        "robots.planar2()"),
-    ready<make_planar3>("robots.planar3", "Three links in the horizontal plane.",
-                        "robots.planar3()"),
-    ready<make_rrr3>("robots.anthropomorphic", "Three turning joints, without a wrist.",
-                     "robots.anthropomorphic()"),
-    ready<make_scara>(
-        "robots.scara",
-        "A SCARA with links of 400 and 300 mm and a 60 mm gripper; the tool points down.",
-        "robots.scara()"),
-    ready<make_scorbot>("robots.scorbot", "Scorbot-ER 4U, five joints.", "robots.scorbot()"),
-    ready<make_puma560>("robots.puma560", "Unimation Puma 560, six joints.", "robots.puma560()"),
-    ready<make_stanford>("robots.stanford", "Stanford arm, six joints, the third slides.",
-                         "robots.stanford()"),
-    ready<make_pa10>("robots.pa10", "Mitsubishi PA-10 with seven joints.", "robots.pa10()"),
-    ready<make_pa10_6>("robots.pa10_6", "Mitsubishi PA-10 with six joints.", "robots.pa10_6()"),
-    ready<make_irb120>("robots.irb120", "ABB IRB 120, six joints.", "robots.irb120()"),
-    ready<make_ur3>("robots.ur3", "Universal Robots UR3, six joints.", "robots.ur3()"),
-    ready<make_ur5>("robots.ur5", "Universal Robots UR5, six joints.", "robots.ur5()"),
-    ready<make_ur10>("robots.ur10", "Universal Robots UR10, six joints.", "robots.ur10()"),
-    ready<make_panda>("robots.panda", "Franka Emika Panda, seven joints.", "robots.panda()"),
-    ready<make_iiwa14>("robots.iiwa14", "KUKA LBR iiwa 14 R820, seven joints.", "robots.iiwa14()"),
-    ready<make_arm7>("robots.arm7",
-                     "A generic arm of seven joints with a shoulder, an elbow and a wrist.",
-                     "robots.arm7()"),
+};
+
+constexpr NativeFunction kToolFunctions[] = {
     def<gripper>(
         "parallelGripper(stroke: length, length: length = 120mm, force: force = 20N) -> tool",
         "A gripper with two fingers; the tool point is `length` along the flange's z axis.",
@@ -325,8 +285,36 @@ constexpr NativeFunction kModelFunctions[] = {
                     "tcp(xyz(z: 50mm))"),
 };
 
+// A function robots.NAME for every arm of the catalogue.
+std::vector<Definition> ready_robots() {
+  std::vector<Definition> robots;
+  for (const CatalogArm& entry : catalog_arms()) {
+    const std::string name = fmt::format("robots.{}", entry.name);
+    const auto make = [arm = entry.name](Vm& vm, const PosC* base, const ToolValue* tool,
+                                         Text own_name) -> Answer<RobotRef> {
+      try {
+        return add_robot(vm, finished(*make_robot(arm), base, tool, own_name));
+      } catch (const ArgumentError& error) {
+        return failure_of(vm, "R0630", error);
+      }
+    };
+    robots.push_back(def(name + "(base: posC?, tool: tool?, name: string?) -> robot", make,
+                         std::string(entry.help), name + "()", {.check = check_ready_robot}));
+  }
+  return robots;
+}
+
 }  // namespace
 
-std::span<const NativeFunction> model_functions() { return kModelFunctions; }
+std::span<const NativeFunction> model_functions() {
+  static const std::vector<Definition> robots = ready_robots();
+  static const std::vector<NativeFunction> functions = [] {
+    std::vector<NativeFunction> all(std::begin(kModelFunctions), std::end(kModelFunctions));
+    for (const Definition& robot : robots) all.push_back(robot.function);
+    all.insert(all.end(), std::begin(kToolFunctions), std::end(kToolFunctions));
+    return all;
+  }();
+  return functions;
+}
 
 }  // namespace armlet::bind

@@ -10,6 +10,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
+#include "armlet/model/catalog.hpp"
 #include "armlet/model/joint.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/planner.hpp"
@@ -247,6 +248,14 @@ void check_robot_block(CheckCall& call) {
     return call.report(std::move(d));
   }
   call.set_result_fact(std::move(fact));
+}
+
+// robots.NAME(base, tool, name)
+void check_ready_robot(CheckCall& call) {
+  const std::string_view function = call.function_name();
+  const auto robot = make_robot(function.substr(function.rfind('.') + 1));
+  const auto name = call.constant(2);
+  set_robot_fact(call, *robot, name ? name->text : robot->name());
 }
 
 void check_default_robot(CheckCall& call) {

@@ -50,7 +50,6 @@ void check_revolute_row(CheckCall& call);
 void check_prismatic_row(CheckCall& call);
 void check_robot_block(CheckCall& call);
 void check_dh_table(CheckCall& call);
-template <Robot (*kMake)()>
 void check_ready_robot(CheckCall& call);
 void check_default_robot(CheckCall& call);
 void set_robot_fact(CheckCall& call, const Robot& robot, std::string name);
@@ -102,13 +101,6 @@ void check_list_of_joints(CheckCall& call, int parameter);
 template <int kParameter>
 void check_joint_list(CheckCall& call) {
   check_list_of_joints(call, kParameter);
-}
-
-template <Robot (*kMake)()>
-void check_ready_robot(CheckCall& call) {
-  const Robot robot = kMake();
-  const auto name = call.constant(2);  // (base, tool, name)
-  set_robot_fact(call, robot, name ? name->text : robot.name());
 }
 
 }  // namespace armlet::bind

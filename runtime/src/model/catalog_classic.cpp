@@ -124,42 +124,45 @@ constexpr Row kIrb120[] = {
 
 }  // namespace
 
-Robot make_puma560() {
-  return make_arm(kPuma560, {.name = "puma560",
-                             .source = "Corke and Armstrong-Helouvry 1994",
-                             .inertia_check = InertiaCheck::kPublished,
-                             .home = {0, -45, -50, 0, -85, 0},
-                             .stroke = 0.060});
-}
-
-Robot make_stanford() {
-  return make_arm(kStanford, {.name = "stanford",
-                              .source = "Paul 1981, tables 6.5 and 6.6",
-                              .inertia_check = InertiaCheck::kPublished,
-                              .home = {0, 105, 0.5, -90, -75, 0},
-                              .stroke = 0.060});
-}
-
-Robot make_pa10_6() {
-  return make_arm(kPa10Six, {.name = "pa10_6",
-                             .source = "ARTE toolbox, Miguel Hernandez University",
-                             .home = {0, 30, 60, 0, 90, 0},
-                             .stroke = 0.060});
-}
-
-Robot make_pa10() {
-  return make_arm(kPa10, {.name = "pa10",
-                          .source = "OpenBionics, modelMitsubishiPA10",
-                          .convention = DhConvention::kModified,
-                          .home = {0, 30, 0, 90, 0, 60, 0},
-                          .stroke = 0.060});
-}
-
-Robot make_irb120() {
-  return make_arm(kIrb120, {.name = "irb120",
-                            .source = "ABB product specification IRB 120; ROS-Industrial",
-                            .home = {0, 20, 10, 0, 60, 0},
-                            .stroke = 0.060});
+std::span<const Arm> catalog::workshop_arms() {
+  static const Arm arms[] = {
+      {.name = "puma560",
+       .source = "Corke and Armstrong-Helouvry 1994",
+       .help = "Unimation Puma 560, six joints.",
+       .joints = kPuma560,
+       .inertia_check = InertiaCheck::kPublished,
+       .home = {0, -45, -50, 0, -85, 0},
+       .stroke = 0.060},
+      {.name = "stanford",
+       .source = "Paul 1981, tables 6.5 and 6.6",
+       .help = "Stanford arm, six joints, the third slides.",
+       .joints = kStanford,
+       .inertia_check = InertiaCheck::kPublished,
+       .home = {0, 105, 0.5, -90, -75, 0},
+       .stroke = 0.060},
+      {.name = "pa10_6",
+       .source = "ARTE toolbox, Miguel Hernandez University",
+       .help = "Mitsubishi PA-10 with six joints.",
+       .joints = kPa10Six,
+       .home = {0, 30, 60, 0, 90, 0},
+       .stroke = 0.060},
+      {.name = "pa10",
+       .second_name = "pa10_7",
+       .source = "OpenBionics, modelMitsubishiPA10",
+       .help = "Mitsubishi PA-10 with seven joints.",
+       .joints = kPa10,
+       .convention = DhConvention::kModified,
+       .home = {0, 30, 0, 90, 0, 60, 0},
+       .stroke = 0.060},
+      {.name = "irb120",
+       .second_name = "abb_irb120",
+       .source = "ABB product specification IRB 120; ROS-Industrial",
+       .help = "ABB IRB 120, six joints.",
+       .joints = kIrb120,
+       .home = {0, 20, 10, 0, 60, 0},
+       .stroke = 0.060},
+  };
+  return arms;
 }
 
 }  // namespace armlet

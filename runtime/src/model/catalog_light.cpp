@@ -107,44 +107,45 @@ constexpr Row kIiwa[] = {
 
 }  // namespace
 
-Robot make_ur3() {
-  return make_arm(kUr3, {.name = "ur3",
-                         .source = "Universal Robots support article",
-                         .home = {0, -90, -90, -90, 90, 0},
-                         .stroke = 0.085});
-}
-
-Robot make_ur5() {
-  return make_arm(kUr5, {.name = "ur5",
-                         .source = "Universal Robots support article",
-                         .home = {0, -90, -90, -90, 90, 0},
-                         .stroke = 0.085});
-}
-
-Robot make_ur10() {
-  return make_arm(kUr10, {.name = "ur10",
-                          .source = "Universal Robots support article",
-                          .home = {0, -90, -90, -90, 90, 0},
-                          .stroke = 0.085});
-}
-
-Robot make_panda() {
-  const Eigen::Isometry3d T_flange_tool = make_pose(rot_z(-kPi / 4), {0.0, 0.0, 0.103});
-  return make_arm(kPanda, {.name = "panda",
-                           .source = "Franka Emika; Gaz et al. 2019",
-                           .convention = DhConvention::kModified,
-                           .inertia_check = InertiaCheck::kPublished,
-                           .home = {0, -45, 0, -135, 0, 90, 45},
-                           .stroke = 0.080,
-                           .T_flange_tool = T_flange_tool});
-}
-
-Robot make_iiwa14() {
-  return make_arm(kIiwa, {.name = "iiwa14",
-                          .source = "KUKA LBR iiwa 14 R820; iiwa_stack",
-                          .convention = DhConvention::kModified,
-                          .home = {0, 30, 0, -90, 0, 60, 0},
-                          .stroke = 0.060});
+std::span<const Arm> catalog::light_arms() {
+  static const Arm arms[] = {
+      {.name = "ur3",
+       .source = "Universal Robots support article",
+       .help = "Universal Robots UR3, six joints.",
+       .joints = kUr3,
+       .home = {0, -90, -90, -90, 90, 0},
+       .stroke = 0.085},
+      {.name = "ur5",
+       .source = "Universal Robots support article",
+       .help = "Universal Robots UR5, six joints.",
+       .joints = kUr5,
+       .home = {0, -90, -90, -90, 90, 0},
+       .stroke = 0.085},
+      {.name = "ur10",
+       .source = "Universal Robots support article",
+       .help = "Universal Robots UR10, six joints.",
+       .joints = kUr10,
+       .home = {0, -90, -90, -90, 90, 0},
+       .stroke = 0.085},
+      {.name = "panda",
+       .source = "Franka Emika; Gaz et al. 2019",
+       .help = "Franka Emika Panda, seven joints.",
+       .joints = kPanda,
+       .convention = DhConvention::kModified,
+       .inertia_check = InertiaCheck::kPublished,
+       .home = {0, -45, 0, -135, 0, 90, 45},
+       .stroke = 0.080,
+       .T_flange_tool = make_pose(rot_z(-kPi / 4), {0.0, 0.0, 0.103})},
+      {.name = "iiwa14",
+       .second_name = "iiwa",
+       .source = "KUKA LBR iiwa 14 R820; iiwa_stack",
+       .help = "KUKA LBR iiwa 14 R820, seven joints.",
+       .joints = kIiwa,
+       .convention = DhConvention::kModified,
+       .home = {0, 30, 0, -90, 0, 60, 0},
+       .stroke = 0.060},
+  };
+  return arms;
 }
 
 }  // namespace armlet

@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "armlet/model/robot.hpp"
@@ -34,17 +35,24 @@ struct Row {
   Rates rates{};
 };
 
-struct Description {
-  const char* name;
-  const char* source;
+// An arm: a row of the catalogue. What lists show of it comes first.
+struct Arm {
+  std::string_view name;
+  std::string_view second_name{};  // empty: it has none
+  std::string_view source;
+  std::string_view help;  // of robots.NAME
+  std::span<const Row> joints;
   DhConvention convention = DhConvention::kStandard;
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
-  std::vector<double> home;  // deg for turning joints, m for sliding ones
+  std::vector<double> home;  // deg for revolute joints, m for prismatic ones
   double stroke = 0.0;       // of the gripper, m; 0: no hand
   Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
 };
 
-Robot make_arm(std::span<const Row> rows, const Description& description);
+// The catalogue, in this order.
+std::span<const Arm> teaching_arms();
+std::span<const Arm> workshop_arms();
+std::span<const Arm> light_arms();
 
 }  // namespace armlet::catalog

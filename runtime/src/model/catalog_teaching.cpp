@@ -89,43 +89,48 @@ constexpr Row kArm7[] = {
 
 }  // namespace
 
-Robot make_planar2() {
-  return make_arm(kPlanar2, {.name = "planar2",
-                             .source = "Spong, Hutchinson, Vidyasagar, Robot Modeling and Control",
-                             .home = {30, 60},
-                             .T_world_base = make_pose(rot_x(kPi / 2), Eigen::Vector3d::Zero())});
-}
-
-Robot make_planar3() {
-  return make_arm(kPlanar3, {.name = "planar3",
-                             .source = "generic planar arm of 400, 300 and 200 mm",
-                             .home = {30, 45, 30}});
-}
-
-Robot make_rrr3() {
-  return make_arm(kRrr3,
-                  {.name = "anthropomorphic", .source = "generic elbow arm", .home = {0, 60, -90}});
-}
-
-Robot make_scara() {
-  return make_arm(kScara, {.name = "scara",
-                           .source = "generic SCARA of 400 and 300 mm",
-                           .home = {0, 90, 0, 0},
-                           .stroke = 0.060});
-}
-
-Robot make_scorbot() {
-  return make_arm(kScorbot, {.name = "scorbot",
-                             .source = "ScorBotToolbox, US Naval Academy (Scorbot-ER 4U)",
-                             .home = {0, 120.27, -95.03, -88.81, 0},
-                             .stroke = 0.060});
-}
-
-Robot make_arm7() {
-  return make_arm(kArm7, {.name = "arm7",
-                          .source = "generic arm of seven joints, 340, 400, 400 and 126 mm",
-                          .home = {0, 30, 0, -90, 0, 60, 0},
-                          .stroke = 0.060});
+std::span<const Arm> catalog::teaching_arms() {
+  static const Arm arms[] = {
+      {.name = "planar2",
+       .second_name = "planar2r",
+       .source = "Spong, Hutchinson, Vidyasagar, Robot Modeling and Control",
+       .help = "Two links of 1 m in the vertical x-z plane.",
+       .joints = kPlanar2,
+       .home = {30, 60},
+       .T_world_base = make_pose(rot_x(kPi / 2), Eigen::Vector3d::Zero())},
+      {.name = "planar3",
+       .second_name = "planar3r",
+       .source = "generic planar arm of 400, 300 and 200 mm",
+       .help = "Three links in the horizontal plane.",
+       .joints = kPlanar3,
+       .home = {30, 45, 30}},
+      {.name = "anthropomorphic",
+       .second_name = "rrr3",
+       .source = "generic elbow arm",
+       .help = "Three turning joints, without a wrist.",
+       .joints = kRrr3,
+       .home = {0, 60, -90}},
+      {.name = "scara",
+       .source = "generic SCARA of 400 and 300 mm",
+       .help = "A SCARA with links of 400 and 300 mm and a 60 mm gripper; the tool points down.",
+       .joints = kScara,
+       .home = {0, 90, 0, 0},
+       .stroke = 0.060},
+      {.name = "scorbot",
+       .second_name = "scorbot_er4u",
+       .source = "ScorBotToolbox, US Naval Academy (Scorbot-ER 4U)",
+       .help = "Scorbot-ER 4U, five joints.",
+       .joints = kScorbot,
+       .home = {0, 120.27, -95.03, -88.81, 0},
+       .stroke = 0.060},
+      {.name = "arm7",
+       .source = "generic arm of seven joints, 340, 400, 400 and 126 mm",
+       .help = "A generic arm of seven joints with a shoulder, an elbow and a wrist.",
+       .joints = kArm7,
+       .home = {0, 30, 0, -90, 0, 60, 0},
+       .stroke = 0.060},
+  };
+  return arms;
 }
 
 }  // namespace armlet

@@ -149,7 +149,7 @@ TEST_CASE("a configuration has the same bits alone, in any batch and on every in
 
 TEST_CASE("any number of configurations will do, also none and fewer than lanes") {
   Random random(2);
-  const Robot robot = make_panda();
+  const Robot robot = *make_robot("panda");
   for (const InstructionSet set : kAllSets) {
     if (!is_supported(set)) continue;
     for (std::size_t count = 0; count <= 70; ++count) {
@@ -182,7 +182,7 @@ TEST_CASE("the best instruction set is the largest that is supported") {
 }
 
 TEST_CASE("wrong sizes are refused with both numbers") {
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   const std::vector<double> q(12);
   std::vector<double> out(24);
   CHECK_THROWS_WITH_AS(jacobian_batch(robot, q, out), "`jacobians` has 24 elements; expected 72.",
@@ -192,7 +192,7 @@ TEST_CASE("wrong sizes are refused with both numbers") {
 }
 
 TEST_CASE("a value that is not finite is refused by joint and configuration") {
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   for (const std::size_t count : {1u, 3u, 7u, 20u}) {
     for (const InstructionSet set : kAllSets) {
       if (!is_supported(set)) continue;

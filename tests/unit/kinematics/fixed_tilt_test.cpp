@@ -104,7 +104,7 @@ TEST_CASE("the tilt that no joint changes is that of every pose, and no other ar
 }
 
 TEST_CASE("an upright frame asks a tool that points down for its place and its turn") {
-  for (const Robot& robot : {make_scara(), gantry()}) {
+  for (const Robot& robot : {*make_robot("scara"), gantry()}) {
     REQUIRE(fixed_tilt(robot));
     const VectorXd q = VectorXd::Constant(4, 0.1);
     const Isometry3d here = forward(robot, q);
@@ -126,7 +126,7 @@ TEST_CASE("an upright frame asks a tool that points down for its place and its t
 
 TEST_CASE("a tilted tool takes the frames that lean like it, and no upright ones") {
   const Isometry3d T_flange_tool = make_pose(rot_x(kPi / 6), {0, 0, 0.1});
-  const Robot robot = make_scara().with_tool_point(T_flange_tool);
+  const Robot robot = make_robot("scara")->with_tool_point(T_flange_tool);
   const VectorXd q = VectorXd::Constant(4, 0.1);
   const Isometry3d here = forward(robot, q);
   CHECK(frame_task(robot, here) == IkTask::kPose);
@@ -136,5 +136,5 @@ TEST_CASE("a tilted tool takes the frames that lean like it, and no upright ones
   CHECK(tilt_error(robot, here * make_pose(rot_y(0.2), Vector3d::Zero())) ==
         doctest::Approx(std::acos(std::cos(kPi / 6) * (std::cos(0.2) * std::cos(kPi / 6)) +
                                   std::sin(kPi / 6) * std::sin(kPi / 6))));
-  CHECK(frame_task(make_puma560(), here) == IkTask::kPose);
+  CHECK(frame_task(*make_robot("puma560"), here) == IkTask::kPose);
 }

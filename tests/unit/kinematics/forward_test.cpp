@@ -67,7 +67,7 @@ TEST_CASE("UR5, SCARA, Scorbot and PA-10 are where independent programs put them
   const auto place = [](const Robot& robot, const Eigen::VectorXd& q) {
     return Eigen::Vector3d(forward(robot, q).translation());
   };
-  CHECK((place(make_ur5(), joints({.4, -1.1, 1.3, -.7, .9, .2})) -
+  CHECK((place(*make_robot("ur5"), joints({.4, -1.1, 1.3, -.7, .9, .2})) -
          Eigen::Vector3d(-0.563123, -0.412132, 0.337838))
             .norm() < 1e-6);
   const Robot scara =
@@ -84,7 +84,7 @@ TEST_CASE("UR5, SCARA, Scorbot and PA-10 are where independent programs put them
   const Eigen::Isometry3d T = forward(scorbot, joints({.3, .4, -.7, -.2, .5}));
   CHECK((T.translation() - Eigen::Vector3d(0.533014, 0.164881, 0.315235)).norm() < 1e-6);
   CHECK((T.linear().col(2) - Eigen::Vector3d(0.838387, 0.259343, -0.479426)).norm() < 1e-6);
-  CHECK((place(make_pa10(), joints({.3, .5, .2, .9, -.4, .6, .1})) -
+  CHECK((place(*make_robot("pa10"), joints({.3, .5, .2, .9, -.4, .6, .1})) -
          Eigen::Vector3d(0.691839, 0.290529, 0.770217))
             .norm() < 1e-6);
 }
@@ -110,7 +110,7 @@ TEST_CASE("the product of the single rows is the tool pose") {
 }
 
 TEST_CASE("frame 0 is the base and other numbers are refused") {
-  const Robot robot = make_scara().with_base(make_translation({1, 2, 3}));
+  const Robot robot = make_robot("scara")->with_base(make_translation({1, 2, 3}));
   CHECK(link_frame(robot, robot.home(), 0).translation() == Eigen::Vector3d(1, 2, 3));
   CHECK_THROWS_AS(link_frame(robot, robot.home(), 5), ArgumentError);
   CHECK_THROWS_AS(link_frame(robot, robot.home(), -1), ArgumentError);

@@ -121,7 +121,7 @@ TEST_CASE(
   Random random(3);
   // Joints whose turn no other branch of these arms can replace: the first and only sliding joint,
   // and the turn of an arm with no second way to face.
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   for (int k = 0; k < 50; ++k) {
     VectorXd q = random_joints(scara, random);
     const double excess = random.uniform(0.005, 0.3);
@@ -174,7 +174,7 @@ TEST_CASE("what a joint would have to be really reaches the pose, and no branch 
 }
 
 TEST_CASE("the tool of a Scorbot cannot leave the plane of the arm: the angle is named") {
-  const Robot robot = make_scorbot();
+  const Robot robot = *make_robot("scorbot");
   Random random(5);
   for (int k = 0; k < 20; ++k) {
     VectorXd q = 0.5 * (robot.home() + random_joints(robot, random));

@@ -39,7 +39,7 @@ TEST_CASE("a report lists every branch with the joints that rule it out") {
 }
 
 TEST_CASE("a report of a SCARA says which joint rules out each elbow and by how much") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   const Eigen::Isometry3d goal = make_pose(rot_x(kPi), {0.4, 0.2, 0.10});  // 250 mm below the arm
   const IkReport report = report_ik(scara, goal);
   CHECK_FALSE(report.result.ok());
@@ -57,7 +57,7 @@ TEST_CASE("a report of a SCARA says which joint rules out each elbow and by how 
 }
 
 TEST_CASE("a question that cannot be asked has no branches") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   const IkReport report =
       report_ik(scara, forward(scara, scara.home()), {.seed = VectorXd::Zero(3)});
   CHECK(report.result.status == IkStatus::kBadSize);

@@ -141,7 +141,7 @@ TEST_CASE("all branches are listed, with limits only those within") {
 }
 
 TEST_CASE("a result names its formula, its branch and the way left to each limit") {
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   // The wrist in front of the shoulder, the elbow above the line from shoulder to wrist.
   const VectorXd q = joints({0.1, kPi / 4, -kPi / 2, 0.2, 0.5, 0.3});
   const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = q});
@@ -216,7 +216,7 @@ TEST_CASE("goals with one joint or all joints on a limit are found") {
 }
 
 TEST_CASE("a solution at a regular goal is polished far below the tolerance") {
-  const Robot robot = make_ur5();
+  const Robot robot = *make_robot("ur5");
   const VectorXd q = joints({.4, -1.1, 1.3, -.7, .9, .2});
   const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = robot.home()});
   REQUIRE(ik.ok());
@@ -242,7 +242,7 @@ TEST_CASE("the nearest solution is the present one when the arm is already there
 }
 
 TEST_CASE("of the two elbows of a SCARA the nearer one is taken") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   Random random(6);
   for (int k = 0; k < 200; ++k) {
     VectorXd q = random_joints(scara, random);
@@ -260,7 +260,7 @@ TEST_CASE("of the two elbows of a SCARA the nearer one is taken") {
 }
 
 TEST_CASE("between equally near solutions the positive elbow wins") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   // Straight ahead and seen from the stretched arm both elbows are equally far.
   const Isometry3d goal = make_pose(rot_x(kPi), {0.5, 0.0, 0.3});
   const IkResult ik = solve_ik(scara, goal, {.seed = VectorXd::Zero(4)});
@@ -286,7 +286,7 @@ TEST_CASE("all eight solutions of a Puma and of a UR5 are found") {
   CHECK(contains(of_puma, joints({0, -0.83353, 0.09396, 0, -0.83122, 0})));
   CHECK(contains(of_puma, joints({2.64856, 2.35619, 0.09396, -0.60903, -0.97435, -2.76819})));
 
-  const Robot ur5 = make_ur5();
+  const Robot ur5 = *make_robot("ur5");
   const std::vector<VectorXd> of_ur5 =
       solve_ik_all(ur5, forward(ur5, joints({.4, -1.1, 1.3, -.7, .9, .2})), options);
   CHECK(of_ur5.size() == 8);
@@ -295,8 +295,8 @@ TEST_CASE("all eight solutions of a Puma and of a UR5 are found") {
 }
 
 TEST_CASE("a point out of reach is reported with its exact distance") {
-  const Robot arm = make_planar3();
-  RobotSpec spec = make_rrr3().spec();
+  const Robot arm = *make_robot("planar3");
+  RobotSpec spec = make_robot("anthropomorphic")->spec();
   for (Joint& joint : spec.joints) {
     joint.lower = -kPi;
     joint.upper = kPi;
@@ -322,7 +322,7 @@ TEST_CASE("a point out of reach is reported with its exact distance") {
 }
 
 TEST_CASE("a pose beyond a joint limit names the joint") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   const Isometry3d goal = make_pose(rot_x(kPi), {0.4, 0.2, 0.10});  // 250 mm below the arm
   const IkResult ik = solve_ik(scara, goal);
   CHECK(ik.status == IkStatus::kJointLimit);
@@ -336,7 +336,7 @@ TEST_CASE("a pose beyond a joint limit names the joint") {
 }
 
 TEST_CASE("an orientation that the arm cannot take is reported with the smallest angle") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   const double tilt = deg_to_rad(12.3);
   const Isometry3d goal = make_pose(rot_x(kPi - tilt), {0.5, 0.1, 0.25});
   const IkResult ik = solve_ik(scara, goal);
@@ -347,7 +347,7 @@ TEST_CASE("an orientation that the arm cannot take is reported with the smallest
 }
 
 TEST_CASE("a question that cannot be asked is answered by a status") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   Isometry3d goal = forward(scara, scara.home());
   CHECK(solve_ik(scara, goal, {.seed = VectorXd::Zero(3)}).status == IkStatus::kBadSize);
   CHECK(solve_ik(scara, goal, {.seed = joints({0, 0, NAN, 0})}).status == IkStatus::kNotFinite);
@@ -364,7 +364,7 @@ TEST_CASE("a question that cannot be asked is answered by a status") {
 }
 
 TEST_CASE("the place and turn of a SCARA need no tilt in the goal") {
-  const Robot scara = make_scara();
+  const Robot scara = *make_robot("scara");
   Random random(8);
   for (int k = 0; k < 200; ++k) {
     const VectorXd q = random_joints(scara, random);
@@ -392,7 +392,7 @@ TEST_CASE("a place keeps the orientation where the arm can") {
 }
 
 TEST_CASE("a place turns the tool as little as possible where the arm must turn it") {
-  const Robot scorbot = make_scorbot();
+  const Robot scorbot = *make_robot("scorbot");
   const Isometry3d start = forward(scorbot, scorbot.home());
   // A step sideways turns the tool with the base of the arm: by atan(50 / 180 mm) about z, of which
   // the roll can take back only a part.
@@ -413,7 +413,7 @@ TEST_CASE("a place turns the tool as little as possible where the arm must turn 
 }
 
 TEST_CASE("masked rows are free in the axes that were chosen") {
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   Random random(9);
   for (int k = 0; k < 100; ++k) {
     const Isometry3d goal = forward(robot, random_joints(robot, random));
@@ -431,7 +431,7 @@ TEST_CASE("masked rows are free in the axes that were chosen") {
 }
 
 TEST_CASE("the same question has the same answer, bit by bit") {
-  const Robot robot = make_panda();
+  const Robot robot = *make_robot("panda");
   const Isometry3d goal = pose_from_rpy({0.4, 0.2, 0.4}, {kPi, 0.1, 0.3});
   const IkResult a = solve_ik(robot, goal), b = solve_ik(robot, goal);
   REQUIRE(a.ok());

@@ -89,7 +89,7 @@ TEST_CASE("the rate of the Jacobian is its derivative along the motion") {
 
 TEST_CASE("the frames differ by rotations of both halves") {
   Random random(3);
-  const Robot robot = make_puma560().with_base(pose_from_rpy({1, 2, 3}, {0.3, -0.4, 0.5}));
+  const Robot robot = make_robot("puma560")->with_base(pose_from_rpy({1, 2, 3}, {0.3, -0.4, 0.5}));
   const Eigen::VectorXd q = random_joints(robot, random);
   const Jacobian J = jacobian(robot, q);
   const Eigen::Matrix3d R_world_tool = forward(robot, q).linear();
@@ -105,7 +105,7 @@ TEST_CASE("the frames differ by rotations of both halves") {
 
 // forward() walks from the tool to the base, where other roundings happen.
 TEST_CASE("pose and Jacobian in one pass are those of two passes") {
-  const Robot robot = make_panda();
+  const Robot robot = *make_robot("panda");
   Jacobian J;
   const Eigen::Isometry3d T = forward_and_jacobian(robot, robot.home(), J);
   CHECK((T.matrix() - forward(robot, robot.home()).matrix()).norm() < 1e-15);
@@ -113,7 +113,7 @@ TEST_CASE("pose and Jacobian in one pass are those of two passes") {
 }
 
 TEST_CASE("vectors of a wrong size are refused") {
-  const Robot robot = make_panda();
+  const Robot robot = *make_robot("panda");
   CHECK_THROWS_AS(jacobian(robot, Eigen::VectorXd::Zero(6)), ArgumentError);
   CHECK_THROWS_AS(jacobian_dot_qd(robot, robot.home(), Eigen::VectorXd::Zero(6)), ArgumentError);
   CHECK_THROWS_AS(jacobian_rate(robot, robot.home(), Eigen::VectorXd::Zero(6)), ArgumentError);

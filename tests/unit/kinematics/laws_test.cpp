@@ -58,15 +58,15 @@ constexpr double kRight = kPi / 2;
 // M. Long, H. Seraji, Kinematic analysis of 7-DOF manipulators, Int. J. Robotics Research 11, 1992.
 TEST_CASE("the singular sets of the textbooks are singular to rounding") {
   const auto at = [](int joint, double value) { return [=](VectorXd& q) { q[joint] = value; }; };
-  CHECK(worst_sigma(make_planar2(), at(1, 0.0)) < 1e-15);
-  CHECK(worst_sigma(make_scara(), at(1, 0.0)) < 1e-15);
-  CHECK(worst_sigma(make_rrr3(), at(2, 0.0)) < 1e-15);
+  CHECK(worst_sigma(*make_robot("planar2"), at(1, 0.0)) < 1e-15);
+  CHECK(worst_sigma(*make_robot("scara"), at(1, 0.0)) < 1e-15);
+  CHECK(worst_sigma(*make_robot("anthropomorphic"), at(2, 0.0)) < 1e-15);
   // The tool point over axis 1: a2 c2 + a3 c23 = 0.
-  CHECK(worst_sigma(make_rrr3(), [](VectorXd& q) {
+  CHECK(worst_sigma(*make_robot("anthropomorphic"), [](VectorXd& q) {
           const double a2 = 0.45, a3 = 0.35;
           q[1] = std::atan2(a2 + a3 * std::cos(q[2]), a3 * std::sin(q[2]));
         }) < 1e-15);
-  const Robot puma = make_puma560();
+  const Robot puma = *make_robot("puma560");
   CHECK(worst_sigma(puma, at(4, 0.0)) < 1e-15);
   // The wrist centre where the arm is stretched: at d4 and a3 from axis 3.
   CHECK(worst_sigma(puma, at(2, std::atan2(-0.4318, 0.0203) + 0.0)) < 1e-15);
@@ -77,7 +77,7 @@ TEST_CASE("the singular sets of the textbooks are singular to rounding") {
           const double y = 0.0203 * std::sin(q[2]) + 0.4318 * std::cos(q[2]);
           q[1] = std::atan2(x, y);
         }) < 1e-15);
-  const Robot pa10 = make_pa10();
+  const Robot pa10 = *make_robot("pa10");
   CHECK(worst_sigma(pa10, at(3, 0.0)) < 1e-15);
   const auto both = [](int i, double a, int j, double b) {
     return [=](VectorXd& q) {

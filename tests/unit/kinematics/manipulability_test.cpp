@@ -45,7 +45,7 @@ TEST_CASE("manipulability agrees with other libraries") {
 
 // T. Yoshikawa 1985: w = a1 a2 |sin q2| for the planar arm with two joints.
 TEST_CASE("the planar arm with two joints has the manipulability of the textbook") {
-  const Robot arm = make_planar2();
+  const Robot arm = *make_robot("planar2");
   for (double q2 = -3.0; q2 <= 3.0; q2 += 0.1) {
     const double w = manipulability(arm, Eigen::Vector2d(0.7, q2));
     CHECK(std::abs(w - std::abs(std::sin(q2))) < 1e-14);
@@ -53,20 +53,21 @@ TEST_CASE("the planar arm with two joints has the manipulability of the textbook
 }
 
 TEST_CASE("known singular configurations are singular and others are not") {
-  CHECK(worst_sigma(make_planar2(), 1, 0.0) < 1e-15);
-  CHECK(worst_sigma(make_scara(), 1, 0.0) < 1e-15);
-  CHECK(worst_sigma(make_rrr3(), 2, 0.0) < 1e-15);
-  CHECK(worst_sigma(make_puma560(), 4, 0.0) < 1e-15);
-  CHECK(worst_sigma(make_pa10(), 3, 0.0) < 1e-15);
-  CHECK(worst_sigma(make_pa10(), 1, 0.0) > 0.01);  // one joint at zero alone is regular here
-  CHECK(singularity(make_puma560(), make_puma560().home()).sigma_min > 0.05);
+  CHECK(worst_sigma(*make_robot("planar2"), 1, 0.0) < 1e-15);
+  CHECK(worst_sigma(*make_robot("scara"), 1, 0.0) < 1e-15);
+  CHECK(worst_sigma(*make_robot("anthropomorphic"), 2, 0.0) < 1e-15);
+  CHECK(worst_sigma(*make_robot("puma560"), 4, 0.0) < 1e-15);
+  CHECK(worst_sigma(*make_robot("pa10"), 3, 0.0) < 1e-15);
+  CHECK(worst_sigma(*make_robot("pa10"), 1, 0.0) >
+        0.01);  // one joint at zero alone is regular here
+  CHECK(singularity(*make_robot("puma560"), make_robot("puma560")->home()).sigma_min > 0.05);
 }
 
 TEST_CASE("the lost motion of a stretched arm is along the arm") {
-  const Singularity stretched = singularity(make_scara(), Eigen::Vector4d(0, 0, 0.1, 0));
+  const Singularity stretched = singularity(*make_robot("scara"), Eigen::Vector4d(0, 0, 0.1, 0));
   CHECK(std::abs(stretched.direction[0]) == doctest::Approx(1.0));
   CHECK(describe(stretched) == "cannot move along (1.00, 0.00, 0.00)");
-  const Singularity planar = singularity(make_planar2(), Eigen::Vector2d(0.0, 0.0));
+  const Singularity planar = singularity(*make_robot("planar2"), Eigen::Vector2d(0.0, 0.0));
   CHECK(describe(planar) == "cannot move along (1.00, 0.00, 0.00)");
 }
 
@@ -89,9 +90,9 @@ TEST_CASE("singular values come with the length that scales the rotations") {
 }
 
 TEST_CASE("in an aligned wrist joints 4 and 6 fight each other") {
-  Eigen::VectorXd q = make_puma560().home();
+  Eigen::VectorXd q = make_robot("puma560")->home();
   q[4] = 0.0;
-  const Singularity aligned = singularity(make_puma560(), q);
+  const Singularity aligned = singularity(*make_robot("puma560"), q);
   CHECK(aligned.sigma_min < 1e-15);
   // Joints 4 and 6 turn against each other without moving the tool.
   CHECK(std::abs(aligned.joints[3] + aligned.joints[5]) < 1e-9);

@@ -357,7 +357,7 @@ TEST_CASE("where the wrist lies on the first axis, that joint is free") {
 
 TEST_CASE("a goal one joint and 10 deg away is reached with a change of 10 deg") {
   // The partner of the free joint stands at its limit.
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   VectorXd seed = VectorXd::Zero(6);
   seed << 0.2, -0.7, 1.0, robot.upper()[3], 0.0, 0.3;
   VectorXd q = seed;
@@ -434,7 +434,7 @@ TEST_CASE("every curve of solutions is found") {
 }
 
 TEST_CASE("a joint on its limit that was turned and turned back is not beyond it") {
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   VectorXd q(6), seed(6);
   q << robot.upper()[0], 1.5933786453329803, 0.64724057344995423, -2.7624455915188948, 0.0,
       3.4374467604670551;

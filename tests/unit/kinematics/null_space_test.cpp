@@ -32,7 +32,7 @@ TEST_CASE("the projector keeps the tool still, and leaves alone what already doe
 }
 
 TEST_CASE("a square arm has no freedom left, and one for each row that does not count") {
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   Random random(2);
   const VectorXd q = random_joints(robot, random);
   CHECK(null_space_projector(robot, q).cwiseAbs().maxCoeff() < 1e-9);
@@ -44,7 +44,7 @@ TEST_CASE("a square arm has no freedom left, and one for each row that does not 
 }
 
 TEST_CASE("ten seconds of self-motion in steps of 1 ms move the tool by less than a micrometre") {
-  const Robot robot = make_pa10();
+  const Robot robot = *make_robot("pa10");
   VectorXd q(7);
   q << 0.2, 0.6, 0.3, 1.2, -0.4, 0.9, 0.1;
   const Isometry3d T = forward(robot, q);
@@ -62,7 +62,7 @@ TEST_CASE("ten seconds of self-motion in steps of 1 ms move the tool by less tha
 }
 
 TEST_CASE("gradients are those of the values") {
-  const Robot robot = make_panda();
+  const Robot robot = *make_robot("panda");
   Random random(3);
   for (const Posture posture : {Posture::kMidRange, Posture::kManipulability}) {
     const VectorXd q = random_joints(robot, random);
@@ -101,7 +101,7 @@ TEST_CASE("a better posture leaves the tool where it is and the joints within th
 }
 
 TEST_CASE("a joint at its speed limit is held there and the others make up for it") {
-  const Robot robot = make_pa10();
+  const Robot robot = *make_robot("pa10");
   VectorXd q(7);
   q << 0.2, 0.6, 0.3, 1.2, -0.4, 0.9, 0.1;
   const Vector6d twist = (Vector6d() << 0.1, 0.05, -0.05, 0.1, 0.0, 0.1).finished();

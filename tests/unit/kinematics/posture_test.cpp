@@ -15,7 +15,7 @@ using Eigen::Isometry3d;
 using Eigen::VectorXd;
 
 TEST_CASE("a posture near given joint values falls off with the square of the distance") {
-  const Robot arm = make_scara();
+  const Robot arm = *make_robot("scara");
   const VectorXd given = arm.home();
   const PostureGoal goal(Posture::kNearGiven, given);
   CHECK(posture_value(arm, given, goal) == 0.0);
@@ -96,7 +96,7 @@ TEST_CASE("an arm with a joint to spare gets into a better posture than any bran
 }
 
 TEST_CASE("rows that a mask leaves out are freedom for the posture") {
-  const Robot puma = make_puma560();
+  const Robot puma = *make_robot("puma560");
   Random random(4);
   const VectorXd q = random_joints(puma, random);
   const IkResult ik = solve_ik(puma, forward(puma, q),
@@ -110,7 +110,7 @@ TEST_CASE("rows that a mask leaves out are freedom for the posture") {
 }
 
 TEST_CASE("a given posture of another size or with values that are not finite is refused") {
-  const Robot arm = make_scara();
+  const Robot arm = *make_robot("scara");
   const Isometry3d here = forward(arm, arm.home());
   CHECK(solve_ik(arm, here, {.posture = PostureGoal(Posture::kNearGiven, VectorXd::Zero(3))})
             .status == IkStatus::kBadSize);
@@ -120,7 +120,7 @@ TEST_CASE("a given posture of another size or with values that are not finite is
 }
 
 TEST_CASE("a report says for which posture a solution was chosen") {
-  const Robot puma = make_puma560();
+  const Robot puma = *make_robot("puma560");
   const Isometry3d here = forward(puma, puma.home());
   const IkReport report = report_ik(puma, here, {.posture = Posture::kMidRange});
   CHECK(to_text(puma, here, report).find("chosen because there the middle") != std::string::npos);

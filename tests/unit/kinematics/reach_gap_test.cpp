@@ -29,7 +29,7 @@ Eigen::Matrix3d random_rotation(Random& random) {
 
 // Lengths of the Puma 560: Corke and Armstrong-Helouvry 1994.
 TEST_CASE("the wrist centre of a Puma misses the stretched arm by what was put in") {
-  const Robot puma = make_puma560();
+  const Robot puma = *make_robot("puma560");
   const double upper = 0.4318, fore = std::hypot(0.0203, 0.4318), offset = 0.15005;
   Random random(1);
   for (int k = 0; k < 200; ++k) {
@@ -55,7 +55,7 @@ TEST_CASE("the wrist centre of a Puma misses the stretched arm by what was put i
 }
 
 TEST_CASE("the wrist centre of a Puma within its shoulder's offset is too close to axis 1") {
-  const ReachGap gap = gap_at(make_puma560(), make_translation({0.09, 0.0, 0.9}));
+  const ReachGap gap = gap_at(*make_robot("puma560"), make_translation({0.09, 0.0, 0.9}));
   CHECK(gap.kind == GapKind::kTooClose);
   CHECK(gap.miss == doctest::Approx(0.06005));
   CHECK(describe(gap) ==
@@ -103,7 +103,7 @@ TEST_CASE("the elbow of an arm of seven joints stretches to the sum of its links
 }
 
 TEST_CASE("a SCARA is refused by its two links, outside and inside") {
-  const Robot scara = make_scara();  // 400 and 300 mm
+  const Robot scara = *make_robot("scara");  // 400 and 300 mm
   const ReachGap far = gap_at(scara, make_pose(rot_x(kPi), {0.6, 0.8, 0.3}));
   CHECK(far.kind == GapKind::kTooFar);
   CHECK(far.miss == doctest::Approx(0.3));
@@ -173,7 +173,7 @@ TEST_CASE("reachable poses have no gap, of arms read backwards and of five joint
 }
 
 TEST_CASE("the reason stands in the result, in the report and in the text") {
-  const Robot puma = make_puma560();
+  const Robot puma = *make_robot("puma560");
   const Isometry3d goal =
       make_pose(rot_x(0.3), {0.4318 + std::hypot(0.0203, 0.4318) + 0.037, -0.15005, 0.67183});
   const IkReport report = report_ik(puma, goal);

@@ -8,17 +8,17 @@
 using namespace armlet;
 
 TEST_CASE("planar arms reach as far as their links are long") {
-  CHECK(find_reach(make_planar2()).from_base == doctest::Approx(2.0).epsilon(1e-12));
-  CHECK(find_reach(make_planar3()).from_axis == doctest::Approx(0.9).epsilon(1e-12));
+  CHECK(find_reach(*make_robot("planar2")).from_base == doctest::Approx(2.0).epsilon(1e-12));
+  CHECK(find_reach(*make_robot("planar3")).from_axis == doctest::Approx(0.9).epsilon(1e-12));
 }
 
 TEST_CASE("a SCARA reaches the sum of its arms from its column") {
-  CHECK(find_reach(make_scara()).from_axis == doctest::Approx(0.7).epsilon(1e-12));
+  CHECK(find_reach(*make_robot("scara")).from_axis == doctest::Approx(0.7).epsilon(1e-12));
 }
 
 // Straight up or out: the elbow arm's upper arm and forearm in line.
 TEST_CASE("an elbow arm reaches farthest with its arm straight") {
-  const Reach reach = find_reach(make_rrr3());
+  const Reach reach = find_reach(*make_robot("anthropomorphic"));
   CHECK(reach.from_axis == doctest::Approx(0.8).epsilon(1e-9));
   CHECK(reach.from_base == doctest::Approx(1.2).epsilon(1e-9));
 }

@@ -112,7 +112,7 @@ TEST_CASE("a moved arm with another tool solves for where it stands now") {
 
 TEST_CASE("threads that share an arm and copies of it get one closed form") {
   for (int round = 0; round < 50; ++round) {
-    const Robot robot = make_puma560();
+    const Robot robot = *make_robot("puma560");
     std::array<const ClosedForm*, 6> seen{};
     std::vector<std::jthread> threads;
     for (std::size_t k = 0; k < seen.size(); ++k) {

@@ -59,14 +59,16 @@ std::vector<Origin> ur_origins(double d1, double a2, double a3, double d4, doubl
 
 TEST_CASE("UR3, UR5 and UR10 are the arms of the ROS-Industrial descriptions") {
   const Eigen::Isometry3d none = Eigen::Isometry3d::Identity();
-  check_against(make_ur3(), ur_origins(.1519, -.24365, -.21325, .11235, .08535, .0819), none);
-  check_against(make_ur5(), ur_origins(.089159, -.425, -.39225, .10915, .09465, .0823), none);
-  check_against(make_ur10(), ur_origins(.1273, -.612, -.5723, .163941, .1157, .0922), none);
+  check_against(*make_robot("ur3"), ur_origins(.1519, -.24365, -.21325, .11235, .08535, .0819),
+                none);
+  check_against(*make_robot("ur5"), ur_origins(.089159, -.425, -.39225, .10915, .09465, .0823),
+                none);
+  check_against(*make_robot("ur10"), ur_origins(.1273, -.612, -.5723, .163941, .1157, .0922), none);
 }
 
 TEST_CASE("the LBR iiwa is the arm of iiwa_stack") {
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  check_against(make_iiwa14(),
+  check_against(*make_robot("iiwa14"),
                 {{{0, 0, .1575}, {0, 0, 0}, z},
                  {{0, 0, .2025}, {kHalf, 0, kPi}, z},
                  {{0, .2045, 0}, {kHalf, 0, kPi}, z},
@@ -80,7 +82,7 @@ TEST_CASE("the LBR iiwa is the arm of iiwa_stack") {
 TEST_CASE("the IRB 120 is the arm of the ROS-Industrial description, its tool frame included") {
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
                         z = Eigen::Vector3d::UnitZ(), o = Eigen::Vector3d::Zero();
-  check_against(make_irb120(),
+  check_against(*make_robot("irb120"),
                 {{{0, 0, 0}, o, z},
                  {{0, 0, .29}, o, y},
                  {{0, 0, .27}, o, y},
@@ -92,7 +94,7 @@ TEST_CASE("the IRB 120 is the arm of the ROS-Industrial description, its tool fr
 
 TEST_CASE("planar arms and the elbow arm are where plane geometry puts them") {
   Random random(4);
-  const Robot planar = make_planar3(), elbow = make_rrr3();
+  const Robot planar = *make_robot("planar3"), elbow = *make_robot("anthropomorphic");
   for (int k = 0; k < 1000; ++k) {
     const double a = random.uniform(-3, 3), b = random.uniform(-2, 2), c = random.uniform(-2, 2);
     const Eigen::Vector3d q(a, b, c);
@@ -109,7 +111,7 @@ TEST_CASE("planar arms and the elbow arm are where plane geometry puts them") {
 }
 
 TEST_CASE("the arm of seven joints hangs its wrist between a shoulder and an elbow") {
-  const Robot arm = make_arm7();
+  const Robot arm = *make_robot("arm7");
   Random random(5);
   for (int k = 0; k < 1000; ++k) {
     Eigen::VectorXd q(7);

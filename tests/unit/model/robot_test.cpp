@@ -167,7 +167,7 @@ TEST_CASE("no configuration within the limits reaches farther than reach()") {
 }
 
 TEST_CASE("copies with one thing changed keep the rest") {
-  const Robot arm = make_scara();
+  const Robot arm = *make_robot("scara");
   const Robot moved = arm.with_base(make_translation({0, -0.45, 0}));
   CHECK(moved.name() == "scara");
   const Eigen::Vector3d shift =
@@ -210,7 +210,7 @@ TEST_CASE("an arm keeps values of several types, and its copies share them") {
   const Robot copy = arm;
   CHECK(&copy.derived<Weight>() == &arm.derived<Weight>());
   CHECK(&copy.derived<Lengths>() == &arm.derived<Lengths>());
-  Robot assigned = make_scara();
+  Robot assigned = *make_robot("scara");
   assigned = arm;
   CHECK(&assigned.derived<Weight>() == &arm.derived<Weight>());
   CHECK(&assigned.derived<Lengths>() == &arm.derived<Lengths>());

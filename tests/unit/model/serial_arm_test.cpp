@@ -116,7 +116,7 @@ TEST_CASE("axes in any direction become rows") {
 }
 
 TEST_CASE("what hangs on a chain without belonging to it counts as its load") {
-  MechanismSpec spec = mechanism_of(make_planar2());
+  MechanismSpec spec = mechanism_of(*make_robot("planar2"));
   Body weight{.name = "weight", .joint_name = "bolt", .parent = 2};
   weight.T_parent_joint = make_translation({0.5, 0, 0});
   weight.link.mass = 3.0;
@@ -138,7 +138,7 @@ TEST_CASE("a chain that cannot be an arm is refused with the name of the joint o
 }
 
 TEST_CASE("two joints of a chain that move together are no arm") {
-  MechanismSpec spec = mechanism_of(make_planar2());
+  MechanismSpec spec = mechanism_of(*make_robot("planar2"));
   spec.actuators.pop_back();
   spec.coupling = Eigen::Vector2d(1.0, 1.0);
   spec.offset = Eigen::Vector2d::Zero();
@@ -146,7 +146,7 @@ TEST_CASE("two joints of a chain that move together are no arm") {
 }
 
 TEST_CASE("an arm ends at the palm from which its fingers divide") {
-  MechanismSpec spec = mechanism_of(make_panda());
+  MechanismSpec spec = mechanism_of(*make_robot("panda"));
   const int palm = static_cast<int>(spec.bodies.size()) - 1;
   for (const double side : {1.0, -1.0}) {
     spec.bodies.push_back({.name = side > 0 ? "left" : "right",

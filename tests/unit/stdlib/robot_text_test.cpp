@@ -70,18 +70,18 @@ TEST_CASE("every arm of the catalogue comes back from its block the same") {
 }
 
 TEST_CASE("base, tool point, hand and gravity come back") {
-  RobotSpec spec = make_scorbot().spec();
+  RobotSpec spec = make_robot("scorbot")->spec();
   spec.T_world_base = pose_from_rpy({0.1, -0.2, 1.0 / 3.0}, {0.3, -1.0, 2.5});
   spec.T_flange_tool = pose_from_rpy({0.01, 0.02, 0.03}, {0.0, 0.5, 0.1});
   spec.tool = suction_cup(0.0123, 0.055);
   spec.gravity = {0.0, -9.81, 0.5};
   const Robot robot(spec);
   check_equal(*read_back(robot_block(robot)), robot);
-  const Robot hanging = make_ur5().with_tool(parallel_gripper(0.085, 0.13, 35.5));
+  const Robot hanging = make_robot("ur5")->with_tool(parallel_gripper(0.085, 0.13, 35.5));
   check_equal(*read_back(robot_block(hanging)), hanging);
 }
 
 TEST_CASE("a name that is none in the language becomes one") {
-  CHECK(read_back(robot_block(make_planar2().with_name("arm 7-b")))->name() == "arm_7_b");
-  CHECK(read_back(robot_block(make_planar2().with_name("7")))->name() == "robot_7");
+  CHECK(read_back(robot_block(make_robot("planar2")->with_name("arm 7-b")))->name() == "arm_7_b");
+  CHECK(read_back(robot_block(make_robot("planar2")->with_name("7")))->name() == "robot_7");
 }

@@ -47,7 +47,7 @@ void check_line(const Robot& robot, const Trajectory& motion, const Eigen::Isome
 }  // namespace
 
 TEST_CASE("the tool of a SCARA stays on the line, at samples and between") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const Eigen::Vector4d q0(0.61, 0.94, 0.11, -0.33);
   const Eigen::Isometry3d T_0 = forward(robot, q0);
   const Eigen::Isometry3d T_1 = forward(robot, Eigen::Vector4d(-0.2, 1.2, 0.05, 0.4));
@@ -60,7 +60,7 @@ TEST_CASE("the tool of a SCARA stays on the line, at samples and between") {
 }
 
 TEST_CASE("the tool of a PUMA follows random lines with an evenly turning orientation") {
-  const Robot robot = make_puma560();
+  const Robot robot = *make_robot("puma560");
   std::mt19937_64 generator(21);
   const auto number = [&] { return static_cast<double>(generator() >> 11) * 0x1.0p-53 - 0.5; };
   int followed = 0;
@@ -90,7 +90,7 @@ TEST_CASE("the tool of a PUMA follows random lines with an evenly turning orient
 }
 
 TEST_CASE("a place alone keeps the orientation; a turn keeps the tilt") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const Eigen::Vector4d q0(0.4, 1.0, 0.1, 0.2);
   const Eigen::Isometry3d T_0 = forward(robot, q0);
   const Eigen::Vector3d goal(0.45, -0.1, 0.3);
@@ -111,7 +111,7 @@ TEST_CASE("a place alone keeps the orientation; a turn keeps the tilt") {
 }
 
 TEST_CASE("an end out of reach is said at once, with the distance") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const LinePlan plan = plan_line(robot, {.q0 = Eigen::Vector4d(0.4, 1.0, 0.1, 0.2),
                                           .T_world_goal = make_translation({0.9, 0.0, 0.3}),
                                           .task = IkTask::kPlace});
@@ -122,7 +122,7 @@ TEST_CASE("an end out of reach is said at once, with the distance") {
 }
 
 TEST_CASE("a line through the zone the arm cannot fold into names how far it gets") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   // From (0.5, -0.05) to (-0.5, -0.05), 50 mm beside the axis of joint 1; the arm folds to 257 mm.
   const Eigen::Vector3d a(0.5, -0.05, 0.3);
   const Eigen::Vector3d b(-0.5, -0.05, 0.3);
@@ -140,7 +140,7 @@ TEST_CASE("a line through the zone the arm cannot fold into names how far it get
 }
 
 TEST_CASE("too short a time names the joint; a tool speed is only a wish") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const Eigen::Vector4d q0(0.4, 1.0, 0.1, 0.2);
   Eigen::Isometry3d T_goal = forward(robot, q0);
   T_goal.translation().z() -= 0.05;
@@ -169,7 +169,7 @@ TEST_CASE("too short a time names the joint; a tool speed is only a wish") {
 }
 
 TEST_CASE("a line of no length stands still for its time") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const Eigen::Vector4d q0(0.4, 1.0, 0.1, 0.2);
   LineMove move{.q0 = q0, .T_world_goal = forward(robot, q0)};
   CHECK(plan_line(robot, move).motion.trajectory->duration() == 0.0);
@@ -181,7 +181,7 @@ TEST_CASE("a line of no length stands still for its time") {
 }
 
 TEST_CASE("broken poses, times and speeds are refused") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   LineMove good{.q0 = Eigen::Vector4d(0.4, 1.0, 0.1, 0.2)};
   const auto refused = [&](auto change) {
     LineMove move = good;
@@ -201,7 +201,7 @@ TEST_CASE("broken poses, times and speeds are refused") {
 // The quintic law over a length s has its highest speed 1.875 s / T and its highest acceleration
 // 10 / sqrt(3) s / T^2 (Biagiotti and Melchiorri, Trajectory Planning (2008), table 3.2).
 TEST_CASE("a line takes as long as the limits of the tool and the asked fraction say") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   LineMove move{.q0 = Eigen::Vector4d(0.4, 1.0, 0.1, 0.2)};
   move.T_world_goal = forward(robot, move.q0);
   move.T_world_goal.translation().y() -= 0.1;

@@ -14,7 +14,7 @@ const PlannerSet kPlanners;
 }  // namespace
 
 TEST_CASE("a move within the limits ends exactly on its target") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const Eigen::Vector4d pick(0.61, 0.94, 0.11, -0.33);
   for (const std::string& name : kPlanners.names()) {
     const MotionPlan plan =
@@ -27,7 +27,7 @@ TEST_CASE("a move within the limits ends exactly on its target") {
 }
 
 TEST_CASE("a target outside the limits names every joint, before the time is judged") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const MotionPlan plan = plan_joint_move(kPlanners, robot,
                                           {.q0 = Eigen::VectorXd::Zero(4),
                                            .q1 = Eigen::Vector4d(0.1, 2.653, -0.02, 0.0),
@@ -41,7 +41,7 @@ TEST_CASE("a target outside the limits names every joint, before the time is jud
 }
 
 TEST_CASE("too short a time is an error, or advice where limits are not enforced") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   JointMove move{.q0 = Eigen::VectorXd::Zero(4), .q1 = Eigen::Vector4d(1.0, 0.0, 0.0, 0.0)};
   move.time = 0.05;
   const MotionPlan refused = plan_joint_move(kPlanners, robot, move);
@@ -64,14 +64,14 @@ TEST_CASE("a planner of the user's own is verified like the others") {
     return Plan{.trajectory = Trajectory(std::move(joints), 100.0)};
   });
   const MotionPlan plan = plan_joint_move(
-      planners, make_scara(),
+      planners, *make_robot("scara"),
       {.q0 = Eigen::VectorXd::Zero(4), .q1 = Eigen::VectorXd::Zero(4), .planner = "Overshoot"});
   CHECK_FALSE(plan.ok());
   CHECK(plan.outside.size() == 4);
 }
 
 TEST_CASE("sizes and numbers that are not finite are refused") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(4);
   Eigen::VectorXd broken = zero;
   broken[2] = std::nan("");

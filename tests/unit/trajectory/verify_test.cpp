@@ -20,7 +20,7 @@ Trajectory first_joint(const Robot& robot, const Segment& piece) {
 }  // namespace
 
 TEST_CASE("a slow motion within the limits passes unchanged") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const MotionPlan plan = verify(robot, first_joint(robot, quintic_segment({}, {.q = 0.5}, 5.0)));
   CHECK(plan.ok());
   CHECK_FALSE(plan.too_fast.has_value());
@@ -28,7 +28,7 @@ TEST_CASE("a slow motion within the limits passes unchanged") {
 }
 
 TEST_CASE("a path that leaves the limits between its ends is found") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   // Up to 1.5 * upper and back, ends at zero.
   const double top = 1.5 * robot.upper()[0];
   const Segment hill{.duration = 20.0, .degree = 2, .c = {0.0, 0.2 * top, -0.01 * top}};
@@ -41,7 +41,7 @@ TEST_CASE("a path that leaves the limits between its ends is found") {
 }
 
 TEST_CASE("a joint that starts outside may only come back") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const double out = robot.upper()[0] + 0.1;
   CHECK(verify(robot, first_joint(robot, quintic_segment({.q = out}, {.q = 0.0}, 9.0))).ok());
   CHECK_FALSE(
@@ -49,7 +49,7 @@ TEST_CASE("a joint that starts outside may only come back") {
 }
 
 TEST_CASE("the least time is the one at which the path just keeps the limits") {
-  const Robot robot = make_scara();
+  const Robot robot = *make_robot("scara");
   const Trajectory fast = first_joint(robot, quintic_segment({}, {.q = 1.0}, 0.1));
   const MotionPlan refused = verify(robot, fast);
   CHECK_FALSE(refused.ok());
@@ -65,5 +65,5 @@ TEST_CASE("the least time is the one at which the path just keeps the limits") {
 }
 
 TEST_CASE("a trajectory for another number of joints is refused") {
-  CHECK_THROWS_AS((void)verify(make_scara(), Trajectory({}, 1.0)), ArgumentError);
+  CHECK_THROWS_AS((void)verify(*make_robot("scara"), Trajectory({}, 1.0)), ArgumentError);
 }

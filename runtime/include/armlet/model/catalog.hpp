@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -11,29 +12,24 @@ namespace armlet {
 // Ready-made arms. Each carries its source, limits, speeds, a home configuration and, where the
 // source gives them, masses and motors. Arms of four and more joints carry a parallel gripper whose
 // tool point is the end of the last link.
-Robot make_planar2();   // two links of 1 m in the vertical x-z plane
-Robot make_planar3();   // three links in the horizontal plane
-Robot make_rrr3();      // anthropomorphic arm without a wrist
-Robot make_scara();     // RRPR, tool pointing down, 400 + 300 mm
-Robot make_scorbot();   // Scorbot-ER 4U, five joints
-Robot make_puma560();   // with its 0.67183 m pedestal
-Robot make_stanford();  // RRPRRR
-Robot make_pa10_6();    // Mitsubishi PA-10, six joints
-Robot make_pa10();      // Mitsubishi PA-10, seven joints
-Robot make_irb120();    // ABB IRB 120-3/0.6
-Robot make_ur3();       // Universal Robots
-Robot make_ur5();
-Robot make_ur10();
-Robot make_panda();   // Franka Emika
-Robot make_iiwa14();  // KUKA LBR iiwa 14 R820
-Robot make_arm7();    // a generic arm of seven joints
+//
+// What is known of one without making it. An arm is one row of runtime/src/model/catalog_*.cpp;
+// everything that lists the arms (the library's robots.NAME, `armlet robot`, the reference, the
+// tests) reads these entries.
+struct CatalogArm {
+  std::string_view name;
+  std::string_view second_name;  // empty: it has none
+  std::string_view source;       // where its numbers come from
+  std::string_view help;         // a sentence
+};
 
-// Names that make_robot knows, in the order above.
+std::span<const CatalogArm> catalog_arms();
+
+// The names of the entries, in the same order.
 const std::vector<std::string_view>& catalog_names();
 
-// The arm of that name, or null if there is none. Some have a second name: "rrr3" is
-// anthropomorphic, "iiwa" is iiwa14.
-// Shared, because cells, planners and recorders may hold the same immutable arm.
+// The arm of that name or second name, or null if there is none. Shared, because cells, planners
+// and recorders may hold the same immutable arm.
 std::shared_ptr<const Robot> make_robot(std::string_view name);
 
 }  // namespace armlet
