@@ -29,7 +29,7 @@ struct ProgramOptions {
 struct RunOptions {
   ProgramOptions program;
   std::string file;
-  std::string trace;  // .csv or .jsonl; empty: none
+  std::string trace;  // ends as a trace format; empty: none
   bool realtime = false;
   bool quiet = false;  // no progress, no summary
   bool plots = false;  // draw the figures in the terminal
@@ -58,5 +58,6 @@ int format(const FormatOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
 int help(const std::string& name, bool markdown, bool later);
+int lists();
 
 }  // namespace armlet::cli

@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 
+#include "armlet/backend/trace_format.hpp"
 #include "armlet/core/similar.hpp"
 #include "console.hpp"
 
@@ -61,6 +62,7 @@ struct Asked {
   std::string name;
   bool markdown = false;
   bool later = false;
+  bool lists = false;
 };
 
 void add_run_options(CLI::App& command, Asked& asked) {
@@ -68,7 +70,7 @@ void add_run_options(CLI::App& command, Asked& asked) {
   add_program_options(command, asked.run.program);
   command
       .add_option("--trace", asked.run.trace,
-                  "write joints, hand and objects over time to a .csv or .jsonl file")
+                  "write the run over time to a " + armlet::trace_endings() + " file")
       ->type_name("FILE");
   command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock");
   command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary");
@@ -117,6 +119,8 @@ void add_help_options(CLI::App& command, Asked& asked) {
   command.add_option("NAME", asked.name,
                      "for example moveL, or a word to look for; without it, all names");
   command.add_flag("--markdown", asked.markdown, "the whole reference, as in docs/stdlib.md");
+  command.add_flag("--lists", asked.lists,
+                   "what there is, as JSON: robots, trace formats and more");
   command.add_flag("--later", asked.later,
                    "what the language reference describes but is not there yet");
 }
@@ -144,7 +148,9 @@ constexpr Command kCommands[] = {
     {"explain", "say what a message means, with a wrong and a right program", add_explain_options,
      [](const Asked& asked) { return explain(asked.code); }},
     {"help", "say what a function does, with an example", add_help_options,
-     [](const Asked& asked) { return help(asked.name, asked.markdown, asked.later); }},
+     [](const Asked& asked) {
+       return asked.lists ? lists() : help(asked.name, asked.markdown, asked.later);
+     }},
 };
 
 int dispatch(int argc, char** argv) {

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "armlet/backend/csv_backend.hpp"
-#include "armlet/backend/jsonl_backend.hpp"
+#include "armlet/backend/trace_format.hpp"
 #include "armlet/core/files.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/plot/braille.hpp"
@@ -29,14 +28,13 @@ class Trace {
   // The exit status after a message if there is no such trace.
   int choose(const std::string& path) {
     path_ = path;
-    if (path.ends_with(".csv")) {
-      backend_ = std::make_unique<CsvBackend>(out_);
-    } else if (path.ends_with(".jsonl")) {
-      backend_ = std::make_unique<JsonlBackend>(out_);
-    } else if (!path.empty()) {
-      progress(fmt::format("armlet: a trace is a .csv or .jsonl file, not \"{}\"", path));
+    if (path.empty()) return kDone;
+    const TraceFormat* format = trace_format_of(path);
+    if (format == nullptr) {
+      progress(fmt::format("armlet: a trace is a {} file, not \"{}\"", trace_endings(), path));
       return kUsage;
     }
+    backend_ = format->make(out_);
     return kDone;
   }
 
