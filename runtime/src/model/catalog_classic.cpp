@@ -120,6 +120,18 @@ constexpr Row kIrb120[] = {
     {R, {180 * kDeg, 0.072, 0, 0}, -400 * kDeg, 400 * kDeg, 420 * kDeg,
      0.137, {1.32e-06, -0.00017, -0.00706}, {0.001, 0.001, 0.001, 0, 0, 0}, 0, 1, {0, 0, 0}},
 };
+
+// KUKA KR 6 R900 sixx (Agilus). Dimensions, limits and speeds: maker, as in kuka_experimental of
+// ROS-Industrial. Joints 2, 3 and 5 turn the maker's way; 1, 4 and 6 are positive to the other side,
+// on which their limits are the same.
+constexpr Row kKr6[] = {
+    {.dh = {0, 0.4, 0.025, -90 * kDeg}, .lower = -170 * kDeg, .upper = 170 * kDeg, .max_speed = 360 * kDeg},
+    {.dh = {0, 0, 0.455, 0}, .lower = -190 * kDeg, .upper = 45 * kDeg, .max_speed = 300 * kDeg},
+    {.dh = {-90 * kDeg, 0, 0.035, -90 * kDeg}, .lower = -120 * kDeg, .upper = 156 * kDeg, .max_speed = 360 * kDeg},
+    {.dh = {0, 0.42, 0, 90 * kDeg}, .lower = -185 * kDeg, .upper = 185 * kDeg, .max_speed = 381 * kDeg},
+    {.dh = {0, 0, 0, -90 * kDeg}, .lower = -120 * kDeg, .upper = 120 * kDeg, .max_speed = 388 * kDeg},
+    {.dh = {180 * kDeg, 0.08, 0, 0}, .lower = -350 * kDeg, .upper = 350 * kDeg, .max_speed = 615 * kDeg},
+};
 // clang-format on
 
 }  // namespace
@@ -160,6 +172,13 @@ std::span<const Arm> catalog::workshop_arms() {
        .help = "ABB IRB 120, six joints.",
        .joints = kIrb120,
        .home = {0, 20, 10, 0, 60, 0},
+       .stroke = 0.060},
+      {.name = "kr6",
+       .second_name = "kr6r900sixx",
+       .source = "KUKA KR AGILUS sixx specification; ROS-Industrial",
+       .help = "KUKA KR 6 R900 sixx (Agilus), six joints.",
+       .joints = kKr6,
+       .home = {0, -90, 90, 0, 90, 0},
        .stroke = 0.060},
   };
   return arms;

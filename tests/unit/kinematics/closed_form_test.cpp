@@ -103,6 +103,7 @@ TEST_CASE("the arms of the catalogue are recognised, and every pose gives back i
                                                               {"puma560", kSphericalParallel},
                                                               {"stanford", kSphericalMeeting},
                                                               {"pa10_6", kSphericalParallel},
+                                                              {"kr6", kSphericalParallel},
                                                               {"pa10", kShoulderElbowWrist},
                                                               {"ur5", kThreeParallel}};
   for (const auto& [name, kind] : arms) {

@@ -92,6 +92,42 @@ TEST_CASE("the IRB 120 is the arm of the ROS-Industrial description, its tool fr
                 make_pose(rot_y(kHalf), Eigen::Vector3d::Zero()));
 }
 
+// kuka_kr6_support/urdf/kr6r900sixx_macro.xacro of ROS-Industrial; its joints 1, 4 and 6 are
+// positive to the other side.
+TEST_CASE("the KR 6 R900 is the arm of the ROS-Industrial description, its flange included") {
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                        z = Eigen::Vector3d::UnitZ(), o = Eigen::Vector3d::Zero();
+  check_against(*make_robot("kr6"),
+                {{{0, 0, .4}, o, z},
+                 {{.025, 0, 0}, o, y},
+                 {{.455, 0, 0}, o, y},
+                 {{0, 0, .035}, o, x},
+                 {{.42, 0, 0}, o, y},
+                 {{.08, 0, 0}, o, x}},
+                make_pose(rot_y(kHalf), Eigen::Vector3d::Zero()));
+}
+
+// With the arm in one plane, as in the drawing of the data sheet: 400 mm up, 25 mm out, the upper
+// arm of 455 mm, 35 mm across and 420 + 80 mm along the forearm.
+TEST_CASE("the KR 6 R900 reaches where its data sheet draws it") {
+  const Robot robot = *make_robot("kr6");
+  const auto flange = [&](double a2, double a3, double a5) {
+    Eigen::VectorXd q(6);
+    q << 0, deg_to_rad(a2), deg_to_rad(a3), 0, deg_to_rad(a5), 0;
+    return Eigen::Vector3d(forward(robot, q).translation());
+  };
+  CHECK((flange(0, 0, 0) - Eigen::Vector3d(.025 + .455 + .42 + .08, 0, .435)).norm() < 1e-12);
+  CHECK((flange(-90, 90, 0) - Eigen::Vector3d(.025 + .42 + .08, 0, .89)).norm() < 1e-12);
+  CHECK((flange(-90, 90, 90) - Eigen::Vector3d(.025 + .42, 0, .81)).norm() < 1e-12);
+  CHECK((flange(-90, 0, 0) - Eigen::Vector3d(.025 - .035, 0, .4 + .455 + .5)).norm() < 1e-12);
+  // Its reach of 901.5 mm is that of the wrist centre, 80 mm before the flange, with upper arm and
+  // forearm in one line.
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+  q[2] = std::atan2(.035, .42);
+  const Eigen::Vector3d wrist = forward(robot, q) * Eigen::Vector3d(0, 0, -.08);
+  CHECK(std::abs(wrist.x() - .9015) < .5e-4);
+}
+
 TEST_CASE("planar arms and the elbow arm are where plane geometry puts them") {
   Random random(4);
   const Robot planar = *make_robot("planar3"), elbow = *make_robot("anthropomorphic");
