@@ -1,7 +1,6 @@
 #include "armlet/backend/csv_backend.hpp"
 
-#include <algorithm>
-
+#include "backend/joint_columns.hpp"
 #include "backend/text_sink.hpp"
 
 namespace armlet {
@@ -30,7 +29,7 @@ class CsvBackend::Table {
   void write_header() {
     sink.text("t,what,name,x,y,z,qw,qx,qy,qz");
     for (const char* symbol : {"q", "qd", "qdd"}) {
-      for (std::size_t i = 1; i <= columns; ++i) sink.text(fmt::format(",{}{}", symbol, i));
+      for (std::size_t i = 1; i <= columns.count(); ++i) sink.text(fmt::format(",{}{}", symbol, i));
     }
     sink.text(",text");
     sink.end_line();
@@ -52,7 +51,7 @@ class CsvBackend::Table {
 
   void write_joints(std::span<const double> values) {
     for (const double value : values) cell(value);
-    skip(columns - values.size());
+    skip(columns.count() - values.size());
   }
 
   void skip(std::size_t cells) { sink.text(std::string(cells, ',')); }
@@ -66,15 +65,14 @@ class CsvBackend::Table {
   void write_row(std::int64_t t_ns, std::string_view what, std::string_view name,
                  std::string_view text = {}) {
     begin_row(t_ns, what, name);
-    skip(kPoseColumns + 3 * columns);
+    skip(kPoseColumns + 3 * columns.count());
     end_row(text);
   }
 
   static constexpr std::size_t kPoseColumns = 7;
   TextSink sink;
-  std::size_t columns = 0;
+  JointColumns columns;
   std::vector<std::string> robots{};
-  std::string too_wide{};  // the first robot that does not fit
 
  private:
   void cell(double value) {
@@ -89,24 +87,19 @@ CsvBackend::~CsvBackend() = default;
 void CsvBackend::begin(const RunInfo& run) {
   for (const RobotInfo& robot : run.robots) {
     table_->robots.push_back(robot.name);
-    table_->columns = std::max(table_->columns, robot.joints.size());
   }
+  table_->columns.begin(run);
   table_->write_header();
   for (const ObjectInfo& object : run.objects) object_added(0, object);
 }
 
 void CsvBackend::robot_added(std::int64_t, const RobotInfo& robot) {
   table_->robots.push_back(robot.name);
-  if (robot.joints.size() <= table_->columns) return;
-  if (!table_->too_wide.empty()) return;
-  table_->too_wide = fmt::format(
-      "The table was begun for robots of {} joints; \"{}\" has {}. Declare it "
-      "before the first motion.",
-      table_->columns, robot.name, robot.joints.size());
+  table_->columns.add(robot);
 }
 
 void CsvBackend::joint_sample(const JointSample& sample) {
-  if (sample.q.size() > table_->columns) return;
+  if (!table_->columns.hold(sample)) return;
   table_->begin_row(sample.t_ns, "robot", table_->robots[static_cast<std::size_t>(sample.robot)]);
   table_->write_pose(sample.T_world_tool);
   for (const auto values : {sample.q, sample.qd, sample.qdd}) table_->write_joints(values);
@@ -120,7 +113,7 @@ void CsvBackend::object_added(std::int64_t t_ns, const ObjectInfo& object) {
 void CsvBackend::object_sample(const ObjectSample& sample) {
   table_->begin_row(sample.t_ns, "object", sample.name);
   table_->write_pose(sample.T_world_obj);
-  table_->skip(3 * table_->columns);
+  table_->skip(3 * table_->columns.count());
   table_->end_row();
 }
 
@@ -141,7 +134,7 @@ void CsvBackend::end(std::int64_t t_ns) {
 }
 
 std::string CsvBackend::error() const {
-  return table_->too_wide.empty() ? table_->sink.error() : table_->too_wide;
+  return table_->columns.error().empty() ? table_->sink.error() : table_->columns.error();
 }
 
 }  // namespace armlet

@@ -21,9 +21,17 @@ void TextSink::quoted(std::string_view text) {
 }
 
 void TextSink::end_line() {
-  constexpr std::size_t kMuch = 1 << 16;
   buffer_.push_back('\n');
+  flush_if_much();
+}
+
+void TextSink::flush_if_much() {
+  constexpr std::size_t kMuch = 1 << 16;
   if (buffer_.size() >= kMuch) flush();
+}
+
+void TextSink::check() {
+  if (!*out_) error_ = "The trace could not be written; is the disk full?";
 }
 
 void TextSink::flush() {
@@ -31,9 +39,18 @@ void TextSink::flush() {
   if (error_.empty()) {
     out_->write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     out_->flush();
-    if (!*out_) error_ = "The trace could not be written; is the disk full?";
+    check();
   }
   buffer_.clear();
+}
+
+void TextSink::replace_beginning(std::string_view text) {
+  flush();
+  if (!error_.empty()) return;
+  out_->seekp(0);
+  out_->write(text.data(), static_cast<std::streamsize>(text.size()));
+  out_->flush();
+  check();
 }
 
 Eigen::Quaterniond positive_quaternion(const Eigen::Isometry3d& T) {

@@ -1,4 +1,4 @@
-// A stream that text backends write to: buffered, independent of the locale, remembers failure.
+// A stream that backends write to: buffered, independent of the locale, remembers failure.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,12 +36,20 @@ class TextSink {
   // Ends a line; hands the text to the stream when there is much of it.
   void end_line();
 
+  void flush_if_much();
+
   // Hands everything to the stream.
   void flush();
+
+  // Hands everything to the stream and writes over its first bytes, to which it has to be able to
+  // return; nothing can be added after that.
+  void replace_beginning(std::string_view text);
 
   [[nodiscard]] const std::string& error() const { return error_; }
 
  private:
+  void check();
+
   std::ostream* out_;
   fmt::memory_buffer buffer_;
   std::string error_;

@@ -2,6 +2,7 @@
 
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
+#include "armlet/backend/npy_backend.hpp"
 
 namespace armlet {
 namespace {
@@ -16,6 +17,9 @@ constexpr TraceFormat kFormats[] = {
     {.ending = ".jsonl",
      .holds = "samples and events, as lines of JSON",
      .make = make<JsonlBackend>},
+    {.ending = ".npy",
+     .holds = "the samples of the robots, as an array of NumPy",
+     .make = make<NpyBackend>},
 };
 
 }  // namespace

@@ -201,6 +201,13 @@ bool NewFile::write(std::string_view bytes) {
   return !open_->failure;
 }
 
+bool NewFile::seek(std::uint64_t offset) {
+  if (open_ == nullptr) return false;
+  if (!open_->failure && lseek(open_->file.number(), static_cast<off_t>(offset), SEEK_SET) < 0)
+    open_->fail(errno);
+  return !open_->failure;
+}
+
 std::optional<Error> NewFile::finish() {
   if (open_ == nullptr) return because("name", "it is finished already");
   const std::unique_ptr<Open> open = std::move(open_);
@@ -420,6 +427,13 @@ FileStream::Buffer::int_type FileStream::Buffer::overflow(int_type byte) {
   if (traits_type::eq_int_type(byte, traits_type::eof())) return traits_type::not_eof(byte);
   const char letter = traits_type::to_char_type(byte);
   return file_.write({&letter, 1}) ? byte : traits_type::eof();
+}
+
+FileStream::Buffer::pos_type FileStream::Buffer::seekpos(pos_type position,
+                                                         std::ios_base::openmode) {
+  const std::streamoff offset = position;
+  const bool done = offset >= 0 && file_.seek(static_cast<std::uint64_t>(offset));
+  return done ? position : pos_type(std::streamoff(-1));
 }
 
 }  // namespace armlet

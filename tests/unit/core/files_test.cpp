@@ -103,6 +103,23 @@ long to_a_full_device(int, const void* bytes, std::size_t count) {
 
 }  // namespace
 
+TEST_CASE("a file that is being written can be returned to") {
+  const Empty folder;
+  Result<NewFile> made = create_file(folder / "a.bin");
+  REQUIRE(made.ok());
+  NewFile file = std::move(made).value();
+  FileStream out(file);
+  out << "head tail";
+  out.seekp(0);
+  out << "HEAD";
+  out.seekp(9);
+  out << '!';
+  CHECK(out.good());
+  CHECK_FALSE(file.finish());
+  CHECK(content(folder / "a.bin") == "HEAD tail!");
+  CHECK_FALSE(file.seek(0));  // it is finished
+}
+
 TEST_CASE("what is written is read again, and replaces what was there") {
   const Empty empty;
   const Folder folder = at(empty.path());

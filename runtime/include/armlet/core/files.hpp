@@ -7,6 +7,7 @@
 // missing (the file, or a folder on the way), outside, link, kind (no regular file), large, name,
 // system (what the system says).
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -33,6 +34,8 @@ class NewFile {
 
   // False: it failed, now or before; `finish` says why.
   bool write(std::string_view bytes);
+  // What is written next goes over the bytes from `offset` on. False as from `write`.
+  bool seek(std::uint64_t offset);
   // The reason if the file could not be written to its end and put in its place.
   [[nodiscard]] std::optional<Error> finish();
 
@@ -103,6 +106,7 @@ class FileStream : public std::ostream {
    private:
     std::streamsize xsputn(const char* bytes, std::streamsize count) override;
     int_type overflow(int_type byte) override;
+    pos_type seekpos(pos_type position, std::ios_base::openmode which) override;
 
     NewFile& file_;
   };

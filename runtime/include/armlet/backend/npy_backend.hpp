@@ -1,0 +1,41 @@
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+
+#include "armlet/backend/backend.hpp"
+
+namespace armlet {
+
+// Writes the samples of the robots as one array of NumPy's format .npy, version 1.0; `a =
+// numpy.load("run.npy")` gives a row for each sample:
+//
+//   a["t"]                      s
+//   a["robot"]                  its index: 0 is the first robot
+//   a["p"], a["r"]              of the tool point in the world: m, and a unit quaternion w, x, y, z
+//   a["q"], a["qd"], a["qdd"]   of n joints each: rad or m, per s, per s^2
+//
+// Numbers have 8 bytes, the least significant first, with the same bits as in the run. n is the
+// largest number of joints at the beginning; a robot with fewer has NaN in the others, one that
+// joins later with more is an error and left out. Objects, events and texts are not part of it.
+//
+// source  NumPy Reference, numpy.lib.format, "Format Version 1.0".
+class NpyBackend : public Backend {
+ public:
+  // out  not owned; lives at least as long as this. The number of rows is known when the run has
+  //      ended, and then written to the beginning: seekp has to be possible.
+  explicit NpyBackend(std::ostream& out);
+  ~NpyBackend() override;
+
+  void begin(const RunInfo& run) override;
+  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
+  void joint_sample(const JointSample& sample) override;
+  void end(std::int64_t t_ns) override;
+  [[nodiscard]] std::string error() const override;
+
+ private:
+  class Array;
+  std::unique_ptr<Array> array_;
+};
+
+}  // namespace armlet

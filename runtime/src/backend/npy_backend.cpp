@@ -1,0 +1,91 @@
+#include "armlet/backend/npy_backend.hpp"
+
+#include <bit>
+#include <limits>
+
+#include "backend/joint_columns.hpp"
+#include "backend/text_sink.hpp"
+
+namespace armlet {
+namespace {
+
+// The magic bytes, the version, the length of the text that follows (least significant byte first),
+// and that text: a literal of Python, padded with blanks, so that the numbers begin at a multiple
+// of 64 bytes.
+//
+// rows  does not change the length of the header, which is written again at the end of the run.
+std::string npy_header(std::size_t joints, std::uint64_t rows) {
+  constexpr std::size_t kFirst = 10, kAlignment = 64;
+  constexpr std::size_t kDigits = std::numeric_limits<std::uint64_t>::digits10 + 1;
+  const std::string number = fmt::format("{}", rows);
+  std::string text = fmt::format(
+      "{{'descr': [('t', '<f8'), ('robot', '<i8'), ('p', '<f8', (3,)), ('r', '<f8', (4,)), "
+      "('q', '<f8', ({0},)), ('qd', '<f8', ({0},)), ('qdd', '<f8', ({0},))], "
+      "'fortran_order': False, 'shape': ({1},), }}",
+      joints, number);
+  const std::size_t longest = kFirst + text.size() - number.size() + kDigits + 1;
+  const std::size_t whole = (longest + kAlignment - 1) / kAlignment * kAlignment;
+  text.resize(whole - kFirst - 1, ' ');
+  const auto low = static_cast<char>((text.size() + 1) & 0xff);
+  const auto high = static_cast<char>((text.size() + 1) >> 8);
+  return std::string("\x93NUMPY\x01\x00", 8) + low + high + text + '\n';
+}
+
+}  // namespace
+
+class NpyBackend::Array {
+ public:
+  explicit Array(std::ostream& out) : sink(out) {}
+
+  void write(std::uint64_t bits) {
+    char bytes[sizeof bits];
+    for (char& byte : bytes) {
+      byte = static_cast<char>(bits & 0xff);
+      bits >>= 8;
+    }
+    sink.text({bytes, sizeof bytes});
+  }
+  void write(double value) { write(std::bit_cast<std::uint64_t>(value)); }
+
+  void write_joints(std::span<const double> values) {
+    for (const double value : values) write(value);
+    for (std::size_t i = values.size(); i < columns.count(); ++i)
+      write(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  TextSink sink;
+  JointColumns columns;
+  std::uint64_t rows = 0;
+};
+
+NpyBackend::NpyBackend(std::ostream& out) : array_(std::make_unique<Array>(out)) {}
+NpyBackend::~NpyBackend() = default;
+
+void NpyBackend::begin(const RunInfo& run) {
+  array_->columns.begin(run);
+  array_->sink.text(npy_header(array_->columns.count(), 0));
+}
+
+void NpyBackend::robot_added(std::int64_t, const RobotInfo& robot) { array_->columns.add(robot); }
+
+void NpyBackend::joint_sample(const JointSample& sample) {
+  if (!array_->columns.hold(sample)) return;
+  array_->write(static_cast<double>(sample.t_ns) / 1e9);
+  array_->write(static_cast<std::uint64_t>(sample.robot));
+  const Eigen::Vector3d p = sample.T_world_tool.translation();
+  const Eigen::Quaterniond r = positive_quaternion(sample.T_world_tool);
+  for (const double value : {p.x(), p.y(), p.z(), r.w(), r.x(), r.y(), r.z()}) array_->write(value);
+  for (const auto values : {sample.q, sample.qd, sample.qdd}) array_->write_joints(values);
+  array_->sink.flush_if_much();
+  ++array_->rows;
+}
+
+void NpyBackend::end(std::int64_t) {
+  array_->sink.replace_beginning(npy_header(array_->columns.count(), array_->rows));
+}
+
+std::string NpyBackend::error() const {
+  return array_->sink.error().empty() ? array_->columns.error() : array_->sink.error();
+}
+
+}  // namespace armlet
