@@ -181,37 +181,111 @@ Plan plan_lin(const MoveRequest& request) {
   return {.trajectory = Trajectory(std::move(joints), chosen.T), .too_fast = chosen.too_fast};
 }
 
+// As quick as the law allows, all joints together or each for itself.
+template <const AxisLaw& kLaw, bool kTogether>
+Plan plan_law(const MoveRequest& request) {
+  return plan_by_law(request, kLaw, kTogether);
+}
+
+Plan plan_cubic(const MoveRequest& request) {
+  return request.via.empty() ? plan_by_law(request, kCubic, true)
+                             : plan_cubic_interpolator(request);
+}
+
+constexpr PlannerRow kPlanners[] = {
+    {.name = "Syn",
+     .does = "all joints start and end together; a law of fifth order, speed and acceleration zero "
+             "at both ends",
+     .plan = plan_law<kQuintic, true>,
+     .smooth = 2},
+    {.name = "Asyn",
+     .does = "the same law, but every joint at its own limit, stopping when it arrives; a time "
+             "belongs to the slowest, and all joints take the same fraction of their limits",
+     .plan = plan_law<kQuintic, false>,
+     .smooth = 2},
+    {.name = "Lin",
+     .does = "a straight line of the joints at constant speed (for `moveC`: a straight line in "
+             "space); the ramps at the ends are as short as the accelerations allow",
+     .plan = plan_lin,
+     .smooth = 1},
+    {.name = "Cubic",
+     .does = "together, a law of third order; through several points a curve that never swings out",
+     .plan = plan_cubic,
+     .through = Through::kAllPoints,
+     .smooth = 1},
+    {.name = "Spline3",
+     .does = "a spline of third order through several points",
+     .plan = plan_spline_3,
+     .through = Through::kAllPoints,
+     .smooth = 1},
+    {.name = "Spline4",
+     .does = "a spline of fourth order through several points; the acceleration is zero at both "
+             "ends",
+     .plan = plan_spline_4,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "Spline5",
+     .does = "a spline of fifth order through several points; the acceleration is zero at both "
+             "ends",
+     .plan = plan_spline_5,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "434",
+     .does = "lift-off, travel and set-down, polynomials of order 4, 3 and 4 through four points; "
+             "from two points the joints lift off and set down by a tenth of the way, without "
+             "durations 1:2:1",
+     .plan = plan_434,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "Trap",
+     .does = "together, trapezoidal speed; with a time a quarter of it to speed up and to slow "
+             "down if the limits allow, otherwise ramps at the acceleration limit",
+     .plan = plan_law<kTrapezoid, true>,
+     .smooth = 1},
+    {.name = "353",
+     .does = "as `434`, of orders 3, 5 and 3",
+     .plan = plan_353,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "FiveCubic",
+     .does = "as `434`, of five cubics",
+     .plan = plan_five_cubics,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "SCurve",
+     .does = "limited jerk: every joint as fast as its limits on speed, acceleration and jerk "
+             "allow, then slowed down to the duration of the slowest",
+     .plan = plan_limited_jerk,
+     .smooth = 2},
+    {.name = "Fastest",
+     .does = "a spline through all points, run as fast as speeds and accelerations allow "
+             "everywhere, to 0.5 %; accelerations jump",
+     .plan = plan_fastest,
+     .through = Through::kAllPoints,
+     .smooth = 1},
+    {.name = "Septic",
+     .does = "as `Syn`, of seventh order; the jerk too is zero at both ends",
+     .plan = plan_law<kSeptic, true>,
+     .smooth = 3},
+    {.name = "Cycloid",
+     .does = "as `Syn`; the acceleration is a sine",
+     .plan = plan_law<kCycloid, true>,
+     .smooth = 2},
+    {.name = "Seq",
+     .does = "one joint after another, each with the law of `Syn`",
+     .plan = plan_one_by_one,
+     .smooth = 2},
+    {.name = "Lin0",
+     .does = "constant speed without ramps, for study; no robot executes it",
+     .plan = plan_without_ramps},
+};
+
 }  // namespace
 
+std::span<const PlannerRow> planner_rows() { return kPlanners; }
+
 PlannerSet::PlannerSet() {
-  const auto by_law = [this](const char* name, const AxisLaw& law, bool synchronous) {
-    add(name, [&law, synchronous](const MoveRequest& request) {
-      return plan_by_law(request, law, synchronous);
-    });
-  };
-  by_law("Syn", kQuintic, true);
-  by_law("Asyn", kQuintic, false);
-  add("Lin", plan_lin);
-  add(
-      "Cubic",
-      [](const MoveRequest& request) {
-        return request.via.empty() ? plan_by_law(request, kCubic, true)
-                                   : plan_cubic_interpolator(request);
-      },
-      Through::kAllPoints);
-  add("Spline3", plan_spline_3, Through::kAllPoints);
-  add("Spline4", plan_spline_4, Through::kAllPoints);
-  add("Spline5", plan_spline_5, Through::kAllPoints);
-  add("434", plan_434, Through::kAllPoints);
-  by_law("Trap", kTrapezoid, true);
-  add("353", plan_353, Through::kAllPoints);
-  add("FiveCubic", plan_five_cubics, Through::kAllPoints);
-  add("SCurve", plan_limited_jerk);
-  add("Fastest", plan_fastest, Through::kAllPoints);
-  by_law("Septic", kSeptic, true);
-  by_law("Cycloid", kCycloid, true);
-  add("Seq", plan_one_by_one);
-  add("Lin0", plan_without_ramps);
+  for (const PlannerRow& row : kPlanners) add(std::string(row.name), row.plan, row.through);
 }
 
 void PlannerSet::add(std::string name, Planner planner, Through through) {

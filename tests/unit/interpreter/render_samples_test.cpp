@@ -85,8 +85,7 @@ const std::vector<MessageSample> kMessageSamples = {
      {"Sync"},
      {21, R"("Sync")"},
      {},
-     "the planners are Syn, Asyn, Lin, Cubic, Spline3, Spline4, Spline5, 434, Trap, 353, "
-     "FiveCubic, SCurve, Fastest, Septic, Cycloid, Seq and Lin0",
+     "the planners are Syn, Asyn, Lin and Cubic",
      R"(did you mean "Syn"?)"},
     {"E0203",
      {"cub"},

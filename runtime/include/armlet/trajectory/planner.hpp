@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -62,39 +63,23 @@ using Planner = std::function<Plan(const MoveRequest&)>;
 // them all.
 enum class Through { kStops, kAllPoints };
 
-// The planners a program can name. Point to point, one law per joint:
-//
-//   Syn    all joints start and end together; quintic, speed and acceleration zero at both ends.
-//   Cubic  the same with a cubic; the acceleration jumps at the ends.
-//   Trap   together, trapezoidal speed. With a time: a quarter of it to speed up and to slow down
-//   if
-//          the limits allow, otherwise ramps at the acceleration limit.
-//   Asyn   quintic, every joint at its own limit, stopping when it arrives. With a time, that time
-//          belongs to the slowest joint and all joints run at the same fraction of their limits.
-//   Lin    one scalar law for all joints, so a straight line in joint space, at constant speed. The
-//          ramps at the ends are as short as the acceleration limits allow; a drive cannot jump.
-//   Lin0   constant speed from the first moment to the last, for study: no drive can do that.
-//   Seq    one joint after another, each with a quintic.
-//   Septic, Cycloid  like Syn with those laws; also the jerk is zero at the ends (Septic) or the
-//          acceleration is a sine (Cycloid).
-//   SCurve limited jerk: every joint as fast as its limits on speed, acceleration and jerk allow,
-//          then slowed down to the duration of the slowest.
-//
-// Through several points, without stopping; from two points where that makes sense:
-//
-//   Cubic    cubic interpolator: once continuously differentiable, without overshoot.
-//   Spline3, Spline4, Spline5  see spline.hpp.
-//   434, 353, FiveCubic  lift-off, travel and set-down through four points. From two points the
-//          joints lift off and set down by a tenth of the way. Without durations 1:2:1.
-//
-//   Fastest  a cubic spline in the joints, run as fast as their speeds and accelerations allow
-//            everywhere (see time_optimal.hpp); accelerations jump.
-//
-// These keep their shape in time, so a lower speed or a longer time only slows them down. Without
-// durations the legs of the others are divided by how long the slowest joint needs for each.
+// A planner that programs can name. A planner is one row of runtime/src/trajectory/planner.cpp, in
+// the order in which messages and documents list them.
+struct PlannerRow {
+  std::string_view name;
+  std::string_view does;  // how the joints move, as a part of a sentence
+  Plan (*plan)(const MoveRequest&) = nullptr;
+  Through through = Through::kStops;
+  int smooth = 0;  // how many derivatives of the positions are continuous, from rest to rest
+};
+[[nodiscard]] std::span<const PlannerRow> planner_rows();
+
+// Planners by name. Those that keep their shape in time, through several points, are only slowed
+// down by a lower speed or a longer time; without durations the legs of the others are divided by
+// how long the slowest joint needs for each.
 class PlannerSet {
  public:
-  // The planners above.
+  // The planners of planner_rows().
   PlannerSet();
 
   // Adds a planner, or replaces the one of that name.
