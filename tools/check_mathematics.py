@@ -17,12 +17,6 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "mathematics.md"
 LAYERS = ("math", "chain", "model", "kinematics", "trajectory")
 
-# The chapters of the library that are mathematics; the others are the world, hands, time, text, tables and figures.
-CHAPTERS = ("Mathematics", "Vectors", "Matrices", "Matrices: parts", "Linear algebra", "Fits, roots and equations",
-            "Differential equations", "Positions and frames", "Positions and frames: orientations", "Robots: models",
-            "Robots: tables", "Robots: state and kinematics", "Robots: inverse kinematics",
-            "Robots: inverse kinematics as values", "Trajectories", "Trajectories: integration", "Trajectories: planners")
-
 
 def without_comments(text):
     text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
@@ -149,12 +143,24 @@ def expanded(calls, known):
         yield from sorted(name for name in known if name.startswith(call[:-1])) if call.endswith(".*") else [call]
 
 
+def lists_of(command):
+    """Words, chapters, planners ... as the command lists them."""
+    return json.loads(subprocess.run([command, "help", "--lists"], capture_output=True, text=True, check=True).stdout)
+
+
+def unknown_planners(lists):
+    """The names of planners in the document that are none."""
+    known = {row["name"] for row in lists["planners"]}
+    named = re.findall(r"the planners? ((?:`\w+`(?:, | and )?)+)", DOCUMENT.read_text())
+    return sorted(set(re.findall(r"`(\w+)`", " ".join(named))) - known)
+
+
 def main():
     if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--list"]):
         sys.exit(__doc__)
-    chapters = library(sys.argv[1])
+    chapters, lists = library(sys.argv[1]), lists_of(sys.argv[1])
     known = set().union(*chapters.values())
-    mathematical = set().union(*(chapters[c] for c in CHAPTERS))
+    mathematical = set().union(*(chapters[c["title"]] for c in lists["chapters"] if c["mathematics"]))
     to_programs, to_cpp = rows() if DOCUMENT.exists() else ({}, {})
     faults, reached, missing = [], set(), {}
     for header, names in headers():
@@ -175,6 +181,7 @@ def main():
     faults += [f"`{name}` of the library is in no row" for name in alone]
     faults += [f"the library has no `{name}`" for name in sorted(to_cpp.keys() - known)]
     faults += [f"`{name}` of the library has no reason" for name, why in to_cpp.items() if not why]
+    faults += [f"there is no planner `{name}`" for name in unknown_planners(lists)]
     if sys.argv[2:]:
         print(json.dumps({"headers": missing, "library": alone}, indent=1))
     if faults:

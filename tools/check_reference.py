@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compares what documents repeat of the tables in the sources with those tables: docs/stdlib.md, and the blocks between
-"begin of NAME" and "end of NAME" in other files.
+"begin of NAME" and "end of NAME" in other files: lists in the language reference and the manual page, the dictionary of
+the fuzzer.
 
 usage: check_reference.py COMMAND [--write]
 
@@ -31,9 +32,62 @@ def traces(lists):
     return filled("; ".join(formats) + ".")
 
 
+def planners(lists):
+    """The table of the language reference."""
+    rows = [f"| `{row['name']}` | {row['does']} |\n" for row in lists["planners"]]
+    return "\n| planner | motion |\n|---|---|\n" + "".join(rows) + "\n"
+
+
+def in_backticks(words):
+    return " ".join(f"`{word}`" for word in words)
+
+
+def words(lists):
+    """Section 3 of the language reference."""
+    reserved = [row["word"] for row in lists["words"] if not row["soft"]]
+    soft = [row["word"] for row in lists["words"] if row["soft"]]
+    return filled(f"**Reserved words** ({len(reserved)}): `{' '.join(reserved)}`.") + filled(
+        f"**Soft words**, special only where the grammar expects them, otherwise ordinary names: `{' '.join(soft)}`.")
+
+
+def units(lists):
+    """Section 6 of the language reference. The letter mu is written in two ways, which look alike."""
+    found = {}
+    for row in lists["units"]:
+        if "\u03bc" not in row["unit"]:
+            found.setdefault(row["of"], []).append(row["unit"])
+    rows = [f"| {dimension} | {in_backticks(names)} |\n" for dimension, names in found.items()]
+    return "\n| dimension | units |\n|---|---|\n" + "".join(rows).replace("| number |", "| a plain number |") + "\n"
+
+
+def entries(texts):
+    """Lines of a dictionary for libFuzzer: quoted, bytes beyond ASCII as \\xAB."""
+    quoted = (text.replace("\\", "\\\\").replace('"', '\\"') for text in dict.fromkeys(texts))
+    return "".join(f'"{"".join(c if c.isascii() else "".join(f"{chr(92)}x{b:02X}" for b in c.encode()) for c in text)}"\n'
+                   for text in quoted)
+
+
+def signs(_):
+    """The marks of the grammar, as they are written there."""
+    grammar = (ROOT / "grammar" / "RbtLexer.g4").read_text()
+    marks = grammar[grammar.index("- marks"):grammar.index("- what the parser does not see")]
+    return entries(re.sub(r"\\(.)", r"\1", mark) for mark in re.findall(r"^[A-Z]+ : '(.*)' ;$", marks, re.M))
+
+
+def names(lists):
+    """Functions of the library; fields of its types with a dot in front."""
+    simple = [name for name in lists["names"] if re.fullmatch(r"[A-Za-z_][\w.]*", name)]
+    return entries(name if name.startswith("robots.") else name[name.rfind("."):] if "." in name else name
+                   for name in simple)
+
+
 # Of each file the blocks in it, and what they have to hold.
 BLOCKS = {"docs/armlet.1": {"traces": traces},
-          "docs/language.md": {"later": lambda lists: filled(", ".join(lists["later"]) + ".")}}
+          "docs/language.md": {"later": lambda lists: filled(", ".join(lists["later"]) + "."), "words": words,
+                               "units": units, "planners": planners},
+          "tests/fuzz/rbt.dict": {"words": lambda lists: entries(row["word"] for row in lists["words"]), "signs": signs,
+                                  "units": lambda lists: entries("2" + row["unit"] for row in lists["units"]),
+                                  "names": names}}
 
 
 def with_block(text, name, content):
@@ -49,7 +103,6 @@ def main():
     if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--write"]):
         sys.exit(__doc__)
     lists = json.loads(output(sys.argv[1], "--lists"))
-    lists["later"] = output(sys.argv[1], "--later").splitlines()
     wanted = {"docs/stdlib.md": output(sys.argv[1], "--markdown")}
     for name, blocks in BLOCKS.items():
         wanted[name] = (ROOT / name).read_text()

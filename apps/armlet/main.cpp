@@ -120,7 +120,7 @@ void add_help_options(CLI::App& command, Asked& asked) {
                      "for example moveL, or a word to look for; without it, all names");
   command.add_flag("--markdown", asked.markdown, "the whole reference, as in docs/stdlib.md");
   command.add_flag("--lists", asked.lists,
-                   "what there is, as JSON: robots, trace formats and more");
+                   "what there is, as JSON: words, units, names, robots, planners and more");
   command.add_flag("--later", asked.later,
                    "what the language reference describes but is not there yet");
 }

@@ -16,6 +16,7 @@ namespace armlet::bind {
 struct Chapter {
   std::string_view title;
   std::span<const NativeFunction> functions;
+  bool is_mathematics = false;  // docs/mathematics.md says what each of its functions is in C++
 };
 [[nodiscard]] std::span<const Chapter> chapters();
 

@@ -29,38 +29,50 @@ namespace bind {
 
 std::span<const Chapter> chapters() {
   static const Chapter all[] = {
-      {"Mathematics", math_functions()},
-      {"Lists", list_functions()},
-      {"Vectors", vector_functions()},
-      {"Matrices", matrix_functions()},
-      {"Matrices: parts", matrix_part_functions()},
-      {"Linear algebra", linalg_functions()},
-      {"Fits, roots and equations", numeric_functions()},
-      {"Differential equations", ode_functions()},
-      {"Text", text_functions()},
-      {"Positions and frames", pose_functions()},
-      {"Positions and frames: orientations", rotation_functions()},
-      {"Robots: models", model_functions()},
-      {"Robots: tables", dh_functions()},
-      {"Robots: state and kinematics", robot_functions()},
-      {"Robots: inverse kinematics", ikine_functions()},
-      {"Robots: inverse kinematics as values", ikine_info_functions()},
-      {"Robots: motion", motion_functions()},
-      {"Robots: velocity commands", velocity_functions()},
-      {"Trajectories", trajectory_functions()},
-      {"Trajectories: integration", acceleration_functions()},
-      {"Trajectories: planners", planner_functions()},
-      {"Robots: settings", settings_functions()},
-      {"Robots: paths", path_functions()},
-      {"Hands", hand_functions()},
-      {"World and signals", world_functions()},
-      {"The classic subset", classic_functions()},
-      {"Time", time_functions()},
-      {"Tables", table_functions()},
-      {"Figures", plot_functions()},
-      {"Figures: several lines", plot_line_functions()},
-      {"Figures: motions and records", plot_motion_functions()},
-      {"Later", later_functions()},
+      {.title = "Mathematics", .functions = math_functions(), .is_mathematics = true},
+      {.title = "Lists", .functions = list_functions()},
+      {.title = "Vectors", .functions = vector_functions(), .is_mathematics = true},
+      {.title = "Matrices", .functions = matrix_functions(), .is_mathematics = true},
+      {.title = "Matrices: parts", .functions = matrix_part_functions(), .is_mathematics = true},
+      {.title = "Linear algebra", .functions = linalg_functions(), .is_mathematics = true},
+      {.title = "Fits, roots and equations",
+       .functions = numeric_functions(),
+       .is_mathematics = true},
+      {.title = "Differential equations", .functions = ode_functions(), .is_mathematics = true},
+      {.title = "Text", .functions = text_functions()},
+      {.title = "Positions and frames", .functions = pose_functions(), .is_mathematics = true},
+      {.title = "Positions and frames: orientations",
+       .functions = rotation_functions(),
+       .is_mathematics = true},
+      {.title = "Robots: models", .functions = model_functions(), .is_mathematics = true},
+      {.title = "Robots: tables", .functions = dh_functions(), .is_mathematics = true},
+      {.title = "Robots: state and kinematics",
+       .functions = robot_functions(),
+       .is_mathematics = true},
+      {.title = "Robots: inverse kinematics",
+       .functions = ikine_functions(),
+       .is_mathematics = true},
+      {.title = "Robots: inverse kinematics as values",
+       .functions = ikine_info_functions(),
+       .is_mathematics = true},
+      {.title = "Robots: motion", .functions = motion_functions()},
+      {.title = "Robots: velocity commands", .functions = velocity_functions()},
+      {.title = "Trajectories", .functions = trajectory_functions(), .is_mathematics = true},
+      {.title = "Trajectories: integration",
+       .functions = acceleration_functions(),
+       .is_mathematics = true},
+      {.title = "Trajectories: planners", .functions = planner_functions(), .is_mathematics = true},
+      {.title = "Robots: settings", .functions = settings_functions()},
+      {.title = "Robots: paths", .functions = path_functions()},
+      {.title = "Hands", .functions = hand_functions()},
+      {.title = "World and signals", .functions = world_functions()},
+      {.title = "The classic subset", .functions = classic_functions()},
+      {.title = "Time", .functions = time_functions()},
+      {.title = "Tables", .functions = table_functions()},
+      {.title = "Figures", .functions = plot_functions()},
+      {.title = "Figures: several lines", .functions = plot_line_functions()},
+      {.title = "Figures: motions and records", .functions = plot_motion_functions()},
+      {.title = "Later", .functions = later_functions()},
   };
   return all;
 }
@@ -94,6 +106,13 @@ void install(Engine& engine) {
   engine.add_planned(kPlanned);
   for (const bind::Chapter& chapter : bind::chapters())
     engine.add_functions(chapter.functions, chapter.title);
+}
+
+std::vector<LibraryChapter> library_chapters() {
+  std::vector<LibraryChapter> list;
+  for (const bind::Chapter& chapter : bind::chapters())
+    list.push_back({chapter.title, chapter.is_mathematics});
+  return list;
 }
 
 std::vector<std::string> later_features() {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "diagnostic/backticks.hpp"
-#include "syntax/reserved_words.hpp"
+#include "syntax/words.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -4,6 +4,7 @@
 #include "armlet/interpreter/engine.hpp"
 #include "check/checker.hpp"
 #include "check/hand_on.hpp"
+#include "check/list_mutations.hpp"
 #include "check/maps.hpp"
 #include "check/printf.hpp"
 
@@ -193,10 +194,9 @@ hir::Expr* Checker::builtin_method(hir::Expr* object, const ast::CallExpr& call,
   }
   if (type->is(Kind::kList)) {
     if (name == "clone") return no_values() ? object : failed(call.span);
-    if (name == "push") return mutation(call, member, hir::Mutation::kPush);
-    if (name == "pop") return mutation(call, member, hir::Mutation::kPop);
-    if (name == "insert") return mutation(call, member, hir::Mutation::kInsert);
-    if (name == "removeAt") return mutation(call, member, hir::Mutation::kRemoveAt);
+    for (const ListMutation& change : kListMutations) {
+      if (name == change.name) return mutation(call, member, change.mutation);
+    }
   }
   if (type->is(Kind::kMap)) {
     hir::Expr* result = call_of_map(*this, object, call, member);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "check/list_mutations.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -38,9 +40,9 @@ class Lookout {
   void call(const CallExpr& node) {
     if (node.callee->kind == ExprKind::kMember) {
       const auto& member = node.callee->as<MemberExpr>();
-      const std::string_view name = member.member.text;
-      if (name == "push" || name == "pop" || name == "insert" || name == "removeAt")
-        changes(member.object);
+      const auto changed =
+          std::ranges::find(kListMutations, member.member.text, &ListMutation::name);
+      if (changed != std::end(kListMutations)) changes(member.object);
     }
     expr(node.callee);
     arguments(node.args);

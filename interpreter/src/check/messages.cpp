@@ -14,6 +14,7 @@
 #include "check/nothings.hpp"
 #include "check/unknown_names.hpp"
 #include "diagnostic/backticks.hpp"
+#include "reference/language_words.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -110,10 +111,7 @@ std::optional<Fix> Checker::did_you_mean(std::string_view name, Span span,
                .confidence = Confidence::kMaybe};
   }
   std::vector<std::string_view> library = registry_.public_names();
-  for (const std::string_view word : {"print", "error", "assert", "assertThrows", "push", "pop",
-                                      "insert", "removeAt", "length", "string", "int", "double"}) {
-    library.push_back(word);
-  }
+  for (const NativeFunction& word : language_words()) library.push_back(word.name);
   for (const auto& [type, unused] : named_types_) library.push_back(type);
   return did_you_mean(name, span, library);
 }

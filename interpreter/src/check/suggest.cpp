@@ -1,13 +1,16 @@
 #include "check/suggest.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "armlet/core/similar.hpp"
+#include "syntax/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {
 
-constexpr ForeignName kForeign[] = {
+// Names of functions and types; words are in syntax/foreign_words.hpp.
+constexpr auto kNames = std::to_array<ForeignName>({
     // robot languages
     {"MoveAbsJ", "moveJ", "moveJ with a posJ moves the joints"},
     {"MoveJ", "moveJ", ""},
@@ -42,23 +45,6 @@ constexpr ForeignName kForeign[] = {
     {"disp", "print", ""},
     {"Serial.println", "print", ""},
     {"echo", "print", ""},
-    {"and", "&&", ""},
-    {"or", "||", ""},
-    {"not", "!", ""},
-    {"def", "fn", ""},
-    {"func", "fn", ""},
-    {"function", "fn", ""},
-    {"lambda", "fn", ""},
-    {"elif", "else if", ""},
-    {"elseif", "else if", ""},
-    {"foreach", "for", ""},
-    {"const", "let", ""},
-    {"val", "let", ""},
-    {"auto", "let", ""},
-    {"raise", "throw", ""},
-    {"except", "catch", ""},
-    {"True", "true", ""},
-    {"False", "false", ""},
     {"pi", "PI", ""},
     {"len", "length", "the length of a list is xs.length"},
     {"append", "push", ""},
@@ -87,7 +73,17 @@ constexpr ForeignName kForeign[] = {
     {"semilogx", "", "figure(\"...\", log: \"x\") before plot(x, y) makes the axis logarithmic"},
     {"semilogy", "", "figure(\"...\", log: \"y\") before plot(x, y) makes the axis logarithmic"},
     {"loglog", "", "figure(\"...\", log: \"xy\") before plot(x, y) makes the axes logarithmic"},
-};
+});
+
+constexpr auto kForeign = [] {
+  constexpr auto kWords = std::ranges::count(kForeignWords, true, &ForeignWord::alone);
+  std::array<ForeignName, kNames.size() + static_cast<std::size_t>(kWords)> all{};
+  auto* end = std::ranges::copy(kNames, all.begin()).out;
+  for (const ForeignWord& word : kForeignWords) {
+    if (word.alone) *end++ = {word.found, word.meant, ""};
+  }
+  return all;
+}();
 
 struct ForeignSetting {
   std::string_view foreign;
@@ -128,7 +124,7 @@ std::optional<std::string_view> suggest(std::string_view name,
 
 const ForeignName* foreign_name(std::string_view word) {
   const auto found = std::ranges::find(kForeign, word, &ForeignName::foreign);
-  return found == std::ranges::end(kForeign) ? nullptr : &*found;
+  return found == kForeign.end() ? nullptr : &*found;
 }
 
 std::span<const ForeignName> foreign_names() { return kForeign; }

@@ -6,6 +6,7 @@
 
 #include "check/edits.hpp"
 #include "check/maps.hpp"
+#include "syntax/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -27,21 +28,6 @@ constexpr auto kTypes = std::to_array<Meant>({
     {"ArrayList", "double[]"}, {"array", "double[]"}, {"Point", "posC"},
     {"Pose", "posC"},          {"pose", "posC"},      {"Robot", "robot"},
     {"Exception", "error"},    {"Error", "error"},    {"Object", "object"},
-});
-
-// Words that begin a declaration in other languages.
-constexpr auto kDeclarations = std::to_array<Meant>({
-    {"const", "let"},
-    {"constexpr", "let"},
-    {"val", "let"},
-    {"auto", "var"},
-    {"dim", "var"},
-    {"local", "var"},
-    {"mut", "var"},
-    {"def", "fn"},
-    {"function", "fn"},
-    {"func", "fn"},
-    {"fun", "fn"},
 });
 
 template <std::size_t N>
@@ -221,7 +207,7 @@ static bool refuse_call_without_parentheses(Checker& checker, std::string_view n
 }
 
 bool refuse_foreign_type(Checker& checker, std::string_view name, Span span) {
-  std::string_view here = lookup(kDeclarations, name);
+  std::string_view here = meant_by(name, &ForeignWord::declares);
   const bool is_declaration = !here.empty();
   if (!is_declaration) here = lookup(kTypes, name);
   if (here.empty()) return refuse_call_without_parentheses(checker, name, span);

@@ -7,6 +7,7 @@
 
 #include "reference/language_words.hpp"
 #include "registry.hpp"
+#include "syntax/words.hpp"
 
 namespace armlet {
 namespace {
@@ -187,6 +188,13 @@ std::string lower(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<LanguageWord> reserved_and_soft_words() {
+  std::vector<LanguageWord> words;
+  for (const lang::Word& word : lang::kWordRows)
+    words.push_back({word.text, !lang::is_reserved(word)});
+  return words;
+}
 
 std::vector<std::string> help_names(const Engine& engine) {
   std::vector<std::string> names;

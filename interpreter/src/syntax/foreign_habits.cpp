@@ -7,6 +7,7 @@
 
 #include "armlet/interpreter/unit.hpp"
 #include "syntax/failure_site.hpp"
+#include "syntax/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -14,44 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 9> kModifiers = {"public",  "private",   "protected",
                                                         "static",  "abstract",  "class",
                                                         "package", "interface", "synchronized"};
-
-struct Meant {
-  std::string_view found;
-  std::string_view meant;
-};
-
-constexpr auto kInside = std::to_array<Meant>({
-    {"and", "&&"},
-    {"or", "||"},
-    {"not", "!"},
-    {"elif", "else if"},
-    {"elsif", "else if"},
-    {"elseif", "else if"},
-    {"of", "in"},
-    {"mod", "%"},
-    {"div", "/"},
-    {"except", "catch"},
-});
-
-constexpr auto kAtStart = std::to_array<Meant>({
-    {"def", "fn"},
-    {"function", "fn"},
-    {"func", "fn"},
-    {"fun", "fn"},
-    {"sub", "fn"},
-    {"const", "let"},
-    {"foreach", "for"},
-    {"elif", "else if"},
-    {"elseif", "else if"},
-    {"except", "catch"},
-    {"raise", "throw"},
-});
-
-constexpr std::array<std::string_view, 36> kWords = {
-    "let",   "var",      "fn",     "struct", "enum",  "import",  "final",  "void",  "new",
-    "if",    "else",     "while",  "do",     "for",   "in",      "switch", "case",  "default",
-    "break", "continue", "return", "try",    "catch", "finally", "throw",  "retry", "parallel",
-    "when",  "every",    "wait",   "until",  "with",  "true",    "false",  "test",  "record"};
 
 using Answer = std::optional<Diagnostic>;
 
@@ -127,17 +90,19 @@ Answer foreign_word(const FailureSite& site) {
     if (i > site.at || site.type(i) != RbtLexer::ID) return std::nullopt;
     const std::string word = site.text(i);
     if (i == site.statement) {
-      const auto found = std::ranges::find(kAtStart, word, &Meant::found);
+      const std::string_view meant = meant_by(word, &ForeignWord::at_start);
       const bool typed = is_primitive_type(site.type(i + 1)) ||
                          (is_name(site.type(i + 1)) && is_name(site.type(i + 2)));
       if (word == "const" && typed) return written_as(site, i, "final", Confidence::kSure);
-      if (found != kAtStart.end()) return written_as(site, i, found->meant, Confidence::kMaybe);
+      if (!meant.empty()) return written_as(site, i, meant, Confidence::kMaybe);
     }
-    const auto found = std::ranges::find(kInside, word, &Meant::found);
-    if (found != kInside.end()) return written_as(site, i, found->meant, Confidence::kSure);
+    const std::string_view meant = meant_by(word, &ForeignWord::inside);
+    if (!meant.empty()) return written_as(site, i, meant, Confidence::kSure);
     const std::string lower = lower_case(word);
-    const bool is_word = lower != word && std::ranges::find(kWords, lower) != kWords.end();
-    return is_word ? written_as(site, i, lower, Confidence::kSure) : std::nullopt;
+    const Word* ours = lower != word ? find_word(lower) : nullptr;
+    return ours != nullptr && ours->kind != WordKind::kType
+               ? written_as(site, i, lower, Confidence::kSure)
+               : std::nullopt;
   };
   if (Answer out = known(site.at)) return out;
   if (site.at > site.statement) {

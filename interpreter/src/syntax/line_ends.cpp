@@ -31,14 +31,9 @@ bool continues_statement(std::uint16_t type) {
     case RbtLexer::ARROW:
     case RbtLexer::FATARROW:
     case RbtLexer::ASSIGN:
-    case RbtLexer::CATCH:
-    case RbtLexer::FINALLY:
-    case RbtLexer::UNTIL:
-    case RbtLexer::IN:
-    case RbtLexer::AS:
       return true;
     default:
-      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::PERCENTEQ) ||
+      return word_of(type).goes_on || (type >= RbtLexer::PLUSEQ && type <= RbtLexer::PERCENTEQ) ||
              (type >= RbtLexer::EQ && type <= RbtLexer::OROR) ||
              (type >= RbtLexer::DOTSTAR && type <= RbtLexer::CARET);
   }
@@ -97,19 +92,8 @@ class Filter {
                     in_[a - 2].type == RbtLexer::RBRACK))
       return true;
     if (top().has_assignment) return false;
-    switch (in_[top().statement].type) {
-      case RbtLexer::FN:
-      case RbtLexer::VOID:
-      case RbtLexer::STRUCT:
-      case RbtLexer::ENUM:
-      case RbtLexer::TEST:
-      case RbtLexer::WITH:
-      case RbtLexer::PATH:
-      case RbtLexer::RECORD:
-        return true;
-      default:
-        return starts_with_type_and_name(top().statement);
-    }
+    const std::size_t first = top().statement;
+    return word_of(in_[first].type).takes_brace || starts_with_type_and_name(first);
   }
 
   bool starts_with_type_and_name(std::size_t i) const {

@@ -8,31 +8,8 @@
 namespace armlet::lang {
 namespace {
 
-// Words that start a statement wherever they stand.
-bool must_start_statement(std::uint16_t type) {
-  switch (type) {
-    case RbtParser::LET:
-    case RbtParser::VAR:
-    case RbtParser::STRUCT:
-    case RbtParser::ENUM:
-    case RbtParser::IMPORT:
-    case RbtParser::FINAL:
-    case RbtParser::IF:
-    case RbtParser::WHILE:
-    case RbtParser::FOR:
-    case RbtParser::SWITCH:
-    case RbtParser::TRY:
-    case RbtParser::RETURN:
-    case RbtParser::PARALLEL:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool continues_block(std::uint16_t type) {
-  return type == RbtParser::ELSE || type == RbtParser::CATCH || type == RbtParser::FINALLY ||
-         type == RbtParser::SEMI || type == RbtParser::WHILE;
+  return word_of(type).follows_block || type == RbtParser::SEMI;
 }
 
 }  // namespace
@@ -86,8 +63,7 @@ std::size_t StatementRecovery::next_statement(std::size_t start, std::size_t at)
   for (std::size_t i = start; i < tokens_.size(); ++i) {
     const std::uint16_t type = tokens_[i].type;
     if (type == kEndOfText) return i;
-    if (depth == 0 && i > start && i >= at && tokens_[i].line_break_before &&
-        must_start_statement(type))
+    if (depth == 0 && i > start && i >= at && tokens_[i].line_break_before && word_of(type).resumes)
       return i;
     if (is_opener(type)) ++depth;
     if (is_closer(type) && depth == 0) return i;

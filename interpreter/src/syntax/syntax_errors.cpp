@@ -17,33 +17,6 @@ std::string with_article(const std::string& word) {
          quoted(word);
 }
 
-bool has_condition(std::uint16_t type) {
-  return type == RbtLexer::IF || type == RbtLexer::WHILE || type == RbtLexer::WHEN;
-}
-
-bool is_compound(std::uint16_t type) {
-  switch (type) {
-    case RbtLexer::IF:
-    case RbtLexer::WHILE:
-    case RbtLexer::DO:
-    case RbtLexer::FOR:
-    case RbtLexer::SWITCH:
-    case RbtLexer::TRY:
-    case RbtLexer::PARALLEL:
-    case RbtLexer::WHEN:
-    case RbtLexer::EVERY:
-    case RbtLexer::WITH:
-    case RbtLexer::LET:
-    case RbtLexer::VAR:
-    case RbtLexer::FN:
-    case RbtLexer::STRUCT:
-    case RbtLexer::ENUM:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool is_binary_operator(std::uint16_t type) {
   return (type >= RbtLexer::EQ && type <= RbtLexer::OROR) ||
          (type >= RbtLexer::DOTSTAR && type <= RbtLexer::CARET) || type == RbtLexer::DOT ||
@@ -90,7 +63,7 @@ Answer assignment_as_test(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || *open == site.statement)
     return std::nullopt;
-  if (!has_condition(site.type(*open - 1))) return std::nullopt;
+  if (!word_of(site.type(*open - 1)).has_condition) return std::nullopt;
   Diagnostic out = make_diagnostic("E0113", site.span(site.at));
   out.fix = Fix{"to compare, write ==", {{site.span(site.at), "=="}}, Confidence::kSure};
   return out;
@@ -132,7 +105,7 @@ std::size_t statement_end(const FailureSite& site, std::size_t word) {
 
 // if (a) if (b) ...
 Answer unbraced_body(const FailureSite& site) {
-  if (site.at <= site.statement || !is_compound(site.type(site.at))) return std::nullopt;
+  if (site.at <= site.statement || !word_of(site.type(site.at)).has_parts) return std::nullopt;
   std::string outer = "else";
   if (site.before() == RbtLexer::RPAREN) {
     const std::size_t open = site.opener_of(site.at - 1);
@@ -161,10 +134,9 @@ Answer unbraced_body(const FailureSite& site) {
 // loops and the like run more than once or end elsewhere, so they have no such edits.
 std::vector<Edit> moved_out(const FailureSite& site, std::size_t first, std::size_t last,
                             const std::string& variable, const std::string& step, bool behind) {
-  if (is_compound(site.type(site.statement)) && site.type(site.statement) != RbtLexer::LET &&
-      site.type(site.statement) != RbtLexer::VAR) {
-    return {};
-  }
+  const std::uint16_t first_word = site.type(site.statement);
+  const bool declares = first_word == RbtLexer::LET || first_word == RbtLexer::VAR;
+  if (word_of(first_word).has_parts && !declares) return {};
   const std::string indent(site.line_indent(site.statement), ' ');
   std::size_t end = last + 1;
   while (site.type(end) != RbtLexer::SEMI && site.type(end) != kEndOfText) ++end;
@@ -257,22 +229,8 @@ Diagnostic statement_on_same_line(const FailureSite& site) {
 
 // else, catch, case ... away from what they belong to
 Answer orphan(const FailureSite& site) {
-  const char* owner = nullptr;
-  switch (site.type(site.at)) {
-    case RbtLexer::ELSE:
-      owner = "`else` follows the body of an `if`";
-      break;
-    case RbtLexer::CATCH:
-    case RbtLexer::FINALLY:
-      owner = "it follows the block of a `try`";
-      break;
-    case RbtLexer::CASE:
-    case RbtLexer::DEFAULT:
-      owner = "it stands directly inside a `switch`";
-      break;
-    default:
-      return std::nullopt;
-  }
+  const std::string_view owner = word_of(site.type(site.at)).belongs_to;
+  if (owner.empty()) return std::nullopt;
   const bool is_case =
       site.type(site.at) == RbtLexer::CASE || site.type(site.at) == RbtLexer::DEFAULT;
   if (is_case && site.at > site.statement && !site.starts_line(site.at) &&
@@ -287,13 +245,12 @@ Answer orphan(const FailureSite& site) {
 
 // let in = 3
 Answer word_as_name(const FailureSite& site) {
-  const bool is_word = site.type(site.at) <= RbtLexer::BOOL_T && site.type(site.at) != kEndOfText;
+  const Word& word = word_of(site.type(site.at));
+  const bool is_word = !word.text.empty() && is_reserved(word);
   if (!is_word || site.at <= site.statement || site.starts_line(site.at)) return std::nullopt;
   const std::uint16_t before = site.before();
-  const bool wants_name = before == RbtLexer::LET || before == RbtLexer::VAR ||
-                          before == RbtLexer::DOT || before == RbtLexer::FN ||
-                          before == RbtLexer::STRUCT || before == RbtLexer::ENUM ||
-                          is_primitive_type(before);
+  const bool wants_name =
+      word_of(before).wants == "a name" || before == RbtLexer::DOT || is_primitive_type(before);
   if (!wants_name) return std::nullopt;
   Diagnostic out = make_diagnostic("E0128", site.span(site.at), {site.text(site.at)});
   out.why = quoted(site.text(site.at)) + " is a word of the language and cannot be a name";
@@ -331,54 +288,31 @@ Answer missing_separator(const FailureSite& site) {
     return out;
   }
   const bool starts =
-      FailureSite::starts_value(type) || is_compound(type) || is_primitive_type(type) ||
-      (type >= RbtLexer::BREAK && type <= RbtLexer::WITH && type != RbtLexer::UNTIL);
+      FailureSite::starts_value(type) || is_primitive_type(type) || word_of(type).starts;
   if (!starts || site.starts_line(site.at)) return std::nullopt;
   return statement_on_same_line(site);
 }
 
-// What must come behind a token, or null if it is complete.
-const char* wanted_after(std::uint16_t type) {
+// What must come behind a token; empty if it is complete.
+std::string_view wanted_after(std::uint16_t type) {
+  if (const std::string_view wants = word_of(type).wants; !wants.empty()) return wants;
   switch (type) {
-    case RbtLexer::LET:
-    case RbtLexer::VAR:
-    case RbtLexer::FN:
-    case RbtLexer::STRUCT:
-    case RbtLexer::ENUM:
     case RbtLexer::DOT:
-    case RbtLexer::AS:
       return "a name";
-    case RbtLexer::NEW:
     case RbtLexer::ARROW:
-    case RbtLexer::FINAL:
       return "a type";
-    case RbtLexer::IMPORT:
-      return "the name of a file";
-    case RbtLexer::TRY:
-    case RbtLexer::DO:
-    case RbtLexer::PARALLEL:
-    case RbtLexer::FINALLY:
-    case RbtLexer::PATH:
-      return "a block in braces";
-    case RbtLexer::ELSE:
-      return "a statement";
-    case RbtLexer::CASE:
     case RbtLexer::COLON:
     case RbtLexer::COMMA:
     case RbtLexer::ASSIGN:
     case RbtLexer::FATARROW:
     case RbtLexer::LPAREN:
     case RbtLexer::LBRACK:
-    case RbtLexer::THROW:
-    case RbtLexer::IN:
-    case RbtLexer::UNTIL:
-    case RbtLexer::WAIT:
     case RbtLexer::NOT:
       return "a value";
     default:
       return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::PERCENTEQ) || is_binary_operator(type)
                  ? "a value"
-                 : nullptr;
+                 : std::string_view();
   }
 }
 
@@ -388,26 +322,21 @@ Answer something_missing(const FailureSite& site) {
   const std::uint16_t type = site.type(site.at);
   const bool stops = type == RbtLexer::SEMI || type == kEndOfText || type == RbtLexer::COMMA ||
                      is_closer(type) || type == RbtLexer::ASSIGN || site.starts_line(site.at) ||
-                     is_compound(type);
+                     word_of(type).has_parts;
   if (!stops) return std::nullopt;
-  const char* wanted = wanted_after(site.before());
+  std::string_view wanted = wanted_after(site.before());
   if (type == RbtLexer::RBRACE && site.before() == RbtLexer::LBRACE &&
       site.type(site.statement) == RbtLexer::ENUM)
     wanted = "the name of a value";
   if (type == RbtLexer::ASSIGN && site.before() == RbtLexer::COLON) wanted = "a type";
-  if (wanted == nullptr) {
+  if (wanted.empty()) {
     // A header or a declaration that stops before its block.
-    const std::uint16_t first = site.type(site.statement);
-    const bool wants_block =
-        first == RbtLexer::FN || first == RbtLexer::STRUCT || first == RbtLexer::ENUM ||
-        first == RbtLexer::TRY || first == RbtLexer::WITH || first == RbtLexer::WHEN ||
-        first == RbtLexer::EVERY || first == RbtLexer::SWITCH || first == RbtLexer::VOID;
     if (type != RbtLexer::SEMI && type != kEndOfText) return std::nullopt;
-    wanted = wants_block                         ? "a block in braces"
-             : site.before() == RbtLexer::RPAREN ? "a statement"
-                                                 : "the rest of this statement";
+    wanted = word_of(site.type(site.statement)).needs_block ? "a block in braces"
+             : site.before() == RbtLexer::RPAREN            ? "a statement"
+                                                            : "the rest of this statement";
   }
-  return make_diagnostic("E0129", site.after(site.at - 1), {wanted});
+  return make_diagnostic("E0129", site.after(site.at - 1), {std::string(wanted)});
 }
 
 Diagnostic does_not_fit(const FailureSite& site) {

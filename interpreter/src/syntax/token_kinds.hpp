@@ -4,12 +4,12 @@
 #include <RbtLexer.h>
 
 #include "syntax/token.hpp"
+#include "syntax/words.hpp"
 
 namespace armlet::lang {
 
 [[nodiscard]] inline bool is_name(std::uint16_t type) {
-  return type == RbtLexer::ID || type == RbtLexer::TEST || type == RbtLexer::RECORD ||
-         type == RbtLexer::PATH || type == RbtLexer::AS;
+  return type == RbtLexer::ID || word_of(type).kind == WordKind::kSoft;
 }
 
 [[nodiscard]] inline bool is_opener(std::uint16_t type) {
@@ -28,7 +28,7 @@ namespace armlet::lang {
 }
 
 [[nodiscard]] inline bool is_primitive_type(std::uint16_t type) {
-  return type == RbtLexer::INT_T || type == RbtLexer::DOUBLE_T || type == RbtLexer::BOOL_T;
+  return word_of(type).kind == WordKind::kType;
 }
 
 [[nodiscard]] inline bool is_number(std::uint16_t type) {
@@ -38,39 +38,16 @@ namespace armlet::lang {
 // A value that consists of one token.
 [[nodiscard]] inline bool is_literal(std::uint16_t type) {
   return is_number(type) || type == RbtLexer::STRING || type == RbtLexer::FSTRING ||
-         type == RbtLexer::TRUE || type == RbtLexer::FALSE;
+         word_of(type).kind == WordKind::kTruth;
 }
 
 // Words that open the parentheses of a header.
-[[nodiscard]] inline bool is_header_word(std::uint16_t type) {
-  switch (type) {
-    case RbtLexer::IF:
-    case RbtLexer::WHILE:
-    case RbtLexer::FOR:
-    case RbtLexer::SWITCH:
-    case RbtLexer::CATCH:
-    case RbtLexer::WHEN:
-    case RbtLexer::EVERY:
-      return true;
-    default:
-      return false;
-  }
-}
+[[nodiscard]] inline bool is_header_word(std::uint16_t type) { return word_of(type).has_header; }
 
 // Whether a statement may end after it (section 3.1, token A).
 [[nodiscard]] inline bool can_end_statement(std::uint16_t type) {
-  if (is_name(type) || is_literal(type) || is_primitive_type(type) || is_closer(type)) return true;
-  switch (type) {
-    case RbtLexer::RETURN:
-    case RbtLexer::BREAK:
-    case RbtLexer::CONTINUE:
-    case RbtLexer::RETRY:
-    case RbtLexer::INC:
-    case RbtLexer::DEC:
-      return true;
-    default:
-      return false;
-  }
+  return type == RbtLexer::ID || word_of(type).ends || is_literal(type) || is_closer(type) ||
+         type == RbtLexer::INC || type == RbtLexer::DEC;
 }
 
 }  // namespace armlet::lang

@@ -3,9 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
+#include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "armlet/trajectory/planner.hpp"
 #include "library.hpp"
+#include "reference/language_words.hpp"
 
 namespace armlet {
 namespace {
@@ -49,16 +53,31 @@ TEST_CASE("every name has a page and stands in the whole reference") {
   }
 }
 
+TEST_CASE("the message about an unknown planner lists every planner, in the order of the table") {
+  SessionOptions options;
+  options.robot = make_robot("scara");
+  Session session(library_engine(), options);
+  REQUIRE_FALSE(session.compile("moveJ(home(), traj: \"Sync\")", "planner.rbt"));
+  REQUIRE(session.problems().size() == 1);
+  const Diagnostic& message = session.problems()[0].diagnostic;
+  CHECK(message.code == "E0202");
+  std::size_t at = 0;
+  for (const PlannerRow& row : planner_rows()) {
+    CAPTURE(row.name);
+    const std::size_t found = message.why.find(row.name, at);
+    REQUIRE(found != std::string::npos);
+    at = found + row.name.size();
+  }
+}
+
 TEST_CASE("the examples of what is part of the language run") {
-  constexpr std::string_view kMark = "  Example   ";
-  for (const std::string_view name : {"print", "error", "assert", "assertThrows", "int", "double",
-                                      "push", "pop", "insert", "removeAt", "length", "last"}) {
-    const std::string page = help_page(library_engine(), name);
-    const std::size_t at = page.find(kMark);
-    REQUIRE(at != std::string::npos);
-    std::string text = page.substr(at + kMark.size());
-    if (!contains(text, "(") || text.starts_with("int") || text.starts_with("double"))
-      text = "print(" + text.substr(0, text.size() - 1) + ")\n";
+  for (const NativeFunction& word : lang::language_words()) {
+    std::string text(word.example);
+    CHECK(contains(help_page(library_engine(), word.name), "  Example   " + text + "\n"));
+    const bool is_value =
+        std::ranges::any_of(std::array<std::string_view, 4>{"[", "int(", "double(", "string("},
+                            [&](std::string_view begin) { return text.starts_with(begin); });
+    if (is_value) text = "print(" + text + ")";
     CAPTURE(text);
     Session session(library_engine(), SessionOptions{});
     REQUIRE(session.compile(text, "example.rbt"));

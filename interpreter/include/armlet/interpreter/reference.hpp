@@ -10,6 +10,14 @@
 
 namespace armlet {
 
+// A word of the language. Soft words are names everywhere except where the grammar expects them.
+struct LanguageWord {
+  std::string_view text;
+  bool soft = false;
+};
+// In the order of the grammar.
+[[nodiscard]] std::vector<LanguageWord> reserved_and_soft_words();
+
 // The names that have a page, in the order of the chapters.
 [[nodiscard]] std::vector<std::string> help_names(const Engine& engine);
 // The page of a name: how it is called, what it does, an example. Empty if there is no such name.

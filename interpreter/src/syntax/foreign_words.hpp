@@ -1,0 +1,58 @@
+#pragma once
+// Words of other languages that stand for a word of this one.
+
+#include <string_view>
+
+namespace armlet::lang {
+
+// Where a word is taken for ours:
+struct ForeignWord {
+  std::string_view found;
+  std::string_view meant;
+  bool at_start = false;  // as the first word of a statement that cannot be read
+  bool inside = false;    // anywhere in such a statement
+  bool declares = false;  // in the place of a type: const x = 3
+  bool alone = false;     // as a name that nothing has
+};
+
+// clang-format off
+inline constexpr ForeignWord kForeignWords[] = {
+    {.found = "and", .meant = "&&", .inside = true, .alone = true},
+    {.found = "or", .meant = "||", .inside = true, .alone = true},
+    {.found = "not", .meant = "!", .inside = true, .alone = true},
+    {.found = "mod", .meant = "%", .inside = true},
+    {.found = "div", .meant = "/", .inside = true},
+    {.found = "of", .meant = "in", .inside = true},
+    {.found = "elif", .meant = "else if", .at_start = true, .inside = true, .alone = true},
+    {.found = "elseif", .meant = "else if", .at_start = true, .inside = true, .alone = true},
+    {.found = "elsif", .meant = "else if", .inside = true},
+    {.found = "foreach", .meant = "for", .at_start = true, .alone = true},
+    {.found = "except", .meant = "catch", .at_start = true, .inside = true, .alone = true},
+    {.found = "raise", .meant = "throw", .at_start = true, .alone = true},
+    {.found = "def", .meant = "fn", .at_start = true, .declares = true, .alone = true},
+    {.found = "function", .meant = "fn", .at_start = true, .declares = true, .alone = true},
+    {.found = "func", .meant = "fn", .at_start = true, .declares = true, .alone = true},
+    {.found = "fun", .meant = "fn", .at_start = true, .declares = true},
+    {.found = "sub", .meant = "fn", .at_start = true},
+    {.found = "lambda", .meant = "fn", .alone = true},
+    {.found = "const", .meant = "let", .at_start = true, .declares = true, .alone = true},
+    {.found = "constexpr", .meant = "let", .declares = true},
+    {.found = "val", .meant = "let", .declares = true, .alone = true},
+    {.found = "auto", .meant = "var", .declares = true, .alone = true},
+    {.found = "dim", .meant = "var", .declares = true},
+    {.found = "local", .meant = "var", .declares = true},
+    {.found = "mut", .meant = "var", .declares = true},
+    {.found = "True", .meant = "true", .alone = true},
+    {.found = "False", .meant = "false", .alone = true},
+};
+// clang-format on
+
+// What a word stands for in such a place; empty if it is no such word.
+[[nodiscard]] constexpr std::string_view meant_by(std::string_view word, bool ForeignWord::*place) {
+  for (const ForeignWord& row : kForeignWords) {
+    if (row.found == word && row.*place) return row.meant;
+  }
+  return {};
+}
+
+}  // namespace armlet::lang
