@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks that every #include respects the layers of the architecture and the fences around heavy headers."""
 
+import os
 import re
 import sys
 from pathlib import Path
@@ -46,8 +47,10 @@ def layer_of(path):
     return parts[0] if parts[0] in ("interpreter", "stdlib") else None
 
 
-def layer_of_header(header, layer):
-    """The layer an included header belongs to, or None for a private or foreign one."""
+def layer_of_header(path, header, layer):
+    """The layer an included header belongs to, or None for a foreign one and one of the same folder."""
+    if header.startswith("../"):
+        return layer_of(Path(os.path.normpath(path.parent / header)))
     parts = header.split("/")
     if len(parts) == 3 and parts[0] == "armlet":
         return parts[1]
@@ -58,7 +61,7 @@ def layer_of_header(header, layer):
 
 def faults_in_line(path, header):
     layer = layer_of(path)
-    target = layer_of_header(header, layer)
+    target = layer_of_header(path, header, layer)
     allowed = EVERYTHING if layer is None else MAY_INCLUDE.get(layer, []) + [layer]
     if layer is not None and layer not in MAY_INCLUDE:
         yield f"'{layer}' is not a layer of the architecture"

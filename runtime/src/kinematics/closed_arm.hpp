@@ -1,6 +1,6 @@
 #pragma once
 
-#include "batch_arm.hpp"
+#include "chain/batch_arm.hpp"
 
 // What passes between a closed form and its kernels; nothing but plain data, because sources for
 // larger instruction sets include it.

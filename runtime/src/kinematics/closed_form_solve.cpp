@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../math/det_kernels.hpp"
 #include "armlet/kinematics/closed_form.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/det_math.hpp"
@@ -12,6 +11,7 @@
 #include "closed_lanes.hpp"
 #include "few_joints.hpp"
 #include "kernels.hpp"
+#include "math/det_kernels.hpp"
 
 namespace armlet {
 namespace {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "../math/det_atan2_lanes.hpp"
+#include "chain/walk_in.hpp"
 #include "closed_ways.hpp"
+#include "math/det_atan2_lanes.hpp"
 
 // The kernel of the closed forms: all ways at once, each checked by forward kinematics, and all
 // angles made at the end. Compiled once per instruction set, in sources that include nothing else;
@@ -27,16 +28,14 @@ template <class V>
 struct ThreeColumns {
   Parts<V> of[3];
 
-  [[gnu::always_inline]] void step(const BatchArm& walk, unsigned i, V sine, V cosine) {
-    for (Parts<V>& v : of) {
-      if (walk.right_angle(i + 1)) {
-        v.turn_right_z(sine, cosine);
-      } else {
-        if (walk.any_angle(i + 1))
-          v.turn_x(walk.sin_alpha[i + 1] - V{}, walk.cos_alpha[i + 1] - V{});
-        v.turn_z(sine, cosine);
-      }
-    }
+  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
+    for (Parts<V>& v : of) v.turn_z(sine, cosine);
+  }
+  [[gnu::always_inline]] void turn_right_z(V sine, V cosine) {
+    for (Parts<V>& v : of) v.turn_right_z(sine, cosine);
+  }
+  [[gnu::always_inline]] void turn_x(double sin_alpha, double cos_alpha) {
+    for (Parts<V>& v : of) v.turn_x(all_lanes<V>(sin_alpha), all_lanes<V>(cos_alpha));
   }
 };
 
@@ -53,17 +52,16 @@ template <class V>
                                          const WalkTurns<V>& turns) {
   const BatchArm& walk = arm.walk;
   const double* T = walk.tool;
-  const V none = {};
-  const auto column = [&](unsigned c) {
-    return Parts<V>{T[c] - none, T[4 + c] - none, T[8 + c] - none};
+  const auto column = [&](unsigned c) __attribute__((always_inline)) {
+    return Parts<V>{all_lanes<V>(T[c]), all_lanes<V>(T[4 + c]), all_lanes<V>(T[8 + c])};
   };
   ThreeColumns<V> t = {{column(0), column(1), column(3)}};
   Parts<V>& p = t.of[2];
-  for (Parts<V>& v : t.of) v.turn_z(turns.sine[5], turns.cosine[5]);
+  t.turn_z(turns.sine[5], turns.cosine[5]);
   if (walk.has_d[5]) p.z += walk.d[5];
   for (unsigned i = kSixJoints - 1; i-- > 0;) {
     if (walk.has_a[i + 1]) p.x += walk.a[i + 1];
-    t.step(walk, i, turns.sine[i], turns.cosine[i]);
+    step_in(walk, i, turns.sine[i], turns.cosine[i], t);
     if (walk.has_d[i]) p.z += walk.d[i];
   }
   const V place = square_of(p, goal + 9);

@@ -4,8 +4,8 @@
 
 #include "armlet/kinematics/batch.hpp"
 #include "armlet/kinematics/closed_form.hpp"
-#include "batch_plan.hpp"
 #include "canonical_rows.hpp"
+#include "chain/batch_plan.hpp"
 #include "closed_arm.hpp"
 
 namespace armlet {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "chain/lane_parts.hpp"
 #include "closed_arm.hpp"
-#include "lane_steps.hpp"
 
 // The closed forms of arms with six turning joints, one way of reaching the pose per lane: where
 // the functions of closed_form_families.cpp take a square root with both signs, the lanes have the

@@ -1,5 +1,5 @@
+#include "chain/walk_out.hpp"
 #include "kernels.hpp"
-#include "walk_out.hpp"
 
 namespace armlet {
 namespace {
@@ -29,9 +29,7 @@ void frames_kernel(const WalkPlan& plan, const double* q, double* frames, double
 
 }  // namespace
 
-const KernelTable<FramesKernel> kFramesKernels = {
-    frames_kernel<kAnyCount>, frames_kernel<1>, frames_kernel<2>,
-    frames_kernel<3>,         frames_kernel<4>, frames_kernel<5>,
-    frames_kernel<6>,         frames_kernel<7>, frames_kernel<8>};
+constinit const KernelTable<FramesKernel> kFramesKernels =
+    kernel_table<FramesKernel>([]<int N>() { return &frames_kernel<N>; });
 
 }  // namespace armlet

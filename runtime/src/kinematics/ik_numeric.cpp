@@ -6,7 +6,7 @@
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
-#include "turns.hpp"
+#include "chain/lane_pairs.hpp"
 
 namespace armlet {
 namespace {

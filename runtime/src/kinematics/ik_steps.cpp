@@ -9,14 +9,6 @@
 namespace armlet {
 namespace {
 
-template <int N>
-constexpr std::size_t kCapacity = N == kAnyCount ? kMaxJoints : N;
-
-template <int N>
-std::size_t count_of(int n) {
-  return static_cast<std::size_t>(N == kAnyCount ? n : N);
-}
-
 // Six numbers.
 struct Six {
   Lanes a, b, c;
@@ -32,7 +24,7 @@ inline Lanes sums(Lanes p, Lanes q) { return Lanes{p[0], q[0]} + Lanes{p[1], q[1
 template <int N>
 [[gnu::always_inline]] inline void form_normal(int joints, const double* J, const double* e,
                                                NormalEquations& normal) {
-  const std::size_t n = count_of<N>(joints);
+  const std::size_t n = static_cast<std::size_t>(joint_count<N>(joints));
   const Six error(e);
 #pragma GCC unroll 8
   for (std::size_t i = 0; i < n; ++i) {
@@ -55,7 +47,7 @@ template <int N>
 class Elimination {
  public:
   [[gnu::always_inline]] Elimination(int joints, const NormalEquations& normal, double damping)
-      : n_(count_of<N>(joints)) {
+      : n_(static_cast<std::size_t>(joint_count<N>(joints))) {
     double trace = 0.0;
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < n_; ++i) {
@@ -95,7 +87,7 @@ class Elimination {
     }
     const double determinant = a * A_[k + 1][k + 1] - b * b;
     const double by_both = determinant > floor_ * a ? 1.0 / (a * determinant) : 0.0;
-    double u[kCapacity<N>], v[kCapacity<N>];
+    double u[kJointCapacity<N>], v[kJointCapacity<N>];
     const double x_second = a * x_[k + 1] - b * x_[k];
 #pragma GCC unroll 8
     for (std::size_t i = k + 2; i < n_; ++i) {
@@ -127,7 +119,7 @@ class Elimination {
 
   std::size_t n_;
   double floor_;
-  double A_[kCapacity<N>][kCapacity<N>], x_[kCapacity<N>];
+  double A_[kJointCapacity<N>][kJointCapacity<N>], x_[kJointCapacity<N>];
 };
 
 template <int N>
@@ -161,7 +153,7 @@ void step_kernel(int joints, const NormalEquations& normal, double damping, doub
 template <int N>
 void iteration_kernel(const WalkPlan& plan, const double* q, const double* p, const double* R,
                       double damping_ratio, IkIterate& at) {
-  const WalkFrame f = walk_jacobian<N, PromptTurns>(plan, q, at.J[0].data());
+  const WalkFrame f = walk_jacobian<N, PromptJointSines>(plan, q, at.J[0].data());
   Lanes w_xy = both(0.0);
   double w_z = 0.0;
   const double first = add_axis(f.x, R, w_xy, w_z), second = add_axis(f.y, R + 3, w_xy, w_z),
@@ -210,18 +202,13 @@ void far_rotation_error(const double* T, const double* R, double* w) {
   error = rotation_log(R_goal * T_world_tool.topLeftCorner<3, 3>().transpose());
 }
 
-const KernelTable<IterationKernel> kIterationKernels = {
-    iteration_kernel<kAnyCount>, iteration_kernel<1>, iteration_kernel<2>,
-    iteration_kernel<3>,         iteration_kernel<4>, iteration_kernel<5>,
-    iteration_kernel<6>,         iteration_kernel<7>, iteration_kernel<8>};
+constinit const KernelTable<IterationKernel> kIterationKernels =
+    kernel_table<IterationKernel>([]<int N>() { return &iteration_kernel<N>; });
 
-const KernelTable<NormalKernel> kNormalKernels = {
-    normal_kernel<kAnyCount>, normal_kernel<1>, normal_kernel<2>,
-    normal_kernel<3>,         normal_kernel<4>, normal_kernel<5>,
-    normal_kernel<6>,         normal_kernel<7>, normal_kernel<8>};
+constinit const KernelTable<NormalKernel> kNormalKernels =
+    kernel_table<NormalKernel>([]<int N>() { return &normal_kernel<N>; });
 
-const KernelTable<StepKernel> kStepKernels = {
-    step_kernel<kAnyCount>, step_kernel<1>, step_kernel<2>, step_kernel<3>, step_kernel<4>,
-    step_kernel<5>,         step_kernel<6>, step_kernel<7>, step_kernel<8>};
+constinit const KernelTable<StepKernel> kStepKernels =
+    kernel_table<StepKernel>([]<int N>() { return &step_kernel<N>; });
 
 }  // namespace armlet

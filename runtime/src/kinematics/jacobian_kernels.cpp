@@ -1,5 +1,5 @@
+#include "chain/quick_sines.hpp"
 #include "kernels.hpp"
-#include "quick_turns.hpp"
 #include "walk_jacobian.hpp"
 
 namespace armlet {
@@ -11,11 +11,11 @@ void jacobian_kernel(const WalkPlan& plan, const double* q, double* J) {
 }
 
 template <int N>
-using TurnsFromBase = QuickTurns<N, false>;
+using SinesFromBase = QuickJointSines<N, false>;
 
 template <int N>
 void quick_jacobian_kernel(const WalkPlan& plan, const double* q, double* J) {
-  walk_jacobian<N, TurnsFromBase>(plan, q, J);
+  walk_jacobian<N, SinesFromBase>(plan, q, J);
 }
 
 template <int N>
@@ -26,19 +26,13 @@ void pose_and_jacobian_kernel(const WalkPlan& plan, const double* q, double* J,
 
 }  // namespace
 
-const KernelTable<JacobianKernel> kJacobianKernels = {
-    jacobian_kernel<kAnyCount>, jacobian_kernel<1>, jacobian_kernel<2>,
-    jacobian_kernel<3>,         jacobian_kernel<4>, jacobian_kernel<5>,
-    jacobian_kernel<6>,         jacobian_kernel<7>, jacobian_kernel<8>};
+constinit const KernelTable<JacobianKernel> kJacobianKernels =
+    kernel_table<JacobianKernel>([]<int N>() { return &jacobian_kernel<N>; });
 
-const KernelTable<PoseAndJacobianKernel> kPoseAndJacobianKernels = {
-    pose_and_jacobian_kernel<kAnyCount>, pose_and_jacobian_kernel<1>, pose_and_jacobian_kernel<2>,
-    pose_and_jacobian_kernel<3>,         pose_and_jacobian_kernel<4>, pose_and_jacobian_kernel<5>,
-    pose_and_jacobian_kernel<6>,         pose_and_jacobian_kernel<7>, pose_and_jacobian_kernel<8>};
+constinit const KernelTable<PoseAndJacobianKernel> kPoseAndJacobianKernels =
+    kernel_table<PoseAndJacobianKernel>([]<int N>() { return &pose_and_jacobian_kernel<N>; });
 
-const KernelTable<JacobianKernel> kQuickJacobianKernels = {
-    quick_jacobian_kernel<kAnyCount>, quick_jacobian_kernel<1>, quick_jacobian_kernel<2>,
-    quick_jacobian_kernel<3>,         quick_jacobian_kernel<4>, quick_jacobian_kernel<5>,
-    quick_jacobian_kernel<6>,         quick_jacobian_kernel<7>, quick_jacobian_kernel<8>};
+constinit const KernelTable<JacobianKernel> kQuickJacobianKernels =
+    kernel_table<JacobianKernel>([]<int N>() { return &quick_jacobian_kernel<N>; });
 
 }  // namespace armlet

@@ -1,6 +1,6 @@
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/jacobian.hpp"
-#include "walk_out.hpp"
+#include "chain/walk_out.hpp"
 
 namespace armlet {
 namespace {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
-
-#include "armlet/chain/walk_plan.hpp"
+#include "chain/by_joints.hpp"
 
 namespace armlet {
 
@@ -20,9 +18,6 @@ using JacobianKernel = void(const WalkPlan& plan, const double* q, double* J);
 using PoseAndJacobianKernel = void(const WalkPlan& plan, const double* q, double* J,
                                    double* T_world_tool);
 
-// One instance for 1 to 8 joints each; [0] is for any number.
-template <class Kernel>
-using KernelTable = std::array<Kernel*, 9>;
 extern const KernelTable<PoseKernel> kPoseKernels;
 extern const KernelTable<FramesKernel> kFramesKernels;
 extern const KernelTable<JacobianKernel> kJacobianKernels;
@@ -32,10 +27,5 @@ extern const KernelTable<PoseAndJacobianKernel> kPoseAndJacobianKernels;
 // of the tool, and the columns of the Jacobian.
 extern const KernelTable<QuickPoseKernel> kQuickPoseKernels;
 extern const KernelTable<JacobianKernel> kQuickJacobianKernels;
-
-template <class Kernel>
-inline Kernel* kernel_for(const KernelTable<Kernel>& table, int n) {
-  return table[n < 9 ? static_cast<std::size_t>(n) : 0];
-}
 
 }  // namespace armlet

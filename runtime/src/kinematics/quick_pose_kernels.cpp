@@ -1,5 +1,6 @@
+#include "chain/quick_sines.hpp"
+#include "chain/walk_in.hpp"
 #include "kernels.hpp"
-#include "quick_turns.hpp"
 
 namespace armlet {
 namespace {
@@ -10,7 +11,7 @@ struct QuickColumns {
   Parts<Lanes> xz;
   Parts<double> p;
 
-  [[gnu::always_inline]] QuickColumns(const WalkPlan& plan, Lanes sine, Lanes cosine) {
+  [[gnu::always_inline]] void start(const WalkPlan& plan, Lanes sine, Lanes cosine) {
     const double* T = plan.tool.data();
     if (plan.tool_on_axis) {
       xz = {Lanes{cosine[0], 0.0}, Lanes{sine[0], 0.0}, Lanes{0.0, T[10]}};
@@ -26,31 +27,19 @@ struct QuickColumns {
     xz.turn_z(sine, cosine);
     p.turn_z(sine[0], cosine[0]);
   }
-
-  // Z_i behind X_{i+1}.
-  [[gnu::always_inline]] void step(const WalkPlan& plan, std::size_t i, Lanes sine, Lanes cosine) {
-    if (plan.right_angle(i + 1)) {
-      xz.turn_right_z(sine, cosine);
-      p.turn_right_z(sine[0], cosine[0]);
-      return;
-    }
-    if (plan.any_angle(i + 1)) {
-      const double sin_alpha = plan.sin_alpha[i + 1], cos_alpha = plan.cos_alpha[i + 1];
-      xz.turn_x(both(sin_alpha), both(cos_alpha));
-      p.turn_x(sin_alpha, cos_alpha);
-    }
-    turn_z(sine, cosine);
+  [[gnu::always_inline]] void turn_right_z(Lanes sine, Lanes cosine) {
+    xz.turn_right_z(sine, cosine);
+    p.turn_right_z(sine[0], cosine[0]);
+  }
+  [[gnu::always_inline]] void turn_x(double sin_alpha, double cos_alpha) {
+    xz.turn_x(both(sin_alpha), both(cos_alpha));
+    p.turn_x(sin_alpha, cos_alpha);
   }
 
-  // Along the axis of joint i and to the one before it.
-  [[gnu::always_inline]] void move(const WalkPlan& plan, const double* q, std::size_t i) {
-    if (plan.has_d[i]) p.z += plan.d[i] + q[i] * plan.slide[i];
-    if (i > 0 && plan.has_a[i]) p.x += plan.a[i];
-  }
+  [[gnu::always_inline]] void shift_z(double d) { p.z += d; }
+  [[gnu::always_inline]] void shift_x(double a) { p.x += a; }
 
-  [[gnu::always_inline]] void place(const WalkPlan& plan) {
-    if (plan.base_is_none) return;
-    const double* B = plan.base.data();
+  [[gnu::always_inline]] void place(const double* B) {
     xz.turn_base(B);
     p.turn_base(B);
     p.x += B[9];
@@ -73,25 +62,15 @@ struct QuickColumns {
 // The operations of the batch's kernel, each rounded like there.
 template <int N>
 void quick_pose_kernel(const WalkPlan& plan, const double* q, double* columns) {
-  const QuickTurns<N, true> turns(plan, q);
-  const int n = joint_count<N>(plan);
-  QuickColumns T(plan, turns.sine(n - 1), turns.cosine(n - 1));
-  T.move(plan, q, static_cast<std::size_t>(n - 1));
-#pragma GCC unroll 8
-  for (int joint = n - 2; joint >= 0; --joint) {
-    const std::size_t i = static_cast<std::size_t>(joint);
-    T.step(plan, i, turns.sine(joint), turns.cosine(joint));
-    T.move(plan, q, i);
-  }
-  T.place(plan);
+  const QuickJointSines<N, true> angles(plan, q);
+  QuickColumns T;
+  walk_in(plan, joint_count<N>(plan), q, angles, T);
   T.store(columns);
 }
 
 }  // namespace
 
-const KernelTable<QuickPoseKernel> kQuickPoseKernels = {
-    quick_pose_kernel<kAnyCount>, quick_pose_kernel<1>, quick_pose_kernel<2>,
-    quick_pose_kernel<3>,         quick_pose_kernel<4>, quick_pose_kernel<5>,
-    quick_pose_kernel<6>,         quick_pose_kernel<7>, quick_pose_kernel<8>};
+constinit const KernelTable<QuickPoseKernel> kQuickPoseKernels =
+    kernel_table<QuickPoseKernel>([]<int N>() { return &quick_pose_kernel<N>; });
 
 }  // namespace armlet

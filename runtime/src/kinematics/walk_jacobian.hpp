@@ -1,6 +1,6 @@
 #pragma once
 
-#include "walk_out.hpp"
+#include "chain/walk_out.hpp"
 
 namespace armlet {
 
@@ -21,12 +21,11 @@ namespace armlet {
 }
 
 // Axis and origin of each joint are kept on the way out; one cross product each finishes them.
-template <int N, template <int> class TurnsOf = Turns>
+template <int N, template <int> class SinesOf = JointSines>
 [[gnu::always_inline]] inline WalkFrame walk_jacobian(const WalkPlan& plan, const double* q,
                                                       double* J) {
-  constexpr std::size_t kCapacity = N == kAnyCount ? kMaxJoints : N;
-  std::array<WalkAxis, kCapacity> axis, point;
-  WalkFrame frame = walk_out<N, TurnsOf>(
+  std::array<WalkAxis, kJointCapacity<N>> axis, point;
+  WalkFrame frame = walk_out<N, SinesOf>(
       plan, q,
       [&](std::size_t i, const WalkFrame& f) {
         axis[i] = f.z;

@@ -175,12 +175,6 @@ TEST_CASE("a batch is within 2e-16 (n + 2) of single calls, lengths in units of 
   }
 }
 
-TEST_CASE("the best instruction set is the largest that is supported") {
-  CHECK(is_supported(InstructionSet::kBaseline));
-  const InstructionSet best = best_instruction_set();
-  for (const InstructionSet set : kAllSets) CHECK(is_supported(set) == (set <= best));
-}
-
 TEST_CASE("wrong sizes are refused with both numbers") {
   const Robot robot = *make_robot("puma560");
   const std::vector<double> q(12);

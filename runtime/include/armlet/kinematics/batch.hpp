@@ -2,16 +2,10 @@
 
 #include <span>
 
+#include "armlet/chain/instruction_set.hpp"
 #include "armlet/model/robot.hpp"
 
 namespace armlet {
-
-// What the processor's vector registers hold: 2, 4 or 8 numbers.
-enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
-
-// Whether this machine has it, and the largest that it has.
-bool is_supported(InstructionSet set);
-InstructionSet best_instruction_set();
 
 // Tool poses of any number of configurations, several at once; even one is not dearer than
 // forward().

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "../math/det_quick_lanes.hpp"
 #include "batch_arm.hpp"
-#include "lane_steps.hpp"
+#include "lane_parts.hpp"
+#include "math/det_quick_lanes.hpp"
 
-// Sines and cosines of many configurations, one per lane. Like all of the batch's kernels it is
+// Sines and cosines of many configurations, one per lane. Like all kernels of batches it is
 // compiled once per instruction set, in sources that include nothing else, and exactly rounded
 // operation by operation: the bits are the same on each.
 namespace armlet {
@@ -12,14 +12,8 @@ namespace armlet {
 template <class V>
 inline constexpr std::size_t kLanesOf = sizeof(V) / sizeof(double);
 
-// Blocks that are turned side by side.
+// Blocks whose sines are worked out side by side.
 inline constexpr std::size_t kGroupBlocks = 4;
-
-// The same number in every lane; subtracting 0 keeps the sign of -0.
-template <class V>
-[[gnu::always_inline]] inline V all_lanes(double value) {
-  return value - V{};
-}
 
 // What does not change from block to block, in every lane.
 template <class V>
@@ -69,23 +63,23 @@ struct BatchGroup {
 };
 
 template <class V>
-struct BatchTurns {
+struct BatchSines {
   static constexpr std::size_t kLanes = kLanesOf<V>;
   static constexpr std::size_t kStride = kGroupBlocks * kLanes;
   alignas(V) double sines[kBatchJoints * kStride];
   alignas(V) double cosines[kBatchJoints * kStride];
 
-  [[gnu::always_inline]] explicit BatchTurns(const BatchGroup<V>& group) {
+  [[gnu::always_inline]] explicit BatchSines(const BatchGroup<V>& group) {
     const det::QuickTable<V>& numbers = group.lanes.hidden_numbers();
     det::QuickCheck<V> check;
     for (std::size_t i = 0; i < group.arm.n; ++i) {
-      const auto turns = det::quick_sincos(group.angles(i), check, numbers);
-      put(i, 0, turns.a);
-      put(i, 1, turns.b);
-      put(i, 2, turns.c);
-      put(i, 3, turns.d);
+      const auto four = det::quick_sincos(group.angles(i), check, numbers);
+      put(i, 0, four.a);
+      put(i, 1, four.b);
+      put(i, 2, four.c);
+      put(i, 3, four.d);
     }
-    if (check.any_too_large()) turn_carefully(group);
+    if (check.any_too_large()) take_carefully(group);
   }
 
   [[gnu::always_inline]] V sine(std::size_t i, std::size_t b) const {
@@ -100,14 +94,14 @@ struct BatchTurns {
     return i * kStride + b * kLanes;
   }
 
-  [[gnu::always_inline]] void put(std::size_t i, std::size_t b, const det::LaneSinCos<V>& turn) {
-    store_lanes(sines + place(i, b), turn.sin);
-    store_lanes(cosines + place(i, b), turn.cos);
+  [[gnu::always_inline]] void put(std::size_t i, std::size_t b, const det::LaneSinCos<V>& angle) {
+    store_lanes(sines + place(i, b), angle.sin);
+    store_lanes(cosines + place(i, b), angle.cos);
   }
 
-  [[gnu::always_inline]] void turn_carefully(const BatchGroup<V>& group) {
+  [[gnu::always_inline]] void take_carefully(const BatchGroup<V>& group) {
     for (std::size_t b = 0; b < kGroupBlocks; ++b) {
-      careful_batch_turns(
+      careful_batch_sines(
           group.arm, group.q, group.count,
           {group.start(b), kLanes, kStride, sines + place(0, b), cosines + place(0, b)});
     }

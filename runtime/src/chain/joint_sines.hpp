@@ -3,33 +3,16 @@
 #include <algorithm>
 #include <array>
 
-#include "armlet/chain/walk_plan.hpp"
-#include "lane_steps.hpp"
+#include "by_joints.hpp"
+#include "lane_pairs.hpp"
 #include "math/det_quick_lanes.hpp"
 
 namespace armlet {
 
-using Lanes = det::Lanes;
-
-// A kernel for any number of joints; the others are told the number when they are compiled, so that
-// their loops unroll and everything stays in registers.
-inline constexpr int kAnyCount = 0;
-inline constexpr int kLargestKernel = 8;
-
-template <int N>
-inline int joint_count(const WalkPlan& plan) {
-  return N == kAnyCount ? plan.n : N;
-}
-
-inline Lanes both(double value) { return Lanes{value, value}; }
-
-inline Lanes load_pair(const double* p) { return load_lanes<Lanes>(p); }
-inline void store_pair(double* p, Lanes v) { store_lanes(p, v); }
-
-// The same for angles that the lanes leave open, one by one.
+// Sines and cosines of the joint angles of a plan one by one, for those that the lanes leave open.
 //
 // throws  ArgumentError if a joint value is not finite.
-void careful_turns(const WalkPlan& plan, const double* q, double* sine, double* cosine);
+void careful_joint_sines(const WalkPlan& plan, const double* q, double* sine, double* cosine);
 
 // The sines and cosines of every digit.
 class ExactSines {
@@ -58,9 +41,10 @@ class PromptSines {
 // Sines and cosines of all joints, two at a time. Of an odd number the last pair overlaps the one
 // before, which is faster than padding.
 template <int N, class Sines = ExactSines>
-class TurnsBy {
+class JointSinesBy {
  public:
-  [[gnu::always_inline]] TurnsBy(const WalkPlan& plan, const double* q) : n_(joint_count<N>(plan)) {
+  [[gnu::always_inline]] JointSinesBy(const WalkPlan& plan, const double* q)
+      : n_(joint_count<N>(plan)) {
     Sines sines;
     const int pairs = (n_ + 1) / 2;
 #pragma GCC unroll 8
@@ -69,13 +53,13 @@ class TurnsBy {
       const Lanes values = n_ == 1 ? both(q[0]) : load_pair(q + i);
       const Lanes angles =
           load_pair(plan.theta.data() + i) + values * load_pair(plan.turn.data() + i);
-      const auto turn = sines(angles);
-      sine_[pair] = turn.sin;
-      cosine_[pair] = turn.cos;
+      const auto both_of = sines(angles);
+      sine_[pair] = both_of.sin;
+      cosine_[pair] = both_of.cos;
     }
     if (!sines.all_settled()) [[unlikely]] {
       std::array<double, kMaxJoints> s{}, c{};
-      careful_turns(plan, q, s.data(), c.data());
+      careful_joint_sines(plan, q, s.data(), c.data());
 #pragma GCC unroll 8
       for (int pair = 0; pair < pairs; ++pair) {
         sine_[pair] = load_pair(s.data() + first(pair));
@@ -88,7 +72,7 @@ class TurnsBy {
   Lanes cosine(int i) const { return both(cosine_[i / 2][i - first(i / 2)]); }
 
  private:
-  static constexpr int kPairs = ((N == kAnyCount ? kMaxJoints : N) + 1) / 2;
+  static constexpr std::size_t kPairs = (kJointCapacity<N> + 1) / 2;
   int first(int pair) const { return std::max(0, std::min(2 * pair, n_ - 2)); }
 
   int n_;
@@ -96,8 +80,8 @@ class TurnsBy {
 };
 
 template <int N>
-using Turns = TurnsBy<N>;
+using JointSines = JointSinesBy<N>;
 template <int N>
-using PromptTurns = TurnsBy<N, PromptSines>;
+using PromptJointSines = JointSinesBy<N, PromptSines>;
 
 }  // namespace armlet

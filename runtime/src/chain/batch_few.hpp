@@ -1,9 +1,9 @@
 #pragma once
 
-#include "batch_turns.hpp"
+#include "batch_sines.hpp"
 
 // Sines and cosines of a few configurations, fewer than a group of blocks. Nothing is prepared that
-// counts once only, and nothing is turned twice but a rest of less than four vectors.
+// counts once only, and nothing is worked out twice but a rest of less than four vectors.
 namespace armlet {
 
 // Blocks of one configuration per lane; the last one overlaps the one before.
@@ -34,9 +34,9 @@ template <class V>
 
 // One vector after the other, of the first joint's blocks, the second's and so on, four at a time.
 template <class V>
-class FewTurns {
+class FewSines {
  public:
-  [[gnu::always_inline]] explicit FewTurns(const FewBlocks<V>& few) : blocks_(few.size()) {
+  [[gnu::always_inline]] explicit FewSines(const FewBlocks<V>& few) : blocks_(few.size()) {
     const det::QuickTable<V> numbers;
     det::QuickCheck<V> check;
     const std::size_t all = few.arm.n * blocks_;
@@ -52,16 +52,16 @@ class FewTurns {
     };
     for (std::size_t k = 0; k < all; k += 4) {
       const V first = next(), second = next(), third = next(), fourth = next();
-      const auto turns =
+      const auto four =
           det::quick_sincos(det::FourLanes<V>{first, second, third, fourth}, check, numbers);
-      put(k, turns.a);
-      put(k + 1, turns.b);
-      put(k + 2, turns.c);
-      put(k + 3, turns.d);
+      put(k, four.a);
+      put(k + 1, four.b);
+      put(k + 2, four.c);
+      put(k + 3, four.d);
     }
     if (!check.any_too_large()) return;
     for (std::size_t block = 0; block < blocks_; ++block) {
-      careful_batch_turns(few.arm, few.q, few.count,
+      careful_batch_sines(few.arm, few.q, few.count,
                           {few.start(block), kLanes, blocks_ * kLanes, sines_ + block * kLanes,
                            cosines_ + block * kLanes});
     }
@@ -78,9 +78,9 @@ class FewTurns {
   static constexpr std::size_t kLanes = kLanesOf<V>;
   static constexpr std::size_t kMost = (kBatchJoints * (kGroupBlocks - 1) + 3) / 4 * 4 * kLanes;
 
-  [[gnu::always_inline]] void put(std::size_t k, const det::LaneSinCos<V>& turn) {
-    store_lanes(sines_ + k * kLanes, turn.sin);
-    store_lanes(cosines_ + k * kLanes, turn.cos);
+  [[gnu::always_inline]] void put(std::size_t k, const det::LaneSinCos<V>& angle) {
+    store_lanes(sines_ + k * kLanes, angle.sin);
+    store_lanes(cosines_ + k * kLanes, angle.cos);
   }
 
   std::size_t blocks_;
@@ -88,17 +88,18 @@ class FewTurns {
   alignas(V) double cosines_[kMost];
 };
 
+// One of these blocks.
 template <class V>
 struct FewBlock {
   using Vector = V;
   const FewBlocks<V>& blocks;
-  const FewTurns<V>& turns;
+  const FewSines<V>& sines;
   std::size_t b;
 
   [[gnu::always_inline]] const BatchArm& arm() const { return blocks.arm; }
   [[gnu::always_inline]] std::size_t count() const { return blocks.count; }
-  [[gnu::always_inline]] V sine(std::size_t i) const { return turns.sine(i, b); }
-  [[gnu::always_inline]] V cosine(std::size_t i) const { return turns.cosine(i, b); }
+  [[gnu::always_inline]] V sine(std::size_t i) const { return sines.sine(i, b); }
+  [[gnu::always_inline]] V cosine(std::size_t i) const { return sines.cosine(i, b); }
   [[gnu::always_inline]] V turn(std::size_t i) const { return all_lanes<V>(blocks.arm.turn[i]); }
   [[gnu::always_inline]] V a(std::size_t i) const { return all_lanes<V>(blocks.arm.a[i]); }
   [[gnu::always_inline]] V d(std::size_t i) const { return all_lanes<V>(blocks.arm.d[i]); }

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "batch_plan.hpp"
+#include "joint_sines.hpp"
 #include "math/det_quick_lanes.hpp"
-#include "turns.hpp"
 
 namespace armlet {
 
 // The sines and cosines that a batch has, of one configuration: the joints two at a time, as in
-// Turns, first those with which a walk begins.
+// JointSines, first those with which a walk begins.
 template <int N, bool from_tool>
-class QuickTurns {
+class QuickJointSines {
  public:
-  [[gnu::always_inline]] QuickTurns(const WalkPlan& plan, const double* q) {
+  [[gnu::always_inline]] QuickJointSines(const WalkPlan& plan, const double* q) {
     const int n = joint_count<N>(plan);
     const det::QuickTable<Lanes> numbers;
     det::QuickCheck<Lanes> check;
@@ -28,14 +28,14 @@ class QuickTurns {
       store_pair(cosine_ + i, turn.cos);
     }
     if (check.any_too_large()) [[unlikely]]
-      careful_batch_turns(batch_arm(plan), q, 1, {0, 1, 1, sine_, cosine_});
+      careful_batch_sines(batch_arm(plan), q, 1, {0, 1, 1, sine_, cosine_});
   }
 
   Lanes sine(int i) const { return both(sine_[i]); }
   Lanes cosine(int i) const { return both(cosine_[i]); }
 
  private:
-  static constexpr int kCapacity = N == kAnyCount ? kMaxJoints : N == 1 ? 2 : N;
+  static constexpr std::size_t kCapacity = N == 1 ? 2 : kJointCapacity<N>;
   double sine_[kCapacity], cosine_[kCapacity];
 };
 

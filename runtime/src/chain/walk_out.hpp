@@ -1,6 +1,6 @@
 #pragma once
 
-#include "turns.hpp"
+#include "joint_sines.hpp"
 
 namespace armlet {
 
@@ -74,14 +74,15 @@ struct WalkFrame {
 // Walks from the base to the last joint: a step is two plane rotations, of which that of a right
 // angle or none costs nothing, and a multiply-add for each length that is not zero.
 //
+// SinesOf<N>         works out the sines and cosines of the joints.
 // at_axis(i, frame)  after Z_i: frame.z is the axis of joint i up to its flip, frame.p a point on
 //                    it; the link frame of the modified convention.
 // at_link(i, frame)  after X_{i+1} for i + 1 < n: the link frame of the standard convention.
 // returns            the frame before T.
-template <int N, template <int> class TurnsOf = Turns, class AtAxis, class AtLink>
+template <int N, template <int> class SinesOf = JointSines, class AtAxis, class AtLink>
 [[gnu::always_inline]] inline WalkFrame walk_out(const WalkPlan& plan, const double* q,
                                                  const AtAxis& at_axis, const AtLink& at_link) {
-  const TurnsOf<N> turns(plan, q);
+  const SinesOf<N> sines(plan, q);
   const double* B = plan.base.data();
   WalkFrame frame = {WalkAxis::load(B), WalkAxis::load(B + 3), WalkAxis::load(B + 6),
                      WalkAxis::load(B + 9)};
@@ -94,8 +95,8 @@ template <int N, template <int> class TurnsOf = Turns, class AtAxis, class AtLin
       at_link(i - 1, frame);
     }
     if (plan.has_d[i]) frame.p = frame.p + both(plan.d[i] + q[i] * plan.slide[i]) * frame.z;
-    const Lanes s = turns.sine(joint);
-    const Lanes c = turns.cosine(joint);
+    const Lanes s = sines.sine(joint);
+    const Lanes c = sines.cosine(joint);
     const WalkAxis x_before = frame.x;
     frame.x = c * x_before + s * frame.y;
     frame.y = c * frame.y - s * x_before;

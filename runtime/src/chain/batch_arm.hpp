@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-// What passes between forward_batch() and the kernels; nothing but plain data, because sources for
-// larger instruction sets include it.
+// What passes between the functions for batches and their kernels; nothing but plain data, because
+// sources for larger instruction sets include it.
 namespace armlet {
 
 // LinkTwist, as a number.
@@ -26,19 +26,13 @@ struct BatchArm {
   [[gnu::always_inline]] bool any_angle(std::size_t i) const { return twist[i] == kAnyTwist; }
 };
 
-// Entry e of configuration k is at [e * count + k] of `q` and of what is written: the entries of
-// axes x, y, z and origin of the tool, or the columns of the Jacobian. `count` is at least `lanes`.
+// A kernel for many configurations: entry e of configuration k is at [e * count + k] of `q` and of
+// what is written. `count` is at least the number of lanes.
 using BatchKernel = void(const BatchArm& arm, const double* q, std::size_t count, double* out);
-struct BatchKernels {
-  std::size_t lanes;
-  BatchKernel* poses;
-  BatchKernel* jacobians;
-};
-extern const BatchKernels kBaselineBatch, kAvx2Batch, kAvx512Batch;
 
 // Where the kernels keep what belongs to the `lanes` configurations from number k on: the sine of
 // joint i is at sines[i * stride + lane].
-struct BlockTurns {
+struct BlockSines {
   std::size_t k, lanes, stride;
   double *sines, *cosines;
 };
@@ -46,8 +40,8 @@ struct BlockTurns {
 // Puts right the sines and cosines of angles that are too large for the kernels, and no others.
 //
 // throws  ArgumentError if a joint value is not finite.
-void careful_batch_turns(const BatchArm& arm, const double* q, std::size_t count,
-                         const BlockTurns& block);
+void careful_batch_sines(const BatchArm& arm, const double* q, std::size_t count,
+                         const BlockSines& block);
 
 inline constexpr std::size_t kBatchJoints = 12;
 

@@ -1,4 +1,4 @@
-#include "turns.hpp"
+#include "joint_sines.hpp"
 
 #include <fmt/format.h>
 
@@ -9,16 +9,16 @@
 
 namespace armlet {
 
-[[gnu::cold]] void careful_turns(const WalkPlan& plan, const double* q, double* sine,
-                                 double* cosine) {
+[[gnu::cold]] void careful_joint_sines(const WalkPlan& plan, const double* q, double* sine,
+                                       double* cosine) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(plan.n); ++i) {
     if (!std::isfinite(q[i])) {
       throw ArgumentError(
           fmt::format("The value of joint {} is {}; expected a finite number.", i + 1, q[i]));
     }
-    const det::SinCos turn = det::sincos(plan.theta[i] + q[i] * plan.turn[i]);
-    sine[i] = turn.sin;
-    cosine[i] = turn.cos;
+    const det::SinCos angle = det::sincos(plan.theta[i] + q[i] * plan.turn[i]);
+    sine[i] = angle.sin;
+    cosine[i] = angle.cos;
   }
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "../math/det_lanes.hpp"
+#include <cstddef>
 
-// Steps along the chain on vectors of any width. Like det_lanes.hpp this is all inlined by force
-// and needs nothing from the standard library: sources for larger instruction sets include it.
+#include "math/det_lanes.hpp"
+
+// Vectors of three parts, of which each is a vector register of any width. Like det_lanes.hpp this
+// is all inlined by force and needs nothing from the standard library: sources for larger
+// instruction sets include it.
 namespace armlet {
 
 // Vectors that need not be aligned.
@@ -16,6 +19,12 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline void store_lanes(double* p, V v) {
   __builtin_memcpy(p, &v, sizeof v);
+}
+
+// The same number in every lane; subtracting 0 keeps the sign of -0.
+template <class V>
+[[gnu::always_inline]] inline V all_lanes(double value) {
+  return value - V{};
 }
 
 // A vector of three parts, one arm per lane, or one part of two columns side by side.
@@ -53,5 +62,36 @@ struct Parts {
     z = B[2] * x_before + B[5] * y_before + B[8] * z_before;
   }
 };
+
+template <class V>
+[[gnu::always_inline]] inline Parts<V> operator+(const Parts<V>& a, const Parts<V>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class V>
+[[gnu::always_inline]] inline Parts<V> operator-(const Parts<V>& a, const Parts<V>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class V>
+[[gnu::always_inline]] inline Parts<V> operator*(V s, const Parts<V>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class V>
+[[gnu::always_inline]] inline Parts<V> cross(const Parts<V>& a, const Parts<V>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// The same vector in every lane.
+template <class V>
+[[gnu::always_inline]] inline Parts<V> all_lanes_of(const double* vector) {
+  return {all_lanes<V>(vector[0]), all_lanes<V>(vector[1]), all_lanes<V>(vector[2])};
+}
+
+// One after the other, `count` numbers apart.
+template <class V>
+[[gnu::always_inline]] inline void store_parts(double* out, std::size_t count, const Parts<V>& v) {
+  store_lanes(out, v.x);
+  store_lanes(out + count, v.y);
+  store_lanes(out + 2 * count, v.z);
+}
 
 }  // namespace armlet

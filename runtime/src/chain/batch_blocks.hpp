@@ -1,0 +1,56 @@
+#pragma once
+
+#include "batch_few.hpp"
+
+// Kernels for many configurations, one per lane: their blocks, one after the other.
+namespace armlet {
+
+// The configurations from number k on: block b of its group.
+template <class V>
+struct GroupBlock {
+  using Vector = V;
+  const BatchGroup<V>& group;
+  const BatchSines<V>& sines;
+  std::size_t b, k;
+
+  [[gnu::always_inline]] const BatchArm& arm() const { return group.arm; }
+  [[gnu::always_inline]] std::size_t count() const { return group.count; }
+  [[gnu::always_inline]] V sine(std::size_t i) const { return sines.sine(i, b); }
+  [[gnu::always_inline]] V cosine(std::size_t i) const { return sines.cosine(i, b); }
+  [[gnu::always_inline]] V turn(std::size_t i) const { return group.lanes.turn[i]; }
+  [[gnu::always_inline]] V a(std::size_t i) const { return group.lanes.a[i]; }
+  [[gnu::always_inline]] V d(std::size_t i) const { return group.lanes.d[i]; }
+  [[gnu::always_inline]] V q(std::size_t i) const {
+    return load_lanes<V>(group.q + i * group.count + k);
+  }
+};
+
+// Fewer configurations than a group.
+template <class V, class What>
+[[gnu::noinline]] static void few_configurations(const BatchArm& arm, const double* q,
+                                                 std::size_t count, double* out) {
+  const FewBlocks<V> blocks = {arm, q, count};
+  const FewSines<V> sines(blocks);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    What::write(FewBlock<V>{blocks, sines, b}, out + blocks.start(b));
+  }
+}
+
+// All configurations, a group of blocks at a time: a BatchKernel. What::write(block, out) writes
+// the entries of the configurations of a block, entry e at out + e * block.count().
+template <class V, class What>
+void batch_kernel(const BatchArm& arm, const double* q, std::size_t count, double* out) {
+  constexpr std::size_t kLanes = kLanesOf<V>;
+  if (count <= (kGroupBlocks - 1) * kLanes) return few_configurations<V, What>(arm, q, count, out);
+  const BatchLanes<V> lanes(arm);
+  for (std::size_t begin = 0; begin < count; begin += kGroupBlocks * kLanes) {
+    const BatchGroup<V> group = {arm, lanes, q, count, begin};
+    const BatchSines<V> sines(group);
+    for (std::size_t b = 0; b < kGroupBlocks && begin + b * kLanes < count; ++b) {
+      const std::size_t k = group.start(b);
+      What::write(GroupBlock<V>{group, sines, b, k}, out + k);
+    }
+  }
+}
+
+}  // namespace armlet
