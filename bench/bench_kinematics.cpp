@@ -15,8 +15,8 @@
 #include "armlet/model/catalog.hpp"
 #include "bench.hpp"
 #include "kdl_peer.hpp"
-#include "kinematics/canonical_rows.hpp"
-#include "kinematics/closed_lanes.hpp"
+#include "kinematics/closed_form/canonical_rows.hpp"
+#include "kinematics/closed_form/closed_lanes.hpp"
 
 namespace armlet::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "kinematics/closed_lanes.hpp"
+#include "kinematics/closed_form/closed_lanes.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include "armlet/math/angles.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/model/catalog.hpp"
-#include "kinematics/closed_form_families.hpp"
+#include "kinematics/closed_form/closed_form_families.hpp"
 #include "math/det_atan2_lanes.hpp"
 #include "random_arm.hpp"
 

@@ -1,4 +1,4 @@
-#include "kinematics/ik_steps.hpp"
+#include "kinematics/ik/ik_steps.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "kinematics/kernels.hpp"
+#include "kinematics/forward/kernels.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels.hpp"
+#include "kinematics/forward/kernels.hpp"
 
 namespace armlet {
 

@@ -10,7 +10,7 @@
 #include "closed_form_families.hpp"
 #include "closed_lanes.hpp"
 #include "few_joints.hpp"
-#include "kernels.hpp"
+#include "kinematics/forward/kernels.hpp"
 #include "math/det_kernels.hpp"
 
 namespace armlet {

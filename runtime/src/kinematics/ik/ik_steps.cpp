@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "armlet/math/rotation.hpp"
-#include "walk_jacobian.hpp"
+#include "kinematics/forward/walk_jacobian.hpp"
 
 namespace armlet {
 namespace {

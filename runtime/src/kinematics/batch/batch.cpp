@@ -5,7 +5,7 @@
 #include "armlet/core/error.hpp"
 #include "batch_table.hpp"
 #include "chain/batch_plan.hpp"
-#include "kernels.hpp"
+#include "kinematics/forward/kernels.hpp"
 
 namespace armlet {
 
