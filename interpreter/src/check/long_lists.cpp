@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "check/hand_on.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -126,8 +128,8 @@ constexpr std::size_t kMostDefaults = 1'000'000;
 
 bool all_fixed(const auto& items, int& parts);
 
-// A value that is the same at every call: written in the text, or a value of the host made from
-// such values. Counts its parts.
+// A value that is the same at every call: written in the text, or a value of the host or a new list
+// made from such values. Counts its parts.
 bool is_fixed_value(const hir::Expr& value, int& parts) {
   ++parts;
   switch (value.kind) {
@@ -157,9 +159,13 @@ bool is_fixed_value(const hir::Expr& value, int& parts) {
       return all_fixed(value.as<hir::MatrixExpr>().items, parts);
     case hir::ExprKind::kRecord:
       return all_fixed(value.as<hir::RecordExpr>().fields, parts);
-    case hir::ExprKind::kCallNative:
-      return value.type->is(Kind::kHost) &&
-             all_fixed(value.as<hir::CallNativeExpr>().arguments, parts);
+    case hir::ExprKind::kNewArray:
+      return all_fixed(value.as<hir::NewArrayExpr>().sizes, parts);
+    case hir::ExprKind::kCallNative: {
+      const auto& call = value.as<hir::CallNativeExpr>();
+      const bool makes_one = value.type->is(Kind::kHost) || call.function == &kFilled;
+      return makes_one && all_fixed(call.arguments, parts);
+    }
     case hir::ExprKind::kCall:  // of a function that gives a default value
       return value.as<hir::CallExpr>().function->gives_fixed_value;
     default:
