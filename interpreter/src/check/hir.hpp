@@ -22,27 +22,11 @@ namespace armlet::lang::hir {
 // -----------------------------------------------------------------------------------------------
 
 enum class StmtKind : std::uint8_t {
-  kBlock,
-  kInit,
-  kAssign,
-  kExpr,
-  kIf,
-  kLoop,
-  kRange,
-  kForList,
-  kSwitch,
-  kTry,
-  kThrow,
-  kJump,
-  kReturn,
-  kWait,
-  kWaitUntil,
-  kParallel,
-  kWhen,
-  kEvery,
-  kAssert,
-  kAssertThrows,
-  kStorePart
+#define ARMLET_EXPR(...)
+#define ARMLET_STMT(kind, ...) kind,
+#include "check/hir_nodes.def"
+#undef ARMLET_STMT
+#undef ARMLET_EXPR
 };
 
 struct Stmt {

@@ -68,43 +68,11 @@ struct Function {
 
 // ---- expressions
 enum class ExprKind : std::uint8_t {
-  kBool,
-  kInt,
-  kReal,
-  kText,
-  kEnum,
-  kAbsent,
-  kVariable,
-  kUnary,
-  kBinary,
-  kAnd,
-  kOr,
-  kCond,
-  kConvert,
-  kList,
-  kNewArray,
-  kRecord,
-  kField,
-  kElement,
-  kSlice,
-  kLength,
-  kCharacter,
-  kCall,
-  kCallValue,
-  kCallNative,
-  kFunctionValue,
-  kClosure,
-  kConcat,
-  kToText,
-  kError,
-  kMutate,
-  kGuarded,
-  kMatrix,
-  kPart,
-  kOverList,
-  kMap,
-  kEntry,
-  kMapQuery
+#define ARMLET_STMT(...)
+#define ARMLET_EXPR(kind, ...) kind,
+#include "check/hir_nodes.def"
+#undef ARMLET_EXPR
+#undef ARMLET_STMT
 };
 
 enum class Op : std::uint8_t {

@@ -16,38 +16,11 @@ namespace armlet::lang::ast {
 // -----------------------------------------------------------------------------------------------
 
 enum class StmtKind : std::uint8_t {
-  kBlock,
-  kEmpty,
-  kVar,
-  kObject,
-  kFunction,
-  kStruct,
-  kEnum,
-  kImport,
-  kTest,
-  kIf,
-  kWhile,
-  kDo,
-  kForIn,
-  kFor,
-  kSwitch,
-  kTry,
-  kParallel,
-  kWhen,
-  kEvery,
-  kWith,
-  kPath,
-  kRecord,
-  kExpr,
-  kAssign,
-  kStep,
-  kWait,
-  kWaitUntil,
-  kBreak,
-  kContinue,
-  kRetry,
-  kReturn,
-  kThrow
+#define ARMLET_EXPR(...)
+#define ARMLET_STMT(kind, ...) kind,
+#include "syntax/ast_nodes.def"
+#undef ARMLET_STMT
+#undef ARMLET_EXPR
 };
 
 struct Stmt {

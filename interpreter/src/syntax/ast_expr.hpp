@@ -53,28 +53,11 @@ struct TypeExpr {
 // ----------------------------------------------------------------------------------------------
 
 enum class ExprKind : std::uint8_t {
-  kInt,
-  kReal,
-  kQuantity,
-  kText,
-  kFormatted,
-  kBool,
-  kName,
-  kMember,
-  kIndex,
-  kCall,
-  kUnary,
-  kBinary,
-  kCond,
-  kCast,
-  kList,
-  kMap,
-  kMatrix,
-  kNewObject,
-  kNewArray,
-  kBrace,
-  kLambda,
-  kUntil
+#define ARMLET_STMT(...)
+#define ARMLET_EXPR(kind, ...) kind,
+#include "syntax/ast_nodes.def"
+#undef ARMLET_EXPR
+#undef ARMLET_STMT
 };
 
 enum class UnaryOp : std::uint8_t { kMinus, kPlus, kNot };
