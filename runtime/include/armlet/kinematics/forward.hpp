@@ -15,6 +15,8 @@ using JointsIn = const Eigen::Ref<const Eigen::VectorXd>&;
 //
 // q       n joint values, rad or m; limits are not checked.
 // throws  ArgumentError unless q has n elements.
+// source  J. Denavit, R. S. Hartenberg, A kinematic notation for lower-pair mechanisms, Journal of
+//         Applied Mechanics 22, 1955; B. Siciliano et al., Robotics, 2009, section 2.8.2.
 Eigen::Isometry3d forward(const Robot& robot, JointsIn q);
 
 // Pose of the frame after joint k in the world, without the tool; k counts from 1 and 0 is the

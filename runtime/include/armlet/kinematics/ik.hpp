@@ -114,6 +114,8 @@ struct IkResult {
 //
 // T_world_tool  the goal, in the world.
 // returns       a result whose status says what happened; never throws for what the goal is.
+// source        of the iterations, S. K. Chan, P. D. Lawrence, General inverse kinematics with the
+//               error damped pseudoinverse, ICRA 1988; of the formulas, see closed_form.hpp.
 IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                   const IkOptions& options = {});
 

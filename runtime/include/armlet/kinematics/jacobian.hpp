@@ -18,18 +18,28 @@ enum class JacobianFrame { kWorld, kBase, kTool };
 // q       n joint values, rad or m.
 // frame   the axes in which v and w are expressed; v is always the velocity of the tool point.
 // throws  ArgumentError unless q has n elements.
+// source  D. E. Whitney, The mathematics of coordinated control of prosthetic arms and
+//         manipulators, 1972; Siciliano et al., Robotics, 2009, section 3.1.3.
 Jacobian jacobian(const Robot& robot, JointsIn q, JacobianFrame frame = JacobianFrame::kWorld);
 
 // Tool pose and world Jacobian in one pass.
 Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian& J);
 
-// Jdot(q, qd) qd in world axes: the acceleration [a; alpha] of the tool point while qdd = 0.
+// Jdot(q, qd) qd in world axes, m/s^2 and rad/s^2: the acceleration [a; alpha] of the tool point
+// while qdd = 0.
+//
+// q, qd   n joint values, rad or m, and their rates.
+// throws  ArgumentError unless both have n elements.
+// source  J. Y. S. Luh, M. W. Walker, R. P. C. Paul, On-line computational scheme for mechanical
+//         manipulators, 1980: the outward recursion of accelerations.
 Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd);
 
 // Time derivative of the Jacobian in the same axes while the joints move with qd.
 //
 // qd      n joint velocities, rad/s or m/s.
 // throws  ArgumentError unless q and qd have n finite elements.
+// source  H. Bruyninckx, J. De Schutter, Symbolic differentiation of the velocity mapping for a
+//         serial kinematic chain, Mechanism and Machine Theory 31(2), 1996.
 Jacobian jacobian_rate(const Robot& robot, JointsIn q, JointsIn qd,
                        JacobianFrame frame = JacobianFrame::kWorld);
 

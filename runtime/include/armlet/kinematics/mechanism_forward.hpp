@@ -20,6 +20,7 @@ Eigen::Isometry3d tip_pose(const Mechanism& mechanism, JointsIn q, const Tip& ti
 
 // Maps actuator speeds to the velocity [v; w] of a tip's origin in the axes of the base: J C, where
 // J belongs to the joints and C couples them to the actuators.
+// source  Siciliano et al., Robotics, 2009, section 3.1.3, along the path from the base to the tip.
 Matrix6Xd tip_jacobian(const Mechanism& mechanism, JointsIn q, const Tip& tip);
 
 }  // namespace armlet

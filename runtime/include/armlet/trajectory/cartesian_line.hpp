@@ -9,6 +9,7 @@
 namespace armlet {
 
 // A straight move of the tool point from rest to rest; the orientation turns evenly about one axis.
+// source  Siciliano et al., Robotics, 2009, sections 4.3.1 and 4.3.3.
 //
 // q0              joints at the start; they choose the branch, which is kept.
 // T_world_goal    where the tool point goes. What of it counts is decided by `task`: with kPlace

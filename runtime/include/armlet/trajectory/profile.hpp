@@ -45,16 +45,20 @@ Segment quintic_segment(const AxisState& from, const AxisState& to, double T);
 // Quartic with given position, speed and acceleration at the start, position and speed at the end;
 // `to.a` is not used.
 // T       duration, s, > 0.
+// source  Fu, Gonzalez, Lee, Robotics, 1987, section 4.3.
 Segment quartic_segment(const AxisState& from, const AxisState& to, double T);
 
 // From rest to rest with speed, acceleration and jerk zero at both ends:
 // D (35 x^4 - 84 x^5 + 70 x^6 - 20 x^7) with x = t / T.
 // T       duration, s, > 0.
+// source  L. Biagiotti, C. Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008,
+//         section 2.1.
 Segment septic_segment(double q0, double q1, double T);
 
 // The cycloid D (x - sin(2 pi x) / 2 pi) with x = t / T as 32 pieces of degree 7 that have its
 // position, speed, acceleration and jerk at their ends; in between they stray by 1e-13 D at most.
 // T       duration, s, > 0.
+// source  Biagiotti, Melchiorri 2008, section 2.2.
 std::vector<Segment> cycloid_segments(double q0, double q1, double T);
 
 // The same polynomial written from its other end: q(T - t), starting at `start`.

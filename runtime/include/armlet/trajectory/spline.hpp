@@ -20,6 +20,7 @@ std::vector<Segment> cubic_spline(std::span<const double> t, std::span<const dou
 
 // Cubic spline through the points whose acceleration is zero at both ends; the speeds there are
 // free. Arguments as above.
+// source  de Boor 1978, chapter IV.
 std::vector<Segment> natural_spline(std::span<const double> t, std::span<const double> q);
 
 // Speeds and accelerations prescribed at the two ends of a path.
@@ -49,6 +50,8 @@ std::vector<Segment> quartic_spline(std::span<const double> t, std::span<const d
 
 // Quintics, four times continuously differentiable: of all curves through the points with these
 // ends the one with the least integral of squared jerk.
+// source  C. de Boor, Best approximation properties of spline functions of odd degree, Journal of
+//         Mathematics and Mechanics 12, 1963.
 std::vector<Segment> quintic_spline(std::span<const double> t, std::span<const double> q,
                                     const PathEnds& ends = {});
 

@@ -75,6 +75,8 @@ VelocityPlan plan_joint_velocity(const Robot& robot, const VelocityStart& start,
 // Holds a velocity of the tool point: v in m/s and w in rad/s, in the world. Of the joint speeds
 // that give it the smallest ones are taken.
 // throws  as plan_joint_velocity.
+// source  D. E. Whitney, Resolved motion rate control of manipulators and human prostheses, IEEE
+//         Transactions on Man-Machine Systems 10(2), 1969.
 VelocityPlan plan_tool_velocity(const Robot& robot, const VelocityStart& start,
                                 const Vector6d& twist);
 
