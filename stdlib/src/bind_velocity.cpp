@@ -100,6 +100,14 @@ Failed fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
     f.fix = "hold the velocity for a shorter time, or ask for less speed";
     return fail(vm, std::move(f));
   }
+  if (plan.faster > 0.0) {
+    Failure f = refusal(vm, call, "R0604");
+    f.message = fmt::format("the hand would become {} % faster than asked for while {} stops",
+                            format_number(100.0 * plan.faster, 1), f.robot);
+    f.why = "near a posture where the arm is singular the joints run fast for a slow hand";
+    f.fix = "ask for less speed";
+    return fail(vm, std::move(f));
+  }
   Failure f = refusal(vm, call, "R0601");
   f.arguments = {"no joint speeds give the hand this velocity"};
   f.why = fmt::format("the nearest that this arm can do differs by {} % of it",
@@ -182,9 +190,11 @@ Started speed_c(Vm& vm, const RobotRef& r, const Drift& drift) {
   VelocityStart start = start_of(vm, call, *during);
   Host& host = Host::of(vm);
   constexpr double kSame = 1e-12;  // relative
-  const LastVelocity* last = host.last_velocity(call.robot);
-  if (last != nullptr && (last->twist - twist).norm() <= kSame * twist.norm())
-    start.same = last->take_up;
+  if (const LastVelocity* last = host.last_velocity(call.robot)) {
+    start.fastest = last->take_up.fastest;
+    const bool goes_on = host.cell().report(last->motion).held_ns == host.now_ns();
+    if (goes_on && (last->twist - twist).norm() <= kSame * twist.norm()) start.same = last->take_up;
+  }
   VelocityPlan plan = plan_tool_velocity(model_of(vm, call), start, twist);
   const ToolTakeUp take_up = plan.take_up;
   auto started = drive(vm, call, std::move(plan), *during);

@@ -12,7 +12,7 @@
 
 namespace armlet {
 
-// How the tool takes up a velocity.
+// A law by which the tool takes up a velocity.
 //
 // share    part of the limits on acceleration and jerk that is for the take-up itself; the rest is
 //          for the joints turning under it.
@@ -20,10 +20,30 @@ namespace armlet {
 //          turned.
 // ref      position of the joints to which the law of the take-up refers; empty if it is in joint
 //          speeds.
-struct ToolTakeUp {
+struct ToolLaw {
   double share = 1.0;
   double turning = 1.0;
   Eigen::VectorXd ref{};
+};
+
+// Speeds of the tool point, m/s and rad/s, >= 0.
+struct ToolSpeeds {
+  double v = 0.0;
+  double w = 0.0;
+};
+
+// How the tool takes up a velocity.
+//
+// law        of the take-up.
+// brake_for  s, for which the tool is slowed down first, because the velocity cannot be taken up
+//            at once without making the tool faster than it may be; mostly 0.
+// brake      the law by which it is slowed down.
+// fastest    the largest speeds that were asked for and are still being taken up.
+struct ToolTakeUp {
+  ToolLaw law{};
+  double brake_for = 0.0;
+  ToolLaw brake{};
+  ToolSpeeds fastest{};
 };
 
 // The state of a robot when a command comes, and for how long the command holds, s, > 0.
@@ -31,12 +51,16 @@ struct ToolTakeUp {
 // qdd    none gains speed if empty.
 // same   how the plan before took up its velocity, if this command sends the same velocity of the
 //        tool again: the take-up is then gone on with, also where the limits need a special one.
+// fastest  `take_up.fastest` of the plan before, if the tool was taking up another velocity;
+// nothing
+//        if it is not known: then what the tool does at the start counts.
 struct VelocityStart {
   Eigen::VectorXd q{};
   Eigen::VectorXd qd{};
   Eigen::VectorXd qdd{};
   double during = 0.0;
   std::optional<ToolTakeUp> same{};
+  std::optional<ToolSpeeds> fastest{};
 };
 
 // A joint would have to exceed a limit on its speed, acceleration or jerk.
@@ -58,12 +82,16 @@ struct RateTooHigh {
 // outside   a joint would leave its limits, at the latest while it stops.
 // too_high  a joint would be too fast, or gain speed or acceleration too fast.
 // lacking   part of the velocity of the tool that no joint speeds give, as a fraction of it.
+// faster    the tool would become faster than any velocity that was asked for, by this fraction,
+// while
+//           the joints come to rest as well as they can.
 // take_up   how the tool takes up its velocity, for the command after this one.
 struct VelocityPlan {
   std::optional<Trajectory> motion{};
   std::optional<LimitViolation> outside{};
   std::optional<RateTooHigh> too_high{};
   double lacking = 0.0;
+  double faster = 0.0;
   ToolTakeUp take_up{};
 };
 

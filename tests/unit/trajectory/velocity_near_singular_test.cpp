@@ -1,0 +1,163 @@
+// Laws of velocity commands where joints are at a large part of their speeds while the tool is
+// slow.
+#include <doctest/doctest.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/model/catalog.hpp"
+#include "armlet/trajectory/velocity.hpp"
+#include "velocity_cases.hpp"
+
+using namespace armlet;
+using namespace armlet::velocity_cases;
+
+namespace {
+
+// A position from which joint speeds that hardly move the tool are near: from a random one, random
+// steps that lessen the least singular value of the directions in which the arm can move.
+Eigen::VectorXd near_singular(const Robot& robot, double value, Dice& dice) {
+  const auto value_at = [&](const Eigen::VectorXd& q) {
+    const Eigen::MatrixXd J = jacobian(robot, q);
+    const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
+    return s[std::min<Eigen::Index>(robot.n(), 6) - 1];
+  };
+  Eigen::VectorXd q = good_position(robot, dice);
+  double least = value_at(q), step = 0.3;
+  for (int k = 0; k < 400 && least > value; ++k) {
+    const Eigen::VectorXd next = q + dice.within(Eigen::VectorXd::Constant(robot.n(), step));
+    const bool inside = (next.array() > 0.9 * robot.lower().array()).all() &&
+                        (next.array() < 0.9 * robot.upper().array()).all();
+    if (!inside) continue;
+    if (const double at = value_at(next); at < least) {
+      least = at;
+      q = next;
+    } else {
+      step = std::max(0.9 * step, 0.02);
+    }
+  }
+  return q;
+}
+
+enum class Kind { kMoving, kTurning, kBoth };
+
+// A velocity for which a joint needs the part `use` of its speed.
+Vector6d velocity_for(const Robot& robot, const Eigen::VectorXd& q, Kind kind, double use,
+                      Dice& dice) {
+  Vector6d twist = holdable(robot, 1.0, dice);
+  if (robot.n() >= 6 && kind == Kind::kMoving) twist.tail<3>().setZero();
+  if (robot.n() >= 6 && kind == Kind::kTurning) twist.head<3>().setZero();
+  const Eigen::MatrixXd J = jacobian(robot, q);
+  const Eigen::VectorXd qd = J.completeOrthogonalDecomposition().solve(twist);
+  const double load = (qd.array().abs() / robot.max_speed().array()).maxCoeff();
+  return std::min(use / load, 0.5) * twist;
+}
+
+// By which part the tool exceeds the fastest velocity between two times: moving where moving is
+// asked for, turning where turning is.
+double excess(const Robot& robot, const Trajectory& motion, double begin, double end,
+              const ToolSpeeds& fastest) {
+  double most = 0.0;
+  constexpr int kSamples = 25;
+  for (int k = 0; k <= kSamples; ++k) {
+    const State s = state_at(motion, begin + (end - begin) * k / kSamples);
+    const Vector6d moving = jacobian(robot, s.q) * s.qd;
+    if (fastest.v > 1e-3) most = std::max(most, moving.head<3>().norm() / fastest.v - 1.0);
+    if (fastest.w > 5e-3 && fastest.w > 0.2 * fastest.v)
+      most = std::max(most, moving.tail<3>().norm() / fastest.w - 1.0);
+  }
+  return most;
+}
+
+// Whether the tool has exactly its velocity and keeps it.
+bool taken_up(const Robot& robot, const VelocityStart& state, const Vector6d& twist) {
+  const Eigen::MatrixXd J = jacobian(robot, state.q);
+  const Vector6d gain = J * state.qdd + jacobian_dot_qd(robot, state.q, state.qd);
+  return (J * state.qd - twist).norm() < 1e-7 && gain.norm() < 1e-5;
+}
+
+struct Sent {
+  int planned = 0;
+  int refused = 0;  // because the tool would become too fast
+  double excess = 0.0;
+};
+
+// Random velocities one after another. The largest ones still being taken up are counted here, not
+// asked for.
+void send(const Robot& robot, const Eigen::VectorXd& q, Kind kind, Dice& dice, Sent& sent) {
+  VelocityStart start = standing(q, 0.0);
+  const double use = std::exp(dice.from(std::log(0.05), std::log(0.9)));
+  ToolSpeeds fastest;
+  for (int c = 0; c < 12; ++c) {
+    Vector6d twist = velocity_for(robot, start.q, kind, use, dice);
+    twist *= dice.from(0.0, 1.0) < 0.1 ? 0.0 : dice.from(0.1, 1.0);
+    start.during = some_period(dice);
+    const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
+    if (plan.faster > 0.0) {
+      ++sent.refused;
+      CHECK(plan.faster > 0.01);
+    }
+    if (!plan.motion) continue;
+    ++sent.planned;
+    fastest = {.v = std::max(fastest.v, twist.head<3>().norm()),
+               .w = std::max(fastest.w, twist.tail<3>().norm())};
+    check_motion(robot, start, *plan.motion);
+    sent.excess =
+        std::max({sent.excess, excess(robot, *plan.motion, 0.0, start.during, fastest),
+                  excess(robot, *plan.motion, start.during, plan.motion->duration(), fastest)});
+    go_on(*plan.motion, start);
+    start.fastest = plan.take_up.fastest;
+    if (taken_up(robot, start, twist))
+      fastest = {.v = twist.head<3>().norm(), .w = twist.tail<3>().norm()};
+  }
+}
+
+}  // namespace
+
+TEST_CASE("near singular positions no tool is faster than the fastest velocity being taken up") {
+  Dice dice{std::mt19937_64(55)};
+  int refused = 0, planned = 0;
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(std::string(name));
+    const Robot robot = *make_robot(name);
+    if (holdable(robot, 1.0, dice).isZero()) continue;
+    Sent sent;
+    for (const Kind kind : {Kind::kMoving, Kind::kTurning, Kind::kBoth}) {
+      const double value = std::exp(dice.from(std::log(0.003), std::log(0.1)));
+      send(robot, near_singular(robot, value, dice), kind, dice, sent);
+      send(robot, good_position(robot, dice), kind, dice, sent);
+    }
+    CHECK(sent.planned > 30);
+    CHECK(sent.excess <= 0.01);
+    refused += sent.refused;
+    planned += sent.planned;
+  }
+  CHECK(refused <= planned / 50);
+}
+
+TEST_CASE("near singular positions a velocity sent again and again is one sent once") {
+  Dice dice{std::mt19937_64(56)};
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(std::string(name));
+    const Robot robot = *make_robot(name);
+    if (holdable(robot, 1.0, dice).isZero()) continue;
+    int compared = 0;
+    for (const Kind kind : {Kind::kMoving, Kind::kTurning, Kind::kBoth}) {
+      const VelocityStart start = standing(near_singular(robot, 0.03, dice), 0.0);
+      const double use = dice.from(0.1, 0.6);
+      const Resent result = resend(dice, start, 5, [&](const VelocityStart& from) {
+        const Vector6d twist = velocity_for(robot, from.q, kind, use, dice);
+        return [&robot, twist](const VelocityStart& at) {
+          return plan_tool_velocity(robot, at, twist);
+        };
+      });
+      compared += result.compared;
+      CHECK(result.apart < 1e-9);
+    }
+    CHECK(compared > 3);
+  }
+}
