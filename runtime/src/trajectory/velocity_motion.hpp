@@ -62,6 +62,15 @@ class VelocityPieces {
     set(i, to);
   }
 
+  // Joint i goes to a given speed and acceleration.
+  void gain(Eigen::Index i, double v, double a, double T) {
+    const double dv = v - qd_[i] - T * qdd_[i], da = T * (a - qdd_[i]);
+    const double c3 = (dv - da / 3.0) / (T * T), c4 = (da - 2.0 * dv) / (4.0 * T * T * T);
+    const double way = T * (qd_[i] + T * (0.5 * qdd_[i] + T * (c3 + T * c4)));
+    add(i, {.duration = T, .degree = 4, .c = {q_[i], qd_[i], 0.5 * qdd_[i], c3, c4}});
+    set(i, {.q = q_[i] + way, .v = v, .a = a});
+  }
+
   [[nodiscard]] Trajectory made() && {
     for (Eigen::Index i = 0; i < q_.size(); ++i) paths_[static_cast<std::size_t>(i)].q_end = q_[i];
     return {std::move(paths_), *std::ranges::max_element(ends_)};

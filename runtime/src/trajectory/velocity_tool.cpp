@@ -39,21 +39,7 @@ ToolSpeeds larger(const ToolSpeeds& a, const ToolSpeeds& b) {
   return {.v = std::max(a.v, b.v), .w = std::max(a.w, b.w)};
 }
 
-// By which fraction a velocity exceeds the largest speeds. A speed of moving that is small beside
-// that of turning counts as a part of it, and the other way round.
-double excess_of(const Vector6d& twist, const ToolSpeeds& most) {
-  constexpr double kNothing = 1e-6;  // m/s
-  constexpr double kLever = 0.25;    // m, between turning and moving
-  constexpr double kSmall = 0.05;
-  const double v = most.v, w = kLever * most.w;
-  const auto excess = [=](double x, double limit, double unit) {
-    return x > limit + kNothing ? (x - limit - kNothing) / std::max(unit, kNothing) : 0.0;
-  };
-  return std::max(excess(twist.head<3>().norm(), v, std::max(v, kSmall * w)),
-                  excess(kLever * twist.tail<3>().norm(), w, std::max(w, kSmall * v)));
-}
-
-// The same for a motion between two times.
+// By which fraction the tool exceeds the largest speeds between two times of a motion.
 double excess_of(const Robot& robot, const Trajectory& motion, double begin, double end,
                  const ToolSpeeds& most) {
   constexpr int kSamples = 48;
@@ -89,65 +75,66 @@ VelocityStart state_of(const VelocityPieces& pieces, double during) {
   return {.q = pieces.q(), .qd = pieces.qd(), .qdd = pieces.qdd(), .during = during};
 }
 
-// A take-up followed to its end, however long the command holds.
+// What a law by which a velocity is taken up must do.
 //
-// fits    the joints keep to their limits on acceleration and jerk.
-// ends    they do so until the end, within their limits on position and speed.
-// excess  of the tool over the largest speeds.
-struct Trial {
-  bool fits = true;
-  bool ends = true;
-  double excess = 0.0;
+// most, calm  speeds of the tool, and by which fraction it may exceed them.
+// ends        the joints keep to their limits on position and speed until the end.
+struct Wanted {
+  ToolSpeeds most{};
+  double calm = std::numeric_limits<double>::infinity();
+  bool ends = false;
 };
 
-Trial try_take_up(const ToolCommand& command, const ToolSpeeds& most) {
-  const Robot& robot = command.robot();
+enum class Trial { kGood, kTooMuchForTheJoints, kBad };
+
+// Follows a take-up to its end, however long the command holds.
+Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolCommand& command,
+                  const Wanted& wanted) {
   const double end = command.take_up().duration();
-  if (end < kShortestVelocity) return {};
-  VelocityPieces pieces(command.start());
-  const VectorXd A =
-      (1.0 + 1e-9) *
-      (kWithin * robot.max_accel()).cwiseMax(accelerations_of(command.start()).cwiseAbs());
-  const VelocityPlan followed = command.follow(end, pieces, &A);
+  if (end < kShortestVelocity) return Trial::kGood;
+  VelocityPieces pieces(start);
+  const VectorXd most_qdd =
+      (1.0 + 1e-9) * (kWithin * robot.max_accel()).cwiseMax(accelerations_of(start).cwiseAbs());
+  const FollowLimits limits{.qdd = most_qdd, .most = wanted.most, .calm = wanted.calm};
+  const VelocityPlan followed = command.follow(0.0, end, pieces, &limits);
+  const double at_end = excess_of(jacobian(robot, pieces.q()) * pieces.qd(), wanted.most);
   const Trajectory motion = std::move(pieces).made();
-  Trial trial{.ends = !followed.too_high && !followed.outside};
-  for (int i = 0; i < robot.n() && trial.fits; ++i)
-    trial.fits = motion.peak(i, 2) <= A[i] && motion.peak(i, 3) <= kWithin * robot.max_jerk()[i];
-  if (trial.fits) trial.excess = excess_of(robot, motion, 0.0, motion.duration(), most);
-  return trial;
+  const double before = excess_of(robot, motion, 0.0, motion.duration(), wanted.most);
+  if (std::max(at_end, before) > wanted.calm) return Trial::kBad;
+  for (int i = 0; i < robot.n(); ++i) {
+    if (motion.peak(i, 2) > most_qdd[i] || motion.peak(i, 3) > kWithin * robot.max_jerk()[i])
+      return Trial::kTooMuchForTheJoints;
+  }
+  const bool ends = !followed.too_high && !followed.outside;
+  return ends || !wanted.ends ? Trial::kGood : Trial::kBad;
 }
 
-// The law with the largest share of the limits by which the joints keep to them. An acceleration
-// that another command has left is turned with the largest share of the jerk if that can be, so
-// that no speed goes further than that command would have let it.
-struct Choice {
-  ToolLaw law{};
-  Trial trial{};
-};
-
-std::optional<Choice> largest_share(ToolCommand& command, const VectorXd& ref, bool slowly,
-                                    const ToolSpeeds& most) {
+// The law with the largest share of the limits by which the joints keep to them, if it does what is
+// wanted: with a smaller share the joints would only turn farther meanwhile.
+//
+// slowly  an acceleration that another command has left is turned with that share of the jerk as
+//         well, not with the largest, by which no speed goes further than that command would have
+//         let it.
+std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& start,
+                                     const Vector6d& twist, const VectorXd& ref, bool slowly,
+                                     const Wanted& wanted) {
   for (const double share : kShares) {
     const ToolLaw law{.share = share, .turning = slowly ? share : kShares[0], .ref = ref};
-    command.plan(law);
-    const Trial trial = try_take_up(command, most);
-    if (trial.fits) return Choice{law, trial};
+    const Trial trial = try_take_up(robot, start, ToolCommand(robot, start, twist, law), wanted);
+    if (trial == Trial::kGood) return law;
+    if (trial == Trial::kBad) break;
   }
   return std::nullopt;
 }
 
-// A law, in joint speeds or in those of the tool, by which the tool keeps to its speeds.
-std::optional<Choice> calm_law(const Robot& robot, const VelocityStart& start,
-                               const Vector6d& twist, const ToolSpeeds& most, double calm,
-                               bool must_end) {
-  ToolCommand command(robot, start, twist);
+// A law, in joint speeds or in those of the tool, that does what is wanted.
+std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
+                                const Vector6d& twist, const Wanted& wanted) {
   const bool turns = !accelerations_of(start).isZero(1e-9);
   for (const VectorXd& ref : {VectorXd(), start.q}) {
     for (const bool slowly : {false, true}) {
       if (slowly && !turns) break;
-      auto choice = largest_share(command, ref, slowly, most);
-      if (choice && choice->trial.excess <= calm && (choice->trial.ends || !must_end))
-        return choice;
+      if (auto law = largest_share(robot, start, twist, ref, slowly, wanted)) return law;
     }
   }
   return std::nullopt;
@@ -157,104 +144,145 @@ std::optional<Choice> calm_law(const Robot& robot, const VelocityStart& start,
 std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& start,
                                       const Vector6d& twist, const ToolSpeeds& most) {
   const Vector6d none = Vector6d::Zero();
-  const auto brake = calm_law(robot, start, none, most, kCalmBrake, true);
+  const auto brake = find_law(robot, start, none, {most, kCalmBrake, true});
   if (!brake) return std::nullopt;
-  ToolCommand command(robot, start, none);
-  command.plan(brake->law);
+  const ToolCommand command(robot, start, none, *brake);
   const double rest = command.take_up().duration();
   constexpr int kParts = 4;
   for (int part = 1; part <= kParts; ++part) {
     const double time = rest * part / kParts;
     VelocityPieces pieces(start);
-    static_cast<void>(command.follow(time, pieces));
+    static_cast<void>(command.follow(0.0, time, pieces));
     const VelocityStart slower = state_of(pieces, start.during);
-    if (const auto choice = calm_law(robot, slower, twist, most, kCalmBrake, false))
-      return ToolTakeUp{.law = choice->law, .brake_for = time, .brake = brake->law};
+    if (const auto law = find_law(robot, slower, twist, {most, kCalmBrake}))
+      return ToolTakeUp{.law = *law, .brake_for = time, .brake = *brake};
   }
   const ToolLaw least{.share = kLeastShare, .turning = kLeastShare};
-  return ToolTakeUp{.law = least, .brake_for = rest, .brake = brake->law};
+  return ToolTakeUp{.law = least, .brake_for = rest, .brake = *brake};
 }
 
 // Decides how the velocity is taken up.
 ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
                   const ToolSpeeds& most) {
-  if (const auto choice = calm_law(robot, start, twist, most, kCalm, false))
-    return {.law = choice->law};
+  if (const auto law = find_law(robot, start, twist, {most, kCalm})) return {.law = *law};
   if (auto slower = brake_first(robot, start, twist, most)) return *slower;
-  ToolCommand command(robot, start, twist);
   for (const VectorXd& ref : {start.q, VectorXd()}) {
     for (const bool slowly : {false, true}) {
-      if (const auto choice = largest_share(command, ref, slowly, most))
-        return {.law = choice->law};
+      if (const auto law = largest_share(robot, start, twist, ref, slowly, {most}))
+        return {.law = *law};
     }
   }
   return {.law = {.share = kLeastShare, .turning = kLeastShare}};
 }
 
-// Comes to rest by a law that keeps the tool calm, by that of the joints if it does.
+double excess_of_stop(const Robot& robot, const VelocityPieces& moving, const ToolSpeeds& most) {
+  VelocityPieces stop(state_of(moving, 1.0));
+  come_to_rest(robot, stop);
+  const Trajectory motion = std::move(stop).made();
+  return excess_of(robot, motion, 0.0, motion.duration(), most);
+}
+
+// Comes to rest by the law of the joints if the tool is calm then, else by one that keeps it calm.
 // returns  by which fraction the tool exceeds the largest speeds.
 double stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
-  VelocityPieces alone(state_of(pieces, 1.0)), joints = pieces;
-  come_to_rest(robot, alone);
-  come_to_rest(robot, joints);
-  const Trajectory motion = std::move(alone).made();
-  const double excess = excess_of(robot, motion, 0.0, motion.duration(), most);
-  if (excess <= kCalmStop) {
-    pieces = joints;
-    return excess;
+  const double excess = excess_of_stop(robot, pieces, most);
+  if (excess > kCalmStop) {
+    const VelocityStart start = state_of(pieces, 1.0);
+    const Vector6d none = Vector6d::Zero();
+    for (const double calm : {kCalmStop, kCalmBrake}) {
+      const auto law = find_law(robot, start, none, {most, calm, true});
+      if (!law) continue;
+      const ToolCommand command(robot, start, none, *law);
+      static_cast<void>(command.follow(0.0, command.take_up().duration(), pieces));
+      for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
+      return calm;
+    }
   }
-  const VelocityStart start = state_of(pieces, 1.0);
-  const Vector6d none = Vector6d::Zero();
-  for (const double calm : {kCalmStop, kCalmBrake}) {
-    const auto choice = calm_law(robot, start, none, most, calm, true);
-    if (!choice) continue;
-    ToolCommand command(robot, start, none);
-    command.plan(choice->law);
-    static_cast<void>(command.follow(command.take_up().duration(), pieces));
-    for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
-    return choice->trial.excess;
-  }
-  pieces = joints;
+  come_to_rest(robot, pieces);
   return excess;
+}
+
+VelocityStart origin_of(const ToolTakeUp& take_up) {
+  return {.q = take_up.q, .qd = take_up.qd, .qdd = take_up.qdd, .during = 1.0};
+}
+
+void begin_at(ToolTakeUp& take_up, const VelocityStart& state) {
+  take_up.q = state.q;
+  take_up.qd = state.qd;
+  take_up.qdd = accelerations_of(state);
+  take_up.elapsed = 0.0;
+}
+
+void check_take_up(const Robot& robot, const ToolTakeUp& take_up) {
+  for (const VectorXd* x : {&take_up.q, &take_up.qd, &take_up.qdd}) {
+    check_size("same", x->size(), robot.n());
+    check_finite("same", *x);
+  }
+  for (const ToolLaw* law : {&take_up.law, &take_up.brake})
+    if (law->ref.size() > 0) check_size("ref", law->ref.size(), robot.n());
+}
+
+// Whether a state is the one to which a take-up has led.
+bool leads_to(const Robot& robot, const ToolTakeUp& take_up, const Vector6d& twist,
+              const VelocityStart& state) {
+  constexpr double kApart = 1e-6;  // of the largest speeds and accelerations
+  const bool brakes = take_up.brake_for > 0.0;
+  const ToolCommand command(robot, origin_of(take_up), brakes ? Vector6d(Vector6d::Zero()) : twist,
+                            brakes ? take_up.brake : take_up.law);
+  const VectorXd qd = command.at(take_up.elapsed, state.q).qd;
+  const VectorXd qdd = command.slope(take_up.elapsed, state.q, state.qd);
+  const auto near = [=](const VectorXd& a, const VectorXd& b, const VectorXd& most) {
+    return ((a - b).array().abs() <= kApart * most.array()).all();
+  };
+  return near(qd, state.qd, robot.max_speed()) &&
+         near(qdd, accelerations_of(state), robot.max_accel());
+}
+
+// Follows a law for `time` seconds, from where its take-up is.
+VelocityPlan go_on(const Robot& robot, ToolTakeUp& take_up, const Vector6d& twist,
+                   const ToolLaw& law, double time, VelocityPieces& pieces) {
+  const ToolCommand command(robot, origin_of(take_up), twist, law);
+  VelocityPlan plan = command.follow(take_up.elapsed, take_up.elapsed + time, pieces);
+  take_up.elapsed += time;
+  return plan;
 }
 
 // The whole motion of a command: take-up, hold and stop, or why the joints cannot.
 VelocityPlan run_command(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
-                         const ToolTakeUp& take_up) {
+                         ToolTakeUp take_up) {
   VelocityPieces pieces(start);
-  const double braking = std::min(take_up.brake_for, start.during);
-  if (braking > 0.0) {
-    ToolCommand brake(robot, start, Vector6d::Zero());
-    brake.plan(take_up.brake);
-    VelocityPlan plan = brake.follow(braking, pieces);
+  double left = start.during;
+  if (take_up.brake_for > 0.0) {
+    const double braking = std::min(take_up.brake_for - take_up.elapsed, left);
+    VelocityPlan plan = go_on(robot, take_up, Vector6d::Zero(), take_up.brake, braking, pieces);
     if (plan.too_high || plan.outside) return plan;
-  }
-  double taken_up = braking;
-  bool ends = false;
-  if (const double left = start.during - braking; left >= kShortestVelocity) {
-    const VelocityStart state = braking > 0.0 ? state_of(pieces, left) : start;
-    ToolCommand command(robot, state, twist);
-    command.plan(take_up.law);
-    VelocityPlan plan = command.follow(left, pieces);
-    if (plan.too_high || plan.outside || plan.lacking > 0.0) return plan;
-    taken_up += command.take_up().duration();
-    ends = taken_up <= start.during;
+    left -= braking;
+    if (take_up.brake_for - take_up.elapsed < kShortestVelocity) {
+      take_up.brake_for = 0.0;
+      begin_at(take_up, state_of(pieces, 1.0));
+    }
   }
   const ToolSpeeds most = take_up.fastest;
-  taken_up = std::min(taken_up, start.during);
-  double excess = stop(robot, pieces, most);
+  double taken_up = start.during;
+  if (left >= kShortestVelocity) {
+    const double lasts =
+        ToolCommand(robot, origin_of(take_up), twist, take_up.law).take_up().duration();
+    const double rest = std::max(lasts - take_up.elapsed, 0.0);
+    VelocityPlan plan = go_on(robot, take_up, twist, take_up.law, left, pieces);
+    if (plan.too_high || plan.outside || plan.lacking > 0.0) return plan;
+    if (rest <= left) {
+      take_up.fastest = speeds_of(twist);
+      taken_up = start.during - left + rest;
+    }
+  }
+  const double after = stop(robot, pieces, take_up.fastest);
   VelocityPlan plan = checked(robot, std::move(pieces).made());
   if (!plan.motion) return plan;
   plan.take_up = take_up;
-  plan.take_up.brake_for -= braking;
-  if (plan.take_up.brake_for < kShortestVelocity) {
-    plan.take_up.brake_for = 0.0;
-    if (ends) plan.take_up.fastest = speeds_of(twist);
-  }
-  const double until = excess_of(robot, *plan.motion, 0.0, taken_up, most);
-  if (excess <= kCalmStop && until <= kCalmBrake) return plan;
+  const double excess = std::max(after, excess_of(robot, *plan.motion, 0.0, taken_up, most));
+  if (excess <= kNotCalm) return plan;
+  // Where stopping at once would make the tool as fast, the command makes nothing worse.
   VelocityPieces at_once(start);
-  excess = std::max(excess, until);
   if (excess <= (1.0 + kNotCalm) * stop(robot, at_once, most)) return plan;
   return {.faster = excess};
 }
@@ -265,20 +293,21 @@ VelocityPlan plan_tool_velocity(const Robot& robot, const VelocityStart& start,
                                 const Vector6d& twist) {
   check_start(robot, start);
   check_finite("twist", twist);
-  if (const ToolRates wanted = ToolCommand(robot, start, twist).at(0.0, start.q);
+  const ToolCommand asked(robot, start, twist, {});
+  if (const ToolRates wanted = asked.at(asked.take_up().duration(), start.q);
       wanted.lacking > kLackingAtStart)
     return {.lacking = wanted.lacking};
   if (start.same) {
-    if (const auto size = start.same->law.ref.size(); size > 0) check_size("ref", size, robot.n());
-    VelocityPlan plan = run_command(robot, start, twist, *start.same);
-    const bool fits = !plan.too_high || plan.too_high->kind == LimitKind::kSpeed;
-    if (fits) return plan;
+    check_take_up(robot, *start.same);
+    if (leads_to(robot, *start.same, twist, start))
+      return run_command(robot, start, twist, *start.same);
   }
   const ToolSpeeds known = larger(known_speeds(robot, start), speeds_of(twist));
   const bool is_known = std::isfinite(known.v);
   ToolTakeUp take_up = choose(robot, start, twist,
                               is_known ? known : larger(speeds_at(robot, start), speeds_of(twist)));
   take_up.fastest = known;
+  begin_at(take_up, start);
   return run_command(robot, start, twist, take_up);
 }
 

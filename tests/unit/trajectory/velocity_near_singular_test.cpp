@@ -30,8 +30,9 @@ Eigen::VectorXd near_singular(const Robot& robot, double value, Dice& dice) {
   double least = value_at(q), step = 0.3;
   for (int k = 0; k < 400 && least > value; ++k) {
     const Eigen::VectorXd next = q + dice.within(Eigen::VectorXd::Constant(robot.n(), step));
-    const bool inside = (next.array() > 0.9 * robot.lower().array()).all() &&
-                        (next.array() < 0.9 * robot.upper().array()).all();
+    const Eigen::ArrayXd margin = 0.05 * (robot.upper() - robot.lower()).array().min(6.0);
+    const bool inside = (next.array() > robot.lower().array() + margin).all() &&
+                        (next.array() < robot.upper().array() - margin).all();
     if (!inside) continue;
     if (const double at = value_at(next); at < least) {
       least = at;
@@ -106,13 +107,14 @@ void send(const Robot& robot, const Eigen::VectorXd& q, Kind kind, Dice& dice, S
     fastest = {.v = std::max(fastest.v, twist.head<3>().norm()),
                .w = std::max(fastest.w, twist.tail<3>().norm())};
     check_motion(robot, start, *plan.motion);
-    sent.excess =
-        std::max({sent.excess, excess(robot, *plan.motion, 0.0, start.during, fastest),
-                  excess(robot, *plan.motion, start.during, plan.motion->duration(), fastest)});
+    sent.excess = std::max(sent.excess, excess(robot, *plan.motion, 0.0, start.during, fastest));
+    const double stops = start.during;
     go_on(*plan.motion, start);
     start.fastest = plan.take_up.fastest;
     if (taken_up(robot, start, twist))
       fastest = {.v = twist.head<3>().norm(), .w = twist.tail<3>().norm()};
+    sent.excess =
+        std::max(sent.excess, excess(robot, *plan.motion, stops, plan.motion->duration(), fastest));
   }
 }
 

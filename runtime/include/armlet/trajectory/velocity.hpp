@@ -32,28 +32,34 @@ struct ToolSpeeds {
   double w = 0.0;
 };
 
-// How the tool takes up a velocity.
+// How the tool takes up a velocity, and how far it has come.
 //
-// law        of the take-up.
-// brake_for  s, for which the tool is slowed down first, because the velocity cannot be taken up
-//            at once without making the tool faster than it may be; mostly 0.
-// brake      the law by which it is slowed down.
-// fastest    the largest speeds that were asked for and are still being taken up.
+// law          of the take-up.
+// brake_for    s, for which the tool is slowed down first, because the velocity cannot be taken up
+//              at once without making the tool faster than it may be; mostly 0.
+// brake        the law by which it is slowed down.
+// fastest      the largest speeds that were asked for and are still being taken up.
+// q, qd, qdd   the state in which the law that is now followed began.
+// elapsed      s, since then.
 struct ToolTakeUp {
   ToolLaw law{};
   double brake_for = 0.0;
   ToolLaw brake{};
   ToolSpeeds fastest{};
+  Eigen::VectorXd q{};
+  Eigen::VectorXd qd{};
+  Eigen::VectorXd qdd{};
+  double elapsed = 0.0;
 };
 
 // The state of a robot when a command comes, and for how long the command holds, s, > 0.
 //
-// qdd    none gains speed if empty.
-// same   how the plan before took up its velocity, if this command sends the same velocity of the
-//        tool again: the take-up is then gone on with, also where the limits need a special one.
-// fastest  `take_up.fastest` of the plan before, if the tool was taking up another velocity;
-// nothing
-//        if it is not known: then what the tool does at the start counts.
+// qdd      none gains speed if empty.
+// same     `take_up` of the plan before, if this command sends the same velocity of the tool again
+//          when the time of that plan ends: the take-up then goes on where it is. Left aside if the
+//          state is not the one which that plan led to.
+// fastest  `take_up.fastest` of the plan before, if the tool was taking up another velocity. If it
+//          is not known, what the tool does at the start counts.
 struct VelocityStart {
   Eigen::VectorXd q{};
   Eigen::VectorXd qd{};
@@ -82,9 +88,8 @@ struct RateTooHigh {
 // outside   a joint would leave its limits, at the latest while it stops.
 // too_high  a joint would be too fast, or gain speed or acceleration too fast.
 // lacking   part of the velocity of the tool that no joint speeds give, as a fraction of it.
-// faster    the tool would become faster than any velocity that was asked for, by this fraction,
-// while
-//           the joints come to rest as well as they can.
+// faster    the tool would become faster than the fastest velocity being taken up, by this
+//           fraction, while the joints come to rest as well as they can.
 // take_up   how the tool takes up its velocity, for the command after this one.
 struct VelocityPlan {
   std::optional<Trajectory> motion{};
