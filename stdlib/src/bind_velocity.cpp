@@ -100,14 +100,6 @@ Failed fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
     f.fix = "hold the velocity for a shorter time, or ask for less speed";
     return fail(vm, std::move(f));
   }
-  if (plan.faster > 0.0) {
-    Failure f = refusal(vm, call, "R0604");
-    f.message = fmt::format("the hand would become {} % faster than asked for while {} stops",
-                            format_number(100.0 * plan.faster, 1), f.robot);
-    f.why = "near a posture where the arm is singular the joints run fast for a slow hand";
-    f.fix = "ask for less speed";
-    return fail(vm, std::move(f));
-  }
   Failure f = refusal(vm, call, "R0601");
   f.arguments = {"no joint speeds give the hand this velocity"};
   f.why = fmt::format("the nearest that this arm can do differs by {} % of it",

@@ -24,8 +24,9 @@ constexpr double kLeastShare = kShares[std::size(kShares) - 1];
 constexpr double kWithin = 0.995;
 // How much faster the tool may become than the fastest velocity still being taken up, as a
 // fraction: while one is taken up, while the joints come to rest after it, while they slow down
-// because another velocity cannot be taken up otherwise, and in no case. So the slowing down that
-// was possible after one command is possible for the next.
+// because another velocity cannot be taken up otherwise; more means that another velocity is being
+// taken up than was said. So the slowing down that was possible after one command mostly is
+// possible for the next.
 constexpr double kCalm = 0.002;
 constexpr double kCalmStop = 0.005;
 constexpr double kCalmBrake = 0.008;
@@ -175,19 +176,14 @@ ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d
   return {.law = {.share = kLeastShare, .turning = kLeastShare}};
 }
 
-double excess_of_stop(const Robot& robot, const VelocityPieces& moving, const ToolSpeeds& most) {
-  VelocityPieces stop(state_of(moving, 1.0));
-  come_to_rest(robot, stop);
-  const Trajectory motion = std::move(stop).made();
-  return excess_of(robot, motion, 0.0, motion.duration(), most);
-}
-
-// Comes to rest by the law of the joints if the tool is calm then, else by one that keeps it calm.
-// returns  by which fraction the tool exceeds the largest speeds.
-double stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
-  const double excess = excess_of_stop(robot, pieces, most);
-  if (excess > kCalmStop) {
-    const VelocityStart start = state_of(pieces, 1.0);
+// Comes to rest by the law of the joints if the tool is calm then, else by one that keeps it calm
+// if there is one.
+void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
+  const VelocityStart start = state_of(pieces, 1.0);
+  VelocityPieces alone(start);
+  come_to_rest(robot, alone);
+  const Trajectory motion = std::move(alone).made();
+  if (excess_of(robot, motion, 0.0, motion.duration(), most) > kCalmStop) {
     const Vector6d none = Vector6d::Zero();
     for (const double calm : {kCalmStop, kCalmBrake}) {
       const auto law = find_law(robot, start, none, {most, calm, true});
@@ -195,11 +191,10 @@ double stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) 
       const ToolCommand command(robot, start, none, *law);
       static_cast<void>(command.follow(0.0, command.take_up().duration(), pieces));
       for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
-      return calm;
+      return;
     }
   }
   come_to_rest(robot, pieces);
-  return excess;
 }
 
 VelocityStart origin_of(const ToolTakeUp& take_up) {
@@ -262,29 +257,18 @@ VelocityPlan run_command(const Robot& robot, const VelocityStart& start, const V
       begin_at(take_up, state_of(pieces, 1.0));
     }
   }
-  const ToolSpeeds most = take_up.fastest;
-  double taken_up = start.during;
   if (left >= kShortestVelocity) {
     const double lasts =
         ToolCommand(robot, origin_of(take_up), twist, take_up.law).take_up().duration();
     const double rest = std::max(lasts - take_up.elapsed, 0.0);
     VelocityPlan plan = go_on(robot, take_up, twist, take_up.law, left, pieces);
     if (plan.too_high || plan.outside || plan.lacking > 0.0) return plan;
-    if (rest <= left) {
-      take_up.fastest = speeds_of(twist);
-      taken_up = start.during - left + rest;
-    }
+    if (rest <= left) take_up.fastest = speeds_of(twist);
   }
-  const double after = stop(robot, pieces, take_up.fastest);
+  stop(robot, pieces, take_up.fastest);
   VelocityPlan plan = checked(robot, std::move(pieces).made());
-  if (!plan.motion) return plan;
-  plan.take_up = take_up;
-  const double excess = std::max(after, excess_of(robot, *plan.motion, 0.0, taken_up, most));
-  if (excess <= kNotCalm) return plan;
-  // Where stopping at once would make the tool as fast, the command makes nothing worse.
-  VelocityPieces at_once(start);
-  if (excess <= (1.0 + kNotCalm) * stop(robot, at_once, most)) return plan;
-  return {.faster = excess};
+  plan.take_up = std::move(take_up);
+  return plan;
 }
 
 }  // namespace

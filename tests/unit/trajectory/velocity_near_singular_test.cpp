@@ -81,10 +81,13 @@ bool taken_up(const Robot& robot, const VelocityStart& state, const Vector6d& tw
   return (J * state.qd - twist).norm() < 1e-7 && gain.norm() < 1e-5;
 }
 
+// How much faster the tool became than the fastest velocity being taken up: while one was, and
+// while the joints stopped after it.
 struct Sent {
   int planned = 0;
-  int refused = 0;  // because the tool would become too fast
+  int fast = 0;  // more than 1 % faster
   double excess = 0.0;
+  double stopping = 0.0;
 };
 
 // Random velocities one after another. The largest ones still being taken up are counted here, not
@@ -98,23 +101,21 @@ void send(const Robot& robot, const Eigen::VectorXd& q, Kind kind, Dice& dice, S
     twist *= dice.from(0.0, 1.0) < 0.1 ? 0.0 : dice.from(0.1, 1.0);
     start.during = some_period(dice);
     const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
-    if (plan.faster > 0.0) {
-      ++sent.refused;
-      CHECK(plan.faster > 0.01);
-    }
     if (!plan.motion) continue;
     ++sent.planned;
     fastest = {.v = std::max(fastest.v, twist.head<3>().norm()),
                .w = std::max(fastest.w, twist.tail<3>().norm())};
     check_motion(robot, start, *plan.motion);
-    sent.excess = std::max(sent.excess, excess(robot, *plan.motion, 0.0, start.during, fastest));
+    const double taking_up = excess(robot, *plan.motion, 0.0, start.during, fastest);
     const double stops = start.during;
     go_on(*plan.motion, start);
     start.fastest = plan.take_up.fastest;
     if (taken_up(robot, start, twist))
       fastest = {.v = twist.head<3>().norm(), .w = twist.tail<3>().norm()};
-    sent.excess =
-        std::max(sent.excess, excess(robot, *plan.motion, stops, plan.motion->duration(), fastest));
+    const double stopping = excess(robot, *plan.motion, stops, plan.motion->duration(), fastest);
+    if (std::max(taking_up, stopping) > 0.01) ++sent.fast;
+    sent.excess = std::max(sent.excess, taking_up);
+    sent.stopping = std::max(sent.stopping, stopping);
   }
 }
 
@@ -122,7 +123,7 @@ void send(const Robot& robot, const Eigen::VectorXd& q, Kind kind, Dice& dice, S
 
 TEST_CASE("near singular positions no tool is faster than the fastest velocity being taken up") {
   Dice dice{std::mt19937_64(55)};
-  int refused = 0, planned = 0;
+  int planned = 0, fast = 0;
   for (const std::string_view name : catalog_names()) {
     CAPTURE(std::string(name));
     const Robot robot = *make_robot(name);
@@ -134,11 +135,12 @@ TEST_CASE("near singular positions no tool is faster than the fastest velocity b
       send(robot, good_position(robot, dice), kind, dice, sent);
     }
     CHECK(sent.planned > 30);
-    CHECK(sent.excess <= 0.01);
-    refused += sent.refused;
+    CHECK(sent.excess <= 0.02);
+    CHECK(sent.stopping <= 0.05);
     planned += sent.planned;
+    fast += sent.fast;
   }
-  CHECK(refused <= planned / 50);
+  CHECK(fast <= planned / 200);
 }
 
 TEST_CASE("near singular positions a velocity sent again and again is one sent once") {

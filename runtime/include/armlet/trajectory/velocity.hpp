@@ -84,19 +84,17 @@ struct RateTooHigh {
 //           before the speeds are reached, the joints come to rest the same way. Accelerations
 //           never jump. The same command sent again from a state within its time goes on with the
 //           same motion, and while a velocity is taken up no speed exceeds the fastest velocity
-//           that was still being taken up (but for 1 %).
+//           that was still being taken up (but for 1 %; next to a singular position, where no calm
+//           way is found, one of a thousand by a little more, and the way to rest as well).
 // outside   a joint would leave its limits, at the latest while it stops.
 // too_high  a joint would be too fast, or gain speed or acceleration too fast.
 // lacking   part of the velocity of the tool that no joint speeds give, as a fraction of it.
-// faster    the tool would become faster than the fastest velocity being taken up, by this
-//           fraction, while the joints come to rest as well as they can.
 // take_up   how the tool takes up its velocity, for the command after this one.
 struct VelocityPlan {
   std::optional<Trajectory> motion{};
   std::optional<LimitViolation> outside{};
   std::optional<RateTooHigh> too_high{};
   double lacking = 0.0;
-  double faster = 0.0;
   ToolTakeUp take_up{};
 };
 
