@@ -5,8 +5,8 @@
 #include <string>
 
 #include "armlet/stdlib/session.hpp"
-#include "bind.hpp"
 #include "library.hpp"
+#include "session/bind.hpp"
 
 using namespace armlet;
 

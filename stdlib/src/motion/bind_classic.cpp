@@ -1,0 +1,156 @@
+// The classic subset (language reference, section 18): the eight names of the 2011 platform.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/format.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "motion/moves.hpp"
+#include "robot/rules.hpp"
+#include "session/bind.hpp"
+#include "values/eigen_results.hpp"
+#include "values/values.hpp"
+#include "world/objects.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// posC(numbers): 3 = place only; 4 = place and turn about z, for an arm whose tool keeps its tilt;
+// 6 = place, roll, pitch, yaw (section 8).
+Answer<PosC> posc_from(Vm& vm, std::span<const double> v) {
+  for (const double x : v) {
+    if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
+  }
+  if (v.size() == 3) return PosC{make_translation({v[0], v[1], v[2]}), false};
+  if (v.size() == 6) return PosC{pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true};
+  const Robot* robot = Host::of(vm).only_robot();
+  if (v.size() == 4 && robot != nullptr && robot->n() == 4) {
+    return PosC{pose_from_rpy({v[0], v[1], v[2]}, {0.0, 0.0, v[3]}), true};
+  }
+  return failure(
+      vm, "R0613",
+      fmt::format("a posC is made from 3 or 6 numbers, or as many as the robot controls, not {}",
+                  v.size()),
+      0,
+      "3 are a place, 6 a place with roll, pitch and yaw, 4 a place and a turn about z for an arm "
+      "with 4 joints");
+}
+
+MoveCall classic_call(std::string_view function, const RobotRef& r) {
+  return {
+      .function = function, .robot = r.id, .target = 2, .time = 3, .planner = 1, .classic = true};
+}
+Started move_j(Vm& vm, const RobotRef& r, std::string_view planner, const PosJ& p, double time) {
+  return move_to_joints(vm, classic_call("moveJ", r), p.vector(), std::string(planner),
+                        {.time = time});
+}
+Started move_c(Vm& vm, const RobotRef& r, std::string_view planner, const PosC& p, double time) {
+  const MoveCall call = classic_call("moveC", r);
+  if (planner == "Lin") return move_on_line(vm, call, p, {.time = time});
+  return move_to_place(vm, call, p, {}, std::string(planner), {.time = time});
+}
+
+// Calls that are only there to be explained before running.
+constexpr NativeFunction refused(std::string_view signature, void (*check)(CheckCall& call)) {
+  NativeFunction function = declare(signature, "", "", check);
+  function.pauses = true;
+  return function;
+}
+
+constexpr double kStandInSize = 0.040;  // m
+
+using Eigen::Isometry3d;
+
+// In reach in front of the robot: straight below its tool at home if there is one, half its reach
+// along x otherwise.
+Isometry3d stand_in_place(const Host& host) {
+  const Robot* robot = host.only_robot();
+  Isometry3d T = Isometry3d::Identity();
+  T.translation() = Eigen::Vector3d(0.3, 0.0, kStandInSize / 2);
+  if (robot == nullptr) return T;
+  const Eigen::VectorXd middle = 0.5 * (robot->lower() + robot->upper());
+  T.translation() = forward(*robot, middle).translation();
+  return T;
+}
+
+Answer<void> insert_obj(Vm& vm, std::string_view given_name) try {
+  Host& host = Host::of(vm);
+  const std::string name(given_name);
+  if (find_object(vm, name) == nullptr) {
+    if (host.has_world()) return fail_unknown_object(vm, name, 0);
+    Object cube;
+    cube.name = name;
+    cube.shape = Box{Eigen::Vector3d::Constant(kStandInSize)};
+    cube.T_world_obj = stand_in_place(host);
+    host.cell().insert(std::move(cube));
+    Failure advice;
+    advice.code = "W0712";
+    advice.arguments = {name};
+    advice.mark_parameter = 0;
+    vm.advise(advice);
+  }
+  host.cell().add_to_task(name);
+  return {};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0631", error);
+}
+
+Answer<Eigen::Vector3d> get_pos_obj(Vm& vm, std::string_view name) {
+  const Object* object = find_object(vm, name);
+  if (object == nullptr) return fail_unknown_object(vm, name, 0);
+  return Eigen::Vector3d(object->T_world_obj.translation());
+}
+Eigen::VectorXd get_pos_robot(Vm& vm, const RobotRef& r) { return state_of(vm, r).q; }
+std::int64_t get_number_obj(Vm& vm) {
+  return static_cast<std::int64_t>(Host::of(vm).cell().task_objects().size());
+}
+
+constexpr std::string_view kMoveJHelp =
+    "Moves the joints to a position with a planner such as 'Syn', in a time (seconds, or with a "
+    "unit).";
+constexpr std::string_view kMoveCHelp =
+    "Moves the hand to a place: 'Lin' in a straight line, other planners with the joints.";
+
+constexpr NativeFunction kClassicFunctions[] = {
+    def<posc_from>("posC(values: double[]) -> posC",
+                   "A place (3 numbers), a place and a turn about z (4), or a place with roll, "
+                   "pitch, yaw (6); "
+                   "metres and radians.",
+                   "posC([0.3, 0.1, 0.2])"),
+    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: double) -> Move", kMoveJHelp,
+                "moveJ('Syn', home(), 2.0)", {.check = check_classic_joints, .pauses = true}),
+    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,
+                "moveJ('Syn', home(), 2s)", {.check = check_classic_joints, .pauses = true}),
+    def<move_c>("moveC(r: robot, traj: string, p: posC, time: double) -> Move", kMoveCHelp,
+                "moveC('Lin', here(), 2.0)", {.check = check_classic_place, .pauses = true}),
+    def<move_c>("moveC(r: robot, traj: string, p: posC, time: time) -> Move", kMoveCHelp,
+                "moveC('Lin', here(), 2s)", {.check = check_classic_place, .pauses = true}),
+    refused("moveJ(r: robot, traj: string, q: double[], time: double) -> Move",
+            explain_list_for_posj),
+    refused("moveJ(r: robot, traj: string, q: double[], time: time) -> Move",
+            explain_list_for_posj),
+    refused("moveC(r: robot, traj: string, q: double[], time: double) -> Move",
+            explain_list_for_posj),
+    refused("moveC(r: robot, traj: string, q: double[], time: time) -> Move",
+            explain_list_for_posj),
+    refused("moveC(r: robot, via: posC, goal: posC, time: time?, speed: speed?) -> Move",
+            explain_arc),
+    def<insert_obj>("insertObj(name: string)", "Makes an object of the world part of the task.",
+                    "insertObj(\"cube\")", {.check = check_object_name}),
+    def<get_pos_obj>("getPosObj(name: string) -> double[]",
+                     "The centre of an object: x, y, z in metres.", "getPosObj(\"cube\")",
+                     {.check = check_object_name}),
+    def<get_pos_robot>("getPosRobot(r: robot) -> double[]", "The joint values, radians and metres.",
+                       "getPosRobot()"),
+    def<get_number_obj>("getNumberObj() -> int", "How many objects were made part of the task.",
+                        "getNumberObj()"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> classic_functions() { return kClassicFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,151 @@
+#include "motion/move_waiting.hpp"
+
+#include <fmt/format.h>
+
+#include "armlet/kinematics/forward.hpp"
+#include "session/time_left.hpp"
+
+namespace armlet::bind {
+namespace {
+
+class MoveWaiting : public Waiting {
+ public:
+  MoveWaiting(Host& host, const MoveCall& call, int motion, double length, double deviation)
+      : host_(host),
+        call_(call),
+        function_(call.function),
+        motion_(motion),
+        length_(length),
+        deviation_(deviation),
+        from_(tool_point()) {}
+
+  [[nodiscard]] std::int64_t due_ns() const override { return report().end_ns; }
+  [[nodiscard]] bool is_over() const override { return report().state != MotionState::kRunning; }
+  void stop() override {
+    if (!is_over()) host_.cell().stop(call_.robot);
+  }
+  [[nodiscard]] std::string what() const override {
+    return fmt::format("{} of {}", function_, robot());
+  }
+  [[nodiscard]] std::string robot() const override { return arm().name; }
+
+  Signal finish(Vm& vm, Slot& result) override {
+    const MotionReport& done = report();
+    const bool reached = done.state == MotionState::kReached;
+    const double duration = to_seconds(done.end_ns - done.start_ns);
+    host_.report_move({robot(), function_, to_seconds(done.start_ns), duration, !reached,
+                       host_.cell().T_world_tool(call_.robot)});
+    tell_events(vm);
+    if (done.halted) return fail_halted(vm);
+    RecordObj* move = new_record(vm, vm.program().library_record("Move"));
+    if (move == nullptr) return Signal::kFail;
+    move->fields()[0] = slot_of(reached);
+    move->fields()[1] = slot_of(!reached);
+    move->fields()[2] = slot_of(duration);
+    move->fields()[3] = slot_of(reached ? length_ : (tool_point() - from_).norm());
+    move->fields()[4] = slot_of(deviation_);
+    result.o = move;
+    return Signal::kDone;
+  }
+
+ private:
+  [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
+  [[nodiscard]] const CellRobot& arm() const { return host_.cell().robot(call_.robot); }
+  [[nodiscard]] Eigen::Vector3d tool_point() const {
+    const Robot& model = call_.model != nullptr ? *call_.model : *arm().model;
+    return forward(model, arm().q).translation();
+  }
+
+  Signal fail_halted(Vm& vm) {
+    Failure f;
+    f.code = "R0618";
+    f.robot = robot();
+    f.moved = report().end_ns > report().start_ns;
+    return fail(vm, std::move(f));
+  }
+
+  // Contact picking says once that it happened.
+  void tell_events(Vm& vm) {
+    for (const CellEvent& event : host_.take_events()) {
+      if (event.kind != CellEventKind::kPicked || !host_.first_contact_pick()) continue;
+      Failure advice;
+      advice.code = "W0704";
+      advice.arguments = {event.object};
+      advice.mark_parameter = call_.target;
+      advice.why =
+          "this program never calls grasp or release, so objects named in insertObj are picked up "
+          "and put down by contact";
+      advice.fix = "call grasp and release to decide yourself";
+      vm.advise(advice);
+    }
+  }
+
+  Host& host_;
+  MoveCall call_;
+  std::string function_;
+  int motion_;
+  double length_;
+  double deviation_;
+  Eigen::Vector3d from_;
+};
+
+class NoMove : public Waiting {
+ public:
+  [[nodiscard]] std::int64_t due_ns() const override { return 0; }
+  [[nodiscard]] bool is_over() const override { return true; }
+  void stop() override {}
+  Signal finish(Vm& vm, Slot& result) override {
+    return give(&result, new_record(vm, vm.program().library_record("Move")));
+  }
+  [[nodiscard]] std::string what() const override { return "move"; }
+};
+
+// Until a robot stands that was told to halt.
+class HaltWaiting : public Waiting {
+ public:
+  HaltWaiting(Cell& cell, int robot)
+      : cell_(cell), robot_(robot), motion_(cell.robot(robot).motion_id) {}
+
+  [[nodiscard]] std::int64_t due_ns() const override { return cell_.report(motion_).end_ns; }
+  [[nodiscard]] bool is_over() const override {
+    return !cell_.is_moving(robot_) || cell_.report(motion_).state != MotionState::kRunning;
+  }
+  void stop() override {}
+  Signal finish(Vm&, Slot&) override { return Signal::kDone; }
+  [[nodiscard]] std::string what() const override {
+    return fmt::format("halt of {}", cell_.robot(robot_).name);
+  }
+
+ private:
+  Cell& cell_;
+  int robot_;
+  int motion_;
+};
+
+}  // namespace
+
+Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double length,
+                     MotionNotes notes) {
+  Host& host = Host::of(vm);
+  if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
+  const bool instant = trajectory.duration() <= 0.0;
+  const double deviation = notes.deviation;
+  host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});
+  const int motion = host.cell().is_moving(call.robot)
+                         ? host.cell().drive(call.robot, std::move(trajectory))
+                         : host.cell().start(call.robot, std::move(trajectory));
+  std::unique_ptr<Waiting> waiting =
+      std::make_unique<MoveWaiting>(host, call, motion, length, deviation);
+  if (instant) host.advance_to(host.now_ns());
+  return waiting;
+}
+
+std::unique_ptr<Waiting> no_move() { return std::make_unique<NoMove>(); }
+
+std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot) {
+  Cell& cell = Host::of(vm).cell();
+  if (cell.is_moving(robot)) cell.halt(robot);
+  return std::make_unique<HaltWaiting>(cell, robot);
+}
+
+}  // namespace armlet::bind

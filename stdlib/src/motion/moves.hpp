@@ -1,0 +1,116 @@
+#pragma once
+// Starting motions from native calls, and turning what planning says into messages.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "armlet/kinematics/ik.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "armlet/trajectory/cartesian_line.hpp"
+#include "armlet/trajectory/verify.hpp"
+#include "session/settings.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+
+// The robot that a value of a program is, in the cell.
+inline const CellRobot& state_of(Vm& vm, const RobotRef& r) {
+  return Host::of(vm).cell().robot(r.id);
+}
+inline const Robot& model_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).model; }
+
+// A motion on its way, or what stands for one. When it is over it gives a Move, where it gives
+// anything.
+using Started = Answer<std::unique_ptr<Waiting>>;
+
+inline constexpr std::string_view kStraightLine = "straight line";
+
+// Which parameters of a call hold what, for marks; -1: there is none.
+struct MoveCall {
+  std::string_view function;  // "moveJ"
+  int robot = 0;              // in the cell
+  int target = 1;
+  int time = 2;
+  int speed = 3;
+  int accel = 4;
+  int planner = 5;
+  bool classic = false;                  // too fast is advice, not an error
+  CallPlace place{};                     // of a call that is over; none: the running one
+  int element = -1;                      // of the targets, if there are several: the one that fails
+  std::string_view way = kStraightLine;  // that the hand follows
+  // The robot with the tool point and the limits of this move; null: as it is in the cell.
+  std::shared_ptr<const Robot> model{};
+};
+
+// How a move is to be made, as the call says it.
+//
+// speed, accel  fractions of the joint limits for moves of the joints, m/s and m/s^2 of the tool
+//               point for moves along a line.
+// blend         in a path: how far from the target its corner may begin, m.
+struct MoveSettings {
+  std::optional<double> time{};
+  std::optional<double> speed{};
+  std::optional<double> accel{};
+  std::optional<Eigen::Isometry3d> T_flange_tool{};
+  std::optional<Frame> frame{};
+  std::optional<double> blend{};
+};
+
+// The robot that a call plans with.
+[[nodiscard]] const Robot& model_of(Vm& vm, const MoveCall& call);
+
+// What of a target counts for this arm (rulings 14 and 54). Empty if its orientation cannot agree
+// with the arm at all.
+[[nodiscard]] std::optional<IkTask> task_of(const Robot& robot, const PosC& target);
+
+// Joint values for a target in the world, near `seed`.
+Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
+                                     const Eigen::VectorXd& seed);
+
+// Plans and starts. Targets are read in the frame of the call or of the blocks around it; `near`
+// chooses among joint values, empty: the present ones.
+Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
+                       const MoveSettings& settings);
+Started move_to_place(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
+                      std::string planner, const MoveSettings& settings);
+Started move_on_line(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings);
+// Over `via`, of which only the place counts.
+Started move_on_arc(Vm& vm, MoveCall call, const PosC& via, const PosC& target,
+                    const MoveSettings& settings);
+
+// The target as the world sees it: read in the frame of the call, or of the blocks around it.
+Answer<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
+                      const PosC& target);
+
+// Gives the call the robot with the tool point of this move and this fraction of the accelerations.
+void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double accel);
+
+// Checks a speed ("a speed", "mm/s") or acceleration of the tool; both of a move.
+Answer<void> check_above_zero(Vm& vm, const char* what, double value, const char* unit,
+                              int parameter);
+Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& settings);
+
+// Checks a fraction of the joint limits.
+Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter);
+
+// Whether every joint speeds up from rest and slows down to rest, without a step in its speed.
+[[nodiscard]] bool starts_and_stops(const Trajectory& motion);
+
+// Stops the robot under control; the move that it makes fails with R0618. Over when it stands.
+std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot);
+
+// A robot that another task is moving takes no commands.
+Answer<void> check_idle(Vm& vm, int robot);
+
+// Failures as messages.
+Failed fail_unreachable(Vm& vm, const MoveCall& call, const Eigen::Isometry3d& goal,
+                        const IkResult& result);
+Failed fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
+                    const LimitViolation& outside);
+Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
+
+// Checks a duration: finite and not negative.
+Answer<void> check_duration(Vm& vm, double seconds, int parameter);
+
+}  // namespace armlet::bind

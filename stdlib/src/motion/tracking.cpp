@@ -1,0 +1,64 @@
+#include "motion/tracking.hpp"
+
+#include <utility>
+
+#include "armlet/trajectory/cartesian_path.hpp"
+#include "armlet/trajectory/damped_line.hpp"
+
+namespace armlet::bind {
+namespace {
+
+TrackedLine exactly(LinePlan plan) {
+  return {.motion = std::move(plan.motion), .fault = std::move(plan.fault), .length = plan.length};
+}
+
+// The way as a path of one move, which slows down only where a limit needs it.
+TrackedLine slowly(const Robot& robot, const LineMove& move,
+                   const std::optional<Eigen::Vector3d>& p_world_via, bool only_place) {
+  PathMove path{.q0 = move.q0,
+                .points = {{.T_world_tool = move.T_world_goal,
+                            .p_world_via = p_world_via,
+                            .tool_speed = move.tool_speed,
+                            .tool_accel = move.tool_accel}},
+                .time = move.time,
+                .jerk = Jerk::kFree};
+  if (!move.time && !move.tool_speed) path.speed = move.speed;
+  PathPlan plan = plan_path(robot, path);
+  if (plan.fault && only_place) {
+    path.task = IkTask::kPlace;
+    plan = plan_path(robot, path);
+  }
+  return {.motion = std::move(plan.motion), .fault = std::move(plan.fault), .length = plan.length};
+}
+
+TrackedLine damped(const Robot& robot, LineMove move,
+                   const std::optional<Eigen::Vector3d>& p_world_via, bool only_place) {
+  // Arms that cannot turn their tool at will follow the place alone.
+  move.task = only_place && robot.n() < 6 ? IkTask::kPlace : IkTask::kPose;
+  const std::optional<DampedLine> plan =
+      p_world_via ? plan_damped_arc(robot, *p_world_via, move) : plan_damped_line(robot, move);
+  if (!plan) {
+    return {.fault = LineFault{.kind = LineFaultKind::kNoArc, .T_world_tool = move.T_world_goal}};
+  }
+  return {.motion = plan->motion,
+          .length = plan->length,
+          .deviation = plan->deviation,
+          .turn = plan->turn};
+}
+
+}  // namespace
+
+TrackedLine plan_tracked(const Robot& robot, const LineMove& move,
+                         const std::optional<Eigen::Vector3d>& p_world_via, Track track,
+                         bool only_place) {
+  switch (track) {
+    case Track::kSlow:
+      return slowly(robot, move, p_world_via, only_place);
+    case Track::kDamped:
+      return damped(robot, move, p_world_via, only_place);
+    default:
+      return exactly(p_world_via ? plan_arc(robot, *p_world_via, move) : plan_line(robot, move));
+  }
+}
+
+}  // namespace armlet::bind

@@ -1,0 +1,28 @@
+#pragma once
+// How lines and arcs are followed where joints would have to be fast (`with (track: ...)`).
+
+#include <optional>
+
+#include "armlet/trajectory/cartesian_line.hpp"
+#include "session/settings.hpp"
+
+namespace armlet::bind {
+
+// A way of the tool as it was planned.
+//
+// deviation, turn  how far the tool leaves it, m and rad.
+struct TrackedLine {
+  MotionPlan motion{};
+  std::optional<LineFault> fault{};
+  double length = 0.0;
+  double deviation = 0.0;
+  double turn = 0.0;
+};
+
+// The way to move.T_world_goal, straight or over a place on an arc. For kSlow and kDamped the goal
+// is a whole pose that can be reached; `only_place`: its orientation is not asked for.
+[[nodiscard]] TrackedLine plan_tracked(const Robot& robot, const LineMove& move,
+                                       const std::optional<Eigen::Vector3d>& p_world_via,
+                                       Track track, bool only_place);
+
+}  // namespace armlet::bind

@@ -1,0 +1,306 @@
+// Motions drawn in panels: trajectories, lists of positions, and the columns of a record.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "armlet/interpreter/unit.hpp"
+#include "armlet/trajectory/drawing_times.hpp"
+#include "plot/plots.hpp"
+#include "trajectory/trajectories.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// Values over the time of a motion or of a record.
+struct Line {
+  std::string label{};
+  std::vector<double> y{};
+  std::string unit{};
+  bool right = false;
+};
+struct Panel {
+  std::string title{};
+  std::vector<Line> lines{};
+};
+
+// "rad/s" or "m/s": what joint values of this order are in; on which side they are drawn. Metres
+// have an axis of their own where there are angles too.
+void set_unit(Line& line, const PosJ& joints, int joint, int order) {
+  const auto turns = std::span(joints.turns).first(joints.n);
+  const bool angle = turns[static_cast<std::size_t>(joint)];
+  constexpr std::string_view kPer[] = {"", "/s", "/s^2"};
+  line.unit = fmt::format("{}{}", angle ? "rad" : "m", kPer[order]);
+  line.right = !angle && std::ranges::find(turns, true) != turns.end();
+}
+
+// Leaves so many series in each panel; no panels if there were none.
+void take_back(Figure& figure, const std::vector<std::size_t>& sizes) {
+  if (sizes.empty()) figure.panels.clear();
+  for (std::size_t k = 0; k < sizes.size(); ++k) figure.panels[k].series.resize(sizes[k]);
+}
+
+// Adds the panels to the figure of the program, all or none of them.
+Answer<void> draw(Vm& vm, const std::vector<double>& t, std::vector<Panel> panels) {
+  std::size_t values = 0;
+  std::vector<std::string> titles;
+  for (const Panel& panel : panels) {
+    titles.push_back(panel.title);
+    values += 2 * panel.lines.size() * t.size();
+  }
+  if (!make_room(vm, values)) return Failed{};
+  Figure& figure = current_figure(Host::of(vm));
+  std::vector<std::size_t> sizes;
+  for (const Figure& panel : figure.panels) sizes.push_back(panel.series.size());
+  const auto fields = panels_of(vm, figure, titles);
+  if (!fields) return Failed{};
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    for (Line& line : panels[k].lines) {
+      Series series{.label = std::move(line.label), .x = t, .y = std::move(line.y)};
+      series.right = line.right;
+      const PlotUnits units{.x = "s", .y = line.unit};
+      if (!add_series(vm, (**fields)[k], std::move(series), units)) {
+        take_back(figure, sizes);
+        return Failed{};
+      }
+    }
+    (**fields)[k].y.label.clear();
+  }
+  return {};
+}
+
+// ---- trajectories
+// ----------------------------------------------------------------------------------------------
+
+// The joints `first` to `last` with a name each.
+Answer<void> draw_motion(Vm& vm, const PlannedMotion& plan, int first, int last,
+                         const std::vector<std::string>& labels) {
+  const Trajectory& motion = plan.motion;
+  const auto knots = motion.knots().size();
+  const auto joints = static_cast<std::size_t>(last - first);
+  // Each value is looked for among the pieces of its joint.
+  if (!charge_steps(vm, joints * (1 + knots / 64))) return Failed{};
+  const std::vector<double> t = drawing_times(motion);
+  std::vector<Panel> panels{
+      {.title = "position q"}, {.title = "speed qd"}, {.title = "acceleration qdd"}};
+  for (int order = 0; order < 3; ++order) {
+    for (int joint = first; joint < last; ++joint) {
+      if (!charge_steps(vm, 1 + t.size() / 4)) return Failed{};
+      Line line{.label = labels[static_cast<std::size_t>(joint - first)]};
+      for (const double at : t) line.y.push_back(motion.value(joint, at, order));
+      set_unit(line, plan.joints, joint, order);
+      panels[static_cast<std::size_t>(order)].lines.push_back(std::move(line));
+    }
+  }
+  return draw(vm, t, std::move(panels));
+}
+
+Answer<void> plot_trajectory(Vm& vm, const PlannedMotion& plan, OptionalText given_label,
+                             std::optional<std::int64_t> only) {
+  const std::string label = text_or_nothing(given_label);
+  int first = 0, last = plan.motion.n();
+  if (only) {
+    if (*only < 1 || *only > last) {
+      return failure(vm, "R0626",
+                     fmt::format("there is no joint {}: the motion has {}", *only, last), 2,
+                     "joints count from 1");
+    }
+    first = static_cast<int>(*only) - 1;
+    last = first + 1;
+    if (!label.empty()) return draw_motion(vm, plan, first, last, {label});
+  }
+  std::vector<std::string> labels;
+  for (int joint = first; joint < last; ++joint)
+    labels.push_back(fmt::format("{}{}joint {}", label, label.empty() ? "" : ", ", joint + 1));
+  return draw_motion(vm, plan, first, last, labels);
+}
+
+Answer<void> plot_named_trajectory(Vm& vm, const PlannedMotion& plan, std::span<const Slot> names) {
+  const auto labels = labels_of(vm, names, 1, static_cast<std::size_t>(plan.motion.n()));
+  if (!labels) return Failed{};
+  return draw_motion(vm, plan, 0, plan.motion.n(), *labels);
+}
+
+// ---- positions
+// -------------------------------------------------------------------------------------------------
+
+// The joints of positions, a line each; nothing if they have different numbers of joints.
+std::optional<std::vector<Line>> joint_lines(std::span<const Slot> positions,
+                                             const std::string& label) {
+  std::vector<Line> lines;
+  if (positions.empty()) return lines;
+  const PosJ& first = posj(positions[0]);
+  for (int joint = 0; joint < first.n; ++joint) {
+    Line line{.label = fmt::format("{}{}", label, joint + 1)};
+    if (first.kinds_known) set_unit(line, first, joint, 0);
+    for (const Slot position : positions) {
+      if (posj(position).n != first.n) return std::nullopt;
+      line.y.push_back(posj(position).q[static_cast<std::size_t>(joint)]);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Answer<void> plot_positions(Vm& vm, std::span<const double> x, std::span<const Slot> positions,
+                            OptionalItems given_labels, OptionalText x_unit) {
+  if (x.size() != positions.size()) return size_failure(vm, "x and y", x.size(), positions.size());
+  if (!make_room(vm, 2 * x.size())) return Failed{};
+  auto lines = joint_lines(positions, "joint ");
+  if (!lines) return failure(vm, "R0613", "the positions have different numbers of joints", 1);
+  const auto labels = labels_of(vm, given_labels, 2, lines->size());
+  if (!labels || !make_room(vm, 2 * x.size() * lines->size())) return Failed{};
+  Figure& figure = current_figure(Host::of(vm));
+  const std::size_t had = figure.series.size();
+  for (std::size_t k = 0; k < lines->size(); ++k) {
+    Line& line = (*lines)[k];
+    Series series{.label = given_labels ? (*labels)[k] : line.label,
+                  .x = {x.begin(), x.end()},
+                  .y = std::move(line.y)};
+    series.right = line.right;
+    if (add_series(vm, figure, std::move(series), {text_or_nothing(x_unit), line.unit, 0, 1}))
+      continue;
+    figure.series.resize(had);
+    return Failed{};
+  }
+  return {};
+}
+
+// ---- records
+// ---------------------------------------------------------------------------------------------------
+
+std::string unit_of(const Type& type) {
+  constexpr double kLarge = 1e6;  // metres rather than millimetres
+  if (!type.is_quantity()) return {};
+  return type.dim == dims::kAngle ? "rad" : display_unit(type.dim, kLarge).name;
+}
+
+double number_in(Slot s, const Type& type) {
+  return type.is(Kind::kReal) ? s.d : static_cast<double>(s.i);
+}
+
+// Numbers that stand side by side in each row: value(slot, k) of so many.
+template <class F>
+std::vector<Line> side_by_side(std::span<const Slot> values, const std::vector<std::string>& labels,
+                               const std::string& unit, F value) {
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    Line line{.label = labels[k], .unit = unit};
+    for (const Slot s : values) line.y.push_back(value(s, k));
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<std::string> numbered(const std::string& label, std::size_t count) {
+  std::vector<std::string> labels;
+  for (std::size_t k = 1; k <= count; ++k) labels.push_back(fmt::format("{}{}", label, k));
+  return labels;
+}
+
+struct Column {
+  std::vector<Line> lines{};
+  bool uneven = false;  // its rows have different numbers of values
+};
+
+// The lines of a column; none if its values are no numbers.
+Column column_of(std::span<const Slot> values, const Type& type, const std::string& name) {
+  const auto is_simple = [](const Type& t) { return t.is_number() || t.is(Kind::kBool); };
+  if (is_simple(type)) {
+    return {side_by_side(values, {name}, unit_of(type),
+                         [&](Slot s, std::size_t) { return number_in(s, type); })};
+  }
+  if (type.is(Kind::kList) && is_simple(*type.element)) {
+    const std::size_t count = items_value(values[0]).size();
+    if (std::ranges::any_of(values, [&](Slot s) { return items_value(s).size() != count; }))
+      return {.uneven = true};
+    return {side_by_side(
+        values, numbered(name, count), unit_of(*type.element),
+        [&](Slot s, std::size_t k) { return number_in(items_value(s)[k], *type.element); })};
+  }
+  if (type.is(Kind::kHost) && type.host == &kPosC) {
+    return {side_by_side(values, {name + ".x", name + ".y", name + ".z"}, "m",
+                         [](Slot s, std::size_t k) {
+                           return posc(s).T.translation()[static_cast<Eigen::Index>(k)];
+                         })};
+  }
+  if (type.is(Kind::kHost) && type.host == &kPosJ) {
+    auto lines = joint_lines(values, name);
+    return lines ? Column{*std::move(lines)} : Column{.uneven = true};
+  }
+  return {};
+}
+
+// The values of a column that count as work before they are looked at.
+std::size_t width_of(std::span<const Slot> values, const Type& type) {
+  if (type.is(Kind::kList)) return items_value(values[0]).size();
+  return type.is(Kind::kHost) ? kMaxJoints : 1;
+}
+
+Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label) {
+  const std::vector<RecordField>& columns = table.layout->type->record->row->record->fields;
+  const auto rows = table_rows(table);
+  const std::string label = text_or_nothing(given_label);
+  if (rows.empty()) return failure(vm, "R0626", "there are no samples to draw", 0);
+  std::vector<double> t;
+  std::vector<Panel> panels;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Type& type = *columns[k].type;
+    std::vector<Slot> values;
+    if (!charge_steps(vm, rows.size())) return Failed{};
+    for (const Slot row : rows) values.push_back(static_cast<const RecordObj*>(row.o)->fields()[k]);
+    if (k == 0) {
+      for (const Slot time : values) t.push_back(time.d);
+      continue;
+    }
+    if (!make_room(vm, 2 * width_of(values, type) * rows.size())) return Failed{};
+    Column column = column_of(values, type, columns[k].name);
+    if (column.uneven) {
+      return failure(
+          vm, "R0613",
+          fmt::format("the column `{}` has not as many values in every row", columns[k].name), 0,
+          "each of them is a line");
+    }
+    if (column.lines.empty()) continue;
+    for (Line& line : column.lines) {
+      if (!label.empty()) line.label = column.lines.size() == 1 ? label : label + ", " + line.label;
+    }
+    panels.push_back({columns[k].name, std::move(column.lines)});
+  }
+  if (panels.empty()) return failure(vm, "R0626", "no column of this record holds numbers", 0);
+  return draw(vm, t, std::move(panels));
+}
+
+constexpr NativeFunction kPlotMotionFunctions[] = {
+    def<plot_trajectory>(
+        "plot(tr: trajectory, label: string?, joint: int?)",
+        "Draws positions, speeds and accelerations of a trajectory in three panels, angles in "
+        "degrees "
+        "on the left and lengths on the right; joint: only this one, counted from 1; label: what "
+        "the "
+        "lines are called in the legend.",
+        "plot(trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))"),
+    def<plot_named_trajectory>(
+        "plot(tr: trajectory, label: string[])", "The same with a name for each joint.",
+        "plot(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]), label: [\"base\", "
+        "\"elbow\", \"stroke\", \"wrist\"])"),
+    def<plot_positions>(
+        "plot(x: D[], y: posJ[], label: string[]?, xUnit: string?)",
+        "Draws a line for each joint of positions, angles on the left and lengths on the right.",
+        "plot([0s, 1s], [home(), posJ(60deg, 30deg, 0mm, 0deg)])"),
+    def<plot_table>("plot(run: table, label: string?)",
+                    "Draws every column of a record over its time, in a panel each. A list, a posJ "
+                    "and a posC are "
+                    "several lines; texts and other columns without numbers are left out. label: "
+                    "the name of the "
+                    "record in the legend, where two are compared in one figure.",
+                    "record run every (10ms) { q: joints() }; moveJ(home()); plot(run)"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> plot_motion_functions() { return kPlotMotionFunctions; }
+
+}  // namespace armlet::bind

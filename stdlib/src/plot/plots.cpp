@@ -1,0 +1,130 @@
+#include "plot/plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/interpreter/work.hpp"
+
+namespace armlet::bind {
+namespace {
+
+constexpr std::size_t kMaxValues = 5'000'000;  // of all figures of a program
+
+std::size_t values_of(const Figure& figure) {
+  std::size_t count = 0;
+  for (const Figure& panel : figure.panels) count += values_of(panel);
+  for (const Series& series : figure.series)
+    count += series.x.size() + series.y.size() + series.z.size();
+  return count;
+}
+
+std::string unit_phrase(const std::string& unit) { return unit.empty() ? "plain numbers" : unit; }
+
+// Fails unless an axis shows this unit, or nothing yet.
+Answer<void> check_unit(Vm& vm, const Axis& axis, bool is_new, const std::string& unit,
+                        int parameter) {
+  if (is_new || axis.unit == unit) return {};
+  return failure(vm, "R0626",
+                 fmt::format("this figure shows {} on that axis, these values are {}",
+                             unit_phrase(axis.unit), unit_phrase(unit)),
+                 parameter, {}, "begin another figure(\"...\") before");
+}
+
+// What people call the values of a unit, where nothing else is said.
+std::string quantity_name(const std::string& unit) {
+  if (unit == "s") return "time";
+  if (unit == "rad") return "angle";
+  return {};
+}
+
+}  // namespace
+
+Figure& current_figure(Host& host) {
+  if (host.figures().empty()) host.figures().emplace_back();
+  host.figures().back().saved = false;
+  return host.figures().back();
+}
+
+Answer<void> make_room(Vm& vm, std::size_t more) {
+  if (!charge_steps(vm, more)) return Failed{};
+  std::size_t values = more;
+  for (const Figure& figure : Host::of(vm).figures()) values += values_of(figure);
+  if (values <= kMaxValues) return {};
+  return failure(vm, "R0626",
+                 fmt::format("the figures of a program hold at most {} values", kMaxValues), 0, {},
+                 "draw fewer points, for example every tenth");
+}
+
+Answer<void> check_log(Vm& vm, const Axis& axis, std::span<const double> values, char name,
+                       int parameter) {
+  if (!axis.log) return {};
+  const auto low = std::ranges::find_if(values, [](double v) { return v <= 0.0; });
+  if (low == values.end()) return {};
+  return failure(vm, "R0609",
+                 fmt::format("a logarithmic axis shows values above zero: {}[{}] is {}{}", name,
+                             low - values.begin(), *low, axis.unit.empty() ? "" : " " + axis.unit),
+                 parameter, {}, "plot magnitudes, abs(...), or begin a figure without log:");
+}
+
+Answer<void> add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units) {
+  if (figure.is_spatial() || !figure.panels.empty()) {
+    return failure(
+        vm, "R0626",
+        figure.is_spatial() ? "this figure is drawn in space" : "this figure is drawn in panels",
+        units.x_parameter, {}, "begin another figure(\"...\") before");
+  }
+  Axis& upright = series.right ? figure.right : figure.y;
+  const bool is_new = figure.series.empty();
+  const bool new_side =
+      std::ranges::none_of(figure.series, [&](const Series& s) { return s.right == series.right; });
+  if (!check_unit(vm, figure.x, is_new, units.x, units.x_parameter) ||
+      !check_unit(vm, upright, new_side, units.y, units.y_parameter) ||
+      !check_log(vm, {.unit = units.x, .log = figure.x.log}, series.x, 'x', units.x_parameter) ||
+      !check_log(vm, {.unit = units.y, .log = upright.log}, series.y, 'y', units.y_parameter)) {
+    return Failed{};
+  }
+  const bool is_map = series.kind != SeriesKind::kBars && units.x == "m" && units.y == "m";
+  if (is_new) figure.x = {is_map ? "x" : quantity_name(units.x), units.x, figure.x.log};
+  if (new_side) upright = {is_map ? "y" : quantity_name(units.y), units.y, upright.log};
+  figure.series.push_back(std::move(series));
+  return {};
+}
+
+Answer<std::vector<Figure>*> panels_of(Vm& vm, Figure& figure,
+                                       const std::vector<std::string>& titles) {
+  if (figure.is_empty()) {
+    for (const std::string& title : titles) {
+      figure.panels.push_back(
+          {.title = title, .x = figure.x, .y = figure.y, .right = figure.right});
+    }
+  }
+  if (std::ranges::equal(figure.panels, titles, {}, &Figure::title)) return &figure.panels;
+  return failure(vm, "R0626", "this figure shows something else", 0, {},
+                 "begin another figure(\"...\") before");
+}
+
+Answer<bool> is_right(Vm& vm, OptionalText side, int parameter) {
+  if (!side || *side == "left") return false;
+  if (*side == "right") return true;
+  return failure(vm, "R0626", fmt::format("there is no axis \"{}\"", *side), parameter,
+                 "the axes are \"left\" and \"right\"");
+}
+
+Answer<std::vector<std::string>> labels_of(Vm& vm, OptionalItems labels, int parameter,
+                                           std::size_t count) {
+  if (!labels) return std::vector<std::string>(count);
+  if (labels->size() != count) {
+    return failure(vm, "R0613",
+                   fmt::format("{} label{} for {} line{}", labels->size(),
+                               labels->size() == 1 ? "" : "s", count, count == 1 ? "" : "s"),
+                   parameter);
+  }
+  if (!charge_work(vm, 16 * count)) return Failed{};
+  std::vector<std::string> texts;
+  for (const Slot label : *labels) texts.emplace_back(text_value(label));
+  return texts;
+}
+
+}  // namespace armlet::bind

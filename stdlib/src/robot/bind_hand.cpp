@@ -1,0 +1,108 @@
+// Hands: grasp, release, holding (language reference, section 14).
+
+#include <fmt/format.h>
+
+#include "armlet/cell/gripper.hpp"
+#include "armlet/core/format.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "motion/moves.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
+  const Cell& cell = Host::of(vm).cell();
+  Failure f;
+  f.code = "R0605";
+  f.robot = cell.robot(robot).name;
+  switch (result.status) {
+    case GraspStatus::kNothing:
+      f.why = result.object.empty()
+                  ? "there is no object that could be grasped in this world"
+                  : fmt::format(
+                        "the centre of \"{}\" is {} from the fingers; the gripper closes on things "
+                        "within {}",
+                        result.object, format_mm(result.distance), format_mm(result.allowed));
+      if (!result.object.empty()) f.fix = fmt::format("move to poseOf({}) first", result.object);
+      break;
+    case GraspStatus::kTooWide:
+      f.message = fmt::format("\"{}\" is too wide for this gripper", result.object);
+      f.why = fmt::format("it is {} wide and the gripper opens {}", format_mm(result.width),
+                          format_mm(result.stroke));
+      f.fix = "grasp it from another side, or use a gripper with a longer stroke";
+      break;
+    case GraspStatus::kFixed:
+      f.message = fmt::format("\"{}\" is fixed and cannot be grasped", result.object);
+      break;
+    case GraspStatus::kNoHand:
+      f.message = fmt::format("`{}` has no hand that can grasp", f.robot);
+      f.fix = "give it one: tool: parallelGripper(stroke: 60mm)";
+      break;
+    case GraspStatus::kHolding:
+      f.message = fmt::format("the hand is closed on \"{}\" already", result.object);
+      f.fix = "release it first";
+      break;
+    case GraspStatus::kUnknownObject:
+      f.code = "R0625";
+      f.arguments = {result.object};
+      break;
+    case GraspStatus::kGrasped:
+      break;
+  }
+  return fail(vm, std::move(f));
+}
+
+Answer<void> grasp_object(Vm& vm, const RobotRef& r, const ObjectRef& o) {
+  if (!check_idle(vm, r.id)) return Failed{};
+  const GraspResult result = grasp(Host::of(vm).cell(), r.id, o.name);
+  if (!result.ok()) return fail_grasp(vm, r.id, result);
+  return {};
+}
+Answer<void> grasp_nearest(Vm& vm, const RobotRef& r) {
+  if (!check_idle(vm, r.id)) return Failed{};
+  const GraspResult result = grasp(Host::of(vm).cell(), r.id);
+  if (!result.ok()) return fail_grasp(vm, r.id, result);
+  return {};
+}
+Answer<void> release_object(Vm& vm, const RobotRef& r) {
+  Cell& cell = Host::of(vm).cell();
+  if (!check_idle(vm, r.id)) return Failed{};
+  if (release(cell, r.id)) return {};
+  Failure f;
+  f.code = "R0619";
+  f.robot = cell.robot(r.id).name;
+  f.arguments = {f.robot};
+  f.fix = "grasp something first, or ask holding()";
+  return fail(vm, std::move(f));
+}
+bool holding_any(Vm& vm, const RobotRef& r) { return !holding(Host::of(vm).cell(), r.id).empty(); }
+bool holding_this(Vm& vm, const RobotRef& r, const ObjectRef& o) {
+  return holding(Host::of(vm).cell(), r.id) == o.name;
+}
+
+constexpr NativeFunction kHandFunctions[] = {
+    def<grasp_object>(
+        "grasp(r: robot, o: object)",
+        "Closes the hand on an object whose centre or grasp point is within the grasp distance of "
+        "the tool point; a long object can be taken along its length. What rests on it travels "
+        "with it.",
+        "grasp(object(\"cube\"))", {.commands = true}),
+    def<grasp_nearest>(
+        "grasp(r: robot)",
+        "Closes the hand on the nearest object within the grasp distance of the tool point.",
+        "grasp()", {.commands = true}),
+    def<release_object>("release(r: robot)",
+                        "Opens the hand; what it held falls straight down to the first surface.",
+                        "release()", {.commands = true}),
+    def<holding_any>("holding(r: robot) -> bool", "Whether the hand holds something.", "holding()"),
+    def<holding_this>("holding(r: robot, o: object) -> bool", "Whether the hand holds this object.",
+                      "holding(object(\"cube\"))"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> hand_functions() { return kHandFunctions; }
+
+}  // namespace armlet::bind

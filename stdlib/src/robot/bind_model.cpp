@@ -1,0 +1,320 @@
+// Robots: blocks of joints, tables, ready arms, and what is mounted on them (language
+// reference, sections 13.1 and 19).
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/model/catalog.hpp"
+#include "armlet/model/joint_limits.hpp"
+#include "armlet/model/serial_arm.hpp"
+#include "armlet/model/urdf.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "robot/models.hpp"
+#include "robot/rules.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+using Number = std::optional<double>;
+using Numbers = std::optional<std::span<const double>>;
+using Rows = std::optional<std::span<const Slot>>;  // of numbers
+using Text = std::optional<std::string_view>;
+
+// ---- rows: joint revolute(...), joint prismatic(...)
+// -----------------------------------------------------------------------------------------------------
+
+// Where the parameters of both rows stand.
+enum Row { kLimits = 4, kCom = 10, kInertia = 11, kFriction = 12 };
+
+Answer<void> read_limits(Vm& vm, Numbers limits, Joint& joint) {
+  if (!limits) return {};
+  if (limits->size() != 2) {
+    return failure(
+        vm, "R0613",
+        fmt::format("limits are two values, the lower and the upper one, not {}", limits->size()),
+        kLimits);
+  }
+  joint.lower = (*limits)[0];
+  joint.upper = (*limits)[1];
+  return {};
+}
+
+Answer<void> read_vector3(Vm& vm, Numbers values, int parameter, std::string_view what,
+                          Vector3d& out) {
+  if (!values) return {};
+  if (values->size() != 3) {
+    return failure(vm, "R0613", fmt::format("{} has 3 values, not {}", what, values->size()),
+                   parameter);
+  }
+  out = Eigen::Map<const Vector3d>(values->data());
+  return {};
+}
+
+Answer<void> read_inertia(Vm& vm, Rows rows, Link& link) {
+  if (!rows) return {};
+  bool square = rows->size() == 3;
+  for (std::size_t i = 0; square && i < 3; ++i) square = reals_value((*rows)[i]).size() == 3;
+  if (!square) return failure(vm, "R0613", "an inertia has 3 rows of 3 values", kInertia);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) link.inertia(i, j) = reals_value((*rows)[i])[j];
+  }
+  return {};
+}
+
+Answer<void> read_friction(Vm& vm, Numbers given, Link& link) {
+  if (!given) return {};
+  const auto f = *given;
+  if (f.size() != 1 && f.size() != 3) {
+    return failure(vm, "R0613",
+                   fmt::format("friction is [B] or [B, Tc+, Tc-], not {} values", f.size()),
+                   kFriction);
+  }
+  link.friction.viscous = f[0];
+  if (f.size() == 3) {
+    link.friction.coulomb_plus = f[1];
+    link.friction.coulomb_minus = f[2];
+  }
+  return {};
+}
+
+template <JointKind kKind>
+Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alpha, Numbers limits,
+                           Number max_speed, Number max_accel, Number max_jerk, Number max_effort,
+                           double mass, Numbers com, Rows inertia, Numbers friction,
+                           double motor_inertia, double gear, Text mesh) {
+  JointRow row{.joint = joint_without_limits(kKind), .link = {}};
+  Joint& joint = row.joint;
+  joint.dh = {theta, d, a, alpha};
+  joint.max_speed = max_speed.value_or(0.0);
+  joint.max_accel = max_accel.value_or(0.0);
+  joint.max_jerk = max_jerk.value_or(0.0);
+  if (max_effort) joint.max_effort = *max_effort;
+  row.link.mass = mass;
+  row.link.motor_inertia = motor_inertia;
+  row.link.gear = gear;
+  if (mesh) row.link.mesh = *mesh;
+  if (!read_limits(vm, limits, joint) ||
+      !read_vector3(vm, com, kCom, "the centre of mass", row.link.com) ||
+      !read_inertia(vm, inertia, row.link) || !read_friction(vm, friction, row.link)) {
+    return Failed{};
+  }
+  return row;
+}
+
+// ---- robots
+// ----------------------------------------------------------------------------------------------------
+
+}  // namespace
+
+Answer<RobotRef> add_robot(Vm& vm, Robot robot) {
+  Result<int> id = Host::of(vm).add_robot(std::make_shared<const Robot>(std::move(robot)));
+  if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
+  return RobotRef{*id, &Host::of(vm).cell()};
+}
+
+// What every way to make a robot accepts: base, tool and a name, all optional.
+Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
+               std::optional<std::string_view> name) {
+  if (base != nullptr) robot = robot.with_base(base->T);
+  if (tool != nullptr) {
+    robot = tool->T_flange_tool ? robot.with_tool_point(*tool->T_flange_tool)
+                                : robot.with_tool(tool->tool);
+  }
+  if (name) robot = robot.with_name(std::string(*name));
+  return robot;
+}
+
+DhConvention convention_of(std::string_view word) {
+  if (word == "standard") return DhConvention::kStandard;
+  if (word == "modified") return DhConvention::kModified;
+  throw ArgumentError(
+      fmt::format("The convention is \"standard\" or \"modified\", not \"{}\".", word));
+}
+
+namespace {
+
+InertiaCheck inertia_check_of(std::string_view word) {
+  if (word == "rigid") return InertiaCheck::kRigidBody;
+  if (word == "published") return InertiaCheck::kPublished;
+  throw ArgumentError(
+      fmt::format("Inertias are \"rigid\" (of bodies that can exist) or \"published\" (kept as "
+                  "they are), not \"{}\".",
+                  word));
+}
+
+constexpr const char* kKeepInertias =
+    "inertias: \"published\" keeps the numbers of a source as they are";
+
+// Meshes are files below the folder of the program.
+void check_meshes(Vm& vm, const RobotSpec& spec) {
+  for (std::size_t i = 0; i < spec.links.size(); ++i) {
+    const std::string& mesh = spec.links[i].mesh;
+    if (mesh.empty() || Host::of(vm).has_mesh({}, mesh)) continue;
+    throw ArgumentError(fmt::format("The mesh \"{}\" of link {} of robot `{}` is not there.", mesh,
+                                    i + 1, spec.name));
+  }
+}
+
+// robot name { joint ...; base: ...; tool: ...; gravity: ...; convention: ... }
+Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> joints,
+                             const PosC* base, const ToolValue* tool, Numbers gravity,
+                             std::string_view convention, const PosJ* home, const PosC* tcp,
+                             std::string_view inertias) try {
+  constexpr int kGravity = 4;
+  RobotSpec spec;
+  spec.name = name;
+  spec.source = "declared in the program";
+  spec.convention = convention_of(convention);
+  bool has_mass = false;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const JointRow& row = joints[i];
+    spec.joints.push_back(row.joint);
+    spec.links.push_back(row.link);
+    has_mass = has_mass || row.link.mass != 0.0 || row.link.motor_inertia != 0.0 ||
+               !row.link.inertia.isZero(0.0) || !row.link.mesh.empty();
+  }
+  spec.inertia_check = inertia_check_of(inertias);
+  check_meshes(vm, spec);
+  if (!has_mass) spec.links.clear();
+  if (!read_vector3(vm, gravity, kGravity, "gravity", spec.gravity)) return Failed{};
+  if (home != nullptr) spec.home = home->vector();
+  Robot robot = finished(Robot(std::move(spec)), base, tool);
+  if (tcp != nullptr) robot = robot.with_tool_point(tcp->T);
+  return add_robot(vm, std::move(robot));
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0630", error);
+}
+
+// A robot from a file in the folder of the program.
+Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::string_view inertias,
+                                 const PosC* base, const ToolValue* tool, Text name) try {
+  constexpr int kPath = 0;
+  const std::string path(file);
+  const Result<std::string> text = Host::of(vm).load_file(path);
+  if (!text.ok()) {
+    return failure(vm, "R0626",
+                   fmt::format("\"{}\" cannot be read: {}", path, text.error().message), kPath);
+  }
+  UrdfOptions options;
+  options.inertia_check = inertia_check_of(inertias);
+  options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
+  const Result<Mechanism> mechanism = read_urdf(*text, options);
+  if (!mechanism.ok()) {
+    UrdfOptions published = options;
+    published.inertia_check = InertiaCheck::kPublished;
+    const bool inertia_only = read_urdf(*text, published).ok();
+    return failure_of(vm, "R0630", ArgumentError(mechanism.error().message), kPath,
+                      inertia_only ? kKeepInertias : "");
+  }
+  Result<RobotSpec> spec = serial_arm(*mechanism, tip.value_or(""));
+  if (!spec.ok()) return failure_of(vm, "R0630", ArgumentError(spec.error().message), kPath);
+  return add_robot(vm, finished(Robot(std::move(spec).value()), base, tool, name));
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0630", error);
+}
+
+Answer<RobotRef> default_robot(Vm& vm) {
+  const Result<int> id = Host::of(vm).default_robot();
+  if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
+  return RobotRef{*id, &Host::of(vm).cell()};
+}
+
+// ---- tools
+// -----------------------------------------------------------------------------------------------------
+
+Answer<ToolValue> gripper(Vm& vm, double stroke, double length, double force) try {
+  return ToolValue{parallel_gripper(stroke, length, force), {}};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0631", error);
+}
+Answer<ToolValue> suction(Vm& vm, double radius, double length) try {
+  return ToolValue{suction_cup(radius, length), {}};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0631", error);
+}
+ToolValue tool_point(const PosC& p) { return {point_tool(), p.T}; }
+
+constexpr NativeFunction kModelFunctions[] = {
+    def<joint_row<JointKind::kRevolute>>(
+        "robot.joint.revolute(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
+        "0rad, limits: angle[]?, maxSpeed: angularSpeed?, maxAccel: angularAccel?, maxJerk: "
+        "angularAccel/time?, maxTorque: torque?, mass: mass = 0kg, com: length[]?, inertia: "
+        "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
+        "string?) -> jointRow",
+        "A joint that turns, with its Denavit-Hartenberg row; theta is its zero.",
+        "joint revolute(d: 400mm, a: 250mm, limits: [-170deg, 170deg])",
+        {.check = check_revolute_row}),
+    def<joint_row<JointKind::kPrismatic>>(
+        "robot.joint.prismatic(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
+        "0rad, limits: length[]?, maxSpeed: speed?, maxAccel: accel?, maxJerk: accel/time?, "
+        "maxForce: force?, mass: mass = 0kg, com: length[]?, inertia: double[][]?, friction: "
+        "double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?) -> jointRow",
+        "A joint that slides, with its Denavit-Hartenberg row; d is its zero.",
+        "joint prismatic(limits: [0mm, 150mm])", {.check = check_prismatic_row}),
+    def<robot_block>(
+        "robot{}(name: string, joint: jointRow[], base: posC?, tool: tool?, gravity: accel[]?, "
+        "convention: string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\") "
+        "-> robot",
+        "A robot made of joints; tcp: the tool point seen from the flange, if the hand does not "
+        "say it; inertias: \"published\" keeps numbers that no rigid body has.",
+        "robot arm { joint revolute(a: 300mm) }", {.check = check_robot_block}),
+    def<robot_from_urdf>(
+        "urdf(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, "
+        "name: string?) -> robot",
+        "A robot from a description in the program's folder; tip: the link at its end, where the "
+        "file has several arms.",
+        "urdf(\"arm.urdf\", tip: \"tool0\")"),
+    def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
+                       {.check = check_default_robot}),
+};
+
+constexpr NativeFunction kToolFunctions[] = {
+    def<gripper>(
+        "parallelGripper(stroke: length, length: length = 120mm, force: force = 20N) -> tool",
+        "A gripper with two fingers; the tool point is `length` along the flange's z axis.",
+        "parallelGripper(stroke: 60mm)"),
+    def<suction>("suctionCup(radius: length, length: length = 60mm) -> tool", "A suction cup.",
+                 "suctionCup(radius: 15mm)"),
+    def<tool_point>("tcp(p: posC) -> tool", "A tool point without a hand; it cannot grasp.",
+                    "tcp(xyz(z: 50mm))"),
+};
+
+// A function robots.NAME for every arm of the catalogue.
+std::vector<Definition> ready_robots() {
+  std::vector<Definition> robots;
+  for (const CatalogArm& entry : catalog_arms()) {
+    const std::string name = fmt::format("robots.{}", entry.name);
+    const auto make = [arm = entry.name](Vm& vm, const PosC* base, const ToolValue* tool,
+                                         Text own_name) -> Answer<RobotRef> {
+      try {
+        return add_robot(vm, finished(*make_robot(arm), base, tool, own_name));
+      } catch (const ArgumentError& error) {
+        return failure_of(vm, "R0630", error);
+      }
+    };
+    robots.push_back(def(name + "(base: posC?, tool: tool?, name: string?) -> robot", make,
+                         std::string(entry.help), name + "()", {.check = check_ready_robot}));
+  }
+  return robots;
+}
+
+}  // namespace
+
+std::span<const NativeFunction> model_functions() {
+  static const std::vector<Definition> robots = ready_robots();
+  static const std::vector<NativeFunction> functions = [] {
+    std::vector<NativeFunction> all(std::begin(kModelFunctions), std::end(kModelFunctions));
+    for (const Definition& robot : robots) all.push_back(robot.function);
+    all.insert(all.end(), std::begin(kToolFunctions), std::end(kToolFunctions));
+    return all;
+  }();
+  return functions;
+}
+
+}  // namespace armlet::bind

@@ -1,0 +1,240 @@
+// The state of robots and their kinematics (language reference, section 19).
+
+#include <fmt/format.h>
+
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/kinematics/manipulability.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "motion/moves.hpp"
+#include "robot/rules.hpp"
+#include "session/bind.hpp"
+#include "values/eigen_results.hpp"
+#include "values/give.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+PosJ joints(Vm& vm, const RobotRef& r) { return make_posj(model_of(vm, r), state_of(vm, r).q); }
+Eigen::VectorXd joint_speeds(Vm& vm, const RobotRef& r) { return state_of(vm, r).qd; }
+Eigen::VectorXd joint_accels(Vm& vm, const RobotRef& r) { return state_of(vm, r).qdd; }
+PosC here(Vm& vm, const RobotRef& r) { return {Host::of(vm).cell().T_world_tool(r.id), true}; }
+Vector6d tcp_speed(Vm& vm, const RobotRef& r) {
+  const CellRobot& robot = state_of(vm, r);
+  return jacobian(*robot.model, robot.q) * robot.qd;
+}
+bool moving(Vm& vm, const RobotRef& r) { return Host::of(vm).cell().is_moving(r.id); }
+PosJ home(Vm& vm, const RobotRef& r) {
+  const Robot& robot = model_of(vm, r);
+  return make_posj(robot, robot.home());
+}
+RecordObj* force(Vm& vm, const RobotRef& r) {
+  const auto wrench = Host::of(vm).cell().contact_wrench(r.id);
+  RecordObj* record = new_record(vm, vm.program().library_record("Wrench"));
+  for (int i = 0; record != nullptr && i < 6; ++i) record->fields()[i].d = wrench[i];
+  return record;
+}
+
+std::int64_t dof(Vm& vm, const RobotRef& r) { return model_of(vm, r).n(); }
+std::string name(Vm& vm, const RobotRef& r) { return state_of(vm, r).name; }
+std::string types(Vm& vm, const RobotRef& r) {
+  const Robot& robot = model_of(vm, r);
+  std::string word;
+  for (int i = 0; i < robot.n(); ++i) word += robot.is_revolute(i) ? 'R' : 'P';
+  return word;
+}
+
+std::vector<PosJ> limits(Vm& vm, const RobotRef& r) {
+  const Robot& robot = model_of(vm, r);
+  return {make_posj(robot, robot.lower()), make_posj(robot, robot.upper())};
+}
+
+// ---- changing a robot
+// ------------------------------------------------------------------------------------------
+
+Answer<void> set_model(Vm& vm, const RobotRef& r, Robot model) try {
+  if (!check_idle(vm, r.id)) return Failed{};
+  Host::of(vm).cell().set_model(r.id, std::make_shared<const Robot>(std::move(model)));
+  return {};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0630", error);
+}
+Answer<void> set_tool(Vm& vm, const RobotRef& r, const PosC& tcp) {
+  return set_model(vm, r, model_of(vm, r).with_tool_point(tcp.T));
+}
+Answer<void> set_home(Vm& vm, const RobotRef& r, const PosJ& q) try {
+  return set_model(vm, r, model_of(vm, r).with_home(q.vector()));
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0630", error, 1);
+}
+
+// ---- kinematics
+// ------------------------------------------------------------------------------------------------
+
+template <class Q>
+Answer<PosC> fkine(Vm& vm, const RobotRef& r, Q values, std::optional<std::int64_t> joint) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  if (!joint) return PosC{forward(robot, *q), true};
+  if (*joint < 1 || *joint > robot.n())
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", *joint, robot.n()), 2);
+  return PosC{link_frame(robot, *q, static_cast<int>(*joint)), true};
+}
+
+template <class Q>
+Answer<std::vector<PosC>> link_frames(Vm& vm, const RobotRef& r, Q values) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  std::vector<PosC> frames;
+  for (const Eigen::Isometry3d& T : armlet::link_frames(robot, *q)) frames.push_back({T, true});
+  return frames;
+}
+
+template <class Q>
+Answer<double> manipulability_of(Vm& vm, const RobotRef& r, Q values) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  return manipulability(robot, *q);
+}
+
+template <class Q>
+Answer<Jacobian> jacobian_of(Vm& vm, const RobotRef& r, Q values, std::string_view name) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto frame = name == "world"  ? std::optional(JacobianFrame::kWorld)
+                     : name == "base" ? std::optional(JacobianFrame::kBase)
+                     : name == "tool" ? std::optional(JacobianFrame::kTool)
+                                      : std::nullopt;
+  if (!frame) {
+    return failure(vm, "R0626", fmt::format("a Jacobian has no frame \"{}\"", name), 2,
+                   "its frames are \"world\", \"base\" and \"tool\"");
+  }
+  return jacobian(robot, *q, *frame);
+}
+
+template <class Q, class Rates>
+Answer<Vector6d> jacobian_dot(Vm& vm, const RobotRef& r, Q values, Rates rates) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto qd = joint_argument(vm, robot, rates, 2);
+  if (!qd) return Failed{};
+  return jacobian_dot_qd(robot, *q, *qd);
+}
+
+template <class Q>
+Answer<Jacobian> jacobian_rate_of(Vm& vm, const RobotRef& r, Q values, JointList rates) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto qd = joint_argument(vm, robot, rates, 2);
+  if (!qd) return Failed{};
+  return jacobian_rate(robot, *q, *qd);
+}
+
+Eigen::MatrixXd dh_table(Vm& vm, const RobotRef& r) {
+  const Robot& robot = model_of(vm, r);
+  Eigen::MatrixXd table(robot.n(), 4);
+  for (int i = 0; i < robot.n(); ++i) {
+    const DhRow& row = robot.joint(i).dh;
+    table.row(i) << row.theta, row.d, row.a, row.alpha;
+  }
+  return table;
+}
+
+PosJ random_joints(Vm& vm, const RobotRef& r) {
+  const Robot& robot = model_of(vm, r);
+  Eigen::VectorXd q(robot.n());
+  for (int i = 0; i < robot.n(); ++i)
+    q[i] = vm.random().uniform(robot.lower()[i], robot.upper()[i]);
+  return make_posj(robot, q);
+}
+
+constexpr std::string_view kFrames = "The frames after each joint.";
+constexpr std::string_view kManipulability = "Yoshikawa's measure: zero where the arm is singular.";
+constexpr std::string_view kJacobian =
+    "Maps joint speeds to the velocity of the tool point: three rows in m/s, three in rad/s, along "
+    "the axes of the frame \"world\", \"base\" or \"tool\".";
+constexpr std::string_view kJacobianRate =
+    "The rate of change of the Jacobian while the joints move with qd, in the world's axes.";
+constexpr std::string_view kJacobianDot =
+    "The acceleration of the tool point that the joint speeds qd cause while they do not change: "
+    "the rate of the Jacobian times qd, three values in m/s^2 and three in rad/s^2, in the world.";
+
+constexpr NativeFunction kRobotFunctions[] = {
+    def<joints>("joints(r: robot) -> posJ", "The joint values now.", "joints()"),
+    def<joint_speeds>("jointSpeeds(r: robot) -> double[]", "The joint speeds now, rad/s and m/s.",
+                      "jointSpeeds()"),
+    def<joint_accels>("jointAccels(r: robot) -> double[]",
+                      "The joint accelerations now, rad/s^2 and m/s^2.", "jointAccels()"),
+    def<here>("here(r: robot) -> posC", "The tool point now, in the world.", "here()"),
+    def<tcp_speed>("tcpSpeed(r: robot) -> double[]",
+                   "The velocity of the tool point: vx, vy, vz in m/s and wx, wy, wz in rad/s.",
+                   "tcpSpeed()"),
+    def<force>("force(r: robot) -> Wrench",
+               "What the surroundings exert on the tool point; what the hand holds does not count.",
+               "force().z"),
+    def<moving>("moving(r: robot) -> bool", "Whether the robot is on its way.", "moving()"),
+    def<home>("home(r: robot) -> posJ", "The home position.", "moveJ(home(), time: 2s)"),
+    def<dof>("robot.dof(r: robot) -> int", "The number of joints.", "robots.scara().dof"),
+    def<name>("robot.name(r: robot) -> string", "The name.", "robots.scara().name"),
+    def<types>("robot.types(r: robot) -> string", "One letter per joint: R turns, P slides.",
+               "robots.scara().types"),
+    def<limits>("limits(r: robot) -> posJ[]", "The lower and the upper joint limits.", "limits()"),
+    def<set_tool>("setTool(r: robot, tcp: posC)",
+                  "Moves the tool point, seen from the flange; the hand stays.",
+                  "setTool(xyz(z: 50mm))", {.commands = true}),
+    def<set_home>("setHome(r: robot, q: posJ)", "Changes the home position.", "setHome(joints())"),
+    def<fkine<Joints>>(
+        "fkine(r: robot, q: posJ, joint: int?) -> posC",
+        "Where the tool point is for these joint values; with joint: the frame after that joint, "
+        "counted from 1.",
+        "fkine(joints())"),
+    def<fkine<JointList>>("fkine(r: robot, q: double[], joint: int?) -> posC",
+                          "Where the tool point is for these joint values (SI).",
+                          "fkine([0.0, 0.0, 0.1, 0.0])", {.check = check_joint_list<1>}),
+    def<link_frames<Joints>>("linkFrames(r: robot, q: posJ) -> posC[]", kFrames,
+                             "linkFrames(joints())"),
+    def<link_frames<JointList>>("linkFrames(r: robot, q: double[]) -> posC[]", kFrames,
+                                "linkFrames([0.0, 0.0, 0.1, 0.0])", {.check = check_joint_list<1>}),
+    def<manipulability_of<Joints>>("manipulability(r: robot, q: posJ) -> double", kManipulability,
+                                   "manipulability(joints())"),
+    def<manipulability_of<JointList>>("manipulability(r: robot, q: double[]) -> double",
+                                      kManipulability, "manipulability([0.0, 0.5, 0.1, 0.0])",
+                                      {.check = check_joint_list<1>}),
+    def<jacobian_of<Joints>>("jacobian(r: robot, q: posJ, frame: string = \"world\") -> matrix",
+                             kJacobian, "jacobian(joints())"),
+    def<jacobian_of<JointList>>(
+        "jacobian(r: robot, q: double[], frame: string = \"world\") -> matrix", kJacobian,
+        "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")", {.check = check_joint_list<1>}),
+    def<jacobian_dot<Joints, JointList>>("jacobianDot(r: robot, q: posJ, qd: double[]) -> double[]",
+                                         kJacobianDot, "jacobianDot(joints(), jointSpeeds())"),
+    def<jacobian_dot<Joints, Joints>>("jacobianDot(r: robot, q: posJ, qd: posJ) -> double[]",
+                                      kJacobianDot, "jacobianDot(joints(), joints())"),
+    def<jacobian_dot<JointList, JointList>>(
+        "jacobianDot(r: robot, q: double[], qd: double[]) -> double[]", kJacobianDot,
+        "jacobianDot([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])", {.check = check_joint_list<1>}),
+    def<jacobian_rate_of<Joints>>("jacobianRate(r: robot, q: posJ, qd: double[]) -> matrix",
+                                  kJacobianRate, "jacobianRate(joints(), jointSpeeds())"),
+    def<jacobian_rate_of<JointList>>(
+        "jacobianRate(r: robot, q: double[], qd: double[]) -> matrix", kJacobianRate,
+        "jacobianRate([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])", {.check = check_joint_list<1>}),
+    def<dh_table>("dhTable(r: robot) -> matrix",
+                  "The Denavit-Hartenberg parameters, one row theta, d, a, alpha for each joint, "
+                  "in rad and m.",
+                  "dhTable()"),
+    def<random_joints>("randomJoints(r: robot) -> posJ",
+                       "Joint values drawn evenly within the limits; the same ones in every run.",
+                       "randomJoints()"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> robot_functions() { return kRobotFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,100 @@
+// Functions of the language reference that nothing stands behind yet. Programs that use them are
+// checked whole and then refused (E0199), so that they are right on the day the function arrives.
+
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// `feature` is what the message says is missing; without it, the name.
+constexpr NativeFunction later(std::string_view name, std::string_view signature,
+                               std::string_view feature = {}) {
+  return {.name = name, .signature = signature, .help = feature, .later = true};
+}
+
+constexpr NativeFunction later_motion(std::string_view name, std::string_view signature,
+                                      std::string_view feature = {}) {
+  NativeFunction function = later(name, signature, feature);
+  function.pauses = true;
+  return function;
+}
+
+constexpr NativeFunction kLaterFunctions[] = {
+    // trajectories and motion
+    later("plan", "(r: robot, to: posJ, avoid: bool = true) -> trajectory"),
+    later("plan", "(r: robot, to: posC, avoid: bool = true) -> trajectory"),
+    later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)",
+                 "`speedC` in the frame of a camera"),
+    // hands with fingers
+    later("robots.barrettHand", "(name: string?, on: robot) -> robot"),
+    later("finger", "(h: robot, i: int) -> finger"),
+    later_motion("moveJ", "(f: finger, target: posJ, time: time?, speed: double?) -> Move",
+                 "`moveJ` of a finger"),
+    later("force", "(f: finger) -> force", "`force` of a finger"),
+    later("graspQuality", "(h: robot, o: object) -> GraspQuality"),
+    later_motion("closeHand", "(h: robot, force: force?)"),
+    later_motion("openHand", "(h: robot)"),
+    // kinematics and dynamics
+    later("setPayload", "(r: robot, m: mass, at: posC?)"),
+    later("torques", "(r: robot) -> double[]"),
+    later("invDyn", "(r: robot, q: posJ, qd: double[], qdd: double[]) -> double[]"),
+    later("invDyn", "(r: robot, q: double[], qd: double[], qdd: double[]) -> double[]"),
+    later("fwdDyn", "(r: robot, q: posJ, qd: double[], tau: double[]) -> double[]"),
+    later("fwdDyn", "(r: robot, q: double[], qd: double[], tau: double[]) -> double[]"),
+    later("massMatrix", "(r: robot, q: posJ) -> matrix"),
+    later("massMatrix", "(r: robot, q: double[]) -> matrix"),
+    later("coriolis", "(r: robot, q: posJ, qd: double[]) -> matrix"),
+    later("coriolis", "(r: robot, q: double[], qd: double[]) -> matrix"),
+    later("gravity", "(r: robot, q: posJ) -> double[]"),
+    later("gravity", "(r: robot, q: double[]) -> double[]"),
+    later("friction", "(r: robot, qd: posJ) -> double[]"),
+    later("friction", "(r: robot, qd: double[]) -> double[]"),
+    // cameras and images
+    later("robots.overheadCamera", "(name: string?) -> camera"),
+    later("camera{}",
+          "(name: string, on: robot, at: posC?, size: int[]?, fov: angle = 1rad) -> camera"),
+    later("camera{}",
+          "(name: string, on: object, at: posC?, size: int[]?, fov: angle = 1rad) -> camera"),
+    later("camera{}", "(name: string, at: posC?, size: int[]?, fov: angle = 1rad) -> camera"),
+    later("object{}",
+          "(name: string, shape: shape, at: posC, texture: string, mass: mass = 0kg, friction: "
+          "double = 0.5, color: "
+          "string = \"gray\", fixed: bool = false) -> object",
+          "an object with a texture"),
+    later("corners", "(o: object) -> length[][]", "`corners` of an object"),
+    later("distance", "(a: object, b: object) -> length", "`distance` of objects"),
+    later("touching", "(a: object, b: object) -> bool"),
+    later("capture", "(c: camera) -> image"),
+    later("project", "(c: camera, points: length[][], from: posC?) -> matrix"),
+    later("depth", "(c: camera, s: matrix) -> length[]"),
+    later("interactionMatrix", "(c: camera, s: matrix, depth: length[]) -> matrix"),
+    later("image.width", "(img: image) -> int"),
+    later("image.height", "(img: image) -> int"),
+    later("gray", "(img: image) -> image"),
+    later("blur", "(img: image, radius: double) -> image"),
+    later("threshold", "(img: image, level: double) -> image"),
+    later("edges", "(img: image, low: double, high: double) -> image"),
+    later("corners",
+          "(img: image, method: string = \"susan\", nearTo: matrix?, max: int = 1000) -> matrix",
+          "`corners` of an image"),
+    later("blobs", "(img: image, minArea: double = 1.0) -> Blob[]"),
+    later("lines", "(img: image) -> matrix"),
+    later("circles", "(img: image) -> matrix"),
+    later("match", "(img: image, template: image) -> Match"),
+    later("loadImage", "(path: string) -> image"),
+    later("save", "(img: image, path: string)", "`save` of an image"),
+    // pictures
+    later("show", "(img: image)"),
+    later("trail", "(r: robot)"),
+};
+
+}  // namespace
+
+const HostType kCamera = {.name = "camera", .is_handle = true, .noun = "a camera"};
+const HostType kImage = {.name = "image", .noun = "an image"};
+const HostType kFinger = {.name = "finger", .is_handle = true, .noun = "a finger of a hand"};
+
+std::span<const NativeFunction> later_functions() { return kLaterFunctions; }
+
+}  // namespace armlet::bind

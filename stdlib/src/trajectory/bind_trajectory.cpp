@@ -1,0 +1,258 @@
+// Trajectories as values: making and reading them (language reference, sections 13.2 and 19).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "armlet/stdlib/host.hpp"
+#include "motion/motion_text.hpp"
+#include "robot/rules.hpp"
+#include "session/bind.hpp"
+#include "trajectory/trajectories.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// ---- making
+// ----------------------------------------------------------------------------------------------------
+
+using Number = std::optional<double>;
+using Numbers = std::optional<std::span<const double>>;
+
+// A call, whose parameters stand one behind the other from the name on.
+MoveCall call_of(const RobotRef& r, int name) {
+  return {.function = "trajectory",
+          .robot = r.id,
+          .target = name + 1,
+          .time = name + 2,
+          .speed = name + 4,
+          .accel = name + 5,
+          .planner = name};
+}
+PointSettings settings_from(const MoveCall& call, const MoveSettings& move, Numbers durations) {
+  PointSettings settings{.move = move, .durations_parameter = call.time + 1};
+  if (durations) settings.durations.assign(durations->begin(), durations->end());
+  return settings;
+}
+
+Answer<Trajectory> plan(Vm& vm, const MoveCall& call, const std::string& planner,
+                        HostList<PosJ> list, const PointSettings& settings) {
+  const auto points = joint_points(vm, call, list);
+  if (!points) return Failed{};
+  return plan_through(vm, call, *points, planner, settings);
+}
+Answer<Trajectory> plan(Vm& vm, const MoveCall& call, const std::string& planner,
+                        HostList<PosC> list, const PointSettings& settings) {
+  const auto places = places_in_world(vm, call, settings.move, list);
+  if (!places) return Failed{};
+  const auto points = solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
+  if (!points) return Failed{};
+  return planner == "Lin" && !points->empty()
+             ? plan_lines(vm, call, points->front(), *places, settings)
+             : plan_through(vm, call, *points, planner, settings);
+}
+template <class T>
+Answer<PlannedMotion> planned_of(Vm& vm, const MoveCall& call, std::string_view name,
+                                 HostList<T> points, const PointSettings& settings) {
+  std::string planner(name);
+  auto motion = plan(vm, call, planner, points, settings);
+  if (!motion) return Failed{};
+  std::shared_ptr<const Robot> robot = Host::of(vm).cell().robot(call.robot).model;
+  const PosJ joints = make_posj(*robot, motion->start());
+  return PlannedMotion{std::move(planner), *std::move(motion), joints, std::move(robot)};
+}
+
+// With the robot first, calls without one mean the robot of the program; the other signature has it
+// as the setting `robot`.
+template <class T>
+Answer<PlannedMotion> make_for(Vm& vm, const RobotRef& r, std::string_view name, HostList<T> points,
+                               Number time, Numbers durations, Number speed, Number accel) {
+  const MoveCall call = call_of(r, 1);
+  const MoveSettings move{.time = time, .speed = speed, .accel = accel};
+  return planned_of(vm, call, name, points, settings_from(call, move, durations));
+}
+template <class T>
+Answer<PlannedMotion> make_with(Vm& vm, std::string_view name, HostList<T> points, Number time,
+                                Numbers durations, Number speed, Number accel,
+                                const RobotRef& robot) {
+  const MoveCall call = call_of(robot, 0);
+  const MoveSettings move{.time = time, .speed = speed, .accel = accel};
+  return planned_of(vm, call, name, points, settings_from(call, move, durations));
+}
+
+// ---- reading
+// ---------------------------------------------------------------------------------------------------
+
+Answer<PosJ> joints_at(Vm& vm, const PlannedMotion& tr, double t) {
+  if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
+  PosJ values = tr.joints;
+  for (int i = 0; i < values.n; ++i) values.q[static_cast<std::size_t>(i)] = tr.motion.value(i, t);
+  return values;
+}
+template <int kOrder>
+Answer<std::vector<double>> rates_at(Vm& vm, const PlannedMotion& tr, double t) {
+  if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
+  const Trajectory& motion = tr.motion;
+  std::vector<double> values;
+  for (int i = 0; i < motion.n(); ++i) values.push_back(motion.value(i, t, kOrder));
+  return values;
+}
+
+double duration(const PlannedMotion& tr) { return tr.motion.duration(); }
+
+std::vector<double> knots(const PlannedMotion& tr) { return tr.motion.knots(); }
+
+std::string planner_name(const PlannedMotion& tr) { return tr.planner; }
+
+Answer<std::vector<double>> peaks(Vm& vm, const PlannedMotion& tr, std::int64_t order) {
+  if (order < 1 || order > Segment::kMaxDegree) {
+    return failure(
+        vm, "R0609",
+        fmt::format("there are no peaks of order {}: 1 is speed, 2 acceleration, 3 jerk", order),
+        1);
+  }
+  const Trajectory& motion = tr.motion;
+  std::vector<double> values;
+  for (int i = 0; i < motion.n(); ++i) {
+    const bool jumps = motion.continuity(i, 1e-6) < order - 1;
+    values.push_back(jumps ? std::numeric_limits<double>::infinity()
+                           : motion.peak(i, static_cast<int>(order)));
+  }
+  return values;
+}
+
+// ---- joining
+// ---------------------------------------------------------------------------------------------------
+
+Answer<PlannedMotion> joined(Vm& vm, const PlannedMotion& first, const PlannedMotion& next) try {
+  std::string planner =
+      first.planner == next.planner ? first.planner : first.planner + " + " + next.planner;
+  return PlannedMotion{std::move(planner), first.motion.then(next.motion), first.joints,
+                       first.robot};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0634", error);
+}
+
+PlannedMotion reversed(const PlannedMotion& plan) {
+  return {plan.planner, plan.motion.reversed(), plan.joints, plan.robot};
+}
+
+// ---- in words
+// --------------------------------------------------------------------------------------------------
+
+Answer<void> print_line(Vm& vm, const std::string& text) {
+  if (!vm.print(text + '\n')) return Failed{};
+  return {};
+}
+
+Answer<void> explain_trajectory(Vm& vm, const PlannedMotion& plan) {
+  const std::string what = fmt::format("trajectory {} of {}", plan.planner, plan.robot->name());
+  return print_line(vm, explain_motion(what, *plan.robot, plan.motion));
+}
+
+Answer<void> explain_robot(Vm& vm, const RobotRef& r) {
+  const CellRobot& robot = state_of(vm, r);
+  const LastMotion* last = Host::of(vm).last_motion(r.id);
+  if (last == nullptr) return print_line(vm, fmt::format("{} has not moved", robot.name));
+  bool moving = false;  // it took over from a velocity command
+  for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
+  return print_line(
+      vm, explain_motion(fmt::format("{} of {}", last->function, robot.name), *robot.model,
+                         last->motion, last->notes,
+                         moving ? Trajectory::Start::kMoving : Trajectory::Start::kAtRest));
+}
+
+constexpr std::string_view kMakeHelp =
+    "A motion through all points as a value: planned and checked like a move, but nothing moves. "
+    "time is the whole duration, durations those of the legs; speed and accel are fractions of the "
+    "limits of the joints. Planners that know only two points stop at each. Places are reached by "
+    "inverse kinematics, the first from where the robot stands; \"Lin\" joins them by straight "
+    "lines.";
+constexpr std::string_view kMakeExample =
+    "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s)";
+constexpr std::string_view kPlacesExample =
+    "trajectory(\"Lin\", [xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)], time: 3s)";
+constexpr std::string_view kRobotExample =
+    "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s, robot: "
+    "robots.scara(name: \"other\"))";
+constexpr std::string_view kRobotPlacesExample =
+    "trajectory(\"Spline3\", [xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)], robot: "
+    "robots.scara(name: \"other\"))";
+
+constexpr NativeFunction kTrajectoryFunctions[] = {
+    def<make_for<PosJ>>(
+        "trajectory(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, "
+        "speed: double?, accel: double?) -> trajectory",
+        kMakeHelp, kMakeExample, {.check = check_trajectory<true>}),
+    def<make_for<PosC>>(
+        "trajectory(r: robot, name: string, points: posC[], time: time?, durations: time[]?, "
+        "speed: double?, accel: double?) -> trajectory",
+        kMakeHelp, kPlacesExample, {.check = check_trajectory<true>}),
+    def<make_with<PosJ>>(
+        "trajectory(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
+        "accel: double?, robot: robot) -> trajectory",
+        kMakeHelp, kRobotExample, {.check = check_trajectory<false>}),
+    def<make_with<PosC>>(
+        "trajectory(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, "
+        "accel: double?, robot: robot) -> trajectory",
+        kMakeHelp, kRobotPlacesExample, {.check = check_trajectory<false>}),
+    def<joints_at>(
+        "trajectory.q(tr: trajectory, t: time) -> posJ",
+        "The joint values at that time; before the start and after the end those of the ends.",
+        "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)"),
+    def<rates_at<1>>("trajectory.qd(tr: trajectory, t: time) -> double[]",
+                     "The joint speeds at that time, rad/s and m/s.",
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)"),
+    def<rates_at<2>>("trajectory.qdd(tr: trajectory, t: time) -> double[]",
+                     "The joint accelerations at that time, rad/s^2 and m/s^2. Where one jumps, "
+                     "the later value.",
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).qdd(1s)"),
+    def<rates_at<3>>("trajectory.jerk(tr: trajectory, t: time) -> double[]",
+                     "How fast the joint accelerations change at that time, rad/s^3 and m/s^3. "
+                     "Where it jumps, the "
+                     "later value.",
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).jerk(1s)"),
+    def<duration>("trajectory.duration(tr: trajectory) -> time", "How long it takes.",
+                  "trajectory(\"Syn\", [home(), home()], time: 2s).duration"),
+    def<knots>("trajectory.knots(tr: trajectory) -> time[]",
+               "The times at which polynomials begin and end, from 0 to the duration.",
+               "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s).knots"),
+    def<planner_name>("trajectory.planner(tr: trajectory) -> string",
+                      "The name of the planner that made it.",
+                      "trajectory(\"Syn\", [home(), home()], time: 2s).planner"),
+    def<peaks>(
+        "trajectory.peaks(tr: trajectory, order: int = 1) -> double[]",
+        "The largest magnitude of each joint's derivative of this order over the whole motion, "
+        "from "
+        "the polynomials and not from samples: 1 is speed, 2 acceleration, 3 jerk. It is inf where "
+        "the "
+        "derivative below jumps, as the acceleration of \"Trap\" and \"Cubic\" does: no jerk is "
+        "enough "
+        "for that.",
+        "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).peaks(2)"),
+    def<joined>("operator+(a: trajectory, b: trajectory) -> trajectory",
+                "One motion and then the other, which starts where the first ends.",
+                "let tr = trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]); tr + "
+                "tr.reversed()"),
+    def<reversed>("trajectory.reversed(tr: trajectory) -> trajectory",
+                  "The same path run backwards in the same time.",
+                  "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()"),
+    def<explain_trajectory>(
+        "explain(tr: trajectory)",
+        "Prints what a trajectory is made of: for every joint its way and its peaks of speed, "
+        "acceleration and jerk, also in percent of the limits; how long this path takes at least, "
+        "and "
+        "the joint that decides.",
+        "explain(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))"),
+    def<explain_robot>("explain(r: robot)",
+                       "Prints the same of the last move of a robot, as it was planned.",
+                       "moveJ(posJ(60deg, 30deg, 0mm, 0deg)); explain()"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> trajectory_functions() { return kTrajectoryFunctions; }
+
+}  // namespace armlet::bind

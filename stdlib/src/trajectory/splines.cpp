@@ -1,0 +1,92 @@
+#include "trajectory/splines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "armlet/core/format.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "motion/move_failures.hpp"
+#include "motion/move_waiting.hpp"
+#include "robot/goals.hpp"
+#include "session/bind.hpp"
+
+namespace armlet::bind {
+namespace {
+
+Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t places,
+                            const MoveSettings& settings, double accel) {
+  if (places == 0)
+    return failure(vm, "R0613", "a curve goes through one place or more, not 0", call.target);
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
+  if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
+    return Failed{};
+  return check_fraction(vm, "an acceleration", accel, call.accel);
+}
+
+SplinePlan plan(const Robot& robot, SplineMove move, bool only_places) {
+  SplinePlan plan = plan_cartesian_spline(robot, move);
+  if (!plan.fault || !only_places) return plan;
+  // The orientation cannot be kept all the way: the hand may turn as little as it must.
+  move.task = IkTask::kPlace;
+  return plan_cartesian_spline(robot, move);
+}
+
+MotionNotes notes_of(const std::vector<PosC>& places, const SplinePlan& plan) {
+  MotionNotes notes;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    notes.parts.push_back({.what = fmt::format("to {}", format_point_mm(places[k].T.translation())),
+                           .end = plan.times[k]});
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::optional<SplineKind> spline_called(std::string_view planner) {
+  if (planner == "Cubic") return SplineKind::kCubic;
+  if (planner == "Spline3") return SplineKind::kSpline3;
+  if (planner == "Spline4") return SplineKind::kSpline4;
+  if (planner == "Spline5") return SplineKind::kSpline5;
+  return std::nullopt;
+}
+
+Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, SplineKind kind,
+                       const MoveSettings& settings) {
+  const BlockSettings block = settings_of(vm);
+  const double accel = settings.accel.value_or(block.accel);
+  if (!check_settings(vm, call, places.size(), settings, accel)) return Failed{};
+  choose_model(vm, call, settings, accel);
+  const Robot& robot = model_of(vm, call);
+  const Eigen::VectorXd q0 = Host::of(vm).cell().robot(call.robot).q;
+  SplineMove move{.q0 = q0, .kind = kind, .time = settings.time};
+  if (!move.time) move.speed = settings.speed.value_or(block.speed);
+  Goal at{forward(robot, q0), q0};
+  std::vector<Eigen::VectorXd> starts;
+  for (const PosC& place : places) {
+    call.element = static_cast<int>(move.places.size());
+    starts.push_back(at.q);
+    auto goal = goal_after(vm, call, place, at);
+    if (!goal) return Failed{};
+    at = *std::move(goal);
+    move.places.push_back(at.T_world_tool);
+  }
+  call.element = -1;
+  const bool only_places =
+      std::ranges::none_of(places, [](const PosC& place) { return place.has_orientation; });
+  SplinePlan curve = plan(robot, move, only_places);
+  if (curve.fault) {
+    const auto k = static_cast<std::size_t>(curve.place);
+    call.element = curve.place;
+    call.way = places.size() > 1 ? "curve to this place" : "curve";
+    return fail_line(vm, call, starts[k], {move.places[k], true}, *curve.fault);
+  }
+  if (!curve.motion.outside.empty()) return fail_swings_outside(vm, call, curve.motion.outside[0]);
+  if (!curve.ok()) return fail_too_fast(vm, call, *curve.motion.too_fast);
+  MotionNotes notes = notes_of(places, curve);
+  return start_motion(vm, call, *std::move(curve.motion.trajectory), curve.length,
+                      std::move(notes));
+}
+
+}  // namespace armlet::bind

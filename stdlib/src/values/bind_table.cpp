@@ -1,0 +1,184 @@
+// Tables that `record` makes (language reference, sections 16 and 19).
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <optional>
+
+#include "armlet/interpreter/work.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// A field of a comma-separated file, in quotes if it needs them (RFC 4180).
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + '"';
+}
+
+// What one value becomes: one cell, or one for each of its numbers.
+std::vector<std::string> cells_of(Slot value, const Type& type) {
+  std::vector<std::string> cells;
+  const auto number = [&](double x) { cells.push_back(fmt::format("{}", x)); };
+  if (type.is(Kind::kReal)) {
+    number(value.d);
+  } else if (type.is(Kind::kInt) || type.is(Kind::kEnum)) {
+    cells.push_back(std::to_string(value.i));
+  } else if (type.is(Kind::kBool)) {
+    cells.emplace_back(value.i != 0 ? "true" : "false");
+  } else if (type.is(Kind::kText)) {
+    cells.push_back(csv_field(text_value(value)));
+  } else if (type.is(Kind::kList)) {
+    for (const Slot item : items_value(value)) {
+      for (std::string& cell : cells_of(item, *type.element)) cells.push_back(std::move(cell));
+    }
+  } else if (type.is(Kind::kMatrix)) {
+    const MatrixObj& matrix = matrix_value(value);
+    for (std::size_t i = 0; i < std::size_t{matrix.rows} * matrix.cols; ++i)
+      number(matrix.data()[i]);
+  } else if (type.is(Kind::kHost) && type.host == &kPosJ) {
+    for (const double q : posj(value).vector()) number(q);
+  } else if (type.is(Kind::kHost) && type.host == &kPosC) {
+    const Eigen::Isometry3d& T = posc(value).T;
+    const Eigen::Quaterniond r(T.linear());
+    const double sign = r.w() < 0.0 ? -1.0 : 1.0;
+    for (const double x : T.translation()) number(x);
+    for (const double x : {r.w(), r.x(), r.y(), r.z()}) number(sign * x);
+  } else if (type.is(Kind::kHost) && type.host->text != nullptr) {
+    std::string text;
+    type.host->text(static_cast<const HostObj*>(value.o)->payload(), text);
+    cells.push_back(csv_field(text));
+  } else if (type.is(Kind::kRecord) && !type.is_table()) {
+    const auto& record = *static_cast<const RecordObj*>(value.o);
+    for (std::size_t i = 0; i < type.record->fields.size(); ++i) {
+      for (std::string& cell : cells_of(record.fields()[i], *type.record->fields[i].type))
+        cells.push_back(std::move(cell));
+    }
+  } else {
+    cells.push_back(type_name(&type));
+  }
+  return cells;
+}
+
+// How many cells that makes, as far as it is no more than `most`.
+std::uint64_t cell_count(Slot value, const Type& type, std::uint64_t most) {
+  if (type.is(Kind::kMatrix))
+    return std::uint64_t{matrix_value(value).rows} * matrix_value(value).cols;
+  std::uint64_t count = 0;
+  if (type.is(Kind::kList)) {
+    for (const Slot item : items_value(value)) {
+      count += cell_count(item, *type.element, most);
+      if (count > most) return count;
+    }
+    return count;
+  }
+  if (type.is(Kind::kRecord) && !type.is_table()) {
+    const auto& record = *static_cast<const RecordObj*>(value.o);
+    for (std::size_t i = 0; i < type.record->fields.size() && count <= most; ++i)
+      count += cell_count(record.fields()[i], *type.record->fields[i].type, most);
+    return count;
+  }
+  return 1;
+}
+
+// "t", "q1", "q2": a column of several cells numbers them.
+std::string header_of(const std::string& name, std::size_t width) {
+  if (width == 1) return name;
+  std::string out;
+  for (std::size_t i = 1; i <= width; ++i) out += fmt::format("{}{}{}", i > 1 ? "," : "", name, i);
+  return out;
+}
+
+constexpr std::string_view kTableEndings[] = {".csv"};
+constexpr FileKind kTable{"a table", kTableEndings};
+
+// A text on its way to a file: counted as work and against the heap limit while it grows.
+class Growth {
+ public:
+  explicit Growth(Vm& vm) : vm_(vm) {}
+  // The text has so many bytes now. False: the failure is set.
+  bool add(std::size_t size) {
+    constexpr std::uint64_t kCost = 16;  // of a byte of a number
+    constexpr std::size_t kStep = std::size_t{1} << 14U;
+    if (size < counted_ + kStep) return true;
+    if (!charge_work(vm_, kCost * (size - counted_))) return false;
+    // Twice: a string that is full doubles.
+    if (2 * size > (scratch_ ? granted_ : 0)) {
+      scratch_.reset();
+      granted_ = 4 * size;
+      scratch_.emplace(vm_, granted_);
+    }
+    counted_ = size;
+    return scratch_->granted();
+  }
+
+ private:
+  Vm& vm_;
+  std::optional<Scratch> scratch_;
+  std::uint64_t granted_ = 0;
+  std::size_t counted_ = 0;
+};
+
+Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file) {
+  const RecordInfo& info = *table.layout->type->record;
+  const std::vector<RecordField>& columns = info.row->record->fields;
+  std::vector<std::size_t> widths;
+  std::string header;
+  std::string body;
+  Growth room(vm);
+  const auto rows = table_rows(table);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (!room.add(header.size() + body.size())) return Failed{};
+    const Slot* fields = static_cast<const RecordObj*>(rows[row].o)->fields();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      constexpr std::uint64_t kMostCells = 100'000;
+      if (cell_count(fields[i], *columns[i].type, kMostCells) > kMostCells) {
+        return failure(vm, "R0613",
+                       fmt::format("the column `{}` has more than {} values in row {}",
+                                   columns[i].name, kMostCells, row),
+                       0, "that is the limit for a file");
+      }
+      const std::vector<std::string> cells = cells_of(fields[i], *columns[i].type);
+      if (row == 0) {
+        widths.push_back(cells.size());
+        header += (i > 0 ? "," : "") + header_of(columns[i].name, cells.size());
+      } else if (cells.size() != widths[i]) {
+        return failure(vm, "R0613",
+                       fmt::format("the column `{}` has {} values in row {} and {} in row 0",
+                                   columns[i].name, cells.size(), row, widths[i]),
+                       0, "a file has equally long rows");
+      }
+      for (std::size_t k = 0; k < cells.size(); ++k) body += (i + k > 0 ? "," : "") + cells[k];
+    }
+    body += '\n';
+  }
+  const auto saved = Host::of(vm).save_file(kTable, std::string(file), header + '\n' + body);
+  if (saved.ok()) return {};
+  Failure f;
+  f.code = "R0626";
+  f.message = fmt::format("`{}` cannot be saved", file);
+  f.mark_parameter = 1;
+  f.why = saved.error().message;
+  return fail(vm, std::move(f));
+}
+
+constexpr NativeFunction kTableFunctions[] = {
+    def<save>(
+        "save(t: table, file: string)",
+        "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
+        "names of "
+        "the columns, then one line for each row. A list, a posJ and a posC become several "
+        "columns.",
+        "record run every (10ms) { q: joints() }; run.save(\"run.csv\")"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> table_functions() { return kTableFunctions; }
+
+}  // namespace armlet::bind

@@ -1,0 +1,50 @@
+#pragma once
+// What the functions of matrices share: sizes in words, failures about them, steps for long work.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "armlet/interpreter/work.hpp"
+#include "session/bind.hpp"
+
+namespace armlet::bind {
+
+[[nodiscard]] inline std::size_t count_of(const MatrixObj& A) {
+  return std::size_t{A.rows} * A.cols;
+}
+[[nodiscard]] inline std::span<const double> elements(const MatrixObj& A) {
+  return {A.data(), count_of(A)};
+}
+// "3x4".
+[[nodiscard]] std::string size_text(std::int64_t rows, std::int64_t cols);
+// "1 value", "4 values".
+[[nodiscard]] std::string values_text(std::int64_t count);
+
+// R0613 "the sizes do not fit: 3x3 times 4", with the last argument marked.
+Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter = 1, std::string fix = {});
+// R0613 for a matrix that `function` needs to be square.
+Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A);
+// Whether a matrix of this size can be made; fails with R0613 if not.
+Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
+
+// The root of the sum of squares, scaled so that neither large nor small values are lost. False:
+// the program has to stop and the failure is set.
+[[nodiscard]] bool length_of(Vm& vm, std::span<const double> values, double& length);
+
+// ---- rules checked before running: E0305, and the sizes of results that the text shows
+
+void check_product(CheckCall& call);           // A * B, A * v
+void check_solve(CheckCall& call);             // A \ B, A \ b
+void check_sum(CheckCall& call);               // A + B and what else works element by element
+void check_same_size(CheckCall& call);         // the result has the size of the only matrix
+void check_square(CheckCall& call);            // needs a square matrix, gives one
+void check_square_to_number(CheckCall& call);  // needs a square matrix
+void check_transposed(CheckCall& call);
+void check_filled(CheckCall& call);       // zeros(r, c)
+void check_filled_list(CheckCall& call);  // zeros(n)
+void check_identity(CheckCall& call);     // eye(n)
+void check_diagonal(CheckCall& call);     // diag(v)
+void check_outer(CheckCall& call);
+
+}  // namespace armlet::bind

@@ -1,0 +1,233 @@
+// Objects of the world (language reference, sections 14 and 19).
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/format.hpp"
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "robot/rules.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+#include "world/objects.hpp"
+
+namespace armlet::bind {
+
+Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter) {
+  Host& host = Host::of(vm);
+  const World& world = host.cell().world();
+  Failure f;
+  f.code = "R0625";
+  f.arguments = {std::string(name)};
+  f.mark_parameter = parameter;
+  std::string list;
+  for (const std::string& known : world.names())
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", known);
+  f.why = list.empty() ? "this world is empty" : fmt::format("there are {}", list);
+  if (const auto meant = world.similar_name(name))
+    f.fix = fmt::format("did you mean \"{}\"?", *meant);
+  return fail(vm, std::move(f));
+}
+
+const Object* find_object(Vm& vm, std::string_view name) {
+  Host& host = Host::of(vm);
+  if (const Object* object = host.cell().world().find(name)) return object;
+  host.want_world({});
+  return host.cell().world().find(name);
+}
+
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+// The object behind a handle, the first argument; fails if it was removed.
+Answer<const Object*> object_of(Vm& vm, const ObjectRef& o) {
+  const Object* object = Host::of(vm).cell().world().find(o.name);
+  if (object == nullptr) return fail_unknown_object(vm, o.name, 0);
+  return object;
+}
+
+ShapeValue box(double x, double y, double z) { return {Box{{x, y, z}}}; }
+ShapeValue cylinder(double radius, double height) { return {Cylinder{radius, height}}; }
+ShapeValue sphere(double radius) { return {Sphere{radius}}; }
+
+Answer<ObjectRef> insert_object(Vm& vm, Object object) try {
+  Host& host = Host::of(vm);
+  const ObjectRef made{object.name};
+  if (!host.is_skipped(made.name)) host.cell().insert(std::move(object));
+  return made;
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0631", error);
+}
+
+Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
+                               const PosC& at, double mass, double friction, std::string_view color,
+                               bool fixed) {
+  Object object;
+  object.name = name;
+  object.shape = shape.shape;
+  object.T_world_obj = at.T;
+  object.mass = mass;
+  object.friction = friction;
+  object.color = color;
+  object.fixed = fixed;
+  return insert_object(vm, std::move(object));
+}
+Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& at,
+                        double mass, std::string_view color) {
+  return object_block(vm, name, s, at, mass, Object{}.friction, color, false);
+}
+
+Answer<ObjectRef> object_named(Vm& vm, std::string_view name) {
+  if (find_object(vm, name) == nullptr) return fail_unknown_object(vm, name, 0);
+  return ObjectRef{std::string(name)};
+}
+std::string object_name(const ObjectRef& o) { return o.name; }
+
+Answer<PosC> pose_of(Vm& vm, const ObjectRef& o) {
+  const auto object = object_of(vm, o);
+  if (!object) return Failed{};
+  return PosC{(*object)->T_world_obj, std::holds_alternative<Box>((*object)->shape)};
+}
+
+// The same unless a hand holds it: then it is neither put elsewhere nor taken away.
+Answer<const Object*> free_object(Vm& vm, const ObjectRef& o, std::string_view what) {
+  auto object = object_of(vm, o);
+  if (!object) return object;
+  const Cell& cell = Host::of(vm).cell();
+  const auto holder = cell.holder_of(o.name);
+  if (!holder) return object;
+  const std::string& name = cell.robot(*holder).name;
+  return failure(vm, "R0631",
+                 fmt::format("\"{}\" is held by `{}`, so it cannot be {}", o.name, name, what), 0,
+                 {}, fmt::format("write {}.release() first", name));
+}
+
+// W0714, once in a program.
+void tell_of_falls(Vm& vm, const std::vector<Fall>& falls) {
+  if (falls.empty() || !Host::of(vm).first_fall()) return;
+  const Fall& first = falls.front();
+  Failure advice;
+  advice.code = "W0714";
+  advice.arguments = {first.name, format_mm(first.drop.distance),
+                      first.drop.support == "floor" ? std::string("the floor")
+                                                    : fmt::format("\"{}\"", first.drop.support)};
+  advice.mark_parameter = 0;
+  for (std::size_t i = 1; i < falls.size(); ++i)
+    advice.why += fmt::format("{}\"{}\"", i == 1 ? "so did " : ", ", falls[i].name);
+  vm.advise(advice);
+}
+
+Answer<void> set_pose(Vm& vm, const ObjectRef& o, const PosC& p) try {
+  const auto object = free_object(vm, o, "put elsewhere");
+  if (!object) return Failed{};
+  Isometry3d T = p.T;
+  if (!p.has_orientation) T.linear() = (*object)->T_world_obj.linear();
+  tell_of_falls(vm, Host::of(vm).cell().set_pose(o.name, T));
+  return {};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, "R0631", error);
+}
+Answer<void> remove_object(Vm& vm, const ObjectRef& o) {
+  if (!free_object(vm, o, "removed")) return Failed{};
+  tell_of_falls(vm, Host::of(vm).cell().remove(o.name));
+  return {};
+}
+
+std::vector<ObjectRef> objects(Vm& vm) {
+  std::vector<ObjectRef> all;
+  for (const std::string& name : Host::of(vm).cell().world().names()) all.push_back({name});
+  return all;
+}
+
+// The object that is not fixed and whose centre is nearest to a place; null if there is none.
+const Object* nearest(Vm& vm, const Vector3d& p) {
+  const World& world = Host::of(vm).cell().world();
+  const Object* best = nullptr;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const Object& object = world.object(i);
+    const auto gap = [&](const Object& o) { return (o.T_world_obj.translation() - p).norm(); };
+    if (!object.fixed && (best == nullptr || gap(object) < gap(*best))) best = &object;
+  }
+  return best;
+}
+bool object_at(Vm& vm, const PosC& p, double within) {
+  const Object* object = nearest(vm, p.T.translation());
+  return object != nullptr &&
+         (object->T_world_obj.translation() - p.T.translation()).norm() <= within;
+}
+Answer<ObjectRef> nearest_object(Vm& vm, const PosC& p) {
+  const Object* object = nearest(vm, p.T.translation());
+  if (object != nullptr) return ObjectRef{object->name};
+  return failure(vm, "R0625", "there is no object that could be grasped in this world");
+}
+
+// From above: the tool's z axis points down, its x axis along the object's x axis turned by yaw.
+Answer<PosC> top_grasp(Vm& vm, const ObjectRef& o, double yaw) {
+  const auto object = object_of(vm, o);
+  if (!object) return Failed{};
+  if (!std::isfinite(yaw)) return not_finite(vm, "yaw", yaw, 1);
+  const Eigen::Matrix3d& R = (*object)->T_world_obj.linear();
+  // A body that lies on its side still has a heading: that of its x axis, or of its y axis if x
+  // stands upright.
+  const Vector3d axis = std::hypot(R(0, 0), R(1, 0)) > 1e-6 ? R.col(0) : R.col(1);
+  const double heading = det::atan2(axis.y(), axis.x());
+  const Eigen::Matrix3d R_tool = rot_z(heading + yaw) * rot_x(std::numbers::pi);
+  return PosC{make_pose(renormalised(R_tool), grasp_from_above(**object)), true};
+}
+
+constexpr NativeFunction kWorldFunctions[] = {
+    def<box>("box(x: length, y: length, z: length) -> shape",
+             "A box with its edges along its own axes.", "box(40mm, 40mm, 40mm)",
+             {.check = check_box}),
+    def<cylinder>("cylinder(radius: length, height: length) -> shape",
+                  "A cylinder standing along its own z axis.",
+                  "cylinder(radius: 20mm, height: 50mm)", {.check = check_cylinder}),
+    def<sphere>("sphere(radius: length) -> shape", "A sphere.", "sphere(15mm)",
+                {.check = check_sphere}),
+    def<object_block>(
+        "object{}(name: string, shape: shape, at: posC, mass: mass = 0kg, friction: double = 0.5, "
+        "color: string = \"gray\", fixed: bool = false) -> object",
+        "Adds an object to the world; a fixed one cannot be grasped.",
+        "object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }", {.acts = true}),
+    def<spawn>(
+        "spawn(s: shape, name: string, at: posC, mass: mass = 0kg, color: string = \"gray\") -> "
+        "object",
+        "Adds an object to the world, in loops for example.",
+        "sphere(15mm).spawn(\"ball\", at: xyz(300mm, 0mm, 300mm))", {.acts = true}),
+    def<object_named>("object(name: string) -> object", "The object of that name.",
+                      "object(\"cube\")", {.check = check_object_name}),
+    def<object_name>("object.name(o: object) -> string", "The name.", "object(\"cube\").name"),
+    def<pose_of>("poseOf(o: object) -> posC", "The frame of an object's centre.",
+                 "poseOf(object(\"cube\"))"),
+    def<set_pose>(
+        "setPose(o: object, p: posC)",
+        "Puts an object that no hand holds somewhere else; what rested on it falls to the "
+        "next surface.",
+        "setPose(object(\"cube\"), xyz(300mm, 0mm, 300mm))"),
+    def<remove_object>("remove(o: object)",
+                       "Takes an object that no hand holds out of the world; what rested on it "
+                       "falls to the next surface.",
+                       "remove(object(\"cube\"))"),
+    def<objects>("objects() -> object[]", "All objects of the world.", "objects()"),
+    def<object_at>("objectAt(p: posC, within: length) -> bool",
+                   "Whether an object that is not fixed has its centre near p.",
+                   "objectAt(xyz(300mm, 0mm, 0mm), within: 20mm)"),
+    def<nearest_object>("nearestObject(p: posC) -> object",
+                        "The object that is not fixed and has its centre nearest to p.",
+                        "nearestObject(poseOf(object(\"cube\")))"),
+    def<top_grasp>("topGrasp(o: object, yaw: angle = 0rad) -> posC",
+                   "The pose for grasping an object from above, at the upper end of what is long "
+                   "and stands.",
+                   "topGrasp(object(\"cube\"))"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> world_functions() { return kWorldFunctions; }
+
+}  // namespace armlet::bind
