@@ -21,6 +21,7 @@ function(armlet_use_urdf)
   cmake_path(GET urdfdom_library FILENAME urdfdom_library)
   set_source_files_properties(src/model/urdf_read.cpp PROPERTIES
     COMPILE_DEFINITIONS ARMLET_URDFDOM_LIBRARY="${urdfdom_library}")
-  target_include_directories(armlet_runtime SYSTEM PRIVATE ${ARMLET_URDFDOM_HEADERS})
+  target_include_directories(armlet_layer_model SYSTEM PRIVATE ${ARMLET_URDFDOM_HEADERS})
+  target_link_libraries(armlet_layer_model PRIVATE ${CMAKE_DL_LIBS})
   target_link_libraries(armlet_runtime PRIVATE ${CMAKE_DL_LIBS})
 endfunction()

@@ -1,7 +1,9 @@
 # armlet_add_library(NAME SOURCES ... PUBLIC ... PRIVATE ... PRECOMPILE ... UNITY ...) adds the library armlet_NAME, alias
 # armlet::NAME, linked to PUBLIC and PRIVATE; PRECOMPILE are headers that most of its sources include. SOURCES are
-# folders, each followed by the names of its sources: src/check/ calls scope stands for src/check/calls.cpp and scope.cpp.
+# folders, each followed by the names of its sources: src/check/calls/ calls printf stands for src/check/calls/calls.cpp and printf.cpp.
 # UNITY is what armlet_group_sources needs.
+# armlet_add_layer(NAME USES LAYER... SOURCES ... UNITY ...) adds the layer NAME of the runtime, which may use the layers
+# named before it; ARMLET_LAYERS of the target armlet_layer_NAME are it and all that it uses, directly or not.
 # armlet_group_sources(TARGET GROUPS SALT) compiles the sources of TARGET as so many translation units if ARMLET_UNITY is on.
 # armlet_compile_apart(SOURCE...) keeps sources out of these groups.
 # armlet_compile_options(TARGET) gives a target the flags that all of our own code is compiled with.
@@ -40,16 +42,21 @@ function(armlet_sanitize target)
   endif()
 endfunction()
 
-function(armlet_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILE;UNITY" ${ARGN})
-  add_library(armlet_${name} STATIC)
-  foreach(item IN LISTS ARG_SOURCES)
+# Sources as armlet_add_library takes them.
+function(armlet_target_sources target)
+  foreach(item IN LISTS ARGN)
     if(item MATCHES "/$")
       set(folder ${item})
     else()
-      target_sources(armlet_${name} PRIVATE ${folder}${item}.cpp)
+      target_sources(${target} PRIVATE ${folder}${item}.cpp)
     endif()
   endforeach()
+endfunction()
+
+function(armlet_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILE;UNITY" ${ARGN})
+  add_library(armlet_${name} STATIC)
+  armlet_target_sources(armlet_${name} ${ARG_SOURCES})
   set_target_properties(armlet_${name} PROPERTIES EXPORT_NAME ${name})
   add_library(armlet::${name} ALIAS armlet_${name})
   armlet_compile_options(armlet_${name})
@@ -62,6 +69,24 @@ function(armlet_add_library name)
   if(ARG_UNITY)
     armlet_group_sources(armlet_${name} ${ARG_UNITY})
   endif()
+endfunction()
+
+# ARMLET_LAYERS are what armlet_add_layer_tests links: what a layer may not use is missing there.
+function(armlet_add_layer name)
+  cmake_parse_arguments(ARG "" "" "USES;SOURCES;UNITY" ${ARGN})
+  add_library(armlet_layer_${name} OBJECT)
+  armlet_target_sources(armlet_layer_${name} ${ARG_SOURCES})
+  armlet_compile_options(armlet_layer_${name})
+  target_include_directories(armlet_layer_${name} PRIVATE include src)
+  target_link_libraries(armlet_layer_${name} PUBLIC armlet::core)
+  armlet_group_sources(armlet_layer_${name} ${ARG_UNITY})
+  set(layers armlet_layer_${name})
+  foreach(used IN LISTS ARG_USES)
+    get_target_property(below armlet_layer_${used} ARMLET_LAYERS)
+    list(APPEND layers ${below})
+  endforeach()
+  list(REMOVE_DUPLICATES layers)
+  set_target_properties(armlet_layer_${name} PROPERTIES ARMLET_LAYERS "${layers}")
 endfunction()
 
 # A source's group follows from its name alone, so a new source changes one group. Two sources of a group share their

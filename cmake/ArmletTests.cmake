@@ -1,4 +1,5 @@
 # armlet_add_unit_tests(LAYER LIBRARY [INCLUDE...]) adds the program test_LAYER from tests/unit/LAYER.
+# armlet_add_layer_tests(LAYER) does so for a layer of the runtime, and links it with those it uses and nothing else.
 # armlet_add_script_tests(FOLDER...) adds one test for every .rbt file below, except those in folders called modules.
 
 # Tests use std::regex, in which g++ 12 sees uninitialised variables when it is to check addresses (gcc.gnu.org/PR105562).
@@ -26,7 +27,7 @@ set(unity_trajectory 5 63)
 set(unity_world 1 0)
 
 function(armlet_add_unit_tests layer library)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/unit/${layer}/*_test.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/unit/${layer}/*_test.cpp)
   if(NOT sources)
     return()
   endif()
@@ -34,12 +35,21 @@ function(armlet_add_unit_tests layer library)
   armlet_compile_options(test_${layer})
   armlet_compile_quickly(test_${layer})
   target_link_libraries(test_${layer} PRIVATE armlet_test_main ${library})
-  target_include_directories(test_${layer} PRIVATE ${ARGN})
+  target_include_directories(test_${layer} PRIVATE ${ARGN} ${PROJECT_SOURCE_DIR}/tests/unit/${layer})
   target_precompile_headers(test_${layer} REUSE_FROM armlet_test_main)
   if(DEFINED unity_${layer})
     armlet_group_sources(test_${layer} ${unity_${layer}})
   endif()
   add_test(NAME unit.${layer} COMMAND test_${layer})
+endfunction()
+
+# What a layer takes from one that it does not use is undefined here, so the program cannot be made.
+function(armlet_add_layer_tests layer)
+  armlet_add_unit_tests(${layer} armlet::runtime ${PROJECT_SOURCE_DIR}/runtime/src)
+  get_target_property(layers armlet_layer_${layer} ARMLET_LAYERS)
+  add_executable(layer_${layer} support/nothing.cpp)
+  target_link_libraries(layer_${layer} PRIVATE ${layers})
+  add_test(NAME layer.${layer} COMMAND layer_${layer})
 endfunction()
 
 function(armlet_add_script_tests)

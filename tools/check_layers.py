@@ -31,7 +31,7 @@ EVERYTHING = list(MAY_INCLUDE)
 
 # what: (pattern of the header, folders that may include it). Public headers never may.
 FENCES = {
-    "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax_"]),
+    "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax/"]),
     "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
 }

@@ -14,11 +14,11 @@ SOURCES = ("interpreter/src", "stdlib/src", "apps")
 # Codes that no script can show, and the test that shows them instead (None: nothing can yet).
 ELSEWHERE = {
     "E0123": "tests/hostile.py",  # a script with an expectation in it is text
-    "E0124": "tests/unit/interpreter/syntax_limits_test.cpp",  # too long for a script
+    "E0124": "tests/unit/interpreter/syntax/syntax_limits_test.cpp",  # too long for a script
     "E0126": "tests/hostile.py",  # there is no file
     "E0198": None,  # a defect of Armlet, or no memory left
-    "E0220": "tests/unit/interpreter/host_vocabulary_test.cpp",  # the command always supplies a robot
-    "E0319": "tests/unit/interpreter/host_vocabulary_test.cpp",  # no functions of the library are a tie
+    "E0220": "tests/unit/interpreter/check/host_vocabulary_test.cpp",  # the command always supplies a robot
+    "E0319": "tests/unit/interpreter/check/host_vocabulary_test.cpp",  # no functions of the library are a tie
     "R0628": "tests/hostile.py",  # fills a gigabyte
     "R0629": "tests/hostile.py",  # needs a signal
     "W0712": "tests/unit/stdlib/session_test.cpp",  # the command always supplies a world

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the size limits of the style: file 500 lines, header 300, function 60, CMakeLists.txt 40."""
+"""Checks the size limits of the style: file 500 lines, header 300, function 60, CMakeLists.txt 40 without lists of sources."""
 
 import re
 import sys
@@ -13,6 +13,7 @@ SKIPPED = ("grammar/generated/", "apps/lab/page/dist/")
 CODE = {".hpp", ".h", ".cpp", ".def", ".inc", ".g4", ".py", ".sh", ".cmake", ".rbt"}
 
 NOT_A_FUNCTION = re.compile(r"^\s*(namespace|extern|class|struct|union|enum)\b|=\s*$")
+SOURCES = re.compile(r"^\s+(src/[\w/]+/)?( ?\w+)( \w+)*\)?\n", re.M)  # folders and names, as armlet_add_library takes them
 INITIALISERS = re.compile(r"\)\s*(noexcept\s*)?:[^:]")
 
 
@@ -53,6 +54,8 @@ def functions(text):
 
 def faults(path, name):
     text = path.read_text(encoding="utf-8")
+    if path.name == "CMakeLists.txt":
+        text = SOURCES.sub("", text)
     lines = text.count("\n")
     limit = CMAKE if path.name == "CMakeLists.txt" else HEADER if path.suffix in (".hpp", ".h") else FILE
     if lines > limit:

@@ -6,8 +6,8 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/define.hpp"
+#include "compile/code/program.hpp"
 #include "compile/pipeline.hpp"
-#include "compile/program.hpp"
 #include "registry.hpp"
 
 namespace armlet {

@@ -7,7 +7,7 @@
 
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/type.hpp"
-#include "compile/program.hpp"
+#include "compile/code/program.hpp"
 
 namespace armlet {
 class TextMaker;

@@ -19,9 +19,9 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "check/check.hpp"
-#include "compile/explained_habits.hpp"
+#include "compile/fixes/explained_habits.hpp"
 #include "compile/load_files.hpp"
-#include "compile/lower.hpp"
+#include "compile/lower/lower.hpp"
 
 using namespace armlet;
 using namespace armlet::lang;

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "check/hir_expr.hpp"
+#include "check/tree/hir_expr.hpp"
 #include "value.hpp"
 
 namespace armlet::oracle {

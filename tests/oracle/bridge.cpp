@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "vm/failures.hpp"
+#include "vm/failures/failures.hpp"
 #include "vm/state.hpp"
 
 namespace armlet::oracle {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "armlet/interpreter/engine.hpp"
-#include "compile/program.hpp"
+#include "compile/code/program.hpp"
 #include "value.hpp"
-#include "vm/task.hpp"
+#include "vm/tasks/task.hpp"
 
 namespace armlet::oracle {
 

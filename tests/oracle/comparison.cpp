@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "compile/lower.hpp"
+#include "compile/lower/lower.hpp"
 #include "compile/pipeline.hpp"
 #include "evaluator.hpp"
 

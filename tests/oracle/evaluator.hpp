@@ -15,7 +15,7 @@
 #include "arithmetic.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "bridge.hpp"
-#include "compile/program.hpp"
+#include "compile/code/program.hpp"
 #include "tasks.hpp"
 #include "value.hpp"
 

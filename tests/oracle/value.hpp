@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "check/hir.hpp"
+#include "check/tree/hir.hpp"
 
 namespace armlet::oracle {
 

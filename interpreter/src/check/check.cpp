@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
-#include "check/imports.hpp"
-#include "check/look_ahead.hpp"
+#include "check/names/imports.hpp"
+#include "check/names/look_ahead.hpp"
 
 namespace armlet::lang {
 

@@ -7,9 +7,9 @@
 
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/engine.hpp"
-#include "compile/program.hpp"
+#include "compile/code/program.hpp"
 #include "registry.hpp"
-#include "syntax/ast.hpp"
+#include "syntax/tree/ast.hpp"
 
 namespace armlet::lang {
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "check/call.hpp"
+#include "check/calls/call.hpp"
+#include "check/names/suggest.hpp"
 #include "check/state.hpp"
-#include "check/suggest.hpp"
 
 namespace armlet::lang {
 

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "check/call.hpp"
+#include "check/calls/call.hpp"
 #include "check/check.hpp"
-#include "check/scope.hpp"
+#include "check/names/scope.hpp"
 #include "types/signature.hpp"
 
 namespace armlet::lang {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "check/suggest.hpp"
+#include "check/names/suggest.hpp"
 #include "syntax/parse.hpp"
 
 namespace armlet::lang {

@@ -5,7 +5,7 @@
 
 #include "armlet/interpreter/engine.hpp"
 #include "check/check.hpp"
-#include "syntax/arena.hpp"
+#include "syntax/tree/arena.hpp"
 
 namespace armlet::lang {
 

@@ -9,9 +9,9 @@
 #include "armlet/core/ample_stack.hpp"
 #include "check/check.hpp"
 #include "compile/cancelled.hpp"
-#include "compile/explained_habits.hpp"
+#include "compile/fixes/explained_habits.hpp"
+#include "compile/fixes/tried_fixes.hpp"
 #include "compile/load_files.hpp"
-#include "compile/tried_fixes.hpp"
 
 namespace armlet::lang {
 

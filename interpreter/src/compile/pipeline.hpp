@@ -4,7 +4,7 @@
 #include <string>
 
 #include "armlet/interpreter/engine.hpp"
-#include "compile/lower.hpp"
+#include "compile/lower/lower.hpp"
 #include "registry.hpp"
 
 namespace armlet::lang {

@@ -7,8 +7,8 @@
 #include "format/columns.hpp"
 #include "format/lay_out.hpp"
 #include "format/layout.hpp"
-#include "syntax/lex.hpp"
 #include "syntax/parse.hpp"
+#include "syntax/tokens/lex.hpp"
 
 namespace armlet {
 namespace lang {

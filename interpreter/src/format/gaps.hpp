@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "syntax/shape.hpp"
+#include "syntax/tokens/shape.hpp"
 
 namespace armlet::lang {
 

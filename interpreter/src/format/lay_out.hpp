@@ -4,7 +4,7 @@
 #include <atomic>
 #include <string>
 
-#include "syntax/shape.hpp"
+#include "syntax/tokens/shape.hpp"
 
 namespace armlet::lang {
 

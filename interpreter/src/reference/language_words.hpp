@@ -1,5 +1,5 @@
 #pragma once
-// Calls that the checker itself understands (check/intrinsics.cpp), described like functions of the
+// Calls that the checker itself understands (check/calls/intrinsics.cpp), described like functions of the
 // library.
 
 #include <span>

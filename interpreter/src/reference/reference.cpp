@@ -7,7 +7,7 @@
 
 #include "reference/language_words.hpp"
 #include "registry.hpp"
-#include "syntax/words.hpp"
+#include "syntax/tokens/words.hpp"
 
 namespace armlet {
 namespace {

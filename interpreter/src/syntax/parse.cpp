@@ -4,14 +4,14 @@
 #include <mutex>
 
 #include "compile/cancelled.hpp"
-#include "syntax/brackets.hpp"
-#include "syntax/build_ast.hpp"
-#include "syntax/lex.hpp"
-#include "syntax/line_ends.hpp"
-#include "syntax/recovery.hpp"
-#include "syntax/syntax_errors.hpp"
+#include "syntax/build/build_ast.hpp"
+#include "syntax/mistakes/brackets.hpp"
+#include "syntax/mistakes/recovery.hpp"
+#include "syntax/mistakes/syntax_errors.hpp"
 #include "syntax/table_prediction.hpp"
 #include "syntax/token_feed.hpp"
+#include "syntax/tokens/lex.hpp"
+#include "syntax/tokens/line_ends.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/engine.hpp"
-#include "syntax/arena.hpp"
-#include "syntax/ast.hpp"
-#include "syntax/shape.hpp"
+#include "syntax/tokens/shape.hpp"
+#include "syntax/tree/arena.hpp"
+#include "syntax/tree/ast.hpp"
 
 namespace armlet::lang {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "antlr4-runtime.h"
-#include "syntax/token.hpp"
+#include "syntax/tokens/token.hpp"
 
 namespace armlet::lang {
 

@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "armlet/interpreter/work.hpp"
-#include "vm/failures.hpp"
-#include "vm/recordings.hpp"
-#include "vm/slow_ops.hpp"
+#include "vm/failures/failures.hpp"
+#include "vm/instructions/slow_ops.hpp"
+#include "vm/tasks/recordings.hpp"
 
 namespace armlet::lang {
 

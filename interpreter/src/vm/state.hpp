@@ -10,9 +10,9 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/engine.hpp"
-#include "vm/heap.hpp"
-#include "vm/task.hpp"
-#include "vm/task_tree.hpp"
+#include "vm/heap/heap.hpp"
+#include "vm/tasks/task.hpp"
+#include "vm/tasks/task_tree.hpp"
 
 namespace armlet::lang {
 

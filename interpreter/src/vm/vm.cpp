@@ -5,8 +5,8 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/work.hpp"
-#include "vm/failures.hpp"
-#include "vm/tasks.hpp"
+#include "vm/failures/failures.hpp"
+#include "vm/tasks/tasks.hpp"
 
 namespace armlet {
 

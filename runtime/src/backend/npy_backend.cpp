@@ -16,14 +16,14 @@ namespace {
 // rows  does not change the length of the header, which is written again at the end of the run.
 std::string npy_header(std::size_t joints, std::uint64_t rows) {
   constexpr std::size_t kFirst = 10, kAlignment = 64;
-  constexpr std::size_t kDigits = std::numeric_limits<std::uint64_t>::digits10 + 1;
+  constexpr std::size_t kFieldDigits = std::numeric_limits<std::uint64_t>::digits10 + 1;
   const std::string number = fmt::format("{}", rows);
   std::string text = fmt::format(
       "{{'descr': [('t', '<f8'), ('robot', '<i8'), ('p', '<f8', (3,)), ('r', '<f8', (4,)), "
       "('q', '<f8', ({0},)), ('qd', '<f8', ({0},)), ('qdd', '<f8', ({0},))], "
       "'fortran_order': False, 'shape': ({1},), }}",
       joints, number);
-  const std::size_t longest = kFirst + text.size() - number.size() + kDigits + 1;
+  const std::size_t longest = kFirst + text.size() - number.size() + kFieldDigits + 1;
   const std::size_t whole = (longest + kAlignment - 1) / kAlignment * kAlignment;
   text.resize(whole - kFirst - 1, ' ');
   const auto low = static_cast<char>((text.size() + 1) & 0xff);

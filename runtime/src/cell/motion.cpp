@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "armlet/cell/clock.hpp"
-#include "trajectory/ramp.hpp"
+#include "trajectory/planners/ramp.hpp"
 
 namespace armlet {
 namespace {

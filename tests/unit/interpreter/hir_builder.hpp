@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compile/program.hpp"
+#include "compile/code/program.hpp"
 
 namespace armlet::lang {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "syntax/token.hpp"
+#include "syntax/tokens/token.hpp"
 
 namespace armlet::lang {
 

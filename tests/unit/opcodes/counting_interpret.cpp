@@ -3,4 +3,4 @@
 #include "executed.hpp"
 
 #define ARMLET_NOTE_EXECUTED(op) armlet::lang::executed_opcodes().insert(op)
-#include "vm/interpret.cpp"
+#include "vm/instructions/interpret.cpp"

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "compile/program.hpp"
+#include "compile/code/program.hpp"
 
 namespace armlet::lang {
 

@@ -29,7 +29,7 @@ struct Row {
 const std::vector<Row> kRows = {
 #define OP(name, operands, text) \
   {#name, std::string_view(text).find("never executed") != std::string_view::npos},
-#include "compile/bytecode.def"
+#include "compile/code/bytecode.def"
 #undef OP
 };
 

@@ -9,7 +9,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
-#include "trajectory/pose_curve.hpp"
+#include "trajectory/tool/pose_curve.hpp"
 #include "uniform.hpp"
 
 using namespace armlet;

@@ -1,6 +1,6 @@
 // Moves of the joints inside a path.
 
-#include "trajectory/joined_path.hpp"
+#include "trajectory/tool/joined_path.hpp"
 
 #include <doctest/doctest.h>
 

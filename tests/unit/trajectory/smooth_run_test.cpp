@@ -1,4 +1,4 @@
-#include "trajectory/smooth_run.hpp"
+#include "trajectory/timing/smooth_run.hpp"
 
 #include <doctest/doctest.h>
 

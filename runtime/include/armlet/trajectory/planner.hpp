@@ -63,8 +63,9 @@ using Planner = std::function<Plan(const MoveRequest&)>;
 // them all.
 enum class Through { kStops, kAllPoints };
 
-// A planner that programs can name. A planner is one row of runtime/src/trajectory/planner.cpp, in
-// the order in which messages and documents list them.
+// A planner that programs can name. A planner is one row of
+// runtime/src/trajectory/planners/planner.cpp, in the order in which messages and documents list
+// them.
 struct PlannerRow {
   std::string_view name;
   std::string_view does;  // how the joints move, as a part of a sentence

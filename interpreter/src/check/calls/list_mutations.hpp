@@ -1,0 +1,20 @@
+#pragma once
+// The methods of lists that change them.
+
+#include <string_view>
+
+#include "check/tree/hir_place.hpp"
+
+namespace armlet::lang {
+
+struct ListMutation {
+  std::string_view name;
+  hir::Mutation mutation;
+};
+
+inline constexpr ListMutation kListMutations[] = {{"push", hir::Mutation::kPush},
+                                                  {"pop", hir::Mutation::kPop},
+                                                  {"insert", hir::Mutation::kInsert},
+                                                  {"removeAt", hir::Mutation::kRemoveAt}};
+
+}  // namespace armlet::lang

@@ -1,0 +1,254 @@
+// Calls of library functions, once it is known which one is meant.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "armlet/interpreter/later.hpp"
+#include "check/calls/over_list.hpp"
+#include "check/checker.hpp"
+#include "check/explain/explained.hpp"
+#include "check/statements/recordings.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// `robot arm = robots.scara()`: a library function that takes a name gives its robot the declared
+// one.
+bool names_result(const Parameter& parameter, const Type* type, const Type* result) {
+  return parameter.name == "name" && type->is(Kind::kText) && result->is(Kind::kHost) &&
+         result->host->is_handle;
+}
+
+// `plot(x, y)`: a text parameter xUnit that is left out gets the unit of x in SI, from its type.
+std::optional<std::string> unit_for(const Signature& signature, const Parameter& parameter,
+                                    const Type* type, const Bindings& bindings, TypePool& types) {
+  constexpr std::string_view kSuffix = "Unit";
+  const std::string_view name = parameter.name;
+  if (!type->is(Kind::kText) || !name.ends_with(kSuffix)) return std::nullopt;
+  const int of = signature.index_of(name.substr(0, name.size() - kSuffix.size()));
+  if (of < 0) return std::nullopt;
+  const Type* measured = instantiate(signature.parameters[of].type, bindings, types);
+  while (measured != nullptr && measured->is(Kind::kList)) measured = measured->element;
+  if (measured == nullptr || !measured->is_quantity()) return std::string();
+  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
+  return measured->dim == dims::kAngle ? "rad" : display_unit(measured->dim, kLarge).name;
+}
+
+// The type of a parameter in this call, as far as it is known.
+const Type* type_of(const Parameter& parameter, const Bindings& bindings, TypePool& types) {
+  const Type* type = instantiate(parameter.type, bindings, types);
+  return type != nullptr ? type : types.any();
+}
+
+}  // namespace
+
+hir::Expr* Checker::call_native(std::string_view name,
+                                std::span<const NativeFunction* const> candidates, Span callee,
+                                Span span, std::vector<Argument> arguments) {
+  if (candidates.empty()) return unknown_name(name, callee);
+  for (const Argument& argument : arguments) {
+    if (!argument.waits() && argument.value->type->is(Kind::kAny)) return failed(span);
+  }
+  if (hir::Expr* told = explained_call(*this, name, arguments, span)) return told;
+  settle_start(*this, candidates, arguments);
+  Fit best;
+  const NativeFunction* function = choose(name, candidates, callee, span, arguments, best);
+  if (function == nullptr) return failed(span);
+  return finish_native(name, *function, callee, span, arguments, best);
+}
+
+// A lambda or the name of a function, now that its parameter's type is known as far as it will be.
+hir::Expr* Checker::waiting_argument(std::string_view name, const Argument& argument,
+                                     const TypePattern& pattern, Bindings& bindings) {
+  const Type* expected = instantiate(pattern, bindings, types_);
+  if (expected == nullptr && pattern.form == TypePattern::Form::kFunction) {
+    // The result is found from the body.
+    std::vector<const Type*> parameters;
+    for (std::size_t i = 0; i + 1 < pattern.parts.size(); ++i) {
+      parameters.push_back(instantiate(pattern.parts[i], bindings, types_));
+    }
+    if (std::ranges::find(parameters, nullptr) == parameters.end()) {
+      expected = types_.function(std::move(parameters), types_.any());
+    }
+  }
+  hir::Expr* value = check(*argument.written, expected);
+  if (match(pattern, value->type, false, bindings) < 0) {
+    const std::string name_of_it = pattern_name(pattern, bindings, types_);
+    std::string need = std::string(article(name_of_it)) + ' ' + name_of_it;
+    std::string have = type_phrase(value->type);
+    if (value->type->is(Kind::kFunction) && value->type->result->is(Kind::kVoid)) {
+      need = "a function that gives a value";
+      have = "one that gives none";
+    }
+    report(make_diagnostic("E0313", value->span, {std::string(name), need, have}));
+    return failed(value->span);
+  }
+  return value;
+}
+
+hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& function,
+                                  Span callee, Span span, std::vector<Argument>& arguments,
+                                  Fit& fit) {
+  const Signature& signature = signature_of(function);
+  const auto& parameters = signature.parameters;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const int from = fit.from[p];
+    if (from < 0 || !arguments[from].waits()) continue;
+    arguments[from].value =
+        waiting_argument(name, arguments[from], parameters[p].type, fit.bindings);
+    if (arguments[from].value->type->is(Kind::kAny)) return failed(span);
+  }
+  const Type* result = instantiate(signature.result, fit.bindings, types_);
+  if (result == nullptr) {
+    report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
+    return failed(span);
+  }
+  std::vector<hir::Expr*> values(parameters.size(), nullptr);
+  std::vector<Span> spans(parameters.size(), Span{callee.end, callee.end, callee.source});
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const Parameter& parameter = parameters[p];
+    const Type* type = type_of(parameter, fit.bindings, types_);
+    const int from = fit.from[p];
+    if (p == 0 && fit.ambient) {
+      values[p] = ambient_value(*type->host, callee);
+      if (values[p]->type->is(Kind::kAny)) return failed(span);
+    } else if (from >= 0) {
+      spans[p] = arguments[from].value->span;
+      if (!arguments[from].name.empty()) spans[p] = cover(arguments[from].name_span, spans[p]);
+      values[p] = require(arguments[from].value,
+                          {.role = Target::Role::kArgument, .type = type, .function = name});
+    } else if (parameter.variadic) {
+      std::vector<hir::Expr*> items;
+      for (const int rest : fit.rest) {
+        hir::Expr* item = arguments[rest].value;
+        if (parameter.any_number && item->type->is_quantity()) {
+          item = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.real(), item->span,
+                                        hir::Conversion::kSame, item);
+        }
+        items.push_back(require(
+            item, {.role = Target::Role::kArgument, .type = type->element, .function = name}));
+      }
+      if (!fit.rest.empty()) spans[p] = cover(items.front()->span, items.back()->span);
+      values[p] = make<hir::ListExpr>(hir::ExprKind::kList, type, span, seq(items));
+    } else if (parameter.default_value) {
+      values[p] = literal_of(*parameter.default_value, type, callee);
+    } else if (const auto text = names_result(parameter, type, result) && span == naming_.value
+                                     ? std::optional<std::string>(naming_.name)
+                                     : unit_for(signature, parameter, type, fit.bindings, types_)) {
+      values[p] = make<hir::TextExpr>(hir::ExprKind::kText, type, callee, arena_.copy(*text));
+    } else {
+      values[p] = make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
+    }
+  }
+  if (function.pauses) note_pause(span);
+  if (function.later) note_later(callee, later_feature(function));
+  auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function,
+                                         seq(values), hir::CallSite{span, callee, seq(spans)});
+  if (hir::Expr* loop = over_list(*this, function, *call)) return loop;
+  note_callbacks(*this, function, values);
+  return run_rule(name, arguments, fit, call);
+}
+
+// A pause in a condition would stop the clock that the condition waits for.
+void Checker::note_pause(Span span) {
+  if (use_ != nullptr) use_->pauses = true;
+  for (const FunctionContext* context = here_; context != nullptr; context = context->outer) {
+    if (context->kind != FunctionContext::Kind::kCondition) continue;
+    report_pause(*this, *context->function, span);
+    return;
+  }
+}
+
+// ---- the robot that is not written -------------------------------------------------------------
+
+Ambient Checker::find_ambient(const HostType& type, bool all) {
+  Ambient out;
+  for (FunctionContext* context = here_; context != nullptr; context = context->outer) {
+    for (auto with = context->ambients.rbegin(); with != context->ambients.rend(); ++with) {
+      if (with->type == &type) return {&with->local, context, {with->local.variable->name}};
+    }
+  }
+  const auto look_in = [&](FunctionContext& context, std::size_t count) {
+    for (const std::size_t place : context.ambient_places) {
+      if (place >= count || (!all && out.names.size() > 1)) return;
+      Local& local = context.locals[place];
+      if (local.variable->type->host != &type) continue;
+      out.local = &local;
+      out.where = &context;
+      out.names.push_back(local.variable->name);
+    }
+  };
+  for (FunctionContext* context = here_;
+       context != nullptr && context != &main_ && out.names.empty(); context = context->outer) {
+    look_in(*context, context->locals.size());
+  }
+  if (!out.names.empty()) return out;
+  std::vector<std::string_view> found;
+  for (Checker* file : shared_.files) {
+    FunctionContext& top = file->main_;
+    const bool whole = &here_->root() == &top || top.blocks.size() < 2;
+    look_in(top, whole ? top.locals.size() : top.blocks[1]);
+    for (const std::string_view declared : file->ambient_names_[type.name]) {
+      if (!all && out.names.size() > 2) break;  // two of them differ
+      out.names.push_back(declared);
+    }
+    std::ranges::sort(out.names);
+    out.names.erase(std::unique(out.names.begin(), out.names.end()), out.names.end());
+    // Robots of two files may have the same name.
+    std::ranges::move(out.names, std::back_inserter(found));
+    out.names.clear();
+    if (!all && found.size() > 1) break;
+  }
+  out.names = std::move(found);
+  return out;
+}
+
+hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
+  const Ambient found = find_ambient(type, takes_errors());
+  if (found.names.size() > 1) {
+    static constexpr std::array<std::string_view, 8> kCounts = {"",     "",     "two", "three",
+                                                                "four", "five", "six", "seven"};
+    const std::size_t n = found.names.size();
+    Diagnostic diagnostic = make_diagnostic(
+        "E0205", callee, {n < kCounts.size() ? std::string(kCounts[n]) : std::to_string(n)});
+    for (std::size_t i = 0; i < n; ++i) {
+      diagnostic.why += (i == 0      ? ""
+                         : i + 1 < n ? ", "
+                                     : " and ") +
+                        ('`' + std::string(found.names[i]) + '`');
+    }
+    diagnostic.why +=
+        n == 2 ? " are both declared in this program" : " are declared in this program";
+    const std::string first(found.names[0]);
+    diagnostic.fix =
+        Fix{.text = "write " + first + '.' + text_of(callee) +
+                    "(...), or put the moves inside with (robot: " + first + ") { ... }",
+            .edits = {{{callee.begin, callee.begin, callee.source}, first + '.'}}};
+    report(std::move(diagnostic));
+    return failed(callee);
+  }
+  if (found.local != nullptr) return read(*found.local, *found.where, callee);
+  if (!found.names.empty()) return unknown_name(found.names[0], callee);
+  const auto suppliers = registry_.functions(std::string(type.name) + "()");
+  if (!suppliers.empty()) return call_native(type.name, suppliers, callee, callee, {});
+  report(make_diagnostic("E0220", callee));
+  return failed(callee);
+}
+
+const Fact* Checker::ambient_fact(std::string_view name) {
+  const HostType* type = registry_.type(name);
+  if (type == nullptr) return nullptr;
+  const Ambient found = find_ambient(*type);
+  if (found.names.size() > 1) return nullptr;
+  if (found.local != nullptr) {
+    const hir::Expr* init = found.local->variable->init;
+    return init != nullptr ? fact_of(*init) : nullptr;
+  }
+  const auto suppliers = registry_.functions(std::string(name) + "()");
+  if (!found.names.empty() || suppliers.empty()) return nullptr;
+  return fact_of(*call_native(name, suppliers, Span{}, Span{}, {}));
+}
+
+}  // namespace armlet::lang

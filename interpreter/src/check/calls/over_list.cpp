@@ -1,0 +1,94 @@
+// Functions of the library that visit every element of a list: map, filter, fold ... The library
+// declares them without a thunk; the program runs them as loops, so that the function they are
+// given may fail, wait or be stopped like any other.
+
+#include "check/calls/over_list.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace armlet::lang {
+namespace {
+
+using hir::ListVerb;
+
+constexpr std::array<std::pair<std::string_view, ListVerb>, 9> kVerbs = {
+    {{"map", ListVerb::kMap},
+     {"filter", ListVerb::kFilter},
+     {"fold", ListVerb::kFold},
+     {"any", ListVerb::kAny},
+     {"all", ListVerb::kAll},
+     {"sort", ListVerb::kSort},
+     {"zip", ListVerb::kZip},
+     {"contains", ListVerb::kContains},
+     {"indexOf", ListVerb::kIndexOf}}};
+
+// What a function does as a loop; nothing for those that the library runs.
+std::optional<ListVerb> verb_of(const NativeFunction& function) {
+  if (function.thunk || function.later) return std::nullopt;
+  for (const auto& [name, verb] : kVerbs) {
+    if (name == function.name) return verb;
+  }
+  return std::nullopt;
+}
+
+bool is_key(const Type* type) { return type->is_number() || type->is(Kind::kText); }
+
+}  // namespace
+
+void settle_start(Checker& checker, std::span<const NativeFunction* const> candidates,
+                  std::vector<Argument>& arguments) {
+  const bool is_fold = verb_of(*candidates.front()) == ListVerb::kFold;
+  if (!is_fold || arguments.size() < 2 || arguments[0].waits() || arguments[1].waits()) return;
+  const Type* list = arguments[0].value->type;
+  hir::Expr*& start = arguments[1].value;
+  const bool written = start->kind == hir::ExprKind::kInt || is_zero(*start);
+  if (!written || !list->is(Kind::kList) || !list->element->is(Kind::kReal)) return;
+  if (is_zero(*start) || list->element->is_double()) {
+    const double value = checker.constant_of(*start)->real;
+    start = checker.make<hir::RealExpr>(hir::ExprKind::kReal, list->element, start->span, value);
+  }
+}
+
+hir::Expr* over_list(Checker& checker, const NativeFunction& function, hir::CallNativeExpr& call) {
+  const std::optional<ListVerb> verb = verb_of(function);
+  if (!verb) return nullptr;
+  const auto refuse = [&](const hir::Expr& value, std::string need, const Type* type) {
+    checker.report(make_diagnostic(
+        "E0313", value.span, {std::string(function.name), std::move(need), type_phrase(type)}));
+    return checker.failed(call.span);
+  };
+  for (const hir::Expr* value : call.arguments) {
+    if (value->type->is(Kind::kAny)) return checker.failed(call.span);
+  }
+  const hir::Expr* last = call.arguments.back();
+  if (*verb == ListVerb::kSort && !is_key(last->type->result))
+    return refuse(*last, "a function that gives a number or a text", last->type->result);
+  const bool searches = *verb == ListVerb::kContains || *verb == ListVerb::kIndexOf;
+  if (searches && !has_deep_equality(last->type))
+    return refuse(*last, "a value that == can compare", last->type);
+  return checker.make<hir::OverListExpr>(hir::ExprKind::kOverList, call.type, call.span, *verb,
+                                         call.arguments, call.site);
+}
+
+void note_callbacks(Checker& checker, const NativeFunction& function,
+                    const std::vector<hir::Expr*>& values) {
+  for (const hir::Expr* value : values) {
+    const hir::Function* given = nullptr;
+    if (value->kind == hir::ExprKind::kFunctionValue)
+      given = value->as<hir::FunctionValueExpr>().function;
+    if (value->kind == hir::ExprKind::kClosure) given = value->as<hir::ClosureExpr>().function;
+    if (given != nullptr) checker.callbacks_.push_back({function.name, given, value->span});
+  }
+}
+
+void check_callbacks(Checker& checker) {
+  for (const Callback& callback : checker.callbacks_) {
+    if (!checker.may_pause(checker.uses_[callback.function])) continue;
+    checker.sink_.begin_statement();
+    checker.report(make_diagnostic("E0520", callback.span, {std::string(callback.called_by)}));
+  }
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,236 @@
+// Which function of the library a call means: every value fits, fewest conversions, no tie
+// (language reference, section 5).
+
+#include <algorithm>
+#include <tuple>
+
+#include "check/checker.hpp"
+#include "check/names/function_names.hpp"
+
+namespace armlet::lang {
+namespace {
+
+using Problem = Fit::Problem;
+
+bool is_ambient_first(const Signature& signature) {
+  if (signature.parameters.empty()) return false;
+  const TypePattern& first = signature.parameters[0].type;
+  return first.form == TypePattern::Form::kType && first.type->is(Kind::kHost) &&
+         first.type->host->is_ambient;
+}
+
+// Finds parameters by name; in a table when there are many of both.
+class ParameterNames {
+ public:
+  ParameterNames(const Signature& signature, std::size_t searches) : signature_(signature) {
+    constexpr std::size_t kMany = 16;
+    if (signature.parameters.size() < kMany || searches < kMany) return;
+    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+      table_.emplace(signature.parameters[i].name, static_cast<int>(i));
+  }
+
+  [[nodiscard]] int find(std::string_view name) const {
+    if (table_.empty()) return signature_.index_of(name);
+    const auto found = table_.find(name);
+    return found == table_.end() ? -1 : found->second;
+  }
+
+ private:
+  const Signature& signature_;
+  std::unordered_map<std::string_view, int> table_;
+};
+
+// Whether a call with so many values by position can fit.
+bool takes_values(const Signature& signature, std::size_t count) {
+  const auto& parameters = signature.parameters;
+  const std::size_t ambient = is_ambient_first(signature) ? 1 : 0;
+  std::size_t needed = 0;
+  for (const Parameter& parameter : parameters) needed += parameter.may_be_left_out() ? 0 : 1;
+  const bool any_number = !parameters.empty() && parameters.back().variadic;
+  return count + ambient >= needed && (any_number || count <= parameters.size());
+}
+
+auto rank(const Fit& fit) {
+  return std::tuple(fit.cost, fit.generic, fit.ambient, fit.zero_quantities);
+}
+
+}  // namespace
+
+const Signature& Checker::signature_of(const NativeFunction& function) {
+  std::unique_ptr<Signature>& known = signatures_[&function];
+  if (known == nullptr) {
+    std::string error;
+    auto read = parse_signature(function.signature, types_, registry_.type_names(types_), error);
+    // Engine::check_signatures reports what cannot be read; such a function is never called.
+    known = std::make_unique<Signature>(read ? std::move(*read) : Signature{});
+  }
+  return *known;
+}
+
+// Lets the arguments fall on parameters: by position, then by name.
+bool Checker::place_arguments(const Signature& signature, const std::vector<Argument>& arguments,
+                              Fit& fit) const {
+  const auto& parameters = signature.parameters;
+  const ParameterNames names(signature, arguments.size());
+  fit.from.assign(parameters.size(), -1);
+  std::size_t next = fit.ambient ? 1 : 0;
+  bool named = false;
+  const auto problem = [&fit](Problem what, int argument) {
+    fit.problem = what;
+    fit.argument = argument;
+    return false;
+  };
+  for (int i = 0; i < static_cast<int>(arguments.size()); ++i) {
+    const Argument& argument = arguments[i];
+    if (!argument.name.empty()) {
+      named = true;
+      const int at = names.find(argument.name);
+      if (at < (fit.ambient ? 1 : 0)) return problem(Problem::kUnknownName, i);
+      if (fit.from[at] >= 0) return problem(Problem::kTwice, i);
+      fit.from[at] = i;
+      continue;
+    }
+    if (named) return problem(Problem::kAfterNamed, i);
+    if (next >= parameters.size()) return problem(Problem::kTooMany, i);
+    if (parameters[next].variadic) {
+      fit.rest.push_back(i);
+    } else {
+      fit.from[next++] = i;
+    }
+  }
+  for (std::size_t p = fit.ambient ? 1 : 0; p < parameters.size(); ++p) {
+    if (fit.from[p] >= 0 || parameters[p].may_be_left_out()) continue;
+    fit.parameter = static_cast<int>(p);
+    return problem(Problem::kMissing, -1);
+  }
+  return true;
+}
+
+// A lambda or the name of a function fits a function type with as many parameters.
+bool Checker::fit_waiting(const ast::Expr& written, const TypePattern& pattern) {
+  std::size_t wanted = 0;
+  if (pattern.form == TypePattern::Form::kFunction) {
+    wanted = pattern.parts.size() - 1;
+  } else if (pattern.form == TypePattern::Form::kType && pattern.type->is(Kind::kFunction)) {
+    wanted = pattern.type->parameters.size();
+  } else {
+    return false;
+  }
+  if (written.kind == ast::ExprKind::kLambda)
+    return written.as<ast::LambdaExpr>().params.size() == wanted;
+  if (const std::string name = library_function(*this, written); !name.empty()) {
+    if (name == kToText) return wanted == 1;
+    return std::ranges::any_of(registry_.functions(name), [&](const NativeFunction* function) {
+      return takes_values(signature_of(*function), wanted);
+    });
+  }
+  const FunctionDecl* function = written_function(*this, written);
+  return function != nullptr && function->node->params.size() == wanted;
+}
+
+void Checker::match_argument(const Signature& signature, const std::vector<Argument>& arguments,
+                             int argument, int parameter, Fit& fit) {
+  const Parameter& target = signature.parameters[parameter];
+  const Argument& given = arguments[argument];
+  const TypePattern& pattern = target.variadic ? target.type.parts[0] : target.type;
+  int cost = 0;
+  if (given.waits()) {
+    cost = fit_waiting(*given.written, pattern) ? 0 : -1;
+  } else if (target.any_number) {
+    cost = given.value->type->is_number() ? 0 : -1;
+  } else {
+    cost = match(pattern, given.value->type, is_zero(*given.value), fit.bindings);
+  }
+  if (cost < 0) {
+    if (fit.problem == Problem::kNone) {
+      fit.problem = Problem::kType;
+      fit.argument = argument;
+      fit.parameter = parameter;
+    }
+    return;
+  }
+  ++fit.matched;
+  const Type* type = pattern.form == TypePattern::Form::kType ? pattern.type : nullptr;
+  if (!given.waits() && is_zero(*given.value) && type != nullptr && type->is_quantity())
+    ++fit.zero_quantities;
+  fit.cost += cost;
+  if (pattern.form != TypePattern::Form::kType || target.variadic) ++fit.generic;
+}
+
+Fit Checker::fit(const Signature& signature, const std::vector<Argument>& arguments, bool ambient) {
+  Fit out;
+  out.ambient = ambient;
+  if (!place_arguments(signature, arguments, out)) return out;
+  // Zeros and lambdas take their type from the others, so they come last.
+  const auto pass_of = [&](int argument) {
+    const Argument& given = arguments[argument];
+    return given.waits() ? 2 : is_zero(*given.value) ? 1 : 0;
+  };
+  for (int pass = 0; pass < 3; ++pass) {
+    for (int p = 0; p < static_cast<int>(out.from.size()); ++p) {
+      const int from = out.from[p];
+      if (from >= 0 && pass_of(from) == pass) match_argument(signature, arguments, from, p, out);
+      if (!signature.parameters[p].variadic) continue;
+      for (const int rest : out.rest) {
+        if (pass_of(rest) == pass) match_argument(signature, arguments, rest, p, out);
+      }
+    }
+  }
+  return out;
+}
+
+const NativeFunction* Checker::choose(std::string_view name,
+                                      std::span<const NativeFunction* const> candidates,
+                                      Span callee, Span span,
+                                      const std::vector<Argument>& arguments, Fit& best) {
+  const NativeFunction* chosen = nullptr;
+  const NativeFunction* closest = nullptr;
+  Fit closest_fit;
+  std::vector<const NativeFunction*> equal;
+  for (const NativeFunction* candidate : candidates) {
+    const Signature& signature = signature_of(*candidate);
+    for (const bool ambient : {false, true}) {
+      if (ambient && !is_ambient_first(signature)) continue;
+      Fit attempt = fit(signature, arguments, ambient);
+      if (attempt.problem != Problem::kNone) {
+        const auto closeness = [](const Fit& f) {
+          return std::tuple(f.matched, f.problem == Problem::kType, f.argument);
+        };
+        if (closest == nullptr || closeness(attempt) > closeness(closest_fit) ||
+            (closeness(attempt) == closeness(closest_fit) && attempt.ambient &&
+             !closest_fit.ambient && candidate == closest)) {
+          closest = candidate;
+          closest_fit = std::move(attempt);
+        }
+        continue;
+      }
+      if (chosen != nullptr && rank(attempt) == rank(best)) equal.push_back(candidate);
+      if (chosen != nullptr && rank(attempt) >= rank(best)) continue;
+      chosen = candidate;
+      best = std::move(attempt);
+      equal.assign(1, candidate);
+    }
+  }
+  if (chosen == nullptr && closest != nullptr) {
+    report_misfit(name, signature_of(*closest), callee, span, arguments, closest_fit);
+  } else if (equal.size() > 1) {
+    // sum([]): a type would decide.
+    for (const Argument& argument : arguments) {
+      const bool is_open = argument.value != nullptr && argument.value->type->is(Kind::kList) &&
+                           argument.value->type->element->is(Kind::kAny);
+      if (!is_open) continue;
+      report(make_diagnostic("E0323", argument.value->span, {"this empty list"}));
+      return nullptr;
+    }
+    Diagnostic diagnostic = make_diagnostic("E0319", callee, {std::string(name)});
+    for (const NativeFunction* candidate : equal) {
+      diagnostic.why += (diagnostic.why.empty() ? "" : ", ") + std::string(name);
+      diagnostic.why += candidate->signature;
+    }
+    report(std::move(diagnostic));
+    return nullptr;
+  }
+  return chosen;
+}
+
+}  // namespace armlet::lang

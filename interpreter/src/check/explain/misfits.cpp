@@ -1,0 +1,203 @@
+// Messages about calls that fit no function: which value, and what the closest function takes.
+
+#include <algorithm>
+
+#include "check/checker.hpp"
+#include "check/names/function_names.hpp"
+#include "check/names/unknown_names.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// "1 value", "2 to 4 values", "at least 1 value".
+std::string accepted_count(const Signature& signature, bool ambient) {
+  std::size_t least = 0;
+  std::size_t most = 0;
+  bool open = false;
+  for (std::size_t i = ambient ? 1 : 0; i < signature.parameters.size(); ++i) {
+    ++most;
+    if (!signature.parameters[i].may_be_left_out()) ++least;
+    open = open || signature.parameters[i].variadic;
+  }
+  const auto counted = [](std::size_t n) {
+    return std::to_string(n) + (n == 1 ? " value" : " values");
+  };
+  if (open) return "at least " + counted(least);
+  if (most == 0) return "no values";
+  return least == most ? counted(most) : std::to_string(least) + " to " + counted(most);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    out += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  }
+  return out;
+}
+
+// The value before the point is no value of the list.
+int receivers(const std::vector<Argument>& arguments) {
+  return !arguments.empty() && arguments[0].written == nullptr ? 1 : 0;
+}
+
+}  // namespace
+
+void Checker::report_misfit(std::string_view name, const Signature& signature, Span callee,
+                            Span span, const std::vector<Argument>& arguments, const Fit& fit) {
+  if (!takes_errors()) return report(make_diagnostic("E0312", callee, {"", "", ""}));
+  if (refuse_decimal_comma(*this, arguments)) return;
+  switch (fit.problem) {
+    case Fit::Problem::kUnknownName:
+      return report_unknown_setting(name, signature, arguments[fit.argument], fit.ambient);
+    case Fit::Problem::kTwice: {
+      const Argument& at = arguments[fit.argument];
+      return report(make_diagnostic("E0212", at.name_span, {std::string(at.name)}));
+    }
+    case Fit::Problem::kAfterNamed:
+      return report(make_diagnostic("E0326", arguments[fit.argument].span()));
+    case Fit::Problem::kTooMany:
+    case Fit::Problem::kMissing:
+      return report_count(name, signature, callee, arguments, fit);
+    case Fit::Problem::kType:
+      return report_argument(name, signature, span, arguments, fit);
+    case Fit::Problem::kNone:
+      return;
+  }
+}
+
+void Checker::report_unknown_setting(std::string_view name, const Signature& signature,
+                                     const Argument& at, bool ambient) {
+  if (told_.contains(at.name)) return;  // a field of a struct whose text failed
+  std::vector<std::string> settings;
+  std::vector<std::string_view> names;
+  for (std::size_t p = ambient ? 1 : 0; p < signature.parameters.size(); ++p) {
+    const Parameter& parameter = signature.parameters[p];
+    names.push_back(parameter.name);
+    if (parameter.may_be_left_out()) settings.push_back(parameter.name);
+  }
+  Diagnostic out =
+      make_diagnostic("E0207", at.name_span, {std::string(name), std::string(at.name)});
+  if (settings.empty()) settings.assign(names.begin(), names.end());
+  if (!settings.empty()) out.why = std::string(name) + " accepts " + joined(settings);
+  std::string_view meant = foreign_setting(at.name);
+  if (std::ranges::find(names, meant) == names.end()) {
+    meant = suggest(at.name, std::span<const std::string_view>(names)).value_or("");
+  }
+  if (!meant.empty()) {
+    out.fix = Fix{.text = "did you mean " + std::string(meant) + "?",
+                  .edits = {{at.name_span, std::string(meant)}},
+                  .confidence = Confidence::kMaybe};
+  }
+  report(std::move(out));
+}
+
+void Checker::report_count(std::string_view name, const Signature& signature, Span callee,
+                           const std::vector<Argument>& arguments, const Fit& fit) {
+  const bool missing = fit.problem == Fit::Problem::kMissing;
+  const auto positional = [](const Argument& argument) { return argument.name.empty(); };
+  if (missing && !arguments.empty() && std::ranges::none_of(arguments, positional)) {
+    report(make_diagnostic("E0327", callee,
+                           {std::string(name), signature.parameters[fit.parameter].name}));
+    return;
+  }
+  const int receiver = receivers(arguments);
+  const int given = static_cast<int>(arguments.size()) - receiver;
+  Diagnostic out =
+      make_diagnostic("E0312", missing ? callee : arguments[fit.argument].span(),
+                      {std::string(name), accepted_count(signature, fit.ambient || receiver > 0),
+                       std::to_string(given)});
+  if (missing) {
+    out.why = '`' + signature.parameters[fit.parameter].name + "` is missing";
+  } else {
+    out.mark.label = "one too many";
+  }
+  report(std::move(out));
+}
+
+namespace {
+
+std::string function_of(std::size_t values) {
+  return "a function of " + (values == 1 ? "1 value" : std::to_string(values) + " values");
+}
+
+// How many values a lambda or a function of the text takes.
+std::size_t parameters_of(Checker& checker, const ast::Expr& function) {
+  if (function.kind == ast::ExprKind::kLambda) return function.as<ast::LambdaExpr>().params.size();
+  const FunctionDecl* known = written_function(checker, function);
+  return known != nullptr ? known->node->params.size() : 0;
+}
+
+// fn(a, b) => a.n - b.n compares; here the order is that of one value of each element.
+void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagnostic& diagnostic) {
+  if (function.kind != ast::ExprKind::kLambda) return;
+  const auto& lambda = function.as<ast::LambdaExpr>();
+  if (lambda.params.size() != 2) return;
+  diagnostic.why = "the order is that of the value that the function gives for each element";
+  if (lambda.value == nullptr || lambda.value->kind != ast::ExprKind::kBinary) return;
+  using ast::BinaryOp;
+  const auto& compared = lambda.value->as<ast::BinaryExpr>();
+  const bool is_below = compared.op == BinaryOp::kSub || compared.op == BinaryOp::kLess ||
+                        compared.op == BinaryOp::kLessEq;
+  const bool is_above = compared.op == BinaryOp::kGreater || compared.op == BinaryOp::kGreaterEq;
+  if (!is_below && !is_above) return;
+  const std::string left = checker.text_of(compared.left->span);
+  const std::string right = checker.text_of(compared.right->span);
+  const std::string first(lambda.params[0].name.text);
+  const std::string second(lambda.params[1].name.text);
+  const auto is_of = [](const std::string& text, const std::string& name) {
+    return text == name || text.starts_with(name + '.') || text.starts_with(name + '[');
+  };
+  const bool in_order = is_of(left, first) && is_of(right, second);
+  const bool turned = is_of(left, second) && is_of(right, first);
+  const std::string& name = in_order ? first : second;
+  const std::string rest = left.substr(std::min(left.size(), name.size()));
+  if ((!in_order && !turned) || right != (in_order ? second : first) + rest) return;
+  const bool descends = in_order == is_above;
+  const std::string key = "fn(" + name + ") => " + (descends ? "-" : "") + left;
+  diagnostic.fix = Fix{
+      .text = "write " + key, .edits = {{function.span, key}}, .confidence = Confidence::kMaybe};
+}
+
+}  // namespace
+
+void Checker::report_argument(std::string_view name, const Signature& signature, Span span,
+                              const std::vector<Argument>& arguments, const Fit& fit) {
+  const Argument& at = arguments[fit.argument];
+  const Parameter& parameter = signature.parameters[fit.parameter];
+  const TypePattern& pattern = parameter.variadic ? parameter.type.parts[0] : parameter.type;
+  const Type* wanted = at.waits() ? nullptr : instantiate(pattern, fit.bindings, types_);
+  const bool variable = pattern.form != TypePattern::Form::kType;
+  if (variable && wanted != nullptr && wanted->is_quantity() && at.value->type->is_quantity()) {
+    report(
+        make_diagnostic("E0402", at.span(),
+                        {type_phrase(at.value->type), "used together with", type_phrase(wanted)}));
+    return;
+  }
+  if (wanted != nullptr) {
+    require(at.value, {.role = at.name.empty() ? Target::Role::kArgument : Target::Role::kSetting,
+                       .type = wanted,
+                       .name = variable ? std::string_view() : parameter.name,
+                       .function = name,
+                       .position = fit.argument + 1 - receivers(arguments),
+                       .call = span});
+    return;
+  }
+  const std::string have = at.waits() ? "a function" : type_phrase(at.value->type);
+  if (pattern.form == TypePattern::Form::kDimension) {
+    report(make_diagnostic("E0314", at.span(), {have}));
+    return;
+  }
+  if (at.waits() && pattern.form == TypePattern::Form::kFunction) {
+    const std::string given = function_of(parameters_of(*this, *at.written));
+    Diagnostic diagnostic = make_diagnostic(
+        "E0313", at.span(), {std::string(name), function_of(pattern.parts.size() - 1), given});
+    if (pattern.parts.size() == 2) key_for_comparison(*this, *at.written, diagnostic);
+    report(std::move(diagnostic));
+    return;
+  }
+  const std::string need = pattern_name(pattern, fit.bindings, types_);
+  report(make_diagnostic("E0313", at.span(),
+                         {std::string(name), std::string(article(need)) + ' ' + need, have}));
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,172 @@
+// Values whose unit is missing or wrong (language reference, section 20.3, E04xx).
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "check/checker.hpp"
+#include "check/explain/edits.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// The unit in which people write a quantity of this dimension.
+std::string usual_unit(Dim dim) {
+  if (dim == dims::kAngle) return "deg";
+  if (dim == dims::kLength) return "mm";
+  if (dim == dims::kSpeed) return "mm/s";
+  if (dim == dims::kAccel) return "mm/s^2";
+  if (dim == dims::kAngularSpeed) return "deg/s";
+  if (dim == dims::kAngularAccel) return "deg/s^2";
+  if (dim == dims::kMass) return "kg";
+  return display_unit(dim, 1.0).name;
+}
+
+// The unit in which a plain number counts a quantity of this dimension.
+std::string si_unit(Dim dim) {
+  if (dim == dims::kAngle) return "rad";
+  if (dim == dims::kLength) return "m";
+  if (dim == dims::kSpeed) return "m/s";
+  if (dim == dims::kAccel) return "m/s^2";
+  if (dim == dims::kAngularSpeed) return "rad/s";
+  if (dim == dims::kAngularAccel) return "rad/s^2";
+  return usual_unit(dim);
+}
+
+// "length per time"; what a named dimension is made of, where that helps.
+std::string made_of(Dim dim) {
+  if (dim == dims::kSpeed) return "length per time";
+  if (dim == dims::kAngularSpeed) return "angle per time";
+  if (dim == dims::kAccel) return "length per time squared";
+  if (dim == dims::kAngularAccel) return "angle per time squared";
+  return dimension_phrase(dim);
+}
+
+bool is_number_literal(const hir::Expr& value) {
+  return value.kind == hir::ExprKind::kInt || value.kind == hir::ExprKind::kReal;
+}
+
+std::string short_number(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+}  // namespace
+
+void Checker::plain_number_for_quantity(const hir::Expr& value, const Target& target) {
+  if (variable_named_like_a_unit(value, target)) return;
+  Diagnostic out = make_diagnostic("E0401", value.span);
+  out.mark.label = "plain number";
+  if (!target.name.empty()) {
+    out.why = '`' + std::string(target.name) + "` is " + dimension_phrase(target.type->dim);
+  }
+  const std::string text = text_of(value.span);
+  const std::string unit = usual_unit(target.type->dim);
+  if (!is_number_literal(value) || !is_decimal_number(text)) {
+    // What a program computes is in SI units; 45 / 2 is what somebody thought of.
+    const std::string& one = constant_of(value) ? unit : si_unit(target.type->dim);
+    const std::string written = as_operand(text) + " * 1" + one;
+    out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
+  } else {
+    const auto constant = constant_of(value);
+    // 0.3 for a length hardly means a third of a millimetre.
+    const bool metres =
+        target.type->dim == dims::kLength && constant && std::abs(constant->real) < 1.0;
+    const std::string written = text + (metres ? "m" : unit);
+    out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
+    const double turns = constant ? std::abs(constant->real) / (2.0 * std::numbers::pi) : 0.0;
+    if (target.type->dim == dims::kAngle && turns >= 1.0) {
+      out.fix->text += " (or " + text + "rad, which is more than " +
+                       short_number(std::floor(turns)) + (turns < 2.0 ? " turn)" : " turns)");
+    }
+  }
+  report(std::move(out));
+}
+
+void Checker::quantity_for_number(const hir::Expr& value) {
+  const Dim dim = value.type->dim;
+  Diagnostic out = make_diagnostic("E0405", value.span, {dimension_phrase(dim)});
+  out.mark.label = dimension_name(dim);
+  if (dim == dims::kLength) {
+    out.why = "the program would not say whether the number counts metres or millimetres";
+  } else {
+    out.why = "the program would not say which unit the number counts";
+  }
+  const std::string unit = dim == dims::kLength ? "mm" : display_unit(dim, 1.0).name;
+  const std::string written = as_operand(text_of(value.span)) + " / 1" + unit;
+  out.fix = Fix{.text = "divide by the unit you want: " + written,
+                .edits = {{value.span, written}},
+                .confidence = Confidence::kMaybe};
+  report(std::move(out));
+}
+
+void Checker::other_quantity(const hir::Expr& value, const Target& target) {
+  const Dim have = value.type->dim;
+  const Dim want = target.type->dim;
+  if (variable_named_like_a_unit(value, target)) return;
+  const std::string text = text_of(value.span);
+  const bool literal = is_number_literal(value);
+  if (want == dims::kAngularSpeed && have == want.without_angle()) {
+    Diagnostic out = make_diagnostic("E0407", value.span);
+    out.mark.label = "frequency";
+    if (literal) {
+      const auto constant = constant_of(value);
+      const std::string number = text.substr(0, text.find_first_not_of("0123456789._"));
+      const std::string_view count = number == "1" ? "one turn" : number == "2" ? "two turns" : "";
+      out.fix = Fix{.text = "write " + text + " * 1rev for " +
+                            (count.empty() ? number + " turns" : std::string(count)) +
+                            " per second, or " + number + "rad/s",
+                    .edits = {{value.span, text + " * 1rev"}},
+                    .confidence = Confidence::kMaybe};
+    }
+    report(std::move(out));
+    return;
+  }
+  const bool handed =
+      target.role == Target::Role::kArgument || target.role == Target::Role::kSetting;
+  Diagnostic out =
+      handed
+          ? make_diagnostic("E0403", value.span,
+                            {std::string(target.name), made_of(want), dimension_phrase(have)})
+          : make_diagnostic("E0410", value.span, {dimension_phrase(want), dimension_phrase(have)});
+  const auto quotient = divide(have, want);
+  if (literal && quotient == dims::kTime) {
+    out.fix = Fix{.text = "write " + text + "/s",
+                  .edits = {{value.span, text + "/s"}},
+                  .confidence = Confidence::kMaybe};
+  }
+  report(std::move(out));
+}
+
+bool Checker::variable_named_like_a_unit(const hir::Expr& value, const Target& target) {
+  const hir::Expr& origin = origin_of(value);
+  if (origin.kind != hir::ExprKind::kBinary) return false;
+  const auto& quotient = origin.as<hir::BinaryExpr>();
+  const hir::Expr* divisor = quotient.right;
+  if (divisor->kind == hir::ExprKind::kConvert) divisor = divisor->as<hir::ConvertExpr>().operand;
+  if (quotient.op != hir::Op::kDivR || divisor->kind != hir::ExprKind::kVariable) return false;
+  const hir::Variable& variable = *divisor->as<hir::VariableExpr>().variable;
+  const Unit* unit = unit_named(variable.name);
+  if (unit == nullptr || !is_number_literal(*quotient.left)) return false;
+  if (divide(quotient.left->type->dim, unit->dim) != target.type->dim) return false;
+
+  const std::string name(variable.name);
+  Diagnostic out = make_diagnostic("E0406", origin.span, {name});
+  const auto by = constant_of(*divisor);
+  out.mark.label = dimension_phrase(quotient.left->type->dim) + " divided by " +
+                   (by ? short_number(by->real) : name) + " is " +
+                   dimension_phrase(origin.type->dim);
+  out.related.push_back({variable.declared, "declared here"});
+  if (!(value.span == origin.span)) {
+    out.related.push_back({value.span, dimension_phrase(target.type->dim) + " is needed"});
+  }
+  const std::string written = text_of(quotient.left->span) + "/" + name;
+  out.fix = Fix{.text = "write " + written + " without spaces, or rename the variable",
+                .edits = {{origin.span, written}},
+                .confidence = Confidence::kMaybe};
+  report(std::move(out));
+  return true;
+}
+
+}  // namespace armlet::lang

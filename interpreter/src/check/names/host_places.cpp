@@ -1,0 +1,164 @@
+#include "check/names/host_places.hpp"
+
+#include "check/statements/tasks.hpp"
+#include "check/types/long_lists.hpp"
+#include "check/types/matrices.hpp"
+#include "compile/lower/analysis.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// The type of a place, without a message; null if it is none.
+const Type* type_of_place(Checker& checker, const ast::Expr& expr) {
+  if (expr.kind == ast::ExprKind::kName) {
+    FunctionContext* where = nullptr;
+    const Local* local = checker.find_local(expr.as<ast::NameExpr>().name, where);
+    return local == nullptr ? nullptr : local->variable->type;
+  }
+  if (expr.kind == ast::ExprKind::kMember) {
+    const auto& member = expr.as<ast::MemberExpr>();
+    const Type* object = type_of_place(checker, *member.object);
+    if (object == nullptr || !object->is(Kind::kRecord) || object->is_table()) return nullptr;
+    const int i = field_index(checker, *object->record, member.member.text);
+    return i < 0 ? nullptr : object->record->fields[static_cast<std::size_t>(i)].type;
+  }
+  if (expr.kind != ast::ExprKind::kIndex || is_part(expr)) return nullptr;
+  const auto& index = expr.as<ast::IndexExpr>();
+  const Type* object = type_of_place(checker, *index.object);
+  const bool has_elements =
+      object != nullptr && (object->is(Kind::kList) || object->is(Kind::kMap));
+  return has_elements && index.items.size() == 1 ? object->element : nullptr;
+}
+
+const ast::Expr* object_of(const ast::Expr& target) {
+  if (target.kind == ast::ExprKind::kMember) return target.as<ast::MemberExpr>().object;
+  if (target.kind == ast::ExprKind::kIndex && !is_part(target))
+    return target.as<ast::IndexExpr>().object;
+  return nullptr;
+}
+
+// One part of a host value in a place, whose indexes are evaluated once.
+struct Part {
+  hir::Place place;
+  std::string name;            // "posC.x", "posJ[]"
+  hir::Expr* index = nullptr;  // of an element
+  std::vector<hir::Stmt*> before;
+};
+
+// What other code could change meanwhile is kept in a variable.
+hir::Expr* kept(Checker& checker, hir::Expr* value, std::vector<hir::Stmt*>& before) {
+  if (is_quiet(*value)) return value;
+  hir::Variable* once = checker.hidden(value->type, value->span);
+  once->init = value;
+  before.push_back(checker.make<hir::InitStmt>(hir::StmtKind::kInit, value->span, once, value));
+  return checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, once->type, value->span, once);
+}
+
+std::optional<Part> part_of(Checker& checker, const ast::Expr& target, Span statement) {
+  const auto place = checker.check_place(*object_of(target), statement, false);
+  if (!place) return std::nullopt;
+  Part out{.place = *place};
+  std::vector<hir::Step> steps(place->steps.begin(), place->steps.end());
+  for (hir::Step& step : steps) {
+    evaluate_once(checker, step.index, out.before);
+    evaluate_once(checker, step.column, out.before);
+  }
+  out.place.steps = checker.seq(steps);
+  out.name = type_name(place->type);
+  if (target.kind == ast::ExprKind::kMember) {
+    out.name += '.' + std::string(target.as<ast::MemberExpr>().member.text);
+    return out;
+  }
+  const auto& index = target.as<ast::IndexExpr>();
+  out.name += "[]";
+  if (index.items.size() == 1) out.index = checker.index_value(*index.items[0].first);
+  if (out.index == nullptr || out.index->type->is(Kind::kAny)) {
+    if (out.index == nullptr) checker.report(make_diagnostic("E0328", target.span));
+    return std::nullopt;
+  }
+  out.index = kept(checker, out.index, out.before);
+  return out;
+}
+
+std::vector<Argument> arguments(Checker& checker, const Part& part, hir::Expr* value) {
+  std::vector<Argument> out = {Argument{.value = checker.read_place(part.place)}};
+  if (part.index != nullptr) out.push_back(Argument{.value = part.index});
+  if (value != nullptr) out.push_back(Argument{.value = value});
+  return out;
+}
+
+hir::Stmt* store(Checker& checker, Part& part, const ast::Expr& target, hir::Expr* value,
+                 const ast::AssignStmt& assign) {
+  const std::string setter = part.name + '=';
+  const auto setters = checker.registry_.functions(setter);
+  const bool is_known =
+      target.kind != ast::ExprKind::kMember || !checker.registry_.functions(part.name).empty();
+  if (setters.empty() && !is_known) {
+    hir::Expr* object = checker.read_place(part.place);
+    checker.unknown_field(*object, target.as<ast::MemberExpr>().member);
+    return nullptr;
+  }
+  if (setters.empty()) {
+    Diagnostic diagnostic = make_diagnostic("E0328", target.span);
+    diagnostic.why = '`' + checker.text_of(target.span) + "` is computed when it is read";
+    checker.report(std::move(diagnostic));
+    return nullptr;
+  }
+  value = kept(checker, value, part.before);
+  hir::Expr* changed = checker.call_native(setter, setters, target.span, target.span,
+                                           arguments(checker, part, value));
+  if (changed->type->is(Kind::kAny)) return nullptr;
+  hir::Stmt* stored = checker.make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, part.place,
+                                                    changed, false, hir::Op::kAddI, assign.op_span);
+  if (part.before.empty()) return stored;
+  part.before.push_back(stored);
+  return checker.make<hir::Block>(hir::StmtKind::kBlock, assign.span, checker.seq(part.before));
+}
+
+}  // namespace
+
+bool is_host_part(Checker& checker, const ast::Expr& target) {
+  const ast::Expr* object = object_of(target);
+  const Type* type = object == nullptr ? nullptr : type_of_place(checker, *object);
+  return type != nullptr && type->is(Kind::kHost);
+}
+
+hir::Stmt* store_host_part(Checker& checker, const ast::Expr& target, hir::Expr* value,
+                           const ast::AssignStmt& assign) {
+  auto part = part_of(checker, target, assign.span);
+  if (!part || value->type->is(Kind::kAny)) return nullptr;
+  return store(checker, *part, target, value, assign);
+}
+
+hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
+                            const ast::AssignStmt& assign) {
+  auto part = part_of(checker, target, assign.span);
+  hir::Expr* value = checker.check_value(*assign.value);
+  if (!part || value->type->is(Kind::kAny)) return nullptr;
+  value = kept(checker, value, part->before);
+  hir::Expr* old =
+      checker.call_native(part->name, checker.registry_.functions(part->name), target.span,
+                          target.span, arguments(checker, *part, nullptr));
+  if (old->type->is(Kind::kAny)) return nullptr;
+  const bool is_sum = assign.op == ast::BinaryOp::kAdd || assign.op == ast::BinaryOp::kSub;
+  if (old->type->is_double() && value->type->is_quantity() && is_sum) {
+    // A joint value is a number in SI; with a quantity it counts as one of its kind.
+    old = checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, value->type, old->span,
+                                         hir::Conversion::kSame, old);
+  } else if (old->type->is_double() && !is_sum) {
+    value = checker.require(value, {.type = checker.types_.real()});
+    if (value->type->is(Kind::kAny)) return nullptr;
+  }
+  ast::BinaryExpr node{};
+  node.kind = ast::ExprKind::kBinary;
+  node.span = assign.span;
+  node.op = assign.op;
+  node.left = const_cast<ast::Expr*>(&target);
+  node.right = assign.value;
+  node.op_span = {assign.op_span.begin, assign.op_span.begin + 1, assign.op_span.source};
+  hir::Expr* result = checker.combine(node, old, value);
+  if (result->type->is(Kind::kAny)) return nullptr;
+  return store(checker, *part, target, result, assign);
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,112 @@
+#include "check/names/look_ahead.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "check/calls/list_mutations.hpp"
+#include "syntax/tree/ast_walk.hpp"
+
+namespace armlet::lang {
+namespace {
+
+using namespace ast;
+
+class Lookout {
+ public:
+  explicit Lookout(Sights& sights) : sights_(sights) {}
+
+  // Nothing in it is entered by a call of its own: programs may nest deeply.
+  void look_over(const ast::Stmt& program) {
+    statements_.push_back(&program);
+    while (!statements_.empty() || !expressions_.empty()) {
+      const auto open_expr = [this](const ast::Expr& e) { expressions_.push_back(&e); };
+      const auto open_stmt = [this](const ast::Stmt& s) { statements_.push_back(&s); };
+      if (!expressions_.empty()) {
+        const ast::Expr& at = *expressions_.back();
+        expressions_.pop_back();
+        note(at);
+        for_each_part(at, open_expr, open_stmt);
+      } else {
+        const ast::Stmt& at = *statements_.back();
+        statements_.pop_back();
+        note(at);
+        for_each_part(at, open_expr, open_stmt);
+      }
+    }
+  }
+
+ private:
+  void changes(const ast::Expr* place) {
+    for (;;) {
+      if (place->kind == ExprKind::kMember) {
+        place = place->as<MemberExpr>().object;
+      } else if (place->kind == ExprKind::kIndex) {
+        place = place->as<IndexExpr>().object;
+      } else {
+        break;
+      }
+    }
+    if (place->kind == ExprKind::kName) sights_.changed.insert(place->as<NameExpr>().name);
+  }
+
+  void note(const ast::Expr& at) {
+    if (at.kind == ExprKind::kName) {
+      sights_.mentioned.insert(at.as<NameExpr>().name);
+    } else if (at.kind == ExprKind::kMember) {
+      sights_.mentioned.insert(at.as<MemberExpr>().member.text);
+    } else if (at.kind == ExprKind::kCall) {
+      const ast::Expr& callee = *at.as<CallExpr>().callee;
+      if (callee.kind != ExprKind::kMember) return;
+      const std::string_view name = callee.as<MemberExpr>().member.text;
+      const bool of_list = std::ranges::find(kListMutations, name, &ListMutation::name) !=
+                           std::ranges::end(kListMutations);
+      if (of_list || name == "remove") changes(callee.as<MemberExpr>().object);  // m.remove(key)
+    }
+  }
+
+  void note(const ast::Stmt& at) {
+    if (at.kind == StmtKind::kAssign) {
+      for (const ast::Expr* target : at.as<AssignStmt>().targets) changes(target);
+    } else if (at.kind == StmtKind::kStep) {
+      changes(at.as<StepStmt>().target);
+    } else if (at.kind == StmtKind::kVar) {
+      // Without a first value the first assignment is a change.
+      for (const Declarator& declarator : at.as<VarStmt>().declarators)
+        if (declarator.init == nullptr) sights_.changed.insert(declarator.name.text);
+    }
+  }
+
+  Sights& sights_;
+  std::vector<const ast::Expr*> expressions_;
+  std::vector<const ast::Stmt*> statements_;
+};
+
+// Whether a `return` below the statement belongs to another function or to a task.
+bool holds_other_returns(const ast::Stmt& at) {
+  return at.kind == StmtKind::kFunction || at.kind == StmtKind::kTest ||
+         at.kind == StmtKind::kParallel || at.kind == StmtKind::kWhen ||
+         at.kind == StmtKind::kEvery;
+}
+
+}  // namespace
+
+bool returns_a_value(const ast::Block& body) {
+  std::vector<const ast::Stmt*> open{&body};
+  while (!open.empty()) {
+    const ast::Stmt& at = *open.back();
+    open.pop_back();
+    if (at.kind == StmtKind::kReturn && at.as<ReturnStmt>().value != nullptr) return true;
+    if (holds_other_returns(at)) continue;
+    for_each_part(
+        at, [](const ast::Expr&) {}, [&](const ast::Stmt& child) { open.push_back(&child); });
+  }
+  return false;
+}
+
+Sights look_over(const ast::Block& program) {
+  Sights out;
+  Lookout(out).look_over(program);
+  return out;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,152 @@
+#pragma once
+// What names stand for while a program is checked: variables, functions, types; and what each
+// function uses.
+
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "check/names/variable_set.hpp"
+#include "check/tree/hir.hpp"
+#include "syntax/tree/ast.hpp"
+
+namespace armlet::lang {
+
+enum class Declared : std::uint8_t {
+  kLet,
+  kFinal,
+  kVar,
+  kClassic,
+  kParameter,
+  kLoop,
+  kCatch,
+  kBlock,
+  kCapture
+};
+
+// A variable that can be seen from here.
+struct Local {
+  hir::Variable* variable = nullptr;
+  Declared how = Declared::kVar;
+  Span keyword{};  // let, var, final, or the type of a classic declaration
+  bool used = false;
+};
+
+// Whether the end of the text so far can be reached, and which variables have no value there on
+// some way.
+struct Flow {
+  bool reachable = true;
+  VariableSet unset{};
+
+  // Where two ways meet.
+  void merge(const Flow& other);
+  // After what has run besides: what has a value there has one here too.
+  void add_values_of(const Flow& other);
+  void assign(const hir::Variable* variable) { unset.erase(variable); }
+  [[nodiscard]] bool is_unset(const hir::Variable* variable) const;
+};
+
+// Where many ways meet. In pairs, then pairs of pairs, so that sets that are much alike meet first.
+[[nodiscard]] Flow merged(std::vector<Flow> ways);
+
+// A statement that break, continue or retry can leave; kFinally and kPath: one that nothing can
+// leave.
+struct JumpTarget {
+  enum class Kind : std::uint8_t { kLoop, kSwitch, kCatch, kFinally, kPath } kind;
+  const hir::Stmt* statement;
+  std::vector<Flow> exits{};    // the states at each break
+  std::vector<Flow> repeats{};  // the states at each continue
+};
+
+// Which top-level variables and which functions the text of a function mentions.
+struct Use {
+  std::vector<hir::Variable*> globals{};
+  std::vector<const hir::Function*> calls{};
+  std::unordered_set<const void*> known{};
+  bool pauses = false;
+
+  void add(hir::Variable* variable);
+  void add(const hir::Function* function);
+};
+
+struct Checker;
+
+// A file that another one imports, under the name that it has there.
+struct Import {
+  Span span{};              // of the import
+  Checker* file = nullptr;  // null: it could not be read, which was told
+};
+
+// A function of the text, and its forms for the types it was called with.
+struct FunctionDecl;
+
+struct Instance {
+  std::vector<const Type*> types;
+  hir::Function* function = nullptr;
+  bool result_known = false;
+  bool checked = false;
+  FunctionDecl* declaration = nullptr;
+  Span first_call{};
+};
+
+struct FunctionDecl {
+  const ast::FunctionStmt* node = nullptr;
+  Checker* file = nullptr;                // where it is declared
+  std::vector<const Type*> parameters{};  // null: generic by use
+  const Type* result = nullptr;           // null: inferred
+  std::vector<Instance*> instances{};
+  bool failed = false;  // a form of it had errors
+  [[nodiscard]] bool is_generic() const;
+};
+
+// One function, lambda, condition or test while its body is being checked.
+// A value that calls inside a `with` block mean when they leave it out: its robot.
+struct WithAmbient {
+  const HostType* type = nullptr;
+  Local local;
+};
+
+struct FunctionContext {
+  enum class Kind : std::uint8_t {
+    kProgram,
+    kNamed,
+    kTest,
+    kLambda,
+    kCondition,
+    kTask
+  } kind = Kind::kProgram;
+  hir::Function* function = nullptr;
+  FunctionContext* outer = nullptr;     // lambdas and conditions: where they are written
+  FunctionDecl* declaration = nullptr;  // kNamed
+  Instance* instance = nullptr;         // kNamed
+  std::vector<Local> locals{};          // all that can be seen, innermost last
+  std::unordered_map<std::string_view, std::size_t> places{};  // of names in locals
+  std::vector<std::size_t>
+      ambient_places{};                 // of the locals that calls can leave out, such as robots
+  std::vector<std::size_t> blocks{};    // where each open block begins in locals
+  std::vector<WithAmbient> ambients{};  // innermost last
+  std::vector<hir::Capture> captures{};
+  std::unordered_map<const hir::Variable*, hir::Variable*>
+      inner_of{};  // what captures has, by outer
+  std::vector<JumpTarget> targets{};
+  Flow flow{};
+  const Type* result = nullptr;  // declared, or of the first return; null: none so far
+  bool result_is_declared = false;
+  std::vector<hir::ReturnStmt*> returns{};  // of an inferred result
+
+  // The variable of that name; null if none can be seen here.
+  [[nodiscard]] Local* find(std::string_view name);
+  void add(Local local);
+  // Forgets the locals from `first` on.
+  void drop(std::size_t first);
+  [[nodiscard]] const FunctionContext& root() const;
+};
+
+struct StructDecl {
+  const ast::StructStmt* node = nullptr;
+  Checker* file = nullptr;  // where it is declared
+  const Type* type = nullptr;
+};
+
+}  // namespace armlet::lang

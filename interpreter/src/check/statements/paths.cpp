@@ -1,0 +1,269 @@
+// path (name: value, ...) { }: the host collects the moves of the block and makes them as one
+// motion when its end is reached; an error on the way leaves everything where it was.
+
+#include "check/statements/paths.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "check/statements/settings.hpp"
+#include "check/tree/walk.hpp"
+
+namespace armlet::lang {
+namespace {
+
+constexpr std::string_view kWord = "path";
+constexpr std::string_view kOpen = "path{";
+constexpr std::string_view kMove = "path{move}";
+constexpr std::string_view kClose = "path}";
+
+using hir::ExprKind;
+using hir::StmtKind;
+
+const hir::Function* written_function(const hir::Expr& value) {
+  if (value.kind == ExprKind::kFunctionValue) return value.as<hir::FunctionValueExpr>().function;
+  return value.kind == ExprKind::kClosure ? value.as<hir::ClosureExpr>().function : nullptr;
+}
+
+// Every function of the program that is a value somewhere, with its type.
+struct FunctionOfType {
+  const Type* type;
+  const hir::Function* function;
+};
+
+std::vector<FunctionOfType> function_values(const std::vector<hir::Function*>& functions) {
+  std::vector<FunctionOfType> out;
+  const auto look = [&](const hir::Expr& whole) {
+    (void)any_part(whole, [&](const hir::Expr& e) {
+      if (const hir::Function* function = written_function(e)) out.push_back({e.type, function});
+      return false;
+    });
+  };
+  for (const hir::Function* function : functions) {
+    if (function->body == nullptr) continue;
+    std::vector<const hir::Stmt*> open{function->body};
+    while (!open.empty()) {
+      const hir::Stmt& s = *open.back();
+      open.pop_back();
+      for_each_child(s, look, [&](const hir::Stmt& child) { open.push_back(&child); });
+    }
+  }
+  return out;
+}
+
+// The robot that a move moves, if the text tells; null: the host's own, or none.
+const hir::Variable* robot_variable(const hir::CallNativeExpr& call) {
+  const bool known = !call.arguments.empty() && call.arguments[0]->kind == ExprKind::kVariable;
+  return known ? call.arguments[0]->as<hir::VariableExpr>().variable : nullptr;
+}
+
+// One path, with the functions that it calls.
+class PathRules {
+ public:
+  PathRules(Checker& checker, const PathBlock& path) : checker_(checker), path_(path) {}
+
+  void check() { look(*path_.body); }
+
+ private:
+  struct Words {
+    std::string_view message{};
+    std::string_view why =
+        "the whole path is planned before it starts, so nothing can happen in the middle";
+    std::string_view fix = "move this line out of the path";
+  };
+
+  void refuse(Span span) { refuse(span, Words{}); }
+  void refuse(Span span, const Words& words) {
+    if (outer_ != nullptr && told_ == outer_) return;
+    told_ = outer_;
+    Diagnostic diagnostic = make_diagnostic("E0502", outer_ != nullptr ? outer_->span : span);
+    if (!words.message.empty()) diagnostic.message = words.message;
+    diagnostic.related.push_back({path_.head, {}});  // shows its line
+    if (outer_ != nullptr) diagnostic.related.push_back({span, "called for by this path"});
+    diagnostic.why = words.why;
+    diagnostic.fix = Fix{.text = std::string(words.fix)};
+    checker_.sink_.begin_statement();
+    checker_.report(std::move(diagnostic));
+  }
+
+  void look(const hir::Stmt& s) {
+    switch (s.kind) {
+      case StmtKind::kWait:
+      case StmtKind::kWaitUntil:
+      case StmtKind::kWhen:
+      case StmtKind::kEvery:
+        return refuse(s.span);
+      case StmtKind::kParallel:
+        return refuse(s.as<hir::ParallelStmt>().word);
+      case StmtKind::kExpr:
+        return statement(*s.as<hir::ExprStmt>().value);
+      case StmtKind::kReturn:
+        if (const hir::Expr* value = s.as<hir::ReturnStmt>().value) {
+          statement(*value);
+          if (is_move(*value)) gives_move_.insert(function_);
+        }
+        return;
+      default:
+        for_each_child(
+            s, [&](const hir::Expr& e) { value(e); }, [&](const hir::Stmt& child) { look(child); });
+    }
+  }
+
+  // A call whose result is a move that has not been made.
+  [[nodiscard]] bool is_move(const hir::Expr& e) const {
+    if (e.kind == ExprKind::kCallNative)
+      return e.as<hir::CallNativeExpr>().function->in_path && !e.type->is(Kind::kVoid);
+    return e.kind == ExprKind::kCall && gives_move_.contains(e.as<hir::CallExpr>().function);
+  }
+
+  // What stands alone or is given back: a move may.
+  void statement(const hir::Expr& e) {
+    one(e);
+    if (e.kind == ExprKind::kGuarded) return;
+    for_each_operand(e, [&](const hir::Expr& operand) { value(operand); });
+  }
+
+  void value(const hir::Expr& whole) {
+    (void)any_part(whole, [&](const hir::Expr& e) {
+      one(e);
+      if (is_move(e)) {
+        refuse(e.span, {"a move inside a `path` has no result yet",
+                        "it is made when the path ends, so there is nothing to know about it here",
+                        "call it without using its result"});
+      }
+      return false;
+    });
+  }
+
+  // One expression without its operands.
+  void one(const hir::Expr& e) {
+    switch (e.kind) {
+      case ExprKind::kGuarded:
+        return refuse(e.span, {"a move inside a `path` cannot have a condition",
+                               "the path is one motion, and no part of it can be stopped by itself",
+                               "move this line out of the path, or leave `until` out"});
+      case ExprKind::kCallNative:
+        return native(e.as<hir::CallNativeExpr>());
+      case ExprKind::kOverList:
+        for (const hir::Expr* operand : e.as<hir::OverListExpr>().operands) handed(*operand, e);
+        return;
+      case ExprKind::kCall:
+        return enter(*e.as<hir::CallExpr>().function, e);
+      case ExprKind::kCallValue:
+        return handed(*e.as<hir::CallValueExpr>().function, e);
+      default:
+        return;
+    }
+  }
+
+  void native(const hir::CallNativeExpr& call) {
+    const NativeFunction& function = *call.function;
+    if (function.in_path) return call.type->is(Kind::kVoid) ? void() : same_robot(call);
+    if (function.name == kMove) {
+      return refuse(call.span, {"a `path` cannot contain another one", "a path is one motion",
+                                "write the moves of both in one path"});
+    }
+    if (function.name == kOpen || function.name == kClose) return;
+    if (function.name.starts_with("with.")) {
+      return refuse(call.span,
+                    {"this setting cannot change inside a `path`", "it holds for the whole motion",
+                     "write the `with` around the path"});
+    }
+    if (function.pauses && !call.type->is(Kind::kVoid)) {
+      return refuse(call.span, {"this motion cannot be part of a `path`",
+                                "a path joins lines and arcs of the hand and moves of the joints",
+                                "use moveL, moveCirc or moveJ here, or move this line out of the "
+                                "path"});
+    }
+    if (function.pauses || function.commands || function.acts || call.type->is(Kind::kVoid))
+      return refuse(call.span);
+    for (const hir::Expr* argument : call.arguments) handed(*argument, call);
+  }
+
+  // A function value that is called, or handed to a function that calls it: every function of the
+  // program that it can be.
+  void handed(const hir::Expr& value, const hir::Expr& call) {
+    if (!value.type->is(Kind::kFunction)) return;
+    if (const hir::Function* function = written_function(value)) return enter(*function, call);
+    if (!values_known_) values_ = function_values(checker_.all_functions_);
+    values_known_ = true;
+    for (const FunctionOfType& other : values_) {
+      if (other.type == value.type) enter(*other.function, call);
+    }
+  }
+
+  void enter(const hir::Function& function, const hir::Expr& call) {
+    if (function.body == nullptr || !entered_.insert(&function).second) return;
+    const hir::Expr* const outer = outer_;
+    const hir::Function* const around = std::exchange(function_, &function);
+    if (outer_ == nullptr) outer_ = &call;
+    look(*function.body);
+    outer_ = outer;
+    function_ = around;
+  }
+
+  // Only what the text of the path itself shows: a function may be called with any robot.
+  void same_robot(const hir::CallNativeExpr& call) {
+    const hir::Variable* robot = robot_variable(call);
+    if (outer_ != nullptr || robot == nullptr) return;
+    if (robot_ == nullptr) robot_ = robot;
+    if (robot == robot_ || checker_.changed_names_.contains(robot->name)) return;
+    refuse(call.span, {"a `path` moves one robot", "the path is one motion of that robot",
+                       "give each robot its own path, side by side in `parallel`"});
+  }
+
+  Checker& checker_;
+  const PathBlock& path_;
+  const hir::Expr* outer_ = nullptr;  // the call in the path that leads here
+  const hir::Expr* told_ = nullptr;
+  const hir::Function* function_ = nullptr;  // whose body it is; null: the path's own
+  const hir::Variable* robot_ = nullptr;
+  std::unordered_set<const hir::Function*> entered_;
+  std::unordered_set<const hir::Function*> gives_move_;
+  std::vector<FunctionOfType> values_;
+  bool values_known_ = false;
+};
+
+}  // namespace
+
+Diagnostic leaves_path(const std::string& word, Span span) {
+  Diagnostic diagnostic = make_diagnostic("E0502", span);
+  diagnostic.message = '`' + word + "` cannot leave a `path`";
+  diagnostic.why = "the path is made when its end is reached, so half of it would never be made";
+  diagnostic.fix = Fix{.text = "decide before the path which moves it has"};
+  return diagnostic;
+}
+
+hir::Stmt* check_path(Checker& checker, const ast::PathStmt& stmt) {
+  const std::uint32_t begin = stmt.span.begin;
+  const Span word{begin, begin + static_cast<std::uint32_t>(kWord.size()), stmt.span.source};
+  if (checker.registry_.functions(kMove).empty()) {
+    checker.note_later(word, "`path`");
+    return checker.check_block(stmt.body->body, stmt.body->span);
+  }
+  checker.open_block();
+  CheckedSettings settings = check_settings(checker, kWord, stmt.settings);
+  checker.here_->targets.push_back({JumpTarget::Kind::kPath, nullptr});
+  hir::Block* body = checker.check_block(stmt.body->body, stmt.body->span);
+  checker.here_->targets.pop_back();
+  checker.close_block();
+  checker.shared_.paths.push_back({body, {begin, begin, stmt.span.source}});
+  const auto block = [&](const std::vector<hir::Stmt*>& parts) {
+    return checker.make<hir::Block>(StmtKind::kBlock, stmt.span, checker.seq(parts));
+  };
+  const auto call = [&](std::string_view name) {
+    return host_call(checker, name, word, stmt.span);
+  };
+  settings.inside.push_back(body);
+  settings.inside.push_back(call(kMove));
+  settings.before.push_back(call(kOpen));
+  settings.before.push_back(checker.make<hir::TryStmt>(
+      StmtKind::kTry, stmt.span, block(settings.inside), nullptr, nullptr, block({call(kClose)})));
+  return block(settings.before);
+}
+
+void check_paths(Checker& checker) {
+  for (const PathBlock& path : checker.shared_.paths) PathRules(checker, path).check();
+}
+
+}  // namespace armlet::lang

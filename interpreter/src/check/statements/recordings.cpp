@@ -1,0 +1,159 @@
+// record run every (10ms) { q: ... }: a table whose columns are sampled until the enclosing block
+// ends.
+//
+// What is sampled becomes a function that gives one row. The rest of the block is put into a try
+// whose finally takes the last sample.
+
+#include "check/statements/recordings.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+
+#include "check/types/any_table.hpp"
+#include "check/types/long_lists.hpp"
+#include "table_functions.hpp"
+
+namespace armlet::lang {
+namespace {
+
+constexpr std::string_view kSampleName = "record on line ";
+
+hir::Expr* builtin(Checker& checker, const NativeFunction& function, const Type* type, Span span,
+                   std::vector<hir::Expr*> arguments) {
+  std::vector<Span> spans;
+  for (const hir::Expr* argument : arguments) spans.push_back(argument->span);
+  return checker.make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, type, span, &function,
+                                           checker.seq(arguments),
+                                           hir::CallSite{span, span, checker.seq(spans)});
+}
+
+// The function that gives one row; null after a message.
+hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
+  FunctionContext context;
+  context.kind = FunctionContext::Kind::kCondition;
+  context.outer = checker.here_;
+  context.function = checker.new_function(
+      std::string(kSampleName) + std::to_string(checker.line_of(stmt.span)), stmt.span);
+  context.function->is_condition = true;
+  FunctionContext* const before = std::exchange(checker.here_, &context);
+  Use* const use_before = std::exchange(checker.use_, &checker.use_of(context.function));
+  checker.open_block();
+  const Type* time = checker.types_.quantity(dims::kTime);
+  std::vector<RecordField> columns{{.name = "t", .type = time}};
+  std::vector<hir::Expr*> values{
+      checker.make<hir::RealExpr>(hir::ExprKind::kReal, time, stmt.name.span, 0.0)};
+  bool well = true;
+  std::unordered_set<std::string> names = {"t", "length"};
+  for (const ast::BlockItem& item : stmt.items) {
+    checker.sink_.begin_statement();
+    const std::string name(item.name.text);
+    const bool taken = !item.is_row && !names.insert(name).second;
+    if (item.is_row || taken) {
+      Diagnostic diagnostic = item.is_row ? make_diagnostic("E0516", item.span, {name})
+                                          : make_diagnostic("E0212", item.name.span, {name});
+      if (name == "t") diagnostic.why = "every table has a column t, the time of its samples";
+      if (name == "length") diagnostic.why = "the length of a table is the number of its rows";
+      checker.report(std::move(diagnostic));
+      well = false;
+      continue;
+    }
+    hir::Expr* value = checker.check_value(*item.value);
+    if (value->type->is(Kind::kAny)) well = false;
+    columns.push_back({.name = name, .type = value->type});
+    values.push_back(value);
+  }
+  if (well) {
+    const Type* row = checker.types_.table(columns)->record->row;
+    hir::Expr* record =
+        checker.make<hir::RecordExpr>(hir::ExprKind::kRecord, row, stmt.span, checker.seq(values));
+    hir::Stmt* result = checker.make<hir::ReturnStmt>(hir::StmtKind::kReturn, stmt.span, record);
+    context.function->result = row;
+    context.function->body = checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span,
+                                                      checker.seq(std::vector<hir::Stmt*>{result}));
+  }
+  checker.close_block();
+  checker.here_ = before;
+  checker.use_ = use_before;
+  if (!well) return nullptr;
+  checker.conditions_.emplace_back(context.function, stmt.span);
+  return checker.closure(context.function, context,
+                         checker.types_.function({}, context.function->result), stmt.name.span);
+}
+
+}  // namespace
+
+void report_pause(Checker& checker, const hir::Function& condition, Span span) {
+  Diagnostic diagnostic = make_diagnostic("E0505", span);
+  if (condition.name.starts_with(kSampleName))
+    diagnostic.message = "what `record` samples cannot wait or move";
+  checker.report(std::move(diagnostic));
+}
+
+void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::Stmt*> rest,
+                  std::vector<hir::Stmt*>& out) {
+  const bool top_level = checker.here_ == &checker.main_ && checker.main_.blocks.size() == 1;
+  Use used;
+  Use* const use_before = checker.use_;
+  if (top_level) checker.use_ = &used;
+  hir::Expr* period = checker.check_as(*stmt.period, {.role = Target::Role::kSetting,
+                                                      .type = checker.types_.quantity(dims::kTime),
+                                                      .name = "every",
+                                                      .function = "record",
+                                                      .call = stmt.name.span});
+  hir::Expr* sample = check_sample(checker, stmt);
+  checker.use_ = use_before;
+  const bool well = sample != nullptr && !period->type->is(Kind::kAny);
+  const Type* type = well ? sample->type->result->record->table : checker.types_.any();
+  hir::Variable* run = checker.new_variable(stmt.name.text, type, stmt.name.span);
+  run->fixed = true;
+  if (checker.is_free(stmt.name)) checker.add_local(run, Declared::kBlock, stmt.name.span);
+  if (!well) return checker.check_into(rest, out);
+  hir::Expr* table = builtin(checker, kStartRecording, type, stmt.name.span, {sample, period});
+  auto* init = checker.make<hir::InitStmt>(hir::StmtKind::kInit, stmt.name.span, run, table);
+  if (top_level) {
+    checker.top_level_.emplace_back(run, init);
+    checker.init_uses_[run] = std::move(used);
+  }
+  out.push_back(init);
+  std::vector<hir::Stmt*> body;
+  checker.check_into(rest, body);
+  hir::Expr* read =
+      checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, type, stmt.name.span, run);
+  hir::Expr* end =
+      builtin(checker, kEndRecording, checker.types_.void_type(), stmt.name.span, {read});
+  const auto block = [&](const std::vector<hir::Stmt*>& statements) {
+    return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(statements));
+  };
+  out.push_back(checker.make<hir::TryStmt>(
+      hir::StmtKind::kTry, stmt.span, block(body), nullptr, nullptr,
+      block({checker.make<hir::ExprStmt>(hir::StmtKind::kExpr, stmt.name.span, end)})));
+}
+
+hir::Stmt* check_lone_record(Checker& checker, const ast::RecordStmt& stmt) {
+  std::vector<hir::Stmt*> out;
+  checker.open_block();
+  check_record(checker, stmt, {}, out);
+  checker.close_block();
+  return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(out));
+}
+
+hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& member) {
+  if (member.member.text == "length")
+    return builtin(checker, kTableLength, checker.types_.integer(), member.span, {table});
+  if (!settle(checker, *table)) return checker.failed(member.span);
+  const RecordInfo& info = *table->type->record;
+  const int column = field_index(checker, info, member.member.text);
+  if (column < 0) return checker.unknown_field(*table, member.member);
+  hir::Expr* number = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types_.integer(),
+                                                 member.span, static_cast<std::int64_t>(column));
+  return builtin(checker, kTableColumn, info.fields[column].type, member.span, {table, number});
+}
+
+hir::Expr* rows_of(Checker& checker, hir::Expr* table) {
+  if (!settle(checker, *table)) return checker.failed(table->span);
+  return builtin(checker, kTableRows, checker.types_.list(table->type->record->row), table->span,
+                 {table});
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,39 @@
+#pragma once
+// Elements that have no value yet: `new posJ[2]` makes a list of null references. Only a program
+// that makes such lists pays for looking at what it reads from lists of their types.
+
+#include <unordered_map>
+#include <unordered_set>
+
+#include "check/tree/hir.hpp"
+
+namespace armlet::lang {
+
+// new T[n] holds values: 0, false, "", the first value of an enum, empty lists. Otherwise its
+// elements are not set yet.
+[[nodiscard]] inline bool has_zero(const Type& element) {
+  return !element.is_reference() || element.is(Kind::kText) || element.is(Kind::kList);
+}
+
+class UnsetElements {
+ public:
+  // types  of the elements that the program leaves without a value.
+  explicit UnsetElements(hir::Seq<const Type*> types = {}) : types_(types.begin(), types.end()) {}
+
+  // Whether an element of this type may be not set.
+  [[nodiscard]] bool is_element(const Type* type) const { return types_.contains(type); }
+  // Whether a value of this type may hold, at any depth, an element that is not set. What was found
+  // out for a type is known for all types in it too.
+  [[nodiscard]] bool may_be_in(const Type* type);
+  // The same for a type that has been asked for, or lies in one for which the answer was yes.
+  [[nodiscard]] bool is_known_in(const Type* type) const {
+    const auto found = known_.find(type);
+    return found != known_.end() && found->second;
+  }
+
+ private:
+  std::unordered_set<const Type*> types_;
+  std::unordered_map<const Type*, bool> known_;
+};
+
+}  // namespace armlet::lang

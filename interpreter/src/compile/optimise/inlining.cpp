@@ -1,0 +1,171 @@
+// Small functions in place of their calls. The call still counts a step and a level of nesting, and
+// messages still name the function: a program cannot tell.
+
+#include "compile/optimise/inlining.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "check/tree/walk.hpp"
+#include "compile/lower/analysis.hpp"
+#include "compile/lower/lowering.hpp"
+
+namespace armlet::lang {
+
+using namespace hir;
+
+namespace {
+
+constexpr int kMostOperations = 12;
+
+// Counts the operations of one function, and looks for what cannot stand elsewhere.
+class Judge {
+ public:
+  explicit Judge(const Function& function) : function_(function) {}
+
+  bool is_small() {
+    const auto in_register = [](const Variable* v) { return v->storage == Storage::kLocal; };
+    if (!function_.captures.empty() || function_.is_condition || function_.body == nullptr ||
+        function_.result == nullptr || !is_number(*function_.result) ||
+        !std::all_of(function_.parameters.begin(), function_.parameters.end(), in_register)) {
+      return false;
+    }
+    statement(*function_.body);
+    return fits_ && operations_ <= kMostOperations;
+  }
+
+ private:
+  static bool is_number(const Type& type) { return !type.is_reference() && !type.is(Kind::kVoid); }
+  bool is_own_number(const Variable& v) const {
+    return v.owner == &function_ && v.storage == Storage::kLocal && is_number(*v.type);
+  }
+
+  void statement(const Stmt& s) {
+    switch (s.kind) {
+      case StmtKind::kBlock:
+      case StmtKind::kReturn:
+        break;
+      case StmtKind::kIf:
+        ++operations_;
+        break;
+      case StmtKind::kInit:
+        if (s.as<InitStmt>().value == nullptr || !is_own_number(*s.as<InitStmt>().variable)) {
+          fits_ = false;
+        }
+        break;
+      case StmtKind::kAssign: {
+        const auto& assign = s.as<AssignStmt>();
+        const Variable& variable = *assign.place.variable;
+        // A parameter may be the register of the caller's variable.
+        if (!assign.place.steps.empty() || !is_own_number(variable) || variable.is_parameter) {
+          fits_ = false;
+        }
+        if (assign.compound) ++operations_;
+        break;
+      }
+      default:
+        fits_ = false;
+        break;
+    }
+    if (!fits_) return;
+    for_each_child(
+        s, [this](const Expr& e) { expression(e); },
+        [this](const Stmt& child) { statement(child); });
+  }
+
+  void expression(const Expr& expr) {
+    std::vector<const Expr*> open{&expr};
+    while (!open.empty() && fits_ && operations_ <= kMostOperations) {
+      const Expr& e = *open.back();
+      open.pop_back();
+      Slot known;
+      if (constant_slot(e, known)) continue;
+      node(e);
+      for_each_operand(e, [&](const Expr& operand) { open.push_back(&operand); });
+    }
+  }
+
+  // References are only looked into: nothing that is made would have to be released.
+  void node(const Expr& e) {
+    ++operations_;
+    switch (e.kind) {
+      case ExprKind::kVariable:
+        --operations_;
+        if (e.as<VariableExpr>().variable->storage == Storage::kBoxed) fits_ = false;
+        break;
+      case ExprKind::kField:
+      case ExprKind::kElement:
+      case ExprKind::kLength:
+        break;
+      case ExprKind::kCallNative:
+        if (!is_quiet(e)) fits_ = false;
+        [[fallthrough]];
+      case ExprKind::kUnary:
+      case ExprKind::kBinary:
+      case ExprKind::kAnd:
+      case ExprKind::kOr:
+      case ExprKind::kCond:
+      case ExprKind::kConvert:
+        if (e.type->is_reference()) fits_ = false;
+        break;
+      default:
+        fits_ = false;
+        break;
+    }
+  }
+
+  const Function& function_;
+  int operations_ = 0;
+  bool fits_ = true;
+};
+
+}  // namespace
+
+void mark_inlined_functions(const Module& module) {
+  for (Function* function : module.functions) {
+    function->expands = function != module.main && Judge(*function).is_small();
+  }
+}
+
+// Arguments are evaluated as for any call; parameters are then other names for their registers.
+void Lowering::expand(const CallExpr& e, Dest to) {
+  Hold hold = Hold::kNow;
+  std::vector<Hold> holds(e.arguments.size(), hold);
+  for (std::size_t i = e.arguments.size(); i-- > 1;) {
+    holds[i - 1] = hold = stronger(hold, hold_over(*e.arguments[i]));
+  }
+  std::vector<Reg> arguments;
+  for (std::size_t i = 0; i < e.arguments.size(); ++i) {
+    const Expr& argument = *e.arguments[i];
+    const bool reference = argument.type->is_reference();
+    arguments.push_back(reference ? borrow(argument, holds[i]) : value(argument));
+    if (arguments.back() == to.reg) to.early = false;
+  }
+  expand_body({e.span, &e}, *e.function, arguments, to);
+}
+
+void Lowering::expand_body(Site site, const Function& function, const std::vector<Reg>& arguments,
+                           Dest to) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    function.parameters[i]->index = arguments[i].bits;
+  }
+  code_.at(site.span, site.expr);
+  code_.push(OpCode::EXPANDED, 0, function.index, 0);
+  const std::uint32_t begin = code_.position();
+  const Label end = code_.label();
+  expansions_.push_back({to, end});
+  block(*function.body);
+  expansions_.pop_back();
+  code_.drop_jump(end);
+  code_.expanded({begin, code_.position()}, function.index, site.span);
+  code_.bind(end);
+}
+
+// `return` in a body that stands in place of a call.
+void Lowering::give_back_here(const Expr& e) {
+  const Expansion expansion = expansions_.back();
+  value_into(e, expansion.to);
+  code_.jump(expansion.end);
+}
+
+}  // namespace armlet::lang

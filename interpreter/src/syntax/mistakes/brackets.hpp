@@ -1,0 +1,16 @@
+#pragma once
+// The bracket check: which bracket is really missing, judged by indentation (language reference,
+// section 20.2).
+
+#include <optional>
+
+#include "armlet/interpreter/diagnostic.hpp"
+#include "syntax/tokens/token.hpp"
+
+namespace armlet::lang {
+
+// The message about the first bracket that is missing, superfluous or of the wrong kind; empty if
+// all brackets match.
+[[nodiscard]] std::optional<Diagnostic> check_brackets(const Source& source, const Tokens& tokens);
+
+}  // namespace armlet::lang

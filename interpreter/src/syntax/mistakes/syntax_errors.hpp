@@ -1,0 +1,20 @@
+#pragma once
+// Why the parser could not go on, in the words of the program (language reference, section 20.3,
+// E01xx).
+
+#include "armlet/interpreter/diagnostic.hpp"
+#include "syntax/tokens/token.hpp"
+
+namespace armlet::lang {
+
+// The statement that starts at token `statement` cannot go on at token `at`. `tokens` hold the
+// inserted ends of statements; all brackets match.
+[[nodiscard]] Diagnostic explain_failure(const Source& source, const Tokens& tokens,
+                                         std::size_t statement, std::size_t at);
+
+// The token behind the indented lines of `def f(x):`, which cannot be read without their head; 0 if
+// the statement is no such function.
+[[nodiscard]] std::size_t end_of_python_function(const Source& source, const Tokens& tokens,
+                                                 std::size_t statement, std::size_t at);
+
+}  // namespace armlet::lang

@@ -1,0 +1,17 @@
+#pragma once
+// Where a statement ends without a `;` (language reference, section 3.1).
+
+#include "syntax/tokens/token.hpp"
+
+namespace armlet::lang {
+
+// The tokens with a `;` inserted wherever a line end, a closing brace, an `else` or the end of the
+// text ends a statement. An inserted token has no text and stands at the end of the token before
+// it.
+[[nodiscard]] Tokens insert_line_ends(const Tokens& tokens);
+
+// Whether the text could be a whole input for the prompt: every bracket is closed and the last
+// token can end a statement.
+[[nodiscard]] bool could_end_here(const Tokens& tokens);
+
+}  // namespace armlet::lang

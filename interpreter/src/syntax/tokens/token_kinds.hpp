@@ -1,0 +1,53 @@
+#pragma once
+// Questions about kinds of tokens that several stages ask.
+
+#include <RbtLexer.h>
+
+#include "syntax/tokens/token.hpp"
+#include "syntax/tokens/words.hpp"
+
+namespace armlet::lang {
+
+[[nodiscard]] inline bool is_name(std::uint16_t type) {
+  return type == RbtLexer::ID || word_of(type).kind == WordKind::kSoft;
+}
+
+[[nodiscard]] inline bool is_opener(std::uint16_t type) {
+  return type == RbtLexer::LPAREN || type == RbtLexer::LBRACK || type == RbtLexer::LBRACE;
+}
+
+[[nodiscard]] inline bool is_closer(std::uint16_t type) {
+  return type == RbtLexer::RPAREN || type == RbtLexer::RBRACK || type == RbtLexer::RBRACE;
+}
+
+// The closing bracket that belongs to an opening one.
+[[nodiscard]] inline std::uint16_t closer_of(std::uint16_t opener) {
+  return opener == RbtLexer::LPAREN   ? RbtLexer::RPAREN
+         : opener == RbtLexer::LBRACK ? RbtLexer::RBRACK
+                                      : RbtLexer::RBRACE;
+}
+
+[[nodiscard]] inline bool is_primitive_type(std::uint16_t type) {
+  return word_of(type).kind == WordKind::kType;
+}
+
+[[nodiscard]] inline bool is_number(std::uint16_t type) {
+  return type == RbtLexer::INT || type == RbtLexer::FLOAT || type == RbtLexer::QUANTITY;
+}
+
+// A value that consists of one token.
+[[nodiscard]] inline bool is_literal(std::uint16_t type) {
+  return is_number(type) || type == RbtLexer::STRING || type == RbtLexer::FSTRING ||
+         word_of(type).kind == WordKind::kTruth;
+}
+
+// Words that open the parentheses of a header.
+[[nodiscard]] inline bool is_header_word(std::uint16_t type) { return word_of(type).has_header; }
+
+// Whether a statement may end after it (section 3.1, token A).
+[[nodiscard]] inline bool can_end_statement(std::uint16_t type) {
+  return type == RbtLexer::ID || word_of(type).ends || is_literal(type) || is_closer(type) ||
+         type == RbtLexer::INC || type == RbtLexer::DEC;
+}
+
+}  // namespace armlet::lang

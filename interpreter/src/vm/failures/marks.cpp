@@ -1,0 +1,138 @@
+// Failures of native functions: their marks are put where the arguments, or single elements of
+// them, were written.
+
+#include <algorithm>
+#include <optional>
+
+#include "vm/failures/failures.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+using hir::Expr;
+using hir::ExprKind;
+
+const Expr* through_conversions(const Expr* expr) {
+  while (expr != nullptr && expr->kind == ExprKind::kConvert)
+    expr = expr->as<hir::ConvertExpr>().operand;
+  return expr;
+}
+
+// Where element `item` of a value was written, following fixed variables and positions made from
+// one list.
+Span origin_of(const Expr* expr, int item) {
+  constexpr int kMostSteps = 20;
+  for (int step = 0; step < kMostSteps; ++step) {
+    expr = through_conversions(expr);
+    if (expr == nullptr) return {};
+    if (expr->kind == ExprKind::kVariable) {
+      expr = expr->as<hir::VariableExpr>().variable->init;
+    } else if (expr->kind == ExprKind::kCallNative) {
+      const auto& call = expr->as<hir::CallNativeExpr>();
+      const bool from_list = call.arguments.size() == 1 && call.arguments[0]->type->is(Kind::kList);
+      if (!from_list) return {};
+      expr = call.arguments[0];
+    } else {
+      break;
+    }
+  }
+  if (expr == nullptr || expr->kind != ExprKind::kList) return {};
+  const auto& list = expr->as<hir::ListExpr>();
+  return static_cast<std::size_t>(item) < list.items.size()
+             ? list.items[static_cast<std::size_t>(item)]->span
+             : Span{};
+}
+
+struct NativeCall {
+  const hir::CallSite* site = nullptr;
+  hir::Seq<Expr*> arguments;
+};
+
+NativeCall call_at(const CodeSpan* at) {
+  const Expr* expr = at == nullptr ? nullptr : at->expr;
+  if (expr != nullptr && expr->kind == ExprKind::kGuarded)
+    expr = expr->as<hir::GuardedExpr>().motion;
+  if (expr != nullptr && expr->kind == ExprKind::kOverList) {
+    const auto& loop = expr->as<hir::OverListExpr>();
+    return {&loop.site, loop.operands};
+  }
+  if (expr == nullptr || expr->kind != ExprKind::kCallNative) return {};
+  const auto& call = expr->as<hir::CallNativeExpr>();
+  return {&call.site, call.arguments};
+}
+
+Span mark_of(const NativeCall& call, const Failure& failure, Span otherwise) {
+  if (call.site == nullptr) return otherwise;
+  if (failure.mark_parameter == kMarkCallee) return call.site->callee;
+  const auto index = static_cast<std::size_t>(failure.mark_parameter);
+  const bool written = failure.mark_parameter >= 0 && index < call.site->arguments.size() &&
+                       !call.site->arguments[index].empty();
+  return written ? call.site->arguments[index] : call.site->call;
+}
+
+void replace_all(std::string& text, std::string_view what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+}
+
+// The fix with its places filled in; nothing if one of them cannot be.
+std::optional<std::string> fix_of(const VmState& state, const Failure& failure,
+                                  const NativeCall& call, Span element, bool is_inside) {
+  std::string fix = failure.fix;
+  if (fix.find("{line}") != std::string::npos) {
+    // What the mark shows needs no words.
+    if (element.empty() || is_inside) return std::nullopt;
+    replace_all(fix, "line {line}", line_name(state, element));
+  }
+  if (fix.find("{arg}") != std::string::npos) {
+    const auto index = static_cast<std::size_t>(failure.mark_parameter);
+    if (failure.mark_parameter < 0 || index >= call.arguments.size()) return std::nullopt;
+    replace_all(fix, "{arg}", source_text(state, call.arguments[index]->span));
+  }
+  return fix.empty() ? std::nullopt : std::optional(std::move(fix));
+}
+
+}  // namespace
+
+Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
+  const std::size_t wanted = failure.message.empty() ? failure.arguments.size() : 0;
+  Diagnostic out;
+  if (wanted > 0 || failure.message.empty()) {
+    out = make_diagnostic(failure.code, {}, failure.arguments);
+  } else {
+    out.code = failure.code;
+    out.severity = failure.code.starts_with('W') ? Severity::kAdvice : Severity::kError;
+    out.message = failure.message;
+  }
+  const auto* earlier = static_cast<const CodeSpan*>(failure.place.code());
+  const CodeSpan* at = earlier != nullptr ? earlier : code_span(state);
+  const NativeCall call = call_at(at);
+  out.mark = {mark_of(call, failure, at == nullptr ? Span{} : at->span), failure.label};
+  out.why = failure.why;
+
+  Span element;
+  const auto parameter = static_cast<std::size_t>(failure.mark_parameter);
+  if (failure.mark_element >= 0 && failure.mark_parameter >= 0 &&
+      parameter < call.arguments.size()) {
+    element = origin_of(call.arguments[parameter], failure.mark_element);
+  }
+  bool inside = false;
+  if (!element.empty()) {
+    inside = element.begin >= out.mark.span.begin && element.end <= out.mark.span.end &&
+             element.source == out.mark.span.source;
+    if (inside) out.mark = {element, failure.element_label};
+    if (!inside) out.related.push_back({element, failure.element_label});
+  }
+  if (std::optional<std::string> fix = fix_of(state, failure, call, element, inside)) {
+    out.fix = Fix{std::move(*fix), {}, Confidence::kMaybe};
+  }
+  out.when = circumstances(state);
+  out.when->robot = failure.robot;
+  out.when->moved = failure.moved;
+  return out;
+}
+
+}  // namespace armlet::lang

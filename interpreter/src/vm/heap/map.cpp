@@ -1,0 +1,235 @@
+#include "vm/heap/map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "armlet/core/similar.hpp"
+#include "armlet/interpreter/work.hpp"
+#include "format_value.hpp"
+#include "vm/failures/failures.hpp"
+
+namespace armlet::lang {
+namespace {
+
+constexpr std::uint64_t kFewest = 8;          // entries that a map has room for
+constexpr std::uint64_t kMost = 1ULL << 30U;  // entries
+constexpr std::uint32_t kFreeProbes = 16;     // more of them count as work
+
+// Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ bits >> 30U) * 0xBF58'476D'1CE4'E5B9ULL;
+  bits = (bits ^ bits >> 27U) * 0x94D0'49BB'1331'11EBULL;
+  return bits ^ bits >> 31U;
+}
+
+std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = text.size() * 0x9E37'79B9'7F4A'7C15ULL;
+  while (!text.empty()) {
+    std::uint64_t word = 0;
+    const std::size_t count = std::min(text.size(), sizeof word);
+    std::memcpy(&word, text.data(), count);
+    hash = mixed(hash ^ word);
+    text.remove_prefix(count);
+  }
+  return hash;
+}
+
+std::uint32_t* index_of(const MapObj& map) {
+  return reinterpret_cast<std::uint32_t*>(map.entries + map.capacity);
+}
+
+bool same_key(const MapObj& map, const MapEntry& entry, Slot key) {
+  if (entry.is_removed) return false;
+  if (!map.has_text_keys()) return entry.key.i == key.i;
+  return entry.key.o == key.o ||
+         static_cast<const TextObj*>(entry.key.o)->view() == static_cast<TextObj*>(key.o)->view();
+}
+
+[[nodiscard]] bool hash_key(VmState& state, const MapObj& map, Slot key, std::uint32_t& hash) {
+  if (!map.has_text_keys()) {
+    hash = static_cast<std::uint32_t>(mixed(static_cast<std::uint64_t>(key.i)));
+    return true;
+  }
+  const std::string_view text = static_cast<TextObj*>(key.o)->view();
+  hash = static_cast<std::uint32_t>(hash_of(text));
+  return charge_work(state.vm, text.size() / 4);
+}
+
+// The place in the index where a hash begins, or goes on.
+void enter(const MapObj& map, std::uint32_t number, std::uint32_t hash) {
+  const std::uint32_t mask = 2 * map.capacity - 1;
+  std::uint32_t* const index = index_of(map);
+  std::uint32_t at = hash & mask;
+  while (index[at] != 0) at = (at + 1) & mask;
+  index[at] = number + 1;
+}
+
+// The entries that are not removed move to a block with room for `capacity` of them.
+bool move_entries(VmState& state, MapObj& map, std::uint64_t capacity) {
+  if (capacity > kMost) return raise_out_of_memory(state);
+  MapObj* fresh = state.heap.new_map(0, static_cast<std::uint32_t>(capacity));
+  if (fresh == nullptr) return raise_out_of_memory(state);
+  const auto move = [&](std::size_t begin, std::size_t end) {
+    for (const MapEntry& entry : map.all().subspan(begin, end - begin)) {
+      if (entry.is_removed) continue;
+      enter(*fresh, fresh->used, entry.hash);
+      fresh->entries[fresh->used++] = entry;
+    }
+  };
+  const bool moved = in_blocks(state.vm, map.used, 8, move);
+  if (moved) {
+    std::swap(map.entries, fresh->entries);
+    std::swap(map.capacity, fresh->capacity);
+    map.used = fresh->used;
+  }
+  fresh->used = 0;  // nothing in the block that is left belongs to it
+  state.heap.release(fresh);
+  return moved;
+}
+
+bool make_room(VmState& state, MapObj& map) {
+  if (map.used < map.capacity) return true;
+  // A third of the room or more is free afterwards, so that moving costs little in the long run.
+  const std::uint64_t wanted = std::uint64_t{map.size} + map.size / 2 + 1;
+  return move_entries(state, map, std::max(kFewest, std::bit_ceil(wanted)));
+}
+
+}  // namespace
+
+std::uint8_t map_flags(const Type& type) {
+  return static_cast<std::uint8_t>((type.element->is_reference() ? MapObj::kReferences : 0U) |
+                                   (type.key->is(Kind::kText) ? MapObj::kTextKeys : 0U));
+}
+
+bool find_entry(VmState& state, const MapObj& map, Slot key, std::uint32_t hash, MapEntry*& entry) {
+  entry = nullptr;
+  if (map.size == 0) return true;
+  const std::uint32_t mask = 2 * map.capacity - 1;
+  const std::uint32_t* const index = index_of(map);
+  std::uint32_t probes = 0;
+  for (std::uint32_t at = hash & mask; index[at] != 0; at = (at + 1) & mask) {
+    MapEntry& found = map.entries[index[at] - 1];
+    ++probes;
+    if (found.hash == hash && same_key(map, found, key)) {
+      entry = &found;
+      break;
+    }
+  }
+  const std::uint64_t bytes = map.has_text_keys() ? static_cast<TextObj*>(key.o)->size / 8 : 0;
+  return probes <= kFreeProbes || charge_work(state.vm, probes * (2 + bytes));
+}
+
+bool find_entry(VmState& state, const MapObj& map, Slot key, MapEntry*& entry) {
+  std::uint32_t hash = 0;
+  return hash_key(state, map, key, hash) && find_entry(state, map, key, hash, entry);
+}
+
+bool find_or_add(VmState& state, MapObj& map, Slot key, MapEntry*& entry) {
+  std::uint32_t hash = 0;
+  if (!hash_key(state, map, key, hash) || !find_entry(state, map, key, hash, entry)) return false;
+  if (entry != nullptr) return true;
+  if (!make_room(state, map)) return false;
+  entry = &map.entries[map.used];
+  *entry = {.key = key, .value = Slot{.i = 0}, .hash = hash, .is_removed = false};
+  if (map.has_text_keys()) retain_object(key.o);
+  enter(map, map.used++, hash);
+  ++map.size;
+  return true;
+}
+
+Slot remove_entry(VmState& state, MapObj& map, MapEntry& entry) {
+  const Slot value = entry.value;
+  if (map.has_text_keys()) state.heap.release(entry.key.o);
+  entry = {.key = Slot{.i = 0}, .value = Slot{.i = 0}, .hash = entry.hash, .is_removed = true};
+  --map.size;
+  return value;
+}
+
+MapObj* copy_map(VmState& state, const MapObj& old) {
+  MapObj* copy = state.heap.new_map(old.flags, old.capacity);
+  if (copy == nullptr) {
+    raise_out_of_memory(state);
+    return nullptr;
+  }
+  copy->size = old.size;
+  const auto copy_entries = [&](std::size_t begin, std::size_t end) {
+    for (const MapEntry& entry : old.all().subspan(begin, end - begin)) {
+      if (copy->has_text_keys()) retain_object(entry.key.o);
+      if (copy->holds_references()) retain_object(entry.value.o);
+      copy->entries[copy->used++] = entry;
+    }
+  };
+  if (!in_blocks(state.vm, old.used, 8, copy_entries)) {
+    state.heap.release(copy);
+    return nullptr;
+  }
+  if (old.capacity > 0)
+    std::memcpy(index_of(*copy), index_of(old), 2 * sizeof(std::uint32_t) * old.capacity);
+  return copy;
+}
+
+// ---- failures -------------------------------------------------------------------------------
+
+namespace {
+
+constexpr std::size_t kNamed = 3;       // keys that a message names
+constexpr std::size_t kCompared = 200;  // keys that are looked at for it
+
+std::string key_text(Slot key, const Type& type) {
+  if (!type.is(Kind::kText)) return value_text(key, type);
+  constexpr std::size_t kLongest = 40;
+  const std::string_view text = static_cast<TextObj*>(key.o)->view();
+  std::size_t end = std::min(text.size(), kLongest);
+  while (end < text.size() && end > 0 && !starts_character(text[end])) --end;
+  return '"' + std::string(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
+}
+
+// How far a key is from the one that was asked for.
+std::uint64_t distance(Slot a, Slot b, const Type& type) {
+  if (type.is(Kind::kText))
+    return edit_distance(static_cast<TextObj*>(a.o)->view(), static_cast<TextObj*>(b.o)->view());
+  const auto from = static_cast<std::uint64_t>(std::min(a.i, b.i));
+  return static_cast<std::uint64_t>(std::max(a.i, b.i)) - from;
+}
+
+// "the nearest keys are "bolt" and "belt"", or all keys if there are few.
+std::string other_keys(const MapObj& map, Slot key, const Type& type) {
+  if (map.size == 0) return "the map is empty";
+  std::vector<std::pair<std::uint64_t, Slot>> found;
+  for (const MapEntry& entry : map.all()) {
+    if (entry.is_removed) continue;
+    if (found.size() == kCompared) break;
+    found.emplace_back(distance(entry.key, key, type), entry.key);
+  }
+  const bool all = found.size() <= kNamed;
+  const auto nearer = [](const auto& a, const auto& b) { return a.first < b.first; };
+  if (!all && !type.is(Kind::kEnum)) std::ranges::stable_sort(found, nearer);
+  found.resize(std::min(found.size(), kNamed));
+  std::string out = all ? "its " : "the nearest ";
+  out += found.size() == 1 ? "only key is " : "keys are ";
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i > 0) out += i + 1 < found.size() ? ", " : " and ";
+    out += key_text(found[i].second, type);
+  }
+  return out;
+}
+
+}  // namespace
+
+bool raise_no_key(VmState& state, const MapObj& map, Slot key, const Type& key_type) {
+  constexpr std::uint64_t kCost = 1000;  // of comparing two keys
+  if (!charge_work(state.vm, kCost * std::min<std::size_t>(map.used, kCompared))) return false;
+  Diagnostic failure = start_failure(state, "R0638", {key_text(key, key_type)});
+  failure.mark.label = other_keys(map, key, key_type);
+  return raise(state, std::move(failure));
+}
+
+bool raise_key_twice(VmState& state, Slot key, const Type& key_type) {
+  return raise(state, "R0639", {key_text(key, key_type)});
+}
+
+}  // namespace armlet::lang

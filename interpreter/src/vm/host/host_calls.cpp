@@ -1,0 +1,220 @@
+// Calls of the program by the host.
+
+#include <algorithm>
+#include <string>
+
+#include "armlet/core/error.hpp"
+#include "armlet/interpreter/script_function.hpp"
+#include "vm/failures/failures.hpp"
+#include "vm/host/checked.hpp"
+#include "vm/instructions/interpret.hpp"
+#include "vm/instructions/slow_ops.hpp"
+#include "vm/instructions/unset.hpp"
+
+namespace armlet {
+
+namespace lang {
+
+namespace {
+
+// Behind the registers of the frame, and the slots there that native calls may use.
+Slot* window_above(const Frame& below) {
+  return below.base + below.callee->registers + VmState::kScratch;
+}
+
+bool has_room(const Task& task, const Frame* below, const Slot* window) {
+  return below + 2 < task.frames_end && window < task.slots_end;
+}
+
+bool fits(const Task& task, const Frame* below, const Slot* window) {
+  return below + 2 < task.frames_limit && window < task.slots_limit;
+}
+
+// The host's frame above `below`, which ends the loop when the function above it returns.
+void push_host(const Task& task, Frame* below, Slot* window) {
+  below[1] = {kReturnToHost, window, task.frames->callee, nullptr};
+}
+
+bool count_step(VmState& state) { return --state.steps.left >= 0 || count_slowly(state); }
+
+bool refuse(VmState& state, const Callee& callee, bool deep) {
+  if (state.host_calls > VmState::kHostCalls) {
+    return raise_too_deep(state, callee, VmState::kHostCalls);
+  }
+  if (!count_step(state)) return false;
+  return deep ? raise_too_deep(state, callee, state.options.limits.call_depth)
+              : raise_out_of_memory(state);
+}
+
+// What the library is given it may read.
+bool check_given(VmState& state, const Callee& callee, Slot result) {
+  if (check_result(state, result, *callee.function->function->result)) return true;
+  state.heap.release(result.o);
+  return false;
+}
+
+// The frame of the function above that; the loop is told where it is.
+[[gnu::always_inline]] inline void push_function(Frame* below, const Frame& function) {
+  below[2] = function;
+  unsigned count = function.callee->references;
+  if (count == 0) [[likely]]
+    return;
+  for (Slot* reference = function.base + function.callee->references_begin; count > 0; --count) {
+    reference++->o = nullptr;
+  }
+}
+
+}  // namespace
+
+bool make_room(VmState& state, Task& task, const Frame* frame, Slot* window, const Callee& callee) {
+  if (frame >= task.frames_limit || window >= task.slots_limit)
+    return raise_too_deep(state, callee, state.options.limits.call_depth);
+  return task.grow(state.heap, frame, window, callee.registers) || raise_out_of_memory(state);
+}
+
+bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
+  Frame* below = running->top;
+  Slot* window = window_above(*below);
+  const Callee& callee = callees[function];
+  if (!has_room(*running, below, window) &&
+      !make_room(*this, *running, below + 2, window, callee)) {
+    return false;
+  }
+  push_host(*running, below, window);
+  push_function(below, {callee.code, window, &callee, closure});
+  running->top = below + 2;
+  return true;
+}
+
+bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
+  const std::uint32_t depth = options.limits.call_depth;
+  if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, ample_slots(depth));
+  struct Restore {
+    Task*& running;
+    Task* before;
+    ~Restore() { running = before; }
+  };
+  const Restore restore{running, running};
+  running = condition_task.get();
+  running->parent = &owner;
+  running->host_data = owner.host_data;
+  return vm.call(function, {}, result);
+}
+
+bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
+  Slot value{.i = 0};
+  const bool done = evaluate(owner, condition, value);
+  result = value.i != 0;
+  return done;
+}
+
+}  // namespace lang
+
+// A window always has room for arguments (vm/tasks/task.cpp), even when there is none for the frames.
+namespace {
+
+// The machine, when its program may be called here and now.
+lang::VmState& require_running(lang::VmState& state) {
+  if (state.thread == lang::this_thread()) [[likely]]
+    return state;
+  throw ArgumentError(
+      state.thread == nullptr
+          ? "Functions of a program can be called only while it runs."
+          : "Functions of a program can be called only by the thread that runs it.");
+}
+
+const ClosureObj* require_function(const Obj* function) {
+  if (function == nullptr || function->kind != ObjKind::kClosure)
+    throw ArgumentError("What is to be called is no function value of the program.");
+  return static_cast<const ClosureObj*>(function);
+}
+
+std::string function_name(const lang::Callee& callee) {
+  const std::string& name = callee.function->name;
+  return name.empty() ? "The function" : '`' + name + '`';
+}
+
+const lang::Callee& callee_of(const lang::VmState& state, const Obj* function) {
+  return state.callees[require_function(function)->function];
+}
+
+void require_count(const lang::Callee& callee, std::size_t arguments) {
+  const std::size_t parameters = callee.function->function->parameters.size();
+  if (arguments == parameters) return;
+  throw ArgumentError(function_name(callee) + " has " + std::to_string(parameters) +
+                      " parameters; it was called with " + std::to_string(arguments) +
+                      " arguments.");
+}
+
+}  // namespace
+
+PreparedCall::PreparedCall(Vm& vm, Obj* function)
+    : state_(require_running(vm.state())),
+      task_(*state_.running),
+      below_(task_.top),
+      window_(lang::window_above(*below_)),
+      callee_(&callee_of(state_, function)),
+      function_(static_cast<ClosureObj*>(function)) {
+  code_ = callee_->code;
+  const bool has_room = lang::has_room(task_, below_, window_) ||
+                        (lang::fits(task_, below_, window_) &&
+                         task_.grow(state_.heap, below_ + 2, window_, callee_->registers));
+  if (++state_.host_calls <= lang::VmState::kHostCalls && has_room) [[likely]] {
+    lang::push_host(task_, below_, window_);  // every call leaves it as it is
+  } else {
+    below_ = nullptr;  // run refuses
+  }
+}
+
+PreparedCall::~PreparedCall() { --state_.host_calls; }
+
+PreparedCall::Outcome PreparedCall::run() const {
+  lang::VmState& state = state_;
+  if (below_ == nullptr) [[unlikely]]
+    return {lang::refuse(state, *callee_, !lang::fits(task_, task_.top, window_))};
+  if (!lang::count_step(state)) [[unlikely]]
+    return {false};
+  lang::push_function(below_, {code_, window_, callee_, function_});
+  lang::Left left{};
+  try {
+    left = lang::interpret(state, task_, below_ + 2, window_, code_);
+  } catch (...) {
+    left = lang::resume_thrown(state, task_);
+  }
+  if (left.exit != lang::Exit::kDone) [[unlikely]]
+    return {false};
+  task_.top = below_;
+  if (callee_->checks_result && !lang::check_given(state, *callee_, *window_)) [[unlikely]]
+    return {false};
+  return {true, left.result};
+}
+
+void require_types(Vm& vm, const Obj* function, std::span<const Kind> parameters, Kind result) {
+  const lang::Callee& callee = callee_of(vm.state(), function);
+  const lang::hir::Function& declared = *callee.function->function;
+  const auto is = [](const Type* type, Kind kind) {
+    return type->is(kind) || (kind == Kind::kInt && type->is(Kind::kEnum));
+  };
+  require_count(callee, parameters.size());
+  bool fits = is(declared.result, result);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    fits = fits && is(declared.parameters[i]->type, parameters[i]);
+  if (fits) return;
+  throw ArgumentError(function_name(callee) +
+                      " has other types than the ScriptFunction that calls it.");
+}
+
+bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
+  const PreparedCall call(*this, function);
+  const lang::Callee& callee = callee_of(*state_, function);
+  require_count(callee, arguments.size());
+#ifdef ARMLET_CHECKED
+  lang::require_values(*callee.function->function, arguments);
+#endif
+  std::ranges::copy(arguments, call.window());
+  if (!call.run().done) return false;
+  result = *call.window();
+  return true;
+}
+
+}  // namespace armlet

@@ -1,0 +1,68 @@
+// What native functions may ask of the machine: new objects, failing, pausing.
+
+#include <algorithm>
+
+#include "armlet/interpreter/native.hpp"
+#include "vm/failures/failures.hpp"
+
+namespace armlet {
+
+namespace {
+
+// A new object, after telling the Vm when there is none.
+template <class T>
+T* checked(Vm& vm, T* object) {
+  if (object == nullptr) lang::raise_out_of_memory(vm.state());
+  return object;
+}
+
+}  // namespace
+
+Obj* new_text(Vm& vm, std::string_view text) { return checked(vm, vm.state().heap.new_text(text)); }
+
+ListObj* new_list(Vm& vm, std::uint32_t size, bool references) {
+  return checked(vm, vm.state().heap.new_list(size, references));
+}
+
+Obj* new_reals(Vm& vm, std::span<const double> values) {
+  ListObj* list = checked(vm, vm.state().heap.new_list(values.size(), false));
+  for (std::size_t i = 0; list != nullptr && i < values.size(); ++i) list->data[i].d = values[i];
+  return list;
+}
+
+MatrixObj* new_matrix(Vm& vm, std::uint32_t rows, std::uint32_t cols) {
+  return checked(vm, vm.state().heap.new_zero_matrix(rows, cols));
+}
+
+MatrixObj* new_matrix_unset(Vm& vm, std::uint32_t rows, std::uint32_t cols) {
+  return checked(vm, vm.state().heap.new_matrix(rows, cols));
+}
+
+RecordObj* new_record(Vm& vm, const Type* record) {
+  const RecordLayout& layout = vm.state().layout_of(record);
+  RecordObj* object = checked(vm, vm.state().heap.new_record(layout));
+  for (std::uint16_t i = 0; object != nullptr && i < layout.size; ++i) object->fields()[i].i = 0;
+  return object;
+}
+
+HostObj* new_host_object(Vm& vm, const HostType& type) {
+  return checked(vm, vm.state().heap.new_host(type));
+}
+
+void retain(Obj* object) { lang::retain_object(object); }
+
+void release(Vm& vm, Obj* object) { vm.state().heap.release(object); }
+
+CallPlace place_of_call(Vm& vm) { return CallPlace(lang::code_span(vm.state())); }
+
+Failed fail(Vm& vm, Failure failure) {
+  lang::raise(vm.state(), failure);
+  return {};
+}
+
+Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting) {
+  vm.state().pending = std::move(waiting);
+  return Signal::kPause;
+}
+
+}  // namespace armlet

@@ -1,0 +1,152 @@
+// The instructions that start tasks and end the blocks that watch.
+
+#include <cmath>
+#include <limits>
+
+#include "format_value.hpp"
+#include "vm/failures/failures.hpp"
+#include "vm/instructions/slow_ops.hpp"
+#include "vm/tasks/durations.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+// A task waits for those that it has started. Who stops it cancels those.
+class ChildrenEnd final : public Waiting {
+ public:
+  ChildrenEnd(const Task& task, std::string what) : task_(task), what_(std::move(what)) {}
+
+  [[nodiscard]] std::int64_t due_ns() const override {
+    return std::numeric_limits<std::int64_t>::max();
+  }
+  [[nodiscard]] bool is_over() const override {
+    return task_.joins ? task_.alive == 0 : !TaskTree::has_bodies(task_, task_.ending);
+  }
+  void stop() override {}
+  Signal finish(Vm&, Slot&) override { return Signal::kDone; }
+  [[nodiscard]] std::string what() const override { return what_; }
+
+ private:
+  const Task& task_;
+  std::string what_;
+};
+
+// The blocks from `from` on end: at once, or when their tasks have ended.
+bool end_watches(VmState& state, std::size_t from) {
+  Task& task = *state.running;
+  if (!TaskTree::has_bodies(task, from)) {
+    state.tree.close_regions(task, from);
+    return true;
+  }
+  task.ending = from;
+  state.pending = std::make_unique<ChildrenEnd>(task, "the tasks of a block");
+  return true;
+}
+
+// Branches draw their random numbers from a stream of their own: the same in every run, whatever
+// other tasks draw, and new ones each time.
+Random stream_of(const Task& parent, const hir::Function& branch) {
+  const std::uint64_t place = std::uint64_t{branch.span.source} << 32U | branch.span.begin;
+  return parent.random.split(place).split(parent.parallels);
+}
+
+}  // namespace
+
+bool op_spawn(VmState& state, Slot* base, const Instr* pc) {
+  if (state.host_calls > 0) return raise_may_not_pause(state);
+  std::vector<Obj*>& nursery = state.running->nursery;
+  // What a failure between two branches of another `parallel` left.
+  while (nursery.size() > pc->c) {
+    state.heap.release(nursery.back());
+    nursery.pop_back();
+  }
+  retain_object(base[pc->a].o);
+  nursery.push_back(base[pc->a].o);
+  return true;
+}
+
+bool op_parallel(VmState& state, Slot*, const Instr*) {
+  Task& task = *state.running;
+  task.branches.clear();
+  task.branch_fault.reset();
+  bool made = true;
+  for (Obj* closure : task.nursery) {
+    Task* branch = made ? state.tree.create(task, closure) : nullptr;
+    made = branch != nullptr;
+    if (made) {
+      branch->place = task.branches.size();
+      branch->random = stream_of(task, *branch->function);
+      task.branches.push_back(branch);
+      ++task.alive;
+    }
+    state.heap.release(closure);
+  }
+  task.nursery.clear();
+  ++task.parallels;
+  if (!made) {
+    const FaultPtr fault = std::move(state.fault);
+    for (Task* branch : task.branches) state.tree.cancel(*branch, Reach::kFinally);
+    state.fault = fault;
+    return false;
+  }
+  task.joins = true;
+  state.pending = std::make_unique<ChildrenEnd>(task, "its branches");
+  return true;
+}
+
+bool op_openwatch(VmState& state, Slot* base, const Instr* pc) {
+  if (state.host_calls > 0) return raise_may_not_pause(state);
+  base[pc->a].i = static_cast<std::int64_t>(state.running->regions.size());
+  state.running->regions.emplace_back();
+  return true;
+}
+
+bool op_watchwhen(VmState& state, Slot* base, const Instr* pc) {
+  Task& task = *state.running;
+  Watch& watch = state.tree.watch(task, base[pc->a].o, base[pc->b].o);
+  watch.head = code_span(state)->span;
+  if (!state.evaluate(task, watch.condition, watch.was_true)) return false;
+  return !watch.was_true || state.tree.start(watch);
+}
+
+bool op_watchevery(VmState& state, Slot* base, const Instr* pc) {
+  std::int64_t period_ns = 0;
+  const TimeUse use{.what = "a beat",
+                    .time = "the time between two beats",
+                    .least_ns = 1,
+                    .requirement = "the time between two beats must be at least 1 ns"};
+  if (!check_time(state, use, base[pc->a].d, period_ns)) return false;
+  Task& task = *state.running;
+  Watch& watch = state.tree.watch(task, nullptr, base[pc->b].o);
+  watch.head = code_span(state)->span;
+  watch.period_ns = period_ns;
+  watch.next_ns = state.vm.timeline().now_ns() + period_ns;
+  return state.tree.start(watch);
+}
+
+bool op_endwatch(VmState& state, Slot* base, const Instr* pc) {
+  const auto from = static_cast<std::size_t>(base[pc->a].i);
+  state.tree.stop_watching(*state.running, from);
+  return end_watches(state, from);
+}
+
+// An error of a watch that has come as far as its block can be caught from here on.
+bool op_stopwatch(VmState& state, Slot* base, const Instr* pc) {
+  const auto from = static_cast<std::size_t>(base[pc->a].i);
+  Task& task = *state.running;
+  FaultPtr& held = held_fault(base[pc->b].o);
+  const Reach reach = held->reach;
+  if (!held->is_leaving && held->reach == Reach::kFinally && held->region == from) {
+    auto error = std::make_shared<Fault>(*held);
+    error->reach = Reach::kHandlers;
+    error->region = kNoRegion;
+    held = std::move(error);
+  }
+  state.tree.stop_watching(task, from);
+  state.tree.cancel_bodies(task, from,
+                           reach == Reach::kNothing ? Reach::kNothing : Reach::kFinally);
+  return end_watches(state, from);
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,53 @@
+#include "vm/tasks/durations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "armlet/interpreter/virtual_time.hpp"
+#include "format_value.hpp"
+#include "vm/failures/failures.hpp"
+#include "vm/state.hpp"
+
+namespace armlet::lang {
+namespace {
+
+bool refuse(VmState& state, const char* code, std::vector<std::string> arguments, int parameter) {
+  if (parameter < 0) return raise(state, code, std::move(arguments));
+  Failure failure;
+  failure.code = code;
+  failure.arguments = std::move(arguments);
+  failure.mark_parameter = parameter;
+  return raise(state, failure);
+}
+
+}  // namespace
+
+bool check_time(VmState& state, const TimeUse& use, double seconds, std::int64_t& ns) {
+  const std::string what(use.what);
+  if (!std::isfinite(seconds))
+    return refuse(state, "R0612", {std::string(use.time), number_text(seconds)}, use.parameter);
+  const std::string time = quantity_text(seconds, dims::kTime);
+  const double left = time_left(state.vm);
+  if (seconds > left) {
+    return refuse(state, "R0636", {what + " of " + time, quantity_text(left, dims::kTime)},
+                  use.parameter);
+  }
+  ns = seconds > 0.0 ? std::llround(seconds * 1e9) : 0;
+  if (seconds >= 0.0 && ns >= use.least_ns) return true;
+  return refuse(state, "R0609", {what, time, std::string(use.requirement)}, use.parameter);
+}
+
+}  // namespace armlet::lang
+
+namespace armlet {
+
+double time_left(Vm& vm) {
+  const std::int64_t left = vm.state().options.limits.time_ns - vm.timeline().now_ns();
+  return static_cast<double>(std::max<std::int64_t>(left, 0)) * 1e-9;
+}
+
+}  // namespace armlet

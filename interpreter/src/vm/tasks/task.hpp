@@ -1,0 +1,146 @@
+#pragma once
+// One task: its slots, its frames, and what it waits for.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "armlet/core/random.hpp"
+#include "armlet/interpreter/native.hpp"
+#include "compile/code/program.hpp"
+
+namespace armlet::lang {
+
+// A function as the loop needs it: small, and all in one array.
+struct Callee {
+  const Instr* code;
+  const FunctionCode* function;  // null: the host
+  const Slot* constants;
+  std::uint16_t registers;
+  std::uint16_t references_begin;  // the first reference register
+  std::uint16_t references;        // how many there are
+  bool checks_result;              // it may hold elements that are not set
+};
+
+struct Frame {
+  const Instr* pc;  // the next instruction, while something else runs
+  Slot* base;       // register 0
+  const Callee* callee;
+  ClosureObj* closure;  // the running function value; not set for functions that are called by name
+
+  [[nodiscard]] bool is_host() const { return callee->function == nullptr; }
+  // The instruction that is being executed.
+  [[nodiscard]] std::uint32_t at() const {
+    return static_cast<std::uint32_t>(pc - callee->code) - 1;
+  }
+};
+
+// Address space whose pages get memory when they are first touched, so that addresses in it never
+// change.
+class AddressSpace {
+ public:
+  // Throws std::bad_alloc if the system has no addresses left.
+  explicit AddressSpace(std::size_t bytes);
+  ~AddressSpace();
+  AddressSpace(const AddressSpace&) = delete;
+  AddressSpace& operator=(const AddressSpace&) = delete;
+
+  [[nodiscard]] void* begin() const { return begin_; }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+ private:
+  void* begin_;
+  std::size_t bytes_;
+};
+
+struct Fault;
+struct Task;
+
+inline constexpr std::size_t kNoRegion = static_cast<std::size_t>(-1);
+
+// A `when` or `every` whose block has not ended.
+struct Watch {
+  Task* owner = nullptr;
+  Span head{};               // where it is written
+  std::size_t region = 0;    // of the owner
+  Obj* condition = nullptr;  // null: `every`; owned
+  Obj* body = nullptr;       // owned
+  std::uint64_t order = 0;   // of arming; 0: no longer armed
+  bool was_true = false;
+  std::int64_t period_ns = 0;
+  std::int64_t next_ns = 0;               // the next beat that has not been begun or skipped
+  Task* running = nullptr;                // the body, while it runs
+  std::shared_ptr<const void> host_data;  // of the owner when it was armed: see Vm::task_data
+};
+
+// A block that holds watches.
+using Region = std::vector<std::unique_ptr<Watch>>;
+
+// For frames of usual size at full depth, and a few very large ones.
+constexpr std::size_t ample_slots(std::uint32_t call_depth) {
+  return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64;
+}
+
+// Bytes of its stack that every task begins with.
+inline constexpr std::size_t kFirstBytes = 8192;
+
+class Heap;
+
+// A task waits while `waiting` is set.
+struct Task {
+  // call_depth  calls that may be nested.
+  // slots       of all frames together, besides the one on top.
+  Task(std::uint32_t call_depth, std::size_t slots);
+
+  AddressSpace slot_space;
+  AddressSpace frame_space;
+  Slot* slots_end;  // a frame that starts before it fits; what lies before it has been counted
+  Frame* frames;    // frames[0] belongs to the host
+  Frame* frames_end;
+  Frame* top;
+  Slot* slots_limit;  // how far slots_end and frames_end can move
+  Frame* frames_limit;
+  std::uint64_t charged = 0;  // bytes counted against the heap limit besides those at the beginning
+
+  std::unique_ptr<Waiting> waiting;
+  Slot* result = nullptr;              // where the waiting call leaves its result
+  Obj* condition = nullptr;            // armed: when it comes true, `waiting` is stopped; owned
+  std::shared_ptr<Fault> interrupted;  // raised instead of going on when the wait is over
+  std::uint64_t armed = 0;             // the condition's place in the order of arming; 0: none
+
+  std::shared_ptr<const void> host_data;  // see Vm::task_data
+
+  // ---- what it is: vm/tasks/task_tree.hpp
+  const hir::Function* function = nullptr;  // null: the program
+  Task* parent = nullptr;                   // who started it
+  Watch* watch = nullptr;                   // whose body it is
+  Obj* entry = nullptr;                     // the closure that it runs; owned
+  std::uint32_t depth = 0;                  // of tasks that started tasks
+  std::size_t place = 0;                    // among the branches of its parent
+  bool is_ready = false;                    // has not begun
+  bool has_ended = false;
+  bool is_cancelled = false;  // how it ends is nobody's business
+  Random random{0};
+  std::uint64_t parallels = 0;  // how many it has begun
+
+  // ---- what it has started
+  std::vector<Obj*> nursery;            // closures of branches, before they begin; owned
+  std::vector<Task*> branches;          // of the `parallel` it waits for; null: ended
+  std::size_t alive = 0;                // branches that have not ended
+  std::shared_ptr<Fault> branch_fault;  // the first error among them
+  bool joins = false;                   // it waits for its branches
+  std::vector<Region> regions;
+  std::size_t ending = kNoRegion;  // it waits for the tasks of this region and those inside
+
+  // Counts so much more of its stack against the limit of the heap that a frame can be put at
+  // `frame` with its slots, `registers` of them, at `window`, which lie within the limits. False:
+  // the heap is full.
+  [[nodiscard]] bool grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers);
+  // Gives back what grew.
+  void shrink(Heap& heap);
+
+  [[nodiscard]] bool waits_for_its_tasks() const { return joins || ending != kNoRegion; }
+};
+
+}  // namespace armlet::lang

@@ -1,0 +1,199 @@
+#include "vm/tasks/task_tree.hpp"
+
+#include <new>
+
+#include "vm/failures/failures.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr std::size_t kMostSpare = 64;
+
+std::size_t slots_for(std::uint32_t call_depth) {
+  return std::size_t{64} * 1024 + std::size_t{call_depth} * 32;
+}
+
+// How a task that is cancelled leaves; nobody sees more of it than that.
+FaultPtr cancellation(Reach reach) {
+  auto fault = std::make_shared<Fault>();
+  fault->diagnostic.code = "R0629";
+  fault->reach = reach;
+  return fault;
+}
+
+// As it goes on in the task that waits for the one that failed.
+FaultPtr carried_over(const FaultPtr& fault) {
+  if (fault->is_leaving || fault->reach == Reach::kHandlers) return fault;
+  auto out = std::make_shared<Fault>(*fault);
+  out->reach = Reach::kHandlers;
+  out->region = kNoRegion;
+  return out;
+}
+
+void make_new(Task& task) {
+  task.result = nullptr;
+  task.function = nullptr;
+  task.parent = nullptr;
+  task.watch = nullptr;
+  task.depth = 0;
+  task.is_ready = task.has_ended = task.is_cancelled = task.joins = false;
+  task.parallels = 0;
+  task.branches.clear();
+  task.alive = 0;
+  task.branch_fault.reset();
+  task.ending = kNoRegion;
+}
+
+}  // namespace
+
+bool outranks(const Fault& a, const Fault& b) {
+  if (a.reach != b.reach) return a.reach > b.reach;
+  if (a.is_leaving != b.is_leaving) return a.is_leaving;
+  // Further out; kNoRegion is outside of all.
+  return a.region + 1 < b.region + 1;
+}
+
+Task* TaskTree::create(Task& parent, Obj* closure) {
+  const auto too_many = [&](std::string how) -> Task* {
+    raise(state_, "R0633", {std::move(how)});
+    return nullptr;
+  };
+  if (alive_ >= kMostTasks)
+    return too_many("more than " + std::to_string(kMostTasks) + " at the same time");
+  if (parent.depth >= kDeepest)
+    return too_many("tasks start tasks more than " + std::to_string(kDeepest) + " deep");
+  const bool fits = state_.heap.charge(kFirstBytes);
+  std::unique_ptr<Task> task;
+  try {
+    if (tasks_.size() == tasks_.capacity()) tasks_.reserve(2 * tasks_.size() + 8);
+    const std::uint32_t depth = state_.options.limits.call_depth;
+    if (fits && spare_.empty()) {
+      task = std::make_unique<Task>(depth, slots_for(depth));
+    } else if (fits) {
+      task = std::move(spare_.back());
+      spare_.pop_back();
+    }
+  } catch (const std::bad_alloc&) {
+    if (fits) state_.heap.discharge(kFirstBytes);
+  }
+  if (task == nullptr) {
+    raise_out_of_memory(state_);
+    return nullptr;
+  }
+  make_new(*task);
+  task->entry = closure;
+  retain_object(closure);
+  task->function = state_.program.functions[static_cast<ClosureObj*>(closure)->function].function;
+  task->parent = &parent;
+  task->host_data = parent.host_data;
+  task->depth = parent.depth + 1;
+  task->is_ready = true;
+  ++alive_;
+  tasks_.push_back(std::move(task));
+  return tasks_.back().get();
+}
+
+void TaskTree::end(Task& task, FaultPtr fault) {
+  task.has_ended = true;
+  --alive_;
+  if (state_.running == &task) state_.running = &state_.main;
+  disarm(task);
+  task.waiting.reset();
+  task.interrupted.reset();
+  while (task.top > task.frames) leave_frame(state_, task);
+  abandon(task);
+  state_.heap.release(task.entry);
+  task.entry = nullptr;
+  state_.heap.discharge(kFirstBytes);
+  task.shrink(state_.heap);
+  const bool counts = fault != nullptr && (!task.is_cancelled || fault->is_leaving);
+  if (Watch* watch = task.watch) {
+    skip_beats(*watch);
+    watch->running = nullptr;
+    if (counts) fail_block(*watch, fault);
+  } else {
+    task.parent->branches[task.place] = nullptr;
+    --task.parent->alive;
+    if (counts) fail_parallel(*task.parent, fault);
+  }
+}
+
+void TaskTree::fail_parallel(Task& parent, const FaultPtr& fault) {
+  const bool is_first = parent.branch_fault == nullptr;
+  if (is_first || outranks(*fault, *parent.branch_fault)) parent.branch_fault = carried_over(fault);
+  if (is_first || fault->reach == Reach::kNothing) cancel_branches(parent, fault->reach);
+}
+
+void TaskTree::interrupt(Task& task, FaultPtr fault) {
+  disarm(task);
+  const Reach reach = fault->reach;
+  const std::size_t from = fault->region == kNoRegion ? 0 : fault->region;
+  if (task.interrupted == nullptr || outranks(*fault, *task.interrupted))
+    task.interrupted = std::move(fault);
+  cancel_branches(task, reach);
+  if (reach != Reach::kHandlers) {
+    stop_watching(task, from);
+    cancel_bodies(task, from, reach);
+  }
+  if (task.waiting != nullptr) task.waiting->stop();
+}
+
+void TaskTree::cancel(Task& task, Reach reach) {
+  if (task.has_ended || (task.is_cancelled && reach != Reach::kNothing)) return;
+  task.is_cancelled = true;
+  if (task.is_ready) {
+    end(task, nullptr);
+  } else {
+    interrupt(task, cancellation(reach));
+  }
+}
+
+void TaskTree::cancel_branches(Task& task, Reach reach) {
+  const Reach how = reach == Reach::kHandlers ? Reach::kFinally : reach;
+  for (Task* branch : task.branches) {
+    if (branch != nullptr) cancel(*branch, how);
+  }
+}
+
+void TaskTree::kill(Task& task) {
+  task.is_cancelled = true;
+  if (task.waiting != nullptr) task.waiting->stop();
+  end(task, nullptr);
+}
+
+void TaskTree::abandon(Task& task) {
+  for (Task* branch : task.branches) {
+    if (branch != nullptr) kill(*branch);
+  }
+  for (const Region& region : task.regions) {
+    for (const auto& watch : region) {
+      if (watch->running != nullptr) kill(*watch->running);
+    }
+  }
+  stop_watching(task, 0);
+  close_regions(task, 0);
+  for (Obj* closure : task.nursery) state_.heap.release(closure);
+  task.nursery.clear();
+}
+
+void TaskTree::sweep() {
+  std::erase_if(tasks_, [this](std::unique_ptr<Task>& task) {
+    if (!task->has_ended) return false;
+    if (spare_.size() < kMostSpare) spare_.push_back(std::move(task));
+    return true;
+  });
+}
+
+void TaskTree::clear() {
+  Task& program = state_.main;
+  abandon(program);
+  disarm(program);
+  program.waiting.reset();
+  program.interrupted.reset();
+  program.branch_fault.reset();
+  tasks_.clear();
+  spare_.clear();
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,280 @@
+#include "vm/tasks/tasks.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "armlet/interpreter/virtual_time.hpp"
+#include "format_value.hpp"
+#include "vm/failures/failures.hpp"
+#include "vm/tasks/recordings.hpp"
+
+namespace armlet::lang {
+
+namespace {
+
+constexpr int kMostRounds = 1000;
+// Rounds in which tasks only begin and end: a parallel after the other, in no time.
+constexpr int kMostQuietRounds = 1'000'000;
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+// Conditions can come true by time alone, so a program is stuck only if they have not for so long.
+constexpr std::int64_t kPatience_ns = 3600LL * 1'000'000'000LL;
+
+bool may_continue(const Task& task) {
+  if (task.has_ended) return false;
+  return task.is_ready || task.waiting->is_over();
+}
+
+// What it does next is no more than the text says: it begins, or those that it started have ended.
+bool is_quiet(const Task& task) {
+  const bool is_triggered = task.watch != nullptr && task.watch->condition != nullptr;
+  return task.is_ready ? !is_triggered : task.waits_for_its_tasks();
+}
+
+}  // namespace
+
+Exit Scheduler::run(std::uint32_t function) {
+  state_.running = &state_.main;
+  if (!state_.enter(function, nullptr)) return Exit::kFailed;
+  Exit exit = interpret(state_, state_.main).exit;
+  while (exit == Exit::kPaused) {
+    exit = run_instant();
+    if (exit == Exit::kPaused) exit = advance();
+  }
+  while (exit == Exit::kDone && state_.main.top > state_.main.frames)
+    leave_frame(state_, state_.main);
+  tree_.abandon(state_.main);
+  tree_.report_skipped();
+  return exit;
+}
+
+Exit Scheduler::run_instant() {
+  if (state_.recordings != nullptr) {
+    state_.recordings->take_due(
+        [this](Task& task) { tree_.interrupt(task, std::move(state_.fault)); });
+  }
+  int rounds = 0;
+  for (int quiet = 0, failures = 0;;) {
+    evaluate_conditions();
+    const Pass pass = run_tasks();
+    tree_.sweep();
+    if (pass.exit != Exit::kPaused || !pass.progress) return pass.exit;
+    if (pass.changed) ++rounds;
+    if (rounds < kMostRounds && ++quiet < kMostQuietRounds) continue;
+    if (++failures > 2) return abandon();
+    fail_everywhere("R0620", {std::to_string(std::max(rounds, quiet))}, {});
+    rounds = quiet = 0;
+  }
+}
+
+void Scheduler::evaluate_conditions() {
+  for (auto next = tree_.armed().begin(); next != tree_.armed().end();) {
+    const auto [order, armed] = *next;
+    if (armed.task != nullptr) {
+      evaluate(*armed.task);
+    } else if (armed.watch->condition != nullptr) {
+      evaluate(*armed.watch);
+    }
+    state_.steps.paused();
+    next = tree_.armed().upper_bound(order);
+  }
+}
+
+void Scheduler::evaluate(Task& task) {
+  bool is_true = false;
+  if (!state_.evaluate(task, task.condition, is_true)) {
+    tree_.interrupt(task, std::move(state_.fault));
+  } else if (is_true) {
+    tree_.disarm(task);
+    task.waiting->stop();
+  }
+}
+
+// What comes true while the body runs is dropped.
+void Scheduler::evaluate(Watch& watch) {
+  const bool was_true = watch.was_true;
+  const bool failed =
+      !state_.evaluate(*watch.owner, watch.condition, watch.was_true) ||
+      (watch.was_true && !was_true && watch.running == nullptr && !tree_.start(watch));
+  if (failed) tree_.fail_block(watch, std::move(state_.fault));
+}
+
+// In the order of creation. Those that begin meanwhile come last.
+Scheduler::Pass Scheduler::run_tasks() {
+  Pass pass;
+  std::size_t next = 0;  // 0: the program
+  do {
+    for (; next <= tree_.all().size(); ++next) {
+      Task& task = next == 0 ? state_.main : *tree_.all()[next - 1];
+      if (!may_continue(task)) continue;
+      pass.progress = true;
+      pass.changed = pass.changed || !is_quiet(task);
+      const Exit exit = task.is_ready ? begin(task) : resume(task);
+      if (exit == Exit::kPaused) continue;
+      if (next == 0) {
+        pass.exit = exit;
+        return pass;
+      }
+      tree_.end(task, exit == Exit::kFailed ? std::move(state_.fault) : nullptr);
+    }
+  } while (tree_.start_beats());
+  return pass;
+}
+
+Exit Scheduler::begin(Task& task) {
+  task.is_ready = false;
+  state_.running = &task;
+  resumed_ns_ = state_.vm.timeline().now_ns();
+  state_.steps.paused();
+  auto* closure = static_cast<ClosureObj*>(task.entry);
+  if (!state_.enter(closure->function, closure)) return Exit::kFailed;
+  return interpret(state_, task).exit;
+}
+
+Exit Scheduler::resume(Task& task) {
+  const std::unique_ptr<Waiting> waiting = std::move(task.waiting);
+  tree_.disarm(task);
+  state_.running = &task;
+  state_.steps.paused();
+  resumed_ns_ = state_.vm.timeline().now_ns();
+  FaultPtr fault = std::move(task.interrupted);
+  if (std::exchange(task.joins, false)) {
+    task.branches.clear();
+    FaultPtr branch = std::move(task.branch_fault);
+    if (branch != nullptr && (fault == nullptr || !outranks(*fault, *branch)))
+      fault = std::move(branch);
+  }
+  const std::size_t ending = std::exchange(task.ending, kNoRegion);
+  if (ending != kNoRegion) tree_.close_regions(task, ending);
+  Slot nowhere{.i = 0};
+  bool failed = fault != nullptr;
+  if (failed) {
+    state_.fault = std::move(fault);
+  } else {
+    Slot& result = task.result != nullptr ? *task.result : nowhere;
+    failed = !finish(*waiting, result);
+  }
+  if (failed && !unwind(state_, task)) return Exit::kFailed;
+  return interpret(state_, task).exit;
+}
+
+bool Scheduler::finish(Waiting& waiting, Slot& result) {
+  try {
+    return waiting.finish(state_.vm, result) == Signal::kDone || require_failure(state_);
+  } catch (...) {
+    raise_thrown(state_, *state_.running);
+  }
+  return false;
+}
+
+std::int64_t Scheduler::next_instant() const {
+  const Timeline& timeline = state_.vm.timeline();
+  const std::int64_t now = timeline.now_ns();
+  const std::int64_t tick = std::max<std::int64_t>(timeline.tick_ns(), 1);
+  const std::int64_t next_tick = (now / tick + 1) * tick;
+  std::int64_t next = kNever;
+  const auto look_at = [&](std::int64_t due) {
+    next = std::min(next, due > now ? due : next_tick);
+  };
+  look_at(state_.main.waiting->due_ns());
+  for (const auto& task : tree_.all()) look_at(task->waiting->due_ns());
+  bool armed = false;
+  for (const auto& [order, one] : tree_.armed()) {
+    const bool beats = one.watch != nullptr && one.watch->condition == nullptr;
+    armed = armed || !beats;
+    if (beats && one.watch->running == nullptr) look_at(one.watch->next_ns);
+  }
+  if (armed && (next != kNever || now - resumed_ns_ < kPatience_ns))
+    next = std::min(next, next_tick);
+  // Nothing can happen because of a recording alone.
+  if (next != kNever && state_.recordings != nullptr)
+    next = std::min(next, state_.recordings->next_ns());
+  return next;
+}
+
+// The world moves on as a whole: what it computes is not stopped half way.
+bool Scheduler::advance_to(std::int64_t t_ns) {
+  const Supervised nobody(nullptr);
+  return state_.vm.timeline().advance_to(t_ns);
+}
+
+Exit Scheduler::advance() {
+  if (state_.take_cancellation()) return stop();
+  const std::int64_t next = next_instant();
+  if (next == kNever) {
+    fail_everywhere("R0621", {}, waited_for());
+    return Exit::kPaused;
+  }
+  if (next > state_.options.limits.time_ns) {
+    fail_everywhere(
+        "R0636", {"what the program waits for", quantity_text(time_left(state_.vm), dims::kTime)},
+        waited_for());
+    return Exit::kPaused;
+  }
+  try {
+    if (advance_to(next)) return Exit::kPaused;
+  } catch (...) {
+    if (state_.is_leaving) return abandon();
+    raise_thrown(state_, state_.main);
+    tree_.interrupt(state_.main, std::move(state_.fault));
+    return Exit::kPaused;
+  }
+  return state_.is_leaving ? abandon() : stop();
+}
+
+// Somebody wants the program to stop.
+Exit Scheduler::stop() {
+  state_.running = &state_.main;
+  raise_cancelled(state_);
+  tree_.interrupt(state_.main, std::move(state_.fault));
+  return Exit::kPaused;
+}
+
+// Time cannot pass any more: nothing can be brought to a controlled stop.
+Exit Scheduler::abandon() {
+  Task& task = state_.main;
+  state_.running = &task;
+  raise_cancelled(state_);
+  state_.fault->reach = Reach::kNothing;
+  tree_.abandon(task);
+  task.waiting.reset();
+  tree_.disarm(task);
+  (void)unwind(state_, task);
+  return Exit::kFailed;
+}
+
+// Raised in the program itself; when that is being ended already, in whoever still waits.
+void Scheduler::fail_everywhere(const char* code, const std::vector<std::string>& arguments,
+                                std::string why) {
+  std::vector<Task*> victims;
+  if (state_.main.interrupted == nullptr) {
+    victims.push_back(&state_.main);
+  } else {
+    for (const auto& task : tree_.all()) {
+      if (!task->has_ended && !task->is_ready && !task->waits_for_its_tasks())
+        victims.push_back(task.get());
+    }
+  }
+  for (Task* task : victims) {
+    state_.running = task;
+    Diagnostic failure = start_failure(state_, code, arguments);
+    failure.why = why;
+    raise(state_, std::move(failure));
+    tree_.interrupt(*task, std::move(state_.fault));
+  }
+}
+
+std::string Scheduler::waited_for() const {
+  std::string text;
+  const auto add = [&](const Task& task) {
+    if (task.waits_for_its_tasks()) return;
+    if (!text.empty()) text += '\n';
+    const std::string name = task_name(task);
+    text += (name.empty() ? "the program" : name) + " waits for " + task.waiting->what();
+  };
+  add(state_.main);
+  for (const auto& task : tree_.all()) add(*task);
+  return text;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,141 @@
+// What is looked at while time passes: the conditions of tasks that wait, and the watches of
+// blocks.
+
+#include <string>
+
+#include "vm/failures/failures.hpp"
+#include "vm/tasks/task_tree.hpp"
+
+namespace armlet::lang {
+
+void TaskTree::arm(Task& task) {
+  task.armed = ++last_order_;
+  armed_[task.armed] = {&task, nullptr};
+}
+
+void TaskTree::disarm(Task& task) {
+  if (task.armed != 0) armed_.erase(task.armed);
+  task.armed = 0;
+  state_.heap.release(task.condition);
+  task.condition = nullptr;
+}
+
+void TaskTree::disarm(Watch& watch) {
+  if (watch.order != 0) armed_.erase(watch.order);
+  watch.order = 0;
+}
+
+Watch& TaskTree::watch(Task& owner, Obj* condition, Obj* body) {
+  owner.regions.back().push_back(std::make_unique<Watch>());
+  Watch& watch = *owner.regions.back().back();
+  watch.owner = &owner;
+  watch.region = owner.regions.size() - 1;
+  watch.condition = condition;
+  watch.body = body;
+  watch.host_data = owner.host_data;
+  retain_object(condition);
+  retain_object(body);
+  watch.order = ++last_order_;
+  armed_[watch.order] = {nullptr, &watch};
+  return watch;
+}
+
+bool TaskTree::start(Watch& watch) {
+  state_.running = watch.owner;  // whose failure it would be
+  Task* body = create(*watch.owner, watch.body);
+  if (body == nullptr) return false;
+  body->watch = &watch;
+  body->host_data = watch.host_data;
+  watch.running = body;
+  return true;
+}
+
+// The error ends what the block does, up to the block itself. A block that has come to its end
+// waits for its tasks, so there it is raised as it is.
+void TaskTree::fail_block(const Watch& watch, const FaultPtr& fault) {
+  Task& owner = *watch.owner;
+  const bool is_ending = owner.ending != kNoRegion && watch.region >= owner.ending;
+  auto raised = std::make_shared<Fault>(*fault);
+  if (!raised->is_leaving) {
+    raised->reach = is_ending ? Reach::kHandlers : Reach::kFinally;
+    raised->region = is_ending ? kNoRegion : watch.region;
+  }
+  if (is_ending) cancel_bodies(owner, owner.ending, Reach::kFinally);
+  interrupt(owner, std::move(raised));
+}
+
+bool TaskTree::start_beats() {
+  const std::int64_t now = state_.vm.timeline().now_ns();
+  bool any = false;
+  for (auto next = armed_.begin(); next != armed_.end();) {
+    const auto [order, armed] = *next;
+    Watch* watch = armed.watch;
+    const bool beats = watch != nullptr && watch->condition == nullptr;
+    if (beats && watch->running == nullptr && watch->next_ns <= now) {
+      any = true;
+      watch->next_ns += watch->period_ns;
+      if (!start(*watch)) fail_block(*watch, std::move(state_.fault));
+    }
+    next = armed_.upper_bound(order);
+  }
+  return any;
+}
+
+// While the body runs no beat is looked at; those that have passed are counted afterwards.
+void TaskTree::skip_beats(Watch& watch) {
+  const std::int64_t late = state_.vm.timeline().now_ns() - watch.next_ns;
+  const bool beats = watch.condition == nullptr && watch.order != 0 && watch.running != nullptr;
+  if (!beats || late <= 0) return;
+  const std::int64_t passed = (late - 1) / watch.period_ns + 1;
+  Skips& skips = skips_[{watch.head.source, watch.head.begin}];
+  skips.head = watch.head;
+  skips.count += passed;
+  watch.next_ns += passed * watch.period_ns;
+}
+
+void TaskTree::stop_watching(Task& owner, std::size_t from) {
+  for (std::size_t i = from; i < owner.regions.size(); ++i) {
+    for (const auto& watch : owner.regions[i]) {
+      skip_beats(*watch);
+      disarm(*watch);
+    }
+  }
+}
+
+void TaskTree::cancel_bodies(Task& owner, std::size_t from, Reach reach) {
+  for (std::size_t i = from; i < owner.regions.size(); ++i) {
+    for (const auto& watch : owner.regions[i]) {
+      if (watch->running != nullptr) cancel(*watch->running, reach);
+    }
+  }
+}
+
+bool TaskTree::has_bodies(const Task& owner, std::size_t from) {
+  for (std::size_t i = from; i < owner.regions.size(); ++i) {
+    for (const auto& watch : owner.regions[i]) {
+      if (watch->running != nullptr) return true;
+    }
+  }
+  return false;
+}
+
+void TaskTree::close_regions(Task& owner, std::size_t from) {
+  while (owner.regions.size() > from) {
+    for (const auto& watch : owner.regions.back()) {
+      state_.heap.release(watch->condition);
+      state_.heap.release(watch->body);
+    }
+    owner.regions.pop_back();
+  }
+}
+
+void TaskTree::report_skipped() {
+  for (const auto& [place, skips] : skips_) {
+    if (!state_.options.advice) return;
+    const std::string beats = skips.count == 1 ? " beat" : " beats";
+    state_.options.advice(
+        make_diagnostic("W0706", skips.head, {std::to_string(skips.count) + beats}));
+  }
+}
+
+}  // namespace armlet::lang

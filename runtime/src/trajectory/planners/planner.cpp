@@ -1,0 +1,325 @@
+#include "armlet/trajectory/planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "trajectory/planners/planning.hpp"
+
+namespace armlet {
+namespace {
+
+using LeastTimeLaw = LeastTime (*)(double travel, const AxisLimits& limits);
+using PathLaw = std::vector<Segment> (*)(double q0, double q1, double T, const AxisLimits& limits);
+
+// One axis law: how long it needs at least, and its pieces for a given time.
+struct AxisLaw {
+  LeastTimeLaw least_time;
+  PathLaw pieces;
+};
+
+void check_durations(const MoveRequest& request) {
+  check_size("durations", static_cast<Eigen::Index>(request.durations.size()),
+             static_cast<Eigen::Index>(request.via.size() + 1));
+  for (const double T : request.durations) {
+    if (std::isfinite(T) && T >= kShortestMotion) continue;
+    throw ArgumentError(fmt::format("A leg of {} s cannot be made; expected more than 0 s.", T));
+  }
+  if (request.time || request.speed) {
+    throw ArgumentError("A move was given durations together with a time or a speed.");
+  }
+}
+
+void check_request(const MoveRequest& request) {
+  check_size("q1", request.q1.size(), request.q0.size());
+  check_size("limits", static_cast<Eigen::Index>(request.limits.size()), request.q0.size());
+  check_finite("q0", request.q0);
+  check_finite("q1", request.q1);
+  for (const AxisLimits& limits : request.limits) {
+    if (!(limits.speed > 0.0) || !(limits.acceleration > 0.0) || !(limits.jerk > 0.0)) {
+      throw ArgumentError("The limits of a joint must be above zero.");
+    }
+  }
+  if (request.time && (!std::isfinite(*request.time) || *request.time < 0.0)) {
+    throw ArgumentError(
+        fmt::format("The time of a move is {} s; expected 0 s or more.", *request.time));
+  }
+  if (request.speed && !(*request.speed > 0.0 && *request.speed <= 1.0)) {
+    throw ArgumentError(
+        fmt::format("The speed of a move is {}; expected a fraction of the joint limits, above 0 "
+                    "and at most 1.",
+                    *request.speed));
+  }
+  if (request.time && request.speed) {
+    throw ArgumentError("A move was given both a time and a speed; give one of them.");
+  }
+  for (const Eigen::VectorXd& point : request.via) {
+    check_size("via", point.size(), request.q0.size());
+    check_finite("via", point);
+  }
+  if (!request.durations.empty()) check_durations(request);
+}
+
+// The joint that needs longest, and why.
+TooFast slowest_joint(const MoveRequest& request, const AxisLaw& law) {
+  TooFast slowest{.joint = 0, .limit = limit_value(limits_of(request, 0), LimitKind::kSpeed)};
+  for (int i = 0; i < request.q0.size(); ++i) {
+    const LeastTime least = law.least_time(travel_of(request, i), limits_of(request, i));
+    if (least.time <= slowest.least_time) continue;
+    slowest = {.joint = i,
+               .given = 0.0,
+               .least_time = least.time,
+               .travel = travel_of(request, i),
+               .kind = least.limit,
+               .limit = limit_value(limits_of(request, i), least.limit)};
+  }
+  return slowest;
+}
+
+// Plans every joint with `law`. Synchronous: all take the whole time. Otherwise each takes the time
+// it needs, multiplied by how much the slowest was stretched.
+Plan plan_by_law(const MoveRequest& request, const AxisLaw& law, bool synchronous) {
+  if (stands_still(request)) {
+    return {.trajectory = Trajectory::at_rest(request.q1, request.time.value_or(0.0))};
+  }
+  const TooFast slowest = slowest_joint(request, law);
+  const Duration chosen = choose_duration(request, slowest);
+  if (!chosen.possible) return {.too_fast = chosen.too_fast};
+  std::vector<JointPath> joints;
+  for (int i = 0; i < request.q0.size(); ++i) {
+    JointPath path{.q_end = request.q1[i]};
+    const AxisLimits& limits = limits_of(request, i);
+    const double travel = travel_of(request, i);
+    double T = chosen.T;
+    // A joint without limits needs no time of its own; it takes the whole.
+    if (!synchronous && slowest.least_time > 0.0) {
+      const double own = law.least_time(travel, limits).time;
+      if (own > 0.0) T = std::max(chosen.T * (own / slowest.least_time), kShortestMotion);
+    }
+    if (travel != 0.0) path.segments = law.pieces(request.q0[i], request.q1[i], T, limits);
+    joints.push_back(std::move(path));
+  }
+  return {.trajectory = Trajectory(std::move(joints), chosen.T), .too_fast = chosen.too_fast};
+}
+
+std::vector<Segment> quintic_path(double q0, double q1, double T, const AxisLimits&) {
+  return {quintic_segment({.q = q0}, {.q = q1}, T)};
+}
+
+std::vector<Segment> cubic_path(double q0, double q1, double T, const AxisLimits&) {
+  return {cubic_segment({.q = q0}, {.q = q1}, T)};
+}
+
+std::vector<Segment> septic_path(double q0, double q1, double T, const AxisLimits&) {
+  return {septic_segment(q0, q1, T)};
+}
+
+std::vector<Segment> cycloid_path(double q0, double q1, double T, const AxisLimits&) {
+  return cycloid_segments(q0, q1, T);
+}
+
+std::vector<Segment> trapezoid_path(double q0, double q1, double T, const AxisLimits& limits) {
+  const Trapezoid quarter = trapezoid_with_ramp(q1 - q0, T, 0.25 * T);
+  const bool allowed =
+      quarter.speed <= limits.speed && quarter.speed <= limits.acceleration * quarter.ramp;
+  const auto steep = allowed ? std::nullopt : trapezoid_in_time(q1 - q0, T, limits.acceleration);
+  return trapezoid_segments(q0, q1 - q0, steep.value_or(quarter));
+}
+
+constexpr AxisLaw kQuintic{quintic_least_time, quintic_path};
+constexpr AxisLaw kCubic{cubic_least_time, cubic_path};
+constexpr AxisLaw kTrapezoid{trapezoid_least_time, trapezoid_path};
+constexpr AxisLaw kSeptic{septic_least_time, septic_path};
+constexpr AxisLaw kCycloid{cycloid_least_time, cycloid_path};
+
+// Limits of the scalar s in q = q0 + s (q1 - q0): what the most demanding joint leaves.
+AxisLimits scalar_limits(const MoveRequest& request) {
+  AxisLimits scalar;
+  for (int i = 0; i < request.q0.size(); ++i) {
+    const double D = std::abs(travel_of(request, i));
+    if (D == 0.0) continue;
+    scalar.speed = std::min(scalar.speed, limits_of(request, i).speed / D);
+    scalar.acceleration = std::min(scalar.acceleration, limits_of(request, i).acceleration / D);
+  }
+  return scalar;
+}
+
+// The joint whose limit decides about the scalar law.
+TooFast scalar_bottleneck(const MoveRequest& request, const AxisLimits& scalar) {
+  const LeastTime least = trapezoid_least_time(1.0, scalar);
+  TooFast bottleneck{.least_time = least.time, .kind = least.limit};
+  const double tightest = limit_value(scalar, least.limit);
+  for (int i = static_cast<int>(request.q0.size()) - 1; i >= 0; --i) {
+    const double D = std::abs(travel_of(request, i));
+    const double limit = limit_value(limits_of(request, i), least.limit);
+    if (D == 0.0 || limit / D > tightest) continue;
+    bottleneck.joint = i;
+    bottleneck.travel = travel_of(request, i);
+    bottleneck.limit = limit;
+  }
+  return bottleneck;
+}
+
+Plan plan_lin(const MoveRequest& request) {
+  if (stands_still(request)) return plan_by_law(request, kTrapezoid, true);
+  const AxisLimits scalar = scalar_limits(request);
+  const Duration chosen = choose_duration(request, scalar_bottleneck(request, scalar));
+  if (!chosen.possible) return {.too_fast = chosen.too_fast};
+  const Trapezoid shape = trapezoid_in_time(1.0, chosen.T, scalar.acceleration)
+                              .value_or(trapezoid_with_ramp(1.0, chosen.T, 0.25 * chosen.T));
+  std::vector<JointPath> joints;
+  for (int i = 0; i < request.q0.size(); ++i) {
+    const double travel = travel_of(request, i);
+    JointPath path{.q_end = request.q1[i]};
+    Trapezoid own = shape;
+    own.speed *= std::abs(travel);
+    if (travel != 0.0) path.segments = trapezoid_segments(request.q0[i], travel, own);
+    joints.push_back(std::move(path));
+  }
+  return {.trajectory = Trajectory(std::move(joints), chosen.T), .too_fast = chosen.too_fast};
+}
+
+// As quick as the law allows, all joints together or each for itself.
+template <const AxisLaw& kLaw, bool kTogether>
+Plan plan_law(const MoveRequest& request) {
+  return plan_by_law(request, kLaw, kTogether);
+}
+
+Plan plan_cubic(const MoveRequest& request) {
+  return request.via.empty() ? plan_by_law(request, kCubic, true)
+                             : plan_cubic_interpolator(request);
+}
+
+constexpr PlannerRow kPlanners[] = {
+    {.name = "Syn",
+     .does = "all joints start and end together; a law of fifth order, speed and acceleration zero "
+             "at both ends",
+     .plan = plan_law<kQuintic, true>,
+     .smooth = 2},
+    {.name = "Asyn",
+     .does = "the same law, but every joint at its own limit, stopping when it arrives; a time "
+             "belongs to the slowest, and all joints take the same fraction of their limits",
+     .plan = plan_law<kQuintic, false>,
+     .smooth = 2},
+    {.name = "Lin",
+     .does = "a straight line of the joints at constant speed (for `moveC`: a straight line in "
+             "space); the ramps at the ends are as short as the accelerations allow",
+     .plan = plan_lin,
+     .smooth = 1},
+    {.name = "Cubic",
+     .does = "together, a law of third order; through several points a curve that never swings out",
+     .plan = plan_cubic,
+     .through = Through::kAllPoints,
+     .smooth = 1},
+    {.name = "Spline3",
+     .does = "a spline of third order through several points",
+     .plan = plan_spline_3,
+     .through = Through::kAllPoints,
+     .smooth = 1},
+    {.name = "Spline4",
+     .does = "a spline of fourth order through several points; the acceleration is zero at both "
+             "ends",
+     .plan = plan_spline_4,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "Spline5",
+     .does = "a spline of fifth order through several points; the acceleration is zero at both "
+             "ends",
+     .plan = plan_spline_5,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "434",
+     .does = "lift-off, travel and set-down, polynomials of order 4, 3 and 4 through four points; "
+             "from two points the joints lift off and set down by a tenth of the way, without "
+             "durations 1:2:1",
+     .plan = plan_434,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "Trap",
+     .does = "together, trapezoidal speed; with a time a quarter of it to speed up and to slow "
+             "down if the limits allow, otherwise ramps at the acceleration limit",
+     .plan = plan_law<kTrapezoid, true>,
+     .smooth = 1},
+    {.name = "353",
+     .does = "as `434`, of orders 3, 5 and 3",
+     .plan = plan_353,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "FiveCubic",
+     .does = "as `434`, of five cubics",
+     .plan = plan_five_cubics,
+     .through = Through::kAllPoints,
+     .smooth = 2},
+    {.name = "SCurve",
+     .does = "limited jerk: every joint as fast as its limits on speed, acceleration and jerk "
+             "allow, then slowed down to the duration of the slowest",
+     .plan = plan_limited_jerk,
+     .smooth = 2},
+    {.name = "Fastest",
+     .does = "a spline through all points, run as fast as speeds and accelerations allow "
+             "everywhere, to 0.5 %; accelerations jump",
+     .plan = plan_fastest,
+     .through = Through::kAllPoints,
+     .smooth = 1},
+    {.name = "Septic",
+     .does = "as `Syn`, of seventh order; the jerk too is zero at both ends",
+     .plan = plan_law<kSeptic, true>,
+     .smooth = 3},
+    {.name = "Cycloid",
+     .does = "as `Syn`; the acceleration is a sine",
+     .plan = plan_law<kCycloid, true>,
+     .smooth = 2},
+    {.name = "Seq",
+     .does = "one joint after another, each with the law of `Syn`",
+     .plan = plan_one_by_one,
+     .smooth = 2},
+    {.name = "Lin0",
+     .does = "constant speed without ramps, for study; no robot executes it",
+     .plan = plan_without_ramps},
+};
+
+}  // namespace
+
+std::span<const PlannerRow> planner_rows() { return kPlanners; }
+
+PlannerSet::PlannerSet() {
+  for (const PlannerRow& row : kPlanners) add(std::string(row.name), row.plan, row.through);
+}
+
+void PlannerSet::add(std::string name, Planner planner, Through through) {
+  const auto same = std::ranges::find(planners_, name, &Entry::name);
+  if (same != planners_.end()) {
+    *same = {std::move(name), std::move(planner), through};
+  } else {
+    planners_.push_back({std::move(name), std::move(planner), through});
+  }
+}
+
+const PlannerSet::Entry* PlannerSet::find(std::string_view name) const {
+  const auto found = std::ranges::find(planners_, name, &Entry::name);
+  return found == planners_.end() ? nullptr : &*found;
+}
+
+bool PlannerSet::has(std::string_view name) const { return find(name) != nullptr; }
+
+std::vector<std::string> PlannerSet::names() const {
+  std::vector<std::string> names;
+  for (const Entry& entry : planners_) names.push_back(entry.name);
+  return names;
+}
+
+Plan PlannerSet::plan(std::string_view name, const MoveRequest& request) const {
+  const Entry* entry = find(name);
+  if (entry == nullptr) {
+    throw ArgumentError(
+        fmt::format("No planner is called '{}'; there are {}.", name, fmt::join(names(), ", ")));
+  }
+  check_request(request);
+  if (entry->through == Through::kAllPoints) return entry->plan(request);
+  if (request.via.empty() && request.durations.empty()) return entry->plan(request);
+  return plan_legs(entry->plan, request);
+}
+
+}  // namespace armlet

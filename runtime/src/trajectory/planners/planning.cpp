@@ -1,0 +1,101 @@
+#include "trajectory/planners/planning.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+
+namespace armlet {
+namespace {
+
+// A time computed from a limit may be given back as a time: rounding must not make it too short.
+constexpr double kTimeSlack = 1e-9;
+constexpr double kNoTravel = 1e-12;  // rad or m
+
+}  // namespace
+
+double travel_of(const MoveRequest& request, int i) {
+  const double D = request.q1[i] - request.q0[i];
+  return std::abs(D) < kNoTravel ? 0.0 : D;
+}
+
+const AxisLimits& limits_of(const MoveRequest& request, int i) {
+  return request.limits[static_cast<size_t>(i)];
+}
+
+double limit_value(const AxisLimits& limits, LimitKind kind) {
+  switch (kind) {
+    case LimitKind::kSpeed:
+      return limits.speed;
+    case LimitKind::kAcceleration:
+      return limits.acceleration;
+    case LimitKind::kJerk:
+      return limits.jerk;
+  }
+  return 0.0;
+}
+
+bool stands_still(const MoveRequest& request) {
+  for (int i = 0; i < request.q0.size(); ++i) {
+    if (travel_of(request, i) != 0.0) return false;
+  }
+  return request.via.empty();
+}
+
+Duration choose_duration(const MoveRequest& request, TooFast slowest) {
+  if (!request.time) {
+    const double T = slowest.least_time / request.speed.value_or(1.0);
+    if (T < kShortestMotion) {
+      throw ArgumentError("The joints have no limits, so the move needs a time.");
+    }
+    return {.T = T};
+  }
+  slowest.given = *request.time;
+  const bool too_fast = slowest.given < slowest.least_time * (1.0 - kTimeSlack);
+  const bool possible = slowest.given >= kShortestMotion && !(too_fast && request.enforce_limits);
+  return {.T = slowest.given,
+          .too_fast = too_fast || !possible ? std::optional(slowest) : std::nullopt,
+          .possible = possible};
+}
+
+namespace {
+
+// The joint that comes nearest to its speed limit.
+TooFast busiest_joint(const MoveRequest& request, const Trajectory& motion) {
+  TooFast busiest{.limit = limits_of(request, 0).speed};
+  double highest = 0.0;
+  for (int i = 0; i < motion.n(); ++i) {
+    const double load = motion.peak(i, 1) / limits_of(request, i).speed;
+    if (load <= highest) continue;
+    highest = load;
+    busiest = {.joint = i, .travel = travel_of(request, i), .limit = limits_of(request, i).speed};
+  }
+  return busiest;
+}
+
+}  // namespace
+
+Plan plan_legs(const Planner& planner, const MoveRequest& request) {
+  MoveRequest leg{.q0 = request.q0, .limits = request.limits};
+  leg.enforce_limits = request.enforce_limits;
+  Plan whole;
+  for (std::size_t k = 0; k <= request.via.size(); ++k) {
+    leg.q1 = k < request.via.size() ? request.via[k] : request.q1;
+    if (!request.durations.empty()) leg.time = request.durations[k];
+    Plan plan = planner(leg);
+    if (plan.too_fast && !whole.too_fast) whole.too_fast = plan.too_fast;
+    if (!plan.trajectory) return {.too_fast = plan.too_fast};
+    whole.trajectory =
+        whole.trajectory ? whole.trajectory->then(*plan.trajectory) : std::move(plan.trajectory);
+    leg.q0 = leg.q1;
+  }
+  const double least = whole.trajectory->duration();
+  if (!request.durations.empty() || least == 0.0) return whole;
+  TooFast busiest = busiest_joint(request, *whole.trajectory);
+  busiest.least_time = least;
+  const Duration chosen = choose_duration(request, busiest);
+  if (!chosen.possible) return {.too_fast = chosen.too_fast};
+  return {.trajectory = whole.trajectory->stretched(chosen.T / least), .too_fast = chosen.too_fast};
+}
+
+}  // namespace armlet

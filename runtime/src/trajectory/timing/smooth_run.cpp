@@ -1,0 +1,450 @@
+#include "trajectory/timing/smooth_run.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "armlet/core/error.hpp"
+#include "trajectory/cube_root.hpp"
+#include "trajectory/timing/path_warp.hpp"
+#include "trajectory/timing/speed_spline.hpp"
+
+namespace armlet {
+namespace {
+
+// How the pieces are shared out: evenly in u, evenly in time, and where the speed changes.
+constexpr double kShareOfPlace = 0.2;
+constexpr double kShareOfTime = 0.2;
+constexpr double kShareOfChange = 0.6;
+constexpr double kShortestPiece = 0.05;  // of the motion, as a part of a piece of the speed
+constexpr double kChanges = 0.02;  // of the highest acceleration along the path: more is a change
+constexpr int kRounds = 4;         // how often limits that are exceeded in between are tightened
+// A run may take so many times as long as without limits on jerk, and so many times the time in
+// which they let a joint come to its highest acceleration.
+constexpr double kLongest = 5.0;
+constexpr double kLongestRamps = 20.0;
+// How far the time may be from the least, at first and at the end, as a part of it.
+constexpr double kRoughly = 0.03;
+constexpr double kNearly = 2e-3;
+constexpr double kWellKept = 2e-3;  // what may be exceeded before the whole is made slower
+
+// One derivative after another of a cubic piece at s.
+struct Rates {
+  double value, first, second, third;
+};
+Rates rates_of(const Segment& piece, double s) {
+  const double u = s - piece.start;
+  const auto& c = piece.c;
+  return {c[0] + u * (c[1] + u * (c[2] + u * c[3])), c[1] + u * (2.0 * c[2] + u * 3.0 * c[3]),
+          2.0 * c[2] + 6.0 * u * c[3], 6.0 * c[3]};
+}
+
+// The same by u, where s is a function of it.
+Rates by_u(const Rates& r, const PathWarp::Place& p) {
+  return {r.value, r.first * p.first, r.second * p.first * p.first + r.first * p.second,
+          r.third * p.first * p.first * p.first + 3.0 * r.second * p.first * p.second +
+              r.first * p.third};
+}
+
+// The piece that holds at s, begun with one before.
+std::size_t piece_at(std::span<const Segment> pieces, std::size_t piece, double s) {
+  while (piece + 1 < pieces.size() && pieces[piece + 1].start <= s) ++piece;
+  return piece;
+}
+
+// How long a joint needs to come to its highest acceleration, or to its highest speed if that is
+// less; the longest of all.
+double time_of_jerk(std::span<const AxisLimits> limits) {
+  double longest = 0.0;
+  for (const AxisLimits& l : limits)
+    longest = std::max(longest, std::min(l.acceleration / l.jerk, std::sqrt(l.speed / l.jerk)));
+  return longest;
+}
+
+// How far the fastest run goes until it has most of the speed that it first comes to, on one side;
+// and as far as the limits on jerk add.
+double ramp_length(const SpeedAlongPath& fastest, bool from_end, double jerk_time) {
+  const std::size_t last = fastest.s.size() - 1;
+  const auto at = [&](std::size_t k) { return from_end ? last - k : k; };
+  std::size_t top = 0;
+  while (top < last && fastest.squared[at(top + 1)] > fastest.squared[at(top)]) ++top;
+  std::size_t k = 0;
+  while (k < top && fastest.squared[at(k)] < 0.5 * fastest.squared[at(top)]) ++k;
+  return std::abs(fastest.s[at(k)] - fastest.s[at(0)]) +
+         0.5 * jerk_time * std::sqrt(fastest.squared[at(top)]);
+}
+
+PathWarp warp_of(const SpeedAlongPath& fastest, double jerk_time) {
+  const double L = fastest.s.back();
+  const auto ramp = [&](bool from_end) {
+    return 2.0 * std::clamp(2.0 * ramp_length(fastest, from_end, jerk_time), 1e-3 * L, 0.5 * L);
+  };
+  return {L, ramp(false), ramp(true)};
+}
+
+// The intervals of the fastest run in which its speed changes, or would change if jerk were
+// limited.
+struct Changes {
+  std::vector<double> t;  // of the places
+  std::vector<bool> busy;
+};
+
+Changes changes_of(const SpeedAlongPath& fastest, double jerk_time) {
+  const std::size_t count = fastest.s.size() - 1;
+  Changes changes{.t = {0.0}, .busy = std::vector<bool>(count, false)};
+  std::vector<double> rate(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double ds = fastest.s[k + 1] - fastest.s[k];
+    const double v = std::sqrt(fastest.squared[k]) + std::sqrt(fastest.squared[k + 1]);
+    changes.t.push_back(changes.t.back() + 2.0 * ds / v);
+    rate[k] = std::abs(fastest.squared[k + 1] - fastest.squared[k]) / ds;
+  }
+  const double least = kChanges * *std::ranges::max_element(rate);
+  double until = -1.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (rate[k] >= least) until = changes.t[k + 1] + jerk_time;
+    changes.busy[k] = changes.t[k] <= until;
+  }
+  double since = 2.0 * changes.t.back();
+  for (std::size_t k = count; k-- > 0;) {
+    if (rate[k] >= least) since = changes.t[k] - jerk_time;
+    if (changes.t[k + 1] >= since) changes.busy[k] = true;
+  }
+  return changes;
+}
+
+class Run {
+ public:
+  Run(const Trajectory& path, std::span<const AxisLimits> limits, const SpeedAlongPath& fastest,
+      int cells, std::span<const SpeedZone> zones, std::span<const Segment> travel)
+      : path_(path),
+        limits_(limits),
+        zones_(zones),
+        travel_(travel),
+        warp_(warp_of(fastest, time_of_jerk(limits))),
+        longest_(kLongest * fastest.duration() + kLongestRamps * time_of_jerk(limits)) {
+    const std::vector<double> knots = place_knots(fastest, cells);
+    tight_.assign(knots.size() - 1, Tight{});
+    spline_ = SpeedSpline(knots);
+    lay_pieces(knots);
+    take_thirds();
+  }
+
+  TimedRun find() {
+    TimedRun run;
+    for (int round = 0; round < kRounds; ++round) {
+      add_points();
+      spline_.find_fastest(round == 0 ? kRoughly : kNearly);
+      if (!(spline_.duration() <= longest_)) return {};
+      run = make();
+      if (tighten(run) <= 1.0 + kWellKept && round > 0) break;
+    }
+    const double factor = std::max(slower(run), 1.0);
+    if (!(factor * run.motion.duration() <= longest_)) return {};
+    return run.stretched(factor);
+  }
+
+ private:
+  // By how much limits are divided in a cell, since they are exceeded between the points.
+  struct Tight {
+    double speed = 1.0, acceleration = 1.0, jerk = 1.0;
+  };
+
+  // Borders are knots; the others lie where speeds change, and evenly in time and u.
+  std::vector<double> place_knots(const SpeedAlongPath& fastest, int cells) const {
+    const Changes changes = changes_of(fastest, time_of_jerk(limits_));
+    double busy = 0.0;
+    for (std::size_t k = 0; k < changes.busy.size(); ++k)
+      busy += changes.busy[k] ? changes.t[k + 1] - changes.t[k] : 0.0;
+    std::vector<double> u = {0.0}, share = {0.0};
+    for (std::size_t k = 1; k < fastest.s.size(); ++k) {
+      const double dt = changes.t[k] - changes.t[k - 1];
+      u.push_back(warp_.inverse(fastest.s[k]));
+      share.push_back(share.back() + kShareOfPlace * (u[k] - u[k - 1]) / warp_.whole() +
+                      kShareOfTime * dt / changes.t.back() +
+                      (changes.busy[k - 1] ? kShareOfChange * dt / busy : 0.0));
+    }
+    std::vector<double> knots;
+    std::size_t k = 0;
+    for (int j = 0; j <= cells; ++j) {
+      const double wanted = share.back() * j / cells;
+      while (k + 2 < share.size() && share[k + 1] < wanted) ++k;
+      const double part = (wanted - share[k]) / (share[k + 1] - share[k]);
+      knots.push_back(u[k] + std::clamp(part, 0.0, 1.0) * (u[k + 1] - u[k]));
+    }
+    knots.front() = 0.0;
+    knots.back() = warp_.whole();
+    return with_borders(std::move(knots));
+  }
+
+  std::vector<double> with_borders(std::vector<double> knots) const {
+    std::vector<double> borders = {warp_.start(), warp_.whole() - warp_.end()};
+    for (const SpeedZone& zone : zones_) {
+      borders.push_back(warp_.inverse(zone.from));
+      borders.push_back(warp_.inverse(zone.to));
+    }
+    std::ranges::sort(borders);
+    std::vector<double> all = {0.0};
+    std::size_t next = 0;
+    for (std::size_t k = 1; k < knots.size(); ++k) {
+      const double near = 0.3 * (knots[k] - knots[k - 1]);
+      for (; next < borders.size() && borders[next] <= knots[k] + near; ++next) {
+        if (borders[next] <= all.back() + near) {
+          // A border takes the place of a knot that is near, unless that is one itself.
+          const bool free =
+              all.size() > 1 && borders[next] > all.back() && !is_border(borders, all.back());
+          if (free) all.back() = borders[next];
+          continue;
+        }
+        if (borders[next] < knots.back() - near) all.push_back(borders[next]);
+      }
+      if (knots[k] > all.back() + near || k + 1 == knots.size()) all.push_back(knots[k]);
+    }
+    return all;
+  }
+
+  static bool is_border(const std::vector<double>& borders, double u) {
+    return std::ranges::binary_search(borders, u);
+  }
+
+  // Where the motion gets pieces: at the knots of the speeds and of the path, unless a piece would
+  // be so short that rounding decides about its jerk.
+  void lay_pieces(const std::vector<double>& knots) {
+    std::vector<double> of_path;
+    for (const double s : path_.knots()) of_path.push_back(warp_.inverse(s));
+    u_ = {0.0};
+    std::size_t next = 0;
+    for (std::size_t k = 1; k < knots.size(); ++k) {
+      const double least = kShortestPiece * (knots[k] - knots[k - 1]);
+      for (; next < of_path.size() && of_path[next] < knots[k]; ++next) {
+        const double u = of_path[next];
+        if (u > u_.back() + least && u < knots[k] - least) u_.push_back(u);
+      }
+      u_.push_back(knots[k]);
+    }
+  }
+
+  // The third derivatives that the pieces of the motion have in the mean: those of the path itself
+  // are wild where it has knots closer together.
+  void take_thirds() {
+    third_.assign((u_.size() - 1) * limits_.size(), 0.0);
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      const std::span<const Segment> pieces = path_.joint(static_cast<int>(i)).segments;
+      if (pieces.empty()) continue;
+      std::size_t piece = 0;
+      double from = 0.0, second = rates_of(pieces[0], 0.0).second;
+      for (std::size_t k = 0; k + 1 < u_.size(); ++k) {
+        const double to = warp_.at(u_[k + 1]).s;
+        piece = piece_at(pieces, piece, to);
+        const double next = rates_of(pieces[piece], to).second;
+        third_[k * limits_.size() + i] = (next - second) / (to - from);
+        from = to;
+        second = next;
+      }
+    }
+  }
+
+  // Pieces of the path, of what travels and of the motion, in which a place is.
+  struct Cursor {
+    std::vector<std::size_t> path;
+    std::size_t travel = 0;
+    std::size_t motion = 0;
+  };
+
+  // What holds at three points of each cell, those of Simpson's rule, and in the middle of every
+  // piece that the motion has in it.
+  void add_points() {
+    Cursor cursor{.path = std::vector<std::size_t>(limits_.size(), 0)};
+    spline_.clear_points();
+    std::size_t next = 0;  // of the pieces
+    for (std::size_t cell = 0; cell < spline_.cells(); ++cell) {
+      std::vector<std::pair<double, double>> parts = {{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}};
+      const double from = spline_.place(cell, 0.0), to = spline_.place(cell, 1.0);
+      for (; next + 1 < u_.size() && u_[next + 1] <= to; ++next) {
+        const double part = (0.5 * (u_[next] + u_[next + 1]) - from) / (to - from);
+        if (part != 0.5) parts.emplace_back(part, 0.0);
+      }
+      std::ranges::sort(parts);
+      for (const auto& [part, weight] : parts) add_point(cell, part, weight / 6.0, cursor);
+    }
+  }
+
+  void add_point(std::size_t cell, double part, double weight, Cursor& cursor) {
+    // A hair inside of the cell, where the path has a knot at its border.
+    const double inside = spline_.place(cell, std::clamp(part, 1e-6, 1.0 - 1e-6));
+    const PathWarp::Place place = warp_.at(spline_.place(cell, part));
+    const double s = warp_.at(inside).s;
+    while (cursor.motion + 2 < u_.size() && warp_.at(u_[cursor.motion + 1]).s <= s) ++cursor.motion;
+    SpeedSpline::Point& point = spline_.add_point(cell, part, weight);
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      const std::span<const Segment> pieces = path_.joint(static_cast<int>(i)).segments;
+      if (pieces.empty()) continue;
+      cursor.path[i] = piece_at(pieces, cursor.path[i], s);
+      Rates rates = rates_of(pieces[cursor.path[i]], place.s);
+      rates.third = third_[cursor.motion * limits_.size() + i];
+      add_joint(cell, point, by_u(rates, place), limits_[i]);
+    }
+    if (!travel_.empty()) cursor.travel = piece_at(travel_, cursor.travel, s);
+    const Rates way =
+        travel_.empty() ? Rates{place.s, 1.0, 0.0, 0.0} : rates_of(travel_[cursor.travel], place.s);
+    add_zones(cell, point, by_u(way, place));
+  }
+
+  void add_joint(std::size_t cell, SpeedSpline::Point& point, const Rates& r, const AxisLimits& l) {
+    const Tight& tight = tight_[cell];
+    limit_speed(point, r.first * tight.speed, l.speed);
+    const double A = l.acceleration / tight.acceleration, J = l.jerk / tight.jerk;
+    spline_.add_row({.ya = 0.5 * r.first / A,
+                     .yb = r.second / A,
+                     .za = 0.5 * r.first / J,
+                     .zb = 1.5 * r.second / J,
+                     .zc = r.third / J});
+  }
+
+  static void limit_speed(SpeedSpline::Point& point, double slope, double speed) {
+    slope = std::abs(slope);
+    if (slope * std::sqrt(point.most) > speed) point.most = (speed / slope) * (speed / slope);
+  }
+
+  [[nodiscard]] bool is_in(std::size_t cell, const SpeedZone& zone) const {
+    const double middle = warp_.at(spline_.place(cell, 0.5)).s;
+    return middle > zone.from && middle < zone.to;
+  }
+
+  void add_zones(std::size_t cell, SpeedSpline::Point& point, const Rates& way) {
+    for (const SpeedZone& zone : zones_) {
+      if (!is_in(cell, zone)) continue;
+      if (std::isfinite(zone.speed)) limit_speed(point, way.first * tight_[cell].speed, zone.speed);
+      if (!std::isfinite(zone.acceleration)) continue;
+      const double A = zone.acceleration / tight_[cell].acceleration;
+      spline_.add_row({.ya = 0.5 * way.first / A, .yb = way.second / A});
+    }
+  }
+
+  // The motion: between the places the quintics with the same positions, speeds and accelerations.
+  TimedRun make() {
+    TimedRun run;
+    std::vector<double> t = {0.0};
+    std::vector<SpeedSpline::Rate> rate;
+    cell_of_.clear();
+    std::size_t cell = 0;
+    for (std::size_t k = 0; k < u_.size(); ++k) {
+      rate.push_back(spline_.rate_at(u_[k], cell));
+      run.s.push_back(warp_.at(u_[k]).s);
+      if (k + 1 == u_.size()) break;
+      cell = spline_.cell_at(0.5 * (u_[k] + u_[k + 1]), cell);
+      cell_of_.push_back(cell);
+      t.push_back(t.back() + spline_.time_between(u_[k], u_[k + 1], cell));
+    }
+    std::vector<JointPath> joints;
+    for (int i = 0; i < path_.n(); ++i) joints.push_back(run_joint(path_.joint(i), t, rate));
+    run.motion = Trajectory(std::move(joints), t.back());
+    run.t = std::move(t);
+    return run;
+  }
+
+  [[nodiscard]] JointPath run_joint(const JointPath& path, const std::vector<double>& t,
+                                    const std::vector<SpeedSpline::Rate>& rate) const {
+    JointPath run{.q_end = path.q_end};
+    if (path.segments.empty()) return run;
+    std::size_t piece = 0;
+    AxisState before;
+    for (std::size_t k = 0; k < u_.size(); ++k) {
+      const PathWarp::Place place = warp_.at(u_[k]);
+      piece = piece_at(path.segments, piece, place.s);
+      const Rates r = by_u(rates_of(path.segments[piece], place.s), place);
+      const bool ends = k == 0 || k + 1 == u_.size();
+      const AxisState now{
+          .q = k + 1 == u_.size() ? path.q_end : r.value,
+          .v = ends ? 0.0 : r.first * rate[k].speed,
+          .a = ends ? 0.0
+                    : r.first * rate[k].acceleration + r.second * rate[k].speed * rate[k].speed};
+      if (k > 0) {
+        run.segments.push_back(quintic_segment(before, now, t[k] - t[k - 1]));
+        run.segments.back().start = t[k - 1];
+      }
+      before = now;
+    }
+    return run;
+  }
+
+  // Divides limits by what they are exceeded by; how much slower the motion would have to be.
+  double tighten(const TimedRun& run) {
+    std::vector<Tight> worst(tight_.size());
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      const std::vector<Segment>& pieces = run.motion.joint(static_cast<int>(i)).segments;
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        Tight& w = worst[cell_of_[k]];
+        for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+          const double u = part * pieces[k].duration;
+          w.speed = std::max(w.speed, std::abs(pieces[k].value(u, 1)) / limits_[i].speed);
+          w.acceleration =
+              std::max(w.acceleration, std::abs(pieces[k].value(u, 2)) / limits_[i].acceleration);
+          w.jerk = std::max(w.jerk, std::abs(pieces[k].value(u, 3)) / limits_[i].jerk);
+        }
+      }
+    }
+    double most = 1.0;
+    for (std::size_t cell = 0; cell < worst.size(); ++cell) {
+      tight_[cell].speed *= worst[cell].speed;
+      tight_[cell].acceleration *= worst[cell].acceleration;
+      tight_[cell].jerk *= worst[cell].jerk;
+      most = std::max({most, worst[cell].speed, std::sqrt(worst[cell].acceleration),
+                       cube_root(worst[cell].jerk)});
+    }
+    return most;
+  }
+
+  [[nodiscard]] double slower(const TimedRun& run) const {
+    double factor = 0.0;
+    for (int i = 0; i < run.motion.n(); ++i) {
+      const AxisLimits& l = limits_[static_cast<std::size_t>(i)];
+      factor = std::max({factor, run.motion.peak(i, 1) / l.speed,
+                         std::sqrt(run.motion.peak(i, 2) / l.acceleration),
+                         cube_root(run.motion.peak(i, 3) / l.jerk)});
+    }
+    return factor;
+  }
+
+  const Trajectory& path_;
+  std::span<const AxisLimits> limits_;
+  std::span<const SpeedZone> zones_;
+  std::span<const Segment> travel_;
+  PathWarp warp_;
+  SpeedSpline spline_;
+  std::vector<Tight> tight_;          // by cell
+  double longest_;                    // that the run may take
+  std::vector<double> u_;             // where pieces of the motion meet
+  std::vector<double> third_;         // by piece of the motion, then by joint
+  std::vector<std::size_t> cell_of_;  // of the pieces
+};
+
+}  // namespace
+
+double TimedRun::time_at(double place) const {
+  const auto after = std::ranges::upper_bound(s, place);
+  if (after == s.begin()) return 0.0;
+  if (after == s.end()) return t.back();
+  const auto k = static_cast<std::size_t>(after - s.begin());
+  return t[k - 1] + (t[k] - t[k - 1]) * (place - s[k - 1]) / (s[k] - s[k - 1]);
+}
+
+TimedRun TimedRun::stretched(double factor) const {
+  if (factor == 1.0) return *this;
+  TimedRun slow{.motion = motion.stretched(factor), .s = s, .t = t};
+  for (double& time : slow.t) time *= factor;
+  return slow;
+}
+
+TimedRun smooth_run(const Trajectory& path, std::span<const AxisLimits> limits,
+                    const SpeedAlongPath& fastest, int cells, std::span<const SpeedZone> zones,
+                    std::span<const Segment> travel) {
+  for (const AxisLimits& l : limits) check_positive("jerk limit", l.jerk);
+  return Run(path, limits, fastest, cells, zones, travel).find();
+}
+
+}  // namespace armlet

@@ -1,0 +1,395 @@
+#include "armlet/trajectory/cartesian_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/error.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/trajectory/time_optimal.hpp"
+#include "trajectory/timing/smooth_run.hpp"
+#include "trajectory/tool/joined_path.hpp"
+#include "trajectory/tool/line_samples.hpp"
+#include "trajectory/tool/tool_travel.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr int kIntervals = 200;          // of the grid on which the speeds are found
+constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
+constexpr int kCellsPerCorner = 32;      // and what each corner adds
+constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
+constexpr double kNoLength = 1e-9;       // m
+
+void check_move(const Robot& robot, const PathMove& move) {
+  check_size("q0", move.q0.size(), robot.n());
+  check_finite("q0", move.q0);
+  if (move.points.empty()) throw ArgumentError("A path needs at least one place.");
+  for (const PathPoint& point : move.points) {
+    check_pose("T_world_tool", point.T_world_tool);
+    if (point.q) {
+      check_size("q", point.q->size(), robot.n());
+      check_finite("q", *point.q);
+    }
+    if (point.p_world_via) check_finite("p_world_via", *point.p_world_via);
+    if (point.tool_speed) check_positive("tool_speed", *point.tool_speed);
+    if (point.tool_accel) check_positive("tool_accel", *point.tool_accel);
+    if (!(std::isfinite(point.blend) && point.blend >= 0.0)) {
+      throw ArgumentError(fmt::format("A corner cannot be blended within {} m.", point.blend));
+    }
+  }
+  if (move.time && (!std::isfinite(*move.time) || *move.time < 0.0)) {
+    throw ArgumentError(
+        fmt::format("The time of a path is {} s; expected 0 s or more.", *move.time));
+  }
+  if (!(move.speed > 0.0 && move.speed <= 1.0) || (move.time && move.speed != 1.0)) {
+    throw ArgumentError(
+        fmt::format("The speed of a path is {}; expected a fraction of the joint limits, and not "
+                    "together with a time.",
+                    move.speed));
+  }
+}
+
+// What leads to a point, with what its corners take away: a piece of a curve of the tool, or a
+// straight line of the joints to q_goal.
+struct Leg {
+  CurvePiece piece{};
+  const Eigen::VectorXd* q_goal = nullptr;
+  int point = 0;
+  double speed = INFINITY;  // of the tool point, m/s
+  double accel = INFINITY;  // m/s^2
+};
+
+// Legs of one kind: pieces of one curve of the tool, or one line of the joints. `zones` are its
+// speeds, `ends` where each leg ends or its corner is halfway.
+struct Part {
+  PoseCurve curve{};
+  std::vector<SpeedZone> zones{};
+  std::vector<Leg> legs{};
+  std::vector<double> ends{};
+  double travel = 0.0;  // of the tool point, m; of a curve
+
+  [[nodiscard]] bool is_joint_line() const { return legs.back().q_goal != nullptr; }
+};
+
+// From one stop to the next, as one path of the joints with the speeds and ends of its parts.
+struct Stretch {
+  Trajectory path{};
+  std::vector<SpeedZone> zones{};
+  std::vector<double> ends{};  // of each leg
+  int corners = 0;
+  double travel = 0.0;
+};
+
+void add_zone(std::vector<SpeedZone>& zones, double from, double to, double speed, double accel) {
+  if (std::isfinite(speed) || std::isfinite(accel)) zones.push_back({from, to, speed, accel});
+}
+
+// The corner at the end of `before`; shortens both.
+CurveCorner cut_corner(Leg& before, Leg& behind, double blend) {
+  const double r = std::min({blend, 0.5 * before.piece.length, 0.5 * behind.piece.length});
+  before.piece.to = 1.0 - r / before.piece.length;
+  behind.piece.from = r / behind.piece.length;
+  return {.T_corner = before.piece.T_end,
+          .before = before.piece.state_from_end(before.piece.to),
+          .after = behind.piece.state_from_start(behind.piece.from),
+          .length = 2.0 * r};
+}
+
+double travel_of(const CurveCorner& corner) {
+  constexpr int kChords = 64;
+  double travel = 0.0;
+  Eigen::Vector3d before = corner.at(0.0).translation();
+  for (int k = 1; k <= kChords; ++k) {
+    const Eigen::Vector3d place = corner.at(static_cast<double>(k) / kChords).translation();
+    travel += (place - before).norm();
+    before = place;
+  }
+  return travel;
+}
+
+class PathPlanner {
+ public:
+  PathPlanner(const Robot& robot, const PathMove& move)
+      : robot_(robot), move_(move), jerk_(move.jerk) {
+    for (int i = 0; i < robot.n(); ++i) {
+      limits_.push_back({.speed = move.speed * robot.max_speed()[i],
+                         .acceleration = move.speed * move.speed * robot.max_accel()[i],
+                         .jerk = move.speed * move.speed * move.speed * robot.max_jerk()[i]});
+    }
+  }
+
+  PathPlan plan() {
+    if (!lay_legs()) return std::move(plan_);
+    plan_.missed.assign(move_.points.size(), 0.0);
+    plan_.times.assign(move_.points.size(), -1.0);
+    std::optional<Trajectory> whole;
+    Eigen::VectorXd q = move_.q0;
+    for (std::size_t first = 0; first < legs_.size();) {
+      const std::vector<Part> parts = parts_from(first);
+      const auto stretch = lay(parts, q);
+      if (!stretch) return std::move(plan_);
+      const Trajectory motion = run(*stretch, first, whole ? whole->duration() : 0.0);
+      first += stretch->ends.size();
+      plan_.length += stretch->travel;
+      q = motion.end();
+      whole = whole ? whole->then(motion) : motion;
+    }
+    finish(whole ? *std::move(whole) : Trajectory::at_rest(move_.q0, 0.0));
+    return std::move(plan_);
+  }
+
+ private:
+  bool fail(LineFault fault, int point) {
+    plan_.fault = std::move(fault);
+    plan_.point = point;
+    return false;
+  }
+
+  // Full pieces from place to place; places where nothing moves are left out.
+  bool lay_legs() {
+    Eigen::Isometry3d T = forward(robot_, move_.q0);
+    for (std::size_t k = 0; k < move_.points.size(); ++k) {
+      const PathPoint& point = move_.points[k];
+      Leg leg{.point = static_cast<int>(k),
+              .speed = point.tool_speed.value_or(INFINITY),
+              .accel = point.tool_accel.value_or(INFINITY)};
+      if (point.q) {
+        leg.q_goal = &*point.q;
+        legs_.push_back(leg);
+        T = forward(robot_, *point.q);
+        continue;
+      }
+      std::optional<CurvePiece> piece = straight_piece(T, point.T_world_tool);
+      if (point.p_world_via) piece = piece_over(T, *point.p_world_via, point.T_world_tool);
+      if (!piece) {
+        return fail({.kind = LineFaultKind::kNoArc, .T_world_tool = point.T_world_tool}, leg.point);
+      }
+      leg.piece = *piece;
+      if (piece->length > kNoLength) legs_.push_back(leg);
+      T = point.T_world_tool;
+    }
+    return true;
+  }
+
+  [[nodiscard]] double blend_behind(const Leg& leg) const {
+    return move_.points[static_cast<std::size_t>(leg.point)].blend;
+  }
+
+  // From the leg on up to the next place where the tool stops.
+  std::vector<Part> parts_from(std::size_t first) {
+    std::vector<Part> parts;
+    for (std::size_t k = first;; ++k) {
+      Leg& leg = legs_[k];
+      const bool stops = k + 1 == legs_.size() || blend_behind(leg) < kShortestBlend;
+      const bool curve_goes_on = !stops && !leg.q_goal && !legs_[k + 1].q_goal;
+      std::optional<CurveCorner> corner;
+      if (curve_goes_on) corner = cut_corner(leg, legs_[k + 1], blend_behind(leg));
+      if (k == first || leg.q_goal || legs_[k - 1].q_goal) parts.emplace_back();
+      add_leg(parts.back(), leg);
+      if (corner) add_corner(parts.back(), *corner, legs_[k + 1]);
+      if (stops) return parts;
+    }
+  }
+
+  static void add_leg(Part& part, const Leg& leg) {
+    part.legs.push_back(leg);
+    if (leg.q_goal) return;
+    const double from = part.curve.length();
+    part.curve.add(leg.piece);
+    part.travel += (leg.piece.to - leg.piece.from) * leg.piece.travel();
+    add_zone(part.zones, from, part.curve.length(), leg.speed, leg.accel);
+    part.ends.push_back(part.curve.length());
+  }
+
+  void add_corner(Part& part, const CurveCorner& corner, const Leg& next) {
+    const Leg& leg = part.legs.back();
+    const double from = part.curve.length();
+    part.curve.add(corner);
+    part.travel += travel_of(corner);
+    part.ends.back() = 0.5 * (from + part.curve.length());
+    add_zone(part.zones, from, part.curve.length(), std::min(leg.speed, next.speed),
+             std::min(leg.accel, next.accel));
+    plan_.missed[static_cast<std::size_t>(leg.point)] =
+        (corner.at(0.5).translation() - corner.T_corner.translation()).norm();
+  }
+
+  // The joints along a part, over its length, m.
+  std::optional<Trajectory> follow(const Part& part, const Eigen::VectorXd& q0) {
+    if (part.is_joint_line()) return joint_line(robot_, q0, *part.legs.back().q_goal);
+    LineSamples samples(robot_, q0, part.curve, move_.task, CurveLaw::kEven);
+    if (!samples.follow()) {
+      fail_on(part, samples.fault());
+      return std::nullopt;
+    }
+    return samples.motion().stretched(part.curve.length());
+  }
+
+  // What a corner of the joints may take away at one side of it.
+  double joint_blend(const Part& part, const Trajectory& path, double blend, bool at_end) const {
+    const Leg& leg = at_end ? part.legs.back() : part.legs.front();
+    if (!leg.q_goal) return std::min(blend, 0.5 * leg.piece.length);
+    const double r =
+        at_end ? blend_at_end(robot_, path, blend) : blend_at_start(robot_, path, blend);
+    return std::min(r, 0.5 * path.duration());
+  }
+
+  // Empty where the curve cannot be followed; the fault is set.
+  std::optional<Stretch> lay(const std::vector<Part>& parts, const Eigen::VectorXd& q0) {
+    std::vector<Trajectory> paths;
+    std::vector<const Part*> moving;  // those along which something moves
+    for (const Part& part : parts) {
+      auto path = follow(part, paths.empty() ? q0 : paths.back().end());
+      if (!path) return std::nullopt;
+      if (path->duration() <= kNoLength) continue;
+      paths.push_back(*std::move(path));
+      moving.push_back(&part);
+    }
+    if (paths.size() == 1 && !moving.front()->is_joint_line()) {
+      const Part& part = *moving.front();
+      return Stretch{std::move(paths.front()), part.zones, part.ends,
+                     static_cast<int>(part.legs.size()) - 1, part.travel};
+    }
+    return joined(parts, moving, paths, q0);
+  }
+
+  Stretch joined(const std::vector<Part>& parts, const std::vector<const Part*>& moving,
+                 const std::vector<Trajectory>& paths, const Eigen::VectorXd& q0) {
+    Stretch stretch;
+    std::vector<double> blends;
+    for (std::size_t k = 0; k + 1 < paths.size(); ++k) {
+      const double blend = blend_behind(moving[k]->legs.back());
+      blends.push_back(std::min(joint_blend(*moving[k], paths[k], blend, true),
+                                joint_blend(*moving[k + 1], paths[k + 1], blend, false)));
+    }
+    const JoinedPath whole = join_rounded(paths, blends);
+    std::size_t k = 0;
+    for (const Part& part : parts) {
+      const bool moves = k < moving.size() && moving[k] == &part;
+      if (!moves) {
+        stretch.ends.push_back(stretch.ends.empty() ? 0.0 : stretch.ends.back());
+        continue;
+      }
+      place_part(stretch, part, whole, k);
+      if (++k < moving.size()) place_corner(stretch, part, *moving[k], whole, k - 1);
+    }
+    stretch.path = paths.empty() ? Trajectory::at_rest(q0, 0.0) : whole.q;
+    if (!paths.empty()) {
+      const Segment last = tool_travel(robot_, stretch.path).back();
+      stretch.travel = last.value(last.duration);
+    }
+    return stretch;
+  }
+
+  static void place_part(Stretch& stretch, const Part& part, const JoinedPath& whole,
+                         std::size_t k) {
+    for (const SpeedZone& zone : part.zones) {
+      const double from = whole.place(k, zone.from), to = whole.place(k, zone.to);
+      if (to > from) add_zone(stretch.zones, from, to, zone.speed, zone.acceleration);
+    }
+    stretch.corners += static_cast<int>(part.legs.size());
+    if (!part.is_joint_line()) {
+      for (const double end : part.ends) stretch.ends.push_back(whole.place(k, end));
+      return;
+    }
+    const Leg& leg = part.legs.back();
+    add_zone(stretch.zones, whole.from[k], whole.to[k], leg.speed, leg.accel);
+    stretch.ends.push_back(whole.to[k]);
+  }
+
+  // The corner behind a part, which is rounded by the joints.
+  void place_corner(Stretch& stretch, const Part& part, const Part& next, const JoinedPath& whole,
+                    std::size_t k) {
+    const Leg &before = part.legs.back(), &behind = next.legs.front();
+    const double from = whole.to[k], to = whole.from[k + 1];
+    add_zone(stretch.zones, from, to, std::min(before.speed, behind.speed),
+             std::min(before.accel, behind.accel));
+    stretch.ends.back() = 0.5 * (from + to);
+    Eigen::VectorXd q(robot_.n()), qd(robot_.n()), qdd(robot_.n());
+    whole.q.sample(stretch.ends.back(), q, qd, qdd);
+    const PathPoint& point = move_.points[static_cast<std::size_t>(before.point)];
+    const Eigen::Isometry3d T = point.q ? forward(robot_, *point.q) : point.T_world_tool;
+    plan_.missed[static_cast<std::size_t>(before.point)] =
+        (forward(robot_, q).translation() - T.translation()).norm();
+  }
+
+  // The stretch begins with a leg, at a time.
+  Trajectory run(const Stretch& stretch, std::size_t first, double start) {
+    TimedRun run{.motion = stretch.path, .s = {0.0}, .t = {0.0}};
+    if (stretch.path.duration() > 0.0) {
+      run = run_on(stretch);
+      run = run.stretched(std::max(1.0, tool_excess(robot_, run, stretch.zones)));
+    }
+    for (std::size_t k = 0; k < stretch.ends.size(); ++k) {
+      plan_.times[static_cast<std::size_t>(legs_[first + k].point)] =
+          start + run.time_at(stretch.ends[k]);
+    }
+    return std::move(run.motion);
+  }
+
+  TimedRun run_on(const Stretch& stretch) {
+    const Trajectory& path = stretch.path;
+    std::vector<Segment> travel;
+    if (!stretch.zones.empty()) travel = tool_travel(robot_, path);
+    if (jerk_ == Jerk::kLimited) {
+      const SpeedAlongPath speed = fastest_along(path, limits_, kIntervals, stretch.zones, travel);
+      TimedRun run = smooth_run(path, limits_, speed, kCells + kCellsPerCorner * stretch.corners,
+                                stretch.zones, travel);
+      if (!run.s.empty()) return run;
+      jerk_ = Jerk::kFree;
+    }
+    FastestRun fastest = fastest_run(path, limits_, kIntervals, stretch.zones, travel);
+    return {.motion = std::move(fastest.motion), .s = fastest.speed.s, .t = fastest.speed.times()};
+  }
+
+  // A corner takes from both legs as much as it is long.
+  void fail_on(const Part& part, LineFault fault) {
+    double s = fault.fraction * part.curve.length();
+    std::size_t k = 0;
+    for (; k + 1 < part.legs.size() && s >= part.legs[k].piece.length; ++k)
+      s -= part.legs[k].piece.length;
+    fault.fraction = std::min(s / part.legs[k].piece.length, 1.0);
+    fail(std::move(fault), part.legs[k].point);
+  }
+
+  void finish(Trajectory fastest) {
+    fill_times();
+    const double least = fastest.duration();
+    if (!move_.time || least == 0.0) {
+      plan_.motion = verify(robot_, std::move(fastest), true, jerk_);
+      return;
+    }
+    if (*move_.time < least * (1.0 - 1e-9)) {
+      plan_.motion.too_fast = least_time(robot_, fastest, jerk_);
+      plan_.motion.too_fast->given = *move_.time;
+      plan_.motion.too_fast->least_time = least;
+      return;
+    }
+    for (double& t : plan_.times) t *= *move_.time / least;
+    plan_.motion = verify(robot_, fastest.stretched(*move_.time / least), true, jerk_);
+  }
+
+  // Places at which nothing moves are reached with those before them.
+  void fill_times() {
+    double before = 0.0;
+    for (double& t : plan_.times) before = t = std::max(t, before);
+  }
+
+  const Robot& robot_;
+  const PathMove& move_;
+  std::vector<AxisLimits> limits_;
+  Jerk jerk_;  // of what is done: where limiting it would take very long, it is not
+  std::vector<Leg> legs_;
+  PathPlan plan_;
+};
+
+}  // namespace
+
+PathPlan plan_path(const Robot& robot, const PathMove& move) {
+  check_move(robot, move);
+  return PathPlanner(robot, move).plan();
+}
+
+}  // namespace armlet

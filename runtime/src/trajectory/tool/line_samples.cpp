@@ -1,0 +1,300 @@
+#include "trajectory/tool/line_samples.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "armlet/core/checkpoint.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/trajectory/spline.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr int kFirstIntervals = 16;
+constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
+constexpr double kTurnPerSample = 2.0 * std::numbers::pi / 180.0;
+constexpr double kSlidePerSample = 0.02;  // m
+// Between samples, m and rad; looked at halfway, so a little less than what is promised.
+constexpr double kPlaceDeviation = 8e-7;
+constexpr double kAngleDeviation = 8e-6;
+constexpr double kGivenDeviates = 10.0;     // times as much where the curve is a wish
+constexpr double kSampleTolerance = 1e-10;  // m and rad, at samples
+constexpr double kSwing = 5e-10;            // rad or m, beyond a limit between samples
+constexpr int kSlideSteps = 8;
+constexpr int kSettleSteps = 12;        // where what is left to choose is to settle too,
+constexpr double kSettled = 1e-9;       // rad or m
+constexpr double kTurnShare = 1e-4;     // of a joint's own motion in what turns the tool
+constexpr double kLargestSlide = 10.0;  // allowed changes between samples; more is no slide
+
+// Joint change between neighbouring samples, as a multiple of what is allowed.
+double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
+              int* joint = nullptr) {
+  double largest = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    const double allowed = robot.is_revolute(i) ? kTurnPerSample : kSlidePerSample;
+    const double part = std::abs(q1[i] - q0[i]) / allowed;
+    if (part <= largest) continue;
+    largest = part;
+    if (joint != nullptr) *joint = i;
+  }
+  return largest;
+}
+
+// Radians per metre of the curve, for a joint at its limit; tried one after another.
+constexpr std::array<double, 2> kAway = {12.0, 48.0};
+constexpr double kTurnCounts = 0.2;  // m, what a turn by one radian counts for
+
+// Where the joints of an arm with more of them than it needs had better go: away from their limits,
+// the more the closer they are, per metre of the curve.
+Eigen::VectorXd away_from_limits(const Robot& robot, const Eigen::VectorXd& q, double most) {
+  Eigen::VectorXd away = Eigen::VectorXd::Zero(robot.n());
+  for (int i = 0; i < robot.n(); ++i) {
+    const double half = 0.5 * (robot.upper()[i] - robot.lower()[i]);
+    if (!std::isfinite(half) || !(half > 0.0)) continue;
+    const double part = std::clamp((q[i] - robot.lower()[i]) / half - 1.0, -1.0, 1.0);
+    away[i] = -most * part * part * part;
+  }
+  return away;
+}
+
+// The slope at the first of four points of a curve: that of the cubic through them.
+double slope_at_first(const double* x, const double* q) {
+  double slope = 0.0;
+  for (int k = 1; k < 4; ++k) {
+    double weight = 1.0 / (x[k] - x[0]);
+    for (int j = 1; j < 4; ++j) {
+      if (j != k) weight *= (x[0] - x[j]) / (x[k] - x[j]);
+    }
+    slope += weight * (q[k] - q[0]);
+  }
+  return slope;
+}
+
+}  // namespace
+
+LineSamples::LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve,
+                         IkTask task, CurveLaw law)
+    : robot_(robot), curve_(std::move(curve)), task_(task), law_(law), samples_{{0.0, q0}} {}
+
+double LineSamples::covered(double x) const {
+  return law_ != CurveLaw::kQuintic ? x : x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
+}
+
+Eigen::Isometry3d LineSamples::pose_at(double x) const { return curve_.at(covered(x)); }
+
+// Newton's method from the solution before, which is near: the solution that the arm slides into.
+// Nothing where it does not settle at once, or only outside the limits.
+std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_world_tool,
+                                                  const Eigen::VectorXd& seed) const {
+  Eigen::VectorXd q = seed;
+  Jacobian J;
+  for (int k = 0; k < kSlideSteps; ++k) {
+    const Vector6d error = pose_error(forward_and_jacobian(robot_, q, J), T_world_tool);
+    if (error.head<3>().norm() <= kSampleTolerance && error.tail<3>().norm() <= kSampleTolerance) {
+      if (limit_violations(robot_, q).empty()) return q;
+      return std::nullopt;
+    }
+    // The shortest step, or for arms of fewer joints the one that comes nearest.
+    if (robot_.n() >= 6) {
+      const Eigen::Matrix<double, 6, 6> square = J * J.transpose();
+      const auto inverse = square.ldlt();
+      q += J.transpose() * inverse.solve(error);
+      if (robot_.n() > 6 && k == 0) {
+        const Eigen::VectorXd away =
+            (error.head<3>().norm() + kTurnCounts * error.tail<3>().norm()) *
+            away_from_limits(robot_, seed, away_);
+        q += away - J.transpose() * inverse.solve(J * away);
+      }
+    } else {
+      const Eigen::MatrixXd square = J.transpose() * J;
+      q += square.ldlt().solve(J.transpose() * error);
+    }
+    if (!q.allFinite() || change(robot_, seed, q) > kLargestSlide) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// The same for a place: of the joints that have the tool there, those that turn it least from what
+// it was at the solution before. Each step has the error of the place taken away to first order, by
+// what turns least: a least squares problem with equality constraints.
+std::optional<Eigen::VectorXd> LineSamples::slide_to_place(const Eigen::Vector3d& place,
+                                                           const Eigen::VectorXd& seed) const {
+  Eigen::Isometry3d T_world_wished = forward(robot_, seed);
+  T_world_wished.translation() = place;
+  Eigen::VectorXd q = seed;
+  Jacobian J;
+  bool settled = false;
+  for (int k = 0; k < kSettleSteps; ++k) {
+    const Vector6d error = pose_error(forward_and_jacobian(robot_, q, J), T_world_wished);
+    if (settled && error.head<3>().norm() <= kSampleTolerance) {
+      if (limit_violations(robot_, q).empty()) return q;
+      return std::nullopt;
+    }
+    Eigen::MatrixXd turning = J.bottomRows<3>().transpose() * J.bottomRows<3>();
+    turning.diagonal().array() += kTurnShare;
+    const auto least = turning.ldlt();
+    const Eigen::MatrixXd moving = least.solve(J.topRows<3>().transpose());
+    const Eigen::VectorXd back = least.solve(J.bottomRows<3>().transpose() * error.tail<3>());
+    const Eigen::Matrix3d square = J.topRows<3>() * moving;
+    const Eigen::VectorXd step =
+        back + moving * square.ldlt().solve(error.head<3>() - J.topRows<3>() * back);
+    q += step;
+    if (!q.allFinite() || change(robot_, seed, q) > kLargestSlide) return std::nullopt;
+    settled = step.cwiseAbs().maxCoeff() <= kSettled;
+  }
+  return std::nullopt;
+}
+
+IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
+  checkpoint(1000);
+  const Eigen::Isometry3d T_world_tool = pose_at(x);
+  if (respect_limits && (task_ == IkTask::kPose || task_ == IkTask::kPlace)) {
+    auto q = task_ == IkTask::kPose ? slide(T_world_tool, seed)
+                                    : slide_to_place(T_world_tool.translation(), seed);
+    if (q) {
+      IkResult result;
+      result.status = IkStatus::kOk;
+      result.q = *std::move(q);
+      return result;
+    }
+  }
+  // Only the solution that the arm can slide into counts, so there is one start.
+  return solve_ik(robot_, T_world_tool,
+                  {.seed = seed,
+                   .task = task_,
+                   .choice = IkChoice::kFirst,
+                   .position_tolerance = kSampleTolerance,
+                   .rotation_tolerance = kSampleTolerance,
+                   .starts = 1,
+                   .respect_limits = respect_limits,
+                   .diagnose = false});
+}
+
+// Remembers why the line ends after the last sample; `ik` is what the solver said about x.
+bool LineSamples::fail(const Sample& last, double x, IkResult ik) {
+  fault_ = {.kind = LineFaultKind::kJump,
+            .fraction = covered(last.x),
+            .T_world_tool = pose_at(x),
+            .ik = std::move(ik)};
+  if (fault_.ik.ok()) {
+    change(robot_, last.q, fault_.ik.q, &fault_.joint);
+    return false;
+  }
+  fault_.kind = LineFaultKind::kPath;
+  fault_.ik = solve_ik(robot_, pose_at(x), {.seed = last.q, .task = task_});
+  const IkResult further = solve(x, last.q, false);
+  const auto outside = limit_violations(robot_, further.q);
+  if (further.ok() && !outside.empty()) fault_.limit = outside.front();
+  return false;
+}
+
+bool LineSamples::extend(double x, int halvings) {
+  const Sample last = samples_.back();
+  IkResult ik = solve(x, last.q);
+  if (ik.ok() && change(robot_, last.q, ik.q) <= 1.0) {
+    samples_.push_back({x, std::move(ik.q)});
+    return true;
+  }
+  if (halvings == 0) return fail(last, x, std::move(ik));
+  return extend(0.5 * (last.x + x), halvings - 1) && extend(x, halvings - 1);
+}
+
+bool LineSamples::follow() {
+  for (const double away : kAway) {
+    away_ = away;
+    samples_.resize(1);
+    if (follow_once()) return true;
+    if (robot_.n() <= 6) return false;
+  }
+  return false;
+}
+
+bool LineSamples::follow_once() {
+  for (int k = 1; k <= kFirstIntervals; ++k) {
+    if (!extend(static_cast<double>(k) / kFirstIntervals, kHalvings)) return false;
+  }
+  return refine();
+}
+
+// Whether a joint curve swings beyond a limit between two samples that keep it.
+bool LineSamples::swings_out(const Trajectory& motion, const Sample& before,
+                             const Sample& behind) const {
+  for (const double part : {0.25, 0.5, 0.75}) {
+    const double x = before.x + part * (behind.x - before.x);
+    for (int i = 0; i < robot_.n(); ++i) {
+      const double q = motion.value(i, x);
+      const double upper = std::max({robot_.upper()[i], before.q[i], behind.q[i]});
+      const double lower = std::min({robot_.lower()[i], before.q[i], behind.q[i]});
+      if (q > upper + kSwing || q < lower - kSwing) return true;
+    }
+  }
+  return false;
+}
+
+bool LineSamples::strays(const Trajectory& motion, double x) const {
+  Eigen::VectorXd q(robot_.n());
+  for (int i = 0; i < robot_.n(); ++i) q[i] = motion.value(i, x);
+  const Eigen::Isometry3d T_world_tool = forward(robot_, q);
+  const Eigen::Isometry3d T_world_line = pose_at(x);
+  const double aside = (T_world_tool.translation() - T_world_line.translation()).norm();
+  const double share = law_ == CurveLaw::kGiven ? kGivenDeviates : 1.0;
+  if (aside > share * kPlaceDeviation) return true;
+  const bool oriented = task_ == IkTask::kPose;
+  return oriented && angle_between(T_world_tool, T_world_line) > share * kAngleDeviation;
+}
+
+// Adds samples in the middle of intervals where the joint curves leave the line.
+bool LineSamples::refine() {
+  constexpr std::size_t kMostSamples = kFirstIntervals * (std::size_t{1} << kHalvings) + 1;
+  for (bool straying = true; straying;) {
+    straying = false;
+    const Trajectory curve = motion();
+    std::vector<Sample> finer = {samples_.front()};
+    for (std::size_t k = 1; k < samples_.size(); ++k) {
+      const Sample& before = samples_[k - 1];
+      const double x = 0.5 * (before.x + samples_[k].x);
+      if (strays(curve, x) || swings_out(curve, before, samples_[k])) {
+        IkResult ik = solve(x, before.q);
+        if (!ik.ok() || finer.size() >= kMostSamples) {
+          return fail(before, x, std::move(ik));
+        }
+        finer.push_back({x, std::move(ik.q)});
+        straying = true;
+      }
+      finer.push_back(samples_[k]);
+    }
+    samples_ = std::move(finer);
+  }
+  return true;
+}
+
+Trajectory LineSamples::motion() const {
+  std::vector<double> x;
+  for (const Sample& sample : samples_) x.push_back(sample.x);
+  const std::size_t last = samples_.size() - 1;  // there are more than kFirstIntervals
+  std::vector<JointPath> joints;
+  for (int i = 0; i < robot_.n(); ++i) {
+    std::vector<double> q;
+    for (const Sample& sample : samples_) q.push_back(sample.q[i]);
+    if (law_ == CurveLaw::kQuintic) {
+      // Beginning and ending without acceleration, and jerk has no jumps.
+      joints.push_back({.segments = quintic_spline(x, q), .q_end = q.back()});
+      continue;
+    }
+    double v_start = 0.0, v_end = 0.0;
+    if (law_ == CurveLaw::kEven) {
+      v_start = slope_at_first(x.data(), q.data());
+      const std::array<double, 4> x_end = {x[last], x[last - 1], x[last - 2], x[last - 3]};
+      const std::array<double, 4> q_end = {q[last], q[last - 1], q[last - 2], q[last - 3]};
+      v_end = slope_at_first(x_end.data(), q_end.data());
+    }
+    joints.push_back({.segments = cubic_spline(x, q, v_start, v_end), .q_end = q.back()});
+  }
+  return {std::move(joints), 1.0};
+}
+
+}  // namespace armlet

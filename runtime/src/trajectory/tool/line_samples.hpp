@@ -1,0 +1,61 @@
+// Places on a curve solved to joints, as finely as the joints need it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "armlet/trajectory/cartesian_line.hpp"
+#include "trajectory/tool/pose_curve.hpp"
+
+namespace armlet {
+
+// How distance runs along the curve. kQuintic: in unit time, at time x the tool has covered
+// 10 x^3 - 15 x^4 + 6 x^5 of it. kEven: x is the part that is covered, for a law of time to come.
+// kGiven: x is the time of the curve, which begins and ends at rest.
+enum class CurveLaw { kQuintic, kEven, kGiven };
+
+class LineSamples {
+ public:
+  LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve, IkTask task,
+              CurveLaw law = CurveLaw::kQuintic);
+
+  // Samples the curve; false if it cannot be followed, then fault() says why.
+  bool follow();
+  [[nodiscard]] const LineFault& fault() const { return fault_; }
+
+  // The joints as functions of x, through all samples: from rest to rest, or with the
+  // slopes that the samples have at the ends for the even law. Only after follow() succeeded.
+  [[nodiscard]] Trajectory motion() const;
+
+ private:
+  struct Sample {
+    double x;
+    Eigen::VectorXd q;
+  };
+
+  [[nodiscard]] double covered(double x) const;
+  [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
+                                                     const Eigen::VectorXd& seed) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide_to_place(const Eigen::Vector3d& place,
+                                                              const Eigen::VectorXd& seed) const;
+  [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
+                               bool respect_limits = true) const;
+  bool follow_once();
+  bool extend(double x, int halvings);
+  bool refine();
+  [[nodiscard]] bool swings_out(const Trajectory& motion, const Sample& before,
+                                const Sample& behind) const;
+  [[nodiscard]] bool strays(const Trajectory& motion, double x) const;
+  bool fail(const Sample& last, double x, IkResult ik);
+
+  const Robot& robot_;
+  PoseCurve curve_;
+  IkTask task_;
+  CurveLaw law_;
+  std::vector<Sample> samples_;
+  double away_ = 0.0;  // how strongly joints keep away from their limits, if there is one to spare
+  LineFault fault_;
+};
+
+}  // namespace armlet

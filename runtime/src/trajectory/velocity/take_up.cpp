@@ -1,0 +1,167 @@
+#include "trajectory/velocity/take_up.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trajectory/planners/ramp.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kShortestStep = 1e-12;  // s; what is shorter changes nothing that can be seen
+
+// With N(u) = max |u_i| / J_i for the jerks J of a turn, the time in which jerks can make the
+// accelerations u, a turn of duration tau from the acceleration a to a_1 needs N(a - a_1) <= tau.
+// Let e = -x be what the speeds lack. After the turn they lack e - (a + a_1) tau / 2, which has the
+// direction of a_1 if a_1 is a multiple of e - a tau / 2. Let y be such that a - y e is a multiple
+// of a - a_1; then
+//   a_1 = y (2 e - a tau) / (2 - y tau),  N(a - y e) = tau - y tau^2 / 2.
+class Turn {
+ public:
+  Turn(const VectorXd& e, const VectorXd& a, const TakeUpLimits& limits)
+      : e_(e), a_(a), limits_(limits) {
+    y_ = shortest();
+    if (room(y_) < 0.0) y_ = largest_with_room();
+    time_ = time_of(y_);
+  }
+
+  [[nodiscard]] double time() const { return time_; }
+  // The acceleration after the turn and what the speeds lack then.
+  [[nodiscard]] VectorXd acceleration() const { return (y_ / (2.0 - y_ * time_)) * ahead(time_); }
+  [[nodiscard]] VectorXd lacking() const {
+    return ((1.0 - y_ * time_) / (2.0 - y_ * time_)) * ahead(time_);
+  }
+  // The acceleration as a multiple of what is lacking.
+  [[nodiscard]] double rate() const { return y_ / (1.0 - y_ * time_); }
+
+ private:
+  [[nodiscard]] VectorXd ahead(double tau) const { return 2.0 * e_ - tau * a_; }
+  [[nodiscard]] double turn_time(const VectorXd& u) const {
+    return (u.array().abs() / limits_.turn.array()).maxCoeff();
+  }
+  [[nodiscard]] double root(double y, double n) const {
+    return 2.0 * n / (1.0 + std::sqrt(std::max(1.0 - 2.0 * y * n, 0.0)));
+  }
+  [[nodiscard]] double time_of(double y) const { return root(y, turn_time(a_ - y * e_)); }
+
+  // N(a - y e) is the largest of lines p + q y, two for every joint. Along one line the time only
+  // rises or only falls with y, and from one to the next it changes from falling to rising once:
+  // the shortest time is where two lines meet.
+  struct Line {
+    double p, q;
+  };
+  [[nodiscard]] double shortest() const {
+    const Eigen::Index n = e_.size();
+    const auto line = [&](Eigen::Index k) {
+      const double sign = k < n ? 1.0 : -1.0;
+      const Eigen::Index i = k % n;
+      return Line{sign * a_[i] / limits_.turn[i], -sign * e_[i] / limits_.turn[i]};
+    };
+    Line top = line(0);
+    for (Eigen::Index k = 1; k < 2 * n; ++k) {
+      const Line each = line(k);
+      if (each.p > top.p || (each.p == top.p && each.q > top.q)) top = each;
+    }
+    double y = 0.0;
+    for (Eigen::Index step = 0; step < 2 * n; ++step) {
+      const double tau = root(y, std::max(top.p + top.q * y, 0.0));
+      if (0.5 * tau * tau + top.q >= 0.0) break;
+      double meets = std::numeric_limits<double>::infinity();
+      Line next = top;
+      for (Eigen::Index k = 0; k < 2 * n; ++k) {
+        const Line each = line(k);
+        if (each.q <= top.q) continue;
+        const double at = std::max((top.p - each.p) / (each.q - top.q), y);
+        if (at < meets || (at == meets && each.q > next.q)) {
+          meets = at;
+          next = each;
+        }
+      }
+      y = meets;
+      top = next;
+    }
+    return y;
+  }
+
+  // Not negative if the acceleration after the turn is within its limit and can still be brought
+  // to zero before the error changes its sign.
+  [[nodiscard]] double room(double y) const {
+    const double tau = time_of(y);
+    const VectorXd to = ahead(tau);
+    const double gain = (to.array().abs() / limits_.acceleration.array()).maxCoeff();
+    const double stop = (to.array().abs() / limits_.jerk.array()).maxCoeff();
+    const double still = (1.0 - y * tau) * (2.0 - y * tau) - 0.5 * y * y * stop;
+    return std::min(still, 2.0 - y * tau - y * gain);
+  }
+  // Looked for downwards from the shortest turn, because there may be more than one.
+  [[nodiscard]] double largest_with_room() const {
+    constexpr int kSteps = 64;
+    constexpr int kBisections = 100;
+    double good = 0.0, bad = y_;
+    for (int k = kSteps - 1; k > 0; --k) {
+      const double y = y_ * k / kSteps;
+      if (room(y) >= 0.0) {
+        good = y;
+        break;
+      }
+      bad = y;
+    }
+    for (int k = 0; k < kBisections; ++k) {
+      const double middle = 0.5 * (good + bad);
+      if (middle == good || middle == bad) break;
+      (room(middle) >= 0.0 ? good : bad) = middle;
+    }
+    return good;
+  }
+
+  const VectorXd& e_;
+  const VectorXd& a_;
+  const TakeUpLimits& limits_;
+  double y_ = 0.0;
+  double time_ = 0.0;
+};
+
+}  // namespace
+
+TakeUp plan_take_up(const VectorXd& x, const VectorXd& a, const TakeUpLimits& limits) {
+  TakeUp plan{.x0 = x, .a0 = a};
+  const VectorXd e = -x;
+  const Turn turn(e, a, limits);
+  const auto add = [&](double duration, const VectorXd& jerk) {
+    if (duration >= kShortestStep) plan.pieces.push_back({duration, jerk});
+  };
+  if (turn.time() >= kShortestStep) add(turn.time(), (turn.acceleration() - a) / turn.time());
+  // Along the straight line the error is a multiple of what is lacking, from 1 to 0.
+  const VectorXd lacking = turn.lacking();
+  const double most = (lacking.array().abs() / limits.acceleration.array()).maxCoeff();
+  const double quickest = (lacking.array().abs() / limits.jerk.array()).maxCoeff();
+  if (!(most > 0.0) || !std::isfinite(turn.rate())) return plan;
+  const Ramp ramp = make_ramp(0.0, turn.rate(), 1.0, 1.0 / most, 1.0 / quickest);
+  add(ramp.rise, ramp.jerk * lacking);
+  add(ramp.hold, VectorXd::Zero(x.size()));
+  add(ramp.fall, -ramp.jerk * lacking);
+  return plan;
+}
+
+TakeUp::State TakeUp::at(double t) const {
+  State state{x0, a0};
+  for (const TakeUpPiece& piece : pieces) {
+    const double dt = std::min(t, piece.duration);
+    state.x += dt * (state.a + (0.5 * dt) * piece.jerk);
+    state.a += dt * piece.jerk;
+    t -= piece.duration;
+    if (t <= 0.0) return state;
+  }
+  return {VectorXd::Zero(x0.size()), VectorXd::Zero(x0.size())};
+}
+
+double TakeUp::duration() const {
+  double total = 0.0;
+  for (const TakeUpPiece& piece : pieces) total += piece.duration;
+  return total;
+}
+
+}  // namespace armlet

@@ -1,0 +1,83 @@
+// The law by which a command for the tool takes up its velocity, and the motion that follows it.
+#pragma once
+
+#include <Eigen/QR>
+#include <optional>
+
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/trajectory/velocity.hpp"
+#include "trajectory/velocity/take_up.hpp"
+#include "trajectory/velocity/velocity_motion.hpp"
+
+namespace armlet {
+
+// Joint speeds for a velocity of the tool, and what is lacking of it.
+struct ToolRates {
+  Eigen::VectorXd qd;
+  double lacking = 0.0;
+};
+
+// Where a command is no longer followed.
+//
+// qdd   largest accelerations, rad/s^2 or m/s^2.
+// most  largest speeds of the tool.
+// calm  by which fraction the tool may exceed them.
+struct FollowLimits {
+  Eigen::VectorXd qdd;
+  ToolSpeeds most;
+  double calm = 0.0;
+};
+
+// By which fraction a velocity of the tool exceeds the largest speeds.
+double excess_of(const Vector6d& twist, const ToolSpeeds& most);
+
+// A command for the tool. Its speeds are those that give the tool its velocity where the joints
+// are, and an error, which dies out along a law that does not depend on where the joints are: so
+// the command can be gone on with from any state on the motion.
+//
+// The law is in joint speeds. Where that makes the tool itself too fast, because the joints turn
+// far meanwhile, it is in the speeds of the tool: written as joint speeds x at the position `ref`,
+// they are those which give the tool the velocity J(ref) x, and the part of x that does not move
+// it.
+class ToolCommand {
+ public:
+  // Begins in the state of `from`, with its acceleration; the error dies out along `law`.
+  ToolCommand(const Robot& robot, const VelocityStart& from, const Vector6d& twist,
+              const ToolLaw& law);
+
+  [[nodiscard]] const Robot& robot() const { return robot_; }
+  [[nodiscard]] const TakeUp& take_up() const { return take_up_; }
+
+  // The joint speeds t seconds after the beginning, at q.
+  [[nodiscard]] ToolRates at(double t, const Eigen::VectorXd& q) const;
+  // Their rate of change if the joints move with qd.
+  [[nodiscard]] Eigen::VectorXd slope(double t, const Eigen::VectorXd& q,
+                                      const Eigen::VectorXd& qd) const;
+
+  // Follows the command from a time after its beginning, at which `pieces` ends, to a later one.
+  // Nothing, or why the joints cannot.
+  //
+  // limits  beyond which it is followed no farther; null: none.
+  VelocityPlan follow(double begin, double end, VelocityPieces& pieces,
+                      const FollowLimits* limits = nullptr) const;
+
+ private:
+  using Solver = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+
+  static Solver solver_of(const Jacobian& J);
+  [[nodiscard]] Eigen::VectorXd speeds(const Jacobian& J, const Vector6d& v,
+                                       const Eigen::VectorXd& x) const;
+  [[nodiscard]] Eigen::VectorXd speeds(const Eigen::VectorXd& q, const Eigen::VectorXd& x) const;
+  [[nodiscard]] Eigen::VectorXd bend(const Eigen::VectorXd& q, const Eigen::VectorXd& qd,
+                                     const Eigen::VectorXd& x) const;
+
+  const Robot& robot_;
+  Vector6d twist_;
+  ToolLaw law_;
+  Eigen::VectorXd q_start_;
+  Jacobian J_ref_{};
+  std::optional<Solver> at_ref_{};
+  TakeUp take_up_{};
+};
+
+}  // namespace armlet

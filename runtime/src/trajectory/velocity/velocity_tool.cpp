@@ -1,0 +1,298 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "armlet/core/error.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/trajectory/velocity.hpp"
+#include "trajectory/velocity/velocity_command.hpp"
+#include "trajectory/velocity/velocity_motion.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kLackingAtStart = 1e-6;  // of the velocity asked for
+// Parts of the limits on acceleration and jerk with which the tool takes up a velocity; the rest is
+// for the joints turning under it. The first that suffices is taken.
+constexpr double kShares[] = {0.9, 0.75, 0.6, 0.45, 0.3, 0.2, 0.12, 0.07};
+constexpr double kLeastShare = kShares[std::size(kShares) - 1];
+// Of the limits, while it is decided how to take up a velocity: planned again in the middle, the
+// polynomials differ a little.
+constexpr double kWithin = 0.995;
+// How much faster the tool may become than the fastest velocity still being taken up, as a
+// fraction: while one is taken up, while the joints come to rest after it, while they slow down
+// because another velocity cannot be taken up otherwise; more means that another velocity is being
+// taken up than was said. So the slowing down that was possible after one command mostly is
+// possible for the next.
+constexpr double kCalm = 0.002;
+constexpr double kCalmStop = 0.005;
+constexpr double kCalmBrake = 0.008;
+constexpr double kNotCalm = 0.01;
+
+ToolSpeeds speeds_of(const Vector6d& twist) {
+  return {.v = twist.head<3>().norm(), .w = twist.tail<3>().norm()};
+}
+
+ToolSpeeds larger(const ToolSpeeds& a, const ToolSpeeds& b) {
+  return {.v = std::max(a.v, b.v), .w = std::max(a.w, b.w)};
+}
+
+// By which fraction the tool exceeds the largest speeds between two times of a motion.
+double excess_of(const Robot& robot, const Trajectory& motion, double begin, double end,
+                 const ToolSpeeds& most) {
+  constexpr int kSamples = 48;
+  VectorXd q(robot.n()), qd(robot.n()), qdd(robot.n());
+  double excess = 0.0;
+  for (int k = 0; k <= kSamples; ++k) {
+    motion.sample(begin + (end - begin) * k / kSamples, q, qd, qdd);
+    excess = std::max(excess, excess_of(jacobian(robot, q) * qd, most));
+  }
+  return excess;
+}
+
+// What the tool does at the start, and would do if the joints stopped gaining speed.
+ToolSpeeds speeds_at(const Robot& robot, const VelocityStart& start) {
+  const VectorXd qdd = accelerations_of(start);
+  const double fading = (qdd.array().abs() / robot.max_jerk().array()).maxCoeff();
+  const Jacobian J = jacobian(robot, start.q);
+  const Vector6d now = J * start.qd;
+  return larger(speeds_of(now), speeds_of(now + J * qdd * (0.5 * fading)));
+}
+
+// The largest speeds still being taken up at the start; infinite if they are not known.
+ToolSpeeds known_speeds(const Robot& robot, const VelocityStart& start) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const bool rests = start.qd.isZero(0.0) && accelerations_of(start).isZero(0.0);
+  const ToolSpeeds known =
+      start.fastest.value_or(rests ? ToolSpeeds{} : ToolSpeeds{kUnknown, kUnknown});
+  const bool wrong = excess_of(jacobian(robot, start.q) * start.qd, known) > kNotCalm;
+  return wrong ? ToolSpeeds{kUnknown, kUnknown} : known;
+}
+
+VelocityStart state_of(const VelocityPieces& pieces, double during) {
+  return {.q = pieces.q(), .qd = pieces.qd(), .qdd = pieces.qdd(), .during = during};
+}
+
+// What a law by which a velocity is taken up must do.
+//
+// most, calm  speeds of the tool, and by which fraction it may exceed them.
+// ends        the joints keep to their limits on position and speed until the end.
+struct Wanted {
+  ToolSpeeds most{};
+  double calm = std::numeric_limits<double>::infinity();
+  bool ends = false;
+};
+
+enum class Trial { kGood, kTooMuchForTheJoints, kBad };
+
+// Follows a take-up to its end, however long the command holds.
+Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolCommand& command,
+                  const Wanted& wanted) {
+  const double end = command.take_up().duration();
+  if (end < kShortestVelocity) return Trial::kGood;
+  VelocityPieces pieces(start);
+  const VectorXd most_qdd =
+      (1.0 + 1e-9) * (kWithin * robot.max_accel()).cwiseMax(accelerations_of(start).cwiseAbs());
+  const FollowLimits limits{.qdd = most_qdd, .most = wanted.most, .calm = wanted.calm};
+  const VelocityPlan followed = command.follow(0.0, end, pieces, &limits);
+  const double at_end = excess_of(jacobian(robot, pieces.q()) * pieces.qd(), wanted.most);
+  const Trajectory motion = std::move(pieces).made();
+  const double before = excess_of(robot, motion, 0.0, motion.duration(), wanted.most);
+  if (std::max(at_end, before) > wanted.calm) return Trial::kBad;
+  for (int i = 0; i < robot.n(); ++i) {
+    if (motion.peak(i, 2) > most_qdd[i] || motion.peak(i, 3) > kWithin * robot.max_jerk()[i])
+      return Trial::kTooMuchForTheJoints;
+  }
+  const bool ends = !followed.too_high && !followed.outside;
+  return ends || !wanted.ends ? Trial::kGood : Trial::kBad;
+}
+
+// The law with the largest share of the limits by which the joints keep to them, if it does what is
+// wanted: with a smaller share the joints would only turn farther meanwhile.
+//
+// slowly  an acceleration that another command has left is turned with that share of the jerk as
+//         well, not with the largest, by which no speed goes further than that command would have
+//         let it.
+std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& start,
+                                     const Vector6d& twist, const VectorXd& ref, bool slowly,
+                                     const Wanted& wanted) {
+  for (const double share : kShares) {
+    const ToolLaw law{.share = share, .turning = slowly ? share : kShares[0], .ref = ref};
+    const Trial trial = try_take_up(robot, start, ToolCommand(robot, start, twist, law), wanted);
+    if (trial == Trial::kGood) return law;
+    if (trial == Trial::kBad) break;
+  }
+  return std::nullopt;
+}
+
+// A law, in joint speeds or in those of the tool, that does what is wanted.
+std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
+                                const Vector6d& twist, const Wanted& wanted) {
+  const bool turns = !accelerations_of(start).isZero(1e-9);
+  for (const VectorXd& ref : {VectorXd(), start.q}) {
+    for (const bool slowly : {false, true}) {
+      if (slowly && !turns) break;
+      if (auto law = largest_share(robot, start, twist, ref, slowly, wanted)) return law;
+    }
+  }
+  return std::nullopt;
+}
+
+// Slows down first, for as long as it takes until the velocity can be taken up.
+std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& start,
+                                      const Vector6d& twist, const ToolSpeeds& most) {
+  const Vector6d none = Vector6d::Zero();
+  const auto brake = find_law(robot, start, none, {most, kCalmBrake, true});
+  if (!brake) return std::nullopt;
+  const ToolCommand command(robot, start, none, *brake);
+  const double rest = command.take_up().duration();
+  constexpr int kParts = 4;
+  for (int part = 1; part <= kParts; ++part) {
+    const double time = rest * part / kParts;
+    VelocityPieces pieces(start);
+    static_cast<void>(command.follow(0.0, time, pieces));
+    const VelocityStart slower = state_of(pieces, start.during);
+    if (const auto law = find_law(robot, slower, twist, {most, kCalmBrake}))
+      return ToolTakeUp{.law = *law, .brake_for = time, .brake = *brake};
+  }
+  const ToolLaw least{.share = kLeastShare, .turning = kLeastShare};
+  return ToolTakeUp{.law = least, .brake_for = rest, .brake = *brake};
+}
+
+// Decides how the velocity is taken up.
+ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
+                  const ToolSpeeds& most) {
+  if (const auto law = find_law(robot, start, twist, {most, kCalm})) return {.law = *law};
+  if (auto slower = brake_first(robot, start, twist, most)) return *slower;
+  for (const VectorXd& ref : {start.q, VectorXd()}) {
+    for (const bool slowly : {false, true}) {
+      if (const auto law = largest_share(robot, start, twist, ref, slowly, {most}))
+        return {.law = *law};
+    }
+  }
+  return {.law = {.share = kLeastShare, .turning = kLeastShare}};
+}
+
+// Comes to rest by the law of the joints if the tool is calm then, else by one that keeps it calm
+// if there is one.
+void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
+  const VelocityStart start = state_of(pieces, 1.0);
+  VelocityPieces alone(start);
+  come_to_rest(robot, alone);
+  const Trajectory motion = std::move(alone).made();
+  if (excess_of(robot, motion, 0.0, motion.duration(), most) > kCalmStop) {
+    const Vector6d none = Vector6d::Zero();
+    for (const double calm : {kCalmStop, kCalmBrake}) {
+      const auto law = find_law(robot, start, none, {most, calm, true});
+      if (!law) continue;
+      const ToolCommand command(robot, start, none, *law);
+      static_cast<void>(command.follow(0.0, command.take_up().duration(), pieces));
+      for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
+      return;
+    }
+  }
+  come_to_rest(robot, pieces);
+}
+
+VelocityStart origin_of(const ToolTakeUp& take_up) {
+  return {.q = take_up.q, .qd = take_up.qd, .qdd = take_up.qdd, .during = 1.0};
+}
+
+void begin_at(ToolTakeUp& take_up, const VelocityStart& state) {
+  take_up.q = state.q;
+  take_up.qd = state.qd;
+  take_up.qdd = accelerations_of(state);
+  take_up.elapsed = 0.0;
+}
+
+void check_take_up(const Robot& robot, const ToolTakeUp& take_up) {
+  for (const VectorXd* x : {&take_up.q, &take_up.qd, &take_up.qdd}) {
+    check_size("same", x->size(), robot.n());
+    check_finite("same", *x);
+  }
+  for (const ToolLaw* law : {&take_up.law, &take_up.brake})
+    if (law->ref.size() > 0) check_size("ref", law->ref.size(), robot.n());
+}
+
+// Whether a state is the one to which a take-up has led.
+bool leads_to(const Robot& robot, const ToolTakeUp& take_up, const Vector6d& twist,
+              const VelocityStart& state) {
+  constexpr double kApart = 1e-6;  // of the largest speeds and accelerations
+  const bool brakes = take_up.brake_for > 0.0;
+  const ToolCommand command(robot, origin_of(take_up), brakes ? Vector6d(Vector6d::Zero()) : twist,
+                            brakes ? take_up.brake : take_up.law);
+  const VectorXd qd = command.at(take_up.elapsed, state.q).qd;
+  const VectorXd qdd = command.slope(take_up.elapsed, state.q, state.qd);
+  const auto near = [=](const VectorXd& a, const VectorXd& b, const VectorXd& most) {
+    return ((a - b).array().abs() <= kApart * most.array()).all();
+  };
+  return near(qd, state.qd, robot.max_speed()) &&
+         near(qdd, accelerations_of(state), robot.max_accel());
+}
+
+// Follows a law for `time` seconds, from where its take-up is.
+VelocityPlan go_on(const Robot& robot, ToolTakeUp& take_up, const Vector6d& twist,
+                   const ToolLaw& law, double time, VelocityPieces& pieces) {
+  const ToolCommand command(robot, origin_of(take_up), twist, law);
+  VelocityPlan plan = command.follow(take_up.elapsed, take_up.elapsed + time, pieces);
+  take_up.elapsed += time;
+  return plan;
+}
+
+// The whole motion of a command: take-up, hold and stop, or why the joints cannot.
+VelocityPlan run_command(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
+                         ToolTakeUp take_up) {
+  VelocityPieces pieces(start);
+  double left = start.during;
+  if (take_up.brake_for > 0.0) {
+    const double braking = std::min(take_up.brake_for - take_up.elapsed, left);
+    VelocityPlan plan = go_on(robot, take_up, Vector6d::Zero(), take_up.brake, braking, pieces);
+    if (plan.too_high || plan.outside) return plan;
+    left -= braking;
+    if (take_up.brake_for - take_up.elapsed < kShortestVelocity) {
+      take_up.brake_for = 0.0;
+      begin_at(take_up, state_of(pieces, 1.0));
+    }
+  }
+  if (left >= kShortestVelocity) {
+    const double lasts =
+        ToolCommand(robot, origin_of(take_up), twist, take_up.law).take_up().duration();
+    const double rest = std::max(lasts - take_up.elapsed, 0.0);
+    VelocityPlan plan = go_on(robot, take_up, twist, take_up.law, left, pieces);
+    if (plan.too_high || plan.outside || plan.lacking > 0.0) return plan;
+    if (rest <= left) take_up.fastest = speeds_of(twist);
+  }
+  stop(robot, pieces, take_up.fastest);
+  VelocityPlan plan = checked(robot, std::move(pieces).made());
+  plan.take_up = std::move(take_up);
+  return plan;
+}
+
+}  // namespace
+
+VelocityPlan plan_tool_velocity(const Robot& robot, const VelocityStart& start,
+                                const Vector6d& twist) {
+  check_start(robot, start);
+  check_finite("twist", twist);
+  const ToolCommand asked(robot, start, twist, {});
+  if (const ToolRates wanted = asked.at(asked.take_up().duration(), start.q);
+      wanted.lacking > kLackingAtStart)
+    return {.lacking = wanted.lacking};
+  if (start.same) {
+    check_take_up(robot, *start.same);
+    if (leads_to(robot, *start.same, twist, start))
+      return run_command(robot, start, twist, *start.same);
+  }
+  const ToolSpeeds known = larger(known_speeds(robot, start), speeds_of(twist));
+  const bool is_known = std::isfinite(known.v);
+  ToolTakeUp take_up = choose(robot, start, twist,
+                              is_known ? known : larger(speeds_at(robot, start), speeds_of(twist)));
+  take_up.fastest = known;
+  begin_at(take_up, start);
+  return run_command(robot, start, twist, take_up);
+}
+
+}  // namespace armlet
