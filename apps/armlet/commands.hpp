@@ -57,7 +57,7 @@ int disasm(const ProgramOptions& options, const std::string& file);
 int format(const FormatOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
-int help(const std::string& name, bool markdown, bool later);
+int help(const std::string& name, bool markdown);
 int lists();
 
 }  // namespace armlet::cli

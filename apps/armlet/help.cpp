@@ -50,11 +50,7 @@ int not_found(const std::string& name) {
 
 }  // namespace
 
-int help(const std::string& name, bool markdown, bool later) {
-  if (later) {
-    for (const std::string& feature : later_features()) print_out(feature + "\n");
-    return finish_output() ? kDone : kFailed;
-  }
+int help(const std::string& name, bool markdown) {
   if (markdown) {
     print_out(kPreface);
     print_out(reference_markdown(engine()));

@@ -61,7 +61,6 @@ struct Asked {
   std::string code;
   std::string name;
   bool markdown = false;
-  bool later = false;
   bool lists = false;
 };
 
@@ -120,9 +119,7 @@ void add_help_options(CLI::App& command, Asked& asked) {
                      "for example moveL, or a word to look for; without it, all names");
   command.add_flag("--markdown", asked.markdown, "the whole reference, as in docs/stdlib.md");
   command.add_flag("--lists", asked.lists,
-                   "what there is, as JSON: words, units, names, robots, planners and more");
-  command.add_flag("--later", asked.later,
-                   "what the language reference describes but is not there yet");
+                   "what there is and what is described but not there yet, as JSON");
 }
 
 struct Command {
@@ -149,7 +146,7 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return explain(asked.code); }},
     {"help", "say what a function does, with an example", add_help_options,
      [](const Asked& asked) {
-       return asked.lists ? lists() : help(asked.name, asked.markdown, asked.later);
+       return asked.lists ? lists() : help(asked.name, asked.markdown);
      }},
 };
 

@@ -107,11 +107,13 @@ bool exceeds(const Robot& robot, const VelocityPieces& pieces, const FollowLimit
 // round.
 double excess_of(const Vector6d& twist, const ToolSpeeds& most) {
   constexpr double kStandingStill = 1e-6;  // m/s
-  constexpr double kLever = 0.25;    // m, between turning and moving
+  constexpr double kLever = 0.25;          // m, between turning and moving
   constexpr double kSmall = 0.05;
   const double v = most.v, w = kLever * most.w;
   const auto excess = [=](double x, double limit, double unit) {
-    return x > limit + kStandingStill ? (x - limit - kStandingStill) / std::max(unit, kStandingStill) : 0.0;
+    return x > limit + kStandingStill
+               ? (x - limit - kStandingStill) / std::max(unit, kStandingStill)
+               : 0.0;
   };
   return std::max(excess(twist.head<3>().norm(), v, std::max(v, kSmall * w)),
                   excess(kLever * twist.tail<3>().norm(), w, std::max(w, kSmall * v)));

@@ -72,8 +72,8 @@ ToolSpeeds known_speeds(const Robot& robot, const VelocityStart& start) {
   return wrong ? ToolSpeeds{kUnknown, kUnknown} : known;
 }
 
-VelocityStart state_of(const VelocityPieces& pieces, double during) {
-  return {.q = pieces.q(), .qd = pieces.qd(), .qdd = pieces.qdd(), .during = during};
+VelocityStart state_of(const VelocityPieces& pieces) {
+  return {.q = pieces.q(), .qd = pieces.qd(), .qdd = pieces.qdd(), .during = 1.0};
 }
 
 // What a law by which a velocity is taken up must do.
@@ -128,11 +128,14 @@ std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& st
   return std::nullopt;
 }
 
-// A law, in joint speeds or in those of the tool, that does what is wanted.
+// A law, in joint speeds or in those of the tool, that does what is wanted. Where nothing is known
+// to keep the tool calm, the speeds of the tool come first.
 std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
                                 const Vector6d& twist, const Wanted& wanted) {
   const bool turns = !accelerations_of(start).isZero(1e-9);
-  for (const VectorXd& ref : {VectorXd(), start.q}) {
+  const VectorXd of_joints, of_tool = start.q;
+  const bool calm = std::isfinite(wanted.calm);
+  for (const VectorXd& ref : {calm ? of_joints : of_tool, calm ? of_tool : of_joints}) {
     for (const bool slowly : {false, true}) {
       if (slowly && !turns) break;
       if (auto law = largest_share(robot, start, twist, ref, slowly, wanted)) return law;
@@ -154,7 +157,7 @@ std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& s
     const double time = rest * part / kParts;
     VelocityPieces pieces(start);
     static_cast<void>(command.follow(0.0, time, pieces));
-    const VelocityStart slower = state_of(pieces, start.during);
+    const VelocityStart slower = state_of(pieces);
     if (const auto law = find_law(robot, slower, twist, {most, kCalmBrake}))
       return ToolTakeUp{.law = *law, .brake_for = time, .brake = *brake};
   }
@@ -167,19 +170,14 @@ ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d
                   const ToolSpeeds& most) {
   if (const auto law = find_law(robot, start, twist, {most, kCalm})) return {.law = *law};
   if (auto slower = brake_first(robot, start, twist, most)) return *slower;
-  for (const VectorXd& ref : {start.q, VectorXd()}) {
-    for (const bool slowly : {false, true}) {
-      if (const auto law = largest_share(robot, start, twist, ref, slowly, {most}))
-        return {.law = *law};
-    }
-  }
+  if (const auto law = find_law(robot, start, twist, {most})) return {.law = *law};
   return {.law = {.share = kLeastShare, .turning = kLeastShare}};
 }
 
 // Comes to rest by the law of the joints if the tool is calm then, else by one that keeps it calm
 // if there is one.
 void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
-  const VelocityStart start = state_of(pieces, 1.0);
+  const VelocityStart start = state_of(pieces);
   VelocityPieces alone(start);
   come_to_rest(robot, alone);
   const Trajectory motion = std::move(alone).made();
@@ -233,10 +231,9 @@ bool leads_to(const Robot& robot, const ToolTakeUp& take_up, const Vector6d& twi
          near(qdd, accelerations_of(state), robot.max_accel());
 }
 
-// Follows a law for `time` seconds, from where its take-up is.
-VelocityPlan go_on(const Robot& robot, ToolTakeUp& take_up, const Vector6d& twist,
-                   const ToolLaw& law, double time, VelocityPieces& pieces) {
-  const ToolCommand command(robot, origin_of(take_up), twist, law);
+// Follows a command for `time` seconds, from where its take-up is.
+VelocityPlan go_on(const ToolCommand& command, double time, ToolTakeUp& take_up,
+                   VelocityPieces& pieces) {
   VelocityPlan plan = command.follow(take_up.elapsed, take_up.elapsed + time, pieces);
   take_up.elapsed += time;
   return plan;
@@ -249,19 +246,19 @@ VelocityPlan run_command(const Robot& robot, const VelocityStart& start, const V
   double left = start.during;
   if (take_up.brake_for > 0.0) {
     const double braking = std::min(take_up.brake_for - take_up.elapsed, left);
-    VelocityPlan plan = go_on(robot, take_up, Vector6d::Zero(), take_up.brake, braking, pieces);
+    const ToolCommand brake(robot, origin_of(take_up), Vector6d::Zero(), take_up.brake);
+    VelocityPlan plan = go_on(brake, braking, take_up, pieces);
     if (plan.too_high || plan.outside) return plan;
     left -= braking;
     if (take_up.brake_for - take_up.elapsed < kShortestVelocity) {
       take_up.brake_for = 0.0;
-      begin_at(take_up, state_of(pieces, 1.0));
+      begin_at(take_up, state_of(pieces));
     }
   }
   if (left >= kShortestVelocity) {
-    const double lasts =
-        ToolCommand(robot, origin_of(take_up), twist, take_up.law).take_up().duration();
-    const double rest = std::max(lasts - take_up.elapsed, 0.0);
-    VelocityPlan plan = go_on(robot, take_up, twist, take_up.law, left, pieces);
+    const ToolCommand command(robot, origin_of(take_up), twist, take_up.law);
+    const double rest = std::max(command.take_up().duration() - take_up.elapsed, 0.0);
+    VelocityPlan plan = go_on(command, left, take_up, pieces);
     if (plan.too_high || plan.outside || plan.lacking > 0.0) return plan;
     if (rest <= left) take_up.fastest = speeds_of(twist);
   }
@@ -283,8 +280,12 @@ VelocityPlan plan_tool_velocity(const Robot& robot, const VelocityStart& start,
     return {.lacking = wanted.lacking};
   if (start.same) {
     check_take_up(robot, *start.same);
-    if (leads_to(robot, *start.same, twist, start))
-      return run_command(robot, start, twist, *start.same);
+    if (leads_to(robot, *start.same, twist, start)) {
+      VelocityPlan plan = run_command(robot, start, twist, *start.same);
+      // Another law may ask less of the joints; the speeds at the end are the same by all of them.
+      const bool by_the_law = plan.too_high && plan.too_high->kind != LimitKind::kSpeed;
+      if (!by_the_law) return plan;
+    }
   }
   const ToolSpeeds known = larger(known_speeds(robot, start), speeds_of(twist));
   const bool is_known = std::isfinite(known.v);
