@@ -189,6 +189,24 @@ def check_interrupts(folder):
     check("what is left", [n for n in names(folder) if n.startswith(".")], [])
 
 
-for part in (check_trace, check_figures, check_full, check_kinds, check_names, check_closed_output, check_interrupts):
+def check_long_motion(folder):
+    """Ctrl-C ends a motion of years, of which the trace gets a row every 10 ms; what was written is whole rows."""
+    (folder / "years.rbt").write_text('speedC([0.0, 0.0, 0.0, 0.0, 0.0, 0.0], during: 1e9s)\n')
+    process = subprocess.Popen([ARMLET, "run", "--trace", "t.csv", "years.rbt"], cwd=folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    while not any((folder / n).stat().st_size > 100_000 for n in names(folder)):
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    try:
+        status = process.wait(30)
+    finally:
+        process.kill()
+    check("stopped in the middle of a long motion", status, STOPPED)
+    lines = (folder / "t.csv").read_text().splitlines()
+    check("the last row is whole", len(lines[-1].split(",")), len(lines[0].split(",")))
+
+
+for part in (check_trace, check_figures, check_full, check_kinds, check_names, check_closed_output, check_interrupts,
+             check_long_motion):
     with tempfile.TemporaryDirectory() as name:
         part(Path(name))

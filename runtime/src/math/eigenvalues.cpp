@@ -12,6 +12,7 @@
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/math/decompose.hpp"
 #include "math/decompose_checks.hpp"
+#include "math/solvers.hpp"
 
 // What Eigen asks before every rotation, so that a long decomposition passes checkpoints. The
 // matrix is real, so there is nothing else to do.
@@ -141,6 +142,10 @@ Result<EigenParts> eigenvectors(const MatrixXd& A) {
   if (!parts.values.allFinite() || !parts.vectors.allFinite()) return not_found();
   for (auto column : parts.vectors.colwise()) normalise(column);
   return parts;
+}
+
+double smallest_eigenvalue(const MatrixXd& A) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
 }  // namespace armlet

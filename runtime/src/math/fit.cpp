@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <set>
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -64,17 +64,16 @@ VectorXd fit_scaled(Index count, const VectorXd& y, int degree, const Place& pla
   while (done < count) {
     checkpoint(static_cast<std::uint64_t>(rows.rows() * width * width));
     const Eigen::MatrixXd before = rows;
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(before);
     const Index kept = std::min(before.rows(), width);
     const Index more = std::min(count - done, kBlock);
     rows.setZero(kept + more, width);
-    rows.topRows(kept) = qr.matrixQR().topRows(kept).triangularView<Eigen::Upper>();
+    rows.topRows(kept) = triangle_of(before);
     write_rows(done, more, y, degree, place, rows, kept);
     done += more;
   }
   checkpoint(static_cast<std::uint64_t>(rows.rows() * width * width));
   const Eigen::MatrixXd powers = rows.leftCols(degree + 1);
-  return powers.colPivHouseholderQr().solve(rows.col(degree + 1));
+  return nearest_solution(powers, rows.col(degree + 1));
 }
 
 }  // namespace

@@ -192,7 +192,8 @@ std::int64_t Scheduler::next_instant() const {
   return next;
 }
 
-// The world moves on as a whole: what it computes is not stopped half way.
+// The world moves on as a whole: what it computes is not stopped half way. The host may move on by
+// less than asked for; then it is asked again.
 bool Scheduler::advance_to(std::int64_t t_ns) {
   const Supervised nobody(nullptr);
   return state_.vm.timeline().advance_to(t_ns);

@@ -1,7 +1,5 @@
 #include "armlet/trajectory/damped_line.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +9,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/spline.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
+#include "math/solvers.hpp"
 #include "trajectory/timing/smooth_run.hpp"
 #include "trajectory/tool/curve_plan.hpp"
 
@@ -57,14 +56,14 @@ void step_towards(const Robot& robot, const Eigen::Isometry3d& T_world_tool, IkT
   const bool is_wide = J.cols() >= J.rows();
   Eigen::MatrixXd square = J.transpose() * J;
   if (is_wide) square = J * J.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(square, Eigen::EigenvaluesOnly);
-  const double smallest = std::max(eigen.eigenvalues()[0], 0.0);
+  const double smallest = std::max(smallest_eigenvalue(square), 0.0);
   const double limit = damping * damping;
   if (smallest < limit) square.diagonal().array() += limit - smallest;
+  const SymmetricFactors<Eigen::Dynamic> factors(square);
   if (is_wide) {
-    q += J.transpose() * square.ldlt().solve(error);
+    q += J.transpose() * factors.solve(error);
   } else {
-    q += square.ldlt().solve(J.transpose() * error);
+    q += factors.solve(J.transpose() * error);
   }
 }
 

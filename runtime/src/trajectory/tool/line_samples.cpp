@@ -1,6 +1,5 @@
 #include "trajectory/tool/line_samples.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/spline.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -101,7 +101,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
     // The shortest step, or for arms of fewer joints the one that comes nearest.
     if (robot_.n() >= 6) {
       const Eigen::Matrix<double, 6, 6> square = J * J.transpose();
-      const auto inverse = square.ldlt();
+      const SymmetricFactors<6> inverse(square);
       q += J.transpose() * inverse.solve(error);
       if (robot_.n() > 6 && k == 0) {
         const Eigen::VectorXd away =
@@ -111,7 +111,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
       }
     } else {
       const Eigen::MatrixXd square = J.transpose() * J;
-      q += square.ldlt().solve(J.transpose() * error);
+      q += SymmetricFactors<Eigen::Dynamic>(square).solve(J.transpose() * error);
     }
     if (!q.allFinite() || change(robot_, seed, q) > kLargestSlide) return std::nullopt;
   }
@@ -136,12 +136,12 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_place(const Eigen::Vector3d
     }
     Eigen::MatrixXd turning = J.bottomRows<3>().transpose() * J.bottomRows<3>();
     turning.diagonal().array() += kTurnShare;
-    const auto least = turning.ldlt();
-    const Eigen::MatrixXd moving = least.solve(J.topRows<3>().transpose());
+    const SymmetricFactors<Eigen::Dynamic> least(turning);
+    const Eigen::MatrixXd moving = least.solve_all(J.topRows<3>().transpose());
     const Eigen::VectorXd back = least.solve(J.bottomRows<3>().transpose() * error.tail<3>());
     const Eigen::Matrix3d square = J.topRows<3>() * moving;
     const Eigen::VectorXd step =
-        back + moving * square.ldlt().solve(error.head<3>() - J.topRows<3>() * back);
+        back + moving * SymmetricFactors<3>(square).solve(error.head<3>() - J.topRows<3>() * back);
     q += step;
     if (!q.allFinite() || change(robot_, seed, q) > kLargestSlide) return std::nullopt;
     settled = step.cwiseAbs().maxCoeff() <= kSettled;

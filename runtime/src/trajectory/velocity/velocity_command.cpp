@@ -1,6 +1,5 @@
 #include "trajectory/velocity/velocity_command.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -119,16 +118,9 @@ double excess_of(const Vector6d& twist, const ToolSpeeds& most) {
                   excess(kLever * twist.tail<3>().norm(), w, std::max(w, kSmall * v)));
 }
 
-ToolCommand::Solver ToolCommand::solver_of(const Jacobian& J) {
-  Solver solver;
-  solver.setThreshold(kRankThreshold);
-  solver.compute(J);
-  return solver;
-}
-
 // The joint speeds for the velocity `v` of the tool and the error x.
 VectorXd ToolCommand::speeds(const Jacobian& J, const Vector6d& v, const VectorXd& x) const {
-  const Solver solver = solver_of(J);
+  const OrthogonalFactors solver(J, kRankThreshold);
   if (law_.ref.size() == 0) return solver.solve(v) + x;
   VectorXd qd = solver.solve(v + J_ref_ * x);
   if (robot_.n() > 6) {
@@ -167,7 +159,7 @@ ToolCommand::ToolCommand(const Robot& robot, const VelocityStart& from, const Ve
   const VectorXd none = VectorXd::Zero(robot.n());
   if (law.ref.size() > 0) {
     J_ref_ = jacobian(robot, law.ref);
-    at_ref_ = solver_of(J_ref_);
+    at_ref_.emplace(J_ref_, kRankThreshold);
   }
   const TakeUpLimits limits{.acceleration = law.share * robot.max_accel(),
                             .jerk = law.share * robot.max_jerk(),
@@ -179,7 +171,7 @@ ToolCommand::ToolCommand(const Robot& robot, const VelocityStart& from, const Ve
     for (Eigen::Index i = 0; i < x.size(); ++i)
       from_ref.col(i) = speeds(J, Vector6d::Zero(), VectorXd(from_ref.col(i)));
   }
-  const Eigen::PartialPivLU<Eigen::MatrixXd> to_ref(from_ref);
+  const SquareFactors to_ref(from_ref);
   x = to_ref.solve(x);
   const VectorXd gain = accelerations_of(from) - bend(from.q, from.qd, x);
   take_up_ = plan_take_up(x, to_ref.solve(gain), limits);

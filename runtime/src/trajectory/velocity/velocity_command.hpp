@@ -1,11 +1,11 @@
 // The law by which a command for the tool takes up its velocity, and the motion that follows it.
 #pragma once
 
-#include <Eigen/QR>
 #include <optional>
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/trajectory/velocity.hpp"
+#include "math/solvers.hpp"
 #include "trajectory/velocity/take_up.hpp"
 #include "trajectory/velocity/velocity_motion.hpp"
 
@@ -62,9 +62,6 @@ class ToolCommand {
                       const FollowLimits* limits = nullptr) const;
 
  private:
-  using Solver = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
-
-  static Solver solver_of(const Jacobian& J);
   [[nodiscard]] Eigen::VectorXd speeds(const Jacobian& J, const Vector6d& v,
                                        const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd speeds(const Eigen::VectorXd& q, const Eigen::VectorXd& x) const;
@@ -76,7 +73,7 @@ class ToolCommand {
   ToolLaw law_;
   Eigen::VectorXd q_start_;
   Jacobian J_ref_{};
-  std::optional<Solver> at_ref_{};
+  std::optional<OrthogonalFactors> at_ref_{};
   TakeUp take_up_{};
 };
 

@@ -1,0 +1,48 @@
+#include "math/solvers.hpp"
+
+#include <algorithm>
+
+namespace armlet {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+template <int N>
+SymmetricFactors<N>::SymmetricFactors(const Matrix& A) : factors_(A) {}
+
+template <int N>
+typename SymmetricFactors<N>::Vector SymmetricFactors<N>::solve(const Vector& b) const {
+  return factors_.solve(b);
+}
+
+template <int N>
+MatrixXd SymmetricFactors<N>::solve_all(const MatrixXd& B) const {
+  return factors_.solve(B);
+}
+
+template class SymmetricFactors<3>;
+template class SymmetricFactors<6>;
+template class SymmetricFactors<Eigen::Dynamic>;
+
+SquareFactors::SquareFactors(const MatrixXd& A) : factors_(A) {}
+VectorXd SquareFactors::solve(const VectorXd& b) const { return factors_.solve(b); }
+
+OrthogonalFactors::OrthogonalFactors(const MatrixXd& A, double threshold) {
+  factors_.setThreshold(threshold);
+  factors_.compute(A);
+}
+VectorXd OrthogonalFactors::solve(const VectorXd& b) const { return factors_.solve(b); }
+
+VectorXd nearest_solution(const MatrixXd& A, const VectorXd& b) {
+  return A.colPivHouseholderQr().solve(b);
+}
+
+MatrixXd triangle_of(const MatrixXd& A) {
+  const Eigen::HouseholderQR<MatrixXd> qr(A);
+  const Eigen::Index kept = std::min(A.rows(), A.cols());
+  MatrixXd R = MatrixXd::Zero(kept, A.cols());
+  R.triangularView<Eigen::Upper>() = qr.matrixQR().topRows(kept);
+  return R;
+}
+
+}  // namespace armlet
