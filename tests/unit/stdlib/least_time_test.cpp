@@ -68,7 +68,7 @@ TEST_CASE("the least time that a message names suffices, and 1 % less does not")
     const std::string start = "moveJ(" + point(random) + ")";
     const std::string a = joints(random), b = joints(random), c = joints(random);
     for (const char* planner : {"Syn", "Asyn", "Lin", "Trap", "Cubic", "SCurve", "Septic",
-                                "Cycloid", "Seq", "Fastest", "Spline5"}) {
+                                "Cycloid", "ModSine", "Seq", "Fastest", "Spline5"}) {
       check_least_time("", fmt::format("moveJ({}, traj: \"{}\", time: TIME)", a, planner));
       const std::string through = fmt::format("[{}, {}, {}]", a, b, c);
       check_least_time("", fmt::format("trajectory(\"{}\", {}, time: TIME)", planner, through));

@@ -271,6 +271,11 @@ constexpr PlannerRow kPlanners[] = {
      .does = "as `Syn`; the acceleration is a sine",
      .plan = plan_law<kCycloid, true>,
      .smooth = 2},
+    {.name = "ModSine",
+     .does = "as `Syn`; the acceleration is a sine that is three times slower in between than at "
+             "the ends: its peak is lower than that of `Cycloid`, and the load changes gently",
+     .plan = plan_modified_sine,
+     .smooth = 2},
     {.name = "Seq",
      .does = "one joint after another, each with the law of `Syn`",
      .plan = plan_one_by_one,

@@ -45,6 +45,9 @@ Plan plan_limited_jerk(const MoveRequest& request);   // SCurve
 // The planner of planner_fastest.cpp.
 Plan plan_fastest(const MoveRequest& request);
 
+// The planner of planner_modified_sine.cpp.
+Plan plan_modified_sine(const MoveRequest& request);
+
 // The planner applied from point to point, stopping at each.
 Plan plan_legs(const Planner& planner, const MoveRequest& request);
 
