@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "armlet/stdlib/install.hpp"
 #include "console.hpp"
 
 namespace armlet::cli {
@@ -18,7 +19,7 @@ int check(const ProgramOptions& options, const std::vector<std::string>& files) 
     }
     Setup setup = make_setup(options, file);
     if (setup.exit != kDone) return setup.exit;
-    Session session(engine(), std::move(setup.session));
+    Session session(library_engine(), std::move(setup.session));
     const bool good = session.compile(*std::move(text), file);
     show(session.problems(), options.json);
     if (!good) exit = std::max<int>(exit, kRejected);
@@ -52,7 +53,7 @@ int test_file(const ProgramOptions& options, const std::string& file, Count& cou
   if (setup.exit != kDone) return setup.exit;
   const SourceSet* sources = nullptr;
   setup.session.advice = [&](const Diagnostic& d) { show(d, *sources, options.json); };
-  Session session(engine(), std::move(setup.session));
+  Session session(library_engine(), std::move(setup.session));
   const bool good = session.compile(*std::move(text), file);
   show(session.problems(), options.json);
   if (!good) return kRejected;

@@ -68,15 +68,6 @@ std::optional<std::string> read_file(const std::string& path, bool json) {
   return std::nullopt;
 }
 
-const Engine& engine() {
-  static const Engine the_engine = [] {
-    Engine made;
-    install(made);
-    return made;
-  }();
-  return the_engine;
-}
-
 Setup make_setup(const ProgramOptions& options, const std::string& file) {
   Setup setup;
   SessionOptions& session = setup.session;

@@ -26,9 +26,6 @@ Setup make_setup(const ProgramOptions& options, const std::string& file);
 // The robot of that name of the catalogue, or null after a message.
 std::shared_ptr<const Robot> find_robot(const std::string& name);
 
-// One engine for the life of the process.
-const Engine& engine();
-
 void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json);
 void show(const std::vector<Problem>& problems, bool json);
 // A line of progress on standard error, after everything that the program printed.

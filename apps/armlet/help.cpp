@@ -27,7 +27,7 @@ constexpr std::string_view kPreface =
 
 int list_names() {
   std::string line;
-  for (const std::string& name : help_names(engine())) {
+  for (const std::string& name : help_names(library_engine())) {
     if (line.size() + name.size() + 2 > 96) {
       print_out(line + "\n");
       line.clear();
@@ -39,7 +39,7 @@ int list_names() {
 }
 
 int not_found(const std::string& name) {
-  const std::vector<std::string> names = help_names(engine());
+  const std::vector<std::string> names = help_names(library_engine());
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::string message = fmt::format("armlet: there is no page about {}", name);
   if (const auto meant = most_similar(name, candidates))
@@ -53,18 +53,18 @@ int not_found(const std::string& name) {
 int help(const std::string& name, bool markdown) {
   if (markdown) {
     print_out(kPreface);
-    print_out(reference_markdown(engine()));
+    print_out(reference_markdown(library_engine()));
     return finish_output() ? kDone : kFailed;
   }
   if (name.empty()) return list_names();
-  const std::string page = help_page(engine(), name);
+  const std::string page = help_page(library_engine(), name);
   if (!page.empty()) {
     print_out(page);
     return finish_output() ? kDone : kFailed;
   }
-  const std::vector<std::string> found = help_search(engine(), name);
+  const std::vector<std::string> found = help_search(library_engine(), name);
   if (found.empty()) return not_found(name);
-  for (const std::string& each : found) print_out(help_page(engine(), each));
+  for (const std::string& each : found) print_out(help_page(library_engine(), each));
   return finish_output() ? kDone : kFailed;
 }
 

@@ -6,6 +6,7 @@
 
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/catalog.hpp"
+#include "armlet/stdlib/install.hpp"
 #include "console.hpp"
 
 namespace armlet::cli {
@@ -15,7 +16,7 @@ int disasm(const ProgramOptions& options, const std::string& file) {
   if (!text) return kNoFile;
   Setup setup = make_setup(options, file);
   if (setup.exit != kDone) return setup.exit;
-  Session session(engine(), std::move(setup.session));
+  Session session(library_engine(), std::move(setup.session));
   const bool good = session.compile(*std::move(text), file);
   show(session.problems(), options.json);
   if (!good) return kRejected;

@@ -16,57 +16,58 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json words() {
+// An array with an object for each row.
+template <class Rows, class ToObject>
+Json list_of(const Rows& rows, const ToObject& to_object) {
   Json list = Json::array();
-  for (const LanguageWord& word : reserved_and_soft_words())
-    list.push_back({{"word", word.text}, {"soft", word.soft}});
+  for (const auto& row : rows) list.push_back(to_object(row));
   return list;
+}
+
+Json words() {
+  return list_of(reserved_and_soft_words(), [](const LanguageWord& word) {
+    return Json{{"word", word.text}, {"soft", word.soft}};
+  });
 }
 
 Json units() {
-  Json list = Json::array();
-  for (const Unit& unit : all_units())
-    list.push_back({{"unit", unit.name}, {"of", dimension_name(unit.dim)}});
-  return list;
+  return list_of(all_units(), [](const Unit& unit) {
+    return Json{{"unit", unit.name}, {"of", dimension_name(unit.dim)}};
+  });
 }
 
 Json chapters() {
-  Json list = Json::array();
-  for (const LibraryChapter& chapter : library_chapters())
-    list.push_back({{"title", chapter.title}, {"mathematics", chapter.is_mathematics}});
-  return list;
+  return list_of(library_chapters(), [](const LibraryChapter& chapter) {
+    return Json{{"title", chapter.title}, {"mathematics", chapter.is_mathematics}};
+  });
 }
 
 Json robots() {
-  Json list = Json::array();
-  for (const CatalogArm& entry : catalog_arms()) {
-    list.push_back({{"name", entry.name},
-                    {"secondName", entry.second_name},
-                    {"source", entry.source},
-                    {"help", entry.help}});
-  }
-  return list;
+  return list_of(catalog_arms(), [](const CatalogArm& arm) {
+    return Json{{"name", arm.name},
+                {"secondName", arm.second_name},
+                {"source", arm.source},
+                {"help", arm.help}};
+  });
 }
 
 Json planners() {
-  Json list = Json::array();
-  for (const PlannerRow& row : planner_rows())
-    list.push_back({{"name", row.name}, {"does", row.does}});
-  return list;
+  return list_of(planner_rows(), [](const PlannerRow& row) {
+    return Json{{"name", row.name}, {"does", row.does}};
+  });
 }
 
 Json traces() {
-  Json list = Json::array();
-  for (const TraceFormat& format : trace_formats())
-    list.push_back({{"ending", format.ending}, {"holds", format.holds}});
-  return list;
+  return list_of(trace_formats(), [](const TraceFormat& format) {
+    return Json{{"ending", format.ending}, {"holds", format.holds}};
+  });
 }
 
 }  // namespace
 
 int lists() {
   const Json all = {
-      {"words", words()},       {"units", units()},         {"names", help_names(engine())},
+      {"words", words()},       {"units", units()},         {"names", help_names(library_engine())},
       {"chapters", chapters()}, {"robots", robots()},       {"planners", planners()},
       {"traces", traces()},     {"later", later_features()}};
   print_out(all.dump(1) + "\n");

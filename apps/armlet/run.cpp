@@ -16,6 +16,7 @@
 #include "armlet/core/format.hpp"
 #include "armlet/plot/braille.hpp"
 #include "armlet/plot/svg.hpp"
+#include "armlet/stdlib/install.hpp"
 #include "console.hpp"
 
 namespace armlet::cli {
@@ -200,7 +201,7 @@ int run(const RunOptions& options) {
   const SourceSet* sources = nullptr;
   setup.session.advice = [&](const Diagnostic& d) { show(d, *sources, json); };
 
-  Session session(engine(), std::move(setup.session));
+  Session session(library_engine(), std::move(setup.session));
   const bool runs = session.compile(*std::move(text), options.file);
   show(session.problems(), json);
   if (!runs) return kRejected;

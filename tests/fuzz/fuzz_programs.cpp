@@ -12,7 +12,7 @@ using namespace armlet;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::size_t at = 0;
   oracle::RandomProgram program([&]() -> std::uint64_t { return at < size ? data[at++] : 0U; });
-  Session session(fuzz::engine(), fuzz::small_session());
+  Session session(library_engine(), fuzz::small_session());
   const bool good = session.compile(program.text(), "fuzz.rbt");
   fuzz::show_all(session);
   if (!good) {

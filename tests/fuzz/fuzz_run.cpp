@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint64_t most = options.limits.output_bytes;
   std::uint64_t written = 0;
   options.output = [&](std::string_view text) { written += text.size(); };
-  Session session(fuzz::engine(), std::move(options));
+  Session session(library_engine(), std::move(options));
   if (!session.compile(fuzz::text_of(data, size), "fuzz.rbt")) return 0;
   finish(session.run(), session);
   fuzz::demand(written <= most, "the limit of output holds");

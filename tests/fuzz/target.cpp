@@ -14,15 +14,6 @@ constexpr std::int64_t kEndOfTime = 60'000'000'000;  // ns
 
 }  // namespace
 
-const Engine& engine() {
-  static const Engine the_engine = [] {
-    Engine made;
-    install(made);
-    return made;
-  }();
-  return the_engine;
-}
-
 SessionOptions small_session() {
   static const std::shared_ptr<const Robot> scara = make_robot("scara");
   SessionOptions options;

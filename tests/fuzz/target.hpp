@@ -3,13 +3,11 @@
 
 #include <string>
 
+#include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "entry.hpp"
 
 namespace armlet::fuzz {
-
-// The vocabulary, set up once.
-const Engine& engine();
 
 // A session with a scara and the command's world, small limits, and an end of time after a minute.
 SessionOptions small_session();

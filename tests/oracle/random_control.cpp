@@ -40,6 +40,16 @@ void RandomProgram::returning() {
   line("if (" + truth(1) + ") { return " + loose(result_, 1) + " }");
 }
 
+// Statements of a loop that counts in `counter`, an int.
+void RandomProgram::loop_body(const std::string& counter) {
+  ++loops_;
+  vars_.push_back({counter, int_, false});
+  body(1 + static_cast<int>(below(2)));
+  leaving();
+  vars_.pop_back();
+  --loops_;
+}
+
 void RandomProgram::counted() {
   const std::string name = fresh();
   const std::string bound = one_in(3)   ? "4"
@@ -58,12 +68,7 @@ void RandomProgram::counted() {
   } else {
     open("for (int " + name + " = 0; " + name + " < " + bound + "; " + name + "++)");
   }
-  ++loops_;
-  vars_.push_back({name, int_, false});
-  body(1 + static_cast<int>(below(2)));
-  leaving();
-  vars_.pop_back();
-  --loops_;
+  loop_body(name);
   close();
 }
 
@@ -79,12 +84,7 @@ void RandomProgram::ranged() {
   if (one_in(8)) bounds = "0, 4, " + leaf(int_) + " % 3 + 2";
   if (one_in(20)) bounds = "3, 0, " + leaf(int_) + " % 1";
   open("for (" + name + " in range(" + bounds + "))");
-  ++loops_;
-  vars_.push_back({name, int_, false});
-  body(1 + static_cast<int>(below(2)));
-  leaving();
-  vars_.pop_back();
-  --loops_;
+  loop_body(name);
   close();
 }
 
@@ -123,12 +123,7 @@ void RandomProgram::repeating() {
       name + " < " + std::to_string(1 + below(4)) + (one_in(2) ? " && " + truth(1) : "");
   open(tests_first ? "while (" + condition + ")" : "do");
   line(name + (one_in(2) ? "++" : " += 1"));
-  ++loops_;
-  vars_.push_back({name, int_, false});
-  body(1 + static_cast<int>(below(2)));
-  leaving();
-  vars_.pop_back();
-  --loops_;
+  loop_body(name);
   close(tests_first ? "" : " while (" + condition + ")");
 }
 

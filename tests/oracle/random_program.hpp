@@ -212,6 +212,7 @@ class RandomProgram {
   void retrying();
   void asserting();
   void leaving();
+  void loop_body(const std::string& counter);
   void returning();
   // random_tasks.cpp
   void concurrent();

@@ -1,5 +1,4 @@
-// The engine with the whole library, made once, and a session at the arm and the table of the
-// command.
+// The engine with the whole library, and a session at the arm and the table of the command.
 #pragma once
 
 #include "armlet/interpreter/engine.hpp"
@@ -8,15 +7,6 @@
 #include "armlet/stdlib/session.hpp"
 
 namespace armlet {
-
-inline const Engine& library_engine() {
-  static const Engine engine = [] {
-    Engine made;
-    install(made);
-    return made;
-  }();
-  return engine;
-}
 
 inline SessionOptions at_the_table() {
   SessionOptions options;

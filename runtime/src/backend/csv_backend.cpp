@@ -20,27 +20,79 @@ void write_field(TextSink& sink, std::string_view text) {
   sink.text("\"");
 }
 
-}  // namespace
-
-class CsvBackend::Table {
+class CsvBackend final : public Backend {
  public:
-  explicit Table(std::ostream& out) : sink(out) {}
+  explicit CsvBackend(std::ostream& out) : sink_(out) {}
+
+  void begin(const RunInfo& run) override {
+    for (const RobotInfo& robot : run.robots) {
+      robots_.push_back(robot.name);
+    }
+    columns_.begin(run);
+    write_header();
+    for (const ObjectInfo& object : run.objects) object_added(0, object);
+  }
+
+  void robot_added(std::int64_t, const RobotInfo& robot) override {
+    robots_.push_back(robot.name);
+    columns_.add(robot);
+  }
+
+  void joint_sample(const JointSample& sample) override {
+    if (!columns_.hold(sample)) return;
+    begin_row(sample.t_ns, "robot", robots_[static_cast<std::size_t>(sample.robot)]);
+    write_pose(sample.T_world_tool);
+    for (const auto values : {sample.q, sample.qd, sample.qdd}) write_joints(values);
+    end_row();
+  }
+
+  void object_added(std::int64_t t_ns, const ObjectInfo& object) override {
+    object_sample({.t_ns = t_ns, .name = object.name, .T_world_obj = object.T_world_obj});
+  }
+
+  void object_sample(const ObjectSample& sample) override {
+    begin_row(sample.t_ns, "object", sample.name);
+    write_pose(sample.T_world_obj);
+    skip(3 * columns_.count());
+    end_row();
+  }
+
+  void object_event(const ObjectEvent& event) override {
+    const bool has_robot = event.robot >= 0;
+    write_row(event.t_ns, to_text(event.change), event.name,
+              has_robot ? robots_[static_cast<std::size_t>(event.robot)] : std::string());
+  }
+
+  void note(const Note& note) override { write_row(note.t_ns, to_text(note.kind), {}, note.text); }
+
+  void end(std::int64_t t_ns) override {
+    write_row(t_ns, "end", {});
+    sink_.flush();
+  }
+
+  [[nodiscard]] std::string error() const override {
+    return columns_.error().empty() ? sink_.error() : columns_.error();
+  }
+
+ private:
+  static constexpr std::size_t kPoseColumns = 7;
 
   void write_header() {
-    sink.text("t,what,name,x,y,z,qw,qx,qy,qz");
+    sink_.text("t,what,name,x,y,z,qw,qx,qy,qz");
     for (const char* symbol : {"q", "qd", "qdd"}) {
-      for (std::size_t i = 1; i <= columns.count(); ++i) sink.text(fmt::format(",{}{}", symbol, i));
+      for (std::size_t i = 1; i <= columns_.count(); ++i)
+        sink_.text(fmt::format(",{}{}", symbol, i));
     }
-    sink.text(",text");
-    sink.end_line();
+    sink_.text(",text");
+    sink_.end_line();
   }
 
   void begin_row(std::int64_t t_ns, std::string_view what, std::string_view name) {
-    sink.seconds(t_ns);
-    sink.text(",");
-    sink.text(what);
-    sink.text(",");
-    write_field(sink, name);
+    sink_.seconds(t_ns);
+    sink_.text(",");
+    sink_.text(what);
+    sink_.text(",");
+    write_field(sink_, name);
   }
 
   void write_pose(const Eigen::Isometry3d& T) {
@@ -51,90 +103,38 @@ class CsvBackend::Table {
 
   void write_joints(std::span<const double> values) {
     for (const double value : values) cell(value);
-    skip(columns.count() - values.size());
+    skip(columns_.count() - values.size());
   }
 
-  void skip(std::size_t cells) { sink.text(std::string(cells, ',')); }
+  void skip(std::size_t cells) { sink_.text(std::string(cells, ',')); }
 
   void end_row(std::string_view text = {}) {
-    sink.text(",");
-    write_field(sink, text);
-    sink.end_line();
+    sink_.text(",");
+    write_field(sink_, text);
+    sink_.end_line();
   }
 
   void write_row(std::int64_t t_ns, std::string_view what, std::string_view name,
                  std::string_view text = {}) {
     begin_row(t_ns, what, name);
-    skip(kPoseColumns + 3 * columns.count());
+    skip(kPoseColumns + 3 * columns_.count());
     end_row(text);
   }
 
-  static constexpr std::size_t kPoseColumns = 7;
-  TextSink sink;
-  JointColumns columns;
-  std::vector<std::string> robots{};
-
- private:
   void cell(double value) {
-    sink.text(",");
-    sink.number(value, kDigits);
+    sink_.text(",");
+    sink_.number(value, kDigits);
   }
+
+  TextSink sink_;
+  JointColumns columns_;
+  std::vector<std::string> robots_{};
 };
 
-CsvBackend::CsvBackend(std::ostream& out) : table_(std::make_unique<Table>(out)) {}
-CsvBackend::~CsvBackend() = default;
+}  // namespace
 
-void CsvBackend::begin(const RunInfo& run) {
-  for (const RobotInfo& robot : run.robots) {
-    table_->robots.push_back(robot.name);
-  }
-  table_->columns.begin(run);
-  table_->write_header();
-  for (const ObjectInfo& object : run.objects) object_added(0, object);
-}
-
-void CsvBackend::robot_added(std::int64_t, const RobotInfo& robot) {
-  table_->robots.push_back(robot.name);
-  table_->columns.add(robot);
-}
-
-void CsvBackend::joint_sample(const JointSample& sample) {
-  if (!table_->columns.hold(sample)) return;
-  table_->begin_row(sample.t_ns, "robot", table_->robots[static_cast<std::size_t>(sample.robot)]);
-  table_->write_pose(sample.T_world_tool);
-  for (const auto values : {sample.q, sample.qd, sample.qdd}) table_->write_joints(values);
-  table_->end_row();
-}
-
-void CsvBackend::object_added(std::int64_t t_ns, const ObjectInfo& object) {
-  object_sample({.t_ns = t_ns, .name = object.name, .T_world_obj = object.T_world_obj});
-}
-
-void CsvBackend::object_sample(const ObjectSample& sample) {
-  table_->begin_row(sample.t_ns, "object", sample.name);
-  table_->write_pose(sample.T_world_obj);
-  table_->skip(3 * table_->columns.count());
-  table_->end_row();
-}
-
-void CsvBackend::object_event(const ObjectEvent& event) {
-  const bool has_robot = event.robot >= 0;
-  table_->write_row(
-      event.t_ns, to_text(event.change), event.name,
-      has_robot ? table_->robots[static_cast<std::size_t>(event.robot)] : std::string());
-}
-
-void CsvBackend::note(const Note& note) {
-  table_->write_row(note.t_ns, to_text(note.kind), {}, note.text);
-}
-
-void CsvBackend::end(std::int64_t t_ns) {
-  table_->write_row(t_ns, "end", {});
-  table_->sink.flush();
-}
-
-std::string CsvBackend::error() const {
-  return table_->columns.error().empty() ? table_->sink.error() : table_->columns.error();
+std::unique_ptr<Backend> make_csv_backend(std::ostream& out) {
+  return std::make_unique<CsvBackend>(out);
 }
 
 }  // namespace armlet

@@ -6,39 +6,128 @@
 #include "backend/text_sink.hpp"
 
 namespace armlet {
+namespace {
 
-class JsonlBackend::Writer {
+class JsonlBackend final : public Backend {
  public:
-  explicit Writer(std::ostream& out) : sink(out) {}
+  explicit JsonlBackend(std::ostream& out) : sink_(out) {}
 
+  void begin(const RunInfo& run) override {
+    sink_.text("{\"what\":\"begin\",\"robots\":[");
+    for (const RobotInfo& robot : run.robots) {
+      sink_.text(robots_.empty() ? "{" : ",{");
+      write_robot(robot);
+      sink_.text("}");
+    }
+    sink_.text("]");
+    end_line();
+    for (const ObjectInfo& object : run.objects) object_added(0, object);
+  }
+
+  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override {
+    begin_line(t_ns, "robotAdded");
+    sink_.text(",");
+    write_robot(robot);
+    end_line();
+  }
+
+  void joint_sample(const JointSample& sample) override {
+    begin_line(sample.t_ns, "robot");
+    field("name", robots_[static_cast<std::size_t>(sample.robot)]);
+    field("q", sample.q);
+    field("qd", sample.qd);
+    field("qdd", sample.qdd);
+    pose(sample.T_world_tool);
+    end_line();
+  }
+
+  void object_added(std::int64_t t_ns, const ObjectInfo& object) override {
+    begin_line(t_ns, "added");
+    field("name", object.name);
+    field("shape", object.shape);
+    field("size", std::span<const double>(object.size));
+    field("mass", object.mass);
+    field("color", object.color);
+    pose(object.T_world_obj);
+    end_line();
+  }
+
+  void object_sample(const ObjectSample& sample) override {
+    begin_line(sample.t_ns, "object");
+    field("name", sample.name);
+    pose(sample.T_world_obj);
+    end_line();
+  }
+
+  void object_event(const ObjectEvent& event) override {
+    begin_line(event.t_ns, to_text(event.change));
+    field("name", event.name);
+    if (event.robot >= 0) {
+      field("robot", robots_[static_cast<std::size_t>(event.robot)]);
+    }
+    end_line();
+  }
+
+  void note(const Note& note) override {
+    begin_line(note.t_ns, to_text(note.kind));
+    field("text", note.text);
+    end_line();
+  }
+
+  void figure(std::int64_t t_ns, const Figure& figure) override {
+    begin_line(t_ns, "figure");
+    field("title", figure.title);
+    axes(figure);
+    if (!figure.panels.empty()) {
+      sink_.text(",\"panels\":[");
+      for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+        sink_.text(i > 0 ? ",{\"title\":" : "{\"title\":");
+        sink_.quoted(figure.panels[i].title);
+        axes(figure.panels[i]);
+        sink_.text("}");
+      }
+      sink_.text("]");
+    }
+    end_line();
+  }
+
+  void end(std::int64_t t_ns) override {
+    begin_line(t_ns, "end");
+    end_line();
+    sink_.flush();
+  }
+
+  [[nodiscard]] std::string error() const override { return sink_.error(); }
+
+ private:
   void begin_line(std::int64_t t_ns, std::string_view what) {
-    sink.text("{\"t\":");
-    sink.seconds(t_ns);
+    sink_.text("{\"t\":");
+    sink_.seconds(t_ns);
     field("what", what);
   }
 
   void field(std::string_view key, std::string_view text) {
     write_key(key);
-    sink.quoted(text);
+    sink_.quoted(text);
   }
 
   void field(std::string_view key, double value) {
     write_key(key);
-    sink.number(value);
+    sink_.number(value);
   }
 
   void field(std::string_view key, std::span<const double> values) {
     write_key(key);
-    sink.text("[");
+    sink_.text("[");
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i > 0) sink.text(",");
+      if (i > 0) sink_.text(",");
       if (std::isfinite(values[i])) {
-        sink.number(values[i]);
+        sink_.number(values[i]);
       } else {
-        sink.text("null");
+        sink_.text("null");
       }
     }
-    sink.text("]");
+    sink_.text("]");
   }
 
   void pose(const Eigen::Isometry3d& T) {
@@ -56,145 +145,60 @@ class JsonlBackend::Writer {
     field("right", figure.right.unit);
     if (figure.x.log || figure.y.log)
       field("log", std::string(figure.x.log ? "x" : "") + (figure.y.log ? "y" : ""));
-    sink.text(",\"series\":[");
+    sink_.text(",\"series\":[");
     for (std::size_t i = 0; i < figure.series.size(); ++i) {
       const Series& series = figure.series[i];
-      sink.text(i > 0 ? ",{\"kind\":" : "{\"kind\":");
-      sink.quoted(to_text(series.kind));
+      sink_.text(i > 0 ? ",{\"kind\":" : "{\"kind\":");
+      sink_.quoted(to_text(series.kind));
       field("label", series.label);
       field("axis", series.right ? "right" : "left");
       field("x", std::span<const double>(series.x));
       field("y", std::span<const double>(series.y));
       field("z", std::span<const double>(series.z));
-      sink.text("}");
+      sink_.text("}");
     }
-    sink.text("]");
+    sink_.text("]");
     if (figure.names.empty()) return;
-    sink.text(",\"names\":[");
+    sink_.text(",\"names\":[");
     for (std::size_t i = 0; i < figure.names.size(); ++i) {
-      if (i > 0) sink.text(",");
-      sink.quoted(figure.names[i]);
+      if (i > 0) sink_.text(",");
+      sink_.quoted(figure.names[i]);
     }
-    sink.text("]");
+    sink_.text("]");
   }
 
   // Fields of a robot that joins, without braces.
-  void robot(const RobotInfo& robot) {
-    robots.push_back(robot.name);
-    sink.text("\"name\":");
-    sink.quoted(robot.name);
-    sink.text(",\"joints\":[");
+  void write_robot(const RobotInfo& robot) {
+    robots_.push_back(robot.name);
+    sink_.text("\"name\":");
+    sink_.quoted(robot.name);
+    sink_.text(",\"joints\":[");
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-      sink.text(i > 0 ? "," : "");
-      sink.quoted(robot.joints[i] == JointUnit::kRadian ? "rad" : "m");
+      sink_.text(i > 0 ? "," : "");
+      sink_.quoted(robot.joints[i] == JointUnit::kRadian ? "rad" : "m");
     }
-    sink.text("]");
+    sink_.text("]");
   }
 
   void end_line() {
-    sink.text("}");
-    sink.end_line();
+    sink_.text("}");
+    sink_.end_line();
   }
 
-  TextSink sink;
-  std::vector<std::string> robots{};
-
- private:
   void write_key(std::string_view key) {
-    sink.text(",");
-    sink.quoted(key);
-    sink.text(":");
+    sink_.text(",");
+    sink_.quoted(key);
+    sink_.text(":");
   }
+
+  TextSink sink_;
+  std::vector<std::string> robots_{};
 };
 
-JsonlBackend::JsonlBackend(std::ostream& out) : writer_(std::make_unique<Writer>(out)) {}
-JsonlBackend::~JsonlBackend() = default;
+}  // namespace
 
-void JsonlBackend::begin(const RunInfo& run) {
-  writer_->sink.text("{\"what\":\"begin\",\"robots\":[");
-  for (const RobotInfo& robot : run.robots) {
-    writer_->sink.text(writer_->robots.empty() ? "{" : ",{");
-    writer_->robot(robot);
-    writer_->sink.text("}");
-  }
-  writer_->sink.text("]");
-  writer_->end_line();
-  for (const ObjectInfo& object : run.objects) object_added(0, object);
+std::unique_ptr<Backend> make_jsonl_backend(std::ostream& out) {
+  return std::make_unique<JsonlBackend>(out);
 }
-
-void JsonlBackend::robot_added(std::int64_t t_ns, const RobotInfo& robot) {
-  writer_->begin_line(t_ns, "robotAdded");
-  writer_->sink.text(",");
-  writer_->robot(robot);
-  writer_->end_line();
-}
-
-void JsonlBackend::joint_sample(const JointSample& sample) {
-  writer_->begin_line(sample.t_ns, "robot");
-  writer_->field("name", writer_->robots[static_cast<std::size_t>(sample.robot)]);
-  writer_->field("q", sample.q);
-  writer_->field("qd", sample.qd);
-  writer_->field("qdd", sample.qdd);
-  writer_->pose(sample.T_world_tool);
-  writer_->end_line();
-}
-
-void JsonlBackend::object_added(std::int64_t t_ns, const ObjectInfo& object) {
-  writer_->begin_line(t_ns, "added");
-  writer_->field("name", object.name);
-  writer_->field("shape", object.shape);
-  writer_->field("size", std::span<const double>(object.size));
-  writer_->field("mass", object.mass);
-  writer_->field("color", object.color);
-  writer_->pose(object.T_world_obj);
-  writer_->end_line();
-}
-
-void JsonlBackend::object_sample(const ObjectSample& sample) {
-  writer_->begin_line(sample.t_ns, "object");
-  writer_->field("name", sample.name);
-  writer_->pose(sample.T_world_obj);
-  writer_->end_line();
-}
-
-void JsonlBackend::object_event(const ObjectEvent& event) {
-  writer_->begin_line(event.t_ns, to_text(event.change));
-  writer_->field("name", event.name);
-  if (event.robot >= 0) {
-    writer_->field("robot", writer_->robots[static_cast<std::size_t>(event.robot)]);
-  }
-  writer_->end_line();
-}
-
-void JsonlBackend::note(const Note& note) {
-  writer_->begin_line(note.t_ns, to_text(note.kind));
-  writer_->field("text", note.text);
-  writer_->end_line();
-}
-
-void JsonlBackend::figure(std::int64_t t_ns, const Figure& figure) {
-  writer_->begin_line(t_ns, "figure");
-  writer_->field("title", figure.title);
-  writer_->axes(figure);
-  if (!figure.panels.empty()) {
-    writer_->sink.text(",\"panels\":[");
-    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-      writer_->sink.text(i > 0 ? ",{\"title\":" : "{\"title\":");
-      writer_->sink.quoted(figure.panels[i].title);
-      writer_->axes(figure.panels[i]);
-      writer_->sink.text("}");
-    }
-    writer_->sink.text("]");
-  }
-  writer_->end_line();
-}
-
-void JsonlBackend::end(std::int64_t t_ns) {
-  writer_->begin_line(t_ns, "end");
-  writer_->end_line();
-  writer_->sink.flush();
-}
-
-std::string JsonlBackend::error() const { return writer_->sink.error(); }
 
 }  // namespace armlet

@@ -31,61 +31,61 @@ std::string npy_header(std::size_t joints, std::uint64_t rows) {
   return std::string("\x93NUMPY\x01\x00", 8) + low + high + text + '\n';
 }
 
-}  // namespace
-
-class NpyBackend::Array {
+class NpyBackend final : public Backend {
  public:
-  explicit Array(std::ostream& out) : sink(out) {}
+  explicit NpyBackend(std::ostream& out) : sink_(out) {}
 
+  void begin(const RunInfo& run) override {
+    columns_.begin(run);
+    sink_.text(npy_header(columns_.count(), 0));
+  }
+
+  void robot_added(std::int64_t, const RobotInfo& robot) override { columns_.add(robot); }
+
+  void joint_sample(const JointSample& sample) override {
+    if (!columns_.hold(sample)) return;
+    write(static_cast<double>(sample.t_ns) / 1e9);
+    write(static_cast<std::uint64_t>(sample.robot));
+    const Eigen::Vector3d p = sample.T_world_tool.translation();
+    const Eigen::Quaterniond r = positive_quaternion(sample.T_world_tool);
+    for (const double value : {p.x(), p.y(), p.z(), r.w(), r.x(), r.y(), r.z()}) write(value);
+    for (const auto values : {sample.q, sample.qd, sample.qdd}) write_joints(values);
+    sink_.flush_if_much();
+    ++rows_;
+  }
+
+  void end(std::int64_t) override { sink_.replace_beginning(npy_header(columns_.count(), rows_)); }
+
+  [[nodiscard]] std::string error() const override {
+    return sink_.error().empty() ? columns_.error() : sink_.error();
+  }
+
+ private:
   void write(std::uint64_t bits) {
     char bytes[sizeof bits];
     for (char& byte : bytes) {
       byte = static_cast<char>(bits & 0xff);
       bits >>= 8;
     }
-    sink.text({bytes, sizeof bytes});
+    sink_.text({bytes, sizeof bytes});
   }
   void write(double value) { write(std::bit_cast<std::uint64_t>(value)); }
 
   void write_joints(std::span<const double> values) {
     for (const double value : values) write(value);
-    for (std::size_t i = values.size(); i < columns.count(); ++i)
+    for (std::size_t i = values.size(); i < columns_.count(); ++i)
       write(std::numeric_limits<double>::quiet_NaN());
   }
 
-  TextSink sink;
-  JointColumns columns;
-  std::uint64_t rows = 0;
+  TextSink sink_;
+  JointColumns columns_;
+  std::uint64_t rows_ = 0;
 };
 
-NpyBackend::NpyBackend(std::ostream& out) : array_(std::make_unique<Array>(out)) {}
-NpyBackend::~NpyBackend() = default;
+}  // namespace
 
-void NpyBackend::begin(const RunInfo& run) {
-  array_->columns.begin(run);
-  array_->sink.text(npy_header(array_->columns.count(), 0));
-}
-
-void NpyBackend::robot_added(std::int64_t, const RobotInfo& robot) { array_->columns.add(robot); }
-
-void NpyBackend::joint_sample(const JointSample& sample) {
-  if (!array_->columns.hold(sample)) return;
-  array_->write(static_cast<double>(sample.t_ns) / 1e9);
-  array_->write(static_cast<std::uint64_t>(sample.robot));
-  const Eigen::Vector3d p = sample.T_world_tool.translation();
-  const Eigen::Quaterniond r = positive_quaternion(sample.T_world_tool);
-  for (const double value : {p.x(), p.y(), p.z(), r.w(), r.x(), r.y(), r.z()}) array_->write(value);
-  for (const auto values : {sample.q, sample.qd, sample.qdd}) array_->write_joints(values);
-  array_->sink.flush_if_much();
-  ++array_->rows;
-}
-
-void NpyBackend::end(std::int64_t) {
-  array_->sink.replace_beginning(npy_header(array_->columns.count(), array_->rows));
-}
-
-std::string NpyBackend::error() const {
-  return array_->sink.error().empty() ? array_->columns.error() : array_->sink.error();
+std::unique_ptr<Backend> make_npy_backend(std::ostream& out) {
+  return std::make_unique<NpyBackend>(out);
 }
 
 }  // namespace armlet

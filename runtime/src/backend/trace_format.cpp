@@ -7,19 +7,14 @@
 namespace armlet {
 namespace {
 
-template <class Format>
-std::unique_ptr<Backend> make(std::ostream& out) {
-  return std::make_unique<Format>(out);
-}
-
 constexpr TraceFormat kFormats[] = {
-    {.ending = ".csv", .holds = "every sample, as a table", .make = make<CsvBackend>},
+    {.ending = ".csv", .holds = "every sample, as a table", .make = make_csv_backend},
     {.ending = ".jsonl",
      .holds = "samples and events, as lines of JSON",
-     .make = make<JsonlBackend>},
+     .make = make_jsonl_backend},
     {.ending = ".npy",
      .holds = "the samples of the robots, as an array of NumPy",
-     .make = make<NpyBackend>},
+     .make = make_npy_backend},
 };
 
 }  // namespace

@@ -229,22 +229,32 @@ Answer<Obj*> svd_of(Vm& vm, const MatrixObj& M) {
   });
 }
 
+// A record of what `decompose` finds, its two fields made by `fields`; a failure if it finds
+// nothing.
+template <class Decompose, class Fields>
+auto into_record(Vm& vm, const Task& task, std::string_view record, const Decompose& decompose,
+                 const Fields& fields) {
+  return [&](const MatrixXd& A) -> Answer<Obj*> {
+    const auto parts = decompose(A);
+    if (!parts) return no_answer(vm, task.name, parts.error());
+    return record_of<2>(vm, record, fields(*parts));
+  };
+}
+
 Answer<Obj*> eigenvectors_of(Vm& vm, const MatrixObj& M) {
   const Task task{.name = "eig", .square = true, .work = 25, .copies = 6};
-  return on_matrix(vm, M, task, [&](const MatrixXd& A) -> Answer<Obj*> {
-    const auto parts = eigenvectors(A);
-    if (!parts) return no_answer(vm, "eig", parts.error());
-    return record_of<2>(vm, "Eig", {to_list(vm, parts->values), to_matrix(vm, parts->vectors)});
-  });
+  const auto fields = [&](const auto& parts) {
+    return std::array{to_list(vm, parts.values), to_matrix(vm, parts.vectors)};
+  };
+  return on_matrix(vm, M, task, into_record(vm, task, "Eig", eigenvectors, fields));
 }
 
 Answer<Obj*> eigenvalues_of(Vm& vm, const MatrixObj& M) {
   const Task task{.name = "eigenvalues", .square = true, .work = 20, .copies = 5};
-  return on_matrix(vm, M, task, [&](const MatrixXd& A) -> Answer<Obj*> {
-    const auto parts = eigenvalues(A);
-    if (!parts) return no_answer(vm, "eigenvalues", parts.error());
-    return record_of<2>(vm, "Eigenvalues", {to_list(vm, parts->re), to_list(vm, parts->im)});
-  });
+  const auto fields = [&](const auto& parts) {
+    return std::array{to_list(vm, parts.re), to_list(vm, parts.im)};
+  };
+  return on_matrix(vm, M, task, into_record(vm, task, "Eigenvalues", eigenvalues, fields));
 }
 
 // ---- powers ------------------------------------------------------------------------------------

@@ -72,10 +72,9 @@ std::vector<std::vector<double>> dh_rows(Vm& vm, const RobotRef& r) {
 
 template <class Q>
 Answer<PosC> forward_kinematics(Vm& vm, const RobotRef& r, Q values) {
-  const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  return PosC{forward(robot, *q), true};
+  return at_joints<PosC>(vm, r, values, [](const Robot& robot, const auto& q) {
+    return PosC{forward(robot, q), true};
+  });
 }
 
 enum Asked { kStart = 1, kX = 2, kRoll = 5 };

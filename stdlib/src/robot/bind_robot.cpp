@@ -85,20 +85,16 @@ Answer<PosC> fkine(Vm& vm, const RobotRef& r, Q values, std::optional<std::int64
 
 template <class Q>
 Answer<std::vector<PosC>> link_frames(Vm& vm, const RobotRef& r, Q values) {
-  const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  std::vector<PosC> frames;
-  for (const Eigen::Isometry3d& T : armlet::link_frames(robot, *q)) frames.push_back({T, true});
-  return frames;
+  return at_joints<std::vector<PosC>>(vm, r, values, [](const Robot& robot, const auto& q) {
+    std::vector<PosC> frames;
+    for (const Eigen::Isometry3d& T : armlet::link_frames(robot, q)) frames.push_back({T, true});
+    return frames;
+  });
 }
 
 template <class Q>
 Answer<double> manipulability_of(Vm& vm, const RobotRef& r, Q values) {
-  const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  return manipulability(robot, *q);
+  return at_joints<double>(vm, r, values, manipulability);
 }
 
 template <class Q>
@@ -119,22 +115,15 @@ Answer<Jacobian> jacobian_of(Vm& vm, const RobotRef& r, Q values, std::string_vi
 
 template <class Q, class Rates>
 Answer<Vector6d> jacobian_dot(Vm& vm, const RobotRef& r, Q values, Rates rates) {
-  const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  const auto qd = joint_argument(vm, robot, rates, 2);
-  if (!qd) return Failed{};
-  return jacobian_dot_qd(robot, *q, *qd);
+  return at_joint_speeds<Vector6d>(vm, r, values, rates, jacobian_dot_qd);
 }
 
 template <class Q>
 Answer<Jacobian> jacobian_rate_of(Vm& vm, const RobotRef& r, Q values, JointList rates) {
-  const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  const auto qd = joint_argument(vm, robot, rates, 2);
-  if (!qd) return Failed{};
-  return jacobian_rate(robot, *q, *qd);
+  return at_joint_speeds<Jacobian>(vm, r, values, rates,
+                                   [](const Robot& robot, const auto& q, const auto& qd) {
+                                     return jacobian_rate(robot, q, qd);
+                                   });
 }
 
 Eigen::MatrixXd dh_table(Vm& vm, const RobotRef& r) {

@@ -108,6 +108,15 @@ void install(Engine& engine) {
     engine.add_functions(chapter.functions, chapter.title);
 }
 
+const Engine& library_engine() {
+  static const Engine engine = [] {
+    Engine made;
+    install(made);
+    return made;
+  }();
+  return engine;
+}
+
 std::vector<LibraryChapter> library_chapters() {
   std::vector<LibraryChapter> list;
   for (const bind::Chapter& chapter : bind::chapters())

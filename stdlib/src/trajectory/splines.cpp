@@ -25,15 +25,15 @@ Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t places,
   return check_fraction(vm, "an acceleration", accel, call.accel);
 }
 
-SplinePlan plan(const Robot& robot, SplineMove move, bool only_places) {
-  SplinePlan plan = plan_cartesian_spline(robot, move);
+PathPlan plan(const Robot& robot, SplineMove move, bool only_places) {
+  PathPlan plan = plan_cartesian_spline(robot, move);
   if (!plan.fault || !only_places) return plan;
   // The orientation cannot be kept all the way: the hand may turn as little as it must.
   move.task = IkTask::kPlace;
   return plan_cartesian_spline(robot, move);
 }
 
-MotionNotes notes_of(const std::vector<PosC>& places, const SplinePlan& plan) {
+MotionNotes notes_of(const std::vector<PosC>& places, const PathPlan& plan) {
   MotionNotes notes;
   for (std::size_t k = 0; k < places.size(); ++k) {
     notes.parts.push_back({.what = fmt::format("to {}", format_point_mm(places[k].T.translation())),
@@ -75,10 +75,10 @@ Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, S
   call.element = -1;
   const bool only_places =
       std::ranges::none_of(places, [](const PosC& place) { return place.has_orientation; });
-  SplinePlan curve = plan(robot, move, only_places);
+  PathPlan curve = plan(robot, move, only_places);
   if (curve.fault) {
-    const auto k = static_cast<std::size_t>(curve.place);
-    call.element = curve.place;
+    const auto k = static_cast<std::size_t>(curve.point);
+    call.element = curve.point;
     call.way = places.size() > 1 ? "curve to this place" : "curve";
     return fail_line(vm, call, starts[k], {move.places[k], true}, *curve.fault);
   }

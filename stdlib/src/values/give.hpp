@@ -16,6 +16,26 @@ Answer<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, JointList val
 Answer<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, const PosJ& values,
                                        int parameter);
 
+// law(robot, q) for the joint values of argument 1; a failure if they do not suit the robot.
+template <class Result, class Q, class Law>
+Answer<Result> at_joints(Vm& vm, const RobotRef& r, Q values, const Law& law) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  return Answer<Result>(law(robot, *q));
+}
+
+// law(robot, q, qd) for the joint values of argument 1 and the joint speeds of argument 2.
+template <class Result, class Q, class Rates, class Law>
+Answer<Result> at_joint_speeds(Vm& vm, const RobotRef& r, Q values, Rates rates, const Law& law) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto qd = joint_argument(vm, robot, rates, 2);
+  if (!qd) return Failed{};
+  return Answer<Result>(law(robot, *q, *qd));
+}
+
 // The joint values from which a robot looks for others: those of an argument, or the present ones.
 Answer<Eigen::VectorXd> seed_of(Vm& vm, const RobotRef& r, const PosJ* near, int parameter);
 Answer<Eigen::VectorXd> seed_of(Vm& vm, const RobotRef& r, JointList near, int parameter);

@@ -11,9 +11,9 @@ using namespace armlet;
 
 TEST_CASE("a run is one table with as many columns in every row") {
   std::ostringstream out;
-  CsvBackend backend(out);
-  tell_short_run(backend);
-  CHECK(backend.error().empty());
+  const std::unique_ptr<Backend> backend = make_csv_backend(out);
+  tell_short_run(*backend);
+  CHECK(backend->error().empty());
   CHECK(out.str() ==
         "t,what,name,x,y,z,qw,qx,qy,qz,q1,q2,qd1,qd2,qdd1,qdd2,text\n"
         "0.000000000,object,cube,0,0,0,1,0,0,0,,,,,,,\n"
@@ -29,49 +29,49 @@ TEST_CASE("a run is one table with as many columns in every row") {
 
 TEST_CASE("a robot with fewer joints leaves its last cells empty") {
   std::ostringstream out;
-  CsvBackend backend(out);
-  backend.begin(
+  const std::unique_ptr<Backend> backend = make_csv_backend(out);
+  backend->begin(
       {.robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}}, {"left", {JointUnit::kRadian}}},
        .objects = {}});
   const double one = 1.0;
   const std::span<const double> q(&one, 1);
-  backend.joint_sample({.robot = 1, .q = q, .qd = q, .qdd = q});
-  backend.end(0);
+  backend->joint_sample({.robot = 1, .q = q, .qd = q, .qdd = q});
+  backend->end(0);
   CHECK(out.str().find("0.000000000,robot,left,0,0,0,1,0,0,0,1,,1,,1,,\n") != std::string::npos);
 }
 
 TEST_CASE("half a turn is written with one sign whatever the rounding") {
   for (const double rounding : {1e-17, -1e-17}) {
     std::ostringstream out;
-    CsvBackend backend(out);
-    backend.begin({});
+    const std::unique_ptr<Backend> backend = make_csv_backend(out);
+    backend->begin({});
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = Eigen::AngleAxisd(M_PI + rounding, Eigen::Vector3d::UnitX()).matrix();
     T.linear()(2, 1) = rounding;
     T.linear()(1, 2) = -rounding;
-    backend.object_sample({.name = "a", .T_world_obj = T});
-    backend.end(0);
+    backend->object_sample({.name = "a", .T_world_obj = T});
+    backend->end(0);
     CHECK(out.str().find(",1,0,0,") != std::string::npos);
   }
 }
 
 TEST_CASE("a stream that cannot be written is reported, once, and stops the writing") {
   std::ofstream full("/dev/full");
-  CsvBackend backend(full);
-  tell_short_run(backend);
-  CHECK(backend.error() == "The trace could not be written; is the disk full?");
+  const std::unique_ptr<Backend> backend = make_csv_backend(full);
+  tell_short_run(*backend);
+  CHECK(backend->error() == "The trace could not be written; is the disk full?");
 }
 
 TEST_CASE("a robot that joins later and is too wide for the table is an error") {
   std::ostringstream out;
-  CsvBackend backend(out);
-  backend.begin({.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}});
-  backend.robot_added(5, {"wide", {JointUnit::kRadian, JointUnit::kMetre}});
+  const std::unique_ptr<Backend> backend = make_csv_backend(out);
+  backend->begin({.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}});
+  backend->robot_added(5, {"wide", {JointUnit::kRadian, JointUnit::kMetre}});
   const std::array q{1.0, 2.0};
-  backend.joint_sample({.t_ns = 5, .robot = 1, .q = q, .qd = q, .qdd = q});
-  backend.end(5);
+  backend->joint_sample({.t_ns = 5, .robot = 1, .q = q, .qd = q, .qdd = q});
+  backend->end(5);
   CHECK(out.str().find("wide") == std::string::npos);
-  CHECK(backend.error() ==
+  CHECK(backend->error() ==
         "The table was begun for robots of 1 joints; \"wide\" has 2. Declare it before the first "
         "motion.");
 }

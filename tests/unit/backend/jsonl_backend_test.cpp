@@ -13,9 +13,9 @@ using namespace armlet;
 
 TEST_CASE("every line is JSON and numbers read back to the same bits") {
   std::ostringstream out;
-  JsonlBackend backend(out);
-  tell_short_run(backend);
-  CHECK(backend.error().empty());
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
+  tell_short_run(*backend);
+  CHECK(backend->error().empty());
   std::istringstream lines(out.str());
   std::vector<nlohmann::json> rows;
   for (std::string line; std::getline(lines, line);) rows.push_back(nlohmann::json::parse(line));
@@ -44,20 +44,20 @@ TEST_CASE("every line is JSON and numbers read back to the same bits") {
 
 TEST_CASE("a stream that cannot be written is reported") {
   std::ofstream full("/dev/full");
-  JsonlBackend backend(full);
-  tell_short_run(backend);
-  CHECK_FALSE(backend.error().empty());
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(full);
+  tell_short_run(*backend);
+  CHECK_FALSE(backend->error().empty());
 }
 
 TEST_CASE("a figure is one line, and what is no number is null") {
   std::ostringstream out;
-  JsonlBackend backend(out);
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
   Figure figure{.title = "speed", .x = {"time", "s"}, .y = {"", "rad/s"}};
   const double inf = std::numeric_limits<double>::infinity();
   figure.series.push_back(
       {.kind = SeriesKind::kPoints, .label = "joint 1", .x = {0, 1}, .y = {0.1, inf}});
-  backend.figure(2'000'000'000, figure);
-  backend.end(2'000'000'000);
+  backend->figure(2'000'000'000, figure);
+  backend->end(2'000'000'000);
   const nlohmann::json row = nlohmann::json::parse(out.str().substr(0, out.str().find('\n')));
   CHECK(row["t"] == 2.0);
   CHECK(row["what"] == "figure");
@@ -71,13 +71,13 @@ TEST_CASE("a figure is one line, and what is no number is null") {
 TEST_CASE(
     "panels of a figure are figures inside, with names and logarithmic axes where there are") {
   std::ostringstream out;
-  JsonlBackend backend(out);
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
   Figure figure{.title = "run"};
   figure.panels.push_back({.title = "q", .x = {"time", "s"}, .y = {.unit = "rad", .log = true}});
   figure.panels[0].series.push_back({.label = "q1", .x = {0}, .y = {1}});
   figure.panels[0].names = {"a", "b"};
-  backend.figure(0, figure);
-  backend.end(0);
+  backend->figure(0, figure);
+  backend->end(0);
   const nlohmann::json row = nlohmann::json::parse(out.str().substr(0, out.str().find('\n')));
   CHECK(row["series"].empty());
   CHECK(row["panels"][0]["title"] == "q");

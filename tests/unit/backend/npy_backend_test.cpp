@@ -50,9 +50,9 @@ double number_at(const NpyFile& file, std::size_t index) {
 
 TEST_CASE("a run is an array with a row for every sample of a robot") {
   std::ostringstream out;
-  NpyBackend backend(out);
-  tell_short_run(backend);
-  CHECK(backend.error().empty());
+  const std::unique_ptr<Backend> backend = make_npy_backend(out);
+  tell_short_run(*backend);
+  CHECK(backend->error().empty());
   const NpyFile file = read_npy(out.str());
   CHECK(literal(file) ==
         "{'descr': [('t', '<f8'), ('robot', '<i8'), ('p', '<f8', (3,)), ('r', '<f8', (4,)), "
@@ -74,16 +74,16 @@ TEST_CASE("the header keeps its length whatever the number of rows; the rows hol
   for (const int rows : {0, 1, 9, 10, 12345}) {
     CAPTURE(rows);
     std::ostringstream out;
-    NpyBackend backend(out);
-    backend.begin({.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}});
+    const std::unique_ptr<Backend> backend = make_npy_backend(out);
+    backend->begin({.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}});
     std::vector<double> told;
     for (int k = 0; k < rows; ++k) {
       const std::array q{random.uniform(-9, 9)}, qd{random.uniform(-9, 9)},
           qdd{random.uniform(-9, 9)};
       for (const auto& values : {q, qd, qdd}) told.push_back(values[0]);
-      backend.joint_sample({.t_ns = k * 10'000'000LL, .q = q, .qd = qd, .qdd = qdd});
+      backend->joint_sample({.t_ns = k * 10'000'000LL, .q = q, .qd = qd, .qdd = qdd});
     }
-    backend.end(0);
+    backend->end(0);
     const NpyFile file = read_npy(out.str());
     if (length == 0) length = file.header.size();
     CHECK(file.header.size() == length);
@@ -98,21 +98,21 @@ TEST_CASE("the header keeps its length whatever the number of rows; the rows hol
 
 TEST_CASE("a robot with fewer joints leaves its last numbers NaN; one with more is an error") {
   std::ostringstream out;
-  NpyBackend backend(out);
-  backend.begin(
+  const std::unique_ptr<Backend> backend = make_npy_backend(out);
+  backend->begin(
       {.robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}}, {"left", {JointUnit::kRadian}}},
        .objects = {}});
   const std::array q{1.0, 2.0, 3.0};
   const std::span<const double> one(q.data(), 1);
-  backend.joint_sample({.robot = 1, .q = one, .qd = one, .qdd = one});
-  backend.robot_added(5, {"wide", std::vector<JointUnit>(3)});
-  backend.joint_sample({.t_ns = 5, .robot = 2, .q = q, .qd = q, .qdd = q});
-  backend.end(5);
+  backend->joint_sample({.robot = 1, .q = one, .qd = one, .qdd = one});
+  backend->robot_added(5, {"wide", std::vector<JointUnit>(3)});
+  backend->joint_sample({.t_ns = 5, .robot = 2, .q = q, .qd = q, .qdd = q});
+  backend->end(5);
   const NpyFile file = read_npy(out.str());
   REQUIRE(file.rows.size() == 8 * 15);
   CHECK(number_at(file, 9) == 1.0);
   CHECK(std::isnan(number_at(file, 10)));
-  CHECK(backend.error() ==
+  CHECK(backend->error() ==
         "The table was begun for robots of 2 joints; \"wide\" has 3. Declare it before the first "
         "motion.");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arm_of_rows.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/ik_report.hpp"
 #include "armlet/math/angles.hpp"
@@ -143,20 +144,11 @@ TEST_CASE("a place is reached by four ways at most, and every one is listed") {
 
 TEST_CASE("where joints are left over there is no closed form, and none is claimed") {
   // Two joints about one line, four parallel axes, four axes through a point.
-  const auto arm = [](std::vector<DhRow> rows) {
-    RobotSpec spec;
-    for (const DhRow& row : rows) {
-      Joint joint;
-      joint.dh = row;
-      spec.joints.push_back(joint);
-    }
-    return Robot(spec);
-  };
   for (const Robot& robot :
-       {arm({{0, 0.3, 0, 0}, {0, 0.1, 0.4, 1.0}, {0, 0, 0.3, 0}}),
-        arm({{0, 0, 0.4, 1.0}, {0, 0.1, 0, 0}, {0, 0, 0.3, 0}}),
-        arm({{0, 0, 0.4, 0}, {0, 0, 0.3, 0}, {0, 0, 0.3, 0}, {0, 0, 0.1, 0}}),
-        arm({{0, 0, 0, 1.0}, {0, 0, 0, 1.2}, {0, 0, 0, -1.1}, {0, 0.1, 0.2, 0}})}) {
+       {arm_of({{0, 0.3, 0, 0}, {0, 0.1, 0.4, 1.0}, {0, 0, 0.3, 0}}),
+        arm_of({{0, 0, 0.4, 1.0}, {0, 0.1, 0, 0}, {0, 0, 0.3, 0}}),
+        arm_of({{0, 0, 0.4, 0}, {0, 0, 0.3, 0}, {0, 0, 0.3, 0}, {0, 0, 0.1, 0}}),
+        arm_of({{0, 0, 0, 1.0}, {0, 0, 0, 1.2}, {0, 0, 0, -1.1}, {0, 0.1, 0.2, 0}})}) {
     CHECK_FALSE(closed_form(robot).exists());
     const VectorXd q = VectorXd::Constant(robot.n(), 0.4);
     CHECK(solve_ik(robot, forward(robot, q), {.seed = VectorXd::Zero(robot.n())}).ok());

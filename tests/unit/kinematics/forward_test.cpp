@@ -7,7 +7,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
-#include "reference_robot.hpp"
+#include "reference_samples.hpp"
 
 using namespace armlet;
 
@@ -30,23 +30,18 @@ constexpr double kHalfPi = 1.5707963267948966;
 }  // namespace
 
 TEST_CASE("tool pose and link frames of fourteen arms agree with other libraries") {
-  for (const std::string& name : reference::arm_names()) {
-    CAPTURE(name);
-    const reference::Json file = reference::load(name);
-    const Robot robot = reference::robot_of(file.at("robot"));
-    for (const reference::Json& sample : file.at("kinematics")) {
-      const Eigen::VectorXd q = reference::vector_of(sample.at("q"));
-      const Eigen::Isometry3d T = reference::pose_of(sample.at("T"));
-      CHECK((forward(robot, q).matrix() - T.matrix()).cwiseAbs().maxCoeff() < 1e-10);
-      const std::vector<Eigen::Isometry3d> frames = link_frames(robot, q);
-      for (int k = 1; k <= robot.n(); ++k) {
-        const std::size_t i = static_cast<std::size_t>(k - 1);
-        const Eigen::Isometry3d expected = reference::pose_of(sample.at("frames").at(i));
-        CHECK((frames[i].matrix() - expected.matrix()).cwiseAbs().maxCoeff() < 1e-10);
-        CHECK(link_frame(robot, q, k).matrix() == frames[i].matrix());
-      }
-    }
-  }
+  reference::for_each_sample(
+      [](const Robot& robot, const reference::Json& sample, const Eigen::VectorXd& q) {
+        const Eigen::Isometry3d T = reference::pose_of(sample.at("T"));
+        CHECK((forward(robot, q).matrix() - T.matrix()).cwiseAbs().maxCoeff() < 1e-10);
+        const std::vector<Eigen::Isometry3d> frames = link_frames(robot, q);
+        for (int k = 1; k <= robot.n(); ++k) {
+          const std::size_t i = static_cast<std::size_t>(k - 1);
+          const Eigen::Isometry3d expected = reference::pose_of(sample.at("frames").at(i));
+          CHECK((frames[i].matrix() - expected.matrix()).cwiseAbs().maxCoeff() < 1e-10);
+          CHECK(link_frame(robot, q, k).matrix() == frames[i].matrix());
+        }
+      });
 }
 
 // P. Corke, Robotics Toolbox: the nominal configuration of the Puma, here without its pedestal.

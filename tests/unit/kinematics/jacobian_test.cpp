@@ -8,26 +8,21 @@
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
 #include "random_arm.hpp"
-#include "reference_robot.hpp"
+#include "reference_samples.hpp"
 
 using namespace armlet;
 
 TEST_CASE("Jacobians of fourteen arms agree with other libraries") {
-  for (const std::string& name : reference::arm_names()) {
-    CAPTURE(name);
-    const reference::Json file = reference::load(name);
-    const Robot robot = reference::robot_of(file.at("robot"));
-    for (const reference::Json& sample : file.at("kinematics")) {
-      const Eigen::VectorXd q = reference::vector_of(sample.at("q"));
-      const Eigen::VectorXd qd = reference::vector_of(sample.at("qd"));
-      const Eigen::MatrixXd J0 = reference::matrix_of(sample.at("J0"));
-      const Eigen::MatrixXd Je = reference::matrix_of(sample.at("Je"));
-      CHECK((jacobian(robot, q) - J0).cwiseAbs().maxCoeff() < 1e-10);
-      CHECK((jacobian(robot, q, JacobianFrame::kTool) - Je).cwiseAbs().maxCoeff() < 1e-10);
-      const Eigen::VectorXd bias = reference::vector_of(sample.at("Jdot_qd"));
-      CHECK((jacobian_dot_qd(robot, q, qd) - bias).cwiseAbs().maxCoeff() < 1e-10);
-    }
-  }
+  reference::for_each_sample(
+      [](const Robot& robot, const reference::Json& sample, const Eigen::VectorXd& q) {
+        const Eigen::VectorXd qd = reference::vector_of(sample.at("qd"));
+        const Eigen::MatrixXd J0 = reference::matrix_of(sample.at("J0"));
+        const Eigen::MatrixXd Je = reference::matrix_of(sample.at("Je"));
+        CHECK((jacobian(robot, q) - J0).cwiseAbs().maxCoeff() < 1e-10);
+        CHECK((jacobian(robot, q, JacobianFrame::kTool) - Je).cwiseAbs().maxCoeff() < 1e-10);
+        const Eigen::VectorXd bias = reference::vector_of(sample.at("Jdot_qd"));
+        CHECK((jacobian_dot_qd(robot, q, qd) - bias).cwiseAbs().maxCoeff() < 1e-10);
+      });
 }
 
 // Central differences with h = 1e-6 are good to about 1e-9: h^2 and rounding over h.

@@ -7,7 +7,7 @@
 #include "armlet/core/random.hpp"
 #include "armlet/model/catalog.hpp"
 #include "random_arm.hpp"
-#include "reference_robot.hpp"
+#include "reference_samples.hpp"
 
 using namespace armlet;
 
@@ -27,20 +27,15 @@ double worst_sigma(const Robot& robot, int joint, double value) {
 }  // namespace
 
 TEST_CASE("manipulability agrees with other libraries") {
-  for (const std::string& name : reference::arm_names()) {
-    CAPTURE(name);
-    const reference::Json file = reference::load(name);
-    const Robot robot = reference::robot_of(file.at("robot"));
-    for (const reference::Json& sample : file.at("kinematics")) {
-      const Eigen::VectorXd q = reference::vector_of(sample.at("q"));
-      const reference::Json& all = sample.at("manip_all");
-      if (!all.is_null()) {
-        CHECK(std::abs(manipulability(robot, q) - all.get<double>()) < 1e-10);
-      } else if (robot.n() >= 3) {
-        CHECK(std::abs(manipulability(robot, q) - sample.at("manip_trans").get<double>()) < 1e-10);
-      }
+  reference::for_each_sample([](const Robot& robot, const reference::Json& sample,
+                                const Eigen::VectorXd& q) {
+    const reference::Json& all = sample.at("manip_all");
+    if (!all.is_null()) {
+      CHECK(std::abs(manipulability(robot, q) - all.get<double>()) < 1e-10);
+    } else if (robot.n() >= 3) {
+      CHECK(std::abs(manipulability(robot, q) - sample.at("manip_trans").get<double>()) < 1e-10);
     }
-  }
+  });
 }
 
 // T. Yoshikawa 1985: w = a1 a2 |sin q2| for the planar arm with two joints.

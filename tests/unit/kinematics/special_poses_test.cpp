@@ -5,9 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <initializer_list>
 #include <string>
 
+#include "arm_of_rows.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/closed_form.hpp"
 #include "armlet/kinematics/ik.hpp"
@@ -170,16 +170,6 @@ Missed missed(int n, int arms, Limits limits) {
     }
   }
   return out;
-}
-
-Robot arm_of(std::initializer_list<DhRow> rows) {
-  RobotSpec spec;
-  for (const DhRow& row : rows) {
-    Joint joint;
-    joint.dh = row;
-    spec.joints.push_back(joint);
-  }
-  return Robot(spec);
 }
 
 }  // namespace

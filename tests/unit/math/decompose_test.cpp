@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "armlet/core/random.hpp"
+#include "matrices.hpp"
 
 using namespace armlet;
 using Eigen::Index;
@@ -16,11 +17,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-MatrixXd random_matrix(Random& random, Index rows, Index cols) {
-  MatrixXd A(rows, cols);
-  for (double& a : A.reshaped()) a = random.uniform(-1, 1);
-  return A;
-}
 Index random_size(Random& random) { return 1 + static_cast<Index>(random.below(8)); }
 
 // Random elements, but far enough from singular for tolerances of some thousand roundings.

@@ -7,20 +7,10 @@
 #include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/math/polynomial.hpp"
+#include "matrices.hpp"
 
 using namespace armlet;
 using Eigen::VectorXd;
-
-namespace {
-
-VectorXd vec(std::initializer_list<double> values) {
-  VectorXd out(static_cast<Eigen::Index>(values.size()));
-  Eigen::Index i = 0;
-  for (const double value : values) out[i++] = value;
-  return out;
-}
-
-}  // namespace
 
 // NIST Statistical Reference Datasets, Linear Regression, Wampler1 and Wampler2: y = sum x^k and
 // y = sum (x / 10)^k, k = 0 to 5, at x = 0 to 20, with the certified parameters 1 and 10^-k.

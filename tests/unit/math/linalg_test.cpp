@@ -7,19 +7,10 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
+#include "matrices.hpp"
 
 using namespace armlet;
 using Eigen::MatrixXd;
-
-namespace {
-
-MatrixXd random_matrix(Random& random, int rows, int cols) {
-  MatrixXd A(rows, cols);
-  for (double& a : A.reshaped()) a = random.uniform(-1, 1);
-  return A;
-}
-
-}  // namespace
 
 TEST_CASE("the pseudo-inverse meets Penrose's four conditions, also without full rank") {
   Random random(1);

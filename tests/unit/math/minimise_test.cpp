@@ -10,19 +10,13 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
+#include "matrices.hpp"
 
 using namespace armlet;
 using Eigen::VectorXd;
 using Status = Minimum::Status;
 
 namespace {
-
-VectorXd vec(std::initializer_list<double> values) {
-  VectorXd out(static_cast<Eigen::Index>(values.size()));
-  Eigen::Index i = 0;
-  for (const double value : values) out[i++] = value;
-  return out;
-}
 
 double square(double x) { return x * x; }
 

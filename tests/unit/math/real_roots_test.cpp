@@ -9,6 +9,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
+#include "matrices.hpp"
 
 using namespace armlet;
 using Eigen::VectorXd;
@@ -26,13 +27,6 @@ VectorXd with_roots(const std::vector<double>& roots, double factor = 1.0) {
     ++size;
   }
   return c;
-}
-
-VectorXd vec(std::initializer_list<double> values) {
-  VectorXd out(static_cast<Eigen::Index>(values.size()));
-  Eigen::Index i = 0;
-  for (const double value : values) out[i++] = value;
-  return out;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "armlet/model/hands.hpp"
 #include "random_arm.hpp"
 #include "reference_robot.hpp"
+#include "same_arm.hpp"
 
 using namespace armlet;
 
@@ -75,10 +76,7 @@ TEST_CASE("an arm made of a mechanism has the same tool pose, limits and mass") 
     const Result<RobotSpec> spec = serial_arm(Mechanism(mechanism_of(robot)));
     REQUIRE(spec.ok());
     const Robot again(*spec);
-    REQUIRE(again.n() == robot.n());
-    CHECK(again.lower() == robot.lower());
-    CHECK(again.upper() == robot.upper());
-    CHECK(again.max_speed() == robot.max_speed());
+    check_same_joints(again, robot);
     for (int k = 0; k < 50; ++k) {
       const Eigen::VectorXd q = random_joints(robot, random);
       CHECK(difference(forward(again, q), forward(robot, q)) < 1e-12);

@@ -12,7 +12,9 @@
 #include "armlet/model/catalog.hpp"
 #include "armlet/model/hands.hpp"
 #include "armlet/model/serial_arm.hpp"
+#include "random_arm.hpp"
 #include "reference_robot.hpp"
+#include "same_arm.hpp"
 
 using namespace armlet;
 
@@ -115,10 +117,7 @@ TEST_CASE("every arm of the catalogue comes back from its description with the s
     const Result<RobotSpec> spec = serial_arm(*read);
     REQUIRE(spec.ok());
     const Robot again(*spec);
-    REQUIRE(again.n() == robot.n());
-    CHECK(again.lower() == robot.lower());
-    CHECK(again.upper() == robot.upper());
-    CHECK(again.max_speed() == robot.max_speed());
+    check_same_joints(again, robot);
     double mass = 0.0, mass_again = 0.0;
     for (int i = 0; i < robot.n(); ++i) {
       mass += robot.link(i).mass;
@@ -127,8 +126,7 @@ TEST_CASE("every arm of the catalogue comes back from its description with the s
     }
     CHECK(mass == doctest::Approx(mass_again).epsilon(1e-12));
     for (int k = 0; k < 200; ++k) {
-      Eigen::VectorXd q(robot.n());
-      for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
+      const Eigen::VectorXd q = random_joints(robot, random);
       CHECK(difference(forward(again, q), forward(robot, q)) < 1e-12);
     }
   }

@@ -33,11 +33,13 @@ moveJ('Syn', new posJ(place), 1.0);
 moveJ('Syn', new posJ(over), 1.0);
 )";
 
-std::string trace_of(const std::string& program) {
+// What a program writes to a backend that `make` makes, when it runs at the table.
+std::string trace_of(const std::string& program,
+                     std::unique_ptr<Backend> (*make)(std::ostream&) = make_jsonl_backend) {
   std::ostringstream out;
-  JsonlBackend backend(out);
+  const std::unique_ptr<Backend> backend = make(out);
   SessionOptions made = at_the_table();
-  made.backends = {&backend};
+  made.backends = {backend.get()};
   Session session(library_engine(), std::move(made));
   REQUIRE(session.compile(program, "classic.rbt"));
   REQUIRE(session.run().status == RunStatus::kDone);
@@ -107,15 +109,9 @@ TEST_CASE("a trace tells of every robot of the program") {
   const std::string trace = trace_of(program);
   CHECK(trace.find("\"left\"") != std::string::npos);
   CHECK(trace.find("\"right\"") != std::string::npos);
-  std::ostringstream out;
-  CsvBackend backend(out);
-  SessionOptions made = at_the_table();
-  made.backends = {&backend};
-  Session session(library_engine(), std::move(made));
-  REQUIRE(session.compile(program, "two.rbt"));
-  REQUIRE(session.run().status == RunStatus::kDone);
-  CHECK(out.str().find("robot,left,") != std::string::npos);
-  CHECK(out.str().find("robot,right,") != std::string::npos);
+  const std::string table = trace_of(program, make_csv_backend);
+  CHECK(table.find("robot,left,") != std::string::npos);
+  CHECK(table.find("robot,right,") != std::string::npos);
 }
 
 TEST_CASE("a program's own objects take the place of those of the default world") {
@@ -272,8 +268,8 @@ TEST_CASE("what functions of the host throw is a failure, and the session runs a
   std::string printed;
   made.output = [&](std::string_view part) { printed += part; };
   std::ostringstream out;
-  JsonlBackend backend(out);
-  made.backends = {&backend};
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
+  made.backends = {backend.get()};
   Session session(library_engine(), std::move(made));
   REQUIRE(session.compile(
       "try { moveJ(home() + [0.1, 0, 0, 0], time: 1s) } catch (e) { print(e.kind) }\n"

@@ -9,16 +9,11 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
+#include "motions.hpp"
 
 using namespace armlet;
 
 namespace {
-
-Eigen::VectorXd joints_at(const Trajectory& motion, double t) {
-  Eigen::VectorXd q(motion.n());
-  for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, t);
-  return q;
-}
 
 // Distance of a point from the line between two others.
 double off_line(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -30,13 +25,13 @@ void check_line(const Robot& robot, const Trajectory& motion, const Eigen::Isome
                 const Eigen::Isometry3d& T_1) {
   const double T = motion.duration();
   for (const double knot : motion.knots()) {
-    const Eigen::Vector3d p = forward(robot, joints_at(motion, knot)).translation();
+    const Eigen::Vector3d p = tool_at(robot, motion, knot).translation();
     CHECK(off_line(p, T_0.translation(), T_1.translation()) < 1e-9);
   }
   for (int k = 0; k <= 1000; ++k) {
     const double x = k / 1000.0;
     const double s = x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
-    const Eigen::Isometry3d T_tool = forward(robot, joints_at(motion, x * T));
+    const Eigen::Isometry3d T_tool = tool_at(robot, motion, x * T);
     const Eigen::Isometry3d T_line = interpolate(T_0, T_1, s);
     // Looked at by the planner in the middle between samples, with something to spare.
     CHECK((T_tool.translation() - T_line.translation()).norm() < 1e-6);

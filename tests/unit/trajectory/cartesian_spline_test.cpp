@@ -8,6 +8,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
+#include "motions.hpp"
 
 using namespace armlet;
 
@@ -16,11 +17,7 @@ namespace {
 const Robot kArm = *make_robot("ur5");
 const Eigen::VectorXd kStart = (Eigen::VectorXd(6) << -0.3, -1.3, 1.9, -1.1, -1.5, 0.2).finished();
 
-Eigen::Isometry3d tool_at(const Trajectory& motion, double t) {
-  Eigen::VectorXd q(motion.n());
-  for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, t);
-  return forward(kArm, q);
-}
+Eigen::Isometry3d tool_at(const Trajectory& motion, double t) { return tool_at(kArm, motion, t); }
 
 Eigen::Isometry3d moved(double x, double y, double z, double turn = 0.0) {
   Eigen::Isometry3d T = forward(kArm, kStart);
@@ -42,7 +39,7 @@ TEST_CASE("the tool passes every pose at its time without stopping, within all l
   for (const SplineKind kind :
        {SplineKind::kCubic, SplineKind::kSpline3, SplineKind::kSpline4, SplineKind::kSpline5}) {
     const SplineMove move = through_four(kind);
-    const SplinePlan plan = plan_cartesian_spline(kArm, move);
+    const PathPlan plan = plan_cartesian_spline(kArm, move);
     REQUIRE(plan.ok());
     const Trajectory& motion = *plan.motion.trajectory;
     REQUIRE(plan.times.size() == 4);
@@ -66,7 +63,7 @@ TEST_CASE("the tool passes every pose at its time without stopping, within all l
 // Between the poses the tool, not the joints, runs on the spline: the fourth differences of its
 // place on one leg vanish for cubics.
 TEST_CASE("between two poses the place of the tool is the cubic of the spline") {
-  const SplinePlan plan = plan_cartesian_spline(kArm, through_four(SplineKind::kSpline3));
+  const PathPlan plan = plan_cartesian_spline(kArm, through_four(SplineKind::kSpline3));
   REQUIRE(plan.ok());
   const double T = plan.times[0];
   Eigen::Vector3d p[5];
@@ -76,7 +73,7 @@ TEST_CASE("between two poses the place of the tool is the cubic of the spline") 
 }
 
 TEST_CASE("one pose is a straight line with an even turn; turns go on past half a turn") {
-  const SplinePlan one =
+  const PathPlan one =
       plan_cartesian_spline(kArm, {.q0 = kStart, .places = {moved(0.0, 0.2, 0.0, 0.4)}});
   REQUIRE(one.ok());
   CHECK(one.length == doctest::Approx(0.2).epsilon(1e-6));
@@ -90,7 +87,7 @@ TEST_CASE("one pose is a straight line with an even turn; turns go on past half 
         T.linear() * Eigen::AngleAxisd(k * 0.8, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     turning.places.push_back(T);
   }
-  const SplinePlan whole = plan_cartesian_spline(kArm, turning);
+  const PathPlan whole = plan_cartesian_spline(kArm, turning);
   REQUIRE(whole.ok());
   CHECK(whole.motion.trajectory->peak(5, 1) > 0.0);
   CHECK(std::abs(whole.motion.trajectory->end()[5] - kStart[5]) ==
@@ -107,7 +104,7 @@ TEST_CASE("the time that is asked for is kept, and a speed is a fraction of the 
   move.time = 7.0;
   CHECK(plan_cartesian_spline(kArm, move).motion.trajectory->duration() == 7.0);
   move.time = 0.5 * fastest;
-  const SplinePlan fast = plan_cartesian_spline(kArm, move);
+  const PathPlan fast = plan_cartesian_spline(kArm, move);
   CHECK_FALSE(fast.ok());
   REQUIRE(fast.motion.too_fast);
   CHECK(fast.motion.too_fast->least_time == doctest::Approx(fastest));
@@ -116,10 +113,10 @@ TEST_CASE("the time that is asked for is kept, and a speed is a fraction of the 
 TEST_CASE("a curve that cannot be followed says on the way to which place; nothing moves nowhere") {
   SplineMove move = through_four(SplineKind::kSpline3);
   move.places.push_back(moved(2.0, 0.0, 0.0));
-  const SplinePlan plan = plan_cartesian_spline(kArm, move);
+  const PathPlan plan = plan_cartesian_spline(kArm, move);
   CHECK_FALSE(plan.ok());
   REQUIRE(plan.fault);
-  CHECK(plan.place == 4);
+  CHECK(plan.point == 4);
   move.places = {forward(kArm, kStart), forward(kArm, kStart)};
   CHECK(plan_cartesian_spline(kArm, move).motion.trajectory->duration() == 0.0);
   move.places.clear();

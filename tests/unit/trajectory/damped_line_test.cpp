@@ -11,6 +11,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
+#include "motions.hpp"
 
 using namespace armlet;
 
@@ -28,11 +29,10 @@ Eigen::VectorXd joints(std::initializer_list<double> values) {
 double largest_deviation(const Trajectory& motion, const Eigen::Isometry3d& T_0,
                          const Eigen::Isometry3d& T_1) {
   double largest = 0.0;
-  Eigen::VectorXd q(motion.n());
   const Eigen::Vector3d way = T_1.translation() - T_0.translation();
   for (int k = 0; k <= 5000; ++k) {
-    for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, k * motion.duration() / 5000.0);
-    const Eigen::Vector3d off = forward(kArm, q).translation() - T_0.translation();
+    const Eigen::Isometry3d T = tool_at(kArm, motion, k * motion.duration() / 5000.0);
+    const Eigen::Vector3d off = T.translation() - T_0.translation();
     const double s = std::clamp(off.dot(way) / way.squaredNorm(), 0.0, 1.0);
     largest = std::max(largest, (off - s * way).norm());
   }
@@ -99,9 +99,7 @@ TEST_CASE(
   REQUIRE(careful.ok());
   const Trajectory& motion = *careful.motion.trajectory;
   const auto place = [&](double t) {
-    Eigen::VectorXd q(6);
-    for (int i = 0; i < 6; ++i) q[i] = motion.value(i, t);
-    return Eigen::Vector3d(forward(kArm, q).translation());
+    return Eigen::Vector3d(tool_at(kArm, motion, t).translation());
   };
   for (int k = 1; k < 1000; ++k) {
     const double t = motion.duration() * k / 1000.0;
@@ -116,9 +114,6 @@ TEST_CASE(
 
 TEST_CASE("damped lines of many arms keep all limits, also through singularities") {
   std::mt19937_64 generator(5);
-  const auto uniform = [&](double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(generator() >> 11) * 0x1.0p-53;
-  };
   int made = 0, left = 0;
   for (const char* name :
        {"puma560", "irb120", "panda", "stanford", "planar2", "anthropomorphic"}) {
@@ -126,18 +121,13 @@ TEST_CASE("damped lines of many arms keep all limits, also through singularities
     const Robot robot = *make_robot(name);
     for (int k = 0; k < 4; ++k) {
       CAPTURE(k);
-      Eigen::VectorXd q = robot.home();
-      for (int i = 0; i < robot.n(); ++i) {
-        const double middle = 0.5 * (robot.lower()[i] + robot.upper()[i]);
-        q[i] +=
-            0.3 * (middle - q[i]) + uniform(-0.4, 0.4) * std::min(1.0, robot.upper()[i] - middle);
-        q[i] = std::clamp(q[i], robot.lower()[i], robot.upper()[i]);
-      }
+      Eigen::VectorXd q = joints_near_home(robot, generator, 0.4);
       if (k % 2 == 1 && robot.n() == 6) q[4] = 0.02;  // the wrist is almost stretched
       LineMove move{.q0 = q,
                     .T_world_goal = forward(robot, q),
                     .task = robot.n() < 6 ? IkTask::kPlace : IkTask::kPose};
-      for (int i = 0; i < 3; ++i) move.T_world_goal.translation()[i] += uniform(-0.2, 0.2);
+      for (int i = 0; i < 3; ++i)
+        move.T_world_goal.translation()[i] += uniform(generator, -0.2, 0.2);
       const DampedLine plan = plan_damped_line(robot, move);
       if (!plan.ok()) continue;
       ++made;

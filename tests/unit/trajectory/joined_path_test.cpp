@@ -11,32 +11,14 @@
 #include "armlet/model/catalog.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
 #include "armlet/trajectory/joint_move.hpp"
-#include "uniform.hpp"
+#include "motions.hpp"
 
 using namespace armlet;
 
 namespace {
 
-Eigen::VectorXd joints_at(const Trajectory& motion, double t) {
-  Eigen::VectorXd q(motion.n());
-  for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, t);
-  return q;
-}
-
 Eigen::Vector3d place_at(const Robot& robot, const Trajectory& motion, double t) {
-  return forward(robot, joints_at(motion, t)).translation();
-}
-
-// Joint values near the middle of the ranges.
-Eigen::VectorXd random_joints(const Robot& robot, std::mt19937_64& generator) {
-  Eigen::VectorXd q = robot.home();
-  for (int i = 0; i < robot.n(); ++i) {
-    const double middle = 0.5 * (robot.lower()[i] + robot.upper()[i]);
-    const double half = std::min(1.0, robot.upper()[i] - middle);
-    q[i] = std::clamp(q[i] + 0.3 * (middle - q[i]) + uniform(generator, -0.4, 0.4) * half,
-                      robot.lower()[i], robot.upper()[i]);
-  }
-  return q;
+  return tool_at(robot, motion, t).translation();
 }
 
 // How far joint values are from the straight line between two others, in the largest joint.
@@ -44,17 +26,6 @@ double off_line(const Eigen::VectorXd& q, const Eigen::VectorXd& a, const Eigen:
   const Eigen::VectorXd way = b - a;
   const double part = way.dot(q - a) / way.squaredNorm();
   return (q - a - part * way).cwiseAbs().maxCoeff();
-}
-
-void check_limits(const Robot& robot, const Trajectory& motion) {
-  for (int i = 0; i < robot.n(); ++i) {
-    CHECK(motion.continuity(i, 1e-6) >= 2);
-    CHECK(motion.peak(i, 1) <= robot.max_speed()[i] * (1.0 + 1e-8));
-    CHECK(motion.peak(i, 2) <= robot.max_accel()[i] * (1.0 + 1e-8));
-    CHECK(motion.peak(i, 3) <= robot.max_jerk()[i] * (1.0 + 1e-8));
-    CHECK(motion.range(i).upper <= robot.upper()[i] + 1e-9);
-    CHECK(motion.range(i).lower >= robot.lower()[i] - 1e-9);
-  }
 }
 
 }  // namespace
@@ -78,8 +49,8 @@ TEST_CASE("a blend along a line of the joints is what the tool travels there") {
   const Robot arm = *make_robot("ur5");
   std::mt19937_64 generator(3);
   for (int k = 0; k < 40; ++k) {
-    const Trajectory line =
-        joint_line(arm, random_joints(arm, generator), random_joints(arm, generator));
+    const Trajectory line = joint_line(arm, joints_near_home(arm, generator, 0.4),
+                                       joints_near_home(arm, generator, 0.4));
     const double blend = uniform(generator, 0.005, 0.05);
     for (const bool at_end : {false, true}) {
       const Trajectory path = at_end ? line.reversed() : line;
@@ -109,13 +80,13 @@ TEST_CASE("paths with moves of the joints keep their lines, their corners and al
     const Robot robot = *make_robot(name);
     for (int k = 0; k < 6; ++k) {
       CAPTURE(k);
-      Eigen::VectorXd q = random_joints(robot, generator);
+      Eigen::VectorXd q = joints_near_home(robot, generator, 0.4);
       PathMove move{.q0 = q, .task = robot.n() < 6 ? IkTask::kPlace : IkTask::kPose};
       Eigen::Isometry3d T = forward(robot, q);
       std::vector<Eigen::VectorXd> at = {q};  // where joints are known, else empty
       for (int point = 0; point < 5; ++point) {
         if ((generator() >> 20) % 2 == 0) {
-          q = random_joints(robot, generator);
+          q = joints_near_home(robot, generator, 0.4);
           T = forward(robot, q);
           move.points.push_back({.q = q, .blend = kBlend});
           at.push_back(q);

@@ -7,23 +7,11 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/jerk_limited.hpp"
-#include "uniform.hpp"
+#include "paths.hpp"
 
 using namespace armlet;
 
 namespace {
-
-Trajectory straight_line(double L) {
-  return {{{{{.duration = L, .degree = 1, .c = {0.0, 1.0}}}, L}}, L};
-}
-
-Trajectory random_path(std::mt19937_64& generator, int n) {
-  std::vector<Eigen::VectorXd> points(3 + generator() % 4, Eigen::VectorXd(n));
-  for (Eigen::VectorXd& point : points) {
-    for (double& q : point) q = uniform(generator, -2.0, 2.0);
-  }
-  return path_through(points);
-}
 
 std::vector<AxisLimits> random_limits(std::mt19937_64& generator, int n) {
   std::vector<AxisLimits> limits;
@@ -65,7 +53,7 @@ TEST_CASE("limits hold everywhere, accelerations are continuous, the path is kep
   for (int k = 0; k < 30; ++k) {
     CAPTURE(k);
     const int n = 1 + static_cast<int>(generator() % 7);
-    const Trajectory path = random_path(generator, n);
+    const Trajectory path = random_path(generator, n, 6);
     const std::vector<AxisLimits> limits = random_limits(generator, n);
     const TimedRun made = run(path, limits, 96);
     const Trajectory& motion = made.motion;
@@ -91,7 +79,7 @@ TEST_CASE("limits hold everywhere, accelerations are continuous, the path is kep
 TEST_CASE("without a limit that counts the run is that of speeds and accelerations") {
   std::mt19937_64 generator(3);
   for (int k = 0; k < 10; ++k) {
-    const Trajectory path = random_path(generator, 3);
+    const Trajectory path = random_path(generator, 3, 6);
     std::vector<AxisLimits> limits = random_limits(generator, 3);
     for (AxisLimits& l : limits) l.jerk = 1e6;
     const double least = time_optimal(path, limits, 1000).duration();

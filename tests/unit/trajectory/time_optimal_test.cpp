@@ -8,15 +8,11 @@
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "armlet/trajectory/spline.hpp"
-#include "uniform.hpp"
+#include "paths.hpp"
 
 using namespace armlet;
 
 namespace {
-
-Trajectory straight_line(double L) {
-  return {{{{{.duration = L, .degree = 1, .c = {0.0, 1.0}}}, L}}, L};
-}
 
 // A quarter of a circle of radius 1 as a spline so fine that it is one to 1e-9.
 Trajectory quarter_circle() {
@@ -30,14 +26,6 @@ Trajectory quarter_circle() {
   // are known.
   return {{{cubic_spline(s, x, 0.0, -1.0), x.back()}, {cubic_spline(s, y, 1.0, 0.0), y.back()}},
           s.back()};
-}
-
-Trajectory random_path(std::mt19937_64& generator, int n) {
-  std::vector<Eigen::VectorXd> points(3 + generator() % 6, Eigen::VectorXd(n));
-  for (Eigen::VectorXd& point : points) {
-    for (double& q : point) q = uniform(generator, -2.0, 2.0);
-  }
-  return path_through(points);
 }
 
 std::vector<AxisLimits> random_limits(std::mt19937_64& generator, int n) {
@@ -196,7 +184,7 @@ TEST_CASE("limits hold everywhere, rest at both ends, and all points are passed"
   for (int k = 0; k < 100; ++k) {
     CAPTURE(k);
     const int n = 1 + static_cast<int>(generator() % 7);
-    const Trajectory path = random_path(generator, n);
+    const Trajectory path = random_path(generator, n, 8);
     const std::vector<AxisLimits> limits = random_limits(generator, n);
     const Trajectory motion = time_optimal(path, limits, 100);
     for (int sample = 0; sample <= 3000; ++sample) {
@@ -218,7 +206,7 @@ TEST_CASE("at nearly every moment some joint is at a limit") {
   for (int k = 0; k < 30; ++k) {
     CAPTURE(k);
     const int n = 2 + static_cast<int>(generator() % 6);
-    const Trajectory path = random_path(generator, n);
+    const Trajectory path = random_path(generator, n, 8);
     const std::vector<AxisLimits> limits = random_limits(generator, n);
     const Trajectory motion = run_along(path, fastest_along(path, limits, 400));
     int idle = 0;
@@ -232,7 +220,7 @@ TEST_CASE("at nearly every moment some joint is at a limit") {
 TEST_CASE("higher limits are never slower, and k times all speeds needs k^2 accelerations") {
   std::mt19937_64 generator(4);
   for (int k = 0; k < 50; ++k) {
-    const Trajectory path = random_path(generator, 3);
+    const Trajectory path = random_path(generator, 3, 8);
     std::vector<AxisLimits> limits = random_limits(generator, 3);
     const double T = fastest_along(path, limits).duration();
     std::vector<AxisLimits> scaled = limits;
@@ -246,7 +234,7 @@ TEST_CASE("higher limits are never slower, and k times all speeds needs k^2 acce
 TEST_CASE("backwards takes as long as forwards") {
   std::mt19937_64 generator(5);
   for (int k = 0; k < 30; ++k) {
-    const Trajectory path = random_path(generator, 4);
+    const Trajectory path = random_path(generator, 4, 8);
     const std::vector<AxisLimits> limits = random_limits(generator, 4);
     CHECK(fastest_along(path, limits, 400).duration() ==
           doctest::Approx(fastest_along(path.reversed(), limits, 400).duration()).epsilon(2e-3));

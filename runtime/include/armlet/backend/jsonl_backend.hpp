@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-// Writes a run as one JSON object per line; numbers read back to the same bits.
+// A backend that writes a run as one JSON object per line; numbers read back to the same bits.
 //
 //   {"what":"begin","robots":[{"name":"arm","joints":["rad","m"]}]}
 //   {"t":0.000000000,"what":"added","name":"cube","shape":"box","size":[...],"mass":0.2,
@@ -24,26 +24,8 @@ namespace armlet {
 //   {"t":..,"what":"end"}
 //
 // A robot's p and r are those of its tool point in the world; r is a unit quaternion.
-class JsonlBackend : public Backend {
- public:
-  // out  not owned; lives at least as long as this.
-  explicit JsonlBackend(std::ostream& out);
-  ~JsonlBackend() override;
-
-  void begin(const RunInfo& run) override;
-  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
-  void joint_sample(const JointSample& sample) override;
-  void object_added(std::int64_t t_ns, const ObjectInfo& object) override;
-  void object_sample(const ObjectSample& sample) override;
-  void object_event(const ObjectEvent& event) override;
-  void note(const Note& note) override;
-  void figure(std::int64_t t_ns, const Figure& figure) override;
-  void end(std::int64_t t_ns) override;
-  [[nodiscard]] std::string error() const override;
-
- private:
-  class Writer;
-  std::unique_ptr<Writer> writer_;
-};
+//
+// out  not owned; lives at least as long as the backend.
+[[nodiscard]] std::unique_ptr<Backend> make_jsonl_backend(std::ostream& out);
 
 }  // namespace armlet

@@ -7,8 +7,8 @@
 
 namespace armlet {
 
-// Writes the samples of the robots as one array of NumPy's format .npy, version 1.0; `a =
-// numpy.load("run.npy")` gives a row for each sample:
+// A backend that writes the samples of the robots as one array of NumPy's format .npy, version 1.0;
+// `a = numpy.load("run.npy")` gives a row for each sample:
 //
 //   a["t"]                      s
 //   a["robot"]                  its index: 0 is the first robot
@@ -20,22 +20,9 @@ namespace armlet {
 // joins later with more is an error and left out. Objects, events and texts are not part of it.
 //
 // source  NumPy Reference, numpy.lib.format, "Format Version 1.0".
-class NpyBackend : public Backend {
- public:
-  // out  not owned; lives at least as long as this. The number of rows is known when the run has
-  //      ended, and then written to the beginning: seekp has to be possible.
-  explicit NpyBackend(std::ostream& out);
-  ~NpyBackend() override;
-
-  void begin(const RunInfo& run) override;
-  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
-  void joint_sample(const JointSample& sample) override;
-  void end(std::int64_t t_ns) override;
-  [[nodiscard]] std::string error() const override;
-
- private:
-  class Array;
-  std::unique_ptr<Array> array_;
-};
+//
+// out  not owned; lives at least as long as the backend. The number of rows is known when the run
+//      has ended, and then written to the beginning: seekp has to be possible.
+[[nodiscard]] std::unique_ptr<Backend> make_npy_backend(std::ostream& out);
 
 }  // namespace armlet

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "armlet/trajectory/cartesian_line.hpp"
+#include "armlet/trajectory/cartesian_path.hpp"
 
 namespace armlet {
 
@@ -31,29 +31,14 @@ struct SplineMove {
   double speed = 1.0;
 };
 
-// How it was planned.
-//
-// motion  verified; nothing in it if `fault` says why.
-// place   of the fault, the leg that fails: the one that leads to this place, counted from 0; the
-//         fraction of the fault is of that leg's time.
-// length  of the curve, m.
-// times   when each place is passed, s; only with a motion.
-struct SplinePlan {
-  MotionPlan motion{};
-  std::optional<LineFault> fault{};
-  int place = 0;
-  double length = 0.0;
-  std::vector<double> times{};
-
-  [[nodiscard]] bool ok() const { return motion.ok(); }
-};
-
 // Plans the move: the legs share the time like the distances between the poses, a turn by one
 // radian counting for 0.2 m; place and rotation vector (seen from the first pose, without jumps)
 // are splines in time. Solved to joints as for plan_line.
 //
+// returns  as for a path, `length` being that of the curve, which misses no pose; the fraction of a
+//          fault is of its leg's time.
 // throws  ArgumentError unless q0 has n finite elements, there is a place, places are poses, and
 //         time and speed are as said.
-SplinePlan plan_cartesian_spline(const Robot& robot, const SplineMove& move);
+PathPlan plan_cartesian_spline(const Robot& robot, const SplineMove& move);
 
 }  // namespace armlet

@@ -27,17 +27,27 @@ struct Third {
   std::array<double, 2> z{};
 };
 
-Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w,
-                 const Turn& present, bool& free) {
-  const Turn& alpha = rows.alpha[2];
-  const double z = w.z() + rows.h[2];
-  const double a = rows.a[2];
-  const double h = rows.h[1];
+// The rotations of joint i, counted from 0, for which the point w of the frame behind it has the
+// squared distance distance2 from the origin that joint i - 1 rotates about: the squared length of
+// h e_z + a e_x + Rx(alpha) (Rz(x) w + h_i e_z) is linear in cos x and sin x. This is subproblem 3
+// of Paden and Kahan (R. Murray, Z. Li, S. Sastry, A Mathematical Introduction to Robotic
+// Manipulation, 1994, chapter 3, Paden-Kahan subproblems), written as circle and plane.
+TurnPair turns_for_distance(const CanonicalRows& rows, std::size_t i, double distance2,
+                            const Vector3d& w) {
+  const Turn& alpha = rows.alpha[i];
+  const double z = w.z() + rows.h[i];
+  const double a = rows.a[i];
+  const double h = rows.h[i - 1];
   const double fixed =
       a * a + w.x() * w.x() + w.y() * w.y() + z * z + h * h + 2.0 * h * alpha.c * z;
   const double A = 2.0 * (a * w.x() + h * alpha.s * w.y());
   const double B = 2.0 * (h * alpha.s * w.x() - a * w.y());
-  const TurnPair found = circle_meets_plane(A, B, distance2 - fixed);
+  return circle_meets_plane(A, B, distance2 - fixed);
+}
+
+Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w,
+                 const Turn& present, bool& free) {
+  const TurnPair found = turns_for_distance(rows, 2, distance2, w);
   const TurnPair pair = or_present(found, present, free);
   return {pair.count, found.count < 0, pair.x, {rows.h[2], rows.h[2]}};
 }
@@ -381,14 +391,7 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Isometry3d& G, 
   if (L < 1e-9 || !reference_frame(D / L, F)) return;
   const Vector3d m = placed(rows, 4, Vector3d(0, 0, rows.h[4]));
   const Turn& alpha3 = rows.alpha[3];
-  const double zz = m.z() + rows.h[3];
-  const double a3 = rows.a[3];
-  const double h2 = rows.h[2];
-  const double fixed =
-      a3 * a3 + m.x() * m.x() + m.y() * m.y() + zz * zz + h2 * h2 + 2.0 * h2 * alpha3.c * zz;
-  const TurnPair elbow =
-      circle_meets_plane(2.0 * (a3 * m.x() + h2 * alpha3.s * m.y()),
-                         2.0 * (h2 * alpha3.s * m.x() - a3 * m.y()), L * L - fixed);
+  const TurnPair elbow = turns_for_distance(rows, 3, L * L, m);
   const det::SinCos more = det::sincos(out.arm_turn);
   const Turn psi = arm_angle(rows, near) * Turn{more.cos, more.sin};
   const Matrix3d base = F * about_z(psi);

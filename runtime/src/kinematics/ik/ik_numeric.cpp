@@ -205,25 +205,6 @@ bool IkSolver::is_within_limits(const JointArray& q) const {
   return true;
 }
 
-bool IkSolver::solve_free(JointArray& q, int iterations) {
-  checkpoint(kIterationWork * static_cast<std::uint64_t>(iterations));
-  double best = INFINITY;
-  int stalled = 0;
-  for (int it = 0; it < iterations; ++it) {
-    ++iterations_used_;
-    const double energy = iterate(q, false);
-    if (converged()) {
-      polish(q, false);
-      return true;
-    }
-    stalled = energy < pace_.progress * best ? 0 : stalled + 1;
-    best = std::min(best, energy);
-    if (stalled >= pace_.stall) return false;
-    if (!move(q)) return false;
-  }
-  return false;
-}
-
 bool IkSolver::is_inside(const JointArray& q) const {
   for (std::size_t i = 0; i < n_; ++i) {
     if (q[i] <= lower_[i] || q[i] >= upper_[i]) return false;
@@ -231,23 +212,27 @@ bool IkSolver::is_inside(const JointArray& q) const {
   return true;
 }
 
-bool IkSolver::solve_in_box(JointArray& q, int iterations) {
+bool IkSolver::solve_free(JointArray& q, int iterations) { return solve(q, iterations, false); }
+
+bool IkSolver::solve_in_box(JointArray& q, int iterations) { return solve(q, iterations, true); }
+
+bool IkSolver::solve(JointArray& q, int iterations, bool in_box) {
   checkpoint(kIterationWork * static_cast<std::uint64_t>(iterations));
   double best = INFINITY;
   int stalled = 0;
-  clamp(q);
+  if (in_box) clamp(q);
   for (int it = 0; it < iterations; ++it) {
     ++iterations_used_;
-    const double energy = iterate(q, true);
+    const double energy = iterate(q, in_box);
     if (converged()) {
-      polish(q, true);
+      polish(q, in_box);
       return true;
     }
     stalled = energy < pace_.progress * best ? 0 : stalled + 1;
     best = std::min(best, energy);
     if (stalled >= pace_.stall) return false;
     if (!move(q)) return false;
-    clamp(q);
+    if (in_box) clamp(q);
   }
   return false;
 }

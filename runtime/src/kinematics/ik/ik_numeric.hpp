@@ -92,6 +92,7 @@ class IkSolver {
   Step solve_step(double damping, const Frozen& frozen) const;
   Step step_in_box(const JointArray& q, double damping) const;
   void clamp(JointArray& q) const;
+  bool solve(JointArray& q, int iterations, bool in_box);
   bool is_inside(const JointArray& q) const;  // no joint on a bound or beyond
 
   const WalkPlan& plan_;

@@ -20,6 +20,7 @@ namespace {
 constexpr int kIntervals = 200;          // of the grid on which the speeds are found
 constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
 constexpr int kCellsPerCorner = 32;      // and what each corner adds
+constexpr int kCornerChords = 64;        // for the length of a corner
 constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
 constexpr double kNoLength = 1e-9;       // m
 
@@ -96,18 +97,6 @@ CurveCorner cut_corner(Leg& before, Leg& behind, double blend) {
           .before = before.piece.state_from_end(before.piece.to),
           .after = behind.piece.state_from_start(behind.piece.from),
           .length = 2.0 * r};
-}
-
-double travel_of(const CurveCorner& corner) {
-  constexpr int kChords = 64;
-  double travel = 0.0;
-  Eigen::Vector3d before = corner.at(0.0).translation();
-  for (int k = 1; k <= kChords; ++k) {
-    const Eigen::Vector3d place = corner.at(static_cast<double>(k) / kChords).translation();
-    travel += (place - before).norm();
-    before = place;
-  }
-  return travel;
 }
 
 class PathPlanner {
@@ -208,7 +197,7 @@ class PathPlanner {
     const Leg& leg = part.legs.back();
     const double from = part.curve.length();
     part.curve.add(corner);
-    part.travel += travel_of(corner);
+    part.travel += chord_length(corner, kCornerChords);
     part.ends.back() = 0.5 * (from + part.curve.length());
     add_zone(part.zones, from, part.curve.length(), std::min(leg.speed, next.speed),
              std::min(leg.accel, next.accel));

@@ -82,17 +82,6 @@ CurveSpline spline_through(const Knots& knots, SplineKind kind) {
   return curve;
 }
 
-double chord_length(const CurveSpline& curve) {
-  double length = 0.0;
-  Eigen::Vector3d before = curve.at(0.0).translation();
-  for (int k = 1; k <= kLengthIntervals; ++k) {
-    const Eigen::Vector3d place = curve.at(static_cast<double>(k) / kLengthIntervals).translation();
-    length += (place - before).norm();
-    before = place;
-  }
-  return length;
-}
-
 void check_move(const Robot& robot, const SplineMove& move) {
   if (move.places.empty()) throw ArgumentError("A curve needs at least one place.");
   for (const Eigen::Isometry3d& T : move.places) check_pose("places", T);
@@ -102,28 +91,29 @@ void check_move(const Robot& robot, const SplineMove& move) {
 }
 
 // The leg in which the curve cannot be followed, and how far.
-void blame(SplinePlan& plan, const Knots& knots, LineFault fault) {
+void blame(PathPlan& plan, const Knots& knots, LineFault fault) {
   std::size_t k = 1;
   while (k + 1 < knots.times.size() && knots.times[k] <= fault.fraction) ++k;
   const double leg = knots.times[k] - knots.times[k - 1];
   fault.fraction = std::clamp((fault.fraction - knots.times[k - 1]) / leg, 0.0, 1.0);
   plan.fault = std::move(fault);
-  plan.place = knots.places[k];
+  plan.point = knots.places[k];
 }
 
 }  // namespace
 
-SplinePlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
+PathPlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
   check_move(robot, move);
-  SplinePlan plan;
+  PathPlan plan;
   const Knots knots = knots_of(robot, move);
   if (knots.poses.size() == 1) {
     plan.motion = verify(robot, Trajectory::at_rest(move.q0, move.time.value_or(0.0)));
     plan.times.assign(move.places.size(), 0.0);
+    plan.missed = plan.times;
     return plan;
   }
   const CurveSpline spline = spline_through(knots, move.kind);
-  plan.length = chord_length(spline);
+  plan.length = chord_length(spline, kLengthIntervals);
   PoseCurve curve;
   curve.add(spline);
   LineSamples samples(robot, move.q0, std::move(curve), move.task, CurveLaw::kGiven);
@@ -135,6 +125,7 @@ SplinePlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
   plan.motion = run_unit_motion(robot, run, samples.motion(), plan.length, Jerk::kFree);
   if (!plan.ok()) return plan;
   plan.times.assign(move.places.size(), 0.0);
+  plan.missed = plan.times;
   for (std::size_t k = 1; k < knots.times.size(); ++k) {
     const double t = knots.times[k] * plan.motion.trajectory->duration();
     std::fill(plan.times.begin() + knots.places[k], plan.times.end(), t);

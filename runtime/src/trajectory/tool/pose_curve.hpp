@@ -82,6 +82,20 @@ struct CurveSpline {
   [[nodiscard]] Eigen::Isometry3d at(double time) const;
 };
 
+// What the tool point travels on a curve, m, as the sum of so many chords; `at` gives its poses
+// from 0 to 1.
+template <class Curve>
+double chord_length(const Curve& curve, int chords) {
+  double length = 0.0;
+  Eigen::Vector3d before = curve.at(0.0).translation();
+  for (int k = 1; k <= chords; ++k) {
+    const Eigen::Vector3d p = curve.at(static_cast<double>(k) / chords).translation();
+    length += (p - before).norm();
+    before = p;
+  }
+  return length;
+}
+
 // Pieces one after another.
 class PoseCurve {
  public:

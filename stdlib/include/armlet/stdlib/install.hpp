@@ -14,6 +14,9 @@ namespace armlet {
 // both).
 void install(Engine& engine);
 
+// An engine with this vocabulary, made at the first call and never changed: any thread may use it.
+[[nodiscard]] const Engine& library_engine();
+
 // A chapter of the library, in the order of the reference.
 struct LibraryChapter {
   std::string_view title;
