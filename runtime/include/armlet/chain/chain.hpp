@@ -7,7 +7,8 @@ namespace armlet {
 
 inline constexpr int kMaxJoints = 12;
 
-// A serial arm reduced to what the kinematic recursions need, whatever its convention:
+// A serial arm, in m and rad, reduced to what the kinematic recursions need, whatever its
+// convention:
 //
 //   T_world_tool(q) = T_world_base  prod_i X_i Z_i(q_i)  X_n  T_flange_tool
 //   X_i = Rx(alpha_i) Tx(a_i),  Z_i = Rz(theta_i) Tz(d_i)

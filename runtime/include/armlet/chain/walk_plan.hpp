@@ -43,6 +43,7 @@ struct WalkPlan {
   std::array<double, 12> tool{};  // T by rows: parts of x, y, z and the origin
 };
 
+// The plan of a chain of 1 to kMaxJoints joints. Throws nothing.
 WalkPlan plan_walk(const Chain& chain);
 
 }  // namespace armlet

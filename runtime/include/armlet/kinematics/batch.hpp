@@ -19,12 +19,15 @@ namespace armlet {
 //          way from the world's origin along all frames to the tool.
 // throws   ArgumentError on a wrong size, on a joint value that is not finite, and on a set that
 //          this machine lacks.
+// source   as forward().
 void forward_batch(const Robot& robot, std::span<const double> q, std::span<double> poses,
                    InstructionSet set = best_instruction_set());
 
-// World Jacobians of the tool point, as near to jacobian().
+// World Jacobians of the tool point, as near to jacobian(): q, set, what is thrown and the source
+// as for forward_batch and jacobian().
 //
-// jacobians  6 n count numbers: row r of column i is jacobians[(6 * i + r) * count + k].
+// jacobians  6 n count numbers: row r of column i is jacobians[(6 * i + r) * count + k]; m or 1 for
+//            v, 1/m or 1 for w, per joint value.
 void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<double> jacobians,
                     InstructionSet set = best_instruction_set());
 

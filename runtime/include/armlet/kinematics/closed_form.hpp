@@ -104,13 +104,14 @@ class ClosedForm {
   // arm_turn      added to the arm angle or the held joint of an arm of seven joints, rad.
   // wanted        bits of the branches that are asked for.
   // solutions     in the order of their branches; limits are not looked at.
-  // returns       how many there are.
+  // returns       how many there are; 0 if none, or if the arm has no closed form.
   int solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near, ClosedSolutions& solutions,
             double tolerance = 1e-9, double arm_turn = 0.0, unsigned wanted = kEveryBranch) const;
 
   // Why there is no solution, if the geometry of the arm rules it out whatever its limits are; no
   // gap if something else does, or for an arm of which one joint is held.
   //
+  // T_world_tool        the goal, in the world.
   // orientation_counts  whether the goal's orientation has to be met.
   ReachGap gap(const Eigen::Isometry3d& T_world_tool, bool orientation_counts = true) const;
 

@@ -113,7 +113,9 @@ struct IkResult {
 // Joint values that bring the tool point to a pose, within the limits and near the seed.
 //
 // T_world_tool  the goal, in the world.
-// returns       a result whose status says what happened; never throws for what the goal is.
+// returns       a result whose status says what happened; never throws for what the goal or the
+//               seed is.
+// throws        ArgumentError if a posture is given whose q_given has not n elements.
 // source        of the iterations, S. K. Chan, P. D. Lawrence, General inverse kinematics with the
 //               error damped pseudoinverse, ICRA 1988; of the formulas, see closed_form.hpp.
 IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,

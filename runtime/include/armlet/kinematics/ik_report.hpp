@@ -32,11 +32,14 @@ struct IkReport {
   IkResult result;
 };
 
+// Answers as solve_ik does and keeps how: the goal and the options as there, never throws for what
+// the goal or the seed is.
 IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                    const IkOptions& options = {});
 
 // Several lines: the solver and why, a line for each branch (the one taken marked with >), the
 // errors that are left, or the reason why there is no solution and the nearest pose that there is.
+// T_world_tool is the goal that the report is about.
 std::string to_text(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                     const IkReport& report);
 

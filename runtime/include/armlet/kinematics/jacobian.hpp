@@ -17,19 +17,22 @@ enum class JacobianFrame { kWorld, kBase, kTool };
 //
 // q       n joint values, rad or m.
 // frame   the axes in which v and w are expressed; v is always the velocity of the tool point.
-// throws  ArgumentError unless q has n elements.
+// returns 6 x n.
+// throws  ArgumentError unless q has n finite elements.
 // source  D. E. Whitney, The mathematics of coordinated control of prosthetic arms and
 //         manipulators, 1972; Siciliano et al., Robotics, 2009, section 3.1.3.
 Jacobian jacobian(const Robot& robot, JointsIn q, JacobianFrame frame = JacobianFrame::kWorld);
 
-// Tool pose and world Jacobian in one pass.
+// Tool pose in the world and world Jacobian in one pass; q and what is thrown as for jacobian().
+//
+// J  receives 6 x n numbers.
 Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian& J);
 
 // Jdot(q, qd) qd in world axes, m/s^2 and rad/s^2: the acceleration [a; alpha] of the tool point
 // while qdd = 0.
 //
 // q, qd   n joint values, rad or m, and their rates.
-// throws  ArgumentError unless both have n elements.
+// throws  ArgumentError unless both have n finite elements.
 // source  J. Y. S. Luh, M. W. Walker, R. P. C. Paul, On-line computational scheme for mechanical
 //         manipulators, 1980: the outward recursion of accelerations.
 Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd);

@@ -19,10 +19,14 @@ struct LimitViolation {
   double excess() const { return value > limit ? value - limit : limit - value; }
 };
 
+// Wherever q is an argument it has n joint values, rad or m, and ArgumentError is thrown if it has
+// another number of them.
+
 // Joints of q that lie outside their limits by more than tolerance, in joint order.
 std::vector<LimitViolation> limit_violations(const Robot& robot, JointsIn q,
                                              double tolerance = 1e-9);
 
+// Whether no joint lies outside its limits by more than tolerance, rad or m.
 bool within_limits(const Robot& robot, JointsIn q, double tolerance = 1e-9);
 
 // q with every joint moved to the nearest value within its limits.
@@ -36,7 +40,7 @@ Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near);
 // none lies there, the copy nearest to that range.
 double turned_within(double angle, double near, double lower, double upper);
 
-// From each joint to the nearer of its limits, rad or m; below 0 outside.
+// From each joint to the nearer of its limits, n values, rad or m; below 0 outside.
 Eigen::VectorXd limit_margins(const Robot& robot, JointsIn q);
 
 // "joint 2 would turn to 152 deg; its range is -145 deg to 145 deg"

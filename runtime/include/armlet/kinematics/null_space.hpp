@@ -19,27 +19,45 @@ struct TaskRows {
 
 // I - V_r V_r^T: takes joint speeds to the nearest ones that do not move the tool. The rank is
 // decided by the singular values, so that no motion leaks into the task next to a singularity.
+//
+// q        n joint values, rad or m.
+// returns  n x n.
+// throws   ArgumentError unless q has n finite elements.
+// source   B. Siciliano et al., Robotics, 2009, section 3.5.1, with the singular value
+//          decomposition instead of the right pseudo-inverse.
 Eigen::MatrixXd null_space_projector(const Robot& robot, JointsIn q, const TaskRows& rows = {});
 
 // One step of self-motion: q + dt P qd, then one Newton step that takes back what the tool drifted
 // from T_world_tool.
+//
+// q, qd    n joint values, rad or m, and the wished rates; P is the projector above.
+// dt       the length of the step, s.
+// returns  n joint values; limits are not looked at.
+// throws   ArgumentError unless q and qd have n finite elements.
+// source   A. Liegeois, Automatic supervisory control of the configuration and behavior of
+//          multibody mechanisms, IEEE Trans. SMC 7(12), 1977.
 Eigen::VectorXd self_motion_step(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                                  JointsIn q, JointsIn qd, double dt, const TaskRows& rows = {});
 
 // Moves the arm within its limits to a better posture, the tool standing still in the rows that
 // count.
 //
-// q        joint values within the limits.
-// returns  joint values whose posture is at least as good.
+// q        n joint values within the limits, rad or m.
+// steps    at most so many steps of self-motion are made.
+// returns  n joint values whose posture is at least as good.
+// throws   ArgumentError unless q, and q_given of a posture that has one, have n elements.
+// source   Liegeois 1977: the projected gradient of the posture.
 Eigen::VectorXd improve_posture(const Robot& robot, JointsIn q, const PostureGoal& goal,
                                 const TaskRows& rows = {}, int steps = 200);
 
-// Joint speeds that move the tool by a twist and are as near as possible to wished ones, within
-// bounds: a joint that would exceed its bound is held there and the others make up for it.
+// Joint speeds, rad/s or m/s, that move the tool by a twist [v; w], m/s and rad/s, and are as near
+// as possible to wished ones, within bounds: a joint that would exceed its bound is held there and
+// the others make up for it.
 //
 // lower, upper  bounds of the speeds, n values.
 // reached       whether the twist is attained; otherwise the bounds leave too little freedom.
 // saturated     the joints held at a bound, from 0.
+// throws        ArgumentError unless q, qd_wished, lower and upper have n elements.
 // source  F. Flacco, A. De Luca, O. Khatib, Motion control of redundant robots under joint
 //         constraints: saturation in the null space, ICRA 2012.
 struct BoundedSpeeds {

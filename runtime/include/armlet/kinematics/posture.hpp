@@ -25,8 +25,11 @@ struct PostureGoal {
 // The value of a posture, larger is better: -1/(2n) sum ((q - q_0) / range)^2, with q_0 the middle
 // of the range or the given values, or Yoshikawa's measure; and its gradient.
 //
-// source  A. Liegeois, Automatic supervisory control of the configuration and behavior of
-//         multibody mechanisms, IEEE Trans. SMC 7(12), 1977.
+// q        n joint values, rad or m.
+// returns  the value; the gradient has n elements, per rad or m.
+// throws   ArgumentError unless q has n elements, and q_given if it belongs to the posture.
+// source   A. Liegeois, Automatic supervisory control of the configuration and behavior of
+//          multibody mechanisms, IEEE Trans. SMC 7(12), 1977.
 double posture_value(const Robot& robot, JointsIn q, const PostureGoal& goal);
 Eigen::VectorXd posture_gradient(const Robot& robot, JointsIn q, const PostureGoal& goal);
 

@@ -18,12 +18,19 @@ struct Reach {
   double from_axis = 0.0;
   Eigen::VectorXd q_base, q_axis;
 };
+
+// source  coordinate search over the joints, as maximise_over_joints.
 Reach find_reach(const Robot& robot);
 
 // The joint values within the limits that make a function largest: one joint after another, from
 // evenly spread starts, the same ones every time.
 //
-// starts  how many; the first is the home position.
+// function  is given n joint values within the limits, rad or m.
+// starts    how many; the first is the home position.
+// returns   n joint values; a local maximum, which need not be the largest of all.
+// throws    what the function throws.
+// source    J. Nocedal, S. J. Wright, Numerical Optimization, 2nd ed., 2006, chapter 9 (coordinate
+//           search).
 Eigen::VectorXd maximise_over_joints(const Robot& robot,
                                      const std::function<double(JointsIn)>& function,
                                      int starts = 16);

@@ -20,16 +20,16 @@ enum class GapKind { kNone, kTooFar, kTooNear, kTooClose, kTooHigh, kOffPlane };
 enum class GapPoint { kToolPoint, kWristCentre, kShoulderCentre, kAxis };
 
 // miss          by how much, m; the gap of subproblem 4 (circle and plane) or 3 (circle and sphere)
-// as
-//               a length.
+//               of IK-Geo as a length.
 // distance      what the goal asks for: from the axis `from`, along it, or from the plane, m.
 // limit         the nearest distance that the arm allows, m.
 // from          joint whose axis the distance is measured from, from 0; for kTooFar and kTooNear of
-// an
-//               arm without `links` it is the point where this axis meets the next.
+//               an arm without `links` it is the point where this axis meets the next.
 // axis          for GapPoint::kAxis: which joint's, from 0.
 // links         lengths of the two links that reach, m; 0 where it is not two links in a plane.
 // link_numbers  which links these are, from 0: link i follows joint i.
+// source        A. Elias, J. Wen, IK-Geo: unified robot inverse kinematics using subproblem
+//               decomposition, Mech. Mach. Theory 209, 2025.
 struct ReachGap {
   GapKind kind = GapKind::kNone;
   GapPoint point = GapPoint::kToolPoint;

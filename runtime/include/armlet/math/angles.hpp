@@ -7,6 +7,8 @@ namespace armlet {
 
 inline constexpr double kPi = std::numbers::pi;
 
+// Angles are in rad unless the name says deg; no function here throws, and NaN gives NaN.
+
 constexpr double deg_to_rad(double angle_deg) { return angle_deg * (kPi / 180.0); }
 constexpr double rad_to_deg(double angle) { return angle * (180.0 / kPi); }
 

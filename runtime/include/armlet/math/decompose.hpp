@@ -16,13 +16,15 @@ namespace armlet {
 // Up to here no sum is split differently on machines with other caches.
 inline constexpr Eigen::Index kMostDecomposed = 400;
 
-// X with A X = B. A square: by LU with row exchanges, or the error "singular". More rows than
-// columns: least squares by QR, or "singular" if the columns depend on each other. Fewer rows: of
-// all solutions the smallest, or "singular" if the rows depend on each other.
+// X, n x k, with A X = B, A m x n and B m x k. A square: by LU with row exchanges, or the error
+// "singular". More rows than columns: least squares by QR, or "singular" if the columns depend on
+// each other. Fewer rows: of all solutions the smallest, or "singular" if the rows depend on each
+// other.
 Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 // "singular" if A has no inverse that a double can tell from rounding.
 Result<Eigen::MatrixXd> inverse(const Eigen::MatrixXd& A);
+// The determinant of a square matrix.
 Result<double> determinant(const Eigen::MatrixXd& A);
 
 // Singular values above max(rows, cols) * 2^-52 times the largest.

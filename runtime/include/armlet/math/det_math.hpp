@@ -12,13 +12,13 @@ struct SinCos {
   double cos;
 };
 
-// Sine and cosine of any finite angle; the reduction is exact however large it is.
+// Sine and cosine of any finite angle, rad; the reduction is exact however large it is.
 SinCos sincos(double x);
 double sin(double x);
 double cos(double x);
 double tan(double x);
 
-// Sines and cosines of n angles.
+// Sines and cosines of n angles, rad; s and c receive n numbers each.
 void sincos(const double* x, double* s, double* c, int n);
 
 double asin(double x);

@@ -14,10 +14,16 @@ Eigen::MatrixXd damped_pseudo_inverse(const Eigen::MatrixXd& J, double lambda = 
 
 // Projector onto the motions that J does not see: I - V_r V_r^T, n x n.
 //
+// J          m x n.
 // tolerance  singular values below tolerance times the largest count as zero.
+// throws     ArgumentError if an element is not finite.
+// source     G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013, chapter 2 (singular
+//            value decomposition).
 Eigen::MatrixXd null_space_projector(const Eigen::MatrixXd& J, double tolerance = 1e-9);
 
 // Ratio of the largest to the smallest singular value; infinity if the smallest is zero.
+//
+// throws  ArgumentError if the matrix is empty or an element is not finite.
 double condition_number(const Eigen::MatrixXd& A);
 
 }  // namespace armlet

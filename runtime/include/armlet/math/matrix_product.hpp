@@ -8,7 +8,7 @@ namespace armlet {
 //
 // Every element is the sum of its products from the first to the last, each rounded, beginning
 // with 0: the same bits on every machine, however many elements are worked on at once.
-// The result may not overlap the factors.
+// The result may not overlap the factors. Nothing is checked and nothing is thrown.
 
 // c = a b, where a is rows x inner and b is inner x cols.
 void multiply(const double* a, const double* b, double* c, std::size_t rows, std::size_t inner,

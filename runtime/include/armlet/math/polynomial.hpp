@@ -6,6 +6,8 @@ namespace armlet {
 
 // Polynomials are coefficient vectors, constant term first: p(t) = c0 + c1 t + c2 t^2 + ...
 
+// None of them throws but fit_boundary_polynomial.
+
 // Value of the derivative of the given order (0: the polynomial itself) at t.
 double polynomial_value(const Eigen::VectorXd& c, double t, int derivative = 0);
 

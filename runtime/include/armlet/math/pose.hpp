@@ -8,6 +8,9 @@
 
 namespace armlet {
 
+// Positions are in m and angles in rad. Functions of poses rely on rotations that are orthonormal
+// and throw nothing; check_pose is for poses that come from outside.
+
 // T_a_b maps coordinates from b to a, so frames cancel: T_a_c = T_a_b T_b_c.
 Eigen::Isometry3d make_pose(const Eigen::Matrix3d& R, const Eigen::Vector3d& p);
 Eigen::Isometry3d make_translation(const Eigen::Vector3d& p);
@@ -23,6 +26,8 @@ double angle_between(const Eigen::Isometry3d& T_1, const Eigen::Isometry3d& T_2)
 
 // Exponential and logarithm of SE(3), xi = [rho; phi]: exp = [exp(phi), V(phi) rho].
 // The logarithm is exact for every angle up to and including pi.
+// source  R. Murray, Z. Li, S. Sastry, A Mathematical Introduction to Robotic Manipulation, 1994,
+//         chapter 2 (exponential coordinates for rigid motion).
 Eigen::Isometry3d pose_exp(const Vector6d& xi);
 Vector6d pose_log(const Eigen::Isometry3d& T);
 
@@ -32,7 +37,7 @@ Vector6d pose_log(const Eigen::Isometry3d& T);
 // s  0 gives T_0, 1 gives T_1; other values extrapolate.
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& T_0, const Eigen::Isometry3d& T_1, double s);
 
-// Screw motion T_0 exp(s log(T_0^-1 T_1)): the origin follows a helix.
+// Screw motion T_0 exp(s log(T_0^-1 T_1)): the origin follows a helix. s as above.
 Eigen::Isometry3d interpolate_screw(const Eigen::Isometry3d& T_0, const Eigen::Isometry3d& T_1,
                                     double s);
 

@@ -5,7 +5,10 @@
 
 namespace armlet {
 
-// Elementary rotations about one axis, rad.
+// Angles are in rad. Functions of rotations rely on matrices that are orthonormal; what throws says
+// so.
+
+// Elementary rotations about one axis.
 Eigen::Matrix3d rot_x(double angle);
 Eigen::Matrix3d rot_y(double angle);
 Eigen::Matrix3d rot_z(double angle);

@@ -33,7 +33,8 @@ inline constexpr double kDefaultSlideSpeed = 0.5;              // m/s
 inline constexpr double kDefaultTimeToSpeed = 0.25;            // s
 inline constexpr double kDefaultTimeToAccel = 0.1;             // s
 
-// A joint's value for people: "152.4 deg" for a revolute joint, "37.2 mm" for a prismatic one.
+// A joint's value, rad or m, for people: "152.4 deg" for a revolute joint, "37.2 mm" for a
+// prismatic one.
 std::string format_joint_value(JointKind kind, double value);
 // The same with as many decimals as tell it from another value: "140.03 deg" beside "140 deg".
 std::string format_joint_value(JointKind kind, double value, double beside);

@@ -24,7 +24,8 @@ struct Body {
   Link link{};
 };
 
-// What drives the joints, in rad and m. A rate or an effort of 0 is one that nobody gave.
+// What drives the joints, in rad and m, N m and N. A rate or an effort of 0 is one that nobody
+// gave.
 struct Actuator {
   std::string name;
   double lower = 0.0;

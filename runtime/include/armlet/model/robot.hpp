@@ -91,6 +91,8 @@ class Robot {
 
   // Copies with one thing changed. with_tool puts the tool point at the hand's length along the
   // flange's z axis; with_tool_point moves the point and keeps the hand.
+  // throws  ArgumentError where the constructor would: a pose that is none, a tool with an
+  //         impossible number, a home of another size or outside the limits.
   Robot with_name(std::string name) const;
   Robot with_base(const Eigen::Isometry3d& T_world_base) const;
   Robot with_tool(const Tool& tool) const;
@@ -101,7 +103,8 @@ class Robot {
   //
   // throws  ArgumentError on a wrong size, a number that is not finite and limits that are swapped.
   Robot with_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) const;
-  // The acceleration limits multiplied by `fraction`, above 0 and at most 1.
+  // The acceleration limits multiplied by `fraction`, above 0 and at most 1. Throws ArgumentError
+  // for another fraction.
   Robot with_acceleration(double fraction) const;
 
  private:

@@ -18,11 +18,10 @@ MechanismSpec mechanism_of(const Robot& robot);
 //
 // tip      name of a link or tip; empty: the end of the only chain, or the link at which a chain
 //          divides (a palm).
-// returns  an error naming the joint or the choices if there is no such chain, a joint of it copies
-//          another joint, or it has not 1 to kMaxJoints joints.
+// returns  in rad and m; an error naming the joint or the choices if there is no such chain, a
+//          joint of it copies another joint, or it has not 1 to kMaxJoints joints.
 // source   J. Denavit and R. Hartenberg 1955: common normals of the axes; two axes within 1e-8 rad
-// of
-//          parallel count as parallel.
+//          of parallel count as parallel.
 Result<RobotSpec> serial_arm(const Mechanism& mechanism, std::string_view tip = {});
 
 }  // namespace armlet

@@ -6,7 +6,7 @@ namespace armlet {
 
 enum class ToolKind { kNone, kParallelGripper, kSuctionCup, kPoint };
 
-// The hand. Its tool point lies `length` along the z axis of the flange.
+// The tool at the flange. Its tool point lies `length` along the z axis of the flange.
 //
 // stroke          widest opening of a gripper, m; wider things cannot be grasped.
 // length          from the flange to the tool point, m.
@@ -26,8 +26,8 @@ struct Tool {
   }
 };
 
-// Ready-made hands. All throw ArgumentError for a stroke or radius that is not above zero, a
-// negative length or a negative force.
+// Ready-made tools; lengths in m, forces in N. All throw ArgumentError for a stroke or radius that
+// is not above zero, a negative length or a negative force.
 Tool parallel_gripper(double stroke, double length = 0.120, double force = 20.0);
 Tool suction_cup(double radius, double length = 0.060);
 Tool point_tool(double length = 0.0);

@@ -23,9 +23,8 @@ struct UrdfOptions {
 // gear.
 //
 // returns  an error that names the link or joint: broken XML, a link that is its own parent,
-// missing
-//          or not connected, a joint of a kind that an arm has not, numbers that are none, swapped
-//          limits, an inertia that no body has, a missing mesh.
+//          missing or not connected, a joint of a kind that an arm has not, numbers that are none,
+//          swapped limits, an inertia that no body has, a missing mesh.
 Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options = {});
 
 // The mechanism as a URDF that read_urdf and others understand; numbers read back to the same bits.

@@ -9,6 +9,9 @@ namespace armlet {
 
 // The acceleration of joint i as polynomials of time, one for each stretch between two knots of the
 // whole motion: a(t) = sum_k c[k] (t - start)^k. No pieces for a motion that takes no time.
+//
+// i       counts from 0.
+// returns pieces in rad/s^2 or m/s^2, times in s.
 // throws  ArgumentError for a joint that does not exist.
 std::vector<Segment> acceleration_pieces(const Trajectory& motion, int i);
 

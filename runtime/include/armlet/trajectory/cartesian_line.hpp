@@ -16,8 +16,7 @@ namespace armlet {
 //                 the orientation is kept as far as the arm can, with kTurn only the turn about z.
 // time            whole duration, s; not together with tool_speed.
 // tool_speed      highest speed of the tool point, m/s. The move takes longer if the joints need
-// it.
-//                 With neither, the move is as fast as the joints allow.
+//                 it. With neither, the move is as fast as the joints allow.
 // tool_accel      highest acceleration of the tool point along the line, m/s^2; not with time.
 // speed           fraction of the joint limits for a move with neither time nor tool_speed, above 0
 //                 and at most 1: the move as fast as the joints allow, run 1/speed times slower.
@@ -37,8 +36,8 @@ struct LineMove {
 //
 // kGoal  its end cannot be reached at all; `ik` says why.
 // kPath  its end can be reached, a point in between cannot; `ik` says why for that point. If `ik`
-// is
-//        ok there, only another configuration of the arm reaches it, which it cannot change into.
+//        is ok there, only another configuration of the arm reaches it, which it cannot change
+//        into.
 // kJump  a joint would have to jump: the line passes through or next to a singularity.
 // kNoArc for arcs only: the three places lie on one line, and the middle one is not in between.
 enum class LineFaultKind { kGoal, kPath, kJump, kNoArc };
@@ -71,6 +70,7 @@ struct LinePlan {
 // quintic 10 x^3 - 15 x^4 + 6 x^5 of time, as slowly as the limits of the joints on speed,
 // acceleration and jerk need it.
 //
+// robot   the limits of its joints count; poses are in the world.
 // throws  ArgumentError unless q0 has n finite elements, the goal is a pose, and time or tool_speed
 //         is positive (time may be 0 if there is nothing to travel), not both.
 LinePlan plan_line(const Robot& robot, const LineMove& move);

@@ -14,14 +14,16 @@ namespace armlet {
 //
 // If the three places lie on one line with `via` in between, that line is followed.
 //
-// returns  a plan whose fault is kNoArc if they lie on one line and `via` is not in between.
+// p_world_via  in the world, m.
+// returns      a plan whose fault is kNoArc if they lie on one line and `via` is not in between.
+// throws       as plan_line.
+// source       B. Siciliano et al., Robotics, 2009, section 4.3.1 (circular path).
 LinePlan plan_arc(const Robot& robot, const Eigen::Vector3d& p_world_via, const LineMove& move);
 
 // A place on a path.
 //
 // q            reached on a straight line of the joints instead, which end there; the two poses
-// below
-//              do not count then.
+//              below do not count then.
 // p_world_via  reached over this place on a circle; nothing: on a straight line.
 // blend        how far before and after the place the path may leave its pieces to round the
 //              corner, m; at most half the length of either. With 0 the tool stops there.

@@ -39,6 +39,9 @@ struct SplineMove {
 //          fault is of its leg's time.
 // throws  ArgumentError unless q0 has n finite elements, there is a place, places are poses, and
 //         time and speed are as said.
+// source  splines in time as in spline.hpp; splines of the rotation vector: F. C. Park, B. Ravani,
+//         Smooth invariant interpolation of rotations, ACM Transactions on Graphics 16(3), 1997,
+//         here with one rotation vector for the whole curve.
 PathPlan plan_cartesian_spline(const Robot& robot, const SplineMove& move);
 
 }  // namespace armlet

@@ -4,6 +4,7 @@
 
 namespace armlet {
 
+// Of the smallest singular value of the Jacobian, m and m/rad alike.
 constexpr double kUsualDamping = 0.05;
 
 // A line that was followed only as well as joints of limited speed can.
@@ -44,7 +45,9 @@ DampedLine plan_damped_line(const Robot& robot, const LineMove& move,
 
 // The same along the circle of plan_arc.
 //
-// returns  nothing if there is no arc over the three places.
+// p_world_via  in the world, m.
+// returns      nothing if there is no arc over the three places.
+// throws       as plan_damped_line.
 std::optional<DampedLine> plan_damped_arc(const Robot& robot, const Eigen::Vector3d& p_world_via,
                                           const LineMove& move, double damping = kUsualDamping);
 

@@ -11,7 +11,8 @@ namespace armlet {
 // they are. Of more than 2000 knots none is looked at beside the even times, of which there are
 // then 4000.
 //
-// even  at least 2
+// even     at least 2.
+// returns  times, s.
 std::vector<double> drawing_times(const Trajectory& motion, int even = 201);
 
 }  // namespace armlet

@@ -49,13 +49,16 @@ class JerkProfile {
 // The axis is accelerated towards a speed limit up to some moment and then stopped as fast as can
 // be; where it stops depends on that moment monotonically, so the moment is found by bracketing.
 //
-// source  L. Berscheid, T. Kroeger, Jerk-limited real-time trajectory generation with arbitrary
-//         target states, RSS 2021, for targets at rest.
+// from, to  state, rad or m and its derivatives, and target; finite.
+// throws    nothing; plan_jerk_limited checks what it is given.
+// source    L. Berscheid, T. Kroeger, Jerk-limited real-time trajectory generation with arbitrary
+//           target states, RSS 2021, for targets at rest.
 JerkProfile fastest_jerk_limited(const AxisState& from, double to, const AxisLimits& limits);
 
 // The same motion in exactly T seconds, with a lower speed between the same accelerations and
 // jerks; nothing if there is none (T too short, or a start that must first slow down).
 //
+// T        s.
 // fastest  of the same from, to and limits.
 std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to,
                                                 const AxisLimits& limits, double T,
@@ -71,10 +74,13 @@ std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to
 double plan_jerk_limited(std::span<const AxisState> from, std::span<const double> to,
                          std::span<const AxisLimits> limits, std::span<JerkProfile> profiles);
 
-// The cubic pieces of a profile that starts in the given state at t = 0.
+// The cubic pieces of a profile that starts in the given state at t = 0: position is the third
+// integral of the constant jerks.
 std::vector<Segment> jerk_segments(const AxisState& from, const JerkProfile& profile);
 
-// The motion of several axes; `from` and `to` as in plan_jerk_limited.
+// The motion of several axes; `from` and `to` as in plan_jerk_limited, duration in s.
+//
+// throws  ArgumentError as the constructor of Trajectory does.
 Trajectory jerk_trajectory(std::span<const AxisState> from, std::span<const double> to,
                            std::span<const JerkProfile> profiles, double duration);
 

@@ -21,6 +21,7 @@ struct JointMove {
 //
 // returns  a plan whose `outside` names joints that the target puts outside their limits, and whose
 //          `too_fast` names the joint that needs more time.
+// source   B. Siciliano et al., Robotics, 2009, section 4.2 (joint space trajectories).
 // throws   ArgumentError for sizes, planners, times and speeds as PlannerSet::plan does.
 MotionPlan plan_joint_move(const PlannerSet& planners, const Robot& robot, const JointMove& move);
 

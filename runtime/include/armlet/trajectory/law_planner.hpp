@@ -12,17 +12,24 @@ namespace armlet {
 using ScalarLaw = std::vector<Segment>;
 
 // The polynomial sum_k c[k] x^k, of degree 7 at most.
+//
 // throws  ArgumentError unless it leads from 0 at x = 0 to 1 at x = 1 (within 1e-9).
 ScalarLaw law_of_polynomial(std::span<const double> c);
 
 // The law through values at evenly spaced x, the first at 0 and the last at 1: a cubic spline whose
 // slopes at the ends come from the six values there, 0 if they are below 1e-4. Cubic laws are met
 // exactly.
+//
+// source  C. de Boor, A Practical Guide to Splines, 1978, chapter IV.
 // throws  ArgumentError for fewer than six values, values that are not finite, and ends as above.
 ScalarLaw law_of_values(std::span<const double> s);
 
 // All joints move together along q0 + s(t / T) (q1 - q0). Without a time, as fast as the limits on
-// speed and acceleration allow.
+// speed and acceleration allow: T is the largest of max|s'| D / V and sqrt(max|s''| D / A).
+//
+// law     as made by the functions above.
+// source  L. Biagiotti, C. Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008,
+//         chapter 5 (scaling in time).
 Planner planner_of_law(ScalarLaw law);
 
 }  // namespace armlet

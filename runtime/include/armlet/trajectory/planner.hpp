@@ -21,8 +21,7 @@ namespace armlet {
 // limits          one per joint.
 // time            whole duration, s; nothing: as fast as the limits allow.
 // speed           fraction of the limits, above 0 and at most 1: the fastest move, run 1/speed
-// times
-//                 slower. Not together with time.
+//                 times slower. Not together with time.
 // enforce_limits  false: a move that is too fast is planned all the same and only reported.
 // via             points between q0 and q1, in order. Planners that know only two points stop at
 //                 each.
@@ -75,15 +74,16 @@ struct PlannerRow {
 };
 [[nodiscard]] std::span<const PlannerRow> planner_rows();
 
-// Planners by name. Those that keep their shape in time, through several points, are only slowed
-// down by a lower speed or a longer time; without durations the legs of the others are divided by
-// how long the slowest joint needs for each.
+// Planners by name; their laws and the sources of these are in profile.hpp, spline.hpp,
+// jerk_limited.hpp and time_optimal.hpp. Planners that keep their shape in time, through several
+// points, are only slowed down by a lower speed or a longer time; without durations the legs of the
+// others are divided by how long the slowest joint needs for each.
 class PlannerSet {
  public:
   // The planners of planner_rows().
   PlannerSet();
 
-  // Adds a planner, or replaces the one of that name.
+  // Adds a planner, or replaces the one of that name. What the planner throws, plan() throws.
   void add(std::string name, Planner planner, Through through = Through::kStops);
 
   [[nodiscard]] bool has(std::string_view name) const;

@@ -31,6 +31,9 @@ struct LeastTime {
   LimitKind limit = LimitKind::kSpeed;
 };
 
+// Positions are in rad or m, times in s. Functions that take a duration T throw ArgumentError
+// unless T > 0; limits are above zero.
+
 // Cubic with given positions and speeds at both ends; `from.a` and `to.a` are not used.
 // T       duration, s, > 0.
 // source  Craig, Introduction to Robotics (2005), eq. 7.11.
@@ -61,10 +64,15 @@ Segment septic_segment(double q0, double q1, double T);
 // source  Biagiotti, Melchiorri 2008, section 2.2.
 std::vector<Segment> cycloid_segments(double q0, double q1, double T);
 
-// The same polynomial written from its other end: q(T - t), starting at `start`.
+// The same polynomial written from its other end: q(T - t), starting at `start`, s.
 Segment reversed(const Segment& piece, double start);
 
-// Least time from rest to rest over `travel`. Cubic: max(1.5 D/V, sqrt(6 D/A)); its jerk is
+// Least time from rest to rest over `travel`, D = |travel|, under limits V, A and J: from the
+// largest derivatives of each law over x = t / T.
+// source  Biagiotti, Melchiorri 2008, sections 2.1 (polynomials) and 2.2 (cycloid) and chapter 5
+//         (scaling in time).
+//
+// Cubic: max(1.5 D/V, sqrt(6 D/A)); its jerk is
 // unbounded at the ends, so a jerk limit is not considered.
 LeastTime cubic_least_time(double travel, const AxisLimits& limits);
 
@@ -86,6 +94,7 @@ struct Trapezoid {
 
 // The fastest trapezoid (or triangle) over `travel` under speed and acceleration limits.
 // Zero travel gives a zero duration.
+// source  B. Siciliano et al., Robotics, 2009, section 4.2.1; the three functions below as well.
 Trapezoid fastest_trapezoid(double travel, const AxisLimits& limits);
 LeastTime trapezoid_least_time(double travel, const AxisLimits& limits);
 

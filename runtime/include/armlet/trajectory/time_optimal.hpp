@@ -50,7 +50,12 @@ SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits>
                              int intervals = 100, std::span<const SpeedZone> zones = {},
                              std::span<const Segment> travel = {});
 
-// The motion that runs the path like that, as polynomials of degree 6 in time.
+// The motion that runs the path like that, as polynomials of degree 6 in time: s is quadratic in t
+// where the acceleration along the path is constant, and q is cubic in s.
+//
+// throws  ArgumentError for a path of a degree above 3.
+// source  J. E. Bobrow, S. Dubowsky, J. S. Gibson, Time-optimal control of robotic manipulators
+//         along specified paths, Int. J. Robotics Research 4(3), 1985: motion along a path by s(t).
 Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed);
 
 // A run with its speeds.
@@ -62,11 +67,12 @@ struct FastestRun {
 // The fastest run, made slower between places where limits would be exceeded there, until that is
 // 1e-3 of the time at most; and then as a whole by what is left, so that they hold everywhere. The
 // intervals are divided where no limit is reached, which the fastest run does everywhere.
+// Arguments, what is thrown and the source as for fastest_along.
 FastestRun fastest_run(const Trajectory& path, std::span<const AxisLimits> limits,
                        int intervals = 100, std::span<const SpeedZone> zones = {},
                        std::span<const Segment> travel = {});
 
-// Its motion.
+// The motion of fastest_run.
 Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits,
                         int intervals = 100, std::span<const SpeedZone> zones = {});
 

@@ -53,12 +53,12 @@ class Trajectory {
   [[nodiscard]] Eigen::VectorXd start() const;
   [[nodiscard]] Eigen::VectorXd end() const;
 
-  // State at time t without allocating.
+  // State at time t, s, without allocating: position, rad or m, speed and acceleration.
   // throws  ArgumentError if one of the arguments has not n elements.
   void sample(double t, Eigen::Ref<Eigen::VectorXd> q, Eigen::Ref<Eigen::VectorXd> qd,
               Eigen::Ref<Eigen::VectorXd> qdd) const;
 
-  // The derivative of the given order (0: position, 3: jerk) of joint i at time t.
+  // The derivative of the given order (0: position, 3: jerk) of joint i, from 0, at time t, s.
   [[nodiscard]] double value(int i, double t, int order = 0) const;
 
   // All times at which some polynomial begins or ends, ascending, each once, from 0 to duration().
@@ -76,7 +76,11 @@ class Trajectory {
   };
   [[nodiscard]] Range range(int i) const;
 
-  // The same path run `factor` times slower (factor > 0): duration and knots are multiplied by it.
+  // The same path run `factor` times slower: duration and knots are multiplied by it, the k-th
+  // derivative is divided by its k-th power.
+  // throws  ArgumentError unless factor is finite and above zero.
+  // source  J. M. Hollerbach, Dynamic scaling of manipulator trajectories, Journal of Dynamic
+  //         Systems, Measurement, and Control 106, 1984.
   [[nodiscard]] Trajectory stretched(double factor) const;
 
   // This motion and then the next, which starts where this one ends.

@@ -98,13 +98,17 @@ struct VelocityPlan {
   ToolTakeUp take_up{};
 };
 
-// Holds joint speeds, rad/s or m/s.
+// Holds joint speeds.
+//
+// rates   n joint speeds, rad/s or m/s.
 // throws  ArgumentError for sizes that differ, numbers that are not finite, or no duration.
 VelocityPlan plan_joint_velocity(const Robot& robot, const VelocityStart& start,
                                  const Eigen::VectorXd& rates);
 
 // Holds a velocity of the tool point: v in m/s and w in rad/s, in the world. Of the joint speeds
 // that give it the smallest ones are taken.
+//
+// twist   [v; w] of the tool point, m/s and rad/s, along the axes of the world.
 // throws  as plan_joint_velocity.
 // source  D. E. Whitney, Resolved motion rate control of manipulators and human prostheses, IEEE
 //         Transactions on Man-Machine Systems 10(2), 1969.

@@ -27,15 +27,16 @@ struct MotionPlan {
   [[nodiscard]] bool ok() const { return trajectory.has_value(); }
 };
 
-// Speed, acceleration and jerk limits of every joint.
+// Speed, acceleration and jerk limits of every joint, in joint order.
 std::vector<AxisLimits> axis_limits(const Robot& robot);
 
 // The duration that the path of this trajectory needs at least for the speed and acceleration
 // limits, and those on jerk if they count, of every joint; and the joint that decides. Run k times
 // slower, speeds fall by k, accelerations by k^2 and jerks by k^3.
+//
+// throws  ArgumentError unless the trajectory has one path per joint.
 // source  J. M. Hollerbach, Dynamic scaling of manipulator trajectories, Journal of Dynamic
-// Systems,
-//         Measurement, and Control 106, 1984.
+//         Systems, Measurement, and Control 106, 1984.
 TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk = Jerk::kFree);
 
 // Checks positions, speeds, accelerations and perhaps jerks over the whole motion, exactly. A joint
