@@ -37,7 +37,7 @@ struct Calls {
   Calls(int ours_, int theirs_) : ours(ours_), theirs(theirs_) {}
 };
 
-// Times two ways of doing the same, in turn, so that a slow moment of the machine meets both.
+// Times two solutions of doing the same, in turn, so that a slow moment of the machine meets both.
 template <class Ours, class Theirs>
 Times compare(Calls calls, Ours ours, Theirs theirs, int rounds = 11) {
   std::vector<double> a, b;

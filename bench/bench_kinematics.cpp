@@ -73,18 +73,18 @@ void check_agreement(const Robot& robot, const std::vector<Eigen::VectorXd>& q, 
 
 // Both sides with inputs that wait for the last result.
 template <class Ours, class Theirs>
-void compare_in_turn(const char* what, std::vector<Eigen::VectorXd>& q, KdlArm& peer,
-                     const Ours& ours, const Theirs& theirs) {
+void compare_alternately(const char* what, std::vector<Eigen::VectorXd>& q, KdlArm& peer,
+                         const Ours& ours, const Theirs& theirs) {
   double last = 0.0;
-  const auto ours_in_turn = [&](int k) {
+  const auto ours_alternately = [&](int k) {
     q[static_cast<std::size_t>(k)][0] += 0.0 * last;
     return last = ours(k);
   };
-  const auto theirs_in_turn = [&](int k) {
+  const auto theirs_alternately = [&](int k) {
     peer.change_first_joint(k, 0.0 * last);
     return last = theirs(k);
   };
-  print_row("", what, compare(kConfigurations, ours_in_turn, theirs_in_turn, kRounds));
+  print_row("", what, compare(kConfigurations, ours_alternately, theirs_alternately, kRounds));
 }
 
 // Inputs that are ready, then inputs that wait for the last result.
@@ -92,7 +92,7 @@ void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& p
   const auto ours = [&](int k) { return forward(robot, q[static_cast<std::size_t>(k)])(0, 3); };
   const auto theirs = [&](int k) { return peer.pose(k); };
   print_row("", "tool pose", compare(kConfigurations, ours, theirs, kRounds), "at least 5");
-  compare_in_turn("tool pose, in turn", q, peer, ours, theirs);
+  compare_alternately("tool pose, in turn", q, peer, ours, theirs);
   std::vector<Eigen::Isometry3d> frames(static_cast<std::size_t>(robot.n()));
   const auto all_frames = [&](int k) {
     return link_frames(robot, q[static_cast<std::size_t>(k)], frames)(0, 3);
@@ -106,7 +106,7 @@ void bench_jacobian(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& 
   const auto ours = [&](int k) { return jacobian(robot, q[static_cast<std::size_t>(k)])(0, 0); };
   const auto theirs = [&](int k) { return peer.jacobian(k); };
   print_row("", "Jacobian", compare(kConfigurations, ours, theirs, kRounds), "at least 10");
-  compare_in_turn("Jacobian, in turn", q, peer, ours, theirs);
+  compare_alternately("Jacobian, in turn", q, peer, ours, theirs);
 }
 
 // All configurations in one call, against as many single calls of our own.
@@ -239,11 +239,11 @@ void bench_closed_form(const Robot& robot, const std::vector<Eigen::Isometry3d>&
   for (const auto& [set, name] : kSets) {
     if (!is_supported(set)) continue;
     ClosedLanes lanes;
-    const auto all_ways = [&, kernel = closed_kernel_for(set)](int k) {
+    const auto all_branches = [&, kernel = closed_kernel_for(set)](int k) {
       form->solve(goal(k), lanes, *kernel);
       return lanes.q[0][0];
     };
-    row(std::string("its kernel, ") + name, all_ways, "at most 2.5");
+    row(std::string("its kernel, ") + name, all_branches, "at most 2.5");
   }
 }
 

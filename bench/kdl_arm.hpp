@@ -7,7 +7,8 @@
 
 namespace armlet::bench {
 
-// Rotation by rows, then the position: what crosses between two ways of laying out Eigen's types.
+// Rotation by rows, then the position: what crosses between two solutions of laying out Eigen's
+// types.
 using PlainPose = std::array<double, 12>;
 
 // One joint: Rz(theta) Tz(d) followed by Tx(a) Rx(alpha).

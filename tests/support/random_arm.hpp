@@ -8,7 +8,7 @@
 #include "armlet/model/robot.hpp"
 
 // Arms of every structure: twists that need no arithmetic and others, lengths that are zero and
-// others, turning and sliding joints, both conventions, with and without a base and a tool.
+// others, turning and prismatic joints, both conventions, with and without a base and a tool.
 namespace armlet {
 
 inline double random_twist(Random& random) {
@@ -21,7 +21,7 @@ inline double random_length(Random& random) {
   return random.below(2) == 0 ? 0.0 : random.uniform(-0.6, 0.6);
 }
 
-inline Eigen::Isometry3d random_place(Random& random) {
+inline Eigen::Isometry3d random_placement(Random& random) {
   switch (random.below(3)) {
     case 0:
       return Eigen::Isometry3d::Identity();
@@ -43,8 +43,8 @@ inline Robot random_arm(Random& random, int n) {
                 random_twist(random)};
     spec.joints.push_back(joint);
   }
-  spec.T_world_base = random_place(random);
-  spec.T_flange_tool = random_place(random);
+  spec.T_world_base = random_placement(random);
+  spec.T_flange_tool = random_placement(random);
   return Robot(spec);
 }
 

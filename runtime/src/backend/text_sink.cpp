@@ -55,7 +55,7 @@ void TextSink::replace_beginning(std::string_view text) {
 
 Eigen::Quaterniond positive_quaternion(const Eigen::Isometry3d& T) {
   Eigen::Quaterniond quaternion(T.linear());
-  // Half a turn has w = 0 up to rounding; its sign must not flicker from sample to sample.
+  // Half a revolution has w = 0 up to rounding; its sign must not flicker from sample to sample.
   for (const double part : {quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()}) {
     if (std::abs(part) < 1e-9) continue;
     if (part < 0.0) quaternion.coeffs() = -quaternion.coeffs();

@@ -13,12 +13,12 @@ namespace armlet {
 namespace {
 
 // rad or m, and per s: planned from a state that was printed and read.
-constexpr double kSamePlace = 1e-6;
+constexpr double kSamePosition = 1e-6;
 
 void check_start(const CellRobot& arm, const Trajectory& trajectory) {
   check_size("trajectory", trajectory.n(), arm.model->n());
   const double apart = (trajectory.start() - arm.q).cwiseAbs().maxCoeff();
-  if (apart > kSamePlace) {
+  if (apart > kSamePosition) {
     throw ArgumentError(fmt::format(
         "The motion of \"{}\" starts {} rad or m from where the robot is.", arm.name, apart));
   }
@@ -57,7 +57,7 @@ int Cell::drive(int index, Trajectory trajectory, std::optional<std::int64_t> he
   if (!can_drive(index)) throw ArgumentError(fmt::format("\"{}\" is moving already.", arm.name));
   for (int i = 0; i < trajectory.n(); ++i) {
     const double step = std::abs(trajectory.value(i, 0.0, 1) - arm.qd[i]);
-    if (step <= kSamePlace) continue;
+    if (step <= kSamePosition) continue;
     throw ArgumentError(fmt::format("Joint {} of \"{}\" would change its speed by {} at once.",
                                     i + 1, arm.name, step));
   }

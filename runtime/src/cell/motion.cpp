@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kSlack = 1e-9;     // relative, of an acceleration or a jerk
 constexpr double kSameTime = 1e-9;  // s, resolution of the clock
-// Between the places where a brake is looked at, a little more than what is seen there is possible.
+// Between the positions where a brake is looked at, a little more than what is seen there is
+// possible.
 constexpr double kAllowed = 0.998;  // of a limit
 constexpr double kAimedAt = 0.997;
 

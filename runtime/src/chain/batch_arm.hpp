@@ -13,14 +13,14 @@ inline constexpr unsigned char kRightTwist = 1, kAnyTwist = 2;
 struct BatchArm {
   std::size_t n;
   bool base_is_none, tool_on_axis;
-  const double *theta, *turn, *d, *slide, *a, *sin_alpha, *cos_alpha, *base, *tool;
+  const double *theta, *q_to_theta, *d, *q_to_d, *a, *sin_alpha, *cos_alpha, *base, *tool;
   const bool *has_d, *has_a;
   const unsigned char* twist;
 
-  [[gnu::always_inline]] bool slides(std::size_t i) const { return turn[i] == 0.0; }
+  [[gnu::always_inline]] bool slides(std::size_t i) const { return q_to_theta[i] == 0.0; }
   // The angle of a plain joint is its value.
   [[gnu::always_inline]] bool plain(std::size_t i) const {
-    return theta[i] == 0.0 && turn[i] == 1.0;
+    return theta[i] == 0.0 && q_to_theta[i] == 1.0;
   }
   [[gnu::always_inline]] bool right_angle(std::size_t i) const { return twist[i] == kRightTwist; }
   [[gnu::always_inline]] bool any_angle(std::size_t i) const { return twist[i] == kAnyTwist; }

@@ -17,7 +17,7 @@ struct GroupBlock {
   [[gnu::always_inline]] std::size_t count() const { return group.count; }
   [[gnu::always_inline]] V sine(std::size_t i) const { return sines.sine(i, b); }
   [[gnu::always_inline]] V cosine(std::size_t i) const { return sines.cosine(i, b); }
-  [[gnu::always_inline]] V turn(std::size_t i) const { return group.lanes.turn[i]; }
+  [[gnu::always_inline]] V q_to_theta(std::size_t i) const { return group.lanes.q_to_theta[i]; }
   [[gnu::always_inline]] V a(std::size_t i) const { return group.lanes.a[i]; }
   [[gnu::always_inline]] V d(std::size_t i) const { return group.lanes.d[i]; }
   [[gnu::always_inline]] V q(std::size_t i) const {

@@ -29,7 +29,7 @@ struct FewBlocks {
 // joint.
 template <class V>
 [[gnu::always_inline]] inline V angle_of(const BatchArm& arm, std::size_t i, V value) {
-  return value * all_lanes<V>(arm.turn[i]) + all_lanes<V>(arm.theta[i]);
+  return value * all_lanes<V>(arm.q_to_theta[i]) + all_lanes<V>(arm.theta[i]);
 }
 
 // One vector after the other, of the first joint's blocks, the second's and so on, four at a time.
@@ -100,7 +100,9 @@ struct FewBlock {
   [[gnu::always_inline]] std::size_t count() const { return blocks.count; }
   [[gnu::always_inline]] V sine(std::size_t i) const { return sines.sine(i, b); }
   [[gnu::always_inline]] V cosine(std::size_t i) const { return sines.cosine(i, b); }
-  [[gnu::always_inline]] V turn(std::size_t i) const { return all_lanes<V>(blocks.arm.turn[i]); }
+  [[gnu::always_inline]] V q_to_theta(std::size_t i) const {
+    return all_lanes<V>(blocks.arm.q_to_theta[i]);
+  }
   [[gnu::always_inline]] V a(std::size_t i) const { return all_lanes<V>(blocks.arm.a[i]); }
   [[gnu::always_inline]] V d(std::size_t i) const { return all_lanes<V>(blocks.arm.d[i]); }
   [[gnu::always_inline]] V q(std::size_t i) const { return blocks.values(i, b); }

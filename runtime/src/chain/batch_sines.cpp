@@ -21,7 +21,7 @@ namespace armlet {
             "The value of joint {} in configuration {} is {}; expected a finite number.", i + 1,
             k + 1, value));
       }
-      const double angle = arm.theta[i] + value * arm.turn[i];
+      const double angle = arm.theta[i] + value * arm.q_to_theta[i];
       if (!det::is_too_large(angle)) continue;
       const det::SinCos exact = det::sincos(angle);
       block.sines[i * block.stride + lane] = exact.sin;

@@ -18,13 +18,13 @@ inline constexpr std::size_t kGroupBlocks = 4;
 // What does not change from block to block, in every lane.
 template <class V>
 struct BatchLanes {
-  V theta[kBatchJoints], turn[kBatchJoints], d[kBatchJoints], a[kBatchJoints];
+  V theta[kBatchJoints], q_to_theta[kBatchJoints], d[kBatchJoints], a[kBatchJoints];
   det::QuickTable<V> numbers;
 
   [[gnu::always_inline]] explicit BatchLanes(const BatchArm& arm) {
     for (std::size_t i = 0; i < arm.n; ++i) {
       theta[i] = all_lanes<V>(arm.theta[i]);
-      turn[i] = all_lanes<V>(arm.turn[i]);
+      q_to_theta[i] = all_lanes<V>(arm.q_to_theta[i]);
       d[i] = all_lanes<V>(arm.d[i]);
       a[i] = all_lanes<V>(arm.a[i]);
     }
@@ -58,7 +58,7 @@ struct BatchGroup {
     const det::FourLanes<V> x = {load_lanes<V>(values + start(0)), load_lanes<V>(values + start(1)),
                                  load_lanes<V>(values + start(2)),
                                  load_lanes<V>(values + start(3))};
-    return arm.plain(i) ? x : x * lanes.turn[i] + lanes.theta[i];
+    return arm.plain(i) ? x : x * lanes.q_to_theta[i] + lanes.theta[i];
   }
 };
 

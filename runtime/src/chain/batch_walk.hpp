@@ -10,7 +10,7 @@ namespace armlet {
 template <class Block>
 [[gnu::always_inline]] inline auto distance(const Block& block, std::size_t i) {
   const auto d = block.d(i);
-  return block.arm().slides(i) ? d + block.q(i) * block.arm().slide[i] : d;
+  return block.arm().slides(i) ? d + block.q(i) * block.arm().q_to_d[i] : d;
 }
 
 // From the tool to the base with what is carried (walk_in.hpp).
@@ -56,7 +56,7 @@ struct BatchFrame {
     }
   }
 
-  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
+  [[gnu::always_inline]] void rotate_z(V sine, V cosine) {
     const Parts<V> x_before = x;
     x = cosine * x_before + sine * y;
     y = cosine * y - sine * x_before;
@@ -74,7 +74,7 @@ template <class Block, class AtAxis>
   for (std::size_t i = 0; i < arm.n; ++i) {
     if (i > 0) frame.step_x(arm, i);
     if (arm.has_d[i]) frame.p = frame.p + distance(block, i) * frame.z;
-    frame.turn_z(block.sine(i), block.cosine(i));
+    frame.rotate_z(block.sine(i), block.cosine(i));
     at_axis(i, frame.z, frame.p);
   }
 }

@@ -16,7 +16,7 @@ namespace armlet {
       throw ArgumentError(
           fmt::format("The value of joint {} is {}; expected a finite number.", i + 1, q[i]));
     }
-    const det::SinCos angle = det::sincos(plan.theta[i] + q[i] * plan.turn[i]);
+    const det::SinCos angle = det::sincos(plan.theta[i] + q[i] * plan.q_to_theta[i]);
     sine[i] = angle.sin;
     cosine[i] = angle.cos;
   }

@@ -52,7 +52,7 @@ class JointSinesBy {
       const int i = first(pair);
       const Lanes values = n_ == 1 ? both(q[0]) : load_pair(q + i);
       const Lanes angles =
-          load_pair(plan.theta.data() + i) + values * load_pair(plan.turn.data() + i);
+          load_pair(plan.theta.data() + i) + values * load_pair(plan.q_to_theta.data() + i);
       const auto both_of = sines(angles);
       sine_[pair] = both_of.sin;
       cosine_[pair] = both_of.cos;

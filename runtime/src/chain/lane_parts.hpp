@@ -33,21 +33,21 @@ struct Parts {
   V x, y, z;
 
   // X of twist alpha, applied to the parts.
-  [[gnu::always_inline]] void turn_x(V sin_alpha, V cos_alpha) {
+  [[gnu::always_inline]] void rotate_x(V sin_alpha, V cos_alpha) {
     const V y_before = y;
     y = cos_alpha * y_before - sin_alpha * z;
     z = sin_alpha * y_before + cos_alpha * z;
   }
 
   // Z of angle theta, applied to the parts.
-  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
+  [[gnu::always_inline]] void rotate_z(V sine, V cosine) {
     const V x_before = x;
     x = cosine * x_before - sine * y;
     y = sine * x_before + cosine * y;
   }
 
   // Z behind an X of a right angle, which only changes roles.
-  [[gnu::always_inline]] void turn_right_z(V sine, V cosine) {
+  [[gnu::always_inline]] void rotate_right_z(V sine, V cosine) {
     const V x_before = x, y_before = y;
     x = cosine * x_before + sine * z;
     y = sine * x_before - cosine * z;
@@ -55,7 +55,7 @@ struct Parts {
   }
 
   // The rotation of a column-major frame B, applied to the parts.
-  [[gnu::always_inline]] void turn_base(const double* B) {
+  [[gnu::always_inline]] void rotate_base(const double* B) {
     const V x_before = x, y_before = y, z_before = z;
     x = B[0] * x_before + B[3] * y_before + B[6] * z_before;
     y = B[1] * x_before + B[4] * y_before + B[7] * z_before;

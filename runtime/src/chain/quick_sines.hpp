@@ -22,10 +22,10 @@ class QuickJointSines {
       const int i = std::max(0, std::min(2 * pair, n - 2));
       const Lanes values = n == 1 ? both(q[0]) : load_pair(q + i);
       const Lanes angles =
-          values * load_pair(plan.turn.data() + i) + load_pair(plan.theta.data() + i);
-      const auto turn = det::quick_sincos(angles, check, numbers);
-      store_pair(sine_ + i, turn.sin);
-      store_pair(cosine_ + i, turn.cos);
+          values * load_pair(plan.q_to_theta.data() + i) + load_pair(plan.theta.data() + i);
+      const auto angle = det::quick_sincos(angles, check, numbers);
+      store_pair(sine_ + i, angle.sin);
+      store_pair(cosine_ + i, angle.cos);
     }
     if (check.any_too_large()) [[unlikely]]
       careful_batch_sines(batch_arm(plan), q, 1, {0, 1, 1, sine_, cosine_});

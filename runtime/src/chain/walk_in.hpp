@@ -10,7 +10,7 @@
 // What is carried has these functions, the first three of which do to all its vectors what those of
 // the same names in lane_parts.hpp do to one:
 //
-//   turn_z(sine, cosine), turn_right_z(sine, cosine), turn_x(sin_alpha, cos_alpha)
+//   rotate_z(sine, cosine), rotate_right_z(sine, cosine), rotate_x(sin_alpha, cos_alpha)
 //   start(plan, sine, cosine)    becomes T of the plan, turned by the last joint
 //   shift_z(d), shift_x(a)       the origin of the frame moves along its axis
 //   place(base)                  from the base to the world; left out where they are the same
@@ -21,11 +21,11 @@ template <class Plan, class V, class Carried>
 [[gnu::always_inline]] inline void step_in(const Plan& plan, std::size_t i, V sine, V cosine,
                                            Carried& carried) {
   if (plan.right_angle(i + 1)) {
-    carried.turn_right_z(sine, cosine);
+    carried.rotate_right_z(sine, cosine);
     return;
   }
-  if (plan.any_angle(i + 1)) carried.turn_x(plan.sin_alpha[i + 1], plan.cos_alpha[i + 1]);
-  carried.turn_z(sine, cosine);
+  if (plan.any_angle(i + 1)) carried.rotate_x(plan.sin_alpha[i + 1], plan.cos_alpha[i + 1]);
+  carried.rotate_z(sine, cosine);
 }
 
 // Past all n joints of one configuration.
@@ -33,7 +33,7 @@ template <class Plan, class Sines, class Carried>
 [[gnu::always_inline]] inline void walk_in(const Plan& plan, int n, const double* q,
                                            const Sines& angles, Carried& carried) {
   const auto shift = [&](int i) __attribute__((always_inline)) {
-    if (plan.has_d[i]) carried.shift_z(plan.d[i] + q[i] * plan.slide[i]);
+    if (plan.has_d[i]) carried.shift_z(plan.d[i] + q[i] * plan.q_to_d[i]);
     if (i > 0 && plan.has_a[i]) carried.shift_x(plan.a[i]);
   };
   carried.start(plan, angles.sine(n - 1), angles.cosine(n - 1));

@@ -94,7 +94,7 @@ template <int N, template <int> class SinesOf = JointSines, class AtAxis, class 
       frame.step_x(plan, i);
       at_link(i - 1, frame);
     }
-    if (plan.has_d[i]) frame.p = frame.p + both(plan.d[i] + q[i] * plan.slide[i]) * frame.z;
+    if (plan.has_d[i]) frame.p = frame.p + both(plan.d[i] + q[i] * plan.q_to_d[i]) * frame.z;
     const Lanes s = sines.sine(joint);
     const Lanes c = sines.cosine(joint);
     const WalkAxis x_before = frame.x;

@@ -94,7 +94,7 @@ Reduced reduce_near_multiple(double x, double fn) {
   return {r, static_cast<std::int64_t>(fn)};
 }
 
-// Payne and Hanek (1983): the bits of 2/pi that contribute whole turns are never multiplied.
+// Payne and Hanek (1983): the bits of 2/pi that contribute whole revolutions are never multiplied.
 Reduced reduce_large(double x) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   if (!std::isfinite(x)) return {{kNaN, kNaN}, 0};

@@ -19,7 +19,7 @@ namespace {
       fmt::format("Link `{}` of `{}` {}.", spec.bodies[body].name, spec.name, what));
 }
 
-void check_place(const MechanismSpec& spec, std::size_t i) {
+void check_joint_pose(const MechanismSpec& spec, std::size_t i) {
   const Body& body = spec.bodies[i];
   const int parent = body.parent;
   if (parent == static_cast<int>(i)) fail(spec, i, "is its own parent");
@@ -101,7 +101,7 @@ Mechanism::Mechanism(MechanismSpec spec) : spec_(std::move(spec)) {
   }
   joint_of_.assign(spec_.bodies.size(), -1);
   for (std::size_t i = 0; i < spec_.bodies.size(); ++i) {
-    check_place(spec_, i);
+    check_joint_pose(spec_, i);
     check_joint_geometry(spec_, i);
     if (const std::string fault = link_fault(spec_.bodies[i].link, spec_.inertia_check);
         !fault.empty()) {

@@ -17,7 +17,7 @@ namespace armlet {
 namespace {
 
 void fill_default_rates(Joint& joint) {
-  const double speed = joint.is_revolute() ? kDefaultTurnSpeed : kDefaultSlideSpeed;
+  const double speed = joint.is_revolute() ? kDefaultRevoluteSpeed : kDefaultPrismaticSpeed;
   if (joint.max_speed == 0.0) joint.max_speed = speed;
   if (joint.max_accel == 0.0) joint.max_accel = joint.max_speed / kDefaultTimeToSpeed;
   if (joint.max_jerk == 0.0) joint.max_jerk = joint.max_accel / kDefaultTimeToAccel;
@@ -39,8 +39,8 @@ Chain make_chain(const RobotSpec& spec) {
     chain.revolute[i] = joint.is_revolute();
     chain.theta[i] = joint.dh.theta;
     chain.d[i] = joint.dh.d;
-    chain.turns[i] = joint.is_revolute() ? 1.0 : 0.0;
-    chain.slides[i] = 1.0 - chain.turns[i];
+    chain.q_to_theta[i] = joint.is_revolute() ? 1.0 : 0.0;
+    chain.q_to_d[i] = 1.0 - chain.q_to_theta[i];
   }
   // The X at the other end of the chain is the identity.
   chain.cos_alpha[chain.standard ? 0 : spec.joints.size()] = 1.0;
@@ -58,7 +58,7 @@ bool has_same_bits(const Numbers& a, const Numbers& b) {
 bool is_same_chain(const Chain& a, const Chain& b) {
   return a.n == b.n && a.standard == b.standard && a.revolute == b.revolute &&
          has_same_bits(a.theta, b.theta) && has_same_bits(a.d, b.d) &&
-         has_same_bits(a.turns, b.turns) && has_same_bits(a.slides, b.slides) &&
+         has_same_bits(a.q_to_theta, b.q_to_theta) && has_same_bits(a.q_to_d, b.q_to_d) &&
          has_same_bits(a.a, b.a) && has_same_bits(a.sin_alpha, b.sin_alpha) &&
          has_same_bits(a.cos_alpha, b.cos_alpha) &&
          has_same_bits(a.T_world_base.matrix(), b.T_world_base.matrix()) &&

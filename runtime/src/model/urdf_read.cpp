@@ -243,11 +243,11 @@ class Reader {
   }
 
   static Actuator actuator_of(const urdf::Joint& joint) {
-    constexpr double kTurn = 6.283185307179586;
+    constexpr double kRevolution = 6.283185307179586;
     Actuator actuator{.name = joint.name};
     if (joint.type == urdf::Joint::CONTINUOUS) {
-      actuator.lower = -kTurn;
-      actuator.upper = kTurn;
+      actuator.lower = -kRevolution;
+      actuator.upper = kRevolution;
     }
     if (!joint.limits) return actuator;
     if (joint.type != urdf::Joint::CONTINUOUS) {

@@ -110,7 +110,7 @@ class Walk {
     at_ = found + last.size();
   }
 
-  // The name at this place; empty after refusing.
+  // The name at this position; empty after refusing.
   std::string_view name(std::string_view otherwise) {
     std::size_t end = at_;
     if (starts_name(next())) {

@@ -53,7 +53,7 @@ struct MakeFootprint {
       return {.flat_radius = r, .half_height = h};
     }
     if (std::abs(R(2, 2)) > 1e-6) return box_footprint(R, {r, r, h});
-    // Lying: the axis is level, and turning about it changes nothing.
+    // Lying: the axis is level, and rotating about it changes nothing.
     return {.axis = R.col(2).head<2>().normalized(), .half_size = {h, r}, .half_height = r};
   }
   Footprint operator()(const Sphere& sphere) const {

@@ -18,8 +18,8 @@
 namespace armlet::bind {
 namespace {
 
-// posC(numbers): 3 = place only; 4 = place and turn about z, for an arm whose tool keeps its tilt;
-// 6 = place, roll, pitch, yaw (section 8).
+// posC(numbers): 3 = place only; 4 = place and rotate about z, for an arm whose tool keeps its
+// tilt; 6 = place, roll, pitch, yaw (section 8).
 Answer<PosC> posc_from(Vm& vm, std::span<const double> v) {
   for (const double x : v) {
     if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
@@ -50,7 +50,7 @@ Started move_j(Vm& vm, const RobotRef& r, std::string_view planner, const PosJ& 
 Started move_c(Vm& vm, const RobotRef& r, std::string_view planner, const PosC& p, double time) {
   const MoveCall call = classic_call("moveC", r);
   if (planner == "Lin") return move_on_line(vm, call, p, {.time = time});
-  return move_to_place(vm, call, p, {}, std::string(planner), {.time = time});
+  return move_to_position(vm, call, p, {}, std::string(planner), {.time = time});
 }
 
 // Calls that are only there to be explained before running.
@@ -125,9 +125,9 @@ constexpr NativeFunction kClassicFunctions[] = {
     def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,
                 "moveJ('Syn', home(), 2s)", {.check = check_classic_joints, .pauses = true}),
     def<move_c>("moveC(r: robot, traj: string, p: posC, time: double) -> Move", kMoveCHelp,
-                "moveC('Lin', here(), 2.0)", {.check = check_classic_place, .pauses = true}),
+                "moveC('Lin', here(), 2.0)", {.check = check_classic_position, .pauses = true}),
     def<move_c>("moveC(r: robot, traj: string, p: posC, time: time) -> Move", kMoveCHelp,
-                "moveC('Lin', here(), 2s)", {.check = check_classic_place, .pauses = true}),
+                "moveC('Lin', here(), 2s)", {.check = check_classic_position, .pauses = true}),
     refused("moveJ(r: robot, traj: string, q: double[], time: double) -> Move",
             explain_list_for_posj),
     refused("moveJ(r: robot, traj: string, q: double[], time: time) -> Move",

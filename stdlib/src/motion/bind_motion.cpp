@@ -24,14 +24,15 @@ Started move_j_joints(Vm& vm, const RobotRef& r, const PosJ& target, Number time
                         std::string(planner),
                         {.time = time, .speed = speed, .accel = accel, .blend = blend});
 }
-Started move_j_place(Vm& vm, const RobotRef& r, const PosC& target, Number time, Number speed,
-                     Number accel, std::string_view planner, const PosJ* near, Number blend) {
+Started move_j_position(Vm& vm, const RobotRef& r, const PosC& target, Number time, Number speed,
+                        Number accel, std::string_view planner, const PosJ* near, Number blend) {
   const int n = model_of(vm, r).n();
   if (near != nullptr && near->n != n)
     return size_failure(vm, "near", near->n, static_cast<std::size_t>(n));
-  return move_to_place(vm, {.function = "moveJ", .robot = r.id}, target,
-                       near != nullptr ? near->vector() : Eigen::VectorXd(), std::string(planner),
-                       {.time = time, .speed = speed, .accel = accel, .blend = blend});
+  return move_to_position(vm, {.function = "moveJ", .robot = r.id}, target,
+                          near != nullptr ? near->vector() : Eigen::VectorXd(),
+                          std::string(planner),
+                          {.time = time, .speed = speed, .accel = accel, .blend = blend});
 }
 
 std::optional<Frame> frame_of(const PosC* frame) {
@@ -51,7 +52,7 @@ Started move_l(Vm& vm, const RobotRef& r, const PosC& target, Number time, Numbe
 Started follow(Vm& vm, const RobotRef& r, const PlannedMotion& plan) {
   const MoveCall call{.function = "follow", .robot = r.id};
   if (!check_idle(vm, call.robot) || !check_follows(vm, call, plan)) return Failed{};
-  return start_motion(vm, call, plan.motion, way_between_ends(vm, call, plan.motion));
+  return start_motion(vm, call, plan.motion, path_between_ends(vm, call, plan.motion));
 }
 
 // From where the robot stands through every point.
@@ -64,7 +65,7 @@ Started through(Vm& vm, const MoveCall& call, std::vector<Eigen::VectorXd> point
   auto motion = plan_through(vm, call, points, planner, {.move = settings});
   if (!motion) return Failed{};
   if (!starts_and_stops(*motion)) return fail_no_ramps(vm, call, planner);
-  const double length = way_between_ends(vm, call, *motion);
+  const double length = path_between_ends(vm, call, *motion);
   return start_motion(vm, call, *std::move(motion), length);
 }
 Started spline(Vm& vm, const MoveCall& call, HostList<PosJ> list, std::string_view planner,
@@ -75,7 +76,7 @@ Started spline(Vm& vm, const MoveCall& call, HostList<PosJ> list, std::string_vi
 }
 Started spline(Vm& vm, MoveCall call, HostList<PosC> list, std::string_view planner,
                const MoveSettings& settings) {
-  const auto places = places_in_world(vm, call, settings, list);
+  const auto places = positions_in_world(vm, call, settings, list);
   if (!places) return Failed{};
   if (const auto kind = spline_called(planner))
     return move_on_spline(vm, call, *places, *kind, settings);
@@ -141,10 +142,11 @@ constexpr NativeFunction kMotionFunctions[] = {
                        "traj: string = \"Syn\", near: posJ?, blend: length?) -> Move",
                        kMoveJHelp, "moveJ(home(), time: 2s)",
                        {.check = check_move_joints, .pauses = true, .in_path = true}),
-    def<move_j_place>("moveJ(r: robot, target: posC, time: time?, speed: double?, accel: double?, "
-                      "traj: string = \"Syn\", near: posJ?, blend: length?) -> Move",
-                      kMoveJHelp, "moveJ(here(), time: 1s)",
-                      {.check = check_move_place, .pauses = true, .in_path = true}),
+    def<move_j_position>(
+        "moveJ(r: robot, target: posC, time: time?, speed: double?, accel: double?, "
+        "traj: string = \"Syn\", near: posJ?, blend: length?) -> Move",
+        kMoveJHelp, "moveJ(here(), time: 1s)",
+        {.check = check_move_position, .pauses = true, .in_path = true}),
     def<move_l<const PosC*>>(
         "moveL(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
         "frame: posC?, blend: length?) -> Move",

@@ -57,7 +57,7 @@ std::string millimetres(double length, int digits = 0) {
   return format_number(length * 1000.0, digits) + " mm";
 }
 // Two lengths with as many digits as tell them apart, nanometres at most.
-std::array<std::string, 2> told_apart(double a, double b) {
+std::array<std::string, 2> distinguished(double a, double b) {
   std::array<std::string, 2> out;
   for (int digits = 0; digits <= 6 && out[0] == out[1]; ++digits) {
     out = {millimetres(a, digits), millimetres(b, digits)};
@@ -84,11 +84,11 @@ Vector3d nearest_to_axis(const Robot& robot, const Vector3d& from, const Vector3
   return from + s * (to - from);
 }
 
-// Whether a place is too close to that axis, however the joints are turned.
+// Whether a position is too close to that axis, however the joints are turned.
 bool is_inside_fold(const Robot& robot, const Eigen::VectorXd& q, const Vector3d& place) {
   IkOptions options;
   options.seed = q;
-  options.task = IkTask::kPlace;
+  options.task = IkTask::kPositionFirst;
   const IkResult result = solve_ik(robot, make_translation(place), options);
   return result.status == IkStatus::kUnreachable &&
          from_axis(robot, place) < from_axis(robot, result.diagnosis.nearest.translation());
@@ -102,7 +102,7 @@ void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, F
   const double reach_out = from_axis(robot, nearest);
   const Vector3d up = robot.T_world_base().linear().col(2);
   const bool level = std::abs(up.dot(goal - nearest)) < kSameHeight;
-  const auto [asked, reached] = told_apart(goal_out, reach_out);
+  const auto [asked, reached] = distinguished(goal_out, reach_out);
   if (level && goal_out > reach_out) {
     f.why = fmt::format("the point is {} from the base; `{}` reaches {}", asked, f.robot, reached);
     f.fix = fmt::format("bring the target at least {} closer", up_to_tenth(d.distance));
@@ -218,7 +218,7 @@ Failed fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
 Failed fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
   const Robot& robot = model_of(vm, call);
   const Eigen::VectorXd& q = Host::of(vm).cell().robot(call.robot).q;
-  const IkResult place = solve_ik(robot, target.T, {.seed = q, .task = IkTask::kPlace});
+  const IkResult place = solve_ik(robot, target.T, {.seed = q, .task = IkTask::kPositionFirst});
   if (!place.ok()) return fail_unreachable(vm, call, target.T, place);
   Failure f = start(vm, call, "R0601", call.target);
   f.arguments = {"the hand gets there, but not with this orientation"};

@@ -31,7 +31,7 @@ Started move_on_from_speed(Vm& vm, const MoveCall& call, const Eigen::VectorXd& 
   MotionPlan plan = verify(robot, jerk_trajectory(from, to, profiles, duration));
   if (!plan.outside.empty()) return fail_swings_outside(vm, call, plan.outside.front());
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
-  const double length = way_between_ends(vm, call, *plan.trajectory);
+  const double length = path_between_ends(vm, call, *plan.trajectory);
   return start_motion(vm, call, *std::move(plan.trajectory), length);
 }
 

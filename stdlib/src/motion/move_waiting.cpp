@@ -35,7 +35,7 @@ class MoveWaiting : public Waiting {
     const double duration = to_seconds(done.end_ns - done.start_ns);
     host_.report_move({robot(), function_, to_seconds(done.start_ns), duration, !reached,
                        host_.cell().T_world_tool(call_.robot)});
-    tell_events(vm);
+    report_events(vm);
     if (done.halted) return fail_halted(vm);
     RecordObj* move = new_record(vm, vm.program().library_record("Move"));
     if (move == nullptr) return Signal::kFail;
@@ -65,7 +65,7 @@ class MoveWaiting : public Waiting {
   }
 
   // Contact picking says once that it happened.
-  void tell_events(Vm& vm) {
+  void report_events(Vm& vm) {
     for (const CellEvent& event : host_.take_events()) {
       if (event.kind != CellEventKind::kPicked || !host_.first_contact_pick()) continue;
       Failure advice;
@@ -100,7 +100,7 @@ class NoMove : public Waiting {
   [[nodiscard]] std::string what() const override { return "move"; }
 };
 
-// Until a robot stands that was told to halt.
+// Until a robot stands that was reported to halt.
 class HaltWaiting : public Waiting {
  public:
   HaltWaiting(Cell& cell, int robot)

@@ -99,7 +99,7 @@ Answer<void> check_duration(Vm& vm, double seconds, int parameter) {
 }
 
 std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {
-  if (!target.has_orientation) return IkTask::kPlace;
+  if (!target.has_orientation) return IkTask::kPositionFirst;
   return frame_task(robot, target.T);
 }
 
@@ -174,8 +174,8 @@ Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::str
   return move_joints(vm, call, q, std::move(planner), settings);
 }
 
-Started move_to_place(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
-                      std::string planner, const MoveSettings& settings) {
+Started move_to_position(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
+                         std::string planner, const MoveSettings& settings) {
   if (settings_of(vm).path != nullptr) {
     return collect_joints(vm, call, target, {.near = near, .planner = std::move(planner)},
                           settings);
@@ -191,7 +191,7 @@ Started move_to_place(Vm& vm, MoveCall call, const PosC& target, const Eigen::Ve
 
 namespace {
 
-// Straight, or over a place on an arc.
+// Straight, or over a position on an arc.
 Started move_tool(Vm& vm, MoveCall call, const PosC& written, const MoveSettings& settings,
                   const std::optional<Eigen::Vector3d>& p_world_via) try {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);

@@ -72,10 +72,10 @@ Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& t
 // chooses among joint values, empty: the present ones.
 Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
                        const MoveSettings& settings);
-Started move_to_place(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
-                      std::string planner, const MoveSettings& settings);
+Started move_to_position(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
+                         std::string planner, const MoveSettings& settings);
 Started move_on_line(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings);
-// Over `via`, of which only the place counts.
+// Over `via`, of which only the position counts.
 Started move_on_arc(Vm& vm, MoveCall call, const PosC& via, const PosC& target,
                     const MoveSettings& settings);
 

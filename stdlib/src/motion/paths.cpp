@@ -30,7 +30,7 @@ Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   return fail(vm, std::move(f));
 }
 
-// The places of a path one after another, each with the joints at which its move begins.
+// The positions of a path one after another, each with the joints at which its move begins.
 class Corners {
  public:
   Corners(Vm& vm, const CollectedPath& path, std::shared_ptr<const Robot> model, const VectorXd& q0)
@@ -59,7 +59,7 @@ class Corners {
     return starts_[static_cast<std::size_t>(move)];
   }
   // Whether no place says how the hand is turned.
-  [[nodiscard]] bool only_places() const {
+  [[nodiscard]] bool only_positions() const {
     return std::ranges::none_of(
         path_.moves, [](const CollectedMove& m) { return m.target.has_orientation && !m.joints; });
   }
@@ -209,9 +209,9 @@ Started make_path(Vm& vm, const CollectedPath& path) try {
   }
   if (!check_time_left(vm, "a motion", slowest, kMarkCallee)) return Failed{};
   PathPlan plan = plan_path(*model, move);
-  if (plan.fault && corners.only_places()) {
-    // The orientation cannot be kept all the way: the hand may turn as little as it must.
-    move.task = IkTask::kPlace;
+  if (plan.fault && corners.only_positions()) {
+    // The orientation cannot be kept all the way: the tool may rotate as little as it must.
+    move.task = IkTask::kPositionFirst;
     plan = plan_path(*model, move);
   }
   if (!plan.ok()) return fail_path(vm, path, whole, corners, plan);

@@ -12,14 +12,14 @@ namespace armlet::bind {
 // The planner whose way is a straight line of the joints.
 inline constexpr std::string_view kPathPlanner = "Syn";
 
-// What a move of the joints in a path leads to: joint values, or a place to be solved near some.
+// What a move of the joints in a path leads to: joint values, or a position to be solved near some.
 struct JointGoal {
   std::optional<Eigen::VectorXd> q{};
   Eigen::VectorXd near{};  // empty: where the move before ends
   std::string planner{};
 };
 
-// A move as it was called; its target and the place on the way are in the world.
+// A move as it was called; its target and the position on the way are in the world.
 struct CollectedMove {
   MoveCall call;
   PosC target;                        // of joint values, where they have the hand
@@ -44,7 +44,7 @@ struct CollectedPath {
 Started collect(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings,
                 std::optional<Eigen::Vector3d> p_world_via = {});
 
-// The same for a move of the joints; of the target only a place counts.
+// The same for a move of the joints; of the target only a position counts.
 Started collect_joints(Vm& vm, MoveCall call, const PosC& target, JointGoal goal,
                        const MoveSettings& settings);
 

@@ -14,7 +14,7 @@ TrackedLine exactly(LinePlan plan) {
 
 // The way as a path of one move, which slows down only where a limit needs it.
 TrackedLine slowly(const Robot& robot, const LineMove& move,
-                   const std::optional<Eigen::Vector3d>& p_world_via, bool only_place) {
+                   const std::optional<Eigen::Vector3d>& p_world_via, bool only_position) {
   PathMove path{.q0 = move.q0,
                 .points = {{.T_world_tool = move.T_world_goal,
                             .p_world_via = p_world_via,
@@ -24,17 +24,17 @@ TrackedLine slowly(const Robot& robot, const LineMove& move,
                 .jerk = Jerk::kFree};
   if (!move.time && !move.tool_speed) path.speed = move.speed;
   PathPlan plan = plan_path(robot, path);
-  if (plan.fault && only_place) {
-    path.task = IkTask::kPlace;
+  if (plan.fault && only_position) {
+    path.task = IkTask::kPositionFirst;
     plan = plan_path(robot, path);
   }
   return {.motion = std::move(plan.motion), .fault = std::move(plan.fault), .length = plan.length};
 }
 
 TrackedLine damped(const Robot& robot, LineMove move,
-                   const std::optional<Eigen::Vector3d>& p_world_via, bool only_place) {
-  // Arms that cannot turn their tool at will follow the place alone.
-  move.task = only_place && robot.n() < 6 ? IkTask::kPlace : IkTask::kPose;
+                   const std::optional<Eigen::Vector3d>& p_world_via, bool only_position) {
+  // Arms that cannot turn their tool at will follow the position alone.
+  move.task = only_position && robot.n() < 6 ? IkTask::kPositionFirst : IkTask::kPose;
   const std::optional<DampedLine> plan =
       p_world_via ? plan_damped_arc(robot, *p_world_via, move) : plan_damped_line(robot, move);
   if (!plan) {
@@ -43,19 +43,19 @@ TrackedLine damped(const Robot& robot, LineMove move,
   return {.motion = plan->motion,
           .length = plan->length,
           .deviation = plan->deviation,
-          .turn = plan->turn};
+          .turn = plan->angle};
 }
 
 }  // namespace
 
 TrackedLine plan_tracked(const Robot& robot, const LineMove& move,
                          const std::optional<Eigen::Vector3d>& p_world_via, Track track,
-                         bool only_place) {
+                         bool only_position) {
   switch (track) {
     case Track::kSlow:
-      return slowly(robot, move, p_world_via, only_place);
+      return slowly(robot, move, p_world_via, only_position);
     case Track::kDamped:
-      return damped(robot, move, p_world_via, only_place);
+      return damped(robot, move, p_world_via, only_position);
     default:
       return exactly(p_world_via ? plan_arc(robot, *p_world_via, move) : plan_line(robot, move));
   }

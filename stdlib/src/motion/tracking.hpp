@@ -8,7 +8,7 @@
 
 namespace armlet::bind {
 
-// A way of the tool as it was planned.
+// A path of the tool as it was planned.
 //
 // deviation, turn  how far the tool leaves it, m and rad.
 struct TrackedLine {
@@ -19,10 +19,10 @@ struct TrackedLine {
   double turn = 0.0;
 };
 
-// The way to move.T_world_goal, straight or over a place on an arc. For kSlow and kDamped the goal
-// is a whole pose that can be reached; `only_place`: its orientation is not asked for.
+// The way to move.T_world_goal, straight or over a position on an arc. For kSlow and kDamped the
+// goal is a whole pose that can be reached; `only_position`: its orientation is not asked for.
 [[nodiscard]] TrackedLine plan_tracked(const Robot& robot, const LineMove& move,
                                        const std::optional<Eigen::Vector3d>& p_world_via,
-                                       Track track, bool only_place);
+                                       Track track, bool only_position);
 
 }  // namespace armlet::bind

@@ -169,7 +169,7 @@ Answer<double> extreme_of_two(Vm& vm, double a, double b) {
 
 template <bool kMax, class Number>
 Answer<Number> extreme(Vm& vm, std::span<const Slot> xs) {
-  const auto place = place_of_extreme<kMax, Number>(vm, xs);
+  const auto place = index_of_extreme<kMax, Number>(vm, xs);
   if (!place) return Failed{};
   return number_in<Number>(xs[static_cast<std::size_t>(*place)]);
 }
@@ -203,7 +203,7 @@ Answer<double> lerp_real(Vm& vm, double a, double b, double s) {
   }
   return a + (b - a) * s;
 }
-double part_of_way(double a, double b, double s) {
+double part_of_range(double a, double b, double s) {
   const bool finite = std::isfinite(a) && std::isfinite(b) && std::isfinite(s);
   return finite ? a + (b - a) * s : std::nan("");
 }
@@ -363,7 +363,7 @@ constexpr NativeFunction kMathFunctions[] = {
                     "clamp(1.2, -1.0, 1.0)", {.real3 = between}),
     def<lerp_real>("lerp(a: D, b: D, s: double) -> D",
                    "The value the fraction s of the way from a to b.", "lerp(0mm, 10mm, 0.5)",
-                   {.real3 = part_of_way}),
+                   {.real3 = part_of_range}),
     def<lerp_list>("lerp(a: D[], b: D[], s: double) -> D[]",
                    "The values the fraction s of the way from a to b.",
                    "lerp([0.0, 1.0], [1.0, 3.0], 0.5)"),

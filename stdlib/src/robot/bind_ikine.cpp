@@ -95,11 +95,11 @@ Answer<Question> question_of(Vm& vm, const Call<Near, PostureGiven>& call) {
       !read_posture(vm, robot, call.posture, options))
     return Failed{};
   out.tilted = !task && options.task != IkTask::kMasked;
-  // A place alone keeps the orientation that there is.
+  // A position alone keeps the orientation that there is.
   if (options.task == IkTask::kMasked && !call.p.has_orientation)
     out.T_world_tool.linear() = forward(robot, options.seed).linear();
-  if (options.task == IkTask::kMasked && task == IkTask::kTurn)
-    out.T_world_tool = turned_like(robot, call.p.T, options.seed);
+  if (options.task == IkTask::kMasked && task == IkTask::kHeading)
+    out.T_world_tool = with_heading_of(robot, call.p.T, options.seed);
   return out;
 }
 
@@ -132,7 +132,7 @@ Answer<std::string> explain_ikine(Vm& vm, const RobotRef& r, const PosC& p, Near
   return report_of(vm, r, *question);
 }
 
-std::string explain_place(Vm& vm, const RobotRef& r, const PosC& p) {
+std::string explain_position(Vm& vm, const RobotRef& r, const PosC& p) {
   const CellRobot& state = state_of(vm, r);
   const auto task = task_of(*state.model, p);
   Question question{.T_world_tool = p.T, .tilted = !task};
@@ -141,7 +141,7 @@ std::string explain_place(Vm& vm, const RobotRef& r, const PosC& p) {
   return report_of(vm, r, question);
 }
 
-// How the place of these joint values is solved, seen from them.
+// How the position of these joint values is solved, seen from them.
 Answer<std::string> explain_joints(Vm& vm, const RobotRef& r, const PosJ& values) {
   const Robot& robot = model_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
@@ -223,7 +223,7 @@ constexpr NativeFunction kIkineFunctions[] = {
         "what rules it out. explain(ikine(p)) says the same of a call of ikine, with its settings, "
         "and where there is no solution, why, and the nearest place that can be reached.",
         "print(explain(ikine(xyz(2m, 0m, 300mm))))"),
-    def<explain_place>(
+    def<explain_position>(
         "explain(r: robot, p: posC) -> string",
         "How inverse kinematics solves p, or why it cannot: the solver, every branch with what "
         "rules it out, the reason in millimetres and degrees, the nearest place that can be "

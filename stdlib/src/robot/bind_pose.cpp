@@ -80,7 +80,7 @@ Answer<PosC> above(Vm& vm, const PosC& p, double height) {
 double distance(const PosC& a, const PosC& b) {
   return (a.T.translation() - b.T.translation()).norm();
 }
-double angle_of_turn(const PosC& a, const PosC& b) { return angle_between(a.T, b.T); }
+double angle_of_rotation(const PosC& a, const PosC& b) { return angle_between(a.T, b.T); }
 
 // The frame at `from` whose z axis looks at `to` and whose x axis stays level (a camera's axes).
 Answer<PosC> look_at(Vm& vm, std::span<const double> a, std::span<const double> b) {
@@ -100,23 +100,23 @@ Answer<PosC> look_at(Vm& vm, std::span<const double> a, std::span<const double> 
   return PosC{make_pose(R, from), true};
 }
 
-bool near_places(const PosC& a, const PosC& b, double tol, std::optional<double> tol_angle) {
-  return distance(a, b) <= tol && (!tol_angle || angle_of_turn(a, b) <= *tol_angle);
+bool near_positions(const PosC& a, const PosC& b, double tol, std::optional<double> tol_angle) {
+  return distance(a, b) <= tol && (!tol_angle || angle_of_rotation(a, b) <= *tol_angle);
 }
-// Places that are compared have the same digits.
-std::string place_text(const PosC& p, int digits) {
+// Positions that are compared have the same digits.
+std::string position_text(const PosC& p, int digits) {
   const Eigen::Vector3d mm = p.T.translation() * 1000.0;
   return fmt::format("({:.{}f}, {:.{}f}, {:.{}f}) mm", mm.x(), digits, mm.y(), digits, mm.z(),
                      digits);
 }
-std::string explain_near_places(const PosC& a, const PosC& b, double tol,
-                                std::optional<double> tol_angle) {
+std::string explain_near_positions(const PosC& a, const PosC& b, double tol,
+                                   std::optional<double> tol_angle) {
   const double gap = distance(a, b);
   if (tol_angle && gap <= tol)
-    return fmt::format("the orientations differ by {}", format_deg(angle_of_turn(a, b)));
+    return fmt::format("the orientations differ by {}", format_deg(angle_of_rotation(a, b)));
   const int digits = gap < 0.0001 ? 4 : 1;
   return fmt::format("the positions differ by {} mm\n{}\n{}", format_number(gap * 1000.0, digits),
-                     place_text(a, digits), place_text(b, digits));
+                     position_text(a, digits), position_text(b, digits));
 }
 bool near_joints(const PosJ& a, const PosJ& b, double tol) {
   if (a.n != b.n) return false;
@@ -126,7 +126,7 @@ bool near_joints(const PosJ& a, const PosJ& b, double tol) {
   return true;
 }
 
-Answer<PosC> lerp_places(Vm& vm, const PosC& a, const PosC& b, double s) {
+Answer<PosC> lerp_positions(Vm& vm, const PosC& a, const PosC& b, double s) {
   if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, 2);
   return PosC{interpolate(a.T, b.T, s), a.has_orientation || b.has_orientation};
 }
@@ -199,7 +199,7 @@ Answer<PosJ> posj_with(Vm& vm, const PosJ& before, std::int64_t i, double value)
 }
 
 template <int kAxis>
-Answer<PosC> posc_with_place(Vm& vm, const PosC& before, double value) {
+Answer<PosC> posc_with_position(Vm& vm, const PosC& before, double value) {
   if (!std::isfinite(value)) return not_finite(vm, "a coordinate", value, 1);
   PosC p = before;
   p.T.translation()[kAxis] = value;
@@ -287,18 +287,18 @@ constexpr NativeFunction kPoseFunctions[] = {
                "above(xyz(300mm, 0mm, 0mm), 60mm)"),
     def<distance>("distance(a: posC, b: posC) -> length", "How far apart two places are.",
                   "distance(xyz(0mm, 0mm, 0mm), xyz(3mm, 4mm, 0mm))"),
-    def<angle_of_turn>("angleBetween(a: posC, b: posC) -> angle",
-                       "The angle of the turn from one orientation to the other.",
-                       "angleBetween(rotX(10deg), rotX(30deg))"),
-    def<near_places>("near(a: posC, b: posC, tol: length, tolAngle: angle?) -> bool",
-                     "Whether two places (and orientations, with tolAngle) agree.",
-                     "near(xyz(1mm, 0mm, 0mm), xyz(0mm, 0mm, 0mm), tol: 2mm)",
-                     {.explain = explained_by<explain_near_places>}),
+    def<angle_of_rotation>("angleBetween(a: posC, b: posC) -> angle",
+                           "The angle of the turn from one orientation to the other.",
+                           "angleBetween(rotX(10deg), rotX(30deg))"),
+    def<near_positions>("near(a: posC, b: posC, tol: length, tolAngle: angle?) -> bool",
+                        "Whether two places (and orientations, with tolAngle) agree.",
+                        "near(xyz(1mm, 0mm, 0mm), xyz(0mm, 0mm, 0mm), tol: 2mm)",
+                        {.explain = explained_by<explain_near_positions>}),
     def<near_joints>("near(a: posJ, b: posJ, tol: double) -> bool",
                      "Whether all joint values agree.", "near(joints(), home(), tol: 0.2)"),
-    def<lerp_places>("lerp(a: posC, b: posC, s: double) -> posC",
-                     "The pose the fraction s of the way: straight line, even turn.",
-                     "lerp(xyz(0mm, 0mm, 0mm), xyz(10mm, 0mm, 0mm), 0.5)"),
+    def<lerp_positions>("lerp(a: posC, b: posC, s: double) -> posC",
+                        "The pose the fraction s of the way: straight line, even turn.",
+                        "lerp(xyz(0mm, 0mm, 0mm), xyz(10mm, 0mm, 0mm), 0.5)"),
     def<coordinate<0>>("posC.x(p: posC) -> length", "The place along x.", "xyz(1mm, 2mm, 3mm).x"),
     def<coordinate<1>>("posC.y(p: posC) -> length", "The place along y.", "xyz(1mm, 2mm, 3mm).y"),
     def<coordinate<2>>("posC.z(p: posC) -> length", "The place along z.", "xyz(1mm, 2mm, 3mm).z"),
@@ -325,12 +325,12 @@ constexpr NativeFunction kPoseFunctions[] = {
     def<posj_with<Stored::kLength>>("posJ[]=(p: posJ, i: int, value: length) -> posJ",
                                     "The value of a sliding joint changed.",
                                     "var q = joints(); q[2] = 30mm"),
-    def<posc_with_place<0>>("posC.x=(p: posC, value: length) -> posC", "The place along x changed.",
-                            "var p = here(); p.x = 10mm"),
-    def<posc_with_place<1>>("posC.y=(p: posC, value: length) -> posC", "The place along y changed.",
-                            "var p = here(); p.y = 10mm"),
-    def<posc_with_place<2>>("posC.z=(p: posC, value: length) -> posC", "The place along z changed.",
-                            "var p = here(); p.z = 10mm"),
+    def<posc_with_position<0>>("posC.x=(p: posC, value: length) -> posC",
+                               "The place along x changed.", "var p = here(); p.x = 10mm"),
+    def<posc_with_position<1>>("posC.y=(p: posC, value: length) -> posC",
+                               "The place along y changed.", "var p = here(); p.y = 10mm"),
+    def<posc_with_position<2>>("posC.z=(p: posC, value: length) -> posC",
+                               "The place along z changed.", "var p = here(); p.z = 10mm"),
     declare("posC.roll=(p: posC, value: angle) -> posC", kOneAngle, kAllAngles, refuse_one_angle),
     declare("posC.pitch=(p: posC, value: angle) -> posC", kOneAngle, kAllAngles, refuse_one_angle),
     declare("posC.yaw=(p: posC, value: angle) -> posC", kOneAngle, kAllAngles, refuse_one_angle),

@@ -86,7 +86,7 @@ Answer<double> wrapped(Vm& vm, double a) {
   if (!std::isfinite(a)) return not_finite(vm, "the angle", a, 0);
   return wrap_angle(a);
 }
-Answer<double> turn_between(Vm& vm, double from, double to) {
+Answer<double> angle_from_to(Vm& vm, double from, double to) {
   if (!std::isfinite(from)) return not_finite(vm, "an angle", from, 0);
   if (!std::isfinite(to)) return not_finite(vm, "an angle", to, 1);
   return angle_difference(to, from);
@@ -159,9 +159,9 @@ constexpr NativeFunction kRotationFunctions[] = {
                 "hat([1.0, 2.0, 3.0])"),
     def<wrapped>("wrapAngle(a: angle) -> angle", "The same direction between -180 and 180 deg.",
                  "wrapAngle(350deg)"),
-    def<turn_between>("angleDifference(from: angle, to: angle) -> angle",
-                      "The shortest turn from one angle to another.",
-                      "angleDifference(350deg, 10deg)"),
+    def<angle_from_to>("angleDifference(from: angle, to: angle) -> angle",
+                       "The shortest turn from one angle to another.",
+                       "angleDifference(350deg, 10deg)"),
     def<move_point>("operator*(p: posC, point: length[]) -> length[]",
                     "The point as the world sees it that is given as p sees it.",
                     "rotZ(90deg) * [10mm, 0mm, 0mm]"),

@@ -11,7 +11,7 @@ struct Goal {
   Eigen::VectorXd q{};
 };
 
-// The pose of a target in the world after a pose and joints before it: a place alone keeps the
+// The pose of a target in the world after a pose and joints before it: a position alone keeps the
 // orientation as far as the arm can.
 Answer<Goal> goal_after(Vm& vm, const MoveCall& call, const PosC& target, const Goal& before);
 

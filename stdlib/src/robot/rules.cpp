@@ -118,7 +118,7 @@ void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const 
        robot.turns[item] ? "an angle" : "a length", std::string(type_phrase(type))});
   d.mark.label = fmt::format("{} value", ordinal(item));
   d.why = joint_list(robot);
-  // 30deg for a sliding joint: the number stays.
+  // 30deg for a prismatic joint: the number stays.
   const std::string text = call.text_of(call.item_span(0, item));
   const std::size_t digits = text.find_first_not_of("0123456789._-");
   const bool is_literal = digits != std::string::npos && digits > 0 &&
@@ -350,7 +350,7 @@ void check_move_joints(CheckCall& call) {
   d.fix = Fix{.text = "leave near out", .edits = without(call, 6), .confidence = Confidence::kSure};
   call.report(std::move(d));
 }
-void check_move_place(CheckCall& call) {
+void check_move_position(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
   check_planner(call, 5);
   check_joints_in_path(call, 7);
@@ -365,7 +365,7 @@ void check_classic_joints(CheckCall& call) {
   check_joint_target(call, 2);
   check_duration(call, 3);
 }
-void check_classic_place(CheckCall& call) {
+void check_classic_position(CheckCall& call) {
   check_planner(call, 1);
   check_duration(call, 3);
 }

@@ -55,11 +55,11 @@ void check_default_robot(CheckCall& call);
 void set_robot_fact(CheckCall& call, const Robot& robot, std::string name);
 
 // Moves. The parameters stand in the order of the signatures they are used in.
-void check_move_joints(CheckCall& call);     // (r, target: posJ, ..., traj: string)
-void check_move_place(CheckCall& call);      // (r, target: posC, ..., traj: string)
-void check_classic_joints(CheckCall& call);  // (r, traj, posJ, time)
-void check_classic_place(CheckCall& call);   // (r, traj, posC, time)
-void check_move_line(CheckCall& call);       // (r, target, time, speed, accel, tool, frame, blend)
+void check_move_joints(CheckCall& call);       // (r, target: posJ, ..., traj: string)
+void check_move_position(CheckCall& call);     // (r, target: posC, ..., traj: string)
+void check_classic_joints(CheckCall& call);    // (r, traj, posJ, time)
+void check_classic_position(CheckCall& call);  // (r, traj, posC, time)
+void check_move_line(CheckCall& call);  // (r, target, time, speed, accel, tool, frame, blend)
 // Two parts of them: a planner that is not known, and a time together with a speed.
 void check_planner(CheckCall& call, int parameter);
 void check_time_and_speed(CheckCall& call, int time, int speed);

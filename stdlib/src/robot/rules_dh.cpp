@@ -64,7 +64,7 @@ bool check_limits(CheckCall& call, const std::string& kinds) {
 }
 
 // W0716
-void tell_assumed_limits(CheckCall& call, const std::string& kinds) {
+void report_assumed_limits(CheckCall& call, const std::string& kinds) {
   const auto text_of = [](JointKind kind) {
     const Joint joint = joint_without_limits(kind);
     return fmt::format("{} to {}", format_joint_value(kind, joint.lower),
@@ -90,7 +90,7 @@ void check_dh_table(CheckCall& call) {
   if (is_list(table) && !check_rows(call, *table)) return;
   const auto kinds = kinds_of(call);
   if (!kinds) {
-    if (!call.given(kLimits)) tell_assumed_limits(call, "RP");
+    if (!call.given(kLimits)) report_assumed_limits(call, "RP");
     return;
   }
   const bool letters = kinds->find_first_not_of("RP") == std::string::npos;
@@ -103,7 +103,7 @@ void check_dh_table(CheckCall& call) {
     return call.report(std::move(d));
   }
   if (!call.given(kLimits)) {
-    tell_assumed_limits(call, *kinds);
+    report_assumed_limits(call, *kinds);
   } else if (!check_limits(call, *kinds)) {
     return;
   }

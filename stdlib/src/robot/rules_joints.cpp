@@ -10,8 +10,8 @@
 namespace armlet::bind {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kMoreThanATurn = kTurn * 1.001;  // 6.2832 is a turn too
+constexpr double kRevolution = 2.0 * std::numbers::pi;
+constexpr double kMoreThanARevolution = kRevolution * 1.001;  // 6.2832 is a turn too
 constexpr double kNoAngle = 1e6;  // from here on, infinity included, it is no angle in degrees
 
 // Between braces a unit is enough; a list in brackets has values of one type, so its numbers stay
@@ -36,7 +36,7 @@ Rewritten with_degrees(const CheckCall& call, int parameter, const std::vector<C
   for (std::size_t i = 0; i < items.size(); ++i) {
     const bool turns = robot == nullptr || i >= robot->turns.size() || robot->turns[i];
     const double size = std::abs(items[i].real);
-    const bool many = turns && size > kMoreThanATurn && size < kNoAngle;
+    const bool many = turns && size > kMoreThanARevolution && size < kNoAngle;
     const Span origin = call.origin(parameter, static_cast<int>(i));
     if (origin.empty()) return {};
     if (many && out.first < 0) out.first = static_cast<int>(i);
@@ -50,8 +50,8 @@ bool is_inside(Span inner, Span outer) {
   return inner.source == outer.source && inner.begin >= outer.begin && inner.end <= outer.end;
 }
 
-std::string turns_text(double value) {
-  const int turns = static_cast<int>(std::abs(value) / kTurn);
+std::string revolutions_text(double value) {
+  const int turns = static_cast<int>(std::abs(value) / kRevolution);
   return turns == 1 ? "a turn" : fmt::format("{} turns", turns);
 }
 
@@ -65,9 +65,10 @@ void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>&
   const Span used = call.span(parameter);
   // A list that stands in the call itself is marked at the number.
   const bool in_place = is_inside(origin, used);
-  Diagnostic d = make_diagnostic("W0702", in_place ? origin : used,
-                                 {fmt::format("{} rad", call.text_of(origin)),
-                                  turns_text(items[static_cast<std::size_t>(meant.first)].real)});
+  Diagnostic d =
+      make_diagnostic("W0702", in_place ? origin : used,
+                      {fmt::format("{} rad", call.text_of(origin)),
+                       revolutions_text(items[static_cast<std::size_t>(meant.first)].real)});
   d.mark.label = "plain numbers count as radians and metres";
   if (!in_place) d.related.push_back({origin, ""});
   d.fix = Fix{.text = meant.braces ? fmt::format("write {{{}}}", meant.text)

@@ -89,7 +89,7 @@ void set_frame(Vm& vm, Frame frame) {
   settings.frame = std::move(frame);
   replace_settings(vm, std::move(settings));
 }
-void set_frame_place(Vm& vm, const PosC& frame) { set_frame(vm, frame.T); }
+void set_frame_position(Vm& vm, const PosC& frame) { set_frame(vm, frame.T); }
 void set_frame_object(Vm& vm, const ObjectRef& frame) { set_frame(vm, frame.name); }
 
 // E0513.
@@ -136,7 +136,7 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "leaves its way a little; the Move says how far, as its deviation.",
         "with (track: \"slow\") { moveL(xyz(300mm, 200mm, 200mm), speed: 200mm/s) }",
         {.check = check_track_setting}),
-    def<set_frame_place>(
+    def<set_frame_position>(
         "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
         "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),
     def<set_frame_object>(

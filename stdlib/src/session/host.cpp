@@ -89,9 +89,9 @@ void Host::report_move(const MoveReport& report) {
 
 std::vector<CellEvent> Host::take_events() { return cell_.take_events(); }
 
-bool Host::first_contact_pick() { return !std::exchange(contact_pick_told_, true); }
+bool Host::first_contact_pick() { return !std::exchange(contact_pick_reported_, true); }
 
-bool Host::first_fall() { return !std::exchange(fall_told_, true); }
+bool Host::first_fall() { return !std::exchange(fall_reported_, true); }
 
 std::int64_t Host::now_ns() const { return cell_.now_ns(); }
 std::int64_t Host::tick_ns() const { return cell_.options().tick_ns; }

@@ -45,7 +45,7 @@ Answer<Trajectory> plan(Vm& vm, const MoveCall& call, const std::string& planner
 }
 Answer<Trajectory> plan(Vm& vm, const MoveCall& call, const std::string& planner,
                         HostList<PosC> list, const PointSettings& settings) {
-  const auto places = places_in_world(vm, call, settings.move, list);
+  const auto places = positions_in_world(vm, call, settings.move, list);
   if (!places) return Failed{};
   const auto points = solved_points(vm, call, *places, Host::of(vm).cell().robot(call.robot).q);
   if (!points) return Failed{};
@@ -172,12 +172,12 @@ constexpr std::string_view kMakeHelp =
     "lines.";
 constexpr std::string_view kMakeExample =
     "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s)";
-constexpr std::string_view kPlacesExample =
+constexpr std::string_view kPositionsExample =
     "trajectory(\"Lin\", [xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)], time: 3s)";
 constexpr std::string_view kRobotExample =
     "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s, robot: "
     "robots.scara(name: \"other\"))";
-constexpr std::string_view kRobotPlacesExample =
+constexpr std::string_view kRobotPositionsExample =
     "trajectory(\"Spline3\", [xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)], robot: "
     "robots.scara(name: \"other\"))";
 
@@ -189,7 +189,7 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
     def<make_for<PosC>>(
         "trajectory(r: robot, name: string, points: posC[], time: time?, durations: time[]?, "
         "speed: double?, accel: double?) -> trajectory",
-        kMakeHelp, kPlacesExample, {.check = check_trajectory<true>}),
+        kMakeHelp, kPositionsExample, {.check = check_trajectory<true>}),
     def<make_with<PosJ>>(
         "trajectory(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
         "accel: double?, robot: robot) -> trajectory",
@@ -197,7 +197,7 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
     def<make_with<PosC>>(
         "trajectory(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, "
         "accel: double?, robot: robot) -> trajectory",
-        kMakeHelp, kRobotPlacesExample, {.check = check_trajectory<false>}),
+        kMakeHelp, kRobotPositionsExample, {.check = check_trajectory<false>}),
     def<joints_at>(
         "trajectory.q(tr: trajectory, t: time) -> posJ",
         "The joint values at that time; before the start and after the end those of the ends.",

@@ -25,11 +25,11 @@ Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t places,
   return check_fraction(vm, "an acceleration", accel, call.accel);
 }
 
-PathPlan plan(const Robot& robot, SplineMove move, bool only_places) {
+PathPlan plan(const Robot& robot, SplineMove move, bool only_positions) {
   PathPlan plan = plan_cartesian_spline(robot, move);
-  if (!plan.fault || !only_places) return plan;
-  // The orientation cannot be kept all the way: the hand may turn as little as it must.
-  move.task = IkTask::kPlace;
+  if (!plan.fault || !only_positions) return plan;
+  // The orientation cannot be kept all the way: the tool may rotate as little as it must.
+  move.task = IkTask::kPositionFirst;
   return plan_cartesian_spline(robot, move);
 }
 
@@ -65,22 +65,22 @@ Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, S
   Goal at{forward(robot, q0), q0};
   std::vector<Eigen::VectorXd> starts;
   for (const PosC& place : places) {
-    call.element = static_cast<int>(move.places.size());
+    call.element = static_cast<int>(move.poses.size());
     starts.push_back(at.q);
     auto goal = goal_after(vm, call, place, at);
     if (!goal) return Failed{};
     at = *std::move(goal);
-    move.places.push_back(at.T_world_tool);
+    move.poses.push_back(at.T_world_tool);
   }
   call.element = -1;
-  const bool only_places =
+  const bool only_positions =
       std::ranges::none_of(places, [](const PosC& place) { return place.has_orientation; });
-  PathPlan curve = plan(robot, move, only_places);
+  PathPlan curve = plan(robot, move, only_positions);
   if (curve.fault) {
     const auto k = static_cast<std::size_t>(curve.point);
     call.element = curve.point;
     call.way = places.size() > 1 ? "curve to this place" : "curve";
-    return fail_line(vm, call, starts[k], {move.places[k], true}, *curve.fault);
+    return fail_line(vm, call, starts[k], {move.poses[k], true}, *curve.fault);
   }
   if (!curve.motion.outside.empty()) return fail_swings_outside(vm, call, curve.motion.outside[0]);
   if (!curve.ok()) return fail_too_fast(vm, call, *curve.motion.too_fast);

@@ -119,9 +119,9 @@ Answer<std::vector<Eigen::VectorXd>> solved_points(Vm& vm, const MoveCall& call,
   return points;
 }
 
-Answer<std::vector<PosC>> places_in_world(Vm& vm, const MoveCall& call,
-                                          const MoveSettings& settings,
-                                          const HostList<PosC>& list) {
+Answer<std::vector<PosC>> positions_in_world(Vm& vm, const MoveCall& call,
+                                             const MoveSettings& settings,
+                                             const HostList<PosC>& list) {
   std::vector<PosC> places;
   for (std::size_t i = 0; i < list.size(); ++i) {
     auto place = in_world(vm, call, settings, list[i]);
@@ -190,7 +190,7 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
   return verified(vm, call, std::move(whole), Jerk::kLimited);
 }
 
-double way_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion) {
+double path_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion) {
   const Robot& robot = model_of(vm, call);
   return (forward(robot, motion.end()).translation() - forward(robot, motion.start()).translation())
       .norm();
@@ -202,8 +202,8 @@ Answer<void> check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& pl
   if (plan.motion.n() != robot.n()) return fail_joint_count(vm, call, plan.motion.n());
   const Eigen::VectorXd apart = plan.motion.start() - state.q;
   Eigen::Index joint = 0;
-  constexpr double kSamePlace = 1e-6;  // as the cell asks for
-  if (apart.cwiseAbs().maxCoeff(&joint) > kSamePlace) {
+  constexpr double kSamePosition = 1e-6;  // as the cell asks for
+  if (apart.cwiseAbs().maxCoeff(&joint) > kSamePosition) {
     return fail_elsewhere(vm, call, static_cast<int>(joint), plan.motion.start()[joint],
                           state.q[joint]);
   }

@@ -71,16 +71,18 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
 // The joints of every posJ of a list, checked for their number.
 Answer<std::vector<Eigen::VectorXd>> joint_points(Vm& vm, const MoveCall& call,
                                                   const HostList<PosJ>& list);
-// The same for places in the world: each as near as can be to the one before, the first to `seed`.
+// The same for positions in the world: each as near as can be to the one before, the first to
+// `seed`.
 Answer<std::vector<Eigen::VectorXd>> solved_points(Vm& vm, const MoveCall& call,
                                                    const std::vector<PosC>& places,
                                                    Eigen::VectorXd seed);
-// The places of a list as the world sees them.
-Answer<std::vector<PosC>> places_in_world(Vm& vm, const MoveCall& call,
-                                          const MoveSettings& settings, const HostList<PosC>& list);
+// The positions of a list as the world sees them.
+Answer<std::vector<PosC>> positions_in_world(Vm& vm, const MoveCall& call,
+                                             const MoveSettings& settings,
+                                             const HostList<PosC>& list);
 
 // How far the tool point gets, straight from the start to the end of a motion, m.
-[[nodiscard]] double way_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion);
+[[nodiscard]] double path_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion);
 
 // A trajectory that can be given to this robot, where it stands.
 Answer<void> check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& plan);

@@ -170,7 +170,7 @@ Answer<double> trapezoids(Vm& vm, std::span<const double> y, std::span<const dou
 // ---- order and search
 // ------------------------------------------------------------------------------------------
 
-// Of these two, equals cannot be told apart.
+// Of these two, equals cannot be reported apart.
 ListObj* sort_int(Vm& vm, const ListObj& xs) {
   return sorted_list(vm, xs, [](Slot a, Slot b) { return a.i < b.i; });
 }
@@ -215,16 +215,16 @@ constexpr NativeFunction kListFunctions[] = {
                      "diff([1.0, 3.0, 6.0])"),
     def<trapezoids>("trapz(y: D[], x: E[]) -> D*E", "The area under y over x, by trapezoids.",
                     "trapz([1.0, 2.0], [0.0, 1.0])"),
-    def<place_of_extreme<false, std::int64_t>>(
+    def<index_of_extreme<false, std::int64_t>>(
         "argmin(xs: int[]) -> int", "Where the smallest element stands for the first time.",
         "argmin([3, 1, 2])"),
-    def<place_of_extreme<false, double>>("argmin(xs: D[]) -> int",
+    def<index_of_extreme<false, double>>("argmin(xs: D[]) -> int",
                                          "Where the smallest element stands for the first time.",
                                          "argmin([3mm, 1mm])"),
-    def<place_of_extreme<true, std::int64_t>>(
+    def<index_of_extreme<true, std::int64_t>>(
         "argmax(xs: int[]) -> int", "Where the largest element stands for the first time.",
         "argmax([3, 1, 2])"),
-    def<place_of_extreme<true, double>>("argmax(xs: D[]) -> int",
+    def<index_of_extreme<true, double>>("argmax(xs: D[]) -> int",
                                         "Where the largest element stands for the first time.",
                                         "argmax([3mm, 1mm])"),
     def<sort_int>("sort(xs: int[]) -> int[]", "A new list in ascending order.", "sort([3, 1, 2])"),

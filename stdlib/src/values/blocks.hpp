@@ -74,7 +74,7 @@ template <class F>
 // Where the largest (kMax) or smallest element stands for the first time, among ints or doubles of
 // which none is undefined.
 template <bool kMax, class Number>
-Answer<std::int64_t> place_of_extreme(Vm& vm, std::span<const Slot> xs) {
+Answer<std::int64_t> index_of_extreme(Vm& vm, std::span<const Slot> xs) {
   if (xs.empty())
     return failure(vm, "R0613",
                    fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);

@@ -53,15 +53,15 @@ void text_row(const void* value, std::string& out) {
   out += as<JointRow>(value).joint.is_revolute() ? "revolute joint" : "prismatic joint";
 }
 
-// The orientation in words: about one axis if it is a turn about x, y or z alone, else roll, pitch
-// and yaw.
+// The orientation in words: about one axis if it is a rotation about x, y or z alone, else roll,
+// pitch and yaw.
 std::string orientation_text(const Eigen::Matrix3d& R) {
   const Eigen::Vector3d phi = rotation_log(R);
   const double angle = phi.norm();
   if (angle < 1e-9) return "0 deg about z";
   for (int i = 0; i < 3; ++i) {
     if (std::abs(std::abs(phi[i]) - angle) < 1e-9 * std::max(1.0, angle)) {
-      // Half a turn is the same either way.
+      // Half a revolution is the same either way.
       const std::string turn = format_deg(phi[i]);
       return fmt::format("{} about {}", turn == "-180 deg" ? "180 deg" : turn, "xyz"[i]);
     }

@@ -108,7 +108,7 @@ Answer<const Object*> free_object(Vm& vm, const ObjectRef& o, std::string_view w
 }
 
 // W0714, once in a program.
-void tell_of_falls(Vm& vm, const std::vector<Fall>& falls) {
+void report_falls(Vm& vm, const std::vector<Fall>& falls) {
   if (falls.empty() || !Host::of(vm).first_fall()) return;
   const Fall& first = falls.front();
   Failure advice;
@@ -127,14 +127,14 @@ Answer<void> set_pose(Vm& vm, const ObjectRef& o, const PosC& p) try {
   if (!object) return Failed{};
   Isometry3d T = p.T;
   if (!p.has_orientation) T.linear() = (*object)->T_world_obj.linear();
-  tell_of_falls(vm, Host::of(vm).cell().set_pose(o.name, T));
+  report_falls(vm, Host::of(vm).cell().set_pose(o.name, T));
   return {};
 } catch (const ArgumentError& error) {
   return failure_of(vm, "R0631", error);
 }
 Answer<void> remove_object(Vm& vm, const ObjectRef& o) {
   if (!free_object(vm, o, "removed")) return Failed{};
-  tell_of_falls(vm, Host::of(vm).cell().remove(o.name));
+  report_falls(vm, Host::of(vm).cell().remove(o.name));
   return {};
 }
 
@@ -144,7 +144,7 @@ std::vector<ObjectRef> objects(Vm& vm) {
   return all;
 }
 
-// The object that is not fixed and whose centre is nearest to a place; null if there is none.
+// The object that is not fixed and whose centre is nearest to a position; null if there is none.
 const Object* nearest(Vm& vm, const Vector3d& p) {
   const World& world = Host::of(vm).cell().world();
   const Object* best = nullptr;

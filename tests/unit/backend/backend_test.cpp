@@ -8,7 +8,7 @@ using namespace armlet;
 
 TEST_CASE("a backend may ignore everything") {
   Backend silent;
-  tell_short_run(silent);
+  play_short_run(silent);
   CHECK(silent.error().empty());
 }
 

@@ -12,7 +12,7 @@ using namespace armlet;
 TEST_CASE("a run is one table with as many columns in every row") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_csv_backend(out);
-  tell_short_run(*backend);
+  play_short_run(*backend);
   CHECK(backend->error().empty());
   CHECK(out.str() ==
         "t,what,name,x,y,z,qw,qx,qy,qz,q1,q2,qd1,qd2,qdd1,qdd2,text\n"
@@ -58,7 +58,7 @@ TEST_CASE("half a turn is written with one sign whatever the rounding") {
 TEST_CASE("a stream that cannot be written is reported, once, and stops the writing") {
   std::ofstream full("/dev/full");
   const std::unique_ptr<Backend> backend = make_csv_backend(full);
-  tell_short_run(*backend);
+  play_short_run(*backend);
   CHECK(backend->error() == "The trace could not be written; is the disk full?");
 }
 

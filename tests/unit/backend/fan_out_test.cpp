@@ -19,9 +19,9 @@ class Failing : public Backend {
 
 TEST_CASE("every backend hears the same") {
   Recorder alone, one, two;
-  tell_short_run(alone);
+  play_short_run(alone);
   FanOut both({&one, &two});
-  tell_short_run(both);
+  play_short_run(both);
   CHECK(one.same_as(alone));
   CHECK(two.same_as(alone));
   CHECK(both.error().empty());
@@ -35,6 +35,6 @@ TEST_CASE("the first error is the error of all") {
 
 TEST_CASE("no backends are allowed, null ones are not") {
   FanOut nobody({});
-  tell_short_run(nobody);
+  play_short_run(nobody);
   CHECK_THROWS_AS(FanOut({nullptr}), ArgumentError);
 }

@@ -14,7 +14,7 @@ using namespace armlet;
 TEST_CASE("every line is JSON and numbers read back to the same bits") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
-  tell_short_run(*backend);
+  play_short_run(*backend);
   CHECK(backend->error().empty());
   std::istringstream lines(out.str());
   std::vector<nlohmann::json> rows;
@@ -45,7 +45,7 @@ TEST_CASE("every line is JSON and numbers read back to the same bits") {
 TEST_CASE("a stream that cannot be written is reported") {
   std::ofstream full("/dev/full");
   const std::unique_ptr<Backend> backend = make_jsonl_backend(full);
-  tell_short_run(*backend);
+  play_short_run(*backend);
   CHECK_FALSE(backend->error().empty());
 }
 

@@ -51,7 +51,7 @@ double number_at(const NpyFile& file, std::size_t index) {
 TEST_CASE("a run is an array with a row for every sample of a robot") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_npy_backend(out);
-  tell_short_run(*backend);
+  play_short_run(*backend);
   CHECK(backend->error().empty());
   const NpyFile file = read_npy(out.str());
   CHECK(literal(file) ==

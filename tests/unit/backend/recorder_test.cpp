@@ -8,7 +8,7 @@ using namespace armlet;
 
 TEST_CASE("a recorder keeps everything in order") {
   Recorder recorder;
-  tell_short_run(recorder);
+  play_short_run(recorder);
   CHECK(recorder.run().robots.size() == 3);
   REQUIRE(recorder.joints().size() == 1);
   CHECK(recorder.joints()[0].t_ns == 10000000);
@@ -26,8 +26,8 @@ TEST_CASE("a recorder keeps everything in order") {
 
 TEST_CASE("equal runs are recorded equally, others not") {
   Recorder one, two;
-  tell_short_run(one);
-  tell_short_run(two);
+  play_short_run(one);
+  play_short_run(two);
   CHECK(one.same_as(two));
   two.note({.t_ns = 1, .text = "more"});
   CHECK_FALSE(one.same_as(two));

@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-inline void tell_short_run(Backend& backend) {
+inline void play_short_run(Backend& backend) {
   const RunInfo run{
       .robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}}, {"left", {JointUnit::kRadian}}},
       .objects = {{.name = "cube",

@@ -20,7 +20,7 @@ TEST_CASE("every format has an ending of its own, says what it holds and writes 
     CHECK(trace_format_of("run" + std::string(format.ending)) == &format);
     std::ostringstream out;
     const auto backend = format.make(out);
-    tell_short_run(*backend);
+    play_short_run(*backend);
     CHECK(backend->error().empty());
     CHECK(written.insert(out.str()).second);
   }
@@ -31,7 +31,7 @@ TEST_CASE("a format that cannot write says so, once") {
     CAPTURE(format.ending);
     std::ofstream full("/dev/full");
     const auto backend = format.make(full);
-    tell_short_run(*backend);
+    play_short_run(*backend);
     CHECK(backend->error() == "The trace could not be written; is the disk full?");
   }
 }
@@ -40,8 +40,8 @@ TEST_CASE("the same run is written as the same bytes") {
   for (const TraceFormat& format : trace_formats()) {
     CAPTURE(format.ending);
     std::ostringstream first, second;
-    tell_short_run(*format.make(first));
-    tell_short_run(*format.make(second));
+    play_short_run(*format.make(first));
+    play_short_run(*format.make(second));
     CHECK(first.str() == second.str());
   }
 }

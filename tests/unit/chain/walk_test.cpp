@@ -17,17 +17,17 @@ namespace {
 struct PointAndDirection {
   Parts<double> point, direction;
 
-  void turn_z(Lanes sine, Lanes cosine) {
-    point.turn_z(sine[0], cosine[0]);
-    direction.turn_z(sine[0], cosine[0]);
+  void rotate_z(Lanes sine, Lanes cosine) {
+    point.rotate_z(sine[0], cosine[0]);
+    direction.rotate_z(sine[0], cosine[0]);
   }
-  void turn_right_z(Lanes sine, Lanes cosine) {
-    point.turn_right_z(sine[0], cosine[0]);
-    direction.turn_right_z(sine[0], cosine[0]);
+  void rotate_right_z(Lanes sine, Lanes cosine) {
+    point.rotate_right_z(sine[0], cosine[0]);
+    direction.rotate_right_z(sine[0], cosine[0]);
   }
-  void turn_x(double sine, double cosine) {
-    point.turn_x(sine, cosine);
-    direction.turn_x(sine, cosine);
+  void rotate_x(double sine, double cosine) {
+    point.rotate_x(sine, cosine);
+    direction.rotate_x(sine, cosine);
   }
   void start(const WalkPlan& plan, Lanes sine, Lanes cosine) {
     const auto by_tool = [&plan](const Parts<double>& v, double w) {
@@ -39,13 +39,13 @@ struct PointAndDirection {
     };
     point = by_tool(point, 1.0);
     direction = by_tool(direction, 0.0);
-    turn_z(sine, cosine);
+    rotate_z(sine, cosine);
   }
   void shift_z(double d) { point.z += d; }
   void shift_x(double a) { point.x += a; }
   void place(const double* base) {
-    point.turn_base(base);
-    direction.turn_base(base);
+    point.rotate_base(base);
+    direction.rotate_base(base);
     point = point + Parts<double>{base[9], base[10], base[11]};
   }
 };
@@ -68,8 +68,8 @@ std::vector<Eigen::Isometry3d> product_of_rows(const Robot& robot, const Eigen::
   for (std::size_t i = 0; i < static_cast<std::size_t>(chain.n); ++i) {
     const double value = q[static_cast<Eigen::Index>(i)];
     T = T * x_step(i) *
-        dh_pose(DhConvention::kStandard, {.theta = chain.theta[i] + chain.turns[i] * value,
-                                          .d = chain.d[i] + chain.slides[i] * value});
+        dh_pose(DhConvention::kStandard, {.theta = chain.theta[i] + chain.q_to_theta[i] * value,
+                                          .d = chain.d[i] + chain.q_to_d[i] * value});
     frames.push_back(T);
   }
   frames.push_back(T * x_step(static_cast<std::size_t>(chain.n)) * robot.T_flange_tool());

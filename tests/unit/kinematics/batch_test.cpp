@@ -89,7 +89,7 @@ bool matches_each_alone(const Robot& robot, const std::vector<double>& q, Instru
 }
 
 // From the world's origin along all frames to the tool.
-double length_of_way(const Robot& robot, const Eigen::VectorXd& q) {
+double length_of_path(const Robot& robot, const Eigen::VectorXd& q) {
   std::vector<Eigen::Isometry3d> frames(static_cast<std::size_t>(robot.n()));
   const Eigen::Isometry3d tool = link_frames(robot, q, frames);
   frames.push_back(tool);
@@ -109,7 +109,7 @@ double difference_from_single_calls(const Robot& robot, const std::vector<double
   double worst = 0.0;
   for (std::size_t k = 0; k < all.count; ++k) {
     const Eigen::VectorXd values = configuration(q, n, k);
-    const double length = length_of_way(robot, values);
+    const double length = length_of_path(robot, values);
     const auto compare = [&](double batch, double single, bool is_length) {
       const double difference = std::abs(batch - single);
       if (difference > 0.0) worst = std::max(worst, is_length ? difference / length : difference);

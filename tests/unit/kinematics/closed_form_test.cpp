@@ -43,7 +43,7 @@ struct RoundTrip {
 };
 RoundTrip round_trips(const Robot& robot, int count) {
   const ClosedForm& closed = closed_form(robot);
-  const bool place_only = closed.kind() == ClosedFormKind::kShoulder;
+  const bool position_only = closed.kind() == ClosedFormKind::kShoulder;
   Random random(20);
   RoundTrip out;
   ClosedSolutions solutions;
@@ -58,7 +58,7 @@ RoundTrip round_trips(const Robot& robot, int count) {
     for (const ClosedSolution& s : solutions) {
       const Eigen::Isometry3d back = forward(robot, s.joints());
       out.worst = std::max(out.worst, (back.translation() - T.translation()).norm());
-      if (!place_only)
+      if (!position_only)
         out.worst =
             std::max(out.worst, rotation_log(back.linear() * T.linear().transpose()).norm());
     }
@@ -117,9 +117,9 @@ TEST_CASE("arms of seven joints without a spherical wrist are solved with an out
   const auto panda = make_robot("panda");
   CHECK(closed_form(*panda).held_joint() == 6);
   check_round_trips(*panda, ClosedFormKind::kSphericalMeeting, true, 20'000);
-  const Robot turned_round = backwards(*panda);
-  CHECK(closed_form(turned_round).held_joint() == 0);
-  check_round_trips(turned_round, ClosedFormKind::kSphericalMeeting, false, 5'000);
+  const Robot rotated_half = backwards(*panda);
+  CHECK(closed_form(rotated_half).held_joint() == 0);
+  check_round_trips(rotated_half, ClosedFormKind::kSphericalMeeting, false, 5'000);
 }
 
 TEST_CASE("arms read backwards are recognised too") {

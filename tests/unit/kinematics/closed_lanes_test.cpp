@@ -86,7 +86,7 @@ TEST_CASE("closed forms in lanes have the same bits on every instruction set of 
       for (const InstructionSet set : {InstructionSet::kAvx2, InstructionSet::kAvx512}) {
         if (!is_supported(set)) continue;
         if (form->solve(goal, large, *closed_kernel_for(set)) != small_ok) ++different;
-        for (std::size_t way = 0; way < kWays && small_ok; ++way) {
+        for (std::size_t way = 0; way < kSolutions && small_ok; ++way) {
           const double a = small.miss2[way], b = large.miss2[way];
           bool same = same_bits(a, b) || (std::isnan(a) && std::isnan(b));
           for (std::size_t i = 0; i < kSixJoints && !std::isnan(a); ++i)
@@ -120,7 +120,7 @@ TEST_CASE("the lanes find the ways that the functions with branches find, and no
       more -= branches.count;
       for (int b = 0; b < branches.count; ++b) {
         const Branch& branch = branches.at[static_cast<std::size_t>(b)];
-        const std::size_t way = static_cast<std::size_t>(branch.ways);
+        const std::size_t way = static_cast<std::size_t>(branch.bits);
         missing += lanes.miss2[way] < 1e-18 ? 0 : 1;
         for (std::size_t i = 0; i < kSixJoints; ++i) {
           const double q =

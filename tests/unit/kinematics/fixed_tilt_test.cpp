@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-Isometry3d any_place(Random& random) {
+Isometry3d any_position(Random& random) {
   return pose_from_rpy({random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.2},
                        {random.uniform(-3, 3), random.uniform(-1.5, 1.5), random.uniform(-3, 3)});
 }
@@ -30,8 +30,8 @@ Robot any_arm(Random& random) {
     const auto& names = catalog_names();
     robot = *make_robot(names[random.below(names.size())]);
   }
-  if (random.below(2) == 0) robot = robot.with_base(any_place(random));
-  if (random.below(2) == 0) robot = robot.with_tool_point(any_place(random));
+  if (random.below(2) == 0) robot = robot.with_base(any_position(random));
+  if (random.below(2) == 0) robot = robot.with_tool_point(any_position(random));
   return robot;
 }
 
@@ -111,11 +111,11 @@ TEST_CASE("an upright frame asks a tool that points down for its place and its t
     REQUIRE(here.linear()(2, 2) == doctest::Approx(-1.0));
     const double heading = std::atan2(here.linear()(1, 0), here.linear()(0, 0));
     const Isometry3d frame = make_pose(rot_z(heading), here.translation());
-    REQUIRE(frame_task(robot, frame) == IkTask::kTurn);
-    const IkResult ik = solve_ik(robot, frame, {.seed = q, .task = IkTask::kTurn});
+    REQUIRE(frame_task(robot, frame) == IkTask::kHeading);
+    const IkResult ik = solve_ik(robot, frame, {.seed = q, .task = IkTask::kHeading});
     REQUIRE(ik.ok());
     CHECK((ik.q - q).cwiseAbs().maxCoeff() < 1e-9);
-    CHECK(turned_like(robot, frame, q).isApprox(here, 1e-12));
+    CHECK(with_heading_of(robot, frame, q).isApprox(here, 1e-12));
     // Rotation is exact to 1e-6 rad, here as everywhere.
     CHECK(frame_task(robot, frame * make_pose(rot_x(0.9e-6), Vector3d::Zero())).has_value());
     CHECK_FALSE(frame_task(robot, frame * make_pose(rot_x(1.1e-6), Vector3d::Zero())).has_value());

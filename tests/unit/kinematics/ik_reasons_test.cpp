@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The arm with every turning joint free to make a full turn.
+// The arm with every revolute joint free to make a full turn.
 Robot without_stops(const Robot& robot) {
   RobotSpec spec = robot.spec();
   for (Joint& joint : spec.joints) {
@@ -45,7 +45,7 @@ TEST_CASE("whatever the goal and the seed are there is an answer, and a yes is t
       }
       VectorXd seed = random_joints(robot, random);
       if (random.below(2) == 0) seed *= any_size();
-      const IkTask tasks[] = {IkTask::kPose, IkTask::kPosition, IkTask::kPlace};
+      const IkTask tasks[] = {IkTask::kPose, IkTask::kPosition, IkTask::kPositionFirst};
       const IkTask task = tasks[random.below(3)];
       const IkResult ik =
           solve_ik(robot, goal, {.seed = seed, .task = task, .starts = 20, .diagnose = k % 8 == 0});
@@ -119,8 +119,8 @@ TEST_CASE("of no arm does any configuration come nearer than the nearest place t
 TEST_CASE(
     "a pose beyond one joint's limit is refused with that joint and what it would have to be") {
   Random random(3);
-  // Joints whose turn no other branch of these arms can replace: the first and only sliding joint,
-  // and the turn of an arm with no second way to face.
+  // Joints whose turn no other branch of these arms can replace: the first and only prismatic
+  // joint, and the turn of an arm with no second way to face.
   const Robot scara = *make_robot("scara");
   for (int k = 0; k < 50; ++k) {
     VectorXd q = random_joints(scara, random);

@@ -176,7 +176,7 @@ TEST_CASE("elbow up means that the elbow is above the line from shoulder to wris
         const auto elbow_axis = [&](int i) -> Eigen::Vector3d {
           return link_frame(robot, ik.q, i).translation();
         };
-        // Joint 2 turns about the origin of frame 1, joint 3 about that of frame 2; the wrist is
+        // Joint 2 rotates about the origin of frame 1, joint 3 about that of frame 2; the wrist is
         // that of frame 3 or, behind a spherical wrist, of frame 4.
         const bool spherical = name.starts_with("p");
         const Eigen::Vector3d shoulder = elbow_axis(1), elbow = elbow_axis(2);
@@ -372,7 +372,7 @@ TEST_CASE("the place and turn of a SCARA need no tilt in the goal") {
     const double turn = rpy_from_R(pose.linear()).z();
     const Isometry3d goal = make_pose(rot_z(turn), pose.translation());  // z up, like an object
     const IkResult ik =
-        solve_ik(scara, goal, {.seed = random_joints(scara, random), .task = IkTask::kTurn});
+        solve_ik(scara, goal, {.seed = random_joints(scara, random), .task = IkTask::kHeading});
     REQUIRE(ik.ok());
     CHECK((forward(scara, ik.q).matrix() - pose.matrix()).norm() < 1e-6);
   }
@@ -384,7 +384,7 @@ TEST_CASE("a place keeps the orientation where the arm can") {
     const Robot robot = *make_robot(name);
     const Isometry3d start = forward(robot, robot.home());
     const Eigen::Vector3d p = start.translation() + Eigen::Vector3d(-0.03, 0.02, -0.02);
-    const IkResult ik = solve_ik(robot, make_translation(p), {.task = IkTask::kPlace});
+    const IkResult ik = solve_ik(robot, make_translation(p), {.task = IkTask::kPositionFirst});
     REQUIRE(ik.ok());
     CHECK((forward(robot, ik.q).translation() - p).norm() < 1e-6);
     CHECK(angle_between(forward(robot, ik.q), start) < 1e-6);
@@ -398,7 +398,7 @@ TEST_CASE("a place turns the tool as little as possible where the arm must turn 
   // the roll can take back only a part.
   const Eigen::Vector3d p = start.translation() + Eigen::Vector3d(0, 0.05, 0);
   const double heading = std::atan2(p.y(), p.x());
-  const IkResult ik = solve_ik(scorbot, make_translation(p), {.task = IkTask::kPlace});
+  const IkResult ik = solve_ik(scorbot, make_translation(p), {.task = IkTask::kPositionFirst});
   REQUIRE(ik.ok());
   CHECK((forward(scorbot, ik.q).translation() - p).norm() < 1e-6);
   const double angle = angle_between(forward(scorbot, ik.q), start);

@@ -51,7 +51,7 @@ TEST_CASE("clamping moves each joint to the nearest allowed value") {
 }
 
 TEST_CASE("whole turns bring a joint near, but never out of its range") {
-  const Robot ur5 = *make_robot("ur5");  // limits of one turn to either side
+  const Robot ur5 = *make_robot("ur5");  // limits of one revolution to either side
   Eigen::VectorXd near = Eigen::VectorXd::Zero(6), q = Eigen::VectorXd::Zero(6);
   near[5] = deg_to_rad(200);
   q[5] = deg_to_rad(-170);
@@ -65,7 +65,7 @@ TEST_CASE("whole turns bring a joint near, but never out of its range") {
   CHECK(wrap_near(scara, a, scara.home())[1] == doctest::Approx(deg_to_rad(-60)));
   // No copy of 200 deg is allowed; -160 deg is 20 deg outside, 200 deg is 60 deg outside.
   CHECK(wrap_near(scara, b, scara.home())[1] == doctest::Approx(deg_to_rad(-160)));
-  CHECK(wrap_near(scara, b, scara.home())[2] == 7.0);  // sliding joints stay
+  CHECK(wrap_near(scara, b, scara.home())[2] == 7.0);  // prismatic joints stay
 }
 
 TEST_CASE("vectors of a wrong size are refused") {

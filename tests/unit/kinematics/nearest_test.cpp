@@ -75,7 +75,7 @@ double least_of(double from, double to, int steps, const Function& f) {
   return best;
 }
 
-// Joints a and b turn about one line at q, the same way (sign 1) or against
+// Joints a and b rotate about one line at q, the same way (sign 1) or against
 // each other.
 struct Pair {
   int a, b;
@@ -368,7 +368,7 @@ TEST_CASE("a goal one joint and 10 deg away is reached with a change of 10 deg")
 }
 
 // Found among other seeds: feasible only where two joints stand at their limits, a branch that
-// exists for a twentieth of a turn of the arm, and a change beyond half a turn.
+// exists for a twentieth of a turn of the arm, and a change beyond half a revolution.
 TEST_CASE("narrow intervals of the free joint are found") {
   const auto more = [](const char* name, int joint, IkMethod method, std::vector<double> at,
                        std::vector<double> from) {

@@ -121,10 +121,10 @@ VectorXd special_joints(Random& random, const Robot& robot) {
   return q;
 }
 
-bool reaches(const Robot& robot, const VectorXd& q, const Isometry3d& goal, bool turn_counts) {
+bool reaches(const Robot& robot, const VectorXd& q, const Isometry3d& goal, bool heading_counts) {
   const Isometry3d reached = forward(robot, q);
   return (reached.translation() - goal.translation()).norm() < 1.001e-6 &&
-         (!turn_counts || angle_between(reached, goal) < 1.001e-6) && within_limits(robot, q);
+         (!heading_counts || angle_between(reached, goal) < 1.001e-6) && within_limits(robot, q);
 }
 
 // Limits around q, between 0 and 2 rad or 0.5 m away.
@@ -159,13 +159,13 @@ Missed missed(int n, int arms, Limits limits) {
     }
     seed = clamp_to_limits(robot, seed);
     for (const IkTask task : {IkTask::kPose, IkTask::kPosition}) {
-      const bool turn_counts = task == IkTask::kPose;
+      const bool heading_counts = task == IkTask::kPose;
       const IkOptions options{.seed = seed, .task = task};
       const IkResult ik = solve_ik(robot, goal, options);
-      out.one += ik.ok() && reaches(robot, ik.q, goal, turn_counts) ? 0 : 1;
+      out.one += ik.ok() && reaches(robot, ik.q, goal, heading_counts) ? 0 : 1;
       if (limits == Limits::kAround) continue;
       const auto all = solve_ik_all(robot, goal, options);
-      const auto good = [&](const VectorXd& s) { return reaches(robot, s, goal, turn_counts); };
+      const auto good = [&](const VectorXd& s) { return reaches(robot, s, goal, heading_counts); };
       out.all += !all.empty() && std::ranges::all_of(all, good) ? 0 : 1;
     }
   }
@@ -202,7 +202,7 @@ TEST_CASE("arms of one to twelve joints, turning and sliding, find the poses tha
 }
 
 TEST_CASE("three equal links folded back onto the shoulder keep the whole pose") {
-  // The place says nothing about joints 1 and 2; the orientation does.
+  // The position says nothing about joints 1 and 2; the orientation does.
   const Robot arm = arm_of({{0, 0, 0, kRight}, {0, 0, 0.3, 0}, {0, 0, 0.3, 0}});
   Random random(1);
   for (int k = 0; k < 200; ++k) {
@@ -212,7 +212,7 @@ TEST_CASE("three equal links folded back onto the shoulder keep the whole pose")
     const IkResult pose = solve_ik(arm, goal, {.seed = seed});
     CHECK(pose.ok());
     CHECK(reaches(arm, pose.q, goal, true));
-    // The place alone leaves the present values of both.
+    // The position alone leaves the present values of both.
     const IkResult place = solve_ik(arm, goal, {.seed = seed, .task = IkTask::kPosition});
     CHECK(reaches(arm, place.q, goal, false));
     CHECK(std::abs(place.q[1] - seed[1]) < 1e-6);

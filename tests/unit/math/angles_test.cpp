@@ -24,7 +24,7 @@ TEST_CASE("the difference of two angles is the short way round") {
 }
 
 TEST_CASE("the nearest turn is at most half a turn away") {
-  CHECK(nearest_turn(0.1, 6.2) == doctest::Approx(0.1 + 2.0 * kPi));
-  CHECK(nearest_turn(3.0, -3.0) == doctest::Approx(3.0 - 2.0 * kPi));
-  CHECK(nearest_turn(1.0, 1.2) == doctest::Approx(1.0));
+  CHECK(nearest_copy_of_angle(0.1, 6.2) == doctest::Approx(0.1 + 2.0 * kPi));
+  CHECK(nearest_copy_of_angle(3.0, -3.0) == doctest::Approx(3.0 - 2.0 * kPi));
+  CHECK(nearest_copy_of_angle(1.0, 1.2) == doctest::Approx(1.0));
 }

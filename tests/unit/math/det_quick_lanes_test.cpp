@@ -21,17 +21,17 @@ constexpr double kLargest = 402.0;  // rad; a little below 2^8 right angles
 
 using EightAngles = std::array<double, 8>;
 
-struct EightTurns {
+struct EightSines {
   std::array<det::SinCos, 8> turns;
   bool any_too_large;
 };
 
-EightTurns quick_turns(const EightAngles& x) {
+EightSines quick_angles(const EightAngles& x) {
   const det::QuickTable<Lanes> table;
   det::QuickCheck<Lanes> check;
   const det::FourLanes<Lanes> angles = {{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}, {x[6], x[7]}};
   const auto [a, b, c, d] = det::quick_sincos(angles, check, table);
-  EightTurns result{.turns = {}, .any_too_large = check.any_too_large()};
+  EightSines result{.turns = {}, .any_too_large = check.any_too_large()};
   for (std::size_t k = 0; k < 8; ++k) {
     const auto& pair = k < 2 ? a : k < 4 ? b : k < 6 ? c : d;
     result.turns[k] = {pair.sin[k % 2], pair.cos[k % 2]};
@@ -52,7 +52,7 @@ struct Errors {
   }
 
   void add(const EightAngles& x) {
-    const EightTurns result = quick_turns(x);
+    const EightSines result = quick_angles(x);
     CHECK(!result.any_too_large);
     for (std::size_t k = 0; k < 8; ++k) {
       add(result.turns[k].sin, std::sin(static_cast<long double>(x[k])));
@@ -109,7 +109,7 @@ TEST_CASE("quick sines and cosines keep their digits at multiples of a right ang
   }
   CHECK(errors.relative < 3.0);
   CHECK(errors.absolute < 0x1p-52);
-  const det::SinCos zero = quick_turns({}).turns[0];
+  const det::SinCos zero = quick_angles({}).turns[0];
   CHECK(zero.sin == 0.0);
   CHECK(zero.cos == 1.0);
 }
@@ -127,7 +127,7 @@ TEST_CASE("an angle that is too large or not finite is noticed in any lane") {
         CHECK(det::is_too_large(angle));
         EightAngles x = {0.1, -0.2, 0.0, 3.0, -3.0, 401.0, -401.0, 1.0};
         x[lane] = angle;
-        CHECK(quick_turns(x).any_too_large);
+        CHECK(quick_angles(x).any_too_large);
       }
     }
   }
@@ -136,7 +136,7 @@ TEST_CASE("an angle that is too large or not finite is noticed in any lane") {
   for (int k = 0; k < 200'000; ++k) {
     EightAngles x{};
     const double angle = x[random.below(8)] = of_any_size(random);
-    right = right && det::is_too_large(angle) == quick_turns(x).any_too_large &&
+    right = right && det::is_too_large(angle) == quick_angles(x).any_too_large &&
             (std::abs(angle) < kLargest || std::abs(angle) > 402.13 ||
              det::is_too_large(angle) == (std::abs(angle) >= 256 * kRightAngle));
   }

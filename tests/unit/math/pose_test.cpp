@@ -35,7 +35,7 @@ TEST_CASE("the exponential undoes the logarithm for every angle") {
     const Isometry3d T = random_pose(random);
     CHECK(difference(pose_exp(pose_log(T)), T) < 1e-14);
   }
-  // Across the change from series to closed form, and at half a turn where cot is 0.
+  // Across the change from series to closed form, and at half a revolution where cot is 0.
   const Vector3d axis = Vector3d(1, -2, 3).normalized();
   for (const double angle : {0.0, 1e-10, 1e-3, 0.00999, 0.01001, 1.0, 3.0, kPi - 1e-9, kPi}) {
     const Isometry3d T = make_pose(R_from_axis_angle(axis, angle), {0.3, -0.2, 0.7});

@@ -133,7 +133,7 @@ TEST_CASE("the logarithm is exact up to half a turn") {
                                     Vector3d(0, 0, 1), Vector3d(0, -1, 1)}) {
     const Vector3d axis = direction / direction.norm();
     const Vector3d phi = rotation_log(R_from_axis_angle(axis, kPi));
-    // At half a turn the first component that is not zero is positive.
+    // At half a revolution the first component that is not zero is positive.
     const double sign =
         axis.x() < -1e-9 || (std::abs(axis.x()) < 1e-9 && axis.y() < -1e-9) ? -1 : 1;
     CHECK((phi - sign * kPi * axis).norm() < 1e-14);

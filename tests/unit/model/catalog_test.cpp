@@ -39,7 +39,7 @@ TEST_CASE("the arms are those of the reference files") {
       CHECK(a.dh.d == b.dh.d);
       CHECK(a.dh.a == b.dh.a);
       CHECK(std::abs(a.dh.alpha - b.dh.alpha) < 1e-12);
-      // The language fixes the last joint of the SCARA at one turn to either side.
+      // The language fixes the last joint of the SCARA at one revolution to either side.
       const bool wider = name == "scara" && i == 3;
       CHECK(std::abs(a.lower - (wider ? -2 * kPi : b.lower)) < 1e-12);
       CHECK(std::abs(a.upper - (wider ? 2 * kPi : b.upper)) < 1e-12);

@@ -1,4 +1,4 @@
-// What a program is told whose time is too short: the least time suffices as it is written, and
+// What a program is reported whose time is too short: the least time suffices as it is written, and
 // 1 % less does not.
 
 #include <doctest/doctest.h>

@@ -89,15 +89,16 @@ TEST_CASE("a place alone keeps the orientation; a turn keeps the tilt") {
   const Eigen::Vector4d q0(0.4, 1.0, 0.1, 0.2);
   const Eigen::Isometry3d T_0 = forward(robot, q0);
   const Eigen::Vector3d goal(0.45, -0.1, 0.3);
-  const LinePlan place =
-      plan_line(robot, {.q0 = q0, .T_world_goal = make_translation(goal), .task = IkTask::kPlace});
+  const LinePlan place = plan_line(
+      robot, {.q0 = q0, .T_world_goal = make_translation(goal), .task = IkTask::kPositionFirst});
   REQUIRE(place.ok());
   const Eigen::Isometry3d T_1 = forward(robot, place.motion.trajectory->end());
   CHECK((T_1.translation() - goal).norm() < 1e-9);
   CHECK(angle_between(T_0, T_1) < 1e-6);
   // A box lying upright has its z axis up; the tool of a SCARA points down all the same.
   const Eigen::Isometry3d T_box = pose_from_rpy(goal, {0.0, 0.0, 0.7});
-  const LinePlan turn = plan_line(robot, {.q0 = q0, .T_world_goal = T_box, .task = IkTask::kTurn});
+  const LinePlan turn =
+      plan_line(robot, {.q0 = q0, .T_world_goal = T_box, .task = IkTask::kHeading});
   REQUIRE(turn.ok());
   const Eigen::Isometry3d T_2 = forward(robot, turn.motion.trajectory->end());
   CHECK((T_2.translation() - goal).norm() < 1e-9);
@@ -109,7 +110,7 @@ TEST_CASE("an end out of reach is said at once, with the distance") {
   const Robot robot = *make_robot("scara");
   const LinePlan plan = plan_line(robot, {.q0 = Eigen::Vector4d(0.4, 1.0, 0.1, 0.2),
                                           .T_world_goal = make_translation({0.9, 0.0, 0.3}),
-                                          .task = IkTask::kPlace});
+                                          .task = IkTask::kPositionFirst});
   REQUIRE(plan.fault.has_value());
   CHECK(plan.fault->kind == LineFaultKind::kGoal);
   CHECK(plan.fault->ik.status == IkStatus::kUnreachable);

@@ -299,7 +299,7 @@ TEST_CASE("paths of places of arms with few joints are found, finely enough to b
         q0[i] = std::clamp(q0[i], robot.lower()[i], robot.upper()[i]);
       }
       Eigen::Isometry3d T = forward(robot, q0);
-      PathMove move{.q0 = q0, .task = IkTask::kPlace};
+      PathMove move{.q0 = q0, .task = IkTask::kPositionFirst};
       for (int point = 0; point < 4; ++point) {
         T = shifted(T, uniform(generator, -0.05, 0.05), uniform(generator, -0.05, 0.05),
                     uniform(generator, -0.05, 0.05));
@@ -359,7 +359,7 @@ TEST_CASE("lines, arcs and paths of many arms keep all limits, and accelerations
       CAPTURE(k);
       const Eigen::VectorXd q0 = joints_near_home(robot, generator, 0.2);
       const Eigen::Isometry3d T0 = forward(robot, q0);
-      const IkTask task = robot.n() < 6 ? IkTask::kPlace : IkTask::kPose;
+      const IkTask task = robot.n() < 6 ? IkTask::kPositionFirst : IkTask::kPose;
       const auto aside = [&] { return uniform(generator, -0.08, 0.08); };
       const Eigen::Isometry3d T1 = shifted(T0, aside(), aside(), aside());
       const Eigen::Isometry3d T2 = shifted(T1, aside(), aside(), aside());

@@ -28,8 +28,8 @@ Eigen::Isometry3d moved(double x, double y, double z, double turn = 0.0) {
 
 SplineMove through_four(SplineKind kind) {
   return {.q0 = kStart,
-          .places = {moved(0.0, 0.1, 0.0, 0.2), moved(0.05, 0.15, 0.05, 0.1),
-                     moved(0.05, 0.15, 0.05, 0.1), moved(-0.05, 0.05, 0.1, -0.3)},
+          .poses = {moved(0.0, 0.1, 0.0, 0.2), moved(0.05, 0.15, 0.05, 0.1),
+                    moved(0.05, 0.15, 0.05, 0.1), moved(-0.05, 0.05, 0.1, -0.3)},
           .kind = kind};
 }
 
@@ -45,10 +45,10 @@ TEST_CASE("the tool passes every pose at its time without stopping, within all l
     REQUIRE(plan.times.size() == 4);
     for (std::size_t k = 0; k < 4; ++k) {
       const Eigen::Isometry3d T = tool_at(motion, plan.times[k]);
-      CHECK((T.translation() - move.places[k].translation()).norm() < 1e-5);
-      CHECK(angle_between(T, move.places[k]) < 1e-4);
+      CHECK((T.translation() - move.poses[k].translation()).norm() < 1e-5);
+      CHECK(angle_between(T, move.poses[k]) < 1e-4);
     }
-    CHECK((tool_at(motion, motion.duration()).translation() - move.places[3].translation()).norm() <
+    CHECK((tool_at(motion, motion.duration()).translation() - move.poses[3].translation()).norm() <
           1e-9);
     const double h = 1e-4;
     const Eigen::Vector3d v = (tool_at(motion, plan.times[1] + h).translation() -
@@ -74,7 +74,7 @@ TEST_CASE("between two poses the place of the tool is the cubic of the spline") 
 
 TEST_CASE("one pose is a straight line with an even turn; turns go on past half a turn") {
   const PathPlan one =
-      plan_cartesian_spline(kArm, {.q0 = kStart, .places = {moved(0.0, 0.2, 0.0, 0.4)}});
+      plan_cartesian_spline(kArm, {.q0 = kStart, .poses = {moved(0.0, 0.2, 0.0, 0.4)}});
   REQUIRE(one.ok());
   CHECK(one.length == doctest::Approx(0.2).epsilon(1e-6));
   const Eigen::Isometry3d half = tool_at(*one.motion.trajectory, 0.5 * one.times[0]);
@@ -112,13 +112,13 @@ TEST_CASE("the time that is asked for is kept, and a speed is a fraction of the 
 
 TEST_CASE("a curve that cannot be followed says on the way to which place; nothing moves nowhere") {
   SplineMove move = through_four(SplineKind::kSpline3);
-  move.places.push_back(moved(2.0, 0.0, 0.0));
+  move.poses.push_back(moved(2.0, 0.0, 0.0));
   const PathPlan plan = plan_cartesian_spline(kArm, move);
   CHECK_FALSE(plan.ok());
   REQUIRE(plan.fault);
   CHECK(plan.point == 4);
-  move.places = {forward(kArm, kStart), forward(kArm, kStart)};
+  move.poses = {forward(kArm, kStart), forward(kArm, kStart)};
   CHECK(plan_cartesian_spline(kArm, move).motion.trajectory->duration() == 0.0);
-  move.places.clear();
+  move.poses.clear();
   CHECK_THROWS_AS((void)plan_cartesian_spline(kArm, move), ArgumentError);
 }

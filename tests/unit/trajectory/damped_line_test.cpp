@@ -125,7 +125,7 @@ TEST_CASE("damped lines of many arms keep all limits, also through singularities
       if (k % 2 == 1 && robot.n() == 6) q[4] = 0.02;  // the wrist is almost stretched
       LineMove move{.q0 = q,
                     .T_world_goal = forward(robot, q),
-                    .task = robot.n() < 6 ? IkTask::kPlace : IkTask::kPose};
+                    .task = robot.n() < 6 ? IkTask::kPositionFirst : IkTask::kPose};
       for (int i = 0; i < 3; ++i)
         move.T_world_goal.translation()[i] += uniform(generator, -0.2, 0.2);
       const DampedLine plan = plan_damped_line(robot, move);
@@ -148,18 +148,19 @@ TEST_CASE("damped lines of many arms keep all limits, also through singularities
 TEST_CASE("a damping that is not above zero and a goal without orientation are refused") {
   LineMove move = along_y(joints({-0.3, -1.3, 1.9, -1.1, -1.5, 0.2}), 0.1);
   CHECK_THROWS_AS((void)plan_damped_line(kArm, move, 0.0), ArgumentError);
-  move.task = IkTask::kTurn;
+  move.task = IkTask::kHeading;
   CHECK_THROWS_AS((void)plan_damped_line(kArm, move), ArgumentError);
 }
 
 TEST_CASE("arms with fewer joints follow the place alone; the stretched arm falls short of it") {
   const Robot arm = *make_robot("planar2");  // two links of 1 m
   const Eigen::VectorXd q0 = joints({0.2, 0.9});
-  LineMove move{.q0 = q0, .T_world_goal = forward(arm, joints({0.1, 1.2})), .task = IkTask::kPlace};
+  LineMove move{
+      .q0 = q0, .T_world_goal = forward(arm, joints({0.1, 1.2})), .task = IkTask::kPositionFirst};
   const DampedLine inside = plan_damped_line(arm, move);
   REQUIRE(inside.ok());
   CHECK(inside.deviation < 1e-6);
-  CHECK(inside.turn == 0.0);
+  CHECK(inside.angle == 0.0);
   // 2.1 m from the base: a tenth of a metre beyond its reach.
   const Eigen::Vector3d axis = arm.T_world_base().translation();
   Eigen::Vector3d out = move.T_world_goal.translation() - axis;

@@ -122,7 +122,7 @@ TEST_CASE("no part of a fastest motion can be made faster") {
     const double t = uniform(generator, 0.0, 0.9) * whole.duration();
     const AxisState there{motion.value(0, t), motion.value(0, t, 1), motion.value(0, t, 2)};
     const JerkProfile rest = fastest_jerk_limited(there, move.to, move.limits);
-    // A place that is off by rounding, 1e-16, is worth the cube root of it in time.
+    // A position that is off by rounding, 1e-16, is worth the cube root of it in time.
     CHECK(t + rest.duration() == doctest::Approx(whole.duration()).epsilon(1e-4));
   }
 }

@@ -17,7 +17,7 @@ using namespace armlet;
 
 namespace {
 
-Eigen::Vector3d place_at(const Robot& robot, const Trajectory& motion, double t) {
+Eigen::Vector3d position_at(const Robot& robot, const Trajectory& motion, double t) {
   return tool_at(robot, motion, t).translation();
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("the length of a line of the joints is what the tool travels, or what 
 
   const Robot puma = *make_robot("puma560");
   Eigen::VectorXd p0 = puma.home(), p1 = p0;
-  p1[5] += 1.0;  // the hand turns on the spot
+  p1[5] += 1.0;  // the tool rotates on the spot
   CHECK(joint_line(puma, p0, p1).duration() == doctest::Approx(0.2).epsilon(1e-9));
 }
 
@@ -59,9 +59,9 @@ TEST_CASE("a blend along a line of the joints is what the tool travels there") {
       double travel = 0.0;
       constexpr int kChords = 2000;
       for (int j = 0; j < kChords; ++j) {
-        travel +=
-            (place_at(arm, path, r * (j + 1) / kChords) - place_at(arm, path, r * j / kChords))
-                .norm();
+        travel += (position_at(arm, path, r * (j + 1) / kChords) -
+                   position_at(arm, path, r * j / kChords))
+                      .norm();
       }
       CHECK(travel <= blend * (1.0 + 1e-6));
       if (r < blend * 0.999) CHECK(travel == doctest::Approx(blend).epsilon(1e-5));
@@ -81,7 +81,7 @@ TEST_CASE("paths with moves of the joints keep their lines, their corners and al
     for (int k = 0; k < 6; ++k) {
       CAPTURE(k);
       Eigen::VectorXd q = joints_near_home(robot, generator, 0.4);
-      PathMove move{.q0 = q, .task = robot.n() < 6 ? IkTask::kPlace : IkTask::kPose};
+      PathMove move{.q0 = q, .task = robot.n() < 6 ? IkTask::kPositionFirst : IkTask::kPose};
       Eigen::Isometry3d T = forward(robot, q);
       std::vector<Eigen::VectorXd> at = {q};  // where joints are known, else empty
       for (int point = 0; point < 5; ++point) {
@@ -112,7 +112,7 @@ TEST_CASE("paths with moves of the joints keep their lines, their corners and al
             move.points[p].q ? forward(robot, *move.points[p].q) : move.points[p].T_world_tool;
         if (p + 1 < move.points.size()) {
           ++corners;
-          const double missed = (place_at(robot, motion, end) - goal.translation()).norm();
+          const double missed = (position_at(robot, motion, end) - goal.translation()).norm();
           CHECK(missed <= kBlend);
           CHECK(missed == doctest::Approx(plan.missed[p]).epsilon(1e-3).scale(1e-3));
         }
@@ -143,7 +143,7 @@ TEST_CASE("the tool keeps its speed along moves of the joints, and never stops o
   for (int k = 1; k < 2000; ++k) {
     const double t = T * k / 2000.0;
     const double v =
-        (place_at(robot, motion, t + h) - place_at(robot, motion, t - h)).norm() / (2.0 * h);
+        (position_at(robot, motion, t + h) - position_at(robot, motion, t - h)).norm() / (2.0 * h);
     fastest = std::max(fastest, v);
     if (t > 0.2 * T && t < 0.8 * T) slowest = std::min(slowest, v);
   }

@@ -146,7 +146,7 @@ TEST_CASE("a straight line is run as the trapezoid") {
   const std::vector<AxisLimits> limits{{1.0, 2.0}};
   CHECK(fastest_along(straight_line(2.0), limits, 200).duration() ==
         doctest::Approx(2.5).epsilon(1e-9));
-  // A triangle: 2 sqrt(L / A). The top lies on a place.
+  // A triangle: 2 sqrt(L / A). The top lies on a position.
   CHECK(fastest_along(straight_line(0.3), limits, 200).duration() ==
         doctest::Approx(2.0 * std::sqrt(0.15)).epsilon(1e-9));
   std::mt19937_64 generator(1);
@@ -159,8 +159,8 @@ TEST_CASE("a straight line is run as the trapezoid") {
   }
 }
 
-// Between the places of a circle the interpolation scheme exceeds the acceleration limits by 1.002
-// (50 intervals) and less.
+// Between the positions of a circle the interpolation scheme exceeds the acceleration limits by
+// 1.002 (50 intervals) and less.
 TEST_CASE("a circle keeps its limits between the places, the better the more there are") {
   const std::vector<AxisLimits> limits{{10.0, 1.0}, {10.0, 1.0}};
   const Trajectory path = quarter_circle();

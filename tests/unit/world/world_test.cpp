@@ -72,14 +72,14 @@ TEST_CASE("a carried body has the same pose in the hand after a million steps, b
   const Eigen::Isometry3d T_start = pose_from_rpy({0.3, 0.1, 0.25}, {3.0, 0.2, 0.4});
   world.attach("cube", 0, T_start);
   const Eigen::Isometry3d T_carrier_obj = world.attachment("cube")->T_carrier_obj;
-  Eigen::Isometry3d T_world_hand;
+  Eigen::Isometry3d T_world_gripper;
   for (int k = 0; k < 1000000; ++k) {
-    T_world_hand = T_start;
-    T_world_hand.translation().x() += 1e-7 * k;
-    world.move_carried(0, T_world_hand);
+    T_world_gripper = T_start;
+    T_world_gripper.translation().x() += 1e-7 * k;
+    world.move_carried(0, T_world_gripper);
   }
   CHECK(world.attachment("cube")->T_carrier_obj.matrix() == T_carrier_obj.matrix());
-  CHECK(world.at("cube").T_world_obj.matrix() == (T_world_hand * T_carrier_obj).matrix());
+  CHECK(world.at("cube").T_world_obj.matrix() == (T_world_gripper * T_carrier_obj).matrix());
   CHECK(world.at("cube").T_world_obj.translation().x() ==
         doctest::Approx(0.3999999).epsilon(1e-12));
 }

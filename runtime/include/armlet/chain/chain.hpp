@@ -22,8 +22,8 @@ struct Chain {
   std::array<double, kMaxJoints>
       theta{};                         // offset of a revolute joint, constant of a prismatic one
   std::array<double, kMaxJoints> d{};  // constant of a revolute joint, offset of a prismatic one
-  std::array<double, kMaxJoints> turns{};   // 1 where q adds to theta, else 0
-  std::array<double, kMaxJoints> slides{};  // 1 where q adds to d, else 0
+  std::array<double, kMaxJoints> q_to_theta{};  // 1 where q adds to theta, else 0
+  std::array<double, kMaxJoints> q_to_d{};      // 1 where q adds to d, else 0
   std::array<double, kMaxJoints + 1> a{};
   std::array<double, kMaxJoints + 1> sin_alpha{};
   std::array<double, kMaxJoints + 1> cos_alpha{};

@@ -15,17 +15,18 @@ enum class LinkTwist : std::uint8_t { kNone, kRightAngle, kAny };
 //
 //   T_world_tool(q) = B Z_0 X_1 Z_1 ... X_{n-1} Z_{n-1} T,
 //
-// and wherever the twist of an X is negative or half a turn, all frames behind it are turned half a
-// turn about x, which makes it positive or none. Only signs change, so nothing is rounded.
+// and wherever the twist of an X is negative or half a revolution, all frames behind it are rotated
+// by half a revolution about x, which makes it positive or none. Only signs change, so nothing is
+// rounded.
 struct WalkPlan {
   int n = 0;
   bool standard = true;       // frames after X_{i+1}, else after Z_i
   bool base_is_none = false;  // B is the identity
-  bool tool_is_flip = false;  // T turns nothing, or half a turn about x
+  bool tool_is_flip = false;  // T turns nothing, or half a revolution about x
   bool tool_on_axis = false;  // and its origin is on the axis of the last joint
 
-  // Z_i = Rz(theta_i + turn_i q_i) Tz(d_i + slide_i q_i); turn and slide are 0, 1 or -1.
-  std::array<double, kMaxJoints> theta{}, turn{}, d{}, slide{};
+  // Z_i = Rz(theta_i + q_to_theta_i q_i) Tz(d_i + q_to_d_i q_i); both factors are 0, 1 or -1.
+  std::array<double, kMaxJoints> theta{}, q_to_theta{}, d{}, q_to_d{};
   std::array<bool, kMaxJoints> has_d{};  // d is not zero, or the joint slides
 
   // X_i = Rx(alpha_i) Tx(a_i) before joint i > 0, and as it was for i = n.

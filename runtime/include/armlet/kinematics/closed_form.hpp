@@ -16,17 +16,17 @@ namespace armlet {
 // the tool to the base count too.
 enum class ClosedFormKind {
   kNone,
-  kPlane,     // three turning joints with parallel axes: place in the plane and heading
-  kScara,     // three parallel turning joints and one sliding along them, in any order
-  kShoulder,  // three turning joints that reach a place: axes 2 and 3 parallel, or 1 and 2 meet
+  kPlane,     // three revolute joints with parallel axes: place in the plane and heading
+  kScara,     // three parallel revolute joints and one sliding along them, in any order
+  kShoulder,  // three revolute joints that reach a position: axes 2 and 3 parallel, or 1 and 2 meet
   kPlanarArmTwist,      // five joints: axes 2, 3, 4 parallel, the last one across (Scorbot)
   kSphericalParallel,   // six joints: 4, 5, 6 meet in a point, 2 and 3 parallel (Puma)
   kSphericalMeeting,    // six joints: 4, 5, 6 meet in a point, 1 and 2 meet
   kThreeParallel,       // six joints: 2, 3, 4 parallel, 5 and 6 meet (UR)
   kShoulderElbowWrist,  // seven joints: 1, 2, 3 and 5, 6, 7 meet in points (PA-10, iiwa)
-  kFewPlace,            // one to three turning joints of any other structure: place
+  kFewPosition,         // one to three revolute joints of any other structure: place
   kFewPose,             // one to four of them: pose
-  kMeetingWrist,        // five turning joints: 4 and 5 meet, the first three of any structure
+  kMeetingWrist,        // five revolute joints: 4 and 5 meet, the first three of any structure
   kSphericalWrist       // six: 4, 5, 6 meet in a point, the first three of any other structure
 };
 
@@ -36,11 +36,11 @@ std::string_view to_text(ClosedFormKind kind);
 inline constexpr int kMaxBranches = 16;
 inline constexpr unsigned kEveryBranch = (1U << kMaxBranches) - 1U;
 
-// One way of reaching a pose.
+// One solution for a pose.
 //
-// q       the joint values, rad or m; joints that turn lie within half a turn of 0.
+// q       the joint values, rad or m; revolute joints lie within half a revolution of 0.
 // branch  which posture it is: a sum of 4 (shoulder), 2 (elbow) and 1 (wrist), each if the second
-//         of the two ways is taken. ClosedForm::branch_name says it in words.
+//         of the two solutions is taken. ClosedForm::branch_name says it in words.
 struct ClosedSolution {
   std::array<double, kMaxJoints> q;
   int n = 0;
@@ -88,25 +88,27 @@ class ClosedForm {
   int held_joint() const {
     return hold_ == Hold::kNone ? -1 : hold_ == Hold::kFirst ? 0 : chain_.n - 1;
   }
-  // Only the place of the goal counts (kShoulder, kFewPlace).
-  bool place_only() const {
-    return kind_ == ClosedFormKind::kShoulder || kind_ == ClosedFormKind::kFewPlace;
+  // Only the position of the goal counts (kShoulder, kFewPosition).
+  bool position_only() const {
+    return kind_ == ClosedFormKind::kShoulder || kind_ == ClosedFormKind::kFewPosition;
   }
   // The solutions are all that there are, unless one of their joints is free: the arm has at most
   // six.
   bool complete() const { return exists() && chain_.n <= 6; }
 
-  // T_world_tool  the goal.
-  // q_near        n joint values: where a joint may have any value (a singular configuration) it
-  //               keeps this one; an arm of seven joints keeps its arm angle or its held joint.
-  // tolerance     largest error of a solution, m and rad, found by forward kinematics. Solutions
-  //               are made as exact as 1e-9 where the goal allows it.
-  // arm_turn      added to the arm angle or the held joint of an arm of seven joints, rad.
-  // wanted        bits of the branches that are asked for.
-  // solutions     in the order of their branches; limits are not looked at.
-  // returns       how many there are; 0 if none, or if the arm has no closed form.
+  // T_world_tool      the goal.
+  // q_near            n joint values: where a joint may have any value (a singular configuration)
+  //                   it keeps this one; an arm of seven joints keeps its arm angle or its held
+  //                   joint.
+  // tolerance         largest error of a solution, m and rad, found by forward kinematics.
+  //                   Solutions are made as exact as 1e-9 where the goal allows it.
+  // arm_angle_change  added to the arm angle or the held joint of an arm of seven joints, rad.
+  // wanted            bits of the branches that are asked for.
+  // solutions         in the order of their branches; limits are not looked at.
+  // returns           how many there are; 0 if none, or if the arm has no closed form.
   int solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near, ClosedSolutions& solutions,
-            double tolerance = 1e-9, double arm_turn = 0.0, unsigned wanted = kEveryBranch) const;
+            double tolerance = 1e-9, double arm_angle_change = 0.0,
+            unsigned wanted = kEveryBranch) const;
 
   // Why there is no solution, if the geometry of the arm rules it out whatever its limits are; no
   // gap if something else does, or for an arm of which one joint is held.
@@ -116,7 +118,7 @@ class ClosedForm {
   ReachGap gap(const Eigen::Isometry3d& T_world_tool, bool orientation_counts = true) const;
 
   // "shoulder front, elbow up, wrist flipped"; front and up hold for arms that stand or hang, else
-  // the two ways are called + and -.
+  // the two solutions are called + and -.
   std::string branch_name(int branch) const;
 
  private:
@@ -126,8 +128,8 @@ class ClosedForm {
   // The goal of the other joints if the held one stood at 0 instead.
   Eigen::Isometry3d without_held(const Eigen::Isometry3d& T_world_tool, double held) const;
   bool accept(const Eigen::Isometry3d& goal, double tolerance, ClosedSolution& solution) const;
-  int take_ways(const Eigen::Isometry3d& goal, double tolerance, const ClosedSolution& start,
-                const ClosedLanes& lanes, unsigned wanted, ClosedSolutions& solutions) const;
+  int take_lanes(const Eigen::Isometry3d& goal, double tolerance, const ClosedSolution& start,
+                 const ClosedLanes& lanes, unsigned wanted, ClosedSolutions& solutions) const;
 
   Chain chain_;
   WalkPlan plan_;

@@ -14,24 +14,24 @@ namespace armlet {
 std::optional<Eigen::Vector3d> fixed_tilt(const Robot& robot);
 
 // What a frame asks of an arm: the whole pose; or, where tool and frame are both vertical and no
-// joint changes that, the place and the turn about z, whichever of the two points down.
+// joint changes that, the position and the rotation about z, whichever of the two points down.
 //
 // T_world_frame  the frame, in the world.
-// returns        kPose or kTurn; nothing if no joint values whatever lean the tool like the frame,
-//                to 1e-6 rad.
+// returns        kPose or kHeading; nothing if no joint values whatever lean the tool like the
+//                frame, to 1e-6 rad.
 std::optional<IkTask> frame_task(const Robot& robot, const Eigen::Isometry3d& T_world_frame);
 
 // How far the frame leans away from the tool of an arm that cannot change it: the angle between the
 // two vertical axes, rad; 0 for other arms. T_world_frame as above.
 double tilt_error(const Robot& robot, const Eigen::Isometry3d& T_world_frame);
 
-// The pose of the tool that a frame means with IkTask::kTurn: the place and the turn about z of the
-// frame, with the tilt that the tool has at q.
+// The pose of the tool that a frame means with IkTask::kHeading: the position and the rotation
+// about z of the frame, with the tilt that the tool has at q.
 //
 // q        n joint values, rad or m.
 // returns  the pose T_world_tool.
 // throws   ArgumentError unless q has n finite elements.
-Eigen::Isometry3d turned_like(const Robot& robot, const Eigen::Isometry3d& T_world_frame,
-                              JointsIn q);
+Eigen::Isometry3d with_heading_of(const Robot& robot, const Eigen::Isometry3d& T_world_frame,
+                                  JointsIn q);
 
 }  // namespace armlet

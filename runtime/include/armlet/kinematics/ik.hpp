@@ -15,16 +15,18 @@ namespace armlet {
 
 // What the tool point must match of the goal.
 //
-// kPose      place and orientation. An arm with fewer than six joints reaches only the poses that
-//            it can; others are kOrientationUnreachable.
-// kPosition  the place; the orientation is free.
-// kPlace     the place, keeping the orientation at the seed as far as the arm can: if that
-//            orientation cannot be kept, the change of orientation is made as small as possible.
-// kTurn      the place and the turn about the world's z axis (the heading of the goal's x axis, or
-//            of its y axis if x is vertical), with the tilt of the tool at the seed. For arms whose
-//            tool axis stays parallel to z, such as a SCARA.
-// kMasked    the rows of [p; log R] chosen by IkOptions::mask.
-enum class IkTask { kPose, kPosition, kPlace, kTurn, kMasked };
+// kPose           position and orientation. An arm with fewer than six joints reaches only the
+// poses
+//                 that it can; others are kOrientationUnreachable.
+// kPosition       the position; the orientation is free.
+// kPositionFirst  the position, keeping the orientation at the seed as far as the arm can: if that
+//                 orientation cannot be kept, the change of orientation is made as small as
+//                 possible.
+// kHeading        the position and the rotation about the world's z axis (the heading of the goal's
+//                 x axis, or of its y axis if x is vertical), with the tilt of the tool at the
+//                 seed. For arms whose tool axis stays parallel to z, such as a SCARA.
+// kMasked         the rows of [p; log R] chosen by IkOptions::mask.
+enum class IkTask { kPose, kPosition, kPositionFirst, kHeading, kMasked };
 
 enum class IkMaskFrame { kWorld, kTool };
 
@@ -36,7 +38,7 @@ enum class IkMaskFrame { kWorld, kTool };
 enum class IkChoice { kFirst, kNearest };
 
 // kAuto     the arm's closed form where it has one that answers the question (the whole pose, or
-//           the place of a three-joint arm, with kNearest), otherwise iterations.
+//           the position of a three-joint arm, with kNearest), otherwise iterations.
 // kNumeric  always iterations.
 enum class IkMethod { kAuto, kNumeric };
 
@@ -60,8 +62,8 @@ struct IkOptions {
 
 enum class IkStatus {
   kOk,
-  kUnreachable,             // the place is out of reach
-  kOrientationUnreachable,  // the place can be reached, but not with this orientation
+  kUnreachable,             // the position is out of reach
+  kOrientationUnreachable,  // the position can be reached, but not with this orientation
   kJointLimit,              // only with joints outside their limits
   kSingularGoal,            // the iteration stalls at a singular configuration next to the goal
   kBadRotation,             // the goal's rotation part is not a rotation
@@ -124,8 +126,8 @@ IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
 // Distinct solutions, nearest to the seed first, at most `count`: every branch of the closed form
 // where the arm has one, otherwise those that the search finds. An arm with more than six joints
 // has infinitely many; it gives those with the arm angle of the seed, or failing that, examples.
-// kPlace: of an arm whose formula is for places, every way to the place; of others, those with the
-// orientation of the seed, or with the one nearest to it that the arm can have there.
+// kPositionFirst: of an arm whose formula is for positions, every solution; of others, those with
+// the orientation of the seed, or with the one nearest to it that the arm can have there.
 std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                                           const IkOptions& options = {}, int count = 16);
 

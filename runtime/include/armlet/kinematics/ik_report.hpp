@@ -9,7 +9,7 @@
 
 namespace armlet {
 
-// One branch of the closed form at a goal, each turning joint at the copy nearest to the seed.
+// One branch of the closed form at a goal, each revolute joint at the copy nearest to the seed.
 //
 // outside  the joints that rule it out, with what they would have to be.
 // change   the largest joint change from the seed, rad or m, and `joint`, whose it is, from 0.

@@ -32,13 +32,13 @@ bool within_limits(const Robot& robot, JointsIn q, double tolerance = 1e-9);
 // q with every joint moved to the nearest value within its limits.
 Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q);
 
-// q with every revolute joint turned by whole turns to the copy nearest to q_near among those
+// q with every revolute joint moved by whole revolutions to the copy nearest to q_near among those
 // within the limits; a joint of which no copy lies within them keeps the copy nearest to its range.
 Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near);
 
-// An angle turned by whole turns to the copy nearest to `near` among those from lower to upper; if
-// none lies there, the copy nearest to that range.
-double turned_within(double angle, double near, double lower, double upper);
+// An angle moved by whole revolutions to the copy nearest to `near` among those from lower to
+// upper; if none lies there, the copy nearest to that range.
+double wrapped_within(double angle, double near, double lower, double upper);
 
 // From each joint to the nearer of its limits, n values, rad or m; below 0 outside.
 Eigen::VectorXd limit_margins(const Robot& robot, JointsIn q);

@@ -10,7 +10,7 @@ namespace armlet {
 // search; these are attained.
 //
 // from_base   distance from the origin of the base.
-// from_axis   distance from the axis of the first turning joint that stands still in the base; the
+// from_axis   distance from the axis of the first revolute joint that stands still in the base; the
 //             same as from_base if the first joint slides.
 // q_base, q_axis  joint values that get there.
 struct Reach {

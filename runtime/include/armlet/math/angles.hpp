@@ -21,8 +21,8 @@ inline double wrap_angle(double angle) {
 // The shortest turn that leads from one angle to another, in (-pi, pi].
 inline double angle_difference(double to, double from) { return wrap_angle(to - from); }
 
-// The copy of an angle (by whole turns) that is nearest to another.
-inline double nearest_turn(double angle, double near) {
+// The copy of an angle (by whole revolutions) that is nearest to another.
+inline double nearest_copy_of_angle(double angle, double near) {
   return near + std::remainder(angle - near, 2.0 * kPi);
 }
 

@@ -28,10 +28,10 @@ struct Joint {
   bool is_revolute() const { return kind == JointKind::kRevolute; }
 };
 
-inline constexpr double kDefaultTurnSpeed = std::numbers::pi;  // rad/s
-inline constexpr double kDefaultSlideSpeed = 0.5;              // m/s
-inline constexpr double kDefaultTimeToSpeed = 0.25;            // s
-inline constexpr double kDefaultTimeToAccel = 0.1;             // s
+inline constexpr double kDefaultRevoluteSpeed = std::numbers::pi;  // rad/s
+inline constexpr double kDefaultPrismaticSpeed = 0.5;              // m/s
+inline constexpr double kDefaultTimeToSpeed = 0.25;                // s
+inline constexpr double kDefaultTimeToAccel = 0.1;                 // s
 
 // A joint's value, rad or m, for people: "152.4 deg" for a revolute joint, "37.2 mm" for a
 // prismatic one.

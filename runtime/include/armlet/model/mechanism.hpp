@@ -12,7 +12,7 @@ namespace armlet {
 enum class BodyJoint { kFixed, kRevolute, kPrismatic };
 
 // A link of a mechanism and the joint that carries it. At the zero of its joint the link's frame is
-// T_parent_joint seen from its parent; a turning joint turns about `axis`, a sliding one moves
+// T_parent_joint seen from its parent; a revolute joint rotates about `axis`, a sliding one moves
 // along it. The link's mass, centre and inertia are in its own frame.
 struct Body {
   std::string name;

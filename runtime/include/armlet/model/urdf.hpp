@@ -17,10 +17,10 @@ struct UrdfOptions {
 };
 
 // The links and joints of a robot description (URDF 1.0) as a mechanism, the root link as its base.
-// Mimic joints become couplings, continuous joints get limits of one turn to either side, angles
-// within 1e-5 rad of a right angle count as right ("1.5708"), an effort or a speed of 0 as one that
-// the file does not give. Damping and friction belong to the joint; URDF knows no rotor and no
-// gear.
+// Mimic joints become couplings, continuous joints get limits of one revolution to either side,
+// angles within 1e-5 rad of a right angle count as right ("1.5708"), an effort or a speed of 0 as
+// one that the file does not give. Damping and friction belong to the joint; URDF knows no rotor
+// and no gear.
 //
 // returns  an error that names the link or joint: broken XML, a link that is its own parent,
 //          missing or not connected, a joint of a kind that an arm has not, numbers that are none,

@@ -12,8 +12,9 @@ namespace armlet {
 // source  Siciliano et al., Robotics, 2009, sections 4.3.1 and 4.3.3.
 //
 // q0              joints at the start; they choose the branch, which is kept.
-// T_world_goal    where the tool point goes. What of it counts is decided by `task`: with kPlace
-//                 the orientation is kept as far as the arm can, with kTurn only the turn about z.
+// T_world_goal    where the tool point goes. What of it counts is decided by `task`: with
+//                 kPositionFirst the orientation is kept as far as the arm can, with kHeading only
+//                 the rotation about z.
 // time            whole duration, s; not together with tool_speed.
 // tool_speed      highest speed of the tool point, m/s. The move takes longer if the joints need
 //                 it. With neither, the move is as fast as the joints allow.
@@ -39,7 +40,7 @@ struct LineMove {
 //        is ok there, only another configuration of the arm reaches it, which it cannot change
 //        into.
 // kJump  a joint would have to jump: the line passes through or next to a singularity.
-// kNoArc for arcs only: the three places lie on one line, and the middle one is not in between.
+// kNoArc for arcs only: the three positions lie on one line, and the middle one is not in between.
 enum class LineFaultKind { kGoal, kPath, kJump, kNoArc };
 
 // fraction  of the length up to which the line can be followed, 0 to 1.
@@ -64,9 +65,9 @@ struct LinePlan {
   [[nodiscard]] bool ok() const { return motion.ok(); }
 };
 
-// Plans the line: places on it are solved to joints, each from the solution before, so finely that
-// no joint turns 2 deg (or slides 20 mm) between two of them and the tool stays within 1 um of the
-// line in between; the joints follow quintic splines through them in time. Distance runs as the
+// Plans the line: positions on it are solved to joints, each from the solution before, so finely
+// that no joint turns 2 deg (or slides 20 mm) between two of them and the tool stays within 1 um of
+// the line in between; the joints follow quintic splines through them in time. Distance runs as the
 // quintic 10 x^3 - 15 x^4 + 6 x^5 of time, as slowly as the limits of the joints on speed,
 // acceleration and jerk need it.
 //

@@ -8,11 +8,11 @@
 
 namespace armlet {
 
-// Plans a move of the tool point along the circle from where it is over `via` to the place of
+// Plans a move of the tool point along the circle from where it is over `via` to the position of
 // move.T_world_goal; the orientation turns evenly about one axis. Everything else is as for
 // plan_line, `length` being that of the arc.
 //
-// If the three places lie on one line with `via` in between, that line is followed.
+// If the three positions lie on one line with `via` in between, that line is followed.
 //
 // p_world_via  in the world, m.
 // returns      a plan whose fault is kNoArc if they lie on one line and `via` is not in between.
@@ -20,12 +20,12 @@ namespace armlet {
 // source       B. Siciliano et al., Robotics, 2009, section 4.3.1 (circular path).
 LinePlan plan_arc(const Robot& robot, const Eigen::Vector3d& p_world_via, const LineMove& move);
 
-// A place on a path.
+// A position on a path.
 //
 // q            reached on a straight line of the joints instead, which end there; the two poses
 //              below do not count then.
-// p_world_via  reached over this place on a circle; nothing: on a straight line.
-// blend        how far before and after the place the path may leave its pieces to round the
+// p_world_via  reached over this position on a circle; nothing: on a straight line.
+// blend        how far before and after the position the path may leave its pieces to round the
 //              corner, m; at most half the length of either. With 0 the tool stops there.
 // tool_speed   highest speed of the tool point on the way to it, m/s, and tool_accel how fast that
 //              may change, m/s^2; in a corner the lower of the two holds.
@@ -38,9 +38,9 @@ struct PathPoint {
   std::optional<double> tool_accel{};
 };
 
-// A path of the tool through several places, from rest to rest.
+// A path of the tool through several positions, from rest to rest.
 //
-// task   what of the poses counts, as for LineMove, for all places.
+// task   what of the poses counts, as for LineMove, for all positions.
 // time   whole duration, s; nothing: as fast as the limits of the joints and tool speeds allow.
 // speed  fraction of the joint limits, above 0 and at most 1; not together with time.
 // jerk   kFree: as fast as speeds and accelerations alone allow; accelerations jump.
@@ -56,11 +56,11 @@ struct PathMove {
 // How a path was planned.
 //
 // motion   verified; nothing in it if `fault` says why.
-// point    of the fault, the piece that fails: the one that leads to this place, counted from 0;
+// point    of the fault, the piece that fails: the one that leads to this position, counted from 0;
 //          the fraction of the fault is of that piece.
 // length   that the tool point travels, m.
-// missed   how far the path passes by each place, m; 0 where it stops.
-// times    when it reaches each place, or passes by it, s; only with a motion.
+// missed   how far the path passes by each position, m; 0 where it stops.
+// times    when it reaches each position, or passes by it, s; only with a motion.
 struct PathPlan {
   MotionPlan motion{};
   std::optional<LineFault> fault{};
@@ -72,7 +72,7 @@ struct PathPlan {
   [[nodiscard]] bool ok() const { return motion.ok(); }
 };
 
-// Plans the path: straight pieces and arcs, at the places rounded by curves whose direction and
+// Plans the path: straight pieces and arcs, at the positions rounded by curves whose direction and
 // curvature are continuous; solved to joints as for plan_line. A corner beside a straight line of
 // the joints is rounded in the space of the joints. The whole is run as fast as possible. Speeds
 // fall only where limits need it; accelerations are continuous. Where joints all but jump, so that
@@ -82,8 +82,9 @@ struct PathPlan {
 //         corner by 3/16 r |d2 - d1|. Time: D. Verscheure and others, Time-optimal path tracking
 //         for robots, IEEE TAC 54(10), 2009, with the jerk limited too; for Jerk::kFree
 //         fastest_run.
-// throws  ArgumentError unless q0 has n finite elements, there is a place, poses are poses, blends
-//         are not negative and speeds are positive, or for time together with a speed below 1.
+// throws  ArgumentError unless q0 has n finite elements, there is a position, poses are poses,
+//         blends are not negative and speeds are positive, or for time together with a speed below
+//         1.
 PathPlan plan_path(const Robot& robot, const PathMove& move);
 
 }  // namespace armlet

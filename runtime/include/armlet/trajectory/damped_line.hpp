@@ -17,7 +17,7 @@ constexpr double kUsualDamping = 0.05;
 struct DampedLine {
   MotionPlan motion{};
   double deviation = 0.0;
-  double turn = 0.0;
+  double angle = 0.0;
   double at = 0.0;
   double length = 0.0;
 
@@ -28,16 +28,16 @@ struct DampedLine {
 // so that they stay slow and the tool leaves the line a little. Away from them the line is exact to
 // the damping's square.
 //
-// The way of the joints is run as fast as their speeds, accelerations and jerks and those of the
+// The path of the joints is run as fast as their speeds, accelerations and jerks and those of the
 // tool allow everywhere, or in the time that is asked for. Where joints all but jump, so that
 // limited jerk would take many times as long, accelerations step.
 //
 // damping  the smallest singular value of the Jacobian below which joints are damped, above 0;
 //          larger values are slower and leave the line further.
-// returns  a plan whose `outside` names a joint that would leave its limits. With a task of kPlace
-//          only the place is followed, and `turn` is 0.
+// returns  a plan whose `outside` names a joint that would leave its limits. With a task of
+//          kPositionFirst only the position is followed, and `angle` is 0.
 // throws   as plan_line, and for a damping that is not positive; only with a task of kPose or
-//          kPlace.
+//          kPositionFirst.
 // source   Y. Nakamura, H. Hanafusa, Inverse kinematic solutions with singularity robustness, ASME
 //          J. Dyn. Sys. Meas. Control 108(3), 1986; S. Chiaverini et al., IEEE T-CST 2(2), 1994.
 DampedLine plan_damped_line(const Robot& robot, const LineMove& move,
@@ -46,7 +46,7 @@ DampedLine plan_damped_line(const Robot& robot, const LineMove& move,
 // The same along the circle of plan_arc.
 //
 // p_world_via  in the world, m.
-// returns      nothing if there is no arc over the three places.
+// returns      nothing if there is no arc over the three positions.
 // throws       as plan_damped_line.
 std::optional<DampedLine> plan_damped_arc(const Robot& robot, const Eigen::Vector3d& p_world_via,
                                           const LineMove& move, double damping = kUsualDamping);

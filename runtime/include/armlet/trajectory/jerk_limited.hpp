@@ -29,17 +29,17 @@ class JerkProfile {
   [[nodiscard]] double duration() const { return duration_; }
   // The highest or lowest speed, with sign, that it passes with no acceleration before it stops;
   // 0 if it slows down all the way.
-  [[nodiscard]] double turning_speed() const { return turning_speed_; }
+  [[nodiscard]] double peak_speed() const { return peak_speed_; }
 
   // Adds a step; one that is too short to matter is left out.
   void add(double duration, double jerk);
-  void set_turning_speed(double v) { turning_speed_ = v; }
+  void set_peak_speed(double v) { peak_speed_ = v; }
 
  private:
   std::array<JerkStep, kMostSteps> steps_{};
   int count_ = 0;
   double duration_ = 0.0;
-  double turning_speed_ = 0.0;
+  double peak_speed_ = 0.0;
 };
 
 // The fastest motion from `from` to rest at `to`. All three limits are finite and above zero. A

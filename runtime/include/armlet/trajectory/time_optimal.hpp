@@ -10,21 +10,21 @@
 
 namespace armlet {
 
-// How fast a path is run: the square of the path speed at places along it; in between it changes
+// How fast a path is run: the square of the path speed at positions along it; in between it changes
 // linearly, so the acceleration along the path is constant there.
 struct SpeedAlongPath {
   std::vector<double> s{};        // from 0 to the length of the path
   std::vector<double> squared{};  // (ds/dt)^2, 0 at both ends
 
   [[nodiscard]] double duration() const;
-  // When a place is reached, s.
+  // When a position is reached, s.
   [[nodiscard]] double time_at(double place) const;
-  // When each place is reached.
+  // When each position is reached.
   [[nodiscard]] std::vector<double> times() const;
 };
 
-// Between two places along a path the speed of what travels along it, and how fast that changes, is
-// limited; above zero.
+// Between two positions along a path the speed of what travels along it, and how fast that changes,
+// is limited; above zero.
 struct SpeedZone {
   double from = 0.0, to = 0.0;
   double speed = std::numeric_limits<double>::infinity();
@@ -37,11 +37,11 @@ struct SpeedZone {
 //            ends, pieces of degree 3 at most. Its derivative at the ends need not be zero, and
 //            better is not.
 // limits     speed and acceleration of each joint, finite; jerk is not considered.
-// intervals  places are at the knots of the path and between them so that there are at least as
-//            many intervals. Limits hold at the places, on both sides; in between they may be
+// intervals  positions are at the knots of the path and between them so that there are at least as
+//            many intervals. Limits hold at the positions, on both sides; in between they may be
 //            exceeded by a part that falls with the square of the number.
 // zones      limits along the path itself; they may overlap.
-// travel     what the zones limit, as cubic pieces over s that ascend: the way of the tool, m.
+// travel     what the zones limit, as cubic pieces over s that ascend: the path of the tool, m.
 //            Empty: s itself.
 // throws     ArgumentError for a path or limits that are not as said.
 // source     H. Pham, Q.-C. Pham, A new approach to time-optimal path parameterization based on

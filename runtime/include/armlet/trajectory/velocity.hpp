@@ -85,7 +85,7 @@ struct RateTooHigh {
 //           never jump. The same command sent again from a state within its time goes on with the
 //           same motion, and while a velocity is taken up no speed exceeds the fastest velocity
 //           that was still being taken up (but for 1 %; next to a singular position, where no calm
-//           way is found, one of a thousand by a little more, and the way to rest as well).
+//           way is found, one of a thousand by a little more, and the path to rest as well).
 // outside   a joint would leave its limits, at the latest while it stops.
 // too_high  a joint would be too fast, or gain speed or acceleration too fast.
 // lacking   part of the velocity of the tool that no joint speeds give, as a fraction of it.

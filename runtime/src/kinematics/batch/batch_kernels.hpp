@@ -17,21 +17,21 @@ template <class V>
 struct BatchColumns {
   Parts<V> x, z, p;
 
-  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
-    x.turn_z(sine, cosine);
-    z.turn_z(sine, cosine);
-    p.turn_z(sine, cosine);
+  [[gnu::always_inline]] void rotate_z(V sine, V cosine) {
+    x.rotate_z(sine, cosine);
+    z.rotate_z(sine, cosine);
+    p.rotate_z(sine, cosine);
   }
-  [[gnu::always_inline]] void turn_right_z(V sine, V cosine) {
-    x.turn_right_z(sine, cosine);
-    z.turn_right_z(sine, cosine);
-    p.turn_right_z(sine, cosine);
+  [[gnu::always_inline]] void rotate_right_z(V sine, V cosine) {
+    x.rotate_right_z(sine, cosine);
+    z.rotate_right_z(sine, cosine);
+    p.rotate_right_z(sine, cosine);
   }
-  [[gnu::always_inline]] void turn_x(double sine, double cosine) {
+  [[gnu::always_inline]] void rotate_x(double sine, double cosine) {
     const V sin_alpha = all_lanes<V>(sine), cos_alpha = all_lanes<V>(cosine);
-    x.turn_x(sin_alpha, cos_alpha);
-    z.turn_x(sin_alpha, cos_alpha);
-    p.turn_x(sin_alpha, cos_alpha);
+    x.rotate_x(sin_alpha, cos_alpha);
+    z.rotate_x(sin_alpha, cos_alpha);
+    p.rotate_x(sin_alpha, cos_alpha);
   }
 
   [[gnu::always_inline]] void start(const BatchArm& arm, V sine, V cosine) {
@@ -43,16 +43,16 @@ struct BatchColumns {
       return;
     }
     x = tool_column<V>(arm.tool, 0);
-    turn_z(sine, cosine);
+    rotate_z(sine, cosine);
   }
 
   [[gnu::always_inline]] void shift_z(V d) { p.z += d; }
   [[gnu::always_inline]] void shift_x(V a) { p.x += a; }
 
   [[gnu::always_inline]] void place(const double* base) {
-    x.turn_base(base);
-    z.turn_base(base);
-    p.turn_base(base);
+    x.rotate_base(base);
+    z.rotate_base(base);
+    p.rotate_base(base);
     p.x += base[9];
     p.y += base[10];
     p.z += base[11];
@@ -94,11 +94,11 @@ struct Jacobians {
       double* v_out = out + 6 * i * count;
       double* w_out = v_out + 3 * count;
       if (arm.slides(i)) {
-        store_parts(v_out, count, all_lanes<V>(arm.slide[i]) * axis[i]);
+        store_parts(v_out, count, all_lanes<V>(arm.q_to_d[i]) * axis[i]);
         store_parts(w_out, count, Parts<V>{});
         continue;
       }
-      const Parts<V> w = block.turn(i) * axis[i];
+      const Parts<V> w = block.q_to_theta(i) * axis[i];
       store_parts(v_out, count, cross(w, p - point[i]));
       store_parts(w_out, count, w);
     }

@@ -6,20 +6,21 @@ namespace {
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 // An elbow of which a link or the way to the target has no length: nothing says how it turns.
-Elbow elbow_without_length(const Links& links, double X, double Y, const Turn& x1, const Turn& x2) {
+Elbow elbow_without_length(const Links& links, double X, double Y, const Angle& x1,
+                           const Angle& x2) {
   const auto& [lx, ly, mx, my] = links;
   const bool first = length_of(lx, ly) >= kNoLength;
   const bool second = length_of(mx, my) >= kNoLength;
   Elbow out{.count = 1, .free = true, .x1 = {x1, x1}, .x2 = {x2, x2}};
   bool whole = true;
   if (first && second) {
-    out.x2[0] = turn_between(mx, my, -lx, -ly, whole);
+    out.x2[0] = angle_from_to(mx, my, -lx, -ly, whole);
     out.open1 = true;
   } else if (first) {
-    out.x1[0] = turn_between(lx, ly, X, Y, whole);
+    out.x1[0] = angle_from_to(lx, ly, X, Y, whole);
     out.open2 = true;
   } else if (second) {
-    out.x2[0] = inverse(x1) * turn_between(mx, my, X, Y, whole);
+    out.x2[0] = inverse(x1) * angle_from_to(mx, my, X, Y, whole);
     out.open1 = true;
   }
   return out;
@@ -27,8 +28,8 @@ Elbow elbow_without_length(const Links& links, double X, double Y, const Turn& x
 
 }  // namespace
 
-Elbow solve_elbow(const Links& links, double X, double Y, const Turn& x1_if_free,
-                  const Turn& x2_if_free) {
+Elbow solve_elbow(const Links& links, double X, double Y, const Angle& x1_if_free,
+                  const Angle& x2_if_free) {
   const auto& [lx, ly, mx, my] = links;
   Elbow out;
   const double l = length_of(lx, ly);
@@ -54,14 +55,14 @@ Elbow solve_elbow(const Links& links, double X, double Y, const Turn& x1_if_free
     const double ux = (lx * c - ly * si) / l;
     const double uy = (ly * c + lx * si) / l;
     bool whole = true;
-    out.x2[i] = turn_between(mx, my, ux, uy, whole);
-    out.x1[i] = turn_between(lx + m * ux, ly + m * uy, X, Y, whole);
+    out.x2[i] = angle_from_to(mx, my, ux, uy, whole);
+    out.x1[i] = angle_from_to(lx + m * ux, ly + m * uy, X, Y, whole);
   }
   return out;
 }
 
-Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
-                  const Turn& x1_if_free) {
+Euler solve_euler(const Eigen::Matrix3d& M, const Angle& alpha, const Angle& beta,
+                  const Angle& x1_if_free) {
   Euler out;
   const double ss = alpha.s * beta.s;
   double c = (alpha.c * beta.c - M(2, 2)) / ss;
@@ -96,25 +97,25 @@ Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
       out.x1[i] = x1_if_free;
       // Rz(x3) = (Rz(x1) Rx(alpha) Rz(x2) Rx(beta))^T M; its first column says it.
       const Eigen::Vector3d m =
-          unturned(out.x2[i], beta, unturned(out.x1[i], alpha, Eigen::Vector3d(M.col(0))));
-      out.x3[i] = turn_between(1.0, 0.0, m.x(), m.y(), whole3);
+          rotated_back(out.x2[i], beta, rotated_back(out.x1[i], alpha, Eigen::Vector3d(M.col(0))));
+      out.x3[i] = angle_from_to(1.0, 0.0, m.x(), m.y(), whole3);
       break;
     }
-    out.x1[i] = turn_between(ux, uy, M(0, 2), M(1, 2), whole1);
-    out.x3[i] = turn_between(M(2, 0), M(2, 1), vx, vy, whole3);
+    out.x1[i] = angle_from_to(ux, uy, M(0, 2), M(1, 2), whole1);
+    out.x3[i] = angle_from_to(M(2, 0), M(2, 1), vx, vy, whole3);
   }
   return out;
 }
 
-Eigen::Vector3d unturned(const Turn& x, const Turn& alpha, const Eigen::Vector3d& v) {
+Eigen::Vector3d rotated_back(const Angle& x, const Angle& alpha, const Eigen::Vector3d& v) {
   const double vx = x.c * v.x() + x.s * v.y();
   const double vy = x.c * v.y() - x.s * v.x();
   return {vx, alpha.c * vy + alpha.s * v.z(), alpha.c * v.z() - alpha.s * vy};
 }
 
-Eigen::Matrix3d unturned(const Turn& x, const Turn& alpha, const Eigen::Matrix3d& M) {
+Eigen::Matrix3d rotated_back(const Angle& x, const Angle& alpha, const Eigen::Matrix3d& M) {
   Eigen::Matrix3d out;
-  for (int i = 0; i < 3; ++i) out.col(i) = unturned(x, alpha, Eigen::Vector3d(M.col(i)));
+  for (int i = 0; i < 3; ++i) out.col(i) = rotated_back(x, alpha, Eigen::Vector3d(M.col(i)));
   return out;
 }
 

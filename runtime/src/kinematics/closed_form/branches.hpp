@@ -12,24 +12,24 @@ namespace armlet {
 // The parts that the closed forms are put together from. Angles are kept as sine and cosine; no
 // inverse function is called before a branch is complete.
 
-// Which of the two ways each part of the arm takes (ClosedSolution::branch).
+// Which of the two solutions each part of the arm takes (ClosedSolution::branch).
 inline constexpr int kShoulderBit = 4;
 inline constexpr int kElbowBit = 2;
 inline constexpr int kWristBit = 1;
 
 // One configuration: a turn or a height per joint, in the terms of CanonicalRows.
 struct Branch {
-  std::array<Turn, kMaxJoints> phi{};
+  std::array<Angle, kMaxJoints> phi{};
   std::array<double, kMaxJoints> height{};
-  int ways = 0;
+  int bits = 0;  // sum of the bits above
 };
 
 struct Branches {
   std::array<Branch, kMaxBranches> at;
   int count = 0;
-  bool free = false;      // a joint may take any value, or nearly so
-  unsigned open = 0;      // bits of the joints that keep their value because nothing else says it
-  double arm_turn = 0.0;  // of an arm of seven joints, added to its arm angle
+  bool free = false;  // a joint may take any value, or nearly so
+  unsigned open = 0;  // bits of the joints that keep their value because nothing else says it
+  double arm_angle_change = 0.0;  // of an arm of seven joints, added to its arm angle
 
   Branch& add(const Branch& b) {
     return at[static_cast<std::size_t>(count < kMaxBranches ? count++ : count - 1)] = b;
@@ -44,13 +44,13 @@ struct Branches {
 inline constexpr double kClosedSlack = 1e-6;
 
 // Turns x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if
-// every turn will do.
-struct TurnPair {
+// every angle will do.
+struct AnglePair {
   int count = 0;
-  std::array<Turn, 2> x{};
+  std::array<Angle, 2> x{};
 };
-inline TurnPair circle_meets_plane(double A, double B, double C) {
-  TurnPair out;
+inline AnglePair circle_meets_plane(double A, double B, double C) {
+  AnglePair out;
   const double r2 = A * A + B * B;
   const double r = std::sqrt(r2);
   const double size = r + std::abs(C);
@@ -73,16 +73,16 @@ inline TurnPair circle_meets_plane(double A, double B, double C) {
 
 // The turn that takes the direction (x, y) to the direction (u, v); whole is false where either has
 // no length.
-inline Turn turn_between(double x, double y, double u, double v, bool& whole) {
+inline Angle angle_from_to(double x, double y, double u, double v, bool& whole) {
   const double c = x * u + y * v;
   const double s = x * v - y * u;
   const double r = std::sqrt(c * c + s * s);
   whole = r > 1e-24;
-  return whole ? Turn{c / r, s / r} : Turn{};
+  return whole ? Angle{c / r, s / r} : Angle{};
 }
 
-// The turns as they are, or the present one where every turn will do; free becomes true then.
-inline TurnPair or_present(const TurnPair& turns, const Turn& present, bool& free) {
+// The turns as they are, or the present one where every angle will do; free becomes true then.
+inline AnglePair or_present(const AnglePair& turns, const Angle& present, bool& free) {
   if (turns.count >= 0) return turns;
   free = true;
   return {1, {present, present}};
@@ -96,33 +96,33 @@ inline constexpr double kNoLength = 1e-9;
 inline constexpr double kNearAxis = 1e-6;
 
 // Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows. Folded back onto the
-// first axis, the arm may turn about it as it likes (free), and a link without length may be turned
-// about its own end: these turns are taken as given.
+// first axis, the arm may rotate about it as it likes (free), and a link without length may be
+// turned about its own end: these turns are taken as given.
 struct Elbow {
   int count = 0;
   bool free = false;
   bool open1 = false, open2 = false;  // x1 or x2 is taken as given
-  std::array<Turn, 2> x1{}, x2{};
+  std::array<Angle, 2> x1{}, x2{};
 };
 struct Links {
   double lx, ly, mx, my;
 };
-Elbow solve_elbow(const Links& links, double X, double Y, const Turn& x1_if_free,
-                  const Turn& x2_if_free);
+Elbow solve_elbow(const Links& links, double X, double Y, const Angle& x1_if_free,
+                  const Angle& x2_if_free);
 
-// Rz(x1) Rx(alpha) Rz(x2) Rx(beta) Rz(x3) = M: both ways. Where x1 and x3 turn about one line, x1
-// is taken as given.
+// Rz(x1) Rx(alpha) Rz(x2) Rx(beta) Rz(x3) = M: both solutions. Where x1 and x3 rotate about one
+// line, x1 is taken as given.
 struct Euler {
   int count = 0;
   bool singular = false;
   bool open = false;  // x1 is taken as given
-  std::array<Turn, 2> x1{}, x2{}, x3{};
+  std::array<Angle, 2> x1{}, x2{}, x3{};
 };
-Euler solve_euler(const Eigen::Matrix3d& M, const Turn& alpha, const Turn& beta,
-                  const Turn& x1_if_free);
+Euler solve_euler(const Eigen::Matrix3d& M, const Angle& alpha, const Angle& beta,
+                  const Angle& x1_if_free);
 
 // Rx(-alpha) Rz(-x) M
-Eigen::Matrix3d unturned(const Turn& x, const Turn& alpha, const Eigen::Matrix3d& M);
-Eigen::Vector3d unturned(const Turn& x, const Turn& alpha, const Eigen::Vector3d& v);
+Eigen::Matrix3d rotated_back(const Angle& x, const Angle& alpha, const Eigen::Matrix3d& M);
+Eigen::Vector3d rotated_back(const Angle& x, const Angle& alpha, const Eigen::Vector3d& v);
 
 }  // namespace armlet

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSame = 1e-9;  // m, and sines of angles
 
-Eigen::Isometry3d placement(double a, const Turn& alpha) {
+Eigen::Isometry3d placement(double a, const Angle& alpha) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() << 1, 0, 0, 0, alpha.c, -alpha.s, 0, alpha.s, alpha.c;
   T.translation().x() = a;
@@ -24,7 +24,7 @@ double snapped(double length) { return std::abs(length) < kSame ? 0.0 : length; 
 }  // namespace
 
 Eigen::Isometry3d twist_and_length(const Chain& chain, std::size_t i) {
-  return placement(chain.a[i], Turn{chain.cos_alpha[i], chain.sin_alpha[i]});
+  return placement(chain.a[i], Angle{chain.cos_alpha[i], chain.sin_alpha[i]});
 }
 
 CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
@@ -41,11 +41,11 @@ CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
     const std::size_t j = reversed ? n - 1 - i : i;
     if (i > 0) {
       const std::size_t k = reversed ? n - i : i;
-      Turn alpha{chain.cos_alpha[k], way * chain.sin_alpha[k]};
-      if (sign != way) alpha = {-alpha.c, -alpha.s};  // what is left of half a turn about x
+      Angle alpha{chain.cos_alpha[k], way * chain.sin_alpha[k]};
+      if (sign != way) alpha = {-alpha.c, -alpha.s};  // what is left of half a revolution about x
       if (std::abs(alpha.s) < kSame) {
         sign = alpha.c > 0.0 ? way : -way;
-        alpha = Turn{};
+        alpha = Angle{};
       } else {
         sign = way;
       }
@@ -76,7 +76,7 @@ Chain with_held_joint(const Chain& chain, bool first, double q) {
   const std::size_t i = first ? 0 : n - 1;
   const Eigen::Isometry3d Z = dh_pose(
       DhConvention::kStandard,
-      {.theta = chain.theta[i] + q * chain.turns[i], .d = chain.d[i] + q * chain.slides[i]});
+      {.theta = chain.theta[i] + q * chain.q_to_theta[i], .d = chain.d[i] + q * chain.q_to_d[i]});
   const auto x = [&chain](std::size_t k) { return twist_and_length(chain, k); };
   out.n = chain.n - 1;
   if (!first) {
@@ -90,7 +90,7 @@ Chain with_held_joint(const Chain& chain, bool first, double q) {
         values.begin() + static_cast<std::ptrdiff_t>(n + 1 < values.size() ? n + 1 : values.size()),
         values.begin());
   };
-  for (auto* values : {&out.theta, &out.d, &out.turns, &out.slides}) shift(*values);
+  for (auto* values : {&out.theta, &out.d, &out.q_to_theta, &out.q_to_d}) shift(*values);
   for (auto* values : {&out.a, &out.sin_alpha, &out.cos_alpha}) shift(*values);
   shift(out.revolute);
   return out;

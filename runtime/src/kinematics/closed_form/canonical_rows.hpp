@@ -8,36 +8,36 @@
 namespace armlet {
 
 // The cosine and sine of an angle.
-struct Turn {
+struct Angle {
   double c = 1.0;
   double s = 0.0;
 };
 
-inline Turn operator*(const Turn& a, const Turn& b) {
+inline Angle operator*(const Angle& a, const Angle& b) {
   return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
 }
-inline Turn inverse(const Turn& a) { return {a.c, -a.s}; }
+inline Angle inverse(const Angle& a) { return {a.c, -a.s}; }
 
 // An arm as the closed forms read it:
 //
 //   G = Z_0 X_1 Z_1 ... X_{n-1} Z_{n-1},   Z_i = Rz(phi_i) Tz(h_i),   X_i = Rx(alpha_i) Tx(a_i)
 //
 // Parallel axes always point the same way (alpha = 0, never pi): phi_i = sign_i (q_i + theta_i) for
-// a joint that turns, h_i = sign_i (q_i + d_i) for one that slides. The placement before the first
+// a revolute joint, h_i = sign_i (q_i + d_i) for a prismatic one. The placement before the first
 // and after the last joint is taken off the goal. Read backwards (G^-1), an arm is again of this
 // form.
 struct CanonicalRows {
   int n = 0;
   std::array<bool, kMaxJoints> revolute{};
   std::array<double, kMaxJoints> sign{};    // +1 or -1
-  std::array<double, kMaxJoints> offset{};  // theta of a joint that turns, d of one that slides
-  std::array<double, kMaxJoints> h{};       // constant height along z of a joint that turns
-  std::array<Turn, kMaxJoints> phi{};       // constant turn of a joint that slides
+  std::array<double, kMaxJoints> offset{};  // theta of a revolute joint, d of a prismatic one
+  std::array<double, kMaxJoints> h{};       // constant height along z of a revolute joint
+  std::array<Angle, kMaxJoints> phi{};      // constant turn of a prismatic joint
   std::array<double, kMaxJoints>
       a{};  // a[i] and alpha[i] stand before joint i; those of 0 are taken off
-  std::array<Turn, kMaxJoints> alpha{};
+  std::array<Angle, kMaxJoints> alpha{};
   bool reversed = false;  // joint i is joint n-1-i of the arm
-  bool flipped = false;   // half a turn about x is left at the end
+  bool flipped = false;   // half a revolution about x is left at the end
   Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d after = Eigen::Isometry3d::Identity();
 
@@ -57,13 +57,13 @@ struct CanonicalRows {
 };
 
 // Rz(x) v.
-inline Eigen::Vector3d turned(const Turn& x, const Eigen::Vector3d& v) {
+inline Eigen::Vector3d rotated(const Angle& x, const Eigen::Vector3d& v) {
   return {x.c * v.x() - x.s * v.y(), x.s * v.x() + x.c * v.y(), v.z()};
 }
 
 // X_i v for a point v.
 inline Eigen::Vector3d placed(const CanonicalRows& rows, std::size_t i, const Eigen::Vector3d& v) {
-  const Turn& alpha = rows.alpha[i];
+  const Angle& alpha = rows.alpha[i];
   return {v.x() + rows.a[i], alpha.c * v.y() - alpha.s * v.z(), alpha.s * v.y() + alpha.c * v.z()};
 }
 

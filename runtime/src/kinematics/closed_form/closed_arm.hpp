@@ -6,28 +6,28 @@
 // larger instruction sets include it.
 namespace armlet {
 
-inline constexpr unsigned kWays = 8;  // of an arm of six joints to reach a pose
+inline constexpr unsigned kSolutions = 8;  // of an arm of six joints to reach a pose
 inline constexpr unsigned kSixJoints = 6;
 
 // The families that have kernels (ClosedFormKind).
 enum class LaneFamily : unsigned char { kSphericalParallel, kSphericalMeeting, kThreeParallel };
 
 // The turn between two axes.
-struct PlainTurn {
+struct PlainAngle {
   double c, s;
 };
 
-// An arm of six turning joints as its kernel reads it: the numbers of CanonicalRows and what
+// An arm of six revolute joints as its kernel reads it: the numbers of CanonicalRows and what
 // follows from them alone. Lengths of two links in a plane, l along x and m: 1/(2 |l| |m|), squares
 // of their sum and difference.
 struct ClosedArm {
   LaneFamily family;
-  PlainTurn alpha[kSixJoints];  // before each joint
+  PlainAngle alpha[kSixJoints];  // before each joint
   double a[kSixJoints], h[kSixJoints];
-  double point[3];   // where the last axes meet, behind joint 3 or 4
-  double height;     // of that point along the parallel axes
-  double l, m_l;     // first link; length of the second with the sign of the first
-  PlainTurn m_back;  // the direction of the second turned back, with that sign
+  double point[3];    // where the last axes meet, behind joint 3 or 4
+  double height;      // of that point along the parallel axes
+  double l, m_l;      // first link; length of the second with the sign of the first
+  PlainAngle m_back;  // the direction of the second rotated back, with that sign
   double scale, sum2, difference2;
   double slack;        // how much below zero a squared sine may be by rounding
   double A, B, fixed;  // axes 1 and 2 meet: A cos x3 + B sin x3 = distance^2 - fixed
@@ -45,13 +45,13 @@ struct ClosedGoal {
   double base[12];  // from the arm's base
 };
 
-// All ways in lanes; way k is the sum of kShoulderBit, kElbowBit and kWristBit.
+// All solutions in lanes; way k is the sum of kShoulderBit, kElbowBit and kWristBit.
 //
-// miss2  the square of the error of each way, m^2 + rad^2, found by forward kinematics; NaN where
-//        there is no such way.
+// miss2  the square of the error of each solution, m^2 + rad^2, found by forward kinematics; NaN
+//        where there is no such solution.
 struct alignas(64) ClosedLanes {
-  double q[kSixJoints][kWays];  // in the order of the arm, within half a turn of 0
-  double miss2[kWays];
+  double q[kSixJoints][kSolutions];  // in the order of the arm, within half a revolution of 0
+  double miss2[kSolutions];
 };
 
 // returns  false if the pose is so close to a border (arm stretched, wrist straight, on the first

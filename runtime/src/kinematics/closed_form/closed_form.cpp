@@ -6,23 +6,23 @@
 
 #include "closed_form_families.hpp"
 #include "closed_lanes.hpp"
-#include "few_joints.hpp"
+#include "one_to_four_joints.hpp"
 
 namespace armlet {
 namespace {
 
 // All joints turn, but for joint `except`.
-bool all_turn(const CanonicalRows& rows, std::size_t except = kMaxJoints) {
+bool all_revolute(const CanonicalRows& rows, std::size_t except = kMaxJoints) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
     if (!rows.revolute[i] && i != except) return false;
   }
   return true;
 }
 
-// Joints 1 to 3 reach a place by formula; the third may slide where axes 1 and 2 meet. Two joints
-// about one line are one too many.
+// Joints 1 to 3 reach a position by formula; the third may slide where axes 1 and 2 meet. Two
+// joints about one line are one too many.
 bool has_shoulder(const CanonicalRows& rows) {
-  if (rows.parallel(1) || !all_turn(rows, 2)) return false;
+  if (rows.parallel(1) || !all_revolute(rows, 2)) return false;
   if (rows.parallel(2) && rows.revolute[2]) return rows.a[2] != 0.0;
   return rows.meet(1);
 }
@@ -38,8 +38,8 @@ ClosedFormKind recognised_six(const CanonicalRows& rows) {
     return rows.parallel(2) ? ClosedFormKind::kSphericalParallel
                             : ClosedFormKind::kSphericalMeeting;
   const bool three = !rows.parallel(1) && rows.parallel(2) && rows.parallel(3) && !rows.parallel(4);
-  return three && rows.meet(5) && all_turn(rows) ? ClosedFormKind::kThreeParallel
-                                                 : ClosedFormKind::kNone;
+  return three && rows.meet(5) && all_revolute(rows) ? ClosedFormKind::kThreeParallel
+                                                     : ClosedFormKind::kNone;
 }
 
 ClosedFormKind recognised(const CanonicalRows& rows) {
@@ -49,7 +49,7 @@ ClosedFormKind recognised(const CanonicalRows& rows) {
   if (few == ClosedFormKind::kFewPose) return few;
   if (rows.n == 3 && has_shoulder(rows) && !rows.reversed) return ClosedFormKind::kShoulder;
   if (few != ClosedFormKind::kNone) return few;
-  if (!all_turn(rows)) return ClosedFormKind::kNone;
+  if (!all_revolute(rows)) return ClosedFormKind::kNone;
   switch (rows.n) {
     case 3:
       return rows.parallel(1) && rows.parallel(2) ? ClosedFormKind::kPlane : ClosedFormKind::kNone;
@@ -68,7 +68,7 @@ ClosedFormKind recognised(const CanonicalRows& rows) {
   }
 }
 
-// The two ways of each part of the arm, in words: first way, second way.
+// The two solutions of each part of the arm, in words: first way, second way.
 struct PartNames {
   std::string_view shoulder, elbow, wrist;
 };
@@ -116,7 +116,7 @@ std::string_view to_text(ClosedFormKind kind) {
       return "six joints, axes 2, 3 and 4 parallel, 5 and 6 meet";
     case ClosedFormKind::kShoulderElbowWrist:
       return "seven joints, spherical shoulder and wrist";
-    case ClosedFormKind::kFewPlace:
+    case ClosedFormKind::kFewPosition:
       return "up to three turning joints that reach a place";
     case ClosedFormKind::kFewPose:
       return "up to four turning joints";
@@ -167,7 +167,7 @@ ClosedForm::ClosedForm(ClosedForm&&) noexcept = default;
 ClosedForm& ClosedForm::operator=(ClosedForm&&) noexcept = default;
 
 std::string ClosedForm::branch_name(int branch) const {
-  if (kind_ >= ClosedFormKind::kFewPlace) return fmt::format("way {}", branch + 1);
+  if (kind_ >= ClosedFormKind::kFewPosition) return fmt::format("way {}", branch + 1);
   const PartNames names = part_names(kind_);
   const bool back = (branch & kShoulderBit) != 0;
   const bool second = (branch & kElbowBit) != 0;

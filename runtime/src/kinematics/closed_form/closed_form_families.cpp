@@ -11,19 +11,19 @@ using Eigen::Vector3d;
 
 // Three joints with parallel axes from `first` on: an elbow, and what is left of the sum of their
 // turns.
-void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, const Turn& sum) {
+void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, const Angle& sum) {
   const std::size_t i = static_cast<std::size_t>(which);
   branch.phi[first] = elbow.x1[i];
   branch.phi[first + 1] = elbow.x2[i];
   branch.phi[first + 2] = inverse(elbow.x1[i] * elbow.x2[i]) * sum;
 }
 
-// Joint 3 where axes 1 and 2 meet: its turn, or its height, from the distance of the place to their
-// common point.
+// Joint 3 where axes 1 and 2 meet: its turn, or its height, from the distance of the position to
+// their common point.
 struct Third {
   int count = 0;
   bool open = false;
-  std::array<Turn, 2> x{};
+  std::array<Angle, 2> x{};
   std::array<double, 2> z{};
 };
 
@@ -32,9 +32,9 @@ struct Third {
 // h e_z + a e_x + Rx(alpha) (Rz(x) w + h_i e_z) is linear in cos x and sin x. This is subproblem 3
 // of Paden and Kahan (R. Murray, Z. Li, S. Sastry, A Mathematical Introduction to Robotic
 // Manipulation, 1994, chapter 3, Paden-Kahan subproblems), written as circle and plane.
-TurnPair turns_for_distance(const CanonicalRows& rows, std::size_t i, double distance2,
-                            const Vector3d& w) {
-  const Turn& alpha = rows.alpha[i];
+AnglePair angles_for_distance(const CanonicalRows& rows, std::size_t i, double distance2,
+                              const Vector3d& w) {
+  const Angle& alpha = rows.alpha[i];
   const double z = w.z() + rows.h[i];
   const double a = rows.a[i];
   const double h = rows.h[i - 1];
@@ -45,16 +45,16 @@ TurnPair turns_for_distance(const CanonicalRows& rows, std::size_t i, double dis
   return circle_meets_plane(A, B, distance2 - fixed);
 }
 
-Third third_turn(const CanonicalRows& rows, double distance2, const Vector3d& w,
-                 const Turn& present, bool& free) {
-  const TurnPair found = turns_for_distance(rows, 2, distance2, w);
-  const TurnPair pair = or_present(found, present, free);
+Third third_angle(const CanonicalRows& rows, double distance2, const Vector3d& w,
+                  const Angle& present, bool& free) {
+  const AnglePair found = angles_for_distance(rows, 2, distance2, w);
+  const AnglePair pair = or_present(found, present, free);
   return {pair.count, found.count < 0, pair.x, {rows.h[2], rows.h[2]}};
 }
 
 Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w) {
-  const Turn& alpha = rows.alpha[2];
-  const Vector3d v = turned(rows.phi[2], w);
+  const Angle& alpha = rows.alpha[2];
+  const Vector3d v = rotated(rows.phi[2], w);
   const double h = rows.h[1];
   const double x = rows.a[2] + v.x();
   // (z + h cos alpha)^2 = distance^2 - what does not change with z
@@ -70,26 +70,27 @@ Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w
 void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vector3d& w,
                    const Branch& near, Branches& out) {
   const Vector3d u = u_base - Vector3d(0, 0, rows.h[0]);
-  const Third third = rows.revolute[2] ? third_turn(rows, u.squaredNorm(), w, near.phi[2], out.free)
-                                       : third_slide(rows, u.squaredNorm(), w);
+  const Third third = rows.revolute[2]
+                          ? third_angle(rows, u.squaredNorm(), w, near.phi[2], out.free)
+                          : third_slide(rows, u.squaredNorm(), w);
   out.leave_open(2, third.open);
   for (int i = 0; i < third.count; ++i) {
-    const Turn x3 = third.x[static_cast<std::size_t>(i)];
+    const Angle x3 = third.x[static_cast<std::size_t>(i)];
     const double z3 = third.z[static_cast<std::size_t>(i)];
-    Vector3d t = placed(rows, 2, turned(x3, w) + Vector3d(0, 0, z3));
+    Vector3d t = placed(rows, 2, rotated(x3, w) + Vector3d(0, 0, z3));
     t.z() += rows.h[1];
     // Height above the plane of axis 1: alpha1.s (x2 t)_y + alpha1.c t_z = u_z.
-    const Turn& alpha1 = rows.alpha[1];
+    const Angle& alpha1 = rows.alpha[1];
     const double height = (u.z() - alpha1.c * t.z()) / alpha1.s;
-    const TurnPair turns = circle_meets_plane(t.y(), t.x(), height);
-    const TurnPair second = or_present(turns, near.phi[1], out.free);
+    const AnglePair turns = circle_meets_plane(t.y(), t.x(), height);
+    const AnglePair second = or_present(turns, near.phi[1], out.free);
     out.leave_open(1, turns.count < 0);
     out.free = out.free || t.head<2>().norm() < kNearAxis;
     for (int j = 0; j < second.count; ++j) {
-      const Turn x2 = second.x[static_cast<std::size_t>(j)];
-      const Vector3d v = placed(rows, 1, turned(x2, t));
+      const Angle x2 = second.x[static_cast<std::size_t>(j)];
+      const Vector3d v = placed(rows, 1, rotated(x2, t));
       bool whole = true;
-      Turn x1 = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
+      Angle x1 = angle_from_to(v.x(), v.y(), u.x(), u.y(), whole);
       if (!whole || v.head<2>().norm() < kNoLength) {
         x1 = near.phi[0];
         out.leave_open(0);
@@ -100,22 +101,22 @@ void reach_meeting(const CanonicalRows& rows, const Vector3d& u_base, const Vect
       branch.phi[1] = x2;
       branch.phi[2] = x3;
       branch.height[2] = z3;
-      branch.ways += kElbowBit * i + kShoulderBit * j;
+      branch.bits += kElbowBit * i + kShoulderBit * j;
     }
   }
 }
 
 }  // namespace
 
-int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height, const Turn& near,
-                    std::array<PlaneView, 2>& out, Branches& branches) {
-  const Turn& alpha = rows.alpha[1];
+int rotate_into_plane(const CanonicalRows& rows, const Vector3d& u, double height,
+                      const Angle& near, std::array<PlaneView, 2>& out, Branches& branches) {
+  const Angle& alpha = rows.alpha[1];
   const double z = u.z() - rows.h[0];
   // Along the parallel axes: -alpha.s r_y + alpha.c z = height, with r = Rz(-x) u.
   const double m = (alpha.c * z - height) / alpha.s;
   const double rho2 = u.x() * u.x() + u.y() * u.y();
   const double rho = std::sqrt(rho2);
-  const auto view = [&](const Turn& x, double along) {
+  const auto view = [&](const Angle& x, double along) {
     return PlaneView{x, along - rows.a[1], alpha.c * m + alpha.s * z};
   };
   branches.free = branches.free || rho < kNearAxis;
@@ -132,18 +133,18 @@ int turn_into_plane(const CanonicalRows& rows, const Vector3d& u, double height,
   const double r2 = h * h + m * m;
   for (std::size_t i = 0; i < 2; ++i) {
     const double along = i == 0 ? h : -h;
-    const Turn x{(along * u.x() + m * u.y()) / r2, (along * u.y() - m * u.x()) / r2};
+    const Angle x{(along * u.x() + m * u.y()) / r2, (along * u.y() - m * u.x()) / r2};
     out[i] = view(x, along);
   }
   return h == 0.0 ? 1 : 2;
 }
 
-void reach_place(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w,
-                 const Branch& near, Branches& out) {
+void reach_position(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w,
+                    const Branch& near, Branches& out) {
   if (!rows.parallel(2) || !rows.revolute[2]) return reach_meeting(rows, u, w, near, out);
   std::array<PlaneView, 2> views;
   const int count =
-      turn_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views, out);
+      rotate_into_plane(rows, u, rows.h[1] + rows.h[2] + w.z(), near.phi[0], views, out);
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
     const Elbow elbow =
@@ -156,33 +157,33 @@ void reach_place(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w
       branch.phi[0] = view.turn;
       branch.phi[1] = elbow.x1[static_cast<std::size_t>(j)];
       branch.phi[2] = elbow.x2[static_cast<std::size_t>(j)];
-      branch.ways += kShoulderBit * i + kElbowBit * j;
+      branch.bits += kShoulderBit * i + kElbowBit * j;
     }
   }
 }
 
 void solve_shoulder(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                     Branches& out) {
-  // In the frame of joint 3 without its height, which reach_place adds.
-  reach_place(rows, G * rows.tool_point, rows.tool_point, near, out);
+  // In the frame of joint 3 without its height, which reach_position adds.
+  reach_position(rows, G * rows.tool_point, rows.tool_point, near, out);
 }
 
 Matrix3d left_for_wrist(const CanonicalRows& rows, const Branch& branch, Matrix3d M) {
-  for (std::size_t j = 0; j < 3; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
+  for (std::size_t j = 0; j < 3; ++j) M = rotated_back(branch.phi[j], rows.alpha[j + 1], M);
   return M;
 }
 
-void turn_wrist(const CanonicalRows& rows, const Matrix3d& M, const Branch& near, Branch branch,
-                Branches& out) {
+void solve_wrist(const CanonicalRows& rows, const Matrix3d& M, const Branch& near, Branch branch,
+                 Branches& out) {
   const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near.phi[3]);
-  const int ways = branch.ways;
+  const int ways = branch.bits;
   out.free = out.free || wrist.singular;
   for (int j = 0; j < wrist.count; ++j) {
     const std::size_t k = static_cast<std::size_t>(j);
     branch.phi[3] = wrist.x1[k];
     branch.phi[4] = wrist.x2[k];
     branch.phi[5] = wrist.x3[k];
-    branch.ways = ways + kWristBit * j;
+    branch.bits = ways + kWristBit * j;
     out.add(branch);
   }
 }
@@ -193,12 +194,12 @@ void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const
                            Branches& out) {
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
   Branches arms;
-  reach_place(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
+  reach_position(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
   out.free = arms.free;
   out.open = arms.open;
   for (int i = 0; i < arms.count; ++i) {
     const Branch& branch = arms.at[static_cast<std::size_t>(i)];
-    turn_wrist(rows, left_for_wrist(rows, branch, G.linear()), near, branch, out);
+    solve_wrist(rows, left_for_wrist(rows, branch, G.linear()), near, branch, out);
   }
 }
 
@@ -209,18 +210,18 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
   const Vector3d last = placed(rows, 4, Vector3d(0, 0, rows.h[4]));
   std::array<PlaneView, 2> views;
   const double height = rows.h[1] + rows.h[2] + rows.h[3] + last.z();
-  const int count = turn_into_plane(rows, centre, height, near.phi[0], views, out);
-  const Turn near_sum = near.phi[1] * near.phi[2] * near.phi[3];
+  const int count = rotate_into_plane(rows, centre, height, near.phi[0], views, out);
+  const Angle near_sum = near.phi[1] * near.phi[2] * near.phi[3];
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
-    const Matrix3d M = unturned(view.turn, rows.alpha[1], Matrix3d(G.linear()));
+    const Matrix3d M = rotated_back(view.turn, rows.alpha[1], Matrix3d(G.linear()));
     const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near_sum);
     out.free = out.free || wrist.singular;
     out.leave_open(3, wrist.open);  // the sum of the turns 1 to 3
     for (int j = 0; j < wrist.count; ++j) {
       const std::size_t k = static_cast<std::size_t>(j);
-      const Turn sum = wrist.x1[k];
-      const Vector3d hand = turned(sum, last);
+      const Angle sum = wrist.x1[k];
+      const Vector3d hand = rotated(sum, last);
       const Elbow elbow = solve_elbow({rows.a[2], 0.0, rows.a[3], 0.0}, view.X - hand.x(),
                                       view.Y - hand.y(), near.phi[1], near.phi[2]);
       out.free = out.free || elbow.free;
@@ -228,7 +229,7 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
         Branch& branch = out.add(near);
         branch.phi[0] = view.turn;
         bend(branch, 1, elbow, e, sum);
-        branch.ways = kShoulderBit * i + kWristBit * j + kElbowBit * e;
+        branch.bits = kShoulderBit * i + kWristBit * j + kElbowBit * e;
         branch.phi[4] = wrist.x2[k];
         branch.phi[5] = wrist.x3[k];
       }
@@ -242,24 +243,24 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
   const Vector3d w = G.translation() - rows.h[4] * z;
   std::array<PlaneView, 2> views;
   const double height = rows.h[1] + rows.h[2] + rows.h[3];
-  Turn heading = near.phi[0];
+  Angle heading = near.phi[0];
   bool open = true;
   if (w.head<2>().norm() < kNoLength) {
     // The wrist is on axis 1: the tool's axis tells which way the plane faces.
-    const TurnPair x = circle_meets_plane(-rows.alpha[1].s * z.y(), rows.alpha[1].s * z.x(),
-                                          rows.alpha[4].c - rows.alpha[1].c * z.z());
+    const AnglePair x = circle_meets_plane(-rows.alpha[1].s * z.y(), rows.alpha[1].s * z.x(),
+                                           rows.alpha[4].c - rows.alpha[1].c * z.z());
     if (x.count > 0) heading = x.x[0];
     open = x.count <= 0;
   }
-  const int count = turn_into_plane(rows, w, height, heading, views, out);
+  const int count = rotate_into_plane(rows, w, height, heading, views, out);
   if (!open) out.open = 0;
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
-    const Matrix3d M = unturned(view.turn, rows.alpha[1], Matrix3d(G.linear()));
+    const Matrix3d M = rotated_back(view.turn, rows.alpha[1], Matrix3d(G.linear()));
     bool whole = true;
     const double s = rows.alpha[4].s;
-    const Turn sum = turn_between(0.0, -s, M(0, 2), M(1, 2), whole);
-    const Turn twist = turn_between(M(2, 0), M(2, 1), 0.0, s, whole);
+    const Angle sum = angle_from_to(0.0, -s, M(0, 2), M(1, 2), whole);
+    const Angle twist = angle_from_to(M(2, 0), M(2, 1), 0.0, s, whole);
     const double X = view.X - sum.c * rows.a[4];
     const double Y = view.Y - sum.s * rows.a[4];
     const Elbow elbow =
@@ -269,32 +270,32 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
       Branch& branch = out.add(near);
       branch.phi[0] = view.turn;
       bend(branch, 1, elbow, e, sum);
-      branch.ways = kShoulderBit * i + kElbowBit * e;
+      branch.bits = kShoulderBit * i + kElbowBit * e;
       branch.phi[4] = twist;
     }
   }
 }
 
-// Three parallel turning joints: the links between them are (a, 0).
+// Three parallel revolute joints: the links between them are (a, 0).
 void solve_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                  Branches& out) {
-  const Turn sum{G.linear()(0, 0), G.linear()(1, 0)};
+  const Angle sum{G.linear()(0, 0), G.linear()(1, 0)};
   const Elbow elbow = solve_elbow({rows.a[1], 0.0, rows.a[2], 0.0}, G.translation().x(),
                                   G.translation().y(), near.phi[0], near.phi[1]);
   out.free = out.free || elbow.free;
   for (int e = 0; e < elbow.count; ++e) {
     Branch& branch = out.add(near);
     bend(branch, 0, elbow, e, sum);
-    branch.ways = kElbowBit * e;
+    branch.bits = kElbowBit * e;
   }
 }
 
 void solve_scara(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                  Branches& out) {
-  // Links between the turning joints; `before` is what the sliding joint turns in front of each.
+  // Links between the revolute joints; `before` is what the prismatic joint turns in front of each.
   std::array<Eigen::Vector2d, 4> link;
   link.fill(Eigen::Vector2d::Zero());
-  std::array<Turn, 4> before{};
+  std::array<Angle, 4> before{};
   std::array<std::size_t, 3> turning{};
   std::size_t slide = 0;
   std::size_t turns = 0;
@@ -309,7 +310,7 @@ void solve_scara(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
       before[turns] = rows.phi[i];
     }
   }
-  const Turn heading = Turn{G.linear()(0, 0), G.linear()(1, 0)} * inverse(before[3]);
+  const Angle heading = Angle{G.linear()(0, 0), G.linear()(1, 0)} * inverse(before[3]);
   const Eigen::Vector2d& last = link[3];
   const Eigen::Vector2d p = G.translation().head<2>() - link[0] -
                             Eigen::Vector2d(heading.c * last.x() - heading.s * last.y(),
@@ -325,7 +326,7 @@ void solve_scara(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
     branch.phi[turning[1]] = inverse(before[1]) * elbow.x2[f];
     branch.phi[turning[2]] = inverse(before[2] * elbow.x1[f] * elbow.x2[f]) * heading;
     branch.height[slide] = G.translation().z() - height;
-    branch.ways = kElbowBit * e;
+    branch.bits = kElbowBit * e;
   }
 }
 
@@ -349,27 +350,27 @@ bool reference_frame(const Vector3d& k, Matrix3d& out) {
 }
 
 // From the shoulder to the wrist, in the frame of joint 3, for a turn of the elbow.
-Vector3d shoulder_to_wrist(const CanonicalRows& rows, const Turn& x4) {
-  Vector3d t = turned(x4, placed(rows, 4, Vector3d(0, 0, rows.h[4])));
+Vector3d shoulder_to_wrist(const CanonicalRows& rows, const Angle& x4) {
+  Vector3d t = rotated(x4, placed(rows, 4, Vector3d(0, 0, rows.h[4])));
   t.z() += rows.h[3];
   t = placed(rows, 3, t);
   t.z() += rows.h[2];
   return t;
 }
 
-Matrix3d about_x(const Turn& alpha) {
+Matrix3d about_x(const Angle& alpha) {
   Matrix3d R;
   R << 1, 0, 0, 0, alpha.c, -alpha.s, 0, alpha.s, alpha.c;
   return R;
 }
-Matrix3d about_z(const Turn& x) {
+Matrix3d about_z(const Angle& x) {
   Matrix3d R;
   R << x.c, -x.s, 0, x.s, x.c, 0, 0, 0, 1;
   return R;
 }
 
-// The angle by which the elbow's axis is turned about the line from shoulder to wrist.
-Turn arm_angle(const CanonicalRows& rows, const Branch& near) {
+// The angle by which the elbow's axis is rotated about the line from shoulder to wrist.
+Angle arm_angle(const CanonicalRows& rows, const Branch& near) {
   const Matrix3d R03 = about_z(near.phi[0]) * about_x(rows.alpha[1]) * about_z(near.phi[1]) *
                        about_x(rows.alpha[2]) * about_z(near.phi[2]);
   const Vector3d D = R03 * shoulder_to_wrist(rows, near.phi[3]);
@@ -377,8 +378,8 @@ Turn arm_angle(const CanonicalRows& rows, const Branch& near) {
   Matrix3d F;
   if (D.norm() < 1e-9 || !reference_frame(D.normalized(), F)) return {};
   bool whole = true;
-  const Turn x = turn_between(0.0, 1.0, axis.dot(F.col(0)), axis.dot(F.col(1)), whole);
-  return whole ? x : Turn{};
+  const Angle x = angle_from_to(0.0, 1.0, axis.dot(F.col(0)), axis.dot(F.col(1)), whole);
+  return whole ? x : Angle{};
 }
 
 }  // namespace
@@ -390,14 +391,14 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Isometry3d& G, 
   Matrix3d F;
   if (L < 1e-9 || !reference_frame(D / L, F)) return;
   const Vector3d m = placed(rows, 4, Vector3d(0, 0, rows.h[4]));
-  const Turn& alpha3 = rows.alpha[3];
-  const TurnPair elbow = turns_for_distance(rows, 3, L * L, m);
-  const det::SinCos more = det::sincos(out.arm_turn);
-  const Turn psi = arm_angle(rows, near) * Turn{more.cos, more.sin};
+  const Angle& alpha3 = rows.alpha[3];
+  const AnglePair elbow = angles_for_distance(rows, 3, L * L, m);
+  const det::SinCos more = det::sincos(out.arm_angle_change);
+  const Angle psi = arm_angle(rows, near) * Angle{more.cos, more.sin};
   const Matrix3d base = F * about_z(psi);
   for (int i = 0; i < elbow.count; ++i) {
     Branch branch = near;
-    const Turn x4 = elbow.x[static_cast<std::size_t>(i)];
+    const Angle x4 = elbow.x[static_cast<std::size_t>(i)];
     branch.phi[3] = x4;
     Matrix3d arm;
     if (!frame_about(shoulder_to_wrist(rows, x4) / L, Vector3d(0, -alpha3.s, alpha3.c), arm))
@@ -418,7 +419,7 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Isometry3d& G, 
         branch.phi[4] = wrist.x1[k];
         branch.phi[5] = wrist.x2[k];
         branch.phi[6] = wrist.x3[k];
-        branch.ways = kElbowBit * i + kShoulderBit * s + kWristBit * w;
+        branch.bits = kElbowBit * i + kShoulderBit * s + kWristBit * w;
         out.add(branch);
       }
     }

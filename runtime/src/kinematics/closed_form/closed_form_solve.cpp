@@ -9,9 +9,9 @@
 #include "armlet/math/twist.hpp"
 #include "closed_form_families.hpp"
 #include "closed_lanes.hpp"
-#include "few_joints.hpp"
 #include "kinematics/forward/kernels.hpp"
 #include "math/det_kernels.hpp"
+#include "one_to_four_joints.hpp"
 
 namespace armlet {
 namespace {
@@ -40,8 +40,8 @@ FamilySolver solver_of(ClosedFormKind kind) {
       return solve_three_parallel;
     case ClosedFormKind::kShoulderElbowWrist:
       return solve_shoulder_elbow_wrist;
-    case ClosedFormKind::kFewPlace:
-      return solve_few_place;
+    case ClosedFormKind::kFewPosition:
+      return solve_few_position;
     case ClosedFormKind::kFewPose:
       return solve_few_pose;
     case ClosedFormKind::kMeetingWrist:
@@ -51,7 +51,7 @@ FamilySolver solver_of(ClosedFormKind kind) {
   return nullptr;
 }
 
-// Into (-pi, pi], for angles within two turns of 0.
+// Into (-pi, pi], for angles within two revolutions of 0.
 double wrapped(double angle) {
   if (angle > kPi) return angle - 2.0 * kPi;
   return angle <= -kPi ? angle + 2.0 * kPi : angle;
@@ -94,7 +94,7 @@ bool is_same(const Chain& chain, const ClosedSolution& a, const ClosedSolution& 
 }
 
 // The rotation vector from one orientation to another, for small angles; long for large ones.
-Eigen::Vector3d small_turn(const Eigen::Matrix3d& R, const Eigen::Matrix3d& R_goal) {
+Eigen::Vector3d small_angle(const Eigen::Matrix3d& R, const Eigen::Matrix3d& R_goal) {
   if (R.cwiseProduct(R_goal).sum() < 1.0) return {kPi, 0.0, 0.0};
   Eigen::Vector3d sum = R.col(0).cross(R_goal.col(0));
   sum += R.col(1).cross(R_goal.col(1));
@@ -116,8 +116,8 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
     kernel_for(kPoseKernels, chain_.n)(plan_, q.data(), T_world_tool.data());
     Vector6d e;
     e << goal.translation() - T_world_tool.translation(),
-        small_turn(T_world_tool.linear(), goal.linear());
-    if (place_only()) e.tail<3>().setZero();
+        small_angle(T_world_tool.linear(), goal.linear());
+    if (position_only()) e.tail<3>().setZero();
     const double miss = std::fmax(e.head<3>().norm(), e.tail<3>().norm());
     if (!(miss < least)) break;
     least = miss;
@@ -126,7 +126,7 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
     if (miss > kImproved) return false;
     Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> J(6, chain_.n);
     kernel_for(kJacobianKernels, chain_.n)(plan_, q.data(), J.data());
-    if (place_only()) J.bottomRows<3>().setZero();
+    if (position_only()) J.bottomRows<3>().setZero();
     using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;
     Square H = J.transpose() * J;
     H.diagonal().array() += 1e-3 * miss;
@@ -137,12 +137,12 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
 }
 
 // The ways that the lanes found; each was checked by forward kinematics.
-int ClosedForm::take_ways(const Eigen::Isometry3d& goal, double tolerance,
-                          const ClosedSolution& start, const ClosedLanes& lanes, unsigned wanted,
-                          ClosedSolutions& solutions) const {
+int ClosedForm::take_lanes(const Eigen::Isometry3d& goal, double tolerance,
+                           const ClosedSolution& start, const ClosedLanes& lanes, unsigned wanted,
+                           ClosedSolutions& solutions) const {
   const double verified = std::fmin(kVerified, tolerance);
   const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
-  for (std::size_t way = 0; way < kWays; ++way) {
+  for (std::size_t way = 0; way < kSolutions; ++way) {
     if (!(lanes.miss2[way] <= kImproved * kImproved) || (wanted >> way & 1U) == 0) continue;
     ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
     if (hold_ != Hold::kNone) solution = start;
@@ -158,17 +158,17 @@ int ClosedForm::take_ways(const Eigen::Isometry3d& goal, double tolerance,
 Eigen::Isometry3d ClosedForm::without_held(const Eigen::Isometry3d& T_world_tool,
                                            double held) const {
   const std::size_t i = static_cast<std::size_t>(held_joint());
-  const det::SinCos turn = det::sincos(held * chain_.turns[i]);
+  const det::SinCos turn = det::sincos(held * chain_.q_to_theta[i]);
   Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
   back.linear() << turn.cos, turn.sin, 0, -turn.sin, turn.cos, 0, 0, 0, 1;
-  back.translation().z() = -held * chain_.slides[i];
+  back.translation().z() = -held * chain_.q_to_d[i];
   const Eigen::Isometry3d inverse = T_beside_held_.inverse(Eigen::Isometry);
   if (hold_ == Hold::kFirst) return T_beside_held_ * back * inverse * T_world_tool;
   return T_world_tool * inverse * back * T_beside_held_;
 }
 
 int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
-                      ClosedSolutions& solutions, double tolerance, double arm_turn,
+                      ClosedSolutions& solutions, double tolerance, double arm_angle_change,
                       unsigned wanted) const {
   solutions.count = 0;
   solutions.free = false;
@@ -180,14 +180,14 @@ int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
   Eigen::Isometry3d goal = T_world_tool;
   if (hold_ != Hold::kNone) {
     double& held = start.q[static_cast<std::size_t>(held_joint())];
-    held += arm_turn;
+    held += arm_angle_change;
     goal = without_held(T_world_tool, held);
   }
   if (ClosedLanes lanes; lanes_ && lanes_->solve(goal, lanes))
-    return take_ways(T_world_tool, tolerance, start, lanes, wanted, solutions);
+    return take_lanes(T_world_tool, tolerance, start, lanes, wanted, solutions);
   const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
   Branches branches;
-  branches.arm_turn = arm_turn;
+  branches.arm_angle_change = arm_angle_change;
   solver_of(kind_)(*rows_, rows_->goal(goal), branch_of(*rows_, start.q.data() + first), branches);
   solutions.free = branches.free;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rows_->n); ++i) {
@@ -195,10 +195,10 @@ int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
   }
   for (int i = 0; i < branches.count; ++i) {
     const Branch& branch = branches.at[static_cast<std::size_t>(i)];
-    if ((wanted >> branch.ways & 1U) == 0) continue;
+    if ((wanted >> branch.bits & 1U) == 0) continue;
     ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
     solution = start;
-    solution.branch = branch.ways;
+    solution.branch = branch.bits;
     joints_of(*rows_, branch, solution.q.data() + first);
     if (!accept(T_world_tool, tolerance, solution)) continue;
     const auto same = [&](const ClosedSolution& other) { return is_same(chain_, solution, other); };

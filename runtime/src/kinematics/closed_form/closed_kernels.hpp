@@ -1,20 +1,20 @@
 #pragma once
 
 #include "chain/walk_in.hpp"
-#include "closed_ways.hpp"
 #include "math/det_atan2_lanes.hpp"
+#include "solution_lanes.hpp"
 
-// The kernel of the closed forms: all ways at once, each checked by forward kinematics, and all
-// angles made at the end. Compiled once per instruction set, in sources that include nothing else;
-// the bits are the same.
+// The kernel of the closed forms: all solutions at once, each checked by forward kinematics, and
+// all angles made at the end. Compiled once per instruction set, in sources that include nothing
+// else; the bits are the same.
 namespace armlet::closed {
 
 // Sines and cosines in the order of the arm's walk.
 template <class V>
-struct WalkTurns {
+struct WalkAngles {
   V sine[kSixJoints], cosine[kSixJoints];
 
-  [[gnu::always_inline]] explicit WalkTurns(const Ways<V>& ways) {
+  [[gnu::always_inline]] explicit WalkAngles(const SolutionLanes<V>& ways) {
     for (unsigned i = 0; i < kSixJoints; ++i) {
       const unsigned joint = ways.arm.reversed ? kSixJoints - 1 - i : i;
       sine[joint] = ways.x[i].s * ways.arm.walk_sign[i];
@@ -28,14 +28,14 @@ template <class V>
 struct ThreeColumns {
   Parts<V> of[3];
 
-  [[gnu::always_inline]] void turn_z(V sine, V cosine) {
-    for (Parts<V>& v : of) v.turn_z(sine, cosine);
+  [[gnu::always_inline]] void rotate_z(V sine, V cosine) {
+    for (Parts<V>& v : of) v.rotate_z(sine, cosine);
   }
-  [[gnu::always_inline]] void turn_right_z(V sine, V cosine) {
-    for (Parts<V>& v : of) v.turn_right_z(sine, cosine);
+  [[gnu::always_inline]] void rotate_right_z(V sine, V cosine) {
+    for (Parts<V>& v : of) v.rotate_right_z(sine, cosine);
   }
-  [[gnu::always_inline]] void turn_x(double sin_alpha, double cos_alpha) {
-    for (Parts<V>& v : of) v.turn_x(all_lanes<V>(sin_alpha), all_lanes<V>(cos_alpha));
+  [[gnu::always_inline]] void rotate_x(double sin_alpha, double cos_alpha) {
+    for (Parts<V>& v : of) v.rotate_x(all_lanes<V>(sin_alpha), all_lanes<V>(cos_alpha));
   }
 };
 
@@ -49,7 +49,7 @@ template <class V>
 // the sum of their squares is at least that of w.
 template <class V>
 [[gnu::always_inline]] inline V miss2_of(const ClosedArm& arm, const double* goal,
-                                         const WalkTurns<V>& turns) {
+                                         const WalkAngles<V>& turns) {
   const BatchArm& walk = arm.walk;
   const double* T = walk.tool;
   const auto column = [&](unsigned c) __attribute__((always_inline)) {
@@ -57,7 +57,7 @@ template <class V>
   };
   ThreeColumns<V> t = {{column(0), column(1), column(3)}};
   Parts<V>& p = t.of[2];
-  t.turn_z(turns.sine[5], turns.cosine[5]);
+  t.rotate_z(turns.sine[5], turns.cosine[5]);
   if (walk.has_d[5]) p.z += walk.d[5];
   for (unsigned i = kSixJoints - 1; i-- > 0;) {
     if (walk.has_a[i + 1]) p.x += walk.a[i + 1];
@@ -70,7 +70,7 @@ template <class V>
 }
 
 template <class V>
-[[gnu::always_inline]] inline void store_joints(const Ways<V>& ways, unsigned way,
+[[gnu::always_inline]] inline void store_joints(const SolutionLanes<V>& ways, unsigned way,
                                                 ClosedLanes& out) {
   constexpr double kPi = 3.14159265358979323846;
   const ClosedArm& arm = ways.arm;
@@ -84,9 +84,9 @@ template <class V>
 }
 
 // The signs of way k.
-constexpr double kShoulderSign[kWays] = {1, 1, 1, 1, -1, -1, -1, -1};
-constexpr double kElbowSign[kWays] = {1, 1, -1, -1, 1, 1, -1, -1};
-constexpr double kWristSign[kWays] = {1, -1, 1, -1, 1, -1, 1, -1};
+constexpr double kShoulderSign[kSolutions] = {1, 1, 1, 1, -1, -1, -1, -1};
+constexpr double kElbowSign[kSolutions] = {1, 1, -1, -1, 1, 1, -1, -1};
+constexpr double kWristSign[kSolutions] = {1, -1, 1, -1, 1, -1, 1, -1};
 
 template <class V>
 bool closed_kernel(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& out) {
@@ -98,9 +98,9 @@ bool closed_kernel(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& ou
   if (!first.exists()) return false;
   constexpr unsigned kLanes = sizeof(V) / sizeof(double);
   det::LaneBits<V> touching = {};
-  for (unsigned way = 0; way < kWays; way += kLanes) {
-    Ways<V> ways{arm, goal.rows, load_lanes<V>(kShoulderSign + way),
-                 load_lanes<V>(kElbowSign + way), load_lanes<V>(kWristSign + way)};
+  for (unsigned way = 0; way < kSolutions; way += kLanes) {
+    SolutionLanes<V> ways{arm, goal.rows, load_lanes<V>(kShoulderSign + way),
+                          load_lanes<V>(kElbowSign + way), load_lanes<V>(kWristSign + way)};
     if (arm.family == LaneFamily::kSphericalParallel)
       spherical_parallel(ways, first);
     else if (arm.family == LaneFamily::kSphericalMeeting)
@@ -108,7 +108,7 @@ bool closed_kernel(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& ou
     else
       three_parallel(ways, first);
     touching |= ways.touching;
-    store_lanes(out.miss2 + way, miss2_of(arm, goal.base, WalkTurns<V>(ways)));
+    store_lanes(out.miss2 + way, miss2_of(arm, goal.base, WalkAngles<V>(ways)));
     store_joints(ways, way, out);
   }
   auto any = touching[0];

@@ -8,7 +8,7 @@
 namespace armlet {
 namespace {
 
-// A link between two turning joints, and a squared sine that rounding may take below zero.
+// A link between two revolute joints, and a squared sine that rounding may take below zero.
 constexpr double kNoLink = 1e-12;  // m
 constexpr double kRounding = 1e-5;
 
@@ -86,7 +86,7 @@ void LaneForm::prepare_links() {
     const double z = point[2] + arm_.h[2];
     const double a = arm_.a[2];
     const double h = arm_.h[1];
-    const PlainTurn& alpha = arm_.alpha[2];
+    const PlainAngle& alpha = arm_.alpha[2];
     arm_.A = 2.0 * (a * point[0] + h * alpha.s * point[1]);
     arm_.B = 2.0 * (h * alpha.s * point[0] - a * point[1]);
     arm_.fixed =

@@ -10,14 +10,14 @@
 
 namespace armlet {
 
-// An arm of six turning joints prepared for the kernels of the closed forms.
+// An arm of six revolute joints prepared for the kernels of the closed forms.
 class LaneForm {
  public:
   // nullptr if the family has no kernel.
   static std::unique_ptr<LaneForm> make(ClosedFormKind kind, const CanonicalRows& rows,
                                         const Chain& chain);
 
-  // All ways to reach a pose. False where it needs the functions with branches (ClosedKernel).
+  // All solutions to reach a pose. False where it needs the functions with branches (ClosedKernel).
   bool solve(const Eigen::Isometry3d& T_world_tool, ClosedLanes& out) const {
     return solve(T_world_tool, out, *kernel_);
   }

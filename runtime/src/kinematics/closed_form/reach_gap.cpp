@@ -64,8 +64,8 @@ ReachGap elbow_gap(const Reading& arm, int row, double l, double m, double dista
   return between(distance, std::abs(l - m), l + m, gap);
 }
 
-// The plane across the parallel axes from the second on, in which a place at `height` along them
-// lies: how far the place passes axis 1, and where it is in the plane, on either side.
+// The plane across the parallel axes from the second on, in which a position at `height` along them
+// lies: how far the position passes axis 1, and where it is in the plane, on either side.
 struct Passing {
   double m = 0.0;  // signed distance of the plane from axis 1
   double from_axis = 0.0;
@@ -74,7 +74,7 @@ struct Passing {
 };
 
 Passing passing(const CanonicalRows& rows, const Vector3d& u, double height) {
-  const Turn& alpha = rows.alpha[1];
+  const Angle& alpha = rows.alpha[1];
   const double z = u.z() - rows.h[0];
   const double m = (alpha.c * z - height) / alpha.s;
   Passing out;
@@ -99,7 +99,7 @@ bool misses_axis(const Reading& arm, const Passing& pass, ReachGap& gap) {
   return true;
 }
 
-// Joints 1 to 3 bring the point w, fixed after joint 3, to the place u: axes 2 and 3 parallel.
+// Joints 1 to 3 bring the point w, fixed after joint 3, to the position u: axes 2 and 3 parallel.
 ReachGap gap_of_parallel(const Reading& arm, const Vector3d& u, const Vector3d& w, ReachGap gap) {
   const CanonicalRows& rows = arm.rows;
   const Passing pass = passing(rows, u, rows.h[1] + rows.h[2] + w.z());
@@ -120,8 +120,8 @@ struct Spread {
 };
 
 Spread spread_of_slide(const CanonicalRows& rows, const Vector3d& w, double distance) {
-  const Turn& alpha = rows.alpha[2];
-  const Turn& x = rows.phi[2];
+  const Angle& alpha = rows.alpha[2];
+  const Angle& x = rows.phi[2];
   const Vector2d v(x.c * w.x() - x.s * w.y() + rows.a[2], x.s * w.x() + x.c * w.y());
   const double h = rows.h[1];
   Spread out;
@@ -136,8 +136,8 @@ Spread spread_of_slide(const CanonicalRows& rows, const Vector3d& w, double dist
   return out;
 }
 
-Spread spread_of_turn(const CanonicalRows& rows, const Vector3d& w, double distance) {
-  const Turn& alpha = rows.alpha[2];
+Spread spread_of_rotation(const CanonicalRows& rows, const Vector3d& w, double distance) {
+  const Angle& alpha = rows.alpha[2];
   const double h = rows.h[1];
   const double z = w.z() + rows.h[2];
   const double a = rows.a[2];
@@ -145,20 +145,20 @@ Spread spread_of_turn(const CanonicalRows& rows, const Vector3d& w, double dista
   const double A = 2.0 * (a * w.x() + h * alpha.s * w.y());
   const double B = 2.0 * (h * alpha.s * w.x() - a * w.y());
   const double swing = std::sqrt(A * A + B * B);
-  const TurnPair third = circle_meets_plane(A, B, distance * distance - middle);
+  const AnglePair third = circle_meets_plane(A, B, distance * distance - middle);
   Spread out;
   out.low = std::sqrt(std::fmax(middle - swing, 0.0));
   out.high = std::sqrt(middle + swing);
   out.count = third.count;
   for (int i = 0; i < third.count; ++i) {
-    const Turn& x = third.x[static_cast<std::size_t>(i)];
+    const Angle& x = third.x[static_cast<std::size_t>(i)];
     const double across = x.s * w.x() + x.c * w.y();
     out.along2[static_cast<std::size_t>(i)] = h + alpha.s * across + alpha.c * z;
   }
   return out;
 }
 
-// The same with axes 1 and 2 that meet. With the right distance, the place may still lie too far
+// The same with axes 1 and 2 that meet. With the right distance, the position may still lie too far
 // along axis 1: axis 2 carries a circle of points, which gets to some heights only.
 ReachGap gap_of_meeting(const Reading& arm, const Vector3d& place, const Vector3d& w,
                         ReachGap gap) {
@@ -166,11 +166,11 @@ ReachGap gap_of_meeting(const Reading& arm, const Vector3d& place, const Vector3
   const Vector3d u = place - Vector3d(0, 0, rows.h[0]);
   const double distance = u.norm();
   const Spread spread =
-      rows.revolute[2] ? spread_of_turn(rows, w, distance) : spread_of_slide(rows, w, distance);
+      rows.revolute[2] ? spread_of_rotation(rows, w, distance) : spread_of_slide(rows, w, distance);
   gap.from = arm.joint(rows.reversed ? 1 : 0);
   const ReachGap radial = between(distance, spread.low, spread.high, gap);
   if (radial.exists()) return radial;
-  const Turn& alpha = rows.alpha[1];
+  const Angle& alpha = rows.alpha[1];
   LeastGap least;
   for (int i = 0; i < spread.count; ++i) {
     const double along2 = spread.along2[static_cast<std::size_t>(i)];
@@ -200,7 +200,7 @@ ReachGap centre_gap(const CanonicalRows& rows) {
   return gap;
 }
 
-// Axes 2, 3 and 4 parallel: the plane first, then the place of axis 4 in it.
+// Axes 2, 3 and 4 parallel: the plane first, then the position of axis 4 in it.
 ReachGap gap_of_three_parallel(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
@@ -215,13 +215,13 @@ ReachGap gap_of_three_parallel(const Reading& arm, const Isometry3d& G) {
   if (r2 < 1e-20) return {};
   for (std::size_t i = 0; i < 2; ++i) {
     const double along = pass.along[i];
-    const Turn x1{(along * centre.x() + pass.m * centre.y()) / r2,
-                  (along * centre.y() - pass.m * centre.x()) / r2};
-    const Matrix3d M = unturned(x1, rows.alpha[1], Matrix3d(G.linear()));
-    const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], Turn{});
+    const Angle x1{(along * centre.x() + pass.m * centre.y()) / r2,
+                   (along * centre.y() - pass.m * centre.x()) / r2};
+    const Matrix3d M = rotated_back(x1, rows.alpha[1], Matrix3d(G.linear()));
+    const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], Angle{});
     if (wrist.singular) return {};
     for (int j = 0; j < wrist.count; ++j) {
-      const Turn& sum = wrist.x1[static_cast<std::size_t>(j)];
+      const Angle& sum = wrist.x1[static_cast<std::size_t>(j)];
       const Vector2d hand(sum.c * last.x() - sum.s * last.y(), sum.s * last.x() + sum.c * last.y());
       least.add(elbow_gap(arm, 1, std::abs(rows.a[2]), std::abs(rows.a[3]),
                           (pass.in_plane[i] - hand).norm(), gap));
@@ -246,7 +246,7 @@ ReachGap gap_of_planar_arm(const Reading& arm, const Isometry3d& G) {
   return least.least();
 }
 
-// Two parallel turning joints.
+// Two parallel revolute joints.
 ReachGap gap_of_two(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   if (rows.n != 2 || !rows.parallel(1)) return {};
@@ -262,7 +262,7 @@ ReachGap gap_of_two(const Reading& arm, const Isometry3d& G) {
                    u.head<2>().norm(), gap);
 }
 
-// Three parallel turning joints; `ends` are the rows that turn them.
+// Three parallel revolute joints; `ends` are the rows that turn them.
 ReachGap gap_of_plane(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   ReachGap gap;
@@ -282,7 +282,7 @@ ReachGap gap_of_scara(const Reading& arm, const Isometry3d& G, bool heading_coun
   const CanonicalRows& rows = arm.rows;
   std::array<Vector2d, 4> link;
   link.fill(Vector2d::Zero());
-  std::array<Turn, 4> before{};
+  std::array<Angle, 4> before{};
   std::array<int, 3> turning{};
   std::size_t turns = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -295,7 +295,7 @@ ReachGap gap_of_scara(const Reading& arm, const Isometry3d& G, bool heading_coun
   }
   const bool straight = link[3].isZero(0.0) && rows.tool_point.head<2>().isZero(kTouching);
   if (!heading_counts && !straight) return {};
-  const Turn heading = Turn{G.linear()(0, 0), G.linear()(1, 0)} * inverse(before[3]);
+  const Angle heading = Angle{G.linear()(0, 0), G.linear()(1, 0)} * inverse(before[3]);
   const Vector2d last(heading.c * link[3].x() - heading.s * link[3].y(),
                       heading.s * link[3].x() + heading.c * link[3].y());
   const Vector2d p = G.translation().head<2>() - link[0] - last;
@@ -313,7 +313,7 @@ ReachGap gap_of_seven(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   const Vector3d D = G.translation() - rows.h[6] * G.linear().col(2) - Vector3d(0, 0, rows.h[0]);
   const Vector3d m = placed(rows, 4, Vector3d(0, 0, rows.h[4]));
-  const Turn& alpha = rows.alpha[3];
+  const Angle& alpha = rows.alpha[3];
   const double z = m.z() + rows.h[3];
   const double a = rows.a[3];
   const double h = rows.h[2];
@@ -351,7 +351,7 @@ ReachGap ClosedForm::gap(const Isometry3d& T_world_tool, bool orientation_counts
   switch (kind_) {
     case ClosedFormKind::kShoulder:
       return gap_of_shoulder(arm, G * rows.tool_point, rows.tool_point, {});
-    case ClosedFormKind::kFewPlace:
+    case ClosedFormKind::kFewPosition:
       return gap_of_two(arm, G);
     case ClosedFormKind::kScara:
       return gap_of_scara(arm, G, orientation_counts);

@@ -7,7 +7,7 @@ namespace armlet {
 namespace {
 
 // The same columns in other axes.
-void turn_twists(const Eigen::Matrix3d& R, Jacobian& J) {
+void rotate_twists(const Eigen::Matrix3d& R, Jacobian& J) {
   for (Eigen::Index i = 0; i < J.cols(); ++i) J.col(i) = rotate_twist(R, J.col(i));
 }
 
@@ -26,13 +26,13 @@ Jacobian jacobian(const Robot& robot, JointsIn q, JacobianFrame frame) {
   Jacobian J;
   if (frame == JacobianFrame::kTool) {
     const Eigen::Isometry3d T_world_tool = forward_and_jacobian(robot, q, J);
-    turn_twists(T_world_tool.linear().transpose(), J);
+    rotate_twists(T_world_tool.linear().transpose(), J);
     return J;
   }
   check_size("q", q.size(), robot.n());
   J.resize(6, robot.n());
   kernel_for(kJacobianKernels, robot.n())(robot.walk_plan(), q.data(), J.data());
-  if (frame == JacobianFrame::kBase) turn_twists(robot.T_world_base().linear().transpose(), J);
+  if (frame == JacobianFrame::kBase) rotate_twists(robot.T_world_base().linear().transpose(), J);
   return J;
 }
 

@@ -18,7 +18,7 @@ struct Axes {
     WalkFrame frame = walk_out<kAnyCount>(
         plan, q.data(),
         [&](std::size_t i, const WalkFrame& f) {
-          z[i] = (plan.turn[i] + plan.slide[i]) * to_eigen(f.z);
+          z[i] = (plan.q_to_theta[i] + plan.q_to_d[i]) * to_eigen(f.z);
           p[i] = to_eigen(f.p);
         },
         [](std::size_t, const WalkFrame&) {});

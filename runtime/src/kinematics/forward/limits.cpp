@@ -36,14 +36,14 @@ Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q) {
   return q.cwiseMax(robot.lower()).cwiseMin(robot.upper());
 }
 
-double turned_within(double angle, double near, double lower, double upper) {
-  constexpr double kTurn = 2.0 * kPi;
-  if (!(std::abs(angle - near) <= kPi)) angle = nearest_turn(angle, near);
+double wrapped_within(double angle, double near, double lower, double upper) {
+  constexpr double kRevolution = 2.0 * kPi;
+  if (!(std::abs(angle - near) <= kPi)) angle = nearest_copy_of_angle(angle, near);
   // Whole turns back into the range, from whichever side it lies.
-  if (angle > upper) angle -= kTurn * std::ceil((angle - upper) / kTurn);
-  if (angle < lower) angle += kTurn * std::ceil((lower - angle) / kTurn);
+  if (angle > upper) angle -= kRevolution * std::ceil((angle - upper) / kRevolution);
+  if (angle < lower) angle += kRevolution * std::ceil((lower - angle) / kRevolution);
   if (angle > upper) {  // no copy lies within: the one just above or the one just below
-    const double below = angle - kTurn;
+    const double below = angle - kRevolution;
     if (lower - below < angle - upper) angle = below;
   }
   return angle;
@@ -55,7 +55,7 @@ Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near) {
   Eigen::VectorXd wrapped = q;
   for (int i = 0; i < robot.n(); ++i) {
     if (!robot.is_revolute(i)) continue;
-    wrapped[i] = turned_within(q[i], q_near[i], robot.lower()[i] - 1e-9, robot.upper()[i] + 1e-9);
+    wrapped[i] = wrapped_within(q[i], q_near[i], robot.lower()[i] - 1e-9, robot.upper()[i] + 1e-9);
   }
   return wrapped;
 }

@@ -12,7 +12,7 @@ namespace {
 // Directions of motion that count for this arm, as orthonormal columns, with rotations scaled by
 // the arm's length: all those that it has in a few configurations without symmetry. A planar arm
 // never leaves its plane, so that direction is not one that it can lose.
-Eigen::MatrixXd possible_motions(const Robot& robot, bool place_only) {
+Eigen::MatrixXd possible_motions(const Robot& robot, bool position_only) {
   const Eigen::Index n = robot.n();
   Eigen::MatrixXd samples(6, 3 * n);
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -24,7 +24,7 @@ Eigen::MatrixXd possible_motions(const Robot& robot, bool place_only) {
     }
     samples.middleCols(k * n, n) = jacobian(robot, q);
   }
-  samples.bottomRows<3>() *= place_only ? 0.0 : robot.length();
+  samples.bottomRows<3>() *= position_only ? 0.0 : robot.length();
   const SvdParts svd = singular_values(samples);
   const Eigen::Index rank = (svd.s.array() > 1e-9 * std::max(svd.s[0], 1e-300)).count();
   return svd.U.leftCols(std::max<Eigen::Index>(rank, 1));
@@ -61,10 +61,10 @@ Eigen::VectorXd manipulability_gradient(const Robot& robot, JointsIn q) {
 }
 
 Singularity singularity(const Robot& robot, JointsIn q) {
-  const bool place_only = robot.n() <= 3;
+  const bool position_only = robot.n() <= 3;
   Eigen::MatrixXd J = jacobian(robot, q);
-  J.bottomRows<3>() *= place_only ? 0.0 : robot.length();
-  const Eigen::MatrixXd motions = possible_motions(robot, place_only);
+  J.bottomRows<3>() *= position_only ? 0.0 : robot.length();
+  const Eigen::MatrixXd motions = possible_motions(robot, position_only);
   const SvdParts svd = full_singular_values(motions.transpose() * J);
   const Eigen::Index last = svd.s.size() - 1;
   Singularity result;

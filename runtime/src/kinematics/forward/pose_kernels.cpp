@@ -22,21 +22,21 @@ struct PoseColumns {
     }
     xy = {load_pair(T), load_pair(T + 4), load_pair(T + 8)};
     zp = {load_pair(T + 2), load_pair(T + 6), load_pair(T + 10)};
-    turn_z(sine, cosine);
+    rotate_z(sine, cosine);
   }
 
-  [[gnu::always_inline]] void turn_z(Lanes sine, Lanes cosine) {
-    xy.turn_z(sine, cosine);
-    zp.turn_z(sine, cosine);
+  [[gnu::always_inline]] void rotate_z(Lanes sine, Lanes cosine) {
+    xy.rotate_z(sine, cosine);
+    zp.rotate_z(sine, cosine);
   }
-  [[gnu::always_inline]] void turn_right_z(Lanes sine, Lanes cosine) {
-    xy.turn_right_z(sine, cosine);
-    zp.turn_right_z(sine, cosine);
+  [[gnu::always_inline]] void rotate_right_z(Lanes sine, Lanes cosine) {
+    xy.rotate_right_z(sine, cosine);
+    zp.rotate_right_z(sine, cosine);
   }
-  [[gnu::always_inline]] void turn_x(double sin_alpha, double cos_alpha) {
+  [[gnu::always_inline]] void rotate_x(double sin_alpha, double cos_alpha) {
     const Lanes sine = both(sin_alpha), cosine = both(cos_alpha);
-    xy.turn_x(sine, cosine);
-    zp.turn_x(sine, cosine);
+    xy.rotate_x(sine, cosine);
+    zp.rotate_x(sine, cosine);
   }
 
   // The origin is the right-hand of two columns; adding -0 changes nothing.
@@ -44,8 +44,8 @@ struct PoseColumns {
   [[gnu::always_inline]] void shift_x(double a) { zp.x += Lanes{-0.0, a}; }
 
   [[gnu::always_inline]] void place(const double* B) {
-    xy.turn_base(B);
-    zp.turn_base(B);
+    xy.rotate_base(B);
+    zp.rotate_base(B);
     zp.x += Lanes{-0.0, B[9]};
     zp.y += Lanes{-0.0, B[10]};
     zp.z += Lanes{-0.0, B[11]};

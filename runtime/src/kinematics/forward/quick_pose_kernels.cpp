@@ -20,28 +20,28 @@ struct QuickColumns {
     }
     xz = {Lanes{T[0], T[2]}, Lanes{T[4], T[6]}, Lanes{T[8], T[10]}};
     p = {T[3], T[7], T[11]};
-    turn_z(sine, cosine);
+    rotate_z(sine, cosine);
   }
 
-  [[gnu::always_inline]] void turn_z(Lanes sine, Lanes cosine) {
-    xz.turn_z(sine, cosine);
-    p.turn_z(sine[0], cosine[0]);
+  [[gnu::always_inline]] void rotate_z(Lanes sine, Lanes cosine) {
+    xz.rotate_z(sine, cosine);
+    p.rotate_z(sine[0], cosine[0]);
   }
-  [[gnu::always_inline]] void turn_right_z(Lanes sine, Lanes cosine) {
-    xz.turn_right_z(sine, cosine);
-    p.turn_right_z(sine[0], cosine[0]);
+  [[gnu::always_inline]] void rotate_right_z(Lanes sine, Lanes cosine) {
+    xz.rotate_right_z(sine, cosine);
+    p.rotate_right_z(sine[0], cosine[0]);
   }
-  [[gnu::always_inline]] void turn_x(double sin_alpha, double cos_alpha) {
-    xz.turn_x(both(sin_alpha), both(cos_alpha));
-    p.turn_x(sin_alpha, cos_alpha);
+  [[gnu::always_inline]] void rotate_x(double sin_alpha, double cos_alpha) {
+    xz.rotate_x(both(sin_alpha), both(cos_alpha));
+    p.rotate_x(sin_alpha, cos_alpha);
   }
 
   [[gnu::always_inline]] void shift_z(double d) { p.z += d; }
   [[gnu::always_inline]] void shift_x(double a) { p.x += a; }
 
   [[gnu::always_inline]] void place(const double* B) {
-    xz.turn_base(B);
-    p.turn_base(B);
+    xz.rotate_base(B);
+    p.rotate_base(B);
     p.x += B[9];
     p.y += B[10];
     p.z += B[11];

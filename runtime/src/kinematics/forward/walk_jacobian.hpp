@@ -4,9 +4,9 @@
 
 namespace armlet {
 
-// v and w of a joint that turns about `axis` through a point at -r from the tool.
-[[gnu::always_inline]] inline void store_turning(double* column, const WalkAxis& axis,
-                                                 const WalkAxis& r) {
+// v and w of a revolute joint about `axis` through a point at -r from the tool.
+[[gnu::always_inline]] inline void store_revolute(double* column, const WalkAxis& axis,
+                                                  const WalkAxis& r) {
   const Lanes r_yx = {r.xy[1], r.xy[0]};
   const Lanes products = axis.xy * r_yx;
   store_pair(column, Lanes{axis.xy[1], axis.z} * Lanes{r.z, r.xy[0]} -
@@ -36,10 +36,10 @@ template <int N, template <int> class SinesOf = JointSines>
   const std::size_t n = static_cast<std::size_t>(joint_count<N>(plan));
 #pragma GCC unroll 8
   for (std::size_t i = 0; i < n; ++i) {
-    if (plan.turn[i] != 0.0) {
-      store_turning(J + 6 * i, both(plan.turn[i]) * axis[i], frame.p - point[i]);
+    if (plan.q_to_theta[i] != 0.0) {
+      store_revolute(J + 6 * i, both(plan.q_to_theta[i]) * axis[i], frame.p - point[i]);
     } else {
-      store_sliding(J + 6 * i, both(plan.slide[i]) * axis[i]);
+      store_sliding(J + 6 * i, both(plan.q_to_d[i]) * axis[i]);
     }
   }
   return frame;

@@ -29,7 +29,7 @@ double angle_of(const Vector3d& a, const Vector3d& b) {
 }
 
 // Heading of the x axis seen from above, or of the y axis less a right angle if x is vertical.
-double turn_about_z(const Matrix3d& R) {
+double rotation_about_z(const Matrix3d& R) {
   if (det::hypot(R(0, 0), R(1, 0)) > 1e-9) return det::atan2(R(1, 0), R(0, 0));
   return det::atan2(-R(0, 1), R(1, 1));
 }
@@ -58,16 +58,16 @@ std::optional<IkTask> frame_task(const Robot& robot, const Eigen::Isometry3d& T_
   const auto up = fixed_tilt(robot);
   if (!up) return IkTask::kPose;
   const Vector3d frame_up = T_world_frame.linear().row(2).transpose();
-  if (lean(*up) <= kSameTilt && lean(frame_up) <= kSameTilt) return IkTask::kTurn;
+  if (lean(*up) <= kSameTilt && lean(frame_up) <= kSameTilt) return IkTask::kHeading;
   if (angle_of(*up, frame_up) <= kSameTilt) return IkTask::kPose;
   return std::nullopt;
 }
 
-Eigen::Isometry3d turned_like(const Robot& robot, const Eigen::Isometry3d& T_world_frame,
-                              JointsIn q) {
+Eigen::Isometry3d with_heading_of(const Robot& robot, const Eigen::Isometry3d& T_world_frame,
+                                  JointsIn q) {
   const Matrix3d R_seed = forward(robot, q).linear();
   const Matrix3d& R = T_world_frame.linear();
-  return make_pose(rot_z(turn_about_z(R) - turn_about_z(R_seed)) * R_seed,
+  return make_pose(rot_z(rotation_about_z(R) - rotation_about_z(R_seed)) * R_seed,
                    T_world_frame.translation());
 }
 

@@ -17,18 +17,18 @@
 namespace armlet {
 namespace {
 
-constexpr int kNearestStarts = 32;     // after the first solution
-constexpr int kNearStarts = 12;        // around the seed
-constexpr int kRedundantStarts = 4;    // of an arm of seven joints with a closed form
-constexpr std::size_t kFollowed = 3;   // branches of such an arm
-constexpr int kNearestWanted = 16;     // distinct solutions
-constexpr double kSameChoice = 1e-6;   // rad or m
-constexpr double kThere = 1e-9;        // m and rad: as exact as solutions are
-constexpr double kFar = 1e-3;          // rad or m
-constexpr int kKeepStarts = 20;        // to find out whether an orientation can be kept
-constexpr double kLargestValue = 1e6;  // m or rad, of a goal or a seed
-constexpr double kSameTurn = 1e-6;     // rad
-constexpr double kPlaceFirst = 100;    // weight of position while orientation changes least
+constexpr int kNearestStarts = 32;       // after the first solution
+constexpr int kNearStarts = 12;          // around the seed
+constexpr int kRedundantStarts = 4;      // of an arm of seven joints with a closed form
+constexpr std::size_t kFollowed = 3;     // branches of such an arm
+constexpr int kNearestWanted = 16;       // distinct solutions
+constexpr double kSameChoice = 1e-6;     // rad or m
+constexpr double kThere = 1e-9;          // m and rad: as exact as solutions are
+constexpr double kFar = 1e-3;            // rad or m
+constexpr int kKeepStarts = 20;          // to find out whether an orientation can be kept
+constexpr double kLargestValue = 1e6;    // m or rad, of a goal or a seed
+constexpr double kSameRotation = 1e-6;   // rad
+constexpr double kPositionWeight = 100;  // weight of position while orientation changes least
 
 // Finite, and of a size whose rounding lies far below the tolerances.
 bool is_moderate(const Eigen::Ref<const Eigen::VectorXd>& values) {
@@ -45,7 +45,8 @@ IkStatus check_question(const Robot& robot, const Eigen::Isometry3d& T_world_too
   if (!is_moderate(options.seed) || !is_moderate(T_world_tool.translation()) ||
       !T_world_tool.linear().allFinite())
     return IkStatus::kNotFinite;
-  const bool uses_rotation = options.task != IkTask::kPosition && options.task != IkTask::kPlace;
+  const bool uses_rotation =
+      options.task != IkTask::kPosition && options.task != IkTask::kPositionFirst;
   if (uses_rotation && !is_rotation(T_world_tool.linear())) return IkStatus::kBadRotation;
   return IkStatus::kOk;
 }
@@ -119,9 +120,9 @@ void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   const double change = result.ok() ? largest_change(result.q, options.seed) : INFINITY;
   if (change <= kSameChoice) return;
   if (options.respect_limits && !within_limits(robot, options.seed, 0.0)) return;
-  const bool counts_place = (goal.weights.head<3>().array() == 1.0).all();
+  const bool counts_position = (goal.weights.head<3>().array() == 1.0).all();
   const Eigen::Vector3d place = forward(robot, options.seed).translation();
-  if (counts_place && (place - goal.p).norm() > 2.0 * goal.position_tolerance + kThere) return;
+  if (counts_position && (place - goal.p).norm() > 2.0 * goal.position_tolerance + kThere) return;
   const IkError error = IkSolver(robot, goal).error_of(to_array(options.seed));
   const double exact = std::max(error.position, error.rotation);
   if (!(exact <= kThere || (change > kFar && goal.is_met(error)))) return;
@@ -170,25 +171,25 @@ bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& option
   return result.ok();
 }
 
-// From q with the place right, the nearby configuration that turns the tool least.
-Eigen::VectorXd turn_least(const Robot& robot, const IkGoal& keep, const Eigen::VectorXd& q,
-                           const IkOptions& options, IkResult& result) {
+// From q with the position right, the nearby configuration that turns the tool least.
+Eigen::VectorXd rotate_least(const Robot& robot, const IkGoal& keep, const Eigen::VectorXd& q,
+                             const IkOptions& options, IkResult& result) {
   IkGoal weighted = keep;
-  weighted.weights.head<3>() *= kPlaceFirst;
+  weighted.weights.head<3>() *= kPositionWeight;
   JointArray joints = to_array(q);
   IkSolver turning(robot, weighted);
   turning.minimise_in_box(joints, 100);
-  IkSolver placing(robot, keep.without_turn());
+  IkSolver placing(robot, keep.without_orientation());
   const bool placed = placing.solve_in_box(joints, options.iterations);
   result.iterations += turning.iterations_used() + placing.iterations_used();
   return placed ? to_vector(joints, robot.n()) : q;
 }
 
-// kPlace when the orientation cannot be kept: of the configurations at that place, the one that
-// changes it least. Starting at the seed comes first because it changes the joints least.
-bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options,
-                IkResult& result) {
-  const IkGoal place = keep.without_turn();
+// kPositionFirst when the orientation cannot be kept: of the configurations at that position, the
+// one that changes it least. Starting at the seed comes first because it changes the joints least.
+bool position_into(const Robot& robot, const IkGoal& keep, const IkOptions& options,
+                   IkResult& result) {
+  const IkGoal place = keep.without_orientation();
   const IkSearch search = search_ik(robot, place, options, kNearestWanted, kNearestStarts);
   result.iterations += search.iterations;
   result.starts += search.starts;
@@ -202,9 +203,9 @@ bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options
   candidates.insert(candidates.end(), search.solutions.begin(), search.solutions.end());
   double smallest = INFINITY;
   for (const Eigen::VectorXd& candidate : candidates) {
-    const Eigen::VectorXd q = turn_least(robot, keep, candidate, options, result);
+    const Eigen::VectorXd q = rotate_least(robot, keep, candidate, options, result);
     const IkError error = IkSolver(robot, keep).error_of(to_array(q));
-    if (error.position > options.position_tolerance || error.rotation >= smallest - kSameTurn)
+    if (error.position > options.position_tolerance || error.rotation >= smallest - kSameRotation)
       continue;
     smallest = error.rotation;
     take_solution(robot, place, q, result);
@@ -212,12 +213,12 @@ bool place_into(const Robot& robot, const IkGoal& keep, const IkOptions& options
   return smallest < INFINITY;
 }
 
-// The same for an arm whose formula gives the few ways to reach a place.
-FormulaAnswer place_by_formula(const Robot& robot, const IkGoal& keep, const IkOptions& options,
-                               IkResult& result) {
-  const IkGoal place = keep.without_turn();
-  if (options.choice != IkChoice::kNearest || options.posture || !closed_form(robot).place_only() ||
-      !formula_applies(robot, place, options))
+// The same for an arm whose formula gives the few ways to reach a position.
+FormulaAnswer position_by_formula(const Robot& robot, const IkGoal& keep, const IkOptions& options,
+                                  IkResult& result) {
+  const IkGoal place = keep.without_orientation();
+  if (options.choice != IkChoice::kNearest || options.posture ||
+      !closed_form(robot).position_only() || !formula_applies(robot, place, options))
     return FormulaAnswer::kSilent;
   std::vector<FormulaSolution> solutions;
   const FormulaAnswer answer = solve_by_formula(robot, place, options, solutions);
@@ -226,15 +227,16 @@ FormulaAnswer place_by_formula(const Robot& robot, const IkGoal& keep, const IkO
   IkSolver turning(robot, keep);
   const auto turn = [&](const FormulaSolution& s) { return turning.error_of(s.q).rotation; };
   const double least = turn(*std::ranges::min_element(solutions, {}, turn));
-  std::erase_if(solutions, [&](const FormulaSolution& s) { return turn(s) > least + kSameTurn; });
+  std::erase_if(solutions,
+                [&](const FormulaSolution& s) { return turn(s) > least + kSameRotation; });
   take_branch(robot, place, nearest_branch(robot, options.seed, solutions), result);
   return answer;
 }
 
-// kPlace: with the orientation of the goal if the arm can keep it.
-bool solve_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool, const IkGoal& keep,
-                 const IkOptions& options, IkResult& result) {
-  switch (place_by_formula(robot, keep, options, result)) {
+// kPositionFirst: with the orientation of the goal if the arm can keep it.
+bool solve_position(const Robot& robot, const Eigen::Isometry3d& T_world_tool, const IkGoal& keep,
+                    const IkOptions& options, IkResult& result) {
+  switch (position_by_formula(robot, keep, options, result)) {
     case FormulaAnswer::kAll:
       return true;
     case FormulaAnswer::kNone:
@@ -244,7 +246,7 @@ bool solve_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool, cons
   }
   IkOptions first = options;
   first.starts = std::min(options.starts, kKeepStarts);
-  if (!search_into(robot, keep, first, result)) return place_into(robot, keep, options, result);
+  if (!search_into(robot, keep, first, result)) return position_into(robot, keep, options, result);
   if (options.posture) take_best_posture(robot, T_world_tool, keep, options, result);
   return true;
 }
@@ -264,11 +266,11 @@ IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
     case IkTask::kPosition:
       goal.weights.tail<3>().setZero();
       break;
-    case IkTask::kPlace:
+    case IkTask::kPositionFirst:
       goal.R = forward(robot, options.seed).linear();
       break;
-    case IkTask::kTurn:
-      goal.R = turned_like(robot, T_world_tool, options.seed).linear();
+    case IkTask::kHeading:
+      goal.R = with_heading_of(robot, T_world_tool, options.seed).linear();
       break;
     case IkTask::kMasked:
       for (std::size_t i = 0; i < 6; ++i) {
@@ -315,9 +317,9 @@ IkResult solve_from_seed(const Robot& robot, const Eigen::Isometry3d& T_world_to
   }
 
   IkGoal goal = make_goal(robot, T_world_tool, options);
-  if (options.task == IkTask::kPlace) {
-    if (solve_place(robot, T_world_tool, goal, options, result)) return result;
-    goal = goal.without_turn();
+  if (options.task == IkTask::kPositionFirst) {
+    if (solve_position(robot, T_world_tool, goal, options, result)) return result;
+    goal = goal.without_orientation();
   } else if (search_into(robot, goal, options, result)) {
     if (options.posture) take_best_posture(robot, T_world_tool, goal, options, result);
     return result;
@@ -374,11 +376,11 @@ std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isome
   if (options.seed.size() == 0) options.seed = robot.home();
   if (check_question(robot, T_world_tool, options) != IkStatus::kOk) return {};
   IkGoal goal = make_goal(robot, T_world_tool, options);
-  const bool place = options.task == IkTask::kPlace;
-  if (place && closed_form(robot).place_only()) goal = goal.without_turn();
+  const bool place = options.task == IkTask::kPositionFirst;
+  if (place && closed_form(robot).position_only()) goal = goal.without_orientation();
   std::vector<Eigen::VectorXd> all = all_solutions(robot, goal, options, count);
   if (!all.empty() || !place) return all;
-  // The orientation cannot be kept: all ways to the one that is nearest to it.
+  // The orientation cannot be kept: all solutions to the one that is nearest to it.
   options.diagnose = false;
   const IkResult turned = solve_ik(robot, T_world_tool, options);
   if (!turned.ok()) return {};

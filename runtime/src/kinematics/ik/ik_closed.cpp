@@ -19,19 +19,19 @@ constexpr double kArmStep = 2.0 * kPi / kArmAngles;
 // the goal checked again.
 constexpr double kRounding = 1e-6;
 
-// Next to a singularity, joints that are exact enough for a place may turn the tool so far from the
-// goal, rad, and are improved.
-constexpr double kNearlyTurned = 0.1;
+// Next to a singularity, joints that are exact enough for a position may turn the tool so far from
+// the goal, rad, and are improved.
+constexpr double kNearlyOriented = 0.1;
 
 constexpr int kNearStarts = 4;     // around the seed, to follow the joints from
 constexpr int kBranchStarts = 24;  // within the change of the nearest branch
-constexpr double kWholeTurn = 2.0 * kPi;
+constexpr double kRevolution = 2.0 * kPi;
 
 constexpr double kSame = 1e-6;  // rad or m, of solutions and their changes
 constexpr double kTie = 1e-7;   // rad or m, of changes between which what is given decides
 
 bool counts_all(const IkGoal& goal) { return (goal.weights.array() == 1.0).all(); }
-bool counts_place(const IkGoal& goal) {
+bool counts_position(const IkGoal& goal) {
   return (goal.weights.head<3>().array() == 1.0).all() && goal.weights.tail<3>().isZero();
 }
 
@@ -57,7 +57,7 @@ bool settle_in(const Robot& robot, const IkGoal& goal, const IkOptions& options,
   IkSolver solver(robot, goal);
   const IkError error = solver.error_of(q);
   if (goal.is_met(error)) return true;
-  if (error.rotation >= kNearlyTurned) return false;
+  if (error.rotation >= kNearlyOriented) return false;
   return options.respect_limits ? solver.solve_in_box(q, options.iterations)
                                 : solver.solve_free(q, options.iterations);
 }
@@ -75,7 +75,7 @@ bool settle_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
   return found;
 }
 
-// Joints are compared modulo whole turns.
+// Joints are compared modulo whole revolutions.
 bool is_same(const Robot& robot, const JointArray& a, const JointArray& b) {
   for (int i = 0; i < robot.n(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
@@ -141,7 +141,7 @@ void follow_branches(const Robot& robot, const IkGoal& goal, const IkOptions& op
   for (const FormulaSolution& solution : solutions)
     change = std::min(change, change_of(solution.q, options.seed));
   const double known = change;
-  if (!(known <= kWholeTurn)) change = kWholeTurn;
+  if (!(known <= kRevolution)) change = kRevolution;
   IkSolver solver(robot, goal);
   for (int start = 1; start <= kBranchStarts; ++start) {
     JointArray q = start_within(robot, options, change, start);
@@ -179,11 +179,11 @@ bool formula_applies(const Robot& robot, const IkGoal& goal, const IkOptions& op
   if (options.method != IkMethod::kAuto) return false;
   const ClosedForm& closed = closed_form(robot);
   if (!closed.exists()) return false;
-  return counts_all(goal) || (closed.place_only() && counts_place(goal));
+  return counts_all(goal) || (closed.position_only() && counts_position(goal));
 }
 
 FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                               std::vector<FormulaSolution>& solutions, double arm_turn,
+                               std::vector<FormulaSolution>& solutions, double arm_angle_change,
                                bool nearest_only) {
   const ClosedForm& closed = closed_form(robot);
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
@@ -191,11 +191,11 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
   T_world_tool.translation() = goal.p;
   ClosedSolutions found;
   closed.solve(T_world_tool, options.seed, found,
-               std::min(goal.position_tolerance, goal.rotation_tolerance), arm_turn);
-  const bool check_turn = closed.place_only() && counts_all(goal);
+               std::min(goal.position_tolerance, goal.rotation_tolerance), arm_angle_change);
+  const bool check_rotation = closed.position_only() && counts_all(goal);
   for (const ClosedSolution& solution : found) {
     FormulaSolution candidate{solution.q, solution.branch};
-    if (settle_near(robot, goal, options, found.free, check_turn, candidate.q))
+    if (settle_near(robot, goal, options, found.free, check_rotation, candidate.q))
       add_new(robot, candidate, solutions);
   }
   if (found.open != 0 && robot.n() <= 6 && counts_all(goal))

@@ -13,7 +13,7 @@ namespace armlet {
 enum class FormulaAnswer { kSilent, kSome, kAll, kNone };
 
 // A solution of the closed form that meets the goal's tolerances and the limits asked for, each
-// turning joint at the copy nearest to the seed.
+// revolute joint at the copy nearest to the seed.
 struct FormulaSolution {
   JointArray q{};
   int branch = 0;
@@ -24,12 +24,12 @@ bool formula_applies(const Robot& robot, const IkGoal& goal, const IkOptions& op
 
 // All of them, in the order of the formula; the seed decides what the goal leaves open.
 //
-// arm_turn      turns the arm angle of an arm of seven joints away from the seed's.
+// arm_angle_change      turns the arm angle of an arm of seven joints away from the seed's.
 // nearest_only  of what the goal leaves open only the nearest solution has to be exact; of other
 //               branches any may be missing or farther.
 FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                               std::vector<FormulaSolution>& solutions, double arm_turn = 0.0,
-                               bool nearest_only = false);
+                               std::vector<FormulaSolution>& solutions,
+                               double arm_angle_change = 0.0, bool nearest_only = false);
 
 // The same for an arm of seven joints at the first arm angle, counted from the seed's, where there
 // are any.

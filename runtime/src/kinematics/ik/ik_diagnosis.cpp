@@ -9,15 +9,15 @@
 namespace armlet {
 namespace {
 
-constexpr int kSpreadStarts = 12;  // with one start a third of the distances would be too long
-constexpr int kTurnStarts = 60;    // orientations have more local minima
-constexpr int kSamples = 2'000;    // of the joint space, of which the nearest are followed
+constexpr int kSpreadStarts = 12;       // with one start a third of the distances would be too long
+constexpr int kOrientationStarts = 60;  // orientations have more local minima
+constexpr int kSamples = 2'000;         // of the joint space, of which the nearest are followed
 constexpr std::size_t kFollowed = 32;
 constexpr std::size_t kDeepest = 4;
-constexpr int kFewTurnStarts = 20;  // at the border of the reach there is less choice
-constexpr double kApart = 0.08;     // of the joints' ranges, between those
+constexpr int kFewOrientationStarts = 20;  // at the border of the reach there is less choice
+constexpr double kApart = 0.08;            // of the joints' ranges, between those
 constexpr int kSampleSteps = 40;
-constexpr double kSamePlace = 1e-7;  // m
+constexpr double kSamePosition = 1e-7;  // m
 constexpr int kLeastSquaresSteps = 200;
 constexpr double kPositionFirst = 100.0;  // weight that makes position come before orientation
 constexpr double kPositionFixed = 1e4;    // and one that hardly moves it
@@ -59,8 +59,8 @@ double parts_apart(const Robot& robot, const JointArray& a, const JointArray& b)
   return largest;
 }
 
-// The configurations of an even sample of the joint space whose tool points are nearest to a place,
-// and which are not neighbours of each other: where the valleys of the distance are.
+// The configurations of an even sample of the joint space whose tool points are nearest to a
+// position, and which are not neighbours of each other: where the valleys of the distance are.
 std::vector<JointArray> nearest_samples(const Robot& robot, const Eigen::Vector3d& p) {
   struct Sample {
     double distance = 0.0;
@@ -85,7 +85,7 @@ std::vector<JointArray> nearest_samples(const Robot& robot, const Eigen::Vector3
 }
 
 // Of all valleys the deepest: each is followed a little, and the best few to their end.
-Nearest nearest_place(const Robot& robot, const IkGoal& place, std::vector<JointArray> starts) {
+Nearest nearest_position(const Robot& robot, const IkGoal& place, std::vector<JointArray> starts) {
   for (const JointArray& q : nearest_samples(robot, place.p)) starts.push_back(q);
   for (int k = 1; k <= kSpreadStarts; ++k) starts.push_back(halton_start(robot, k));
   IkSolver solver(robot, place);
@@ -101,19 +101,20 @@ Nearest nearest_place(const Robot& robot, const IkGoal& place, std::vector<Joint
   return nearest(robot, place, best, 0, [](const IkError& e) { return e.position; });
 }
 
-// The light weight traded a little of the place for orientation.
-void put_in_place(const Robot& robot, const IkGoal& goal, const IkOptions& options, Nearest& near) {
+// The light weight traded a little of the position for orientation.
+void put_at_position(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                     Nearest& near) {
   IkGoal both = goal;
   both.weights.head<3>() *= kPositionFixed;
   JointArray q = near.q;
   IkSolver(robot, both).minimise_in_box(q, kLeastSquaresSteps);
-  if (!IkSolver(robot, goal.without_turn()).solve_in_box(q, options.iterations)) return;
+  if (!IkSolver(robot, goal.without_orientation()).solve_in_box(q, options.iterations)) return;
   near = {q, IkSolver(robot, goal).error_of(q)};
 }
 
 // Of the configurations with the tool point where it is the one whose orientation is nearest.
-void turn_in_place(const Robot& robot, const IkGoal& goal, const IkOptions& options,
-                   const JointArray& q_failed, int starts, Nearest& best) {
+void orient_at_position(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                        const JointArray& q_failed, int starts, Nearest& best) {
   IkGoal there = goal;
   there.p =
       forward(robot, Eigen::Map<const Eigen::VectorXd>(best.q.data(), robot.n())).translation();
@@ -122,13 +123,13 @@ void turn_in_place(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   Nearest turned = nearest(robot, both, {best.q, q_failed}, starts, [](const IkError& e) {
     return kPositionFirst * e.position + e.rotation;
   });
-  put_in_place(robot, there, options, turned);
+  put_at_position(robot, there, options, turned);
   IkSolver solver(robot, goal);
   turned.error = solver.error_of(turned.q);
   best.error = solver.error_of(best.q);
-  const bool same_place =
-      turned.error.position <= std::max(best.error.position + kSamePlace, goal.position_tolerance);
-  if (same_place && turned.error.rotation < best.error.rotation) best = turned;
+  const bool same_position = turned.error.position <=
+                             std::max(best.error.position + kSamePosition, goal.position_tolerance);
+  if (same_position && turned.error.rotation < best.error.rotation) best = turned;
 }
 
 double total_excess(const Robot& robot, const Eigen::VectorXd& q) {
@@ -174,16 +175,16 @@ ReachGap gap_of(const Robot& robot, const IkGoal& goal, const IkOptions& options
 bool diagnose(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
   IkDiagnosis& diagnosis = result.diagnosis;
 
-  Nearest best =
-      nearest_place(robot, goal.without_turn(), {to_array(options.seed), to_array(result.q)});
-  const bool at_place = best.error.position <= goal.position_tolerance;
-  diagnosis.distance = at_place ? 0.0 : best.error.position;
+  Nearest best = nearest_position(robot, goal.without_orientation(),
+                                  {to_array(options.seed), to_array(result.q)});
+  const bool at_position = best.error.position <= goal.position_tolerance;
+  diagnosis.distance = at_position ? 0.0 : best.error.position;
   result.status = IkStatus::kUnreachable;
   if (counts_rotation(goal)) {
-    turn_in_place(robot, goal, options, to_array(result.q), at_place ? kTurnStarts : kFewTurnStarts,
-                  best);
+    orient_at_position(robot, goal, options, to_array(result.q),
+                       at_position ? kOrientationStarts : kFewOrientationStarts, best);
     diagnosis.angle = best.error.rotation;
-    if (at_place) result.status = IkStatus::kOrientationUnreachable;
+    if (at_position) result.status = IkStatus::kOrientationUnreachable;
   }
   diagnosis.q_nearest = to_vector(best.q, robot.n());
   diagnosis.nearest = forward(robot, diagnosis.q_nearest);

@@ -144,7 +144,7 @@ class Shares {
   Shares(const Robot& robot, const IkGoal& goal, const JointArray& q)
       : robot_(robot), n_(static_cast<std::size_t>(robot.n())) {
     J_ = jacobian(robot, Eigen::Map<const Eigen::VectorXd>(q.data(), robot.n()));
-    place_only_ = goal.weights.tail<3>().isZero();
+    position_only_ = goal.weights.tail<3>().isZero();
   }
 
   // The joints that move the tool like joint i, itself first; those are marked as taken.
@@ -165,7 +165,7 @@ class Shares {
   }
   // A joint about the tool point, where its orientation does not count.
   bool alone(std::size_t i) const {
-    return place_only_ &&
+    return position_only_ &&
            J_.col(static_cast<Eigen::Index>(i)).head<3>().cwiseAbs().maxCoeff() <= kOneLine;
   }
   bool turns(std::size_t i) const { return robot_.is_revolute(static_cast<int>(i)); }
@@ -174,7 +174,7 @@ class Shares {
   const Robot& robot_;
   std::size_t n_;
   Jacobian J_;
-  bool place_only_ = false;
+  bool position_only_ = false;
   std::array<bool, kMaxJoints> taken_{};
 };
 
@@ -184,9 +184,9 @@ double bring_one(const Robot& robot, const IkOptions& options, std::size_t i, do
   if (std::abs(value - near) <= kPi && value >= range.lower && value <= range.upper) return 0.0;
   if (robot.is_revolute(static_cast<int>(i))) {
     if (options.respect_limits)
-      value = turned_within(value, near, range.lower - 1e-6, range.upper + 1e-6);
+      value = wrapped_within(value, near, range.lower - 1e-6, range.upper + 1e-6);
     else if (std::abs(value - near) > kPi)
-      value = nearest_turn(value, near);
+      value = nearest_copy_of_angle(value, near);
   }
   return std::max({range.lower - value, value - range.upper, 0.0});
 }

@@ -5,7 +5,7 @@
 namespace armlet {
 
 // Joints about one line, or sliding along parallel ones, only share an angle or a length: between
-// them it can be divided without moving the tool. Where only the place counts, a joint about the
+// them it can be divided without moving the tool. Where only the position counts, a joint about the
 // tool point is free by itself.
 
 // Turns each joint to the copy nearest to the seed and divides what joints share so that the
@@ -23,8 +23,8 @@ double change_of(const JointArray& q, const Eigen::VectorXd& seed);
 // Joints as far beyond a limit, rad or m, are on it.
 inline constexpr double kLimitSlack = 1e-7;
 
-// The smallest change of joint i to a value between low and high, or whole turns away from there,
-// inside the limits; infinite if none lies inside.
+// The smallest change of joint i to a value between low and high, or whole revolutions away from
+// there, inside the limits; infinite if none lies inside.
 double change_within(const Robot& robot, const IkOptions& options, std::size_t i, double low,
                      double high);
 

@@ -15,7 +15,8 @@ constexpr double kDampingRatio = 0.1;   // of the squared error
 constexpr double kSmallestStep = 1e-9;  // rad or m; nothing more happens below it
 constexpr double kTinyStep = 1e-8;      // rad or m; what a linear model leaves out is below 1e-15
 
-constexpr double kSmallTurn = 2.0 - 1e-8;  // twice the cosine; below 1e-4 rad a sine has two terms
+constexpr double kSmallRotation =
+    2.0 - 1e-8;  // twice the cosine; below 1e-4 rad a sine has two terms
 
 constexpr std::uint64_t kIterationWork = 50;  // operations; few starts need all their iterations
 
@@ -51,7 +52,7 @@ Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool, bool exact)
     w[1] += axis[2] * goal[0] - axis[0] * goal[2];
     w[2] += axis[0] * goal[1] - axis[1] * goal[0];
   }
-  if (twice_cosine < (exact ? kSmallTurn : 0.0)) {
+  if (twice_cosine < (exact ? kSmallRotation : 0.0)) {
     far_rotation_error(T_world_tool, goal_.R.data(), w);
     return {w[0], w[1], w[2]};
   }
@@ -86,7 +87,7 @@ double IkSolver::evaluate(const JointArray& q) {
   store_pair(at_.error.data(), load_pair(goal_.p.data()) - load_pair(T + 12));
   store_pair(at_.error.data() + 2, Lanes{goal_.p[2] - T[14], w[0]});
   store_pair(at_.error.data() + 4, Lanes{w[1], w[2]});
-  if (goal_.in_tool_axes) turn_rows(T_world_tool.linear().transpose());
+  if (goal_.in_tool_axes) rotate_rows(T_world_tool.linear().transpose());
   if (selective_)
     select_rows();
   else {
@@ -114,7 +115,7 @@ double IkSolver::iterate(const JointArray& q, bool in_box) {
 }
 
 // The same rows in other axes.
-void IkSolver::turn_rows(const Eigen::Matrix3d& R) {
+void IkSolver::rotate_rows(const Eigen::Matrix3d& R) {
   const auto turn = [&R](std::array<double, 6>& rows) {
     Eigen::Map<Vector6d> twist(rows.data());
     twist = rotate_twist(R, twist);

@@ -27,7 +27,7 @@ struct IkGoal {
   double rotation_tolerance = 1e-6;
 
   // The same place with any orientation.
-  IkGoal without_turn() const {
+  IkGoal without_orientation() const {
     IkGoal place = *this;
     place.weights.tail<3>().setZero();
     return place;
@@ -81,7 +81,7 @@ class IkSolver {
   double iterate(const JointArray& q, bool in_box);  // the normal equations and the step too
   Eigen::Vector3d rotation_error(const double* T_world_tool, bool exact) const;
   bool move(JointArray& q) const;
-  void turn_rows(const Eigen::Matrix3d& R);
+  void rotate_rows(const Eigen::Matrix3d& R);
   void select_rows();
   bool converged() const;
   void polish(JointArray& q, bool in_box);
@@ -113,8 +113,8 @@ class IkSolver {
 };
 
 // Element `index` of a low-discrepancy sequence spread over the joints' ranges (Halton, 1960);
-// ranges of turning joints count as one turn at most. Index 0 is the middle. Without limits turning
-// joints take a whole turn, sliding ones the arm's length more on either side.
+// ranges of revolute joints count as one revolution at most. Index 0 is the middle. Without limits
+// turning joints take a whole turn, sliding ones the arm's length more on either side.
 JointArray halton_start(const Robot& robot, int index, bool inside_limits = true);
 // Element `index` of the sequence for a joint, between 0 and 1.
 double halton_share(int joint, int index);

@@ -38,8 +38,9 @@ std::vector<Candidate> candidates_for(const Robot& robot, const Eigen::Isometry3
   return out;
 }
 
-// The copy of the turning joints that suits the posture.
-Eigen::VectorXd turned_to(const Robot& robot, const Eigen::VectorXd& q, const PostureGoal& goal) {
+// The copy of the revolute joints that suits the posture.
+Eigen::VectorXd improved_posture(const Robot& robot, const Eigen::VectorXd& q,
+                                 const PostureGoal& goal) {
   switch (goal.posture) {
     case Posture::kManipulability:
       break;
@@ -63,7 +64,7 @@ void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool
   bool any = false;
   for (Candidate& candidate : candidates_for(robot, T_world_tool, goal, options, result)) {
     Eigen::VectorXd q = candidate.q;
-    if (options.respect_limits) q = turned_to(robot, q, wish);
+    if (options.respect_limits) q = improved_posture(robot, q, wish);
     if (spare) q = improve_posture(robot, clamp_to_limits(robot, q), wish, rows);
     const IkError error = solver.error_of(to_array(q));
     if (!goal.is_met(error)) continue;

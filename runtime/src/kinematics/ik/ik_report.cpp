@@ -99,9 +99,9 @@ IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                      status != IkStatus::kBadRotation;
   if (!asked || !closed.exists()) return report;
   IkGoal goal = make_goal(robot, T_world_tool, options);
-  if (options.task == IkTask::kPlace) {
-    if (closed.place_only())
-      goal = goal.without_turn();
+  if (options.task == IkTask::kPositionFirst) {
+    if (closed.position_only())
+      goal = goal.without_orientation();
     else if (report.result.ok())
       goal.R = forward(robot, report.result.q).linear();
   }

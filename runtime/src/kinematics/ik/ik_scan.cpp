@@ -21,7 +21,7 @@ constexpr double kSwing = 0.5;      // rad or m of that from which on joints may
 constexpr double kOutside = 1e3;    // counted for a solution outside the limits
 constexpr double kNone = 1e9;       // for none
 constexpr double kSlightly = 1e-7;  // rad or m beyond a limit that is none
-constexpr double kTurn = 2.0 * kPi;
+constexpr double kRevolution = 2.0 * kPi;
 constexpr int kLooks = 600;  // at most, after the samples
 constexpr std::size_t kMaxBranches = 16;
 constexpr unsigned kEveryBranch = ~0U;
@@ -112,12 +112,12 @@ class Scan {
   }
 
   void look(double at, unsigned wanted, Samples& out) {
-    double arm_turn = 0.0;
-    (joint_ == kArmAngle ? arm_turn : near_[joint_]) = at;
+    double arm_angle_change = 0.0;
+    (joint_ == kArmAngle ? arm_angle_change : near_[joint_]) = at;
     ClosedSolutions found;
     closed_form(robot_).solve(T_world_tool_, near_, found,
                               std::min(goal_.position_tolerance, goal_.rotation_tolerance),
-                              arm_turn, wanted);
+                              arm_angle_change, wanted);
     for (const ClosedSolution& solution : found) {
       const auto branch = static_cast<std::size_t>(solution.branch);
       Sample& sample = out[branch];
@@ -140,7 +140,7 @@ class Scan {
   // How far joints may be from those at the one end where the branch exists.
   static double bend_at_edge(const Piece& piece) {
     const double width = piece.right.at - piece.left.at;
-    return width > kNearEdge ? kTurn : kAtEdge * std::sqrt(width / kNearEdge);
+    return width > kNearEdge ? kRevolution : kAtEdge * std::sqrt(width / kNearEdge);
   }
 
   double way(std::size_t i, double from, double to) const {
@@ -177,7 +177,7 @@ class Scan {
       bend = before.exists ? second_difference(i, before, piece.left, piece.right) : all;
       bend =
           std::max(bend, after.exists ? second_difference(i, piece.left, piece.right, after) : all);
-      bend = bend > kSwing || all > kSwing ? kTurn : kBend * bend;
+      bend = bend > kSwing || all > kSwing ? kRevolution : kBend * bend;
     }
     return piece;
   }
@@ -220,9 +220,9 @@ class Scan {
         if (!whole_half)
           half.bend[i] = bend_at_edge(half);
         else if (!whole)
-          half.bend[i] = all > kSwing ? kTurn : all;
+          half.bend[i] = all > kSwing ? kRevolution : all;
         else
-          half.bend[i] = second > kSwing || all > kSwing ? kTurn : kBend * second;
+          half.bend[i] = second > kSwing || all > kSwing ? kRevolution : kBend * second;
       }
     }
     if (lower_bound(halves[1]) < lower_bound(halves[0])) std::swap(halves[0], halves[1]);

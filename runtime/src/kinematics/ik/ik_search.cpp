@@ -9,10 +9,10 @@
 namespace armlet {
 namespace {
 
-constexpr double kSameSolution = 1e-4;  // rad or m
-constexpr double kTurnRounding = 1e-9;  // rad
-constexpr double kAround = 0.6;         // rad or m, in which starts around the seed lie
-constexpr int kFreeStarts = 8;          // of a search for one solution, without a second try each
+constexpr double kSameSolution = 1e-4;      // rad or m
+constexpr double kRotationRounding = 1e-9;  // rad
+constexpr double kAround = 0.6;             // rad or m, in which starts around the seed lie
+constexpr int kFreeStarts = 8;  // of a search for one solution, without a second try each
 constexpr IkPace kFast{.largest_step = 2.0, .progress = 0.9, .stall = 5};
 
 bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
@@ -29,18 +29,18 @@ bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
 
 // Every revolute joint at the copy nearest to the seed, inside the limits if they count. Whole
 // turns away and back round, which must not put a joint on its limit beyond it.
-void turn_near(const Robot& robot, const IkOptions& options, JointArray& q) {
+void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q) {
   for (int i = 0; i < robot.n(); ++i) {
     if (!robot.is_revolute(i)) continue;
     double& value = q[static_cast<std::size_t>(i)];
     if (!options.respect_limits) {
-      value = nearest_turn(value, options.seed[i]);
+      value = nearest_copy_of_angle(value, options.seed[i]);
       continue;
     }
     const double lower = robot.lower()[i], upper = robot.upper()[i];
-    value = turned_within(value, options.seed[i], lower - 1e-9, upper + 1e-9);
+    value = wrapped_within(value, options.seed[i], lower - 1e-9, upper + 1e-9);
     const double inside = std::clamp(value, lower, upper);
-    if (std::abs(value - inside) < kTurnRounding) value = inside;
+    if (std::abs(value - inside) < kRotationRounding) value = inside;
   }
 }
 
@@ -54,7 +54,7 @@ bool solve_from(const Robot& robot, IkSolver& solver, JointArray& q, const IkOpt
   if (!options.respect_limits) return solver.solve_free(q, options.iterations);
   const JointArray start = q;
   if (solver.solve_free(q, options.iterations)) {
-    turn_near(robot, options, q);
+    wrap_to_seed(robot, options, q);
     if (solver.is_within_limits(q)) return true;
     if (only_free) return false;
     return solver.solve_in_box(q, options.iterations);
@@ -96,7 +96,7 @@ IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& opti
         solve_from(robot, solver, q, options, one && single_solutions && start < kFreeStarts);
     ++search.starts;
     if (found) {
-      turn_near(robot, options, q);
+      wrap_to_seed(robot, options, q);
       Eigen::VectorXd candidate = to_vector(q, robot.n());
       if (search.solutions.empty()) last_start = std::min(last_start, start + 1 + extra_starts);
       if (is_new(robot, search.solutions, candidate))

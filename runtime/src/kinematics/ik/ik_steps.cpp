@@ -160,14 +160,14 @@ void iteration_kernel(const WalkPlan& plan, const double* q, const double* p, co
                third = add_axis(f.z, R + 6, w_xy, w_z);
   const double twice_cosine = (first + second) + (third - 1.0);
   // For the damping, which all else waits for, the squared chord does for the squared angle.
-  double square_of_turn = std::max(0.0, 2.0 - twice_cosine);
+  double square_of_angle = std::max(0.0, 2.0 - twice_cosine);
   if (twice_cosine < 0.0) [[unlikely]] {
     double T[16], w[3];
     f.store(T, 1.0);
     far_rotation_error(T, R, w);
     w_xy = Lanes{w[0], w[1]};
     w_z = w[2];
-    square_of_turn = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    square_of_angle = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
   } else {
     const double factor = 1.0 / (1.28 + 0.36 * twice_cosine);
     w_xy = both(factor) * w_xy;
@@ -183,7 +183,7 @@ void iteration_kernel(const WalkPlan& plan, const double* q, const double* p, co
   at.position = sizes[0];
   at.rotation = sizes[1];
   at.energy = 0.5 * (squares[0] + squares[1]);
-  const double damping = (0.5 * damping_ratio) * (squares[0] + square_of_turn);
+  const double damping = (0.5 * damping_ratio) * (squares[0] + square_of_angle);
   const int n = joint_count<N>(plan);
   form_normal<N>(n, at.J[0].data(), at.error.data(), at.normal);
   solve_normal<N>(n, at.normal, damping, at.step.data());

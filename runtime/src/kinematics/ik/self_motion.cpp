@@ -66,7 +66,7 @@ SelfMotions::SelfMotions(const Robot& robot, const IkGoal& goal, const IkOptions
   for (std::size_t i = 0; i < n_; ++i) turns_[i] = robot.is_revolute(static_cast<int>(i));
 }
 
-// b - a; turning joints by less than half a turn.
+// b - a; revolute joints by less than half a revolution.
 inline double SelfMotions::difference(std::size_t i, double a, double b) const {
   const double d = b - a;
   if (!turns_[i]) return d;
@@ -94,7 +94,7 @@ bool SelfMotions::step(const JointArray& from, JointArray& along, double length,
   return true;
 }
 
-// Whether a sliding joint lies so far outside its limits that the curve hardly leads back.
+// Whether a prismatic joint lies so far outside its limits that the curve hardly leads back.
 bool SelfMotions::slides_away(const JointArray& q) const {
   for (std::size_t i = 0; i < n_; ++i) {
     if (turns_[i]) continue;

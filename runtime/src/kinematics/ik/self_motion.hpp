@@ -7,8 +7,8 @@
 namespace armlet {
 
 // The self-motion of an arm with one joint to spare, or at a goal where it is singular: the
-// configurations that reach a goal form curves. Turning joints count modulo whole turns, so that
-// most of them are closed; limits cut pieces out of them.
+// configurations that reach a goal form curves. Turning joints count modulo whole revolutions, so
+// that most of them are closed; limits cut pieces out of them.
 
 using JointDirections =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;

@@ -15,7 +15,7 @@ namespace armlet {
 namespace {
 
 constexpr double kShortestStep = 1e-14;  // s; what is shorter changes nothing that can be seen
-// Rounding of a place, rad or m, over a travel of this size.
+// Rounding of a position, rad or m, over a travel of this size.
 double rounding(double travel) { return 1e-15 + 4e-16 * std::abs(travel); }
 
 // Where the axis is when the ramp ends at speed v_goal. The last step is seen from its end.
@@ -25,7 +25,7 @@ double end_of_ramp(const AxisState& s, const Ramp& ramp, double v_goal) {
 }
 
 // Where the axis stands after the shortest stop.
-double stop_place(const AxisState& s, double A, double J) {
+double stop_position(const AxisState& s, double A, double J) {
   return end_of_ramp(s, make_ramp(s.v, s.a, 0.0, A, J), 0.0);
 }
 
@@ -58,7 +58,7 @@ JerkProfile rest_to_rest(double travel, const AxisLimits& limits, double V) {
   add_ramp(profile, ramp, 1.0);
   profile.add(cruise, 0.0);
   add_ramp(profile, ramp, -1.0);
-  profile.set_turning_speed(jerk * tj * (ta - tj));
+  profile.set_peak_speed(jerk * tj * (ta - tj));
   return profile;
 }
 
@@ -82,7 +82,7 @@ void add_broken_ramp(JerkProfile& profile, const AxisState& s, const Ramp& ramp,
   const Ramp stop = make_ramp(state.v, state.a, 0.0, limits.acceleration, limits.jerk);
   add_ramp(profile, stop, sign);
   const double turning = state.v + state.a * std::abs(state.a) / (2.0 * limits.jerk);
-  profile.set_turning_speed(state.a >= 0.0 ? sign * std::max(turning, 0.0) : 0.0);
+  profile.set_peak_speed(state.a >= 0.0 ? sign * std::max(turning, 0.0) : 0.0);
 }
 
 // Brings an acceleration above its limit back to it and returns the state from there on.
@@ -105,32 +105,32 @@ JerkProfile from_motion(const AxisState& from, double to, const AxisLimits& limi
   const double V = limits.speed, A = limits.acceleration, J = limits.jerk;
   JerkProfile profile;
   const AxisState tamed = tame(from, limits, profile);
-  const double sign = stop_place(tamed, A, J) <= to ? 1.0 : -1.0;
+  const double sign = stop_position(tamed, A, J) <= to ? 1.0 : -1.0;
   // The target is at 0 now, at or beyond where the axis would stop: it goes towards the speed V.
   const AxisState s = mirrored(tamed, to, sign);
   const Ramp ramp = make_ramp(s.v, s.a, V, A, J);
   const double top = end_of_ramp(s, ramp, V);
-  const double past = stop_place({.q = top, .v = V, .a = 0.0}, A, J);
+  const double past = stop_position({.q = top, .v = V, .a = 0.0}, A, J);
   if (past <= 0.0) {
     add_ramp(profile, ramp, sign);
     profile.add(-past / V, 0.0);
     add_ramp(profile, make_ramp(V, 0.0, 0.0, A, J), sign);
-    profile.set_turning_speed(sign * V);
+    profile.set_peak_speed(sign * V);
     return profile;
   }
   const double jerks[3] = {ramp.jerk, 0.0, -ramp.jerk};
   const double lengths[3] = {ramp.rise, ramp.hold, ramp.fall};
   AxisState state = s;
-  double place = stop_place(s, A, J);
+  double place = stop_position(s, A, J);
   for (int k = 0;; ++k) {
     const AxisState next = after(state, jerks[k], lengths[k]);
-    const double reached = k == 2 ? past : stop_place(next, A, J);
+    const double reached = k == 2 ? past : stop_position(next, A, J);
     if (reached < 0.0 && k < 2) {
       state = next;
       place = reached;
       continue;
     }
-    const auto stops_at = [&](double t) { return stop_place(after(state, jerks[k], t), A, J); };
+    const auto stops_at = [&](double t) { return stop_position(after(state, jerks[k], t), A, J); };
     const double t = zero_between(stops_at, 0.0, place, lengths[k], reached, rounding(s.q));
     add_broken_ramp(profile, s, ramp, {k, t}, sign, limits);
     return profile;
@@ -198,8 +198,8 @@ std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to
     if (D == 0.0) return fastest;
     return rest_to_rest(to - from.q, limits, std::min(speed_in_time(D, T, limits), limits.speed));
   }
-  const double sign = fastest.turning_speed() < 0.0 ? -1.0 : 1.0;
-  const double highest = std::abs(fastest.turning_speed());
+  const double sign = fastest.peak_speed() < 0.0 ? -1.0 : 1.0;
+  const double highest = std::abs(fastest.peak_speed());
   if (highest == 0.0) return std::nullopt;
   const double A = limits.acceleration, J = limits.jerk;
   JerkProfile profile;
@@ -224,7 +224,7 @@ std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to
   add_ramp(profile, up, sign);
   profile.add(cruise, 0.0);
   add_ramp(profile, down, sign);
-  profile.set_turning_speed(sign * w);
+  profile.set_peak_speed(sign * w);
   return profile;
 }
 

@@ -12,7 +12,7 @@ namespace armlet {
 namespace {
 
 constexpr double kSamePoint = 1e-12;  // rad or m
-// Places at which speeds are found: with them the motion takes 0.5 % longer than it had to, at
+// Positions at which speeds are found: with them the motion takes 0.5 % longer than it had to, at
 // most.
 constexpr int kIntervalsPerLeg = 60;
 constexpr int kFewestIntervals = 240;

@@ -100,14 +100,14 @@ std::array<double, 8> septic_between(const Ends& a, const Ends& b) {
 std::vector<Segment> cycloid_segments(double q0, double q1, double T) {
   check_duration(T);
   constexpr int kPieces = 32;
-  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kRevolution = 2.0 * std::numbers::pi;
   const double D = q1 - q0;
   const auto ends = [&](int k) {
     const double x = static_cast<double>(k) / kPieces;
     const double h = 1.0 / kPieces;
-    const auto [s, c] = det::sincos(kTurn * x);
-    return Ends{q0 + D * (x - s / kTurn), D * h * (1.0 - c), D * h * h * kTurn * s,
-                D * h * h * h * kTurn * kTurn * c};
+    const auto [s, c] = det::sincos(kRevolution * x);
+    return Ends{q0 + D * (x - s / kRevolution), D * h * (1.0 - c), D * h * h * kRevolution * s,
+                D * h * h * h * kRevolution * kRevolution * c};
   };
   std::vector<Segment> pieces;
   const double h = T / kPieces;
@@ -158,11 +158,11 @@ LeastTime septic_least_time(double travel, const AxisLimits& limits) {
 }
 
 LeastTime cycloid_least_time(double travel, const AxisLimits& limits) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kRevolution = 2.0 * std::numbers::pi;
   const double D = std::abs(travel);
   return longest({{2.0 * D / limits.speed, LimitKind::kSpeed},
-                  {std::sqrt(kTurn * D / limits.acceleration), LimitKind::kAcceleration},
-                  {cube_root(kTurn * kTurn * D / limits.jerk), LimitKind::kJerk}});
+                  {std::sqrt(kRevolution * D / limits.acceleration), LimitKind::kAcceleration},
+                  {cube_root(kRevolution * kRevolution * D / limits.jerk), LimitKind::kJerk}});
 }
 
 Trapezoid fastest_trapezoid(double travel, const AxisLimits& limits) {

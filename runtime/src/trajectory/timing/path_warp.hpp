@@ -34,7 +34,7 @@ class PathWarp {
     return {u - 0.5 * start_, 1.0, 0.0, 0.0};
   }
 
-  // The u of a place.
+  // The u of a position.
   [[nodiscard]] double inverse(double s) const {
     if (s <= 0.5 * start_) return ramp_inverse(s, start_);
     if (s >= length_ - 0.5 * end_) return whole_ - ramp_inverse(length_ - s, end_);

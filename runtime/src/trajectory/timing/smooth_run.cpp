@@ -17,7 +17,7 @@ namespace armlet {
 namespace {
 
 // How the pieces are shared out: evenly in u, evenly in time, and where the speed changes.
-constexpr double kShareOfPlace = 0.2;
+constexpr double kShareOfPosition = 0.2;
 constexpr double kShareOfTime = 0.2;
 constexpr double kShareOfChange = 0.6;
 constexpr double kShortestPiece = 0.05;  // of the motion, as a part of a piece of the speed
@@ -89,7 +89,7 @@ PathWarp warp_of(const SpeedAlongPath& fastest, double jerk_time) {
 // The intervals of the fastest run in which its speed changes, or would change if jerk were
 // limited.
 struct Changes {
-  std::vector<double> t;  // of the places
+  std::vector<double> t;  // of the positions
   std::vector<bool> busy;
 };
 
@@ -164,7 +164,7 @@ class Run {
     for (std::size_t k = 1; k < fastest.s.size(); ++k) {
       const double dt = changes.t[k] - changes.t[k - 1];
       u.push_back(warp_.inverse(fastest.s[k]));
-      share.push_back(share.back() + kShareOfPlace * (u[k] - u[k - 1]) / warp_.whole() +
+      share.push_back(share.back() + kShareOfPosition * (u[k] - u[k - 1]) / warp_.whole() +
                       kShareOfTime * dt / changes.t.back() +
                       (changes.busy[k - 1] ? kShareOfChange * dt / busy : 0.0));
     }
@@ -248,7 +248,7 @@ class Run {
     }
   }
 
-  // Pieces of the path, of what travels and of the motion, in which a place is.
+  // Pieces of the path, of what travels and of the motion, in which a position is.
   struct Cursor {
     std::vector<std::size_t> path;
     std::size_t travel = 0;
@@ -325,7 +325,8 @@ class Run {
     }
   }
 
-  // The motion: between the places the quintics with the same positions, speeds and accelerations.
+  // The motion: between the positions the quintics with the same positions, speeds and
+  // accelerations.
   TimedRun make() {
     TimedRun run;
     std::vector<double> t = {0.0};

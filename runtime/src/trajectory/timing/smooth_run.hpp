@@ -8,7 +8,7 @@
 
 namespace armlet {
 
-// A motion along a path, and when places along it are reached.
+// A motion along a path, and when positions along it are reached.
 struct TimedRun {
   Trajectory motion{};
   std::vector<double> s{}, t{};  // ascending, from 0 to the length and to the duration

@@ -57,7 +57,7 @@ class SpeedSpline {
   // The following after find_fastest.
   [[nodiscard]] double duration() const { return time_; }
   [[nodiscard]] Rate rate_at(double u, std::size_t cell) const;
-  // Between two places of a cell, s.
+  // Between two positions of a cell, s.
   [[nodiscard]] double time_between(double from, double to, std::size_t cell) const;
 
  private:

@@ -37,14 +37,14 @@ void check_path(const Trajectory& path, std::span<const AxisLimits> limits, int 
   }
 }
 
-// The piece that begins at a place or goes on behind it; knots of different joints that differ by
-// rounding are one place. `piece` is one before.
+// The piece that begins at a position or goes on behind it; knots of different joints that differ
+// by rounding are one place. `piece` is one before.
 std::size_t piece_behind(std::span<const Segment> pieces, std::size_t piece, double s) {
   while (piece + 1 < pieces.size() && pieces[piece + 1].start <= s + kSameKnot) ++piece;
   return piece;
 }
 
-// Places along the path: its knots, where zones begin and end, and enough in between.
+// Positions along the path: its knots, where zones begin and end, and enough in between.
 std::vector<double> places(const Trajectory& path, std::span<const SpeedZone> zones,
                            int intervals) {
   std::vector<double> knots = path.knots();
@@ -121,7 +121,7 @@ class Grid {
     double speed = 1.0, acceleration = 1.0;
   };
 
-  // Makes limits stricter where a run exceeds them between the places; by how much the worst is
+  // Makes limits stricter where a run exceeds them between the positions; by how much the worst is
   // exceeded, as a factor of time.
   double tighten(const std::vector<double>& x) {
     double worst = 1.0;
@@ -155,7 +155,7 @@ class Grid {
 
   [[nodiscard]] const std::vector<double>& s() const { return s_; }
 
-  // The highest squared speed of the speed limits at a place, where zones meet that of both.
+  // The highest squared speed of the speed limits at a position, where zones meet that of both.
   [[nodiscard]] double speed_bound(std::size_t k) const {
     double least = std::sqrt(kUnbounded);
     for (const SpeedZone& zone : zones_) {
@@ -220,7 +220,7 @@ class Grid {
   static constexpr double kUnbounded = 1e100;
 
  private:
-  // Derivatives at all places; of a curve without pieces they are zero.
+  // Derivatives at all positions; of a curve without pieces they are zero.
   void fill(std::span<const Segment> pieces, std::size_t stride, double* first,
             double* second) const {
     std::size_t piece = 0;
@@ -367,7 +367,7 @@ SpeedAlongPath fastest_on(Grid& grid) {
     grid.between(k);
     const double twice = 2.0 * (s[k + 1] - s[k]);
     x[k + 1] = std::clamp(x[k] + twice * grid.range(x[k]).upper, 0.0, most[k + 1]);
-    // It may stop at a place where the path turns sharply, but has to leave it again.
+    // It may stop at a position where the path turns sharply, but has to leave it again.
     const bool may_stop = x[k] > 0.0 && k + 2 < last;
     if (k + 1 < last && !(x[k + 1] > 0.0) && !may_stop) {
       throw ArgumentError(fmt::format(

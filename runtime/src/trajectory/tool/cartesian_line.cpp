@@ -55,15 +55,16 @@ IkResult solve_goal(const Robot& robot, const LineMove& move) {
 }
 
 // The pose at the end of the line. Where the orientation follows from what the arm can do, it is
-// that of the solution; a place alone needs none.
+// that of the solution; a position alone needs none.
 Eigen::Isometry3d line_end(const Robot& robot, const LineMove& move, const IkResult& goal) {
-  if (move.task == IkTask::kPlace || move.task == IkTask::kPosition) return move.T_world_goal;
+  if (move.task == IkTask::kPositionFirst || move.task == IkTask::kPosition)
+    return move.T_world_goal;
   return forward(robot, goal.q);
 }
 
 bool nothing_to_do(const Robot& robot, const LineMove& move, const Eigen::Isometry3d& T_world_end) {
   const Eigen::Isometry3d T_world_start = forward(robot, move.q0);
-  const bool oriented = move.task != IkTask::kPlace && move.task != IkTask::kPosition;
+  const bool oriented = move.task != IkTask::kPositionFirst && move.task != IkTask::kPosition;
   return (T_world_end.translation() - T_world_start.translation()).norm() < 1e-9 &&
          (!oriented || angle_between(T_world_start, T_world_end) < 1e-9);
 }
@@ -113,8 +114,8 @@ LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& 
     plan.motion = verify(robot, Trajectory::at_rest(move.q0, move.time.value_or(0.0)));
     return plan;
   }
-  // Where the goal keeps an orientation, the samples have it in full, also for a turn about z.
-  const IkTask task = move.task == IkTask::kTurn ? IkTask::kPose : move.task;
+  // Where the goal keeps an orientation, the samples have it in full, also for a rotation about z.
+  const IkTask task = move.task == IkTask::kHeading ? IkTask::kPose : move.task;
   PoseCurve curve;
   curve.add(*piece);
   LineSamples samples(robot, move.q0, std::move(curve), task);

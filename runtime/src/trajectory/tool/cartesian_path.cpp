@@ -360,7 +360,7 @@ class PathPlanner {
     plan_.motion = verify(robot_, fastest.stretched(*move_.time / least), true, jerk_);
   }
 
-  // Places at which nothing moves are reached with those before them.
+  // Positions at which nothing moves are reached with those before them.
   void fill_times() {
     double before = 0.0;
     for (double& t : plan_.times) before = t = std::max(t, before);

@@ -20,13 +20,13 @@ constexpr int kLengthIntervals = 256;  // for the length of the curve
 
 // The rotation vector that stands for the same rotation as w and is nearest to `before`.
 Eigen::Vector3d without_jump(const Eigen::Vector3d& w, const Eigen::Vector3d& before) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kRevolution = 2.0 * std::numbers::pi;
   const double angle = w.norm();
   const Eigen::Vector3d along = angle > 1e-9          ? Eigen::Vector3d(w / angle)
                                 : before.norm() > 0.0 ? Eigen::Vector3d(before.normalized())
                                                       : Eigen::Vector3d(Eigen::Vector3d::UnitX());
-  const double turns = std::round((before.dot(along) - angle) / kTurn);
-  return (angle + kTurn * turns) * along;
+  const double turns = std::round((before.dot(along) - angle) / kRevolution);
+  return (angle + kRevolution * turns) * along;
 }
 
 std::vector<Segment> pieces_of(SplineKind kind, const std::vector<double>& t,
@@ -52,11 +52,11 @@ struct Knots {
 
 Knots knots_of(const Robot& robot, const SplineMove& move) {
   Knots knots{.poses = {forward(robot, move.q0)}, .places = {-1}, .times = {0.0}};
-  for (std::size_t k = 0; k < move.places.size(); ++k) {
-    const CurvePiece leg = straight_piece(knots.poses.back(), move.places[k]);
-    const double length = move.task == IkTask::kPlace ? leg.travel() : leg.length;
+  for (std::size_t k = 0; k < move.poses.size(); ++k) {
+    const CurvePiece leg = straight_piece(knots.poses.back(), move.poses[k]);
+    const double length = move.task == IkTask::kPositionFirst ? leg.travel() : leg.length;
     if (length <= kNoLength) continue;
-    knots.poses.push_back(move.places[k]);
+    knots.poses.push_back(move.poses[k]);
     knots.places.push_back(static_cast<int>(k));
     knots.times.push_back(knots.times.back() + length);
   }
@@ -83,11 +83,11 @@ CurveSpline spline_through(const Knots& knots, SplineKind kind) {
 }
 
 void check_move(const Robot& robot, const SplineMove& move) {
-  if (move.places.empty()) throw ArgumentError("A curve needs at least one place.");
-  for (const Eigen::Isometry3d& T : move.places) check_pose("places", T);
+  if (move.poses.empty()) throw ArgumentError("A curve needs at least one place.");
+  for (const Eigen::Isometry3d& T : move.poses) check_pose("poses", T);
   check_line_move(
       robot,
-      {.q0 = move.q0, .T_world_goal = move.places.back(), .time = move.time, .speed = move.speed});
+      {.q0 = move.q0, .T_world_goal = move.poses.back(), .time = move.time, .speed = move.speed});
 }
 
 // The leg in which the curve cannot be followed, and how far.
@@ -108,7 +108,7 @@ PathPlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
   const Knots knots = knots_of(robot, move);
   if (knots.poses.size() == 1) {
     plan.motion = verify(robot, Trajectory::at_rest(move.q0, move.time.value_or(0.0)));
-    plan.times.assign(move.places.size(), 0.0);
+    plan.times.assign(move.poses.size(), 0.0);
     plan.missed = plan.times;
     return plan;
   }
@@ -124,7 +124,7 @@ PathPlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
   const LineMove run{.q0 = move.q0, .time = move.time, .speed = move.speed};
   plan.motion = run_unit_motion(robot, run, samples.motion(), plan.length, Jerk::kFree);
   if (!plan.ok()) return plan;
-  plan.times.assign(move.places.size(), 0.0);
+  plan.times.assign(move.poses.size(), 0.0);
   plan.missed = plan.times;
   for (std::size_t k = 1; k < knots.times.size(); ++k) {
     const double t = knots.times[k] * plan.motion.trajectory->duration();

@@ -17,16 +17,16 @@ namespace armlet {
 namespace {
 
 constexpr int kSteps = 512;
-constexpr int kCells = 96;           // the pieces of a speed that is limited in jerk
-constexpr double kTurnCounts = 0.2;  // m, what a turn by one radian counts for
-constexpr double kCatchUp = 2.0;     // largest step, as a multiple of the usual one
-constexpr double kShortest = 1e-9;   // s, resolution of the clock
-constexpr double kGain = 0.05;       // of what was left behind, per step
-constexpr double kSettled = 0.01;    // of a usual step: what a correction is made for
-constexpr double kStill = 1e-7;      // rad or m, per step: it comes no closer
-constexpr int kPerInterval = 4;      // places between two steps at which the deviation is looked at
+constexpr int kCells = 96;                        // the pieces of a speed that is limited in jerk
+constexpr double kRotationLengthOfDamping = 0.2;  // m, what a turn by one radian counts for
+constexpr double kCatchUp = 2.0;                  // largest step, as a multiple of the usual one
+constexpr double kShortest = 1e-9;                // s, resolution of the clock
+constexpr double kGain = 0.05;                    // of what was left behind, per step
+constexpr double kSettled = 0.01;                 // of a usual step: what a correction is made for
+constexpr double kStill = 1e-7;                   // rad or m, per step: it comes no closer
+constexpr int kPerInterval = 4;  // places between two steps at which the deviation is looked at
 
-// The error of the tool, and the Jacobian of what of it counts: all, or the place.
+// The error of the tool, and the Jacobian of what of it counts: all, or the position.
 struct Offset {
   Eigen::VectorXd error;
   Eigen::MatrixXd J;
@@ -36,13 +36,14 @@ Offset offset_from(const Robot& robot, const Eigen::Isometry3d& T_world_tool, Ik
                    const Eigen::VectorXd& q) {
   Jacobian J;
   const Vector6d error = pose_error(forward_and_jacobian(robot, q, J), T_world_tool);
-  if (task == IkTask::kPlace) return {error.head<3>(), J.topRows<3>()};
+  if (task == IkTask::kPositionFirst) return {error.head<3>(), J.topRows<3>()};
   return {error, J};
 }
 
 // Metres that an offset counts for.
 double size_of(const Eigen::VectorXd& error) {
-  return error.head<3>().norm() + (error.size() > 3 ? kTurnCounts * error.tail<3>().norm() : 0.0);
+  return error.head<3>().norm() +
+         (error.size() > 3 ? kRotationLengthOfDamping * error.tail<3>().norm() : 0.0);
 }
 
 // One damped step of the joints towards a pose. The damping grows from 0 as the smallest singular
@@ -82,14 +83,14 @@ void measure(const Robot& robot, const Trajectory& way, const CurvePiece& line, 
       plan.deviation = error.head<3>().norm();
       plan.at = x;
     }
-    if (task == IkTask::kPose) plan.turn = std::max(plan.turn, error.tail<3>().norm());
+    if (task == IkTask::kPose) plan.angle = std::max(plan.angle, error.tail<3>().norm());
   }
 }
 
 void check(const Robot& robot, const LineMove& move, double damping) {
   check_line_move(robot, move);
   check_positive("damping", damping);
-  if (move.task != IkTask::kPose && move.task != IkTask::kPlace)
+  if (move.task != IkTask::kPose && move.task != IkTask::kPositionFirst)
     throw ArgumentError("A damped line needs a goal with a place, or a place and an orientation.");
 }
 

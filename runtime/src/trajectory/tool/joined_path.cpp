@@ -12,8 +12,8 @@
 namespace armlet {
 namespace {
 
-constexpr double kTurnLength = 0.2;  // m, what a turn of a joint by one radian counts for
-constexpr double kTurnPerPiece = 2.0 * std::numbers::pi / 180.0;
+constexpr double kRotationLength = 0.2;  // m, what a turn of a joint by one radian counts for
+constexpr double kRotationPerPiece = 2.0 * std::numbers::pi / 180.0;
 constexpr double kSlidePerPiece = 0.02;  // m
 constexpr int kFewestPieces = 16;
 constexpr int kCornerPieces = 18;
@@ -100,11 +100,11 @@ Trajectory joint_line(const Robot& robot, const Eigen::VectorXd& q0, const Eigen
     most = std::max(most, std::abs(q1[i] - q0[i]));
   }
   if (turn == 0.0 && slide == 0.0) return Trajectory::at_rest(q0, 0.0);
-  const double wanted = std::ceil(std::max(turn / kTurnPerPiece, slide / kSlidePerPiece));
+  const double wanted = std::ceil(std::max(turn / kRotationPerPiece, slide / kSlidePerPiece));
   const int pieces = std::max(kFewestPieces, static_cast<int>(wanted));
   const Segment last = tool_travel(robot, line_in_pieces(q0, q1, 1.0, pieces)).back();
   const double travel = last.value(last.duration);
-  return line_in_pieces(q0, q1, std::max({travel, kTurnLength * turn, slide}), pieces);
+  return line_in_pieces(q0, q1, std::max({travel, kRotationLength * turn, slide}), pieces);
 }
 
 double JoinedPath::place(std::size_t part, double s) const {

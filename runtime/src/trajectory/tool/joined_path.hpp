@@ -24,7 +24,7 @@ struct JoinedPath {
   Trajectory q{};
   std::vector<double> from{}, to{}, corner{};
 
-  // Where on the whole a place on a part is; within the part's own stretch.
+  // Where on the whole a position on a part is; within the part's own stretch.
   [[nodiscard]] double place(std::size_t part, double s) const;
 };
 
@@ -35,7 +35,7 @@ struct JoinedPath {
 //         there are parts.
 JoinedPath join_rounded(std::span<const Trajectory> parts, std::span<const double> blends);
 
-// The place on a path from which on the tool point travels no more than `blend` metres until its
+// The position on a path from which on the tool point travels no more than `blend` metres until its
 // end; or from its start.
 double blend_at_end(const Robot& robot, const Trajectory& path, double blend);
 double blend_at_start(const Robot& robot, const Trajectory& path, double blend);

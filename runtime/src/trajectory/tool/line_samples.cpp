@@ -16,26 +16,26 @@ namespace {
 
 constexpr int kFirstIntervals = 16;
 constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
-constexpr double kTurnPerSample = 2.0 * std::numbers::pi / 180.0;
+constexpr double kRotationPerSample = 2.0 * std::numbers::pi / 180.0;
 constexpr double kSlidePerSample = 0.02;  // m
 // Between samples, m and rad; looked at halfway, so a little less than what is promised.
-constexpr double kPlaceDeviation = 8e-7;
+constexpr double kPositionDeviation = 8e-7;
 constexpr double kAngleDeviation = 8e-6;
 constexpr double kGivenDeviates = 10.0;     // times as much where the curve is a wish
 constexpr double kSampleTolerance = 1e-10;  // m and rad, at samples
 constexpr double kSwing = 5e-10;            // rad or m, beyond a limit between samples
 constexpr int kSlideSteps = 8;
-constexpr int kSettleSteps = 12;        // where what is left to choose is to settle too,
-constexpr double kSettled = 1e-9;       // rad or m
-constexpr double kTurnShare = 1e-4;     // of a joint's own motion in what turns the tool
-constexpr double kLargestSlide = 10.0;  // allowed changes between samples; more is no slide
+constexpr int kSettleSteps = 12;         // where what is left to choose is to settle too,
+constexpr double kSettled = 1e-9;        // rad or m
+constexpr double kRotationShare = 1e-4;  // of a joint's own motion in what turns the tool
+constexpr double kLargestSlide = 10.0;   // allowed changes between samples; more is no slide
 
 // Joint change between neighbouring samples, as a multiple of what is allowed.
 double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
               int* joint = nullptr) {
   double largest = 0.0;
   for (int i = 0; i < robot.n(); ++i) {
-    const double allowed = robot.is_revolute(i) ? kTurnPerSample : kSlidePerSample;
+    const double allowed = robot.is_revolute(i) ? kRotationPerSample : kSlidePerSample;
     const double part = std::abs(q1[i] - q0[i]) / allowed;
     if (part <= largest) continue;
     largest = part;
@@ -46,7 +46,7 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 
 // Radians per metre of the curve, for a joint at its limit; tried one after another.
 constexpr std::array<double, 2> kAway = {12.0, 48.0};
-constexpr double kTurnCounts = 0.2;  // m, what a turn by one radian counts for
+constexpr double kRotationLengthOfDamping = 0.2;  // m, what a turn by one radian counts for
 
 // Where the joints of an arm with more of them than it needs had better go: away from their limits,
 // the more the closer they are, per metre of the curve.
@@ -105,7 +105,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
       q += J.transpose() * inverse.solve(error);
       if (robot_.n() > 6 && k == 0) {
         const Eigen::VectorXd away =
-            (error.head<3>().norm() + kTurnCounts * error.tail<3>().norm()) *
+            (error.head<3>().norm() + kRotationLengthOfDamping * error.tail<3>().norm()) *
             away_from_limits(robot_, seed, away_);
         q += away - J.transpose() * inverse.solve(J * away);
       }
@@ -118,11 +118,11 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
   return std::nullopt;
 }
 
-// The same for a place: of the joints that have the tool there, those that turn it least from what
-// it was at the solution before. Each step has the error of the place taken away to first order, by
-// what turns least: a least squares problem with equality constraints.
-std::optional<Eigen::VectorXd> LineSamples::slide_to_place(const Eigen::Vector3d& place,
-                                                           const Eigen::VectorXd& seed) const {
+// The same for a position: of the joints that have the tool there, those that turn it least from
+// what it was at the solution before. Each step has the error of the position taken away to first
+// order, by what turns least: a least squares problem with equality constraints.
+std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vector3d& place,
+                                                              const Eigen::VectorXd& seed) const {
   Eigen::Isometry3d T_world_wished = forward(robot_, seed);
   T_world_wished.translation() = place;
   Eigen::VectorXd q = seed;
@@ -135,7 +135,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_place(const Eigen::Vector3d
       return std::nullopt;
     }
     Eigen::MatrixXd turning = J.bottomRows<3>().transpose() * J.bottomRows<3>();
-    turning.diagonal().array() += kTurnShare;
+    turning.diagonal().array() += kRotationShare;
     const SymmetricFactors<Eigen::Dynamic> least(turning);
     const Eigen::MatrixXd moving = least.solve_all(J.topRows<3>().transpose());
     const Eigen::VectorXd back = least.solve(J.bottomRows<3>().transpose() * error.tail<3>());
@@ -152,9 +152,9 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_place(const Eigen::Vector3d
 IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
   checkpoint(1000);
   const Eigen::Isometry3d T_world_tool = pose_at(x);
-  if (respect_limits && (task_ == IkTask::kPose || task_ == IkTask::kPlace)) {
+  if (respect_limits && (task_ == IkTask::kPose || task_ == IkTask::kPositionFirst)) {
     auto q = task_ == IkTask::kPose ? slide(T_world_tool, seed)
-                                    : slide_to_place(T_world_tool.translation(), seed);
+                                    : slide_to_position(T_world_tool.translation(), seed);
     if (q) {
       IkResult result;
       result.status = IkStatus::kOk;
@@ -242,7 +242,7 @@ bool LineSamples::strays(const Trajectory& motion, double x) const {
   const Eigen::Isometry3d T_world_line = pose_at(x);
   const double aside = (T_world_tool.translation() - T_world_line.translation()).norm();
   const double share = law_ == CurveLaw::kGiven ? kGivenDeviates : 1.0;
-  if (aside > share * kPlaceDeviation) return true;
+  if (aside > share * kPositionDeviation) return true;
   const bool oriented = task_ == IkTask::kPose;
   return oriented && angle_between(T_world_tool, T_world_line) > share * kAngleDeviation;
 }

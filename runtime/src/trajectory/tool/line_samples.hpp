@@ -1,4 +1,4 @@
-// Places on a curve solved to joints, as finely as the joints need it.
+// Positions on a curve solved to joints, as finely as the joints need it.
 #pragma once
 
 #include <optional>
@@ -37,8 +37,8 @@ class LineSamples {
   [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
   [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
                                                      const Eigen::VectorXd& seed) const;
-  [[nodiscard]] std::optional<Eigen::VectorXd> slide_to_place(const Eigen::Vector3d& place,
-                                                              const Eigen::VectorXd& seed) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide_to_position(const Eigen::Vector3d& place,
+                                                                 const Eigen::VectorXd& seed) const;
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;
   bool follow_once();

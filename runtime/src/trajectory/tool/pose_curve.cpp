@@ -13,7 +13,7 @@
 namespace armlet {
 namespace {
 
-constexpr double kTurnLength = 0.2;  // m, what a turn in place by one radian counts for
+constexpr double kRotationLength = 0.2;  // m, what a turn in place by one radian counts for
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Eigen::Isometry3d CurvePiece::at(double fraction) const {
 namespace {
 
 CurveState state_at(const CurvePiece& piece, double fraction, double anchor) {
-  CurveState state{Vector6::Zero(), Vector6::Zero(), Vector6::Zero()};
+  CurveState state{Vector6d::Zero(), Vector6d::Zero(), Vector6d::Zero()};
   const Eigen::Vector3d place = piece.at(fraction).translation();
   state.x.head<3>() = place - piece.at(anchor).translation();
   // The axis of the turn is the same seen from all orientations on the way.
@@ -92,15 +92,16 @@ CurvePiece straight_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometr
   const double distance = (T_end.translation() - T_start.translation()).norm();
   return {.T_start = T_start,
           .T_end = T_end,
-          .length = std::max(distance, kTurnLength * angle_between(T_start, T_end))};
+          .length = std::max(distance, kRotationLength * angle_between(T_start, T_end))};
 }
 
 CurvePiece arc_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometry3d& T_end,
                      const Arc& arc) {
-  return {.T_start = T_start,
-          .T_end = T_end,
-          .length = std::max(arc.radius * arc.sweep, kTurnLength * angle_between(T_start, T_end)),
-          .arc = arc};
+  return {
+      .T_start = T_start,
+      .T_end = T_end,
+      .length = std::max(arc.radius * arc.sweep, kRotationLength * angle_between(T_start, T_end)),
+      .arc = arc};
 }
 
 std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eigen::Vector3d& p_via,
@@ -112,7 +113,7 @@ std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eig
 }
 
 Eigen::Isometry3d CurveCorner::at(double fraction) const {
-  Vector6 x;
+  Vector6d x;
   for (int i = 0; i < 6; ++i) {
     x[i] = quintic_segment({before.x[i], before.slope[i], before.curvature[i]},
                            {after.x[i], after.slope[i], after.curvature[i]}, length)
@@ -123,7 +124,7 @@ Eigen::Isometry3d CurveCorner::at(double fraction) const {
 }
 
 Eigen::Isometry3d CurveSpline::at(double time) const {
-  Vector6 now;
+  Vector6d now;
   for (std::size_t i = 0; i < x.size(); ++i) {
     std::size_t k = 0;
     while (k + 1 < x[i].size() && x[i][k + 1].start <= time) ++k;

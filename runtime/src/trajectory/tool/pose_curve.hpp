@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "armlet/math/twist.hpp"
 #include "armlet/trajectory/trajectory.hpp"
 
 namespace armlet {
@@ -26,10 +27,9 @@ struct Arc {
 std::optional<Arc> arc_through(const Eigen::Vector3d& p1, const Eigen::Vector3d& p2,
                                const Eigen::Vector3d& p3);
 
-// Place and turn with two derivatives by length: [m; rad].
-using Vector6 = Eigen::Matrix<double, 6, 1>;
+// Position and rotation with two derivatives by length: [m; rad].
 struct CurveState {
-  Vector6 x, slope, curvature;
+  Vector6d x, slope, curvature;
 };
 
 // A stretch of a curve, straight or on a circle; the orientation turns evenly about one axis.
@@ -48,8 +48,8 @@ struct CurvePiece {
   // What the tool point travels, m, other than what turns count for.
   [[nodiscard]] double travel() const;
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
-  // Relative to the pose at the start (fraction 0) or at the end (1): places in the world's axes,
-  // turns in those of that pose.
+  // Relative to the pose at the start (fraction 0) or at the end (1): positions in the world's
+  // axes, turns in those of that pose.
   [[nodiscard]] CurveState state_from_start(double fraction) const;
   [[nodiscard]] CurveState state_from_end(double fraction) const;
 };
@@ -73,8 +73,8 @@ struct CurveCorner {
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
 };
 
-// A curve that runs through poses in a time from 0 to 1: place and rotation vector, both seen from
-// the first pose with the world's axes for the place, are polynomials in pieces.
+// A curve that runs through poses in a time from 0 to 1: position and rotation vector, both seen
+// from the first pose with the world's axes for the position, are polynomials in pieces.
 struct CurveSpline {
   Eigen::Isometry3d T_start = Eigen::Isometry3d::Identity();
   std::array<std::vector<Segment>, 6> x{};

@@ -19,9 +19,9 @@ constexpr double kShortestStep = 1e-12;  // s; what is shorter changes nothing t
 // direction of a_1 if a_1 is a multiple of e - a tau / 2. Let y be such that a - y e is a multiple
 // of a - a_1; then
 //   a_1 = y (2 e - a tau) / (2 - y tau),  N(a - y e) = tau - y tau^2 / 2.
-class Turn {
+class AccelerationChange {
  public:
-  Turn(const VectorXd& e, const VectorXd& a, const TakeUpLimits& limits)
+  AccelerationChange(const VectorXd& e, const VectorXd& a, const TakeUpLimits& limits)
       : e_(e), a_(a), limits_(limits) {
     y_ = shortest();
     if (room(y_) < 0.0) y_ = largest_with_room();
@@ -39,13 +39,13 @@ class Turn {
 
  private:
   [[nodiscard]] VectorXd ahead(double tau) const { return 2.0 * e_ - tau * a_; }
-  [[nodiscard]] double turn_time(const VectorXd& u) const {
-    return (u.array().abs() / limits_.turn.array()).maxCoeff();
+  [[nodiscard]] double change_time(const VectorXd& u) const {
+    return (u.array().abs() / limits_.change.array()).maxCoeff();
   }
   [[nodiscard]] double root(double y, double n) const {
     return 2.0 * n / (1.0 + std::sqrt(std::max(1.0 - 2.0 * y * n, 0.0)));
   }
-  [[nodiscard]] double time_of(double y) const { return root(y, turn_time(a_ - y * e_)); }
+  [[nodiscard]] double time_of(double y) const { return root(y, change_time(a_ - y * e_)); }
 
   // N(a - y e) is the largest of lines p + q y, two for every joint. Along one line the time only
   // rises or only falls with y, and from one to the next it changes from falling to rising once:
@@ -58,7 +58,7 @@ class Turn {
     const auto line = [&](Eigen::Index k) {
       const double sign = k < n ? 1.0 : -1.0;
       const Eigen::Index i = k % n;
-      return Line{sign * a_[i] / limits_.turn[i], -sign * e_[i] / limits_.turn[i]};
+      return Line{sign * a_[i] / limits_.change[i], -sign * e_[i] / limits_.change[i]};
     };
     Line top = line(0);
     for (Eigen::Index k = 1; k < 2 * n; ++k) {
@@ -129,17 +129,18 @@ class Turn {
 TakeUp plan_take_up(const VectorXd& x, const VectorXd& a, const TakeUpLimits& limits) {
   TakeUp plan{.x0 = x, .a0 = a};
   const VectorXd e = -x;
-  const Turn turn(e, a, limits);
+  const AccelerationChange change(e, a, limits);
   const auto add = [&](double duration, const VectorXd& jerk) {
     if (duration >= kShortestStep) plan.pieces.push_back({duration, jerk});
   };
-  if (turn.time() >= kShortestStep) add(turn.time(), (turn.acceleration() - a) / turn.time());
+  if (change.time() >= kShortestStep)
+    add(change.time(), (change.acceleration() - a) / change.time());
   // Along the straight line the error is a multiple of what is lacking, from 1 to 0.
-  const VectorXd lacking = turn.lacking();
+  const VectorXd lacking = change.lacking();
   const double most = (lacking.array().abs() / limits.acceleration.array()).maxCoeff();
   const double quickest = (lacking.array().abs() / limits.jerk.array()).maxCoeff();
-  if (!(most > 0.0) || !std::isfinite(turn.rate())) return plan;
-  const Ramp ramp = make_ramp(0.0, turn.rate(), 1.0, 1.0 / most, 1.0 / quickest);
+  if (!(most > 0.0) || !std::isfinite(change.rate())) return plan;
+  const Ramp ramp = make_ramp(0.0, change.rate(), 1.0, 1.0 / most, 1.0 / quickest);
   add(ramp.rise, ramp.jerk * lacking);
   add(ramp.hold, VectorXd::Zero(x.size()));
   add(ramp.fall, -ramp.jerk * lacking);

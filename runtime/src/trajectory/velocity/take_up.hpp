@@ -13,7 +13,7 @@ namespace armlet {
 struct TakeUpLimits {
   Eigen::VectorXd acceleration;
   Eigen::VectorXd jerk;
-  Eigen::VectorXd turn;
+  Eigen::VectorXd change;
 };
 
 // Constant jerks of all joints for a while.

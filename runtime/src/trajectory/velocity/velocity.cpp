@@ -59,7 +59,7 @@ void take_up_alone(const Robot& robot, VelocityPieces& pieces, const VectorXd& r
 // Takes up new speeds within `longest` seconds as far as they are reached by then.
 void take_up(const Robot& robot, VelocityPieces& pieces, const VectorXd& rates, double longest) {
   const TakeUpLimits limits{
-      .acceleration = robot.max_accel(), .jerk = robot.max_jerk(), .turn = robot.max_jerk()};
+      .acceleration = robot.max_accel(), .jerk = robot.max_jerk(), .change = robot.max_jerk()};
   const TakeUp together = plan_take_up(pieces.qd() - rates, pieces.qdd(), limits);
   if (!keeps_speed_limits(robot, together, rates))
     return take_up_alone(robot, pieces, rates, longest);

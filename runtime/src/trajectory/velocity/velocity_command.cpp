@@ -163,7 +163,7 @@ ToolCommand::ToolCommand(const Robot& robot, const VelocityStart& from, const Ve
   }
   const TakeUpLimits limits{.acceleration = law.share * robot.max_accel(),
                             .jerk = law.share * robot.max_jerk(),
-                            .turn = law.turning * robot.max_jerk()};
+                            .change = law.turning * robot.max_jerk()};
   const Jacobian J = jacobian(robot, from.q);
   VectorXd x = from.qd - speeds(J, twist, none);
   Eigen::MatrixXd from_ref = Eigen::MatrixXd::Identity(robot.n(), robot.n());

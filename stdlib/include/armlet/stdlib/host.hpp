@@ -133,7 +133,7 @@ class Host : public Timeline {
   // told of.
   [[nodiscard]] std::vector<CellEvent> take_events();
   [[nodiscard]] bool first_contact_pick();
-  // Whether this is the first time that it is told of objects that lost their support.
+  // Whether this is the first time that it is reported of objects that lost their support.
   [[nodiscard]] bool first_fall();
 
   // Writes a file of the program: `name` is relative to the folder that was granted and stays below
@@ -181,8 +181,8 @@ class Host : public Timeline {
   std::vector<Figure> figures_;
   std::vector<std::string> skipped_;
   bool filling_ = false;
-  bool contact_pick_told_ = false;
-  bool fall_told_ = false;
+  bool contact_pick_reported_ = false;
+  bool fall_reported_ = false;
   int moves_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "few_joints.hpp"
+#include "one_to_four_joints.hpp"
 
 #include <vector>
 
@@ -29,19 +29,19 @@ bool meet_in_a_point(const CanonicalRows& rows) {
 }
 
 // Ways are numbered as they are found.
-void number_ways(Branches& out) {
-  for (int i = 0; i < out.count; ++i) out.at[static_cast<std::size_t>(i)].ways = i;
+void number_branches(Branches& out) {
+  for (int i = 0; i < out.count; ++i) out.at[static_cast<std::size_t>(i)].bits = i;
 }
 
 // The next way.
 Branch& add(Branches& out, const Branch& branch) {
   Branch& added = out.add(branch);
-  added.ways = out.count - 1;
+  added.bits = out.count - 1;
   return added;
 }
 
 // Both ways of an elbow about parallel axes 1 and 2, each with the turns of the rest.
-void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Turn* sum = nullptr) {
+void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Angle* sum = nullptr) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(elbow.count); ++i) {
     branch.phi[0] = elbow.x1[i];
     branch.phi[1] = elbow.x2[i];
@@ -54,9 +54,9 @@ void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Turn* sum
 }
 
 // Rz(x1) v = u seen along the axis.
-void place_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branches& out) {
+void position_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branches& out) {
   bool whole = true;
-  const Turn first = turn_between(v.x(), v.y(), u.x(), u.y(), whole);
+  const Angle first = angle_from_to(v.x(), v.y(), u.x(), u.y(), whole);
   if (whole && !on_axis(v))
     branch.phi[0] = first;
   else
@@ -67,9 +67,9 @@ void place_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branches&
 
 // Z_0 X_1 Rz(x2) t = u. The equations are Pieper's: the distance from the first axis' origin and
 // the height along it do not depend on x1.
-void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& t, Branch branch,
-                  Branches& out) {
-  const Turn& alpha = rows.alpha[1];
+void position_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& t, Branch branch,
+                     Branches& out) {
+  const Angle& alpha = rows.alpha[1];
   const double a = rows.a[1];
   if (rows.parallel(1)) {
     const Links links{a, 0.0, t.x(), t.y()};
@@ -77,7 +77,7 @@ void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& 
   }
   const double z = u.z() - rows.h[0];
   const double along = (z - alpha.c * t.z()) / alpha.s;
-  TurnPair second;
+  AnglePair second;
   if (a == 0.0) {
     second = circle_meets_plane(t.y(), t.x(), along);
   } else {
@@ -85,7 +85,7 @@ void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& 
     bool whole = true;
     second.count = 1;
     second.x[0] =
-        turn_between(t.x(), t.y(), (r2 - a * a - t.squaredNorm()) / (2.0 * a), along, whole);
+        angle_from_to(t.x(), t.y(), (r2 - a * a - t.squaredNorm()) / (2.0 * a), along, whole);
     if (!whole || on_axis(t)) second.count = -1;
   }
   out.leave_open(1, second.count < 0);
@@ -93,7 +93,7 @@ void place_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& 
   out.free = out.free || near_axis(t);
   for (int i = 0; i < second.count; ++i) {
     branch.phi[1] = second.x[static_cast<std::size_t>(i)];
-    place_by_one(u, placed(rows, 1, turned(branch.phi[1], t)), branch, out);
+    position_by_one(u, placed(rows, 1, rotated(branch.phi[1], t)), branch, out);
   }
 }
 
@@ -106,7 +106,7 @@ struct Circle {
   Wave square, along;
 };
 Circle circle_of(const CanonicalRows& rows, const Vector3d& w) {
-  const Turn& alpha = rows.alpha[2];
+  const Angle& alpha = rows.alpha[2];
   const double a = rows.a[2];
   const double h = rows.h[1];
   const double z = w.z() + rows.h[2];
@@ -117,24 +117,24 @@ Circle circle_of(const CanonicalRows& rows, const Vector3d& w) {
   return out;
 }
 
-double value_at(const Matrix3d& Q, const Turn& x) {
+double value_at(const Matrix3d& Q, const Angle& x) {
   const Vector3d v(1.0, x.c, x.s);
   return v.dot(Q * v);
 }
 
 // The turns at which v^T Q v = 0, v = (1, cos x, sin x): the zeros of a quartic in tan(x/2), which
-// is measured from where it is far from infinite. Where two of them nearly meet the place between
-// them is listed too, in case rounding has taken them away.
+// is measured from where it is far from infinite. Where two of them nearly meet the position
+// between them is listed too, in case rounding has taken them away.
 //
-// Q  of the size of 1 unless its terms cancel: then every turn will do, and the present one is
+// Q  of the size of 1 unless its terms cancel: then every angle will do, and the present one is
 // kept.
-std::vector<Turn> zeros_of(const Matrix3d& Q, const Turn& present, bool& free) {
+std::vector<Angle> zeros_of(const Matrix3d& Q, const Angle& present, bool& free) {
   constexpr double kHalfRight = 0.70710678118654752;
-  const Turn eighths[] = {{1, 0},  {kHalfRight, kHalfRight},   {0, 1},  {-kHalfRight, kHalfRight},
-                          {-1, 0}, {-kHalfRight, -kHalfRight}, {0, -1}, {kHalfRight, -kHalfRight}};
-  Turn far{};
+  const Angle eighths[] = {{1, 0},  {kHalfRight, kHalfRight},   {0, 1},  {-kHalfRight, kHalfRight},
+                           {-1, 0}, {-kHalfRight, -kHalfRight}, {0, -1}, {kHalfRight, -kHalfRight}};
+  Angle far{};
   double most = 0.0;
-  for (const Turn& x : eighths) {
+  for (const Angle& x : eighths) {
     const double value = std::abs(value_at(Q, x));
     if (value > most) {
       most = value;
@@ -145,7 +145,7 @@ std::vector<Turn> zeros_of(const Matrix3d& Q, const Turn& present, bool& free) {
     free = true;
     return {present};
   }
-  const Turn from{-far.c, -far.s};
+  const Angle from{-far.c, -far.s};
   Matrix3d R = Matrix3d::Identity();
   R.bottomRightCorner<2, 2>() << from.c, -from.s, from.s, from.c;
   const Matrix3d P = R.transpose() * (Q / most) * R;
@@ -159,10 +159,10 @@ std::vector<Turn> zeros_of(const Matrix3d& Q, const Turn& present, bool& free) {
     const double size = (1.0 + T * T) * (1.0 + T * T);
     if (std::abs(polynomial_value(c, T)) < kNearTouching * size) zeros.push_back(T);
   }
-  std::vector<Turn> out;
+  std::vector<Angle> out;
   for (const double T : zeros) {
     const double r = 1.0 + T * T;
-    out.push_back(from * Turn{(1.0 - T * T) / r, 2.0 * T / r});
+    out.push_back(from * Angle{(1.0 - T * T) / r, 2.0 * T / r});
   }
   return out;
 }
@@ -171,8 +171,8 @@ std::vector<Turn> zeros_of(const Matrix3d& Q, const Turn& present, bool& free) {
 // coordinates of Rz(x2) t across axis 2, distance and height give both, and k1^2 + k2^2 is what t
 // says: an equation in x3 alone (Pieper 1968; subproblem 5 of Elias and Wen), divided by the size
 // of its terms.
-Matrix3d place_equation(const CanonicalRows& rows, const Vector3d& u, const Circle& circle) {
-  const Turn& alpha = rows.alpha[1];
+Matrix3d position_equation(const CanonicalRows& rows, const Vector3d& u, const Circle& circle) {
+  const Angle& alpha = rows.alpha[1];
   const double a = rows.a[1];
   const double z = u.z() - rows.h[0];
   const double r2 = u.head<2>().squaredNorm() + z * z;
@@ -189,47 +189,47 @@ Matrix3d place_equation(const CanonicalRows& rows, const Vector3d& u, const Circ
   return Q / size;
 }
 
-void place_by_three(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w,
-                    const Branch& near, Branches& out) {
+void position_by_three(const CanonicalRows& rows, const Vector3d& u, const Vector3d& w,
+                       const Branch& near, Branches& out) {
   if (rows.meet(1) || (rows.parallel(2) && !rows.parallel(1))) {
-    reach_place(rows, u, w, near, out);
-    for (int i = 0; i < out.count; ++i) out.at[static_cast<std::size_t>(i)].ways = i;
+    reach_position(rows, u, w, near, out);
+    for (int i = 0; i < out.count; ++i) out.at[static_cast<std::size_t>(i)].bits = i;
     return;
   }
   const Circle circle = circle_of(rows, w);
-  std::vector<Turn> thirds;
+  std::vector<Angle> thirds;
   if (rows.parallel(1)) {
     const double height = u.z() - rows.h[0] - circle.along[0];
-    const TurnPair turns = circle_meets_plane(circle.along[1], circle.along[2], height);
-    const TurnPair pair = or_present(turns, near.phi[2], out.free);
+    const AnglePair turns = circle_meets_plane(circle.along[1], circle.along[2], height);
+    const AnglePair pair = or_present(turns, near.phi[2], out.free);
     out.leave_open(2, turns.count < 0);
     for (int i = 0; i < pair.count; ++i) thirds.push_back(pair.x[static_cast<std::size_t>(i)]);
   } else {
     bool open = false;
-    thirds = zeros_of(place_equation(rows, u, circle), near.phi[2], open);
+    thirds = zeros_of(position_equation(rows, u, circle), near.phi[2], open);
     out.free = out.free || open;
     out.leave_open(2, open);
   }
-  for (const Turn& third : thirds) {
+  for (const Angle& third : thirds) {
     Branch branch = near;
     branch.phi[2] = third;
-    const Vector3d v = placed(rows, 2, lifted(turned(third, w), rows.h[2]));
-    place_by_two(rows, u, lifted(v, rows.h[1]), branch, out);
+    const Vector3d v = placed(rows, 2, lifted(rotated(third, w), rows.h[2]));
+    position_by_two(rows, u, lifted(v, rows.h[1]), branch, out);
   }
 }
 
-// The first n joints bring the point w, fixed after the last of them, to the place u.
+// The first n joints bring the point w, fixed after the last of them, to the position u.
 void place(const CanonicalRows& rows, int n, const Vector3d& u, const Vector3d& w,
            const Branch& near, Branches& out) {
-  if (n == 1) return place_by_one(u, w, near, out);
-  if (n == 2) return place_by_two(rows, u, lifted(w, rows.h[1]), near, out);
-  place_by_three(rows, u, w, near, out);
+  if (n == 1) return position_by_one(u, w, near, out);
+  if (n == 2) return position_by_two(rows, u, lifted(w, rows.h[1]), near, out);
+  position_by_three(rows, u, w, near, out);
 }
 
 // Three axes that meet in a point: a line fixed after joint 3 and where it is to lie say how the
 // three turn.
-void turn_about_a_point(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
-                        Branches& out) {
+void rotation_about_a_point(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
+                            Branches& out) {
   Matrix3d R03 = G.linear();
   if (rows.n == 4) {
     const auto frame_of = [](const Vector3d& direction, const Vector3d& point) {
@@ -239,7 +239,7 @@ void turn_about_a_point(const CanonicalRows& rows, const Isometry3d& G, const Br
       F.col(1) = F.col(2).cross(direction);
       return F;
     };
-    const Turn& alpha = rows.alpha[3];
+    const Angle& alpha = rows.alpha[3];
     const Vector3d z = G.linear().col(2);
     const Vector3d p = G.translation() - rows.h[3] * z - Vector3d(0, 0, rows.h[0]);
     R03 = frame_of(z, p) * frame_of({0, -alpha.s, alpha.c}, {rows.a[3], 0, rows.h[2]}).transpose();
@@ -262,8 +262,8 @@ void bend_in_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch&
                    Branches& out) {
   const Vector3d z = G.linear().col(2);
   bool whole = true;
-  const Turn sum = turn_between(0.0, -rows.alpha[3].s, z.x(), z.y(), whole);
-  const Vector3d hand = G.translation() - rows.h[3] * z - turned(sum, {rows.a[3], 0, 0});
+  const Angle sum = angle_from_to(0.0, -rows.alpha[3].s, z.x(), z.y(), whole);
+  const Vector3d hand = G.translation() - rows.h[3] * z - rotated(sum, {rows.a[3], 0, 0});
   const Elbow elbow =
       solve_elbow({rows.a[1], 0.0, rows.a[2], 0.0}, hand.x(), hand.y(), near.phi[0], near.phi[1]);
   add_elbow(elbow, near, out, &sum);
@@ -289,9 +289,9 @@ bool has_double_axis(const CanonicalRows& rows, int n) {
 }
 
 // The turn of one joint that is left.
-Turn last_turn(const Matrix3d& M) {
+Angle last_angle(const Matrix3d& M) {
   bool whole = true;
-  return turn_between(1.0, 0.0, M(0, 0), M(1, 0), whole);
+  return angle_from_to(1.0, 0.0, M(0, 0), M(1, 0), whole);
 }
 
 }  // namespace
@@ -310,11 +310,12 @@ ClosedFormKind recognised_few(const CanonicalRows& rows) {
     return round && through ? ClosedFormKind::kNone : ClosedFormKind::kFewPose;
   }
   if (rows.n == 3 && three_parallel(rows)) return ClosedFormKind::kNone;
-  return round || on_axis(rows.tool_point) ? ClosedFormKind::kFewPose : ClosedFormKind::kFewPlace;
+  return round || on_axis(rows.tool_point) ? ClosedFormKind::kFewPose
+                                           : ClosedFormKind::kFewPosition;
 }
 
-void solve_few_place(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
-                     Branches& out) {
+void solve_few_position(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
+                        Branches& out) {
   place(rows, rows.n, G * rows.tool_point, rows.tool_point, near, out);
 }
 
@@ -322,7 +323,7 @@ void solve_few_pose(const CanonicalRows& rows, const Isometry3d& G, const Branch
                     Branches& out) {
   const std::size_t last = static_cast<std::size_t>(rows.n) - 1;
   if (rows.n >= 3 && meet_in_a_point(rows)) {
-    turn_about_a_point(rows, G, near, out);
+    rotation_about_a_point(rows, G, near, out);
     if (rows.n == 3) return;
   } else if (rows.n == 4 && three_parallel(rows)) {
     bend_in_plane(rows, G, near, out);
@@ -336,8 +337,8 @@ void solve_few_pose(const CanonicalRows& rows, const Isometry3d& G, const Branch
   for (int i = 0; i < out.count; ++i) {
     Branch& branch = out.at[static_cast<std::size_t>(i)];
     Matrix3d M = G.linear();
-    for (std::size_t j = 0; j < last; ++j) M = unturned(branch.phi[j], rows.alpha[j + 1], M);
-    branch.phi[last] = last_turn(M);
+    for (std::size_t j = 0; j < last; ++j) M = rotated_back(branch.phi[j], rows.alpha[j + 1], M);
+    branch.phi[last] = last_angle(M);
   }
 }
 
@@ -358,22 +359,22 @@ void solve_any_wrist(const CanonicalRows& rows, const Isometry3d& G, const Branc
   const std::size_t last = static_cast<std::size_t>(rows.n) - 1;
   const Vector3d centre = G.translation() - rows.h[last] * G.linear().col(2);
   Branches arms;
-  place_by_three(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
+  position_by_three(rows, centre, placed(rows, 3, Vector3d(0, 0, rows.h[3])), near, arms);
   out.free = arms.free;
   out.open = arms.open;
   for (int i = 0; i < arms.count; ++i) {
     Branch branch = arms.at[static_cast<std::size_t>(i)];
     const Matrix3d M = left_for_wrist(rows, branch, G.linear());
     if (rows.n == 6) {
-      turn_wrist(rows, M, near, branch, out);
+      solve_wrist(rows, M, near, branch, out);
       continue;
     }
     bool whole = true;
-    branch.phi[3] = turn_between(0.0, -rows.alpha[4].s, M(0, 2), M(1, 2), whole);
-    branch.phi[4] = last_turn(unturned(branch.phi[3], rows.alpha[4], M));
+    branch.phi[3] = angle_from_to(0.0, -rows.alpha[4].s, M(0, 2), M(1, 2), whole);
+    branch.phi[4] = last_angle(rotated_back(branch.phi[3], rows.alpha[4], M));
     out.add(branch);
   }
-  number_ways(out);
+  number_branches(out);
 }
 
 }  // namespace armlet

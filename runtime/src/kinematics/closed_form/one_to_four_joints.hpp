@@ -4,22 +4,22 @@
 
 namespace armlet {
 
-// Arms of one to four turning joints, whatever their twists and lengths.
+// Arms of one to four revolute joints, whatever their twists and lengths.
 
 // kNone where two neighbouring axes are one line, or where joints are left over: four parallel
 // axes, four that meet in a point.
 ClosedFormKind recognised_few(const CanonicalRows& rows);
 
-// The turns that bring the tool point to the place of a goal: one to three joints.
-void solve_few_place(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
-                     Branches& out);
+// The turns that bring the tool point to the position of a goal: one to three joints.
+void solve_few_position(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
+                        Branches& out);
 
 // The turns that bring the tool to a pose: a point on the last axis is placed by the joints before
 // it, and the last one turns what is left.
 void solve_few_pose(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
                     Branches& out);
 
-// Five or six turning joints of which the first three place the point where the last axes meet,
+// Five or six revolute joints of which the first three place the point where the last axes meet,
 // whatever their structure; kNone if they cannot.
 ClosedFormKind recognised_wrist(const CanonicalRows& rows);
 void solve_any_wrist(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,

@@ -1,4 +1,4 @@
-// Arms of one to four turning joints of any structure (with the subproblems of Paden and Kahan:
+// Arms of one to four revolute joints of any structure (with the subproblems of Paden and Kahan:
 // every one of them that has no joint to spare has a closed form).
 #include <doctest/doctest.h>
 
@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-Robot turning_arm(Random& random, int n) {
+Robot revolute_arm(Random& random, int n) {
   RobotSpec spec;
   spec.convention = random.below(2) == 0 ? DhConvention::kStandard : DhConvention::kModified;
   for (int i = 0; i < n; ++i) {
@@ -32,8 +32,8 @@ Robot turning_arm(Random& random, int n) {
     joint.upper = 3.1;
     spec.joints.push_back(joint);
   }
-  spec.T_world_base = random_place(random);
-  spec.T_flange_tool = random_place(random);
+  spec.T_world_base = random_placement(random);
+  spec.T_flange_tool = random_placement(random);
   return Robot(spec);
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("every pose of an arm of one to four turning joints gives back its joi
     CAPTURE(n);
     int missing = 0, count = 0;
     for (int k = 0; k < 400; ++k) {
-      const Robot robot = turning_arm(random, n);
+      const Robot robot = revolute_arm(random, n);
       const ClosedForm& closed = closed_form(robot);
       if (!closed.exists() || closed.kind() == ClosedFormKind::kPlane) continue;
       for (int j = 0; j < 100; ++j) {
@@ -85,7 +85,7 @@ TEST_CASE("every pose of an arm of one to four turning joints gives back its joi
         for (const ClosedSolution& s : solutions) {
           const Isometry3d back = forward(robot, s.joints());
           CHECK((back.translation() - goal.translation()).norm() <= 1e-9);
-          if (!closed.place_only())
+          if (!closed.position_only())
             CHECK(rotation_log(back.linear() * goal.linear().transpose()).norm() <= 1e-9);
         }
       }
@@ -100,7 +100,7 @@ TEST_CASE("planar2 and arms of its kind: both elbows, and the reason when there 
   const IkReport report =
       report_ik(planar, make_translation({0.8, 0.0, 0.9}), {.task = IkTask::kPosition});
   REQUIRE(report.result.ok());
-  CHECK(report.kind == ClosedFormKind::kFewPlace);
+  CHECK(report.kind == ClosedFormKind::kFewPosition);
   CHECK(report.result.iterations == 0);
   CHECK(report.branches.size() == 2);
   const IkResult far =

@@ -3,12 +3,12 @@
 #include "chain/lane_parts.hpp"
 #include "closed_arm.hpp"
 
-// The closed forms of arms with six turning joints, one way of reaching the pose per lane: where
+// The closed forms of arms with six revolute joints, one solution per lane: where
 // the functions of closed_form_families.cpp take a square root with both signs, the lanes have the
-// signs. Ways that do not exist become NaN. Angles stay sines and cosines.
+// signs. Solutions that do not exist become NaN. Angles stay sines and cosines.
 namespace armlet::closed {
 
-// Squared sines of half the angle between two ways: where they touch, and how far below zero
+// Squared sines of half the angle between two solutions: where they touch, and how far below zero
 // rounding may take it.
 constexpr double kAlike = 1e-10;
 constexpr double kBeyond = 1e-5;
@@ -17,31 +17,31 @@ using det::root;
 
 // A cosine and sine per lane.
 template <class V>
-struct Turns {
+struct Angles {
   V c, s;
-  [[gnu::always_inline]] friend Turns operator*(const Turns& a, const Turns& b) {
+  [[gnu::always_inline]] friend Angles operator*(const Angles& a, const Angles& b) {
     return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
   }
 };
 
 // Rx(-alpha) Rz(-x) v
 template <class V>
-[[gnu::always_inline]] inline Parts<V> unturned(const Turns<V>& x, const PlainTurn& alpha,
-                                                const Parts<V>& v) {
+[[gnu::always_inline]] inline Parts<V> rotated_back(const Angles<V>& x, const PlainAngle& alpha,
+                                                    const Parts<V>& v) {
   const V vy = x.c * v.y - x.s * v.x;
   return {x.c * v.x + x.s * v.y, alpha.c * vy + alpha.s * v.z, alpha.c * v.z - alpha.s * vy};
 }
 
 // What a kernel keeps while it works on one vector of ways.
 template <class V>
-struct Ways {
+struct SolutionLanes {
   using Bits = det::LaneBits<V>;
 
   const ClosedArm& arm;
-  const double* G;              // ClosedGoal::rows
-  V shoulder, elbow, wrist;     // the signs, +1 for the first way
-  Turns<V> x[kSixJoints] = {};  // in the order of the rows
-  Bits touching = {};           // ways that nearly coincide with others
+  const double* G;               // ClosedGoal::rows
+  V shoulder, elbow, wrist;      // the signs, +1 for the first way
+  Angles<V> x[kSixJoints] = {};  // in the order of the rows
+  Bits touching = {};            // solutions that nearly coincide with others
 
   // Notes where a square, on the scale of 1, is neither clearly positive nor clearly negative.
   [[gnu::always_inline]] void note(V square, double below) {
@@ -69,9 +69,9 @@ struct Ways {
 
   // What is left of a wrist's orientation M: its first turn is returned, the others belong to the
   // last two joints. M by columns.
-  [[gnu::always_inline]] Turns<V> turn_wrist(const Parts<V>* M) {
-    const PlainTurn& alpha = arm.alpha[4];
-    const PlainTurn& beta = arm.alpha[5];
+  [[gnu::always_inline]] Angles<V> solve_wrist(const Parts<V>* M) {
+    const PlainAngle& alpha = arm.alpha[4];
+    const PlainAngle& beta = arm.alpha[5];
     const V c = (alpha.c * beta.c - M[2].z) * arm.inverse_ss;
     const V n = M[2].x * M[2].x + M[2].y * M[2].y;
     // At right angles the sine itself is in M: no digits are lost next to the singularity.
@@ -90,12 +90,12 @@ struct Ways {
   }
 };
 
-// The first choice, which all ways share but for its sign: one joint's turn is middle +- half.
+// The first choice, which all solutions share but for its sign: one joint's turn is middle +- half.
 struct FirstChoice {
-  PlainTurn middle, half;
-  double x, y, z;      // the place to reach, from where it turns about axis 1
+  PlainAngle middle, half;
+  double x, y, z;      // the position to reach, from where it rotates about axis 1
   double one;          // 1 / its squared distance from axis 1
-  double along, X, Y;  // (sign * along + X, Y) is the place in the plane of parallel axes
+  double along, X, Y;  // (sign * along + X, Y) is the position in the plane of parallel axes
   double sine2;        // squared sine of half the angle between both, negative if there is none
 
   [[gnu::always_inline]] FirstChoice(const ClosedArm& arm, const double* G) {
@@ -108,7 +108,7 @@ struct FirstChoice {
       from_distance(arm, rho2 + z * z);
     else
       from_height(arm, rho2);
-    if (rho2 < 1e-12) sine2 = 0.0;  // on the axis every turn will do
+    if (rho2 < 1e-12) sine2 = 0.0;  // on the axis every angle will do
   }
 
   // Clearly one or the other.
@@ -120,9 +120,9 @@ struct FirstChoice {
     return root(det::Lanes{square, square})[0];
   }
 
-  // Axes 2 and 3 are parallel: joint 1 brings the place to its height along them.
+  // Axes 2 and 3 are parallel: joint 1 brings the position to its height along them.
   [[gnu::always_inline]] void from_height(const ClosedArm& arm, double rho2) {
-    const PlainTurn& alpha = arm.alpha[1];
+    const PlainAngle& alpha = arm.alpha[1];
     const double m = (alpha.c * z - arm.height) / alpha.s;
     const double h2 = rho2 - m * m;
     along = root_of(h2);
@@ -133,7 +133,7 @@ struct FirstChoice {
     sine2 = h2 * one;
   }
 
-  // Axes 1 and 2 meet: joint 3 brings the place to its distance from their common point.
+  // Axes 1 and 2 meet: joint 3 brings the position to its distance from their common point.
   [[gnu::always_inline]] void from_distance(const ClosedArm& arm, double distance2) {
     const double C = distance2 - arm.fixed;
     const double r2 = arm.A * arm.A + arm.B * arm.B;
@@ -146,40 +146,43 @@ struct FirstChoice {
 };
 
 template <class V>
-[[gnu::always_inline]] inline void spherical_parallel(Ways<V>& ways, const FirstChoice& first) {
+[[gnu::always_inline]] inline void spherical_parallel(SolutionLanes<V>& ways,
+                                                      const FirstChoice& first) {
   const ClosedArm& arm = ways.arm;
   ways.x[0] = {first.middle.c + ways.shoulder * first.half.c,
                first.middle.s + ways.shoulder * first.half.s};
   ways.bend(1, first.X + ways.shoulder * first.along, first.Y - V{});
-  const Turns<V> both = ways.x[1] * ways.x[2];
+  const Angles<V> both = ways.x[1] * ways.x[2];
   Parts<V> M[3];
   for (unsigned c = 0; c < 3; ++c)
-    M[c] = unturned(both, arm.alpha[3], unturned(ways.x[0], arm.alpha[1], ways.column(c)));
-  ways.x[3] = ways.turn_wrist(M);
+    M[c] = rotated_back(both, arm.alpha[3], rotated_back(ways.x[0], arm.alpha[1], ways.column(c)));
+  ways.x[3] = ways.solve_wrist(M);
 }
 
 template <class V>
-[[gnu::always_inline]] inline void three_parallel(Ways<V>& ways, const FirstChoice& first) {
+[[gnu::always_inline]] inline void three_parallel(SolutionLanes<V>& ways,
+                                                  const FirstChoice& first) {
   const ClosedArm& arm = ways.arm;
   ways.x[0] = {first.middle.c + ways.shoulder * first.half.c,
                first.middle.s + ways.shoulder * first.half.s};
   Parts<V> M[3];
-  for (unsigned c = 0; c < 3; ++c) M[c] = unturned(ways.x[0], arm.alpha[1], ways.column(c));
-  const Turns<V> sum = ways.turn_wrist(M);
+  for (unsigned c = 0; c < 3; ++c) M[c] = rotated_back(ways.x[0], arm.alpha[1], ways.column(c));
+  const Angles<V> sum = ways.solve_wrist(M);
   const V hand_x = sum.c * arm.point[0] - sum.s * arm.point[1];
   const V hand_y = sum.s * arm.point[0] + sum.c * arm.point[1];
   ways.bend(1, (first.X + ways.shoulder * first.along) - hand_x, first.Y - hand_y);
-  const Turns<V> both = ways.x[1] * ways.x[2];
+  const Angles<V> both = ways.x[1] * ways.x[2];
   ways.x[3] = {both.c * sum.c + both.s * sum.s, both.c * sum.s - both.s * sum.c};
 }
 
 template <class V>
-[[gnu::always_inline]] inline void spherical_meeting(Ways<V>& ways, const FirstChoice& first) {
+[[gnu::always_inline]] inline void spherical_meeting(SolutionLanes<V>& ways,
+                                                     const FirstChoice& first) {
   const ClosedArm& arm = ways.arm;
   const double* w = arm.point;
-  const Turns<V> x3 = {first.middle.c + ways.elbow * first.half.c,
-                       first.middle.s + ways.elbow * first.half.s};
-  // The place, from the common point in the frame of joint 2.
+  const Angles<V> x3 = {first.middle.c + ways.elbow * first.half.c,
+                        first.middle.s + ways.elbow * first.half.s};
+  // The position, from the common point in the frame of joint 2.
   const V ty3 = x3.s * w[0] + x3.c * w[1];
   const double tz3 = w[2] + arm.h[2];
   const V tx = x3.c * w[0] - x3.s * w[1] + arm.a[2];
@@ -192,7 +195,7 @@ template <class V>
   ways.note(h2 * one, kBeyond);
   ways.note(r2, 0.0);
   const V h = ways.shoulder * root(h2);
-  const Turns<V> x2 = {(ty * D - tx * h) * one, (tx * D + ty * h) * one};
+  const Angles<V> x2 = {(ty * D - tx * h) * one, (tx * D + ty * h) * one};
   const V vx = x2.c * tx - x2.s * ty;
   const V vy = arm.alpha[1].c * (x2.s * tx + x2.c * ty) - arm.alpha[1].s * tz;
   ways.x[0] = {(vx * first.x + vy * first.y) * first.one,
@@ -201,10 +204,10 @@ template <class V>
   ways.x[2] = x3;
   Parts<V> M[3];
   for (unsigned c = 0; c < 3; ++c) {
-    M[c] = unturned(ways.x[0], arm.alpha[1], ways.column(c));
-    M[c] = unturned(x3, arm.alpha[3], unturned(x2, arm.alpha[2], M[c]));
+    M[c] = rotated_back(ways.x[0], arm.alpha[1], ways.column(c));
+    M[c] = rotated_back(x3, arm.alpha[3], rotated_back(x2, arm.alpha[2], M[c]));
   }
-  ways.x[3] = ways.turn_wrist(M);
+  ways.x[3] = ways.solve_wrist(M);
 }
 
 }  // namespace armlet::closed

@@ -1,4 +1,5 @@
-// kPlace: a place to be reached with the orientation that there is, or with the one nearest to it.
+// kPositionFirst: a position to be reached with the orientation that there is, or with the one
+// nearest to it.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 double missed_by(const Robot& robot, const VectorXd& q, const Isometry3d& goal) {
   return (forward(robot, q).translation() - goal.translation()).norm();
 }
-double turned_by(const Robot& robot, const VectorXd& q, const VectorXd& seed) {
+double rotated_by(const Robot& robot, const VectorXd& q, const VectorXd& seed) {
   return angle_between(forward(robot, q), forward(robot, seed));
 }
 
@@ -34,7 +35,7 @@ TEST_CASE("an arm that only reaches places gets there by formula, turning its to
     for (int k = 0; k < 300; ++k) {
       const Isometry3d goal = forward(robot, random_joints(robot, random));
       const VectorXd seed = random_joints(robot, random);
-      const IkResult ik = solve_ik(robot, goal, {.seed = seed, .task = IkTask::kPlace});
+      const IkResult ik = solve_ik(robot, goal, {.seed = seed, .task = IkTask::kPositionFirst});
       REQUIRE(ik.ok());
       CHECK(ik.branch >= 0);
       CHECK(missed_by(robot, ik.q, goal) < 1e-8);
@@ -44,7 +45,7 @@ TEST_CASE("an arm that only reaches places gets there by formula, turning its to
                                                 .task = IkTask::kPosition,
                                                 .method = IkMethod::kNumeric,
                                                 .starts = 20})) {
-        CHECK(turned_by(robot, ik.q, seed) < turned_by(robot, other, seed) + 2e-6);
+        CHECK(rotated_by(robot, ik.q, seed) < rotated_by(robot, other, seed) + 2e-6);
       }
     }
   }
@@ -53,7 +54,7 @@ TEST_CASE("an arm that only reaches places gets there by formula, turning its to
 TEST_CASE("all ways to a place: four of an elbow arm, as many as its pose has of a Scorbot") {
   const Robot elbow = *make_robot("anthropomorphic");
   const Isometry3d goal = make_translation({0.4, 0.2, 0.5});
-  IkOptions options{.seed = elbow.home(), .task = IkTask::kPlace, .respect_limits = false};
+  IkOptions options{.seed = elbow.home(), .task = IkTask::kPositionFirst, .respect_limits = false};
   const auto ways = solve_ik_all(elbow, goal, options);
   CHECK(ways.size() == 4);
   for (const VectorXd& q : ways) CHECK(missed_by(elbow, q, goal) < 1e-8);
@@ -76,7 +77,8 @@ TEST_CASE("all ways to a place: four of an elbow arm, as many as its pose has of
 
 TEST_CASE("a place out of reach is known to be so without iterations, and the reason is given") {
   const Robot elbow = *make_robot("anthropomorphic");
-  const IkResult ik = solve_ik(elbow, make_translation({0.9, 0.0, 0.4}), {.task = IkTask::kPlace});
+  const IkResult ik =
+      solve_ik(elbow, make_translation({0.9, 0.0, 0.4}), {.task = IkTask::kPositionFirst});
   CHECK(ik.status == IkStatus::kUnreachable);
   CHECK(ik.starts == 0);
   CHECK(ik.diagnosis.distance == doctest::Approx(0.1).epsilon(1e-6));
