@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "armlet/stdlib/session.hpp"
+#include "compile/code/properties.hpp"
 #include "compile/pipeline.hpp"
 #include "executed.hpp"
 #include "library.hpp"
@@ -21,17 +22,7 @@ using namespace armlet;
 
 namespace {
 
-struct Row {
-  std::string name;
-  bool is_operand;  // of the instruction before
-};
-
-const std::vector<Row> kRows = {
-#define OP(name, operands, text) \
-  {#name, std::string_view(text).find("never executed") != std::string_view::npos},
-#include "compile/code/bytecode.def"
-#undef OP
-};
+std::string name_of(lang::OpCode op) { return std::string(lang::properties_of(op).name); }
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -71,9 +62,9 @@ std::set<lang::OpCode> chosen_late() {
         lang::compile_text(library_engine().registry(), text, "random.rbt", {}, {});
     if (compilation.program == nullptr) continue;
     const std::string listing = compilation.program->disassemble();
-    for (std::size_t i = 0; i < kRows.size(); ++i) {
-      if (listing.find("  " + kRows[i].name + " ") != std::string::npos)
-        found.insert(static_cast<lang::OpCode>(i));
+    for (std::size_t i = 0; i < lang::kOpCodes; ++i) {
+      const auto op = static_cast<lang::OpCode>(i);
+      if (listing.find("  " + name_of(op) + " ") != std::string::npos) found.insert(op);
     }
   }
   return found;
@@ -91,7 +82,7 @@ TEST_CASE("random programs, which fuzzing runs too, contain what only the last p
         OpCode::SUBR_C,  OpCode::SWAPEL,  OpCode::COPYEL,  OpCode::COUNTEL, OpCode::MSUBEL,
         OpCode::LDO,     OpCode::STO,     OpCode::SCALEI,  OpCode::FORGE,   OpCode::MOVELTI,
         OpCode::COUNTLTR}) {
-    CHECK_MESSAGE(found.contains(op), kRows[static_cast<std::size_t>(op)].name << " is missing");
+    CHECK_MESSAGE(found.contains(op), name_of(op) << " is missing");
   }
 }
 
@@ -103,9 +94,9 @@ TEST_CASE("every instruction is executed by a script, an example or a random pro
   }
   for (std::uint64_t number = 1; number <= 300; ++number) run_random(number, number % 2 == 0);
   const std::set<lang::OpCode>& executed = lang::executed_opcodes();
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    if (kRows[i].is_operand) continue;
-    CHECK_MESSAGE(executed.contains(static_cast<lang::OpCode>(i)),
-                  kRows[i].name << " is never executed");
+  for (std::size_t i = 0; i < lang::kOpCodes; ++i) {
+    const auto op = static_cast<lang::OpCode>(i);
+    if (lang::is_operand_word(op)) continue;
+    CHECK_MESSAGE(executed.contains(op), name_of(op) << " is never executed");
   }
 }

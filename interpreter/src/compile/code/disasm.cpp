@@ -4,90 +4,59 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 #include "compile/code/program.hpp"
+#include "compile/code/properties.hpp"
 
 namespace armlet::lang {
 
 namespace {
 
-struct OpInfo {
-  std::string_view name;
-  std::string_view operands;
-};
-
-constexpr OpInfo kOps[] = {
-#define OP(name, operands, text) {#name, operands},
-#include "compile/code/bytecode.def"
-#undef OP
-};
-
-const OpInfo& info(OpCode op) { return kOps[static_cast<std::size_t>(op)]; }
-
 std::int32_t offset_of(const Instr& jump) {
   return static_cast<std::int32_t>((static_cast<std::uint32_t>(jump.c) << 16U) | jump.b);
 }
 
+std::string operand_text(char letter, std::uint16_t value) {
+  if (is_register(letter)) return fmt::format("r{}", value);
+  if (letter == 'i') return std::to_string(static_cast<std::int16_t>(value));
+  return fmt::format("#{}", value);
+}
+
 std::string operands_text(const Instr& instr, std::size_t pc) {
   const std::uint16_t values[] = {instr.a, instr.b, instr.c};
-  const std::string_view letters = info(instr.op).operands;
   std::string text;
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    if (letters[i] == '-') continue;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char letter = operand_of(instr.op, i);
+    if (letter == '-') continue;
     if (!text.empty()) text += ", ";
-    switch (letters[i]) {
-      case 'j':
-        text += fmt::format("-> {}", static_cast<std::int64_t>(pc) + 1 + offset_of(instr));
-        break;
-      case 'i':
-        text += std::to_string(static_cast<std::int16_t>(values[i]));
-        break;
-      case 'k':
-      case 'K':
-        text += fmt::format("#{}", values[i]);
-        break;
-      default:
-        text += fmt::format("r{}", values[i]);
-    }
+    text += letter == 'j'
+                ? fmt::format("-> {}", static_cast<std::int64_t>(pc) + 1 + offset_of(instr))
+                : operand_text(letter, values[i]);
   }
   return text;
 }
 
-// What a table index stands for.
+// What an index into a table stands for.
+std::string meaning(const CompiledProgram& program, const FunctionCode& function, char letter,
+                    std::uint16_t index) {
+  if (letter == 'f') return program.functions[index].name;
+  if (letter == 'n') return std::string(program.natives[index]->name);
+  if (letter == 'c') return fmt::format("{}", function.constants[index].d);
+  if (letter == 't') return fmt::format("\"{}\"", program.texts[index]);
+  if (letter != 'C') return {};
+  return fmt::format("{} or {}", function.constants[index].d, function.constants[index].i);
+}
+
 std::string meaning(const CompiledProgram& program, const FunctionCode& function,
                     const Instr& instr) {
-  switch (instr.op) {
-    case OpCode::CALL:
-    case OpCode::CALLPLAIN:
-    case OpCode::EXPANDED:
-      return program.functions[instr.b].name;
-    case OpCode::CLOSURE:
-      return program.functions[instr.c].name;
-    case OpCode::CALLN:
-      return std::string(program.natives[instr.b]->name);
-    case OpCode::CALLD1:
-    case OpCode::CALLD2:
-    case OpCode::CALLD3:
-      return std::string(program.natives[instr.c]->name);
-    case OpCode::ADDRK:
-    case OpCode::MULRK:
-    case OpCode::SCALE:
-      return fmt::format("{}", function.constants[instr.c].d);
-    case OpCode::WITHK:
-      return fmt::format("{}", function.constants[instr.a].d);
-    case OpCode::TEXT:
-    case OpCode::TEXTREF:
-    case OpCode::IFEQTK:
-    case OpCode::IFNETK:
-    case OpCode::IFEQTK_LOOP:
-    case OpCode::IFNETK_LOOP:
-      return fmt::format("\"{}\"", program.texts[instr.b]);
-    case OpCode::CONST:
-      return fmt::format("{} or {}", function.constants[instr.b].d, function.constants[instr.b].i);
-    default:
-      return {};
+  const std::uint16_t values[] = {instr.a, instr.b, instr.c};
+  std::string text;
+  for (std::size_t i = 0; i < 3 && text.empty(); ++i) {
+    text = meaning(program, function, operand_of(instr.op, i), values[i]);
   }
+  return text;
 }
 
 std::string line_text(const CompiledProgram& program, Span span) {
@@ -116,7 +85,7 @@ void append_function(const CompiledProgram& program, std::size_t index, std::str
     const Instr& instr = f.code[pc];
     const std::string note = meaning(program, f, instr);
     const std::string operands = operands_text(instr, pc);
-    out += fmt::format("{:6}  {:<10}{}{}{}\n", pc, info(instr.op).name, operands,
+    out += fmt::format("{:6}  {:<10}{}{}{}\n", pc, properties_of(instr.op).name, operands,
                        note.empty() ? "" : "   ; ", note);
   }
   for (const Handler& h : f.handlers) {

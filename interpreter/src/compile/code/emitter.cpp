@@ -14,43 +14,7 @@ constexpr std::uint32_t kMostIndices = 0xFFFF;
 constexpr std::uint32_t kMostInstructions = 1U << 20U;
 constexpr std::size_t kMostPinnedConstants = 200;
 
-constexpr std::string_view kOperands[] = {
-#define OP(name, operands, text) operands,
-#include "compile/code/bytecode.def"
-#undef OP
-};
-
 }  // namespace
-
-std::string_view operands_of(OpCode op) { return kOperands[static_cast<std::size_t>(op)]; }
-
-bool ends_flow(OpCode op) {
-  switch (op) {
-    case OpCode::JUMP:
-    case OpCode::LOOP:
-    case OpCode::SWITCH:
-    case OpCode::RET:
-    case OpCode::RETPLAIN:
-    case OpCode::RETHERE:
-    case OpCode::RET_A:
-    case OpCode::RETHERE_A:
-    case OpCode::RETREF:
-    case OpCode::RETTAKE:
-    case OpCode::RETVOID:
-    case OpCode::THROW:
-    case OpCode::RETHROW:
-    case OpCode::ASSERTFAIL:
-    case OpCode::HALT:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool is_operand_word(OpCode op) {
-  return op == OpCode::TYPE || op == OpCode::WITH || op == OpCode::FACTORS || op == OpCode::PAIR ||
-         op == OpCode::WITHK || op == OpCode::OFFSET;
-}
 
 Emitter::Emitter(Span span) : whole_(span), span_(span) {}
 
@@ -343,59 +307,31 @@ void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
 
 // Branches that jump backward count steps; which ones do is known now.
 static void tell_loops_apart(std::vector<Instr>& code) {
-  constexpr int kFurther = static_cast<int>(OpCode::IFLTI_LOOP) - static_cast<int>(OpCode::IFLTI);
   for (std::size_t i = 0; i + 1 < code.size(); ++i) {
     OpCode& op = code[i].op;
     if (is_compare_and_branch(op) && code[i + 1].op == OpCode::LOOP) {
-      op = static_cast<OpCode>(static_cast<int>(op) + kFurther);
+      op = variant_of(Variant::kBeforeLoop, op);
     }
-  }
-}
-
-// The form of an instruction that does several passes of a loop of its own; HALT: there is none.
-static OpCode form_for_each(const Instr& instr, std::uint16_t added_to, std::size_t& words) {
-  words = 2;
-  switch (instr.op) {
-    case OpCode::ADDRX_W:
-      return instr.a == added_to ? OpCode::ADDRX_EACH : OpCode::HALT;
-    case OpCode::ADDIX:
-      return instr.a == added_to ? OpCode::ADDIX_EACH : OpCode::HALT;
-    case OpCode::MADDLD_A:
-      return OpCode::MADDLD_EACH;
-    case OpCode::MADDTWO_A:
-      return OpCode::MADDTWO_EACH;
-    case OpCode::COPYEL:
-      return OpCode::COPYEL_EACH;
-    case OpCode::ST:
-      words = 1;
-      return OpCode::ST_EACH;
-    case OpCode::MADDROW_A:
-      words = 3;
-      return OpCode::MADDROW_EACH;
-    case OpCode::MADDELX:
-      words = 3;
-      return OpCode::MADDELX_EACH;
-    case OpCode::MSUBELX:
-      words = 3;
-      return OpCode::MSUBELX_EACH;
-    default:
-      return OpCode::HALT;
   }
 }
 
 // A loop that counts up behind a single instruction, which it leads back to.
 static void find_loops_of_one(std::vector<Instr>& code) {
   for (std::size_t i = 0; i + 3 < code.size(); ++i) {
-    std::size_t words = 0;
-    const OpCode form = form_for_each(code[i], code[i + 1].a, words);
-    if (form == OpCode::HALT || i + words + 1 >= code.size()) continue;
+    const OpCode variant = variant_of(Variant::kEach, code[i].op);
+    if (variant == kNoVariant) continue;
+    // What it adds up is in the next word.
+    if (operand_of(variant, 0) == 'd' && code[i].a != code[i + 1].a) continue;
+    std::size_t words = 1;
+    while (is_operand_word(code[i + words].op)) ++words;
+    if (i + words + 1 >= code.size()) continue;
     const Instr& loop = code[i + words];
     const bool by_one = loop.op == OpCode::FORLE_LOOP || loop.op == OpCode::FORLEK_LOOP;
     const bool counts_up = loop.op == OpCode::FORI_LOOP || loop.op == OpCode::FORBYLT_LOOP ||
                            loop.op == OpCode::FORBYLTK_LOOP || (by_one && loop.c == 1);
     const Instr& back = code[i + words + 1];
     const auto offset = static_cast<std::int32_t>(std::uint32_t{back.c} << 16U | back.b);
-    if (counts_up && offset == -static_cast<std::int32_t>(words + 2)) code[i].op = form;
+    if (counts_up && offset == -static_cast<std::int32_t>(words + 2)) code[i].op = variant;
   }
 }
 

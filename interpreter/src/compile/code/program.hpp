@@ -11,18 +11,12 @@
 #include "armlet/interpreter/source.hpp"
 #include "armlet/interpreter/type.hpp"
 #include "check/tree/hir.hpp"
+#include "compile/code/opcode.hpp"
 #include "compile/lower/unset.hpp"
 #include "syntax/tree/arena.hpp"
 #include "types/text_style.hpp"
 
 namespace armlet::lang {
-
-enum class OpCode : std::uint16_t {
-#define OP(name, operands, text) name,
-#include "compile/code/bytecode.def"
-#undef OP
-  kCount
-};
 
 struct Instr {
   OpCode op;

@@ -2,9 +2,9 @@
 // Instructions while a function is being compiled: registers are virtual, jumps name labels.
 
 #include <cstdint>
-#include <string_view>
 
 #include "compile/code/program.hpp"
+#include "compile/code/properties.hpp"
 
 namespace armlet::lang {
 
@@ -31,29 +31,5 @@ struct WideInstr {
   const hir::Expr* expr;
   Span span;
 };
-
-// What the operands of an instruction are: the letters of bytecode.def.
-[[nodiscard]] std::string_view operands_of(OpCode op);
-// The letter of operand i, 0 to 2.
-[[nodiscard]] inline char operand_of(OpCode op, std::size_t i) {
-  const std::string_view operands = operands_of(op);
-  return i < operands.size() ? operands[i] : '-';
-}
-[[nodiscard]] inline bool is_register(char operand) {
-  return operand == 'd' || operand == 'D' || operand == 'r' || operand == 'R';
-}
-// After these nothing follows.
-[[nodiscard]] bool ends_flow(OpCode op);
-// Only operands of the instruction before.
-[[nodiscard]] bool is_operand_word(OpCode op);
-// The next word is a jump that is taken or skipped.
-[[nodiscard]] inline bool is_compare_and_branch(OpCode op) {
-  return op >= OpCode::IFLTI && op <= OpCode::FORGEK;
-}
-
-// And it changes the register that it compares first.
-[[nodiscard]] inline bool counts_and_branches(OpCode op) {
-  return op >= OpCode::FORI && op <= OpCode::FORGEK;
-}
 
 }  // namespace armlet::lang

@@ -18,69 +18,28 @@ bool calls_quietly(const CallNativeExpr& call) {
 }
 
 bool is_loud(const Expr& e) {
-  switch (e.kind) {
-    case ExprKind::kCall:
-      return !e.as<CallExpr>().function->expands;
-    case ExprKind::kCallValue:
-    case ExprKind::kMutate:
-    case ExprKind::kGuarded:
-    case ExprKind::kOverList:
-      return true;
-    case ExprKind::kCallNative:
-      return !calls_quietly(e.as<CallNativeExpr>());
-    default:
-      return false;
-  }
+  if (e.kind == ExprKind::kCall) return !e.as<CallExpr>().function->expands;
+  if (e.kind == ExprKind::kCallNative) return !calls_quietly(e.as<CallNativeExpr>());
+  return is_one_of(
+      e.kind, {ExprKind::kCallValue, ExprKind::kMutate, ExprKind::kGuarded, ExprKind::kOverList});
 }
 
 bool is_plain_op(Op op) {
-  switch (op) {
-    case Op::kAddR:
-    case Op::kSubR:
-    case Op::kMulR:
-    case Op::kDivR:
-    case Op::kNegR:
-    case Op::kLtI:
-    case Op::kLeI:
-    case Op::kGtI:
-    case Op::kGeI:
-    case Op::kEqI:
-    case Op::kNeI:
-    case Op::kLtR:
-    case Op::kLeR:
-    case Op::kGtR:
-    case Op::kGeR:
-    case Op::kEqR:
-    case Op::kNeR:
-    case Op::kNot:
-      return true;
-    default:
-      return false;
-  }
+  return (op >= Op::kAddR && op <= Op::kDivR) || op == Op::kNegR ||
+         (op >= Op::kLtI && op <= Op::kNot);
 }
 
 bool is_plain_node(const Expr& e) {
-  switch (e.kind) {
-    case ExprKind::kBool:
-    case ExprKind::kInt:
-    case ExprKind::kReal:
-    case ExprKind::kEnum:
-      return true;
-    case ExprKind::kVariable:
-      return e.as<VariableExpr>().variable->storage == Storage::kLocal && !e.type->is_reference();
-    case ExprKind::kAnd:
-    case ExprKind::kOr:
-      return true;
-    case ExprKind::kUnary:
-      return is_plain_op(e.as<UnaryExpr>().op);
-    case ExprKind::kBinary:
-      return is_plain_op(e.as<BinaryExpr>().op);
-    case ExprKind::kConvert:
-      return e.as<ConvertExpr>().conversion == Conversion::kSame ||
-             e.as<ConvertExpr>().conversion == Conversion::kIntToReal;
-    default:
-      return false;
+  if (e.kind == ExprKind::kVariable) {
+    return e.as<VariableExpr>().variable->storage == Storage::kLocal && !e.type->is_reference();
   }
+  if (e.kind == ExprKind::kUnary) return is_plain_op(e.as<UnaryExpr>().op);
+  if (e.kind == ExprKind::kBinary) return is_plain_op(e.as<BinaryExpr>().op);
+  if (e.kind == ExprKind::kConvert) {
+    return is_one_of(e.as<ConvertExpr>().conversion, {Conversion::kSame, Conversion::kIntToReal});
+  }
+  return is_one_of(e.kind, {ExprKind::kBool, ExprKind::kInt, ExprKind::kReal, ExprKind::kEnum,
+                            ExprKind::kAnd, ExprKind::kOr});
 }
 
 // The expression that gives a variable its only value; null if there is none, or if it is another
@@ -121,7 +80,17 @@ class Summariser {
       case StmtKind::kEvery:
         out_.quiet = false;
         break;
-      default:
+      case StmtKind::kBlock:
+      case StmtKind::kExpr:
+      case StmtKind::kIf:
+      case StmtKind::kLoop:
+      case StmtKind::kSwitch:
+      case StmtKind::kTry:
+      case StmtKind::kThrow:
+      case StmtKind::kJump:
+      case StmtKind::kReturn:
+      case StmtKind::kAssert:
+      case StmtKind::kAssertThrows:
         break;
     }
     for_each_child(
@@ -186,32 +155,34 @@ class Summariser {
 
 }  // namespace
 
+namespace {
+
+bool literal_slot(const Expr& e, Slot& out) {
+  if (e.kind == ExprKind::kBool) {
+    out = slot_of(e.as<BoolExpr>().value);
+  } else if (e.kind == ExprKind::kInt || e.kind == ExprKind::kEnum) {
+    out = slot_of(e.as<IntExpr>().value);
+  } else if (e.kind == ExprKind::kReal) {
+    out = slot_of(e.as<RealExpr>().value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool constant_slot(const Expr& e, Slot& out) {
-  switch (e.kind) {
-    case ExprKind::kVariable: {
-      const Expr* init = only_value(*e.as<VariableExpr>().variable);
-      if (init != nullptr && init->type == e.type && constant_slot(*init, out)) return true;
-      break;
+  if (literal_slot(e, out)) return true;
+  if (e.kind == ExprKind::kVariable) {
+    const Expr* init = only_value(*e.as<VariableExpr>().variable);
+    if (init != nullptr && init->type == e.type && constant_slot(*init, out)) return true;
+  } else if (e.kind == ExprKind::kConvert) {
+    if (e.as<ConvertExpr>().conversion == Conversion::kIntToReal &&
+        constant_slot(*e.as<ConvertExpr>().operand, out)) {
+      out = slot_of(static_cast<double>(out.i));
+      return true;
     }
-    case ExprKind::kConvert:
-      if (e.as<ConvertExpr>().conversion == Conversion::kIntToReal &&
-          constant_slot(*e.as<ConvertExpr>().operand, out)) {
-        out = slot_of(static_cast<double>(out.i));
-        return true;
-      }
-      break;
-    case ExprKind::kBool:
-      out = slot_of(e.as<BoolExpr>().value);
-      return true;
-    case ExprKind::kInt:
-    case ExprKind::kEnum:
-      out = slot_of(e.as<IntExpr>().value);
-      return true;
-    case ExprKind::kReal:
-      out = slot_of(e.as<RealExpr>().value);
-      return true;
-    default:
-      break;
   }
   if (e.constant == nullptr) return false;
   const Constant& c = *e.constant;
@@ -256,26 +227,20 @@ bool mentions(const Expr& expr, const Variable& variable) {
 
 const Variable* root_variable(const Expr& expr) {
   const Expr* e = &expr;
-  for (;;) {
-    switch (e->kind) {
-      case ExprKind::kVariable:
-        return e->as<VariableExpr>().variable;
-      case ExprKind::kField:
-        e = e->as<FieldExpr>().object;
-        break;
-      case ExprKind::kElement:
-        e = e->as<ElementExpr>().object;
-        break;
-      case ExprKind::kEntry:
-        e = e->as<EntryExpr>().object;
-        break;
-      case ExprKind::kConvert:
-        e = e->as<ConvertExpr>().operand;
-        break;
-      default:
-        return nullptr;
+  while (e->kind != ExprKind::kVariable) {
+    if (e->kind == ExprKind::kField) {
+      e = e->as<FieldExpr>().object;
+    } else if (e->kind == ExprKind::kElement) {
+      e = e->as<ElementExpr>().object;
+    } else if (e->kind == ExprKind::kEntry) {
+      e = e->as<EntryExpr>().object;
+    } else if (e->kind == ExprKind::kConvert) {
+      e = e->as<ConvertExpr>().operand;
+    } else {
+      return nullptr;
     }
   }
+  return e->as<VariableExpr>().variable;
 }
 
 const VariableUse* Summary::find(const Variable* variable) const {

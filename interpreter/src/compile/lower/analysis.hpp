@@ -1,7 +1,9 @@
 #pragma once
 // Questions about checked expressions and statements that decide how code for them may be arranged.
 
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,11 @@
 #include "check/tree/hir.hpp"
 
 namespace armlet::lang {
+
+template <class Kind>
+[[nodiscard]] bool is_one_of(Kind kind, std::initializer_list<Kind> kinds) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
 
 // The bits of a scalar that the text alone gives; false if there are none.
 [[nodiscard]] bool constant_slot(const hir::Expr& expr, Slot& out);

@@ -8,75 +8,61 @@ using namespace hir;
 
 namespace {
 
-// The comparison that is true when `op` is false; for ints.
-Op negated(Op op) {
-  switch (op) {
-    case Op::kLtI:
-      return Op::kGeI;
-    case Op::kLeI:
-      return Op::kGtI;
-    case Op::kGtI:
-      return Op::kLeI;
-    case Op::kGeI:
-      return Op::kLtI;
-    case Op::kEqI:
-      return Op::kNeI;
-    default:
-      return Op::kEqI;
-  }
-}
+// Comparisons of ints, in the order of their operators.
+struct IntTest {
+  Op op;
+  Op negated;
+  OpCode test;
+};
+constexpr IntTest kIntTests[] = {
+    {Op::kLtI, Op::kGeI, OpCode::IFLTI}, {Op::kLeI, Op::kGtI, OpCode::IFLEI},
+    {Op::kGtI, Op::kLeI, OpCode::IFGTI}, {Op::kGeI, Op::kLtI, OpCode::IFGEI},
+    {Op::kEqI, Op::kNeI, OpCode::IFEQI}, {Op::kNeI, Op::kEqI, OpCode::IFNEI},
+};
 
-OpCode compare(Op op) {
-  switch (op) {
-    case Op::kLtI:
-      return OpCode::IFLTI;
-    case Op::kLeI:
-      return OpCode::IFLEI;
-    case Op::kGtI:
-      return OpCode::IFGTI;
-    case Op::kGeI:
-      return OpCode::IFGEI;
-    case Op::kEqI:
-      return OpCode::IFEQI;
-    default:
-      return OpCode::IFNEI;
-  }
-}
+// Of doubles: not (a < b) differs from a >= b when one of them is not a number.
+struct RealTest {
+  Op op;
+  OpCode test;
+  OpCode otherwise;
+  bool turned;
+};
+constexpr RealTest kRealTests[] = {
+    {Op::kLtR, OpCode::IFLTR, OpCode::IFNLTR, false},
+    {Op::kLeR, OpCode::IFLER, OpCode::IFNLER, false},
+    {Op::kGtR, OpCode::IFLTR, OpCode::IFNLTR, true},
+    {Op::kGeR, OpCode::IFLER, OpCode::IFNLER, true},
+    {Op::kEqR, OpCode::IFEQR, OpCode::IFNER, false},
+    {Op::kNeR, OpCode::IFNER, OpCode::IFEQR, false},
+};
 
-OpCode compare_small(Op op) {
-  switch (op) {
-    case Op::kLtI:
-      return OpCode::IFLTIK;
-    case Op::kLeI:
-      return OpCode::IFLEIK;
-    case Op::kGtI:
-      return OpCode::IFGTIK;
-    case Op::kGeI:
-      return OpCode::IFGEIK;
-    case Op::kEqI:
-      return OpCode::IFEQIK;
-    default:
-      return OpCode::IFNEIK;
-  }
-}
+// Of texts, by the sign of CMPTEXT.
+struct TextTest {
+  Op op;
+  Op sign;
+};
+constexpr TextTest kTextTests[] = {
+    {Op::kEqText, Op::kEqI}, {Op::kNeText, Op::kNeI}, {Op::kLtText, Op::kLtI},
+    {Op::kLeText, Op::kLeI}, {Op::kGtText, Op::kGtI}, {Op::kGeText, Op::kGeI},
+};
 
-// Texts are compared by the sign of CMPTEXT.
-Op sign_test(Op op) {
-  switch (op) {
-    case Op::kEqText:
-      return Op::kEqI;
-    case Op::kNeText:
-      return Op::kNeI;
-    case Op::kLtText:
-      return Op::kLtI;
-    case Op::kLeText:
-      return Op::kLeI;
-    case Op::kGtText:
-      return Op::kGtI;
-    default:
-      return Op::kGeI;
-  }
+// The row of an operator; null: there is none.
+template <class Row, std::size_t n>
+constexpr const Row* row_of(const Row (&table)[n], Op op) {
+  const auto at = static_cast<std::size_t>(op) - static_cast<std::size_t>(table[0].op);
+  return at < n ? &table[at] : nullptr;
 }
+template <class Row, std::size_t n>
+constexpr bool is_in_order(const Row (&table)[n]) {
+  for (const Row& row : table) {
+    if (row_of(table, row.op) != &row) return false;
+  }
+  return true;
+}
+static_assert(is_in_order(kIntTests) && is_in_order(kRealTests) && is_in_order(kTextTests));
+
+OpCode compare(Op op) { return row_of(kIntTests, op)->test; }
+OpCode compare_small(Op op) { return variant_of(Variant::kSmall, compare(op)); }
 
 }  // namespace
 
@@ -135,42 +121,19 @@ void Lowering::branch_all(const BinaryExpr& e, bool when, Label to) {
 }
 
 bool Lowering::branch_compare(const BinaryExpr& e, bool when, Label to) {
-  switch (e.op) {
-    case Op::kLtI:
-    case Op::kLeI:
-    case Op::kGtI:
-    case Op::kGeI:
-    case Op::kEqI:
-    case Op::kNeI:
-      branch_int(e, when ? e.op : negated(e.op), to);
-      return true;
-    case Op::kLtR:
-    case Op::kLeR:
-    case Op::kGtR:
-    case Op::kGeR:
-    case Op::kEqR:
-    case Op::kNeR:
-      branch_real(e, when, to);
-      return true;
-    case Op::kEqText:
-    case Op::kNeText:
-    case Op::kLtText:
-    case Op::kLeText:
-    case Op::kGtText:
-    case Op::kGeText: {
-      const Op op = sign_test(e.op);
-      branch_text(e, when ? op : negated(op), to);
-      return true;
-    }
-    case Op::kEqDeep:
-      branch_deep(e, when, to);
-      return true;
-    case Op::kNeDeep:
-      branch_deep(e, !when, to);
-      return true;
-    default:
-      return false;
+  const auto asked = [&](Op op) { return when ? op : row_of(kIntTests, op)->negated; };
+  if (row_of(kIntTests, e.op) != nullptr) {
+    branch_int(e, asked(e.op), to);
+  } else if (row_of(kRealTests, e.op) != nullptr) {
+    branch_real(e, when, to);
+  } else if (const TextTest* text = row_of(kTextTests, e.op); text != nullptr) {
+    branch_text(e, asked(text->sign), to);
+  } else if (e.op == Op::kEqDeep || e.op == Op::kNeDeep) {
+    branch_deep(e, when == (e.op == Op::kEqDeep), to);
+  } else {
+    return false;
   }
+  return true;
 }
 
 void Lowering::branch_int(const BinaryExpr& e, Op op, Label to) {
@@ -196,33 +159,14 @@ void Lowering::branch_int(const BinaryExpr& e, Op op, Label to) {
   code_.jump(to);
 }
 
-// Not (a < b) differs from a >= b when one of them is not a number.
 void Lowering::branch_real(const BinaryExpr& e, bool when, Label to) {
+  const RealTest& row = *row_of(kRealTests, e.op);
   const Emitter::Mark mark = code_.mark();
   const Reg left = value(*e.left);
   const Reg right = value(*e.right);
   code_.release(mark);
   code_.at(e.span, &e);
-  switch (e.op) {
-    case Op::kLtR:
-      code_.emit(when ? OpCode::IFLTR : OpCode::IFNLTR, left, right);
-      break;
-    case Op::kLeR:
-      code_.emit(when ? OpCode::IFLER : OpCode::IFNLER, left, right);
-      break;
-    case Op::kGtR:
-      code_.emit(when ? OpCode::IFLTR : OpCode::IFNLTR, right, left);
-      break;
-    case Op::kGeR:
-      code_.emit(when ? OpCode::IFLER : OpCode::IFNLER, right, left);
-      break;
-    case Op::kEqR:
-      code_.emit(when ? OpCode::IFEQR : OpCode::IFNER, left, right);
-      break;
-    default:
-      code_.emit(when ? OpCode::IFNER : OpCode::IFEQR, left, right);
-      break;
-  }
+  code_.emit(when ? row.test : row.otherwise, row.turned ? right : left, row.turned ? left : right);
   code_.jump(to);
 }
 

@@ -70,26 +70,19 @@ bool Lowering::handed_over(const CallExpr& e, std::size_t argument, Hold hold, R
       !tables_.adopts(*e.function->parameters[argument])) {
     return false;
   }
-  switch (value.kind) {
-    case ExprKind::kVariable: {
-      const Variable& variable = *value.as<VariableExpr>().variable;
-      if (hold == Hold::kOwn || whole_ != &e || !may_be_last_use(value, variable)) return false;
-      for (std::size_t i = 0; i < e.arguments.size(); ++i) {
-        const bool borrows = i != argument && e.arguments[i]->type->is_reference();
-        if (borrows && mentions(*e.arguments[i], variable)) return false;
-      }
-      from = reg_of(variable);
-      return true;
+  if (value.kind == ExprKind::kVariable) {
+    const Variable& variable = *value.as<VariableExpr>().variable;
+    if (hold == Hold::kOwn || whole_ != &e || !may_be_last_use(value, variable)) return false;
+    for (std::size_t i = 0; i < e.arguments.size(); ++i) {
+      const bool borrows = i != argument && e.arguments[i]->type->is_reference();
+      if (borrows && mentions(*e.arguments[i], variable)) return false;
     }
-    case ExprKind::kList:
-    case ExprKind::kMap:
-    case ExprKind::kNewArray:
-    case ExprKind::kRecord:
-    case ExprKind::kCall:
-    case ExprKind::kCallNative:
-      break;
-    default:
-      return false;
+    from = reg_of(variable);
+    return true;
+  }
+  if (!is_one_of(value.kind, {ExprKind::kList, ExprKind::kMap, ExprKind::kNewArray,
+                              ExprKind::kRecord, ExprKind::kCall, ExprKind::kCallNative})) {
+    return false;
   }
   // f(g(x)): what holds for the outer call holds for the inner one if nothing else can borrow.
   const bool is_only = std::ranges::count_if(
@@ -135,55 +128,42 @@ void Lowering::effect(const Expr& e) {
   const Emitter::Mark mark = code_.mark();
   whole_ = &e;
   const bool expands = e.kind == ExprKind::kCall && e.as<CallExpr>().function->expands;
-  switch (expands ? ExprKind::kBinary : e.kind) {
-    case ExprKind::kMutate:
-    case ExprKind::kCall:
-    case ExprKind::kCallValue:
-    case ExprKind::kCallNative:
-    case ExprKind::kGuarded: {
-      const bool is_mutation = e.kind == ExprKind::kMutate;
-      const Reg result = is_mutation ? mutate(e.as<MutateExpr>()) : call(e, {Reg{}, false});
-      if (e.type->is_reference()) code_.emit(OpCode::DROP, result);
-      break;
-    }
-    default:
-      if (e.type->is_reference()) {
-        (void)borrow(e, Hold::kNow);
-      } else if (!e.type->is(Kind::kVoid)) {
-        (void)value(e);
-      }
-      break;
+  const bool is_mutation = e.kind == ExprKind::kMutate;
+  const bool calls = is_one_of(
+      e.kind, {ExprKind::kCall, ExprKind::kCallValue, ExprKind::kCallNative, ExprKind::kGuarded});
+  if (is_mutation || (calls && !expands)) {
+    const Reg result = is_mutation ? mutate(e.as<MutateExpr>()) : call(e, {Reg{}, false});
+    if (e.type->is_reference()) code_.emit(OpCode::DROP, result);
+  } else if (e.type->is_reference()) {
+    (void)borrow(e, Hold::kNow);
+  } else if (!e.type->is(Kind::kVoid)) {
+    (void)value(e);
   }
   code_.release(mark);
 }
 
 // Returns the register of the result; a reference there is owned and has to be taken at once.
 Reg Lowering::call(const Expr& e, Dest to) {
-  switch (e.kind) {
-    case ExprKind::kCall: {
-      const auto& c = e.as<CallExpr>();
-      const Reg base = base_for(to);
-      call_window(c, base);
-      code_.at(e.span, &e);
-      code_.push(OpCode::CALL, base.bits, c.function->index, windowed(c.arguments));
-      return base;
-    }
-    case ExprKind::kCallValue: {
-      const auto& c = e.as<CallValueExpr>();
-      Hold hold = Hold::kCall;
-      for (const Expr* argument : c.arguments) hold = stronger(hold, hold_over(*argument));
-      const Reg function = borrow(*c.function, hold);
-      const Reg base = base_for(to);
-      window(c.arguments, base, Hold::kCall);
-      code_.at(e.span, &e);
-      code_.push(OpCode::CALLV, base.bits, function.bits, windowed(c.arguments));
-      return base;
-    }
-    case ExprKind::kGuarded:
-      return call_guarded(e.as<GuardedExpr>(), to);
-    default:
-      return call_native(e.as<CallNativeExpr>(), base_for(to));
-  }
+  if (e.kind == ExprKind::kGuarded) return call_guarded(e.as<GuardedExpr>(), to);
+  if (e.kind == ExprKind::kCallNative) return call_native(e.as<CallNativeExpr>(), base_for(to));
+  if (e.kind == ExprKind::kCallValue) return call_value(e.as<CallValueExpr>(), to);
+  const auto& c = e.as<CallExpr>();
+  const Reg base = base_for(to);
+  call_window(c, base);
+  code_.at(e.span, &e);
+  code_.push(OpCode::CALL, base.bits, c.function->index, windowed(c.arguments));
+  return base;
+}
+
+Reg Lowering::call_value(const CallValueExpr& e, Dest to) {
+  Hold hold = Hold::kCall;
+  for (const Expr* argument : e.arguments) hold = stronger(hold, hold_over(*argument));
+  const Reg function = borrow(*e.function, hold);
+  const Reg base = base_for(to);
+  window(e.arguments, base, Hold::kCall);
+  code_.at(e.span, &e);
+  code_.push(OpCode::CALLV, base.bits, function.bits, windowed(e.arguments));
+  return base;
 }
 
 Reg Lowering::call_native(const CallNativeExpr& e, Reg base) {

@@ -1,6 +1,8 @@
-// Arithmetic with an operand that the text gives.
+// The instructions of operators, and arithmetic with an operand that the text gives.
 
 #include <bit>
+#include <iterator>
+#include <stdexcept>
 
 #include "compile/lower/lowering.hpp"
 
@@ -8,17 +10,51 @@ namespace armlet::lang {
 
 using namespace hir;
 
+namespace {
+
+// Operators with an instruction of their own, in their order.
+struct Operator {
+  Op op;
+  OpCode instruction;
+};
+constexpr Operator kOperators[] = {
+    {Op::kAddI, OpCode::ADDI}, {Op::kSubI, OpCode::SUBI}, {Op::kMulI, OpCode::MULI},
+    {Op::kDivI, OpCode::DIVI}, {Op::kModI, OpCode::MODI}, {Op::kPowI, OpCode::POWI},
+    {Op::kNegI, OpCode::NEGI}, {Op::kAddR, OpCode::ADDR}, {Op::kSubR, OpCode::SUBR},
+    {Op::kMulR, OpCode::MULR}, {Op::kDivR, OpCode::DIVR}, {Op::kModR, OpCode::MODR},
+    {Op::kPowR, OpCode::POWR}, {Op::kNegR, OpCode::NEGR}, {Op::kLtI, OpCode::LTI},
+    {Op::kLeI, OpCode::LEI},   {Op::kGtI, OpCode::LTI},   {Op::kGeI, OpCode::LEI},
+    {Op::kEqI, OpCode::EQI},   {Op::kNeI, OpCode::NEI},   {Op::kLtR, OpCode::LTR},
+    {Op::kLeR, OpCode::LER},   {Op::kGtR, OpCode::LTR},   {Op::kGeR, OpCode::LER},
+    {Op::kEqR, OpCode::EQR},   {Op::kNeR, OpCode::NER},   {Op::kNot, OpCode::NOT},
+};
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < std::size(kOperators); ++i) {
+        if (static_cast<std::size_t>(kOperators[i].op) != i) return false;
+      }
+      return std::size(kOperators) == static_cast<std::size_t>(Op::kEqText);
+    }(),
+    "the operators on texts and objects follow");
+
+}  // namespace
+
+OpCode arithmetic_instruction(Op op) {
+  const auto at = static_cast<std::size_t>(op);
+  if (at >= std::size(kOperators)) throw std::logic_error("no instruction of its own");
+  return kOperators[at].instruction;
+}
+
 // i + 1, i - 1, i * 2
 bool Lowering::with_small(Site site, Op op, Reg left, const Expr& right, Reg to) {
   std::int64_t small = 0;
-  if ((op != Op::kAddI && op != Op::kSubI && op != Op::kMulI) || !small_int(right, small)) {
-    return false;
-  }
+  const OpCode variant =
+      variant_of(Variant::kSmall, arithmetic_instruction(op == Op::kSubI ? Op::kAddI : op));
+  if (variant == kNoVariant || !small_int(right, small)) return false;
   if (op == Op::kSubI) small = -small;
   if (small > INT16_MAX) return false;
   code_.at(site.span, site.expr);
-  code_.push(op == Op::kMulI ? OpCode::MULIK : OpCode::ADDIK, to.bits, left.bits,
-             static_cast<std::uint16_t>(small));
+  code_.push(variant, to.bits, left.bits, static_cast<std::uint16_t>(small));
   return true;
 }
 
@@ -38,12 +74,14 @@ bool Lowering::by_power_of_two(Site site, Op op, Reg left, const Expr& right, Re
 bool Lowering::with_constant(Site site, Op op, Reg left, const Expr& right, Reg to) {
   Slot known;
   Reg loaded;
-  if (op != Op::kAddR && op != Op::kSubR && op != Op::kMulR) return false;
+  const OpCode variant =
+      variant_of(Variant::kWithConstant, arithmetic_instruction(op == Op::kSubR ? Op::kAddR : op));
+  if (variant == kNoVariant) return false;
   if (!constant_slot(right, known) || in_register(right, loaded)) return false;
   if (op == Op::kSubR) known.d = -known.d;
   code_.at(site.span, site.expr);
   if (op != Op::kMulR && left == to && code_.scale_and_offset(to, known)) return true;
-  code_.with_constant(op == Op::kMulR ? OpCode::MULRK : OpCode::ADDRK, to, left, known);
+  code_.with_constant(variant, to, left, known);
   return true;
 }
 

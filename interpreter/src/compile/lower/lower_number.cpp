@@ -1,65 +1,12 @@
 // Expressions whose value is a number, truth value or choice: bits without a count.
 
+#include <stdexcept>
+
 #include "compile/lower/lowering.hpp"
 
 namespace armlet::lang {
 
 using namespace hir;
-
-OpCode arithmetic_instruction(Op op) {
-  switch (op) {
-    case Op::kAddI:
-      return OpCode::ADDI;
-    case Op::kSubI:
-      return OpCode::SUBI;
-    case Op::kMulI:
-      return OpCode::MULI;
-    case Op::kDivI:
-      return OpCode::DIVI;
-    case Op::kModI:
-      return OpCode::MODI;
-    case Op::kPowI:
-      return OpCode::POWI;
-    case Op::kNegI:
-      return OpCode::NEGI;
-    case Op::kAddR:
-      return OpCode::ADDR;
-    case Op::kSubR:
-      return OpCode::SUBR;
-    case Op::kMulR:
-      return OpCode::MULR;
-    case Op::kDivR:
-      return OpCode::DIVR;
-    case Op::kModR:
-      return OpCode::MODR;
-    case Op::kPowR:
-      return OpCode::POWR;
-    case Op::kNegR:
-      return OpCode::NEGR;
-    case Op::kLtI:
-    case Op::kGtI:
-      return OpCode::LTI;
-    case Op::kLeI:
-    case Op::kGeI:
-      return OpCode::LEI;
-    case Op::kEqI:
-      return OpCode::EQI;
-    case Op::kNeI:
-      return OpCode::NEI;
-    case Op::kLtR:
-    case Op::kGtR:
-      return OpCode::LTR;
-    case Op::kLeR:
-    case Op::kGeR:
-      return OpCode::LER;
-    case Op::kEqR:
-      return OpCode::EQR;
-    case Op::kNeR:
-      return OpCode::NER;
-    default:
-      return OpCode::NOT;
-  }
-}
 
 namespace {
 
@@ -147,60 +94,74 @@ void Lowering::compute(const Expr& e, Dest to) {
   code_.at(e.span, &e);
   switch (e.kind) {
     case ExprKind::kAbsent:
-      code_.constant(to.reg, Slot{.i = kAbsentBits});
-      break;
+      return code_.constant(to.reg, Slot{.i = kAbsentBits});
     case ExprKind::kVariable:
-      check_set(*e.as<VariableExpr>().variable);
-      load_variable(*e.as<VariableExpr>().variable, to.reg);
-      break;
+      return read_variable(e.as<VariableExpr>(), to.reg);
     case ExprKind::kUnary:
-      unary_into(e.as<UnaryExpr>(), to);
-      break;
+      return unary_into(e.as<UnaryExpr>(), to);
     case ExprKind::kBinary:
-      if (is_arithmetic(e.as<BinaryExpr>().op)) {
-        binary_into(e.as<BinaryExpr>(), to);
-        break;
-      }
-      [[fallthrough]];
     case ExprKind::kAnd:
     case ExprKind::kOr:
-      truth_into(e, to);
-      break;
+      return operator_into(e.as<BinaryExpr>(), to);
     case ExprKind::kCond:
-      cond_into(e.as<CondExpr>(), to);
-      break;
+      return cond_into(e.as<CondExpr>(), to);
     case ExprKind::kConvert:
-      convert_into(e.as<ConvertExpr>(), to);
-      break;
+      return convert_into(e.as<ConvertExpr>(), to);
     case ExprKind::kField:
-      load_field(e.as<FieldExpr>(), to.reg, Hold::kNow);
-      break;
+      return load_field(e.as<FieldExpr>(), to.reg, Hold::kNow);
     case ExprKind::kElement:
-      load_element(e.as<ElementExpr>(), to.reg, Hold::kNow);
-      break;
+      return load_element(e.as<ElementExpr>(), to.reg, Hold::kNow);
     case ExprKind::kEntry:
-      if (e.as<EntryExpr>().otherwise == nullptr) {
-        load_entry(e.as<EntryExpr>(), to.reg, Hold::kNow);
-      } else {
-        own_entry_or(e.as<EntryExpr>(), to.reg);
-      }
-      break;
+      return entry_into(e.as<EntryExpr>(), to.reg);
     case ExprKind::kMapQuery:
-      has_key_into(e.as<MapQueryExpr>(), to.reg);
-      break;
+      return has_key_into(e.as<MapQueryExpr>(), to.reg);
     case ExprKind::kLength:
-      length_into(e.as<LengthExpr>(), to.reg);
-      break;
+      return length_into(e.as<LengthExpr>(), to.reg);
     case ExprKind::kMutate:
-      code_.emit(OpCode::MOVE, to.reg, mutate(e.as<MutateExpr>()));
-      break;
+      return code_.emit(OpCode::MOVE, to.reg, mutate(e.as<MutateExpr>()));
     case ExprKind::kOverList:
-      over_list(e.as<OverListExpr>(), to.reg);
-      break;
-    default:
-      call_into(e, to);
+      return over_list(e.as<OverListExpr>(), to.reg);
+    case ExprKind::kCall:
+    case ExprKind::kCallValue:
+    case ExprKind::kCallNative:
+    case ExprKind::kGuarded:
+      return call_into(e, to);
+    case ExprKind::kBool:  // these are known
+    case ExprKind::kInt:
+    case ExprKind::kReal:
+    case ExprKind::kEnum:
+    case ExprKind::kText:  // and these are objects
+    case ExprKind::kList:
+    case ExprKind::kNewArray:
+    case ExprKind::kRecord:
+    case ExprKind::kSlice:
+    case ExprKind::kCharacter:
+    case ExprKind::kFunctionValue:
+    case ExprKind::kClosure:
+    case ExprKind::kConcat:
+    case ExprKind::kToText:
+    case ExprKind::kError:
+    case ExprKind::kMatrix:
+    case ExprKind::kPart:
+    case ExprKind::kMap:
       break;
   }
+  throw std::logic_error("no number to be computed");
+}
+
+void Lowering::read_variable(const VariableExpr& e, Reg to) {
+  check_set(*e.variable);
+  load_variable(*e.variable, to);
+}
+
+void Lowering::operator_into(const BinaryExpr& e, Dest to) {
+  const bool computes = e.kind == ExprKind::kBinary && is_arithmetic(e.op);
+  return computes ? binary_into(e, to) : truth_into(e, to);
+}
+
+void Lowering::entry_into(const EntryExpr& e, Reg to) {
+  if (e.otherwise != nullptr) return own_entry_or(e, to);
+  load_entry(e, to, Hold::kNow);
 }
 
 void Lowering::load_variable(const Variable& variable, Reg to) {
@@ -295,26 +256,24 @@ bool Lowering::add_to_product(const BinaryExpr& product, const BinaryExpr& sum, 
 // x + i where the int i is converted: one instruction.
 bool Lowering::with_int(Site site, Op op, Reg left, const Expr& right, Reg to) {
   Slot known;
-  if (op < Op::kAddR || op > Op::kDivR || !is_from_int(right) || constant_slot(right, known)) {
-    return false;
-  }
-  static constexpr OpCode kOps[] = {OpCode::ADDRI, OpCode::SUBRI, OpCode::MULRI, OpCode::DIVRI};
+  const OpCode variant = variant_of(Variant::kWithInt, arithmetic_instruction(op));
+  if (variant == kNoVariant || !is_from_int(right) || constant_slot(right, known)) return false;
   const Reg number = value(*right.as<ConvertExpr>().operand);
   code_.at(site.span, site.expr);
-  code_.emit(kOps[static_cast<int>(op) - static_cast<int>(Op::kAddR)], to, left, number);
+  code_.emit(variant, to, left, number);
   return true;
 }
 
 // x - xs[i].field
 bool Lowering::with_field(Site site, Op op, Reg left, const Expr& right, Reg to) {
-  if (op < Op::kAddR || op > Op::kMulR || !is_field_of_element(right)) return false;
+  const OpCode variant = variant_of(Variant::kFieldOfElement, arithmetic_instruction(op));
+  if (variant == kNoVariant || !is_field_of_element(right)) return false;
   if (may_be_unset(*right.as<FieldExpr>().object->type)) return false;
-  static constexpr OpCode kOps[] = {OpCode::ADDLDF, OpCode::SUBLDF, OpCode::MULLDF};
   const auto& element = right.as<FieldExpr>().object->as<ElementExpr>();
   const Reg list = borrow(*element.object, hold_over(*element.index));
   const Reg index = value(*element.index);
   code_.at(element.span, &element);
-  code_.emit(kOps[static_cast<int>(op) - static_cast<int>(Op::kAddR)], to, list, index);
+  code_.emit(variant, to, list, index);
   code_.at(site.span, site.expr);
   code_.push(OpCode::FACTORS, left.bits, left.bits, right.as<FieldExpr>().field);
   return true;

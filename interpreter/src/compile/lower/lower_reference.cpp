@@ -1,6 +1,7 @@
 // Expressions whose value is an object: texts, lists, records, closures, values of the host.
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "compile/lower/lowering.hpp"
 
@@ -18,6 +19,12 @@ bool is_text_already(const ToTextExpr& e) {
 // m.get(k, other)
 bool gives_other(const Expr& e) {
   return e.kind == ExprKind::kEntry && e.as<EntryExpr>().otherwise != nullptr;
+}
+
+// What the program, or a list or record that somebody else keeps, holds already.
+bool belongs_to_other(const Expr& e) {
+  return !gives_other(e) && is_one_of(e.kind, {ExprKind::kText, ExprKind::kAbsent, ExprKind::kField,
+                                               ExprKind::kEntry, ExprKind::kElement});
 }
 
 // A text that is known.
@@ -45,32 +52,22 @@ Hold hold_over(const Expr& later) {
 
 Reg Lowering::borrow(const Expr& e, Hold hold) {
   if (hold != Hold::kOwn) {
-    switch (e.kind) {
-      case ExprKind::kVariable:
-        code_.at(e.span, &e);
-        return borrow_variable(*e.as<VariableExpr>().variable, hold);
-      case ExprKind::kConvert:
-        if (e.as<ConvertExpr>().conversion == Conversion::kSame) {
-          return borrow(*e.as<ConvertExpr>().operand, hold);
-        }
-        break;
-      case ExprKind::kToText:
-        if (is_text_already(e.as<ToTextExpr>())) return borrow(*e.as<ToTextExpr>().value, hold);
-        break;
-      case ExprKind::kText:
-      case ExprKind::kAbsent:
-      case ExprKind::kField:
-      case ExprKind::kEntry:
-      case ExprKind::kElement: {
-        if (gives_other(e)) break;
-        const Reg to = code_.number();
-        const Emitter::Mark mark = code_.mark();
-        borrow_into(e, to, hold);
-        code_.release_numbers(mark);
-        return to;
-      }
-      default:
-        break;
+    if (e.kind == ExprKind::kVariable) {
+      code_.at(e.span, &e);
+      return borrow_variable(*e.as<VariableExpr>().variable, hold);
+    }
+    if (e.kind == ExprKind::kConvert && e.as<ConvertExpr>().conversion == Conversion::kSame) {
+      return borrow(*e.as<ConvertExpr>().operand, hold);
+    }
+    if (e.kind == ExprKind::kToText && is_text_already(e.as<ToTextExpr>())) {
+      return borrow(*e.as<ToTextExpr>().value, hold);
+    }
+    if (belongs_to_other(e)) {
+      const Reg to = code_.number();
+      const Emitter::Mark mark = code_.mark();
+      borrow_into(e, to, hold);
+      code_.release_numbers(mark);
+      return to;
     }
   }
   const Reg to = code_.reference();
@@ -87,22 +84,11 @@ void Lowering::borrow_into(const Expr& e, Reg to, Hold hold) {
     return;
   }
   if (hold != Hold::kOwn) {
-    switch (e.kind) {
-      case ExprKind::kAbsent:
-        code_.emit(OpCode::ZERO, to);
-        return;
-      case ExprKind::kField:
-        load_field(e.as<FieldExpr>(), to, hold);
-        return;
-      case ExprKind::kElement:
-        load_element(e.as<ElementExpr>(), to, hold);
-        return;
-      case ExprKind::kEntry:
-        if (gives_other(e)) break;
-        load_entry(e.as<EntryExpr>(), to, hold);
-        return;
-      default:
-        break;
+    if (e.kind == ExprKind::kAbsent) return code_.emit(OpCode::ZERO, to);
+    if (e.kind == ExprKind::kField) return load_field(e.as<FieldExpr>(), to, hold);
+    if (e.kind == ExprKind::kElement) return load_element(e.as<ElementExpr>(), to, hold);
+    if (e.kind == ExprKind::kEntry && !gives_other(e)) {
+      return load_entry(e.as<EntryExpr>(), to, hold);
     }
   }
   code_.emit(OpCode::MOVE, to, borrow(e, hold));
@@ -156,44 +142,34 @@ void Lowering::own_into(const Expr& e, Reg to) {
     return;
   }
   const Emitter::Mark mark = code_.mark();
-  switch (e.kind) {
-    case ExprKind::kVariable: {
-      const Variable& variable = *e.as<VariableExpr>().variable;
-      code_.at(e.span, &e);
-      check_set(variable);
-      if (whole_ == &e && may_be_last_use(e, variable)) {
-        code_.push(OpCode::MOVEREF, to.bits, reg_of(variable).bits, 1);
-      } else {
-        own_variable(variable, to);
-      }
-      break;
-    }
-    case ExprKind::kAbsent:
-      code_.emit(OpCode::DROP, to);
-      break;
-    case ExprKind::kCond:
-      own_either(e.as<CondExpr>(), to);
-      break;
-    case ExprKind::kConvert:
-      own_converted(e.as<ConvertExpr>(), to);
-      break;
-    case ExprKind::kEntry:
-      if (gives_other(e)) {
-        own_entry_or(e.as<EntryExpr>(), to);
-        break;
-      }
-      [[fallthrough]];
-    case ExprKind::kField:
-    case ExprKind::kElement: {
-      const Reg borrowed = borrow(e, Hold::kNow);
-      code_.emit(OpCode::MOVEREF, to, borrowed);
-      break;
-    }
-    default:
-      make(e, to);
-      break;
+  if (e.kind == ExprKind::kVariable) {
+    own_read(e.as<VariableExpr>(), to);
+  } else if (e.kind == ExprKind::kAbsent) {
+    code_.emit(OpCode::DROP, to);
+  } else if (e.kind == ExprKind::kCond) {
+    own_either(e.as<CondExpr>(), to);
+  } else if (e.kind == ExprKind::kConvert) {
+    own_converted(e.as<ConvertExpr>(), to);
+  } else if (gives_other(e)) {
+    own_entry_or(e.as<EntryExpr>(), to);
+  } else if (belongs_to_other(e)) {
+    const Reg borrowed = borrow(e, Hold::kNow);
+    code_.emit(OpCode::MOVEREF, to, borrowed);
+  } else {
+    make(e, to);
   }
   code_.release(mark);
+}
+
+void Lowering::own_read(const VariableExpr& e, Reg to) {
+  const Variable& variable = *e.variable;
+  code_.at(e.span, &e);
+  check_set(variable);
+  if (whole_ == &e && may_be_last_use(e, variable)) {
+    code_.push(OpCode::MOVEREF, to.bits, reg_of(variable).bits, 1);
+  } else {
+    own_variable(variable, to);
+  }
 }
 
 void Lowering::own_either(const CondExpr& e, Reg to) {
@@ -225,58 +201,67 @@ void Lowering::own_converted(const ConvertExpr& e, Reg to) {
 void Lowering::make(const Expr& e, Reg to) {
   switch (e.kind) {
     case ExprKind::kList:
-      make_list(e.as<ListExpr>(), to);
-      break;
+      return make_list(e.as<ListExpr>(), to);
     case ExprKind::kMap:
-      make_map(e.as<MapExpr>(), to);
-      break;
+      return make_map(e.as<MapExpr>(), to);
     case ExprKind::kMapQuery:
-      make_map_list(e.as<MapQueryExpr>(), to);
-      break;
+      return make_map_list(e.as<MapQueryExpr>(), to);
     case ExprKind::kNewArray:
-      make_array(e.as<NewArrayExpr>(), to);
-      break;
+      return make_array(e.as<NewArrayExpr>(), to);
     case ExprKind::kRecord:
-      make_record(e.as<RecordExpr>(), to);
-      break;
+      return make_record(e.as<RecordExpr>(), to);
     case ExprKind::kSlice:
-      make_slice(e.as<SliceExpr>(), to);
-      break;
+      return make_slice(e.as<SliceExpr>(), to);
     case ExprKind::kMatrix:
-      make_matrix(e.as<MatrixExpr>(), to);
-      break;
+      return make_matrix(e.as<MatrixExpr>(), to);
     case ExprKind::kPart:
-      make_part(e.as<PartExpr>(), to);
-      break;
+      return make_part(e.as<PartExpr>(), to);
     case ExprKind::kCharacter:
-      make_character(e.as<CharacterExpr>(), to);
-      break;
+      return make_character(e.as<CharacterExpr>(), to);
     case ExprKind::kFunctionValue:
-      code_.at(e.span, &e);
-      code_.push(OpCode::CLOSURE, to.bits, 0, e.as<FunctionValueExpr>().function->index);
-      break;
+      return make_function(e.as<FunctionValueExpr>(), to);
     case ExprKind::kClosure:
-      make_closure(e.as<ClosureExpr>(), to);
-      break;
+      return make_closure(e.as<ClosureExpr>(), to);
     case ExprKind::kConcat:
-      join(e.as<ConcatExpr>(), to);
-      break;
+      return join(e.as<ConcatExpr>(), to);
     case ExprKind::kToText:
-      to_text(e.as<ToTextExpr>(), to);
-      break;
+      return to_text(e.as<ToTextExpr>(), to);
     case ExprKind::kError:
-      make_error(e.as<ErrorExpr>(), to);
-      break;
+      return make_error(e.as<ErrorExpr>(), to);
     case ExprKind::kMutate:
-      code_.emit(OpCode::TAKE, to, mutate(e.as<MutateExpr>()));
-      break;
+      return code_.emit(OpCode::TAKE, to, mutate(e.as<MutateExpr>()));
     case ExprKind::kOverList:
-      over_list(e.as<OverListExpr>(), to);
-      break;
-    default:
-      call_own(e, to);
+      return over_list(e.as<OverListExpr>(), to);
+    case ExprKind::kCall:
+    case ExprKind::kCallValue:
+    case ExprKind::kCallNative:
+    case ExprKind::kGuarded:
+      return call_own(e, to);
+    case ExprKind::kBool:  // these are no objects
+    case ExprKind::kInt:
+    case ExprKind::kReal:
+    case ExprKind::kEnum:
+    case ExprKind::kUnary:
+    case ExprKind::kBinary:
+    case ExprKind::kAnd:
+    case ExprKind::kOr:
+    case ExprKind::kLength:
+    case ExprKind::kText:  // and these are no new ones
+    case ExprKind::kAbsent:
+    case ExprKind::kVariable:
+    case ExprKind::kCond:
+    case ExprKind::kConvert:
+    case ExprKind::kField:
+    case ExprKind::kElement:
+    case ExprKind::kEntry:
       break;
   }
+  throw std::logic_error("no object to be made");
+}
+
+void Lowering::make_function(const FunctionValueExpr& e, Reg to) {
+  code_.at(e.span, &e);
+  code_.push(OpCode::CLOSURE, to.bits, 0, e.function->index);
 }
 
 void Lowering::make_list(const ListExpr& e, Reg to) {

@@ -16,56 +16,47 @@ void Lowering::statement(const Stmt& s) {
   code_.at(s.span);
   switch (s.kind) {
     case StmtKind::kBlock:
-      block(s.as<Block>());
-      break;
+      return block(s.as<Block>());
     case StmtKind::kInit:
-      init(s.as<InitStmt>());
-      break;
+      return init(s.as<InitStmt>());
     case StmtKind::kAssign:
-      assign(s.as<AssignStmt>());
-      break;
+      return assign(s.as<AssignStmt>());
     case StmtKind::kStorePart:
-      store_part(s.as<StorePartStmt>());
-      break;
+      return store_part(s.as<StorePartStmt>());
     case StmtKind::kExpr:
-      effect(*s.as<ExprStmt>().value);
-      break;
+      return effect(*s.as<ExprStmt>().value);
     case StmtKind::kIf:
-      if_else(s.as<IfStmt>());
-      break;
+      return if_else(s.as<IfStmt>());
     case StmtKind::kLoop:
-      loop(s.as<LoopStmt>());
-      break;
+      return loop(s.as<LoopStmt>());
     case StmtKind::kRange:
-      range(s.as<RangeStmt>());
-      break;
+      return range(s.as<RangeStmt>());
     case StmtKind::kForList:
-      for_list(s.as<ForListStmt>());
-      break;
+      return for_list(s.as<ForListStmt>());
     case StmtKind::kSwitch:
-      switch_case(s.as<SwitchStmt>());
-      break;
+      return switch_case(s.as<SwitchStmt>());
     case StmtKind::kTry:
-      try_catch(s.as<TryStmt>());
-      break;
+      return try_catch(s.as<TryStmt>());
     case StmtKind::kThrow:
-      raise(s.as<ThrowStmt>());
-      break;
+      return raise(s.as<ThrowStmt>());
     case StmtKind::kJump:
-      jump(s.as<JumpStmt>());
-      break;
+      return jump(s.as<JumpStmt>());
     case StmtKind::kReturn:
-      give_back(s.as<ReturnStmt>());
-      break;
+      return give_back(s.as<ReturnStmt>());
     case StmtKind::kAssert:
-      check(s.as<AssertStmt>());
-      break;
+      return check(s.as<AssertStmt>());
     case StmtKind::kAssertThrows:
-      check_throws(s.as<AssertThrowsStmt>());
-      break;
-    default:
-      time_and_tasks(s);
-      break;
+      return check_throws(s.as<AssertThrowsStmt>());
+    case StmtKind::kWait:
+      return wait(s.as<WaitStmt>());
+    case StmtKind::kWaitUntil:
+      return wait_until(s.as<WaitUntilStmt>());
+    case StmtKind::kParallel:
+      return parallel(s.as<ParallelStmt>());
+    case StmtKind::kWhen:
+      return when(s.as<WhenStmt>());
+    case StmtKind::kEvery:
+      return every(s.as<EveryStmt>());
   }
 }
 

@@ -16,26 +16,6 @@ Span head_of(const Stmt& s) {
 
 }  // namespace
 
-void Lowering::time_and_tasks(const Stmt& s) {
-  switch (s.kind) {
-    case StmtKind::kWait:
-      wait(s.as<WaitStmt>());
-      break;
-    case StmtKind::kWaitUntil:
-      wait_until(s.as<WaitUntilStmt>());
-      break;
-    case StmtKind::kParallel:
-      parallel(s.as<ParallelStmt>());
-      break;
-    case StmtKind::kWhen:
-      when(s.as<WhenStmt>());
-      break;
-    default:
-      every(s.as<EveryStmt>());
-      break;
-  }
-}
-
 void Lowering::parallel(const ParallelStmt& s) {
   std::uint32_t index = 0;
   for (const Expr* branch : s.branches) {

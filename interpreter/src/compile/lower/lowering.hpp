@@ -68,6 +68,9 @@ class Lowering {
   void value_into(const hir::Expr& e, Dest to);
   bool in_register(const hir::Expr& e, Reg& out);
   void compute(const hir::Expr& e, Dest to);
+  void read_variable(const hir::VariableExpr& e, Reg to);
+  void operator_into(const hir::BinaryExpr& e, Dest to);
+  void entry_into(const hir::EntryExpr& e, Reg to);
   void load_variable(const hir::Variable& variable, Reg to);
   void unary_into(const hir::UnaryExpr& e, Dest to);
   void binary_into(const hir::BinaryExpr& e, Dest to);
@@ -86,7 +89,6 @@ class Lowering {
   void load_field(const hir::FieldExpr& e, Reg to, Hold hold);
   void load_element(const hir::ElementExpr& e, Reg to, Hold hold);
   bool load_element_twice(const hir::ElementExpr& e, Reg to, Hold hold);
-
   // ---- lower_known.cpp
   bool with_small(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
   bool by_power_of_two(Site site, hir::Op op, Reg left, const hir::Expr& right, Reg to);
@@ -98,6 +100,7 @@ class Lowering {
   Reg borrow_variable(const hir::Variable& variable, Hold hold);
   Reg null_reference();
   void own_into(const hir::Expr& e, Reg to);
+  void own_read(const hir::VariableExpr& e, Reg to);
   void own_variable(const hir::Variable& variable, Reg to);
   void own_either(const hir::CondExpr& e, Reg to);
   void own_converted(const hir::ConvertExpr& e, Reg to);
@@ -105,6 +108,7 @@ class Lowering {
   void make_list(const hir::ListExpr& e, Reg to);
   void make_array(const hir::NewArrayExpr& e, Reg to);
   void make_record(const hir::RecordExpr& e, Reg to);
+  void make_function(const hir::FunctionValueExpr& e, Reg to);
   void make_closure(const hir::ClosureExpr& e, Reg to);
   void make_error(const hir::ErrorExpr& e, Reg to);
   void make_slice(const hir::SliceExpr& e, Reg to);
@@ -112,7 +116,6 @@ class Lowering {
   void join(const hir::ConcatExpr& e, Reg to);
   static std::vector<hir::Expr*> joined_parts(const hir::ConcatExpr& e);
   void to_text(const hir::ToTextExpr& e, Reg to);
-
   // ---- lower_unset.cpp: elements that may have no value yet
   [[nodiscard]] bool may_be_unset(const Type& element) const;
   [[nodiscard]] bool may_hold_unset(const Type& type) const;
@@ -120,7 +123,6 @@ class Lowering {
   void load_item(Reg to, Reg list, Reg index, const Type& element, const hir::Expr& written);
   void check_whole(const hir::Expr& e, Reg value, bool only_itself = false);
   void check_arguments(const hir::CallNativeExpr& e, Reg base);
-
   // ---- lower_map.cpp
   void make_map(const hir::MapExpr& e, Reg to);
   void make_map_list(const hir::MapQueryExpr& e, Reg to);
@@ -130,7 +132,6 @@ class Lowering {
   Reg key(const hir::Expr& e, Hold hold);
   void step_to_entry(const hir::Step& step, Reg to, Reg key, bool makes);
   Reg remove_key(const hir::MutateExpr& e);
-
   // ---- lower_matrix.cpp
   void make_matrix(const hir::MatrixExpr& e, Reg to);
   void make_part(const hir::PartExpr& e, Reg to);
@@ -149,6 +150,7 @@ class Lowering {
   void call_own(const hir::Expr& e, Reg to);
   void effect(const hir::Expr& e);
   Reg call(const hir::Expr& e, Dest to);
+  Reg call_value(const hir::CallValueExpr& e, Dest to);
   Reg call_native(const hir::CallNativeExpr& e, Reg base);
   Reg call_guarded(const hir::GuardedExpr& e, Dest to);
   bool call_direct(const hir::CallNativeExpr& e, Dest to);
@@ -270,11 +272,9 @@ class Lowering {
   void close(TryScope& scope);
   TryScope pop_try();
   [[nodiscard]] bool finally_runs() const;
-
   // ---- lower_tasks.cpp
   static bool starts_watching(const hir::Stmt* s);
   void watched_block(hir::Seq<hir::Stmt*> body);
-  void time_and_tasks(const hir::Stmt& s);
   void parallel(const hir::ParallelStmt& s);
   void when(const hir::WhenStmt& s);
   void every(const hir::EveryStmt& s);

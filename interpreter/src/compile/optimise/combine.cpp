@@ -12,86 +12,27 @@ namespace {
 constexpr std::size_t kMostUses = 3;     // of the index of an element beside another
 constexpr std::uint32_t kFarthest = 40;  // instructions that are looked at for them
 
-struct Condition {
-  OpCode move = OpCode::HALT;  // HALT: there is none
-  OpCode count = OpCode::HALT;
+// A move or a count that is made when the comparison that jumps over it fails.
+struct Choice {
+  OpCode move = kNoVariant;
+  OpCode count = kNoVariant;
   bool turned = false;
 };
-
-// When the comparison that jumps over an instruction fails.
-Condition otherwise(OpCode op) {
-  switch (op) {
-    case OpCode::IFGEI:
-    case OpCode::FORX:
-      return {OpCode::MOVELTI, OpCode::COUNTLTI, false};
-    case OpCode::IFLEI:
-      return {OpCode::MOVELTI, OpCode::COUNTLTI, true};
-    case OpCode::IFGTI:
-      return {OpCode::MOVELEI, OpCode::COUNTLEI, false};
-    case OpCode::IFLTI:
-      return {OpCode::MOVELEI, OpCode::COUNTLEI, true};
-    case OpCode::IFNEI:
-      return {OpCode::MOVEEQI, OpCode::COUNTEQI, false};
-    case OpCode::IFEQI:
-      return {OpCode::MOVENEI, OpCode::COUNTNEI, false};
-    case OpCode::IFNLTR:
-      return {OpCode::MOVELTR, OpCode::COUNTLTR, false};
-    case OpCode::IFNLER:
-      return {OpCode::MOVELER, OpCode::COUNTLER, false};
-    default:
-      return {};
-  }
+Choice otherwise(OpCode op) {
+  const bool turned =
+      !has_variant(Variant::kOtherwiseMove, op) && has_variant(Variant::kTurned, op);
+  const OpCode test = turned ? variant_of(Variant::kTurned, op) : op;
+  return {variant_of(Variant::kOtherwiseMove, test), variant_of(Variant::kOtherwiseCount, test),
+          turned};
 }
 
 // Ra += c together with the comparison behind it. `second`: what is counted is compared with.
-OpCode counting(OpCode op, bool second) {
-  switch (op) {
-    case OpCode::IFLTI:
-      return second ? OpCode::FORGT : OpCode::FORLT;
-    case OpCode::IFLEI:
-      return second ? OpCode::FORGE : OpCode::FORLE;
-    case OpCode::IFGTI:
-      return second ? OpCode::FORLT : OpCode::FORGT;
-    case OpCode::IFGEI:
-      return second ? OpCode::FORLE : OpCode::FORGE;
-    case OpCode::IFLTIK:
-      return OpCode::FORLTK;
-    case OpCode::IFLEIK:
-      return OpCode::FORLEK;
-    case OpCode::IFGTIK:
-      return OpCode::FORGTK;
-    case OpCode::IFGEIK:
-      return OpCode::FORGEK;
-    default:
-      return OpCode::HALT;
-  }
+OpCode counting(OpCode op, bool second, std::uint32_t by) {
+  const OpCode variant =
+      variant_of(Variant::kBehindCount, second ? variant_of(Variant::kTurned, op) : op);
+  const OpCode by_one = variant_of(Variant::kBehindCountOne, variant);
+  return by == 1 && by_one != kNoVariant ? by_one : variant;
 }
-
-// The change of an element by this operation on what was loaded from it.
-OpCode change_of(OpCode op) {
-  switch (op) {
-    case OpCode::ADDIK:
-      return OpCode::COUNTEL;
-    case OpCode::ADDI:
-      return OpCode::ADDEL;
-    case OpCode::SUBI:
-      return OpCode::SUBEL;
-    case OpCode::ADDR:
-      return OpCode::ADDELR;
-    case OpCode::SUBR:
-      return OpCode::SUBELR;
-    case OpCode::MULR:
-      return OpCode::MULELR;
-    case OpCode::MADD:
-      return OpCode::MADDEL;
-    case OpCode::MSUB:
-      return OpCode::MSUBEL;
-    default:
-      return OpCode::HALT;
-  }
-}
-
-bool may_turn(OpCode op) { return op == OpCode::ADDI || op == OpCode::ADDR || op == OpCode::MULR; }
 
 class Combiner {
  public:
@@ -124,19 +65,15 @@ class Combiner {
   }
 
   void look_at(std::uint32_t at) {
-    switch (code_[at].op) {
-      case OpCode::LD:
-        (void)(exchange(at) || change_element(at) || copy_element(at));
-        return;
-      case OpCode::ADDIK:
-        (void)(count_and_branch(at) || look_beside(at));
-        return;
-      case OpCode::MULIK:
-        scale(at);
-        return;
-      default:
-        if (is_compare_and_branch(code_[at].op)) choose_without_branch(at);
-        return;
+    const OpCode op = code_[at].op;
+    if (op == OpCode::LD) {
+      (void)(exchange(at) || change_element(at) || copy_element(at));
+    } else if (op == OpCode::ADDIK) {
+      (void)(count_and_branch(at) || look_beside(at));
+    } else if (op == OpCode::MULIK) {
+      scale(at);
+    } else if (is_compare_and_branch(op)) {
+      choose_without_branch(at);
     }
   }
 
@@ -178,16 +115,16 @@ class Combiner {
     WideInstr& load = code_[at];
     const WideInstr change = code_[at + 1];
     const WideInstr& store = code_[at + 2];
-    const OpCode op = change_of(change.op);
+    const OpCode op = variant_of(Variant::kElementChanged, change.op);
     const std::uint32_t t = load.a;
-    if (op == OpCode::HALT || store.op != OpCode::ST || change.a != t || store.c != t) return false;
+    if (op == kNoVariant || store.op != OpCode::ST || change.a != t || store.c != t) return false;
     if (store.a != load.b || store.b != load.c || load.b == t || load.c == t) return false;
     const bool is_product = op == OpCode::MADDEL || op == OpCode::MSUBEL;
     std::uint32_t value = change.c;
     if (is_product) {
       if (change.b == t || change.c == t) return false;
     } else if (change.b != t) {
-      if (!may_turn(change.op) || change.c != t) return false;
+      if (!properties_of(change.op).commutes || change.c != t) return false;
       value = change.b;
     }
     if (change.op != OpCode::ADDIK && !is_product && value == t) return false;
@@ -223,7 +160,7 @@ class Combiner {
     const std::uint32_t t = product.a;
     if (sum.op != OpCode::ADDIK || sum.b != t) return;
     if (sum.a != t && !deaths_.dies(t, at + 1)) return;
-    product.op = OpCode::SCALEI;
+    product.op = variant_of(Variant::kAndAddSmall, product.op);
     product.a = sum.a;
     make_operand(at + 1, OpCode::OFFSET, 0, 0, sum.c);
   }
@@ -236,13 +173,11 @@ class Combiner {
     const bool immediate = operand_of(test.op, 1) == 'i';
     const bool second = !immediate && test.b == sum.a;
     if (second == (test.a == sum.a)) return false;
-    OpCode op = counting(test.op, second);
-    if (op == OpCode::HALT) return false;
+    const OpCode op = counting(test.op, second, sum.c);
+    if (op == kNoVariant) return false;
     const std::uint32_t with = second ? test.a : test.b;
-    if (sum.c == 1 && op == OpCode::FORLT) op = OpCode::FORI;
-    if (sum.c == 1 && op == OpCode::FORGE) op = OpCode::FORX;
-    const bool by_one = op == OpCode::FORI || op == OpCode::FORX;
-    sum = {op, sum.a, with, by_one ? 0 : sum.c, sum.label, sum.expr, sum.span};
+    const bool is_told = operand_of(op, 2) == 'i';
+    sum = {op, sum.a, with, is_told ? sum.c : 0, sum.label, sum.expr, sum.span};
     // The jump stays where it is, behind the comparison.
     test = code_[at + 2];
     remove_jump(at + 2);
@@ -256,8 +191,8 @@ class Combiner {
   }
 
   bool can_choose(std::uint32_t at) const {
-    const Condition condition = otherwise(code_[at].op);
-    if (condition.move == OpCode::HALT || !is_straight(at, 3)) return false;
+    const Choice choice = otherwise(code_[at].op);
+    if (choice.move == kNoVariant || !is_straight(at, 3)) return false;
     const WideInstr& jump = code_[at + 1];
     const WideInstr& body = code_[at + 2];
     if (jump.op != OpCode::JUMP || shape_.labels[jump.label] != at + 3) return false;
@@ -269,11 +204,11 @@ class Combiner {
     WideInstr& test = code_[at];
     WideInstr& jump = code_[at + 1];
     const WideInstr body = code_[at + 2];
-    const Condition condition = otherwise(test.op);
+    const Choice choice = otherwise(test.op);
     const bool counts = body.op == OpCode::ADDIK;
-    const bool turned = condition.turned;
+    const bool turned = choice.turned;
     --ways_[at + 3];
-    const WideInstr chosen{counts ? condition.count : condition.move,
+    const WideInstr chosen{counts ? choice.count : choice.move,
                            body.a,
                            counts ? 0 : body.b,
                            counts ? body.c : 0,

@@ -7,14 +7,6 @@
 
 namespace armlet::lang {
 
-enum class Effect : std::uint8_t {
-  kPure,     // its result depends on its operands alone; if it fails, it always does
-  kLoad,     // and on lists, records and variables of the program
-  kUpdate,   // its result also depends on what the register held
-  kPlain,    // anything else that only touches the registers it names
-  kUnknown,  // nothing is known
-};
-
 struct Effects {
   Effect effect = Effect::kUnknown;
   std::uint32_t words = 1;   // the instruction and its operands in the next word
@@ -36,6 +28,14 @@ struct Effects {
 
 // Of the instruction at `at`, which is not an operand word.
 [[nodiscard]] Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at);
+
+// The result depends on the operands, and on memory as it is, alone.
+[[nodiscard]] constexpr bool is_load(Effect effect) {
+  return effect == Effect::kLoad || effect == Effect::kInside;
+}
+[[nodiscard]] constexpr bool is_value(Effect effect) {
+  return effect == Effect::kPure || is_load(effect);
+}
 
 // Calls f(std::uint32_t& bits) for each register that an instruction reads and names, those of its
 // operand word included; not for register a of a kUpdate.

@@ -12,26 +12,12 @@ constexpr std::size_t kFewestLoads = 3;
 constexpr std::size_t kFewestStores = 2;
 constexpr std::uint32_t kFarthest = 300;  // instructions between the first and the last
 
+// A field of an element of a list.
 bool loads_field(OpCode op) {
-  return op == OpCode::LDF || op == OpCode::ADDLDF || op == OpCode::SUBLDF || op == OpCode::MULLDF;
+  return has_variant(Variant::kOfRecord, op) && properties_of(op).defines;
 }
-bool stores_field(OpCode op) { return op == OpCode::STLF || op == OpCode::MADDLF; }
-
-OpCode of_record(OpCode op) {
-  switch (op) {
-    case OpCode::LDF:
-      return OpCode::FLD;
-    case OpCode::ADDLDF:
-      return OpCode::ADDF;
-    case OpCode::SUBLDF:
-      return OpCode::SUBF;
-    case OpCode::MULLDF:
-      return OpCode::MULF;
-    case OpCode::STLF:
-      return OpCode::SETF;
-    default:
-      return OpCode::MADDF;
-  }
+bool stores_field(OpCode op) {
+  return has_variant(Variant::kOfRecord, op) && !properties_of(op).defines;
 }
 
 class ElementSharer {
@@ -65,8 +51,8 @@ class ElementSharer {
       if (stores && stores_field(instr.op)) {
         if (instr.a != list || instr.b != index) return;
         uses_.push_back(at);
-      } else if (effects.effect != Effect::kPure && effects.effect != Effect::kLoad &&
-                 effects.effect != Effect::kUpdate && instr.op != OpCode::MOVE) {
+      } else if (!is_value(effects.effect) && effects.effect != Effect::kUpdate &&
+                 instr.op != OpCode::MOVE) {
         return;
       } else if (!stores && loads_field(instr.op) && instr.b == list && instr.c == index) {
         uses_.push_back(at);
@@ -94,7 +80,7 @@ class ElementSharer {
       WideInstr& instr = code_[at];
       WideInstr& word = code_[at + 1];
       const bool plain = instr.op == OpCode::LDF;
-      instr.op = of_record(instr.op);
+      instr.op = variant_of(Variant::kOfRecord, instr.op);
       instr.b = record.bits;
       instr.c = plain ? word.b : word.c;
       if (plain) {
@@ -110,7 +96,7 @@ class ElementSharer {
     for (const std::uint32_t at : uses_) {
       WideInstr& instr = code_[at];
       const bool plain = instr.op == OpCode::STLF;
-      instr.op = of_record(instr.op);
+      instr.op = variant_of(Variant::kOfRecord, instr.op);
       instr.a = record.bits;
       instr.b = plain ? code_[at + 1].b : 0;
       if (plain) edits_.removed[at + 1] = true;

@@ -32,9 +32,9 @@ class Fuser {
   void join_products(std::uint32_t at) {
     WideInstr& product = code_[at];
     WideInstr& sum = code_[at + 1];
-    if (sum.op != OpCode::MADD && sum.op != OpCode::MSUB) return;
+    if (!has_variant(Variant::kProductInstead, sum.op)) return;
     if (sum.a != product.a || sum.b == product.a || sum.c == product.a) return;
-    product.op = sum.op == OpCode::MADD ? OpCode::SUMP : OpCode::DIFFP;
+    product.op = variant_of(Variant::kProductInstead, sum.op);
     sum.op = OpCode::PAIR;
     sum.a = sum.b;
     sum.b = sum.c;
@@ -47,11 +47,11 @@ class Fuser {
     WideInstr& sum = code_[at + 1];
     const std::uint32_t t = load.a;
     const bool from_row = sum.op == OpCode::MADDLDLD;
-    if (!from_row && sum.op != OpCode::MADDLD) return;
+    if (!has_variant(Variant::kElementInstead, sum.op)) return;
     WideInstr& word = code_[at + 2];
     const bool other_use = sum.a == t || sum.b == t || sum.c == t || (from_row && word.b == t);
     if (word.a != t || other_use || !deaths_.dies(t, at + 1)) return;
-    load.op = from_row ? OpCode::MADDROW : OpCode::MADDTWO;
+    load.op = variant_of(Variant::kElementInstead, sum.op);
     load.a = sum.a;
     sum.op = OpCode::PAIR;
     sum.a = sum.b;

@@ -63,7 +63,22 @@ class Judge {
         if (assign.compound) ++operations_;
         break;
       }
-      default:
+      case StmtKind::kExpr:
+      case StmtKind::kLoop:
+      case StmtKind::kRange:
+      case StmtKind::kForList:
+      case StmtKind::kSwitch:
+      case StmtKind::kTry:
+      case StmtKind::kThrow:
+      case StmtKind::kJump:
+      case StmtKind::kWait:
+      case StmtKind::kWaitUntil:
+      case StmtKind::kParallel:
+      case StmtKind::kWhen:
+      case StmtKind::kEvery:
+      case StmtKind::kAssert:
+      case StmtKind::kAssertThrows:
+      case StmtKind::kStorePart:
         fits_ = false;
         break;
     }
@@ -88,30 +103,16 @@ class Judge {
   // References are only looked into: nothing that is made would have to be released.
   void node(const Expr& e) {
     ++operations_;
-    switch (e.kind) {
-      case ExprKind::kVariable:
-        --operations_;
-        if (e.as<VariableExpr>().variable->storage == Storage::kBoxed) fits_ = false;
-        break;
-      case ExprKind::kField:
-      case ExprKind::kElement:
-      case ExprKind::kLength:
-        break;
-      case ExprKind::kCallNative:
-        if (!is_quiet(e)) fits_ = false;
-        [[fallthrough]];
-      case ExprKind::kUnary:
-      case ExprKind::kBinary:
-      case ExprKind::kAnd:
-      case ExprKind::kOr:
-      case ExprKind::kCond:
-      case ExprKind::kConvert:
-        if (e.type->is_reference()) fits_ = false;
-        break;
-      default:
-        fits_ = false;
-        break;
+    if (e.kind == ExprKind::kVariable) {
+      --operations_;
+      if (e.as<VariableExpr>().variable->storage == Storage::kBoxed) fits_ = false;
+      return;
     }
+    if (is_one_of(e.kind, {ExprKind::kField, ExprKind::kElement, ExprKind::kLength})) return;
+    const bool computes = is_one_of(e.kind, {ExprKind::kUnary, ExprKind::kBinary, ExprKind::kAnd,
+                                             ExprKind::kOr, ExprKind::kCond, ExprKind::kConvert}) ||
+                          (e.kind == ExprKind::kCallNative && is_quiet(e));
+    if (!computes || e.type->is_reference()) fits_ = false;
   }
 
   const Function& function_;

@@ -41,10 +41,7 @@ void Liveness::find_blocks(const CodeShape& shape) {
   for (const auto& handler : shape.handlers) begins[handler.handler] = true;
   for (std::uint32_t at = 0; at < code_.size();) {
     const std::uint32_t next = at + effects_of(code_, at).words;
-    const OpCode op = code_[at].op;
-    const bool jumps =
-        ends_flow(op) || is_compare_and_branch(op) || op == OpCode::JT || op == OpCode::JF;
-    if (jumps) begins[next] = true;
+    if (properties_of(code_[at].op).flow != ControlFlow::kNext) begins[next] = true;
     at = next;
   }
   block_of_.assign(code_.size() + 1, 0);

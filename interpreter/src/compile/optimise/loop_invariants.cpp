@@ -18,33 +18,18 @@ bool stores_numbers(OpCode op) {
 
 // Reads the register only as a list.
 bool takes_list(const WideInstr& instr, std::uint32_t reg) {
-  switch (instr.op) {
-    case OpCode::LD:
-    case OpCode::OWNED:
-      return instr.b == reg && instr.c != reg;
-    case OpCode::ST:
-      return instr.a == reg && instr.b != reg && instr.c != reg;
-    default:
-      return false;
-  }
+  if (instr.op == OpCode::ST) return instr.a == reg && instr.b != reg && instr.c != reg;
+  const bool looks_up = instr.op == OpCode::LD || instr.op == OpCode::OWNED;
+  return looks_up && instr.b == reg && instr.c != reg;
 }
 
 // Which lists are rows of which stays as it is, apart from copies that stores make of what others
 // see too.
 bool leaves_rows(const WideInstr& instr, const Effects& effects) {
-  switch (effects.effect) {
-    case Effect::kPure:
-    case Effect::kLoad:
-    case Effect::kUpdate:
-      return true;
-    case Effect::kPlain:
-      return is_compare_and_branch(instr.op) || instr.op == OpCode::MOVE ||
-             instr.op == OpCode::JUMP || instr.op == OpCode::JT || instr.op == OpCode::JF ||
-             instr.op == OpCode::EXPANDED || stores_numbers(instr.op);
-    case Effect::kUnknown:
-      return false;
-  }
-  return false;
+  if (is_value(effects.effect) || effects.effect == Effect::kUpdate) return true;
+  const ControlFlow flow = properties_of(instr.op).flow;
+  return flow == ControlFlow::kTest || flow == ControlFlow::kJump || instr.op == OpCode::MOVE ||
+         instr.op == OpCode::JUMP || instr.op == OpCode::EXPANDED || stores_numbers(instr.op);
 }
 
 class RowHoister {
@@ -65,8 +50,7 @@ class RowHoister {
         const OpCode op = code_[i].op;
         use_row(i);
         i += effects_of(code_, i).words;
-        const bool branches = is_compare_and_branch(op) || op == OpCode::JT || op == OpCode::JF;
-        if (branches || ends_flow(op) || flow_.targets[i]) ++segment_;
+        if (properties_of(op).flow != ControlFlow::kNext || flow_.targets[i]) ++segment_;
       }
     }
     return std::move(edits_);
@@ -112,20 +96,10 @@ class RowHoister {
   }
 
   void use_row(std::uint32_t at) {
-    switch (code_[at].op) {
-      case OpCode::LDLD:
-      case OpCode::MADDLDLD:
-        load(at);
-        return;
-      case OpCode::STLD:
-        store(at);
-        return;
-      case OpCode::OWNED:
-        own(at);
-        return;
-      default:
-        return;
-    }
+    const OpCode op = code_[at].op;
+    if (op == OpCode::LDLD || op == OpCode::MADDLDLD) load(at);
+    if (op == OpCode::STLD) store(at);
+    if (op == OpCode::OWNED) own(at);
   }
 
   // The register that has this row, looked up before the loop; `at` says where it is written.
@@ -227,7 +201,7 @@ class RowHoister {
 }  // namespace
 
 Edits hoist_loop_invariants(std::vector<WideInstr>& code, const CodeShape& shape,
-                 const std::function<Reg()>& fresh) {
+                            const std::function<Reg()>& fresh) {
   const bool has_rows = std::ranges::any_of(code, [](const WideInstr& instr) {
     return instr.op == OpCode::LDLD || instr.op == OpCode::MADDLDLD || instr.op == OpCode::STLD ||
            instr.op == OpCode::OWNED;

@@ -14,6 +14,6 @@ namespace armlet::lang {
 //
 // fresh  a register of its own for every call.
 [[nodiscard]] Edits hoist_loop_invariants(std::vector<WideInstr>& code, const CodeShape& shape,
-                               const std::function<Reg()>& fresh);
+                                          const std::function<Reg()>& fresh);
 
 }  // namespace armlet::lang

@@ -9,96 +9,6 @@ namespace armlet::lang {
 
 namespace {
 
-struct Choice {
-  OpCode op = OpCode::HALT;  // HALT: there is none
-  bool second = false;       // the operand that is replaced is the second one
-};
-
-// The comparison with an element on the left or on the right.
-OpCode compare_element(OpCode op, bool on_right) {
-  switch (op) {
-    case OpCode::IFLTI:
-      return on_right ? OpCode::IFGTX : OpCode::IFLTX;
-    case OpCode::IFLEI:
-      return on_right ? OpCode::IFGEX : OpCode::IFLEX;
-    case OpCode::IFGEI:
-      return on_right ? OpCode::IFLEX : OpCode::IFGEX;
-    case OpCode::IFGTI:
-      return on_right ? OpCode::IFLTX : OpCode::IFGTX;
-    case OpCode::IFEQI:
-      return OpCode::IFEQX;
-    case OpCode::IFNEI:
-      return OpCode::IFNEX;
-    case OpCode::IFLTR:
-      return on_right ? OpCode::IFLTRX : OpCode::IFLTXR;
-    case OpCode::IFLER:
-      return on_right ? OpCode::IFLERX : OpCode::IFLEXR;
-    case OpCode::IFNLTR:
-      return on_right ? OpCode::IFNLTRX : OpCode::IFNLTXR;
-    case OpCode::IFNLER:
-      return on_right ? OpCode::IFNLERX : OpCode::IFNLEXR;
-    case OpCode::IFEQR:
-      return OpCode::IFEQXR;
-    case OpCode::IFNER:
-      return OpCode::IFNEXR;
-    default:
-      return OpCode::HALT;
-  }
-}
-
-OpCode compare_element_with_small(OpCode op) {
-  switch (op) {
-    case OpCode::IFLTIK:
-      return OpCode::IFLTXK;
-    case OpCode::IFLEIK:
-      return OpCode::IFLEXK;
-    case OpCode::IFGEIK:
-      return OpCode::IFGEXK;
-    case OpCode::IFGTIK:
-      return OpCode::IFGTXK;
-    case OpCode::IFEQIK:
-      return OpCode::IFEQXK;
-    case OpCode::IFNEIK:
-      return OpCode::IFNEXK;
-    default:
-      return OpCode::HALT;
-  }
-}
-
-OpCode operate_on_element(OpCode op, bool on_right) {
-  switch (op) {
-    case OpCode::ADDI:
-      return OpCode::ADDIX;
-    case OpCode::SUBI:
-      return on_right ? OpCode::SUBIX : OpCode::XSUBI;
-    case OpCode::MULI:
-      return OpCode::MULIX;
-    case OpCode::ADDR:
-      return OpCode::ADDRX;
-    case OpCode::SUBR:
-      return on_right ? OpCode::SUBRX : OpCode::XSUBR;
-    case OpCode::MULR:
-      return OpCode::MULRX;
-    default:
-      return OpCode::HALT;
-  }
-}
-
-OpCode step_and_compare(OpCode op) {
-  switch (op) {
-    case OpCode::IFLTI:
-      return OpCode::FORBYLT;
-    case OpCode::IFLEI:
-      return OpCode::FORBYLE;
-    case OpCode::IFLTIK:
-      return OpCode::FORBYLTK;
-    case OpCode::IFLEIK:
-      return OpCode::FORBYLEK;
-    default:
-      return OpCode::HALT;
-  }
-}
-
 class OperandTaker {
  public:
   OperandTaker(std::vector<WideInstr>& code, const CodeShape& shape)
@@ -112,35 +22,21 @@ class OperandTaker {
 
  private:
   void look_at(std::uint32_t at) {
-    switch (code_[at].op) {
-      case OpCode::LD:
-        (void)(compare(at) || test_truth(at) || operate(at) || add_product(at));
-        return;
-      case OpCode::LDLD:
-        add_element_of_row(at);
-        return;
-      case OpCode::GLOAD:
-        load_from_global(at);
-        return;
-      case OpCode::GOWN:
-        store_in_global(at);
-        return;
-      case OpCode::MULI:
-      case OpCode::ADDI:
-        (void)(operate_twice(at) || step(at));
-        return;
-      case OpCode::MODI:
-      case OpCode::MODP:
-        test_division(at);
-        return;
-      case OpCode::TEXT:
-        compare_with_text(at);
-        return;
-      case OpCode::CMPTEXT:
-        compare_texts(at);
-        return;
-      default:
-        return;
+    const OpCode op = code_[at].op;
+    if (op == OpCode::LD) {
+      (void)(compare(at) || test_truth(at) || operate(at) || add_product(at));
+    } else if (op == OpCode::LDLD) {
+      add_element_of_row(at);
+    } else if (op == OpCode::GLOAD) {
+      load_from_global(at);
+    } else if (op == OpCode::GOWN) {
+      store_in_global(at);
+    } else if (op == OpCode::MULI || op == OpCode::ADDI) {
+      (void)(operate_twice(at) || step(at));
+    } else if (has_variant(Variant::kIfZero, op)) {
+      test_zero(at);
+    } else if (op == OpCode::TEXT) {
+      compare_with_text(at);
     }
   }
 
@@ -177,18 +73,13 @@ class OperandTaker {
     const WideInstr* test = after(at, 1);
     if (test == nullptr || !is_compare_and_branch(test->op)) return false;
     const std::uint32_t t = load.a;
-    OpCode op = compare_element_with_small(test->op);
-    std::uint32_t other = test->b;
-    if (op != OpCode::HALT) {
-      if (test->a != t) return false;
-    } else {
-      const bool on_right = test->a != t;
-      if (on_right ? test->b != t : test->b == t) return false;
-      op = compare_element(test->op, on_right);
-      if (op == OpCode::HALT) return false;
-      if (on_right) other = test->a;
-    }
-    if (!deaths_.dies(t, at + 1)) return false;
+    const bool with_small = operand_of(test->op, 1) == 'i';
+    const bool on_right = !with_small && test->a != t;
+    if (on_right ? test->b != t : test->a != t || (!with_small && test->b == t)) return false;
+    const OpCode op =
+        variant_of(on_right ? Variant::kElementRight : Variant::kElementLeft, test->op);
+    const std::uint32_t other = on_right ? test->a : test->b;
+    if (op == kNoVariant || !deaths_.dies(t, at + 1)) return false;
     make(at, op, load.b, load.c, other);
     take_jump(at, at + 1);
     return true;
@@ -219,9 +110,11 @@ class OperandTaker {
       make(at + 1, OpCode::OFFSET, 0, 0, added);
       return true;
     }
-    const bool on_right = operate_on_element(next->op, true) != OpCode::HALT && next->b != t;
-    const OpCode op = operate_on_element(next->op, on_right);
-    if (op == OpCode::HALT || (on_right ? next->c != t : next->c == t)) return false;
+    if (properties_of(next->op).flow != ControlFlow::kNext) return false;
+    const bool on_right = next->b != t;
+    const OpCode op =
+        variant_of(on_right ? Variant::kElementRight : Variant::kElementLeft, next->op);
+    if (op == kNoVariant || (on_right ? next->c != t : next->c == t)) return false;
     const std::uint32_t other = on_right ? next->b : next->c;
     make(at, op, next->a, load.b, load.c);
     make(at + 1, OpCode::WITH, other, 0, 0);
@@ -232,9 +125,9 @@ class OperandTaker {
   bool add_product(std::uint32_t at) {
     const WideInstr& load = code_[at];
     const WideInstr* change = after(at, 1);
-    if (change == nullptr || (change->op != OpCode::MADDEL && change->op != OpCode::MSUBEL)) {
-      return false;
-    }
+    const OpCode op =
+        change == nullptr ? kNoVariant : variant_of(Variant::kElementFactor, change->op);
+    if (op == kNoVariant) return false;
     const WideInstr& factors = code_[at + 2];
     const std::uint32_t t = load.a;
     const std::uint32_t list = change->a;
@@ -242,7 +135,6 @@ class OperandTaker {
     if ((factors.a == t) == (factors.b == t) || list == t || index == t) return false;
     if (!deaths_.dies(t, at + 1)) return false;
     const std::uint32_t other = factors.a == t ? factors.b : factors.a;
-    const OpCode op = change->op == OpCode::MADDEL ? OpCode::MADDELX : OpCode::MSUBELX;
     const WideInstr element = load;
     make(at, op, list, index, other);
     make(at + 1, OpCode::PAIR, element.b, element.c, 0);
@@ -254,12 +146,13 @@ class OperandTaker {
   void add_element_of_row(std::uint32_t at) {
     const WideInstr& load = code_[at];
     const WideInstr* sum = after(at, 2);
-    if (sum == nullptr || sum->op != OpCode::ADDI) return;
+    const OpCode op = sum == nullptr ? kNoVariant : variant_of(Variant::kElementOfRow, sum->op);
+    if (op == kNoVariant) return;
     const std::uint32_t t = load.a;
     if ((sum->b == t) == (sum->c == t)) return;
     if (sum->a != t && !deaths_.dies(t, at + 2)) return;
     const std::uint32_t other = sum->b == t ? sum->c : sum->b;
-    make(at, OpCode::ADDIXX, sum->a, load.b, load.c);
+    make(at, op, sum->a, load.b, load.c);
     make(at + 2, OpCode::WITH, other, 0, 0);
   }
 
@@ -299,11 +192,8 @@ class OperandTaker {
     const std::uint32_t t = first.a;
     if (with_small ? next->b != t : (next->b == t) == (next->c == t)) return false;
     if (next->a != t && !deaths_.dies(t, at + 1)) return false;
-    OpCode op = first.op == OpCode::MULI ? OpCode::MADDIK : OpCode::ADDIIK;
-    if (!with_small) {
-      if (first.op != OpCode::MULI) return false;
-      op = OpCode::MULADDI;
-    }
+    const OpCode op = variant_of(with_small ? Variant::kAndAddSmall : Variant::kAndAdd, first.op);
+    if (op == kNoVariant) return false;
     const std::uint32_t added = with_small ? next->c : next->b == t ? next->c : next->b;
     make(at, op, next->a, first.b, first.c);
     make(at + 1, with_small ? OpCode::OFFSET : OpCode::WITH, with_small ? 0 : added, 0,
@@ -317,39 +207,25 @@ class OperandTaker {
     const WideInstr* test = after(at, 1);
     if (test == nullptr || sum.op != OpCode::ADDI) return false;
     if ((sum.b == sum.a) == (sum.c == sum.a)) return false;
-    const OpCode op = step_and_compare(test->op);
-    const bool with_small = op == OpCode::FORBYLTK || op == OpCode::FORBYLEK;
+    const OpCode op = variant_of(Variant::kBehindStep, test->op);
+    const bool with_small = operand_of(op, 1) == 'i';
     const std::uint32_t by = sum.b == sum.a ? sum.c : sum.b;
-    if (op == OpCode::HALT || test->a != sum.a) return false;
+    if (op == kNoVariant || test->a != sum.a) return false;
     if (!with_small && test->b == sum.a) return false;
     make(at, op, sum.a, test->b, by);
     take_jump(at, at + 1);
     return true;
   }
 
-  // t = a % b; if t == 0 ...
-  void test_division(std::uint32_t at) {
-    const WideInstr& rest = code_[at];
+  // t = a % b; if t == 0 ...; likewise with the order of two texts.
+  void test_zero(std::uint32_t at) {
+    const WideInstr& number = code_[at];
     const WideInstr* test = after(at, 1);
-    if (test == nullptr || test->a != rest.a || test->b != 0) return;
+    if (test == nullptr || test->a != number.a || test->b != 0) return;
     if (test->op != OpCode::IFEQIK && test->op != OpCode::IFNEIK) return;
-    if (!deaths_.dies(rest.a, at + 1)) return;
-    const bool power = rest.op == OpCode::MODP;
-    const bool equal = test->op == OpCode::IFEQIK;
-    const OpCode op = power ? (equal ? OpCode::IFDIVP : OpCode::IFNDIVP)
-                            : (equal ? OpCode::IFDIV : OpCode::IFNDIV);
-    make(at, op, rest.b, rest.c, 0);
-    take_jump(at, at + 1);
-  }
-
-  // t = order of texts; if t == 0 ...
-  void compare_texts(std::uint32_t at) {
-    const WideInstr& order = code_[at];
-    const WideInstr* test = after(at, 1);
-    if (test == nullptr || test->a != order.a || test->b != 0) return;
-    if (test->op != OpCode::IFEQIK && test->op != OpCode::IFNEIK) return;
-    if (!deaths_.dies(order.a, at + 1)) return;
-    make(at, test->op == OpCode::IFEQIK ? OpCode::IFEQT : OpCode::IFNET, order.b, order.c, 0);
+    if (!deaths_.dies(number.a, at + 1)) return;
+    const Variant variant = test->op == OpCode::IFEQIK ? Variant::kIfZero : Variant::kIfNotZero;
+    make(at, variant_of(variant, number.op), number.b, number.c, 0);
     take_jump(at, at + 1);
   }
 

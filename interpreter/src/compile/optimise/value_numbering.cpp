@@ -14,68 +14,29 @@ constexpr std::uint32_t kFarthest = 300;  // instructions between a value and it
 
 bool is_number(Reg reg) { return reg.reg_class() == RegClass::kNumber; }
 
-bool changes_memory(const Effects& effects, OpCode op) {
-  if (effects.effect != Effect::kPlain) return effects.effect == Effect::kUnknown;
-  switch (op) {
-    case OpCode::MOVE:
-    case OpCode::ZERO:
-    case OpCode::TEXT:
-    case OpCode::GCHECK:
-    case OpCode::GSET:
-    case OpCode::CMPTEXT:
-    case OpCode::MAPLD:
-    case OpCode::MAPGET:
-    case OpCode::MAPHAS:
-    case OpCode::MAPLEN:
-    case OpCode::EXPANDED:
-    case OpCode::JT:
-    case OpCode::JF:
-    case OpCode::JUMP:
-      return false;
-    default:
-      return !is_compare_and_branch(op);
-  }
-}
-
 // Stores into a list or record that is a variable: what other variables hold stays as it is,
 // because values are never shared.
-bool stores_in_variable(OpCode op, std::uint32_t& holder, const WideInstr& instr) {
-  switch (op) {
-    case OpCode::ST:
-    case OpCode::STLD:
-    case OpCode::STF:
-    case OpCode::STLF:
-    case OpCode::STM:
-    case OpCode::MADDLF:
-      holder = instr.a;
-      break;
-    case OpCode::OWNED:
-    case OpCode::OWNEDF:
-      holder = instr.b;
-      break;
-    default:
-      return false;
-  }
+bool stores_in_variable(const WideInstr& instr, Effect effect, std::uint32_t& holder) {
+  if (effect != Effect::kStoreA && effect != Effect::kStoreB) return false;
+  holder = effect == Effect::kStoreA ? instr.a : instr.b;
   return Reg{holder}.is_reference();
 }
 
-// Looks into the list or record in register b.
-bool looks_inside(OpCode op) {
-  switch (op) {
-    case OpCode::LD:
-    case OpCode::LDI:
-    case OpCode::LDO:
-    case OpCode::LDLD:
-    case OpCode::LDF:
-    case OpCode::FLD:
-    case OpCode::LDM:
-    case OpCode::ADDLDF:
-    case OpCode::SUBLDF:
-    case OpCode::MULLDF:
-      return true;
-    default:
+bool changes_memory(Effect effect) {
+  switch (effect) {
+    case Effect::kPure:
+    case Effect::kLoad:
+    case Effect::kInside:
+    case Effect::kUpdate:
+    case Effect::kLocal:
       return false;
+    case Effect::kStoreA:
+    case Effect::kStoreB:
+    case Effect::kMemory:
+    case Effect::kUnknown:
+      return true;
   }
+  return true;
 }
 
 class RepeatFinder {
@@ -228,16 +189,16 @@ class RepeatFinder {
 
   void change_memory(std::uint32_t at, const Effects& effects) {
     std::uint32_t holder = 0;
-    if (stores_in_variable(code_[at].op, holder, code_[at])) {
+    if (stores_in_variable(code_[at], effects.effect, holder)) {
       stored_[holder] = borrowed_ = ++last_memory_;
-    } else if (changes_memory(effects, code_[at].op)) {
+    } else if (changes_memory(effects.effect)) {
       memory_ = ++last_memory_;
     }
   }
 
   // What a load at this place depends on besides its operands.
   std::uint64_t memory_for(std::uint32_t at) const {
-    if (!looks_inside(code_[at].op)) return memory_;
+    if (properties_of(code_[at].op).effect != Effect::kInside) return memory_;
     const Reg holder{code_[at].b};
     const bool is_variable = holder.is_reference() || holder.reg_class() == RegClass::kParameter;
     if (!is_variable) return std::max(memory_, borrowed_);
@@ -259,7 +220,7 @@ class RepeatFinder {
     const Reg to{code_[at].a};
     if (effects.effect == Effect::kUnknown) {
       forget();
-    } else if (effects.effect == Effect::kPure || effects.effect == Effect::kLoad) {
+    } else if (is_value(effects.effect)) {
       number_value(at, effects);
       return;
     }
@@ -295,7 +256,7 @@ class RepeatFinder {
     } else if (is_number(to) && (reuse(entry, at) || keep_through_loop(entry, at))) {
       remove(at, effects);
       return;
-    } else if (effects.effect == Effect::kLoad && value_of(entry.home) == entry.value) {
+    } else if (is_load(effects.effect) && value_of(entry.home) == entry.value) {
       replace_by_move(at, effects, entry.home);
     } else if (value_of(entry.home) != entry.value) {
       entry.at = at;  // nearer, and still there
@@ -307,7 +268,7 @@ class RepeatFinder {
   Key key_of(std::uint32_t at, const Effects& effects) {
     Key key{};
     key[0] = static_cast<std::uint64_t>(code_[at].op);
-    key[1] = std::uint64_t{region_} << 32U | (effects.effect == Effect::kLoad ? memory_for(at) : 0);
+    key[1] = std::uint64_t{region_} << 32U | (is_load(effects.effect) ? memory_for(at) : 0);
     std::size_t next = 2;
     for (std::uint32_t word = at; word < at + effects.words; ++word) {
       const std::uint32_t operands[] = {code_[word].a, code_[word].b, code_[word].c};
@@ -474,7 +435,7 @@ class RepeatFinder {
 }  // namespace
 
 Edits number_values(std::vector<WideInstr>& code, const CodeShape& shape,
-                   const std::function<Reg()>& fresh) {
+                    const std::function<Reg()>& fresh) {
   const Liveness liveness(code, shape);
   if (!liveness.is_known()) return {};
   return RepeatFinder(code, shape, liveness, fresh).run();

@@ -14,6 +14,6 @@ namespace armlet::lang {
 // later passes of a loop around, change it. A value whose register is needed for something else
 // before it is wanted again moves to a `fresh` one.
 [[nodiscard]] Edits number_values(std::vector<WideInstr>& code, const CodeShape& shape,
-                                 const std::function<Reg()>& fresh);
+                                  const std::function<Reg()>& fresh);
 
 }  // namespace armlet::lang

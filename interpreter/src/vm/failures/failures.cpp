@@ -8,6 +8,7 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/catalog.hpp"
+#include "compile/code/properties.hpp"
 #include "format_value.hpp"
 #include "vm/instructions/interpret.hpp"
 
@@ -206,16 +207,12 @@ std::string native_name(const VmState& state, const Task& task) {
   const Frame* frame = innermost(task);
   if (frame == nullptr || frame->pc == frame->callee->code) return "a function of the host";
   const Instr& call = frame->pc[-1];
-  switch (call.op) {
-    case OpCode::CALLN:
-      return '`' + std::string(state.natives[call.b]->name) + '`';
-    case OpCode::CALLD1:
-    case OpCode::CALLD2:
-    case OpCode::CALLD3:
-      return '`' + std::string(state.natives[call.c]->name) + '`';
-    default:
-      return "a function of the host";
+  const std::uint16_t operands[] = {call.a, call.b, call.c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (operand_of(call.op, i) == 'n')
+      return '`' + std::string(state.natives[operands[i]]->name) + '`';
   }
+  return "a function of the host";
 }
 
 // What the exception that is being handled says; empty if it is that of a kernel that was stopped,

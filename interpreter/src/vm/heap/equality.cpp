@@ -125,9 +125,16 @@ class Comparison {
       case Kind::kRecord:
         if (type.is_table()) return settle(a.o == b.o);  // a handle
         return open(a.o, b.o, type);
-      default:
-        return settle(a.o == b.o);  // functions
+      case Kind::kFunction:
+      case Kind::kAny:  // these are no objects
+      case Kind::kVoid:
+      case Kind::kBool:
+      case Kind::kInt:
+      case Kind::kReal:
+      case Kind::kEnum:
+        break;
     }
+    return settle(a.o == b.o);
   }
 
   bool settle(bool equal) {

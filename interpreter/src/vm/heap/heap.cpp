@@ -401,7 +401,9 @@ void Heap::reclaim(std::size_t most) {
       case ObjKind::kBox:
         if (dead->flags != 0) waiting = bury(static_cast<BoxObj*>(dead)->value.o, waiting);
         break;
-      default:
+      case ObjKind::kText:
+      case ObjKind::kMatrix:
+      case ObjKind::kHost:
         break;
     }
     free_object(dead);

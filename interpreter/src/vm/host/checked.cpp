@@ -37,9 +37,16 @@ KindOfObject object_of(Kind kind) {
       return {ObjKind::kClosure, "a function"};
     case Kind::kHost:
       return {ObjKind::kHost, "a value of the host"};
-    default:
-      return {ObjKind::kRecord, "a record"};
+    case Kind::kRecord:
+    case Kind::kAny:  // these are no objects
+    case Kind::kVoid:
+    case Kind::kBool:
+    case Kind::kInt:
+    case Kind::kReal:
+    case Kind::kEnum:
+      break;
   }
+  return {ObjKind::kRecord, "a record"};
 }
 
 std::string name_of(ObjKind kind) {

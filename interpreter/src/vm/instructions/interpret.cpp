@@ -129,8 +129,10 @@ inline void clear(Slot* slots, unsigned count) {
 
 Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc) {
   static const void* const labels[] = {
-#define OP(name, operands, text) &&L_##name,
+#define OP(name, ...) &&L_##name,
+#define VARIANT(name, ...) &&L_##name,
 #include "compile/code/bytecode.def"
+#undef VARIANT
 #undef OP
   };
   Heap& heap = state.heap;
