@@ -42,7 +42,7 @@ struct Variable {
   bool is_parameter = false;
   bool maybe_unset = false;    // a global that may be read too early: reads are checked (R0623)
   const Expr* init = nullptr;  // the initialiser, for messages
-  std::uint32_t index = 0;     // the compiler's: register or global number
+  std::uint32_t index = 0;     // of a global: its number
 };
 
 // A variable of an enclosing function used inside a lambda (by copy), or inside a condition or task
@@ -61,7 +61,6 @@ struct Function {
   Block* body = nullptr;
   std::uint32_t index = 0;         // in the program's functions
   bool is_condition = false;       // the condition of until, wait until, when: may not pause
-  bool expands = false;            // the compiler's: small enough to stand in place of its calls
   bool gives_fixed_value = false;  // a default value, the same at every call
   bool is_task = false;  // a block of parallel, when, every: `name` is what the task is called
 };

@@ -34,6 +34,15 @@ class Tables {
     return adopted_.contains(&parameter);
   }
 
+  // Functions whose bodies stand in place of their calls: inlining.hpp.
+  void inline_calls(std::unordered_set<const hir::Function*> functions) {
+    inlined_ = std::move(functions);
+  }
+  [[nodiscard]] const std::unordered_set<const hir::Function*>& inlined() const { return inlined_; }
+  [[nodiscard]] bool inlines(const hir::Function& function) const {
+    return inlined_.contains(&function);
+  }
+
   // Layouts point to their lists of references, which must have stopped moving.
   void finish();
   [[nodiscard]] CompiledProgram& program() { return program_; }
@@ -47,6 +56,7 @@ class Tables {
   std::map<const Type*, std::uint32_t> layouts_;
   std::map<FormatKey, std::uint32_t> formats_;
   std::unordered_set<const hir::Variable*> adopted_;
+  std::unordered_set<const hir::Function*> inlined_;
 };
 
 }  // namespace armlet::lang

@@ -17,8 +17,8 @@ bool calls_quietly(const CallNativeExpr& call) {
                       [](const Expr* a) { return a->type->is(Kind::kFunction); });
 }
 
-bool is_loud(const Expr& e) {
-  if (e.kind == ExprKind::kCall) return !e.as<CallExpr>().function->expands;
+bool is_loud(const Expr& e, const FunctionSet& inlined) {
+  if (e.kind == ExprKind::kCall) return !inlined.contains(e.as<CallExpr>().function);
   if (e.kind == ExprKind::kCallNative) return !calls_quietly(e.as<CallNativeExpr>());
   return is_one_of(
       e.kind, {ExprKind::kCallValue, ExprKind::kMutate, ExprKind::kGuarded, ExprKind::kOverList});
@@ -54,7 +54,7 @@ const Expr* only_value(const Variable& variable) {
 // Walks one statement and everything in it.
 class Summariser {
  public:
-  explicit Summariser(Summary& out) : out_(out) {}
+  Summariser(Summary& out, const FunctionSet& inlined) : out_(out), inlined_(inlined) {}
 
   void statement(const Stmt& s) {
     switch (s.kind) {
@@ -104,8 +104,8 @@ class Summariser {
     while (!open.empty()) {
       const Expr& e = *open.back();
       open.pop_back();
-      if (is_loud(e)) out_.quiet = false;
-      if (e.kind == ExprKind::kCall && e.as<CallExpr>().function->expands) {
+      if (is_loud(e, inlined_)) out_.quiet = false;
+      if (e.kind == ExprKind::kCall && inlined_.contains(e.as<CallExpr>().function)) {
         statement(*e.as<CallExpr>().function->body);
       }
       if (e.kind == ExprKind::kMutate) place(e.as<MutateExpr>().place, true);
@@ -150,6 +150,7 @@ class Summariser {
   }
 
   Summary& out_;
+  const FunctionSet& inlined_;
   std::map<const Variable*, std::size_t> index_;
 };
 
@@ -209,7 +210,9 @@ bool small_int(const Expr& e, std::int64_t& out) {
   return out >= INT16_MIN && out <= INT16_MAX;
 }
 
-bool is_quiet(const Expr& expr) { return !any_part(expr, is_loud); }
+bool is_quiet(const Expr& expr, const FunctionSet& inlined) {
+  return !any_part(expr, [&](const Expr& e) { return is_loud(e, inlined); });
+}
 
 bool is_plain(const Expr& expr) {
   return !any_part(expr, [](const Expr& e) { return !is_plain_node(e); });
@@ -254,9 +257,9 @@ bool Summary::assigns(const Variable* variable) const {
   return use != nullptr && use->assigned;
 }
 
-Summary summarise(const Stmt& loop) {
+Summary summarise(const Stmt& loop, const FunctionSet& inlined) {
   Summary summary;
-  Summariser(summary).statement(loop);
+  Summariser(summary, inlined).statement(loop);
   return summary;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "check/tree/hir.hpp"
 
 namespace armlet::lang {
+
+// Functions whose bodies stand in place of their calls.
+using FunctionSet = std::unordered_set<const hir::Function*>;
 
 template <class Kind>
 [[nodiscard]] bool is_one_of(Kind kind, std::initializer_list<Kind> kinds) {
@@ -23,7 +27,8 @@ template <class Kind>
 [[nodiscard]] bool small_int(const hir::Expr& expr, std::int64_t& out);
 
 // Nothing else of the program runs, and no variable changes, while it is evaluated. It may fail.
-[[nodiscard]] bool is_quiet(const hir::Expr& expr);
+// Calls of the functions in `inlined` run nothing else either.
+[[nodiscard]] bool is_quiet(const hir::Expr& expr, const FunctionSet& inlined = {});
 // Only arithmetic that cannot fail, on constants and variables of this function.
 [[nodiscard]] bool is_plain(const hir::Expr& expr);
 // push, pop, insert or removeAt happens somewhere in it.
@@ -49,6 +54,6 @@ struct Summary {
   [[nodiscard]] const VariableUse* find(const hir::Variable* variable) const;
   [[nodiscard]] bool assigns(const hir::Variable* variable) const;
 };
-[[nodiscard]] Summary summarise(const hir::Stmt& loop);
+[[nodiscard]] Summary summarise(const hir::Stmt& loop, const FunctionSet& inlined);
 
 }  // namespace armlet::lang

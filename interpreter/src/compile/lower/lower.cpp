@@ -6,73 +6,67 @@
 #include <string>
 
 #include "compile/cancelled.hpp"
+#include "compile/lower/context/lowering.hpp"
 #include "compile/lower/hand_over.hpp"
-#include "compile/lower/lowering.hpp"
+#include "compile/lower/statements.hpp"
+#include "compile/lower/values.hpp"
 #include "compile/optimise/inlining.hpp"
 
 namespace armlet::lang {
 
 using namespace hir;
 
-Lowering::Lowering(Tables& tables, const Function& function, LowerOptions options)
-    : tables_(tables),
-      function_(function),
-      options_(options),
-      code_(function.span),
-      is_program_(&function == tables.program().module.main) {}
-
-void Lowering::function(FunctionCode& into) {
-  start(into);
-  block(*function_.body);
-  finish(into);
-}
-
-void Lowering::start(FunctionCode& into) {
-  into.name = function_.name;
-  into.span = function_.span;
-  into.function = &function_;
-  into.may_give_unset = function_.result != nullptr && may_hold_unset(*function_.result);
-  code_.set_parameters(static_cast<std::uint32_t>(function_.parameters.size()));
-  for (std::uint32_t i = 0; i < function_.parameters.size(); ++i) {
-    Variable& parameter = *function_.parameters[i];
-    const Reg reg = code_.parameter(i);
-    if (tables_.adopts(parameter)) {
-      parameter.index = code_.reference().bits;
-      code_.emit(OpCode::ADOPT, reg_of(parameter), reg);
-    } else if (parameter.storage == Storage::kLocal) {
-      parameter.index = reg.bits;
-    } else {
-      init_from(parameter, reg);
-    }
-  }
-  load_captures(into);
-}
+namespace {
 
 // The closure keeps what it captured alive while its function runs, so borrowing is enough. A
 // variable that is shared is captured as its box.
-void Lowering::load_captures(FunctionCode& into) {
-  into.captures = static_cast<std::uint16_t>(function_.captures.size());
-  for (std::uint16_t i = 0; i < function_.captures.size(); ++i) {
-    Variable& inner = *function_.captures[i].inner;
+void load_captures(Lowering& in, FunctionCode& into) {
+  const Seq<Capture> captures = in.function.captures;
+  into.captures = static_cast<std::uint16_t>(captures.size());
+  for (std::uint16_t i = 0; i < captures.size(); ++i) {
+    const Variable& inner = *captures[i].inner;
     const bool boxed = inner.storage == Storage::kBoxed;
     if (boxed || inner.type->is_reference()) into.capture_references.push_back(i);
-    inner.index = code_.number().bits;
-    code_.push(OpCode::CAPTURE, inner.index, i, 0);
+    in.homes.give(inner, in.code.number());
+    in.code.push(OpCode::CAPTURE, in.homes.of(inner).bits, i, 0);
   }
 }
 
-void Lowering::finish(FunctionCode& into) {
-  code_.at(function_.span);
-  if (code_.reachable()) {
-    const bool has_result = function_.result != nullptr && !function_.result->is(Kind::kVoid);
-    if (has_result && !is_program_) throw std::logic_error("a function can end without a result");
-    code_.emit(is_program_ ? OpCode::HALT : OpCode::RETVOID);
+void start(Lowering& in, FunctionCode& into) {
+  const Function& function = in.function;
+  into.name = function.name;
+  into.span = function.span;
+  into.function = &function;
+  into.may_give_unset = function.result != nullptr && may_hold_unset(in, *function.result);
+  in.code.set_parameters(static_cast<std::uint32_t>(function.parameters.size()));
+  for (std::uint32_t i = 0; i < function.parameters.size(); ++i) {
+    const Variable& parameter = *function.parameters[i];
+    const Reg reg = in.code.parameter(i);
+    if (in.tables.adopts(parameter)) {
+      in.homes.give(parameter, in.code.reference());
+      in.code.emit(OpCode::ADOPT, in.homes.of(parameter), reg);
+    } else if (parameter.storage == Storage::kLocal) {
+      in.homes.give(parameter, reg);
+    } else {
+      init_from(in, parameter, reg);
+    }
   }
-  if (options_.optimise) code_.improve();
-  code_.finish(into, tables_.program());
+  load_captures(in, into);
 }
 
-namespace {
+void finish(Lowering& in, FunctionCode& into) {
+  const Function& function = in.function;
+  in.code.at(function.span);
+  if (in.code.reachable()) {
+    const bool has_result = function.result != nullptr && !function.result->is(Kind::kVoid);
+    if (has_result && !in.is_program()) {
+      throw std::logic_error("a function can end without a result");
+    }
+    in.code.emit(in.is_program() ? OpCode::HALT : OpCode::RETVOID);
+  }
+  if (in.options.optimise) in.code.improve();
+  in.code.finish(into, in.tables.program());
+}
 
 constexpr std::uint32_t kMostInstructions = 1U << 22U;
 
@@ -107,7 +101,7 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
   program.unset = UnsetElements(module.unset);
   Tables tables(program);
   if (options.optimise) {
-    mark_inlined_functions(module);
+    tables.inline_calls(inlined_functions(module));
     tables.adopt(adopted_parameters(module));
   }
   std::size_t instructions = 0;
@@ -115,7 +109,10 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
   for (const Function* function : module.functions) {
     stop_if(options.cancelled);
     FunctionCode& code = program.functions[function->index];
-    Lowering(tables, *function, options).function(code);
+    Lowering lowering(tables, *function, options);
+    start(lowering, code);
+    block(lowering, *function->body);
+    finish(lowering, code);
     instructions += code.code.size();
     if (instructions > kMostInstructions) {
       throw TooLarge{module.main->span, "instructions", kMostInstructions};

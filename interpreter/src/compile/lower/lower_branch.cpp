@@ -1,10 +1,20 @@
 // Conditions that decide where to go on.
 
-#include "compile/lower/lowering.hpp"
+#include "compile/lower/statements.hpp"
+#include "compile/lower/values.hpp"
 
 namespace armlet::lang {
 
 using namespace hir;
+
+static void branch_on(Lowering& in, Reg truth, bool when, Label to);
+static void branch_all(Lowering& in, const BinaryExpr& e, bool when, Label to);
+static bool branch_compare(Lowering& in, const BinaryExpr& e, bool when, Label to);
+static void branch_int(Lowering& in, const BinaryExpr& e, Op op, Label to);
+static void branch_real(Lowering& in, const BinaryExpr& e, bool when, Label to);
+static bool branch_characters(Lowering& in, const BinaryExpr& e, Op op, Label to);
+static void branch_text(Lowering& in, const BinaryExpr& e, Op op, Label to);
+static void branch_deep(Lowering& in, const BinaryExpr& e, bool equal, Label to);
 
 namespace {
 
@@ -67,39 +77,39 @@ OpCode compare_small(Op op) { return variant_of(Variant::kSmall, compare(op)); }
 }  // namespace
 
 // Goes to `to` if the condition is `when`, else on to the next instruction.
-void Lowering::branch(const Expr& e, bool when, Label to) {
+void branch(Lowering& in, const Expr& e, bool when, Label to) {
   Slot slot;
   if (constant_slot(e, slot)) {
-    if ((slot.i != 0) == when) code_.jump(to);
+    if ((slot.i != 0) == when) in.code.jump(to);
     return;
   }
   if (e.kind == ExprKind::kAnd || e.kind == ExprKind::kOr) {
-    branch_all(e.as<BinaryExpr>(), when, to);
+    branch_all(in, e.as<BinaryExpr>(), when, to);
     return;
   }
   if (e.kind == ExprKind::kUnary && e.as<UnaryExpr>().op == Op::kNot) {
-    branch(*e.as<UnaryExpr>().operand, !when, to);
+    branch(in, *e.as<UnaryExpr>().operand, !when, to);
     return;
   }
-  if (e.kind == ExprKind::kBinary && branch_compare(e.as<BinaryExpr>(), when, to)) return;
-  const Emitter::Mark mark = code_.mark();
-  const Reg truth = value(e);
-  code_.release(mark);
-  code_.at(e.span, &e);
-  branch_on(truth, when, to);
+  if (e.kind == ExprKind::kBinary && branch_compare(in, e.as<BinaryExpr>(), when, to)) return;
+  const Emitter::Mark mark = in.code.mark();
+  const Reg truth = value(in, e);
+  in.code.release(mark);
+  in.code.at(e.span, &e);
+  branch_on(in, truth, when, to);
 }
 
-void Lowering::branch_on(Reg truth, bool when, Label to) {
-  if (!code_.is_bound(to)) {
-    code_.jump_if(when ? OpCode::JT : OpCode::JF, truth, to);
+static void branch_on(Lowering& in, Reg truth, bool when, Label to) {
+  if (!in.code.is_bound(to)) {
+    in.code.jump_if(when ? OpCode::JT : OpCode::JF, truth, to);
     return;
   }
-  code_.push(when ? OpCode::IFNEIK : OpCode::IFEQIK, truth.bits, 0, 0);
-  code_.jump(to);
+  in.code.push(when ? OpCode::IFNEIK : OpCode::IFEQIK, truth.bits, 0, 0);
+  in.code.jump(to);
 }
 
 // a && b && c from the innermost on the left; likewise ||.
-void Lowering::branch_all(const BinaryExpr& e, bool when, Label to) {
+static void branch_all(Lowering& in, const BinaryExpr& e, bool when, Label to) {
   std::vector<const Expr*> parts;
   const Expr* first = &e;
   for (; first->kind == e.kind && first->constant == nullptr;
@@ -109,65 +119,66 @@ void Lowering::branch_all(const BinaryExpr& e, bool when, Label to) {
   parts.push_back(first);
   // What makes a part decide the whole: false for &&, true for ||.
   const bool deciding = e.kind == ExprKind::kOr;
-  const Label skip = code_.label();
+  const Label skip = in.code.label();
   for (std::size_t i = parts.size(); i-- > 0;) {
     if (when == deciding || i == 0) {
-      branch(*parts[i], when, to);
+      branch(in, *parts[i], when, to);
     } else {
-      branch(*parts[i], deciding, skip);
+      branch(in, *parts[i], deciding, skip);
     }
   }
-  code_.bind(skip);
+  in.code.bind(skip);
 }
 
-bool Lowering::branch_compare(const BinaryExpr& e, bool when, Label to) {
+static bool branch_compare(Lowering& in, const BinaryExpr& e, bool when, Label to) {
   const auto asked = [&](Op op) { return when ? op : row_of(kIntTests, op)->negated; };
   if (row_of(kIntTests, e.op) != nullptr) {
-    branch_int(e, asked(e.op), to);
+    branch_int(in, e, asked(e.op), to);
   } else if (row_of(kRealTests, e.op) != nullptr) {
-    branch_real(e, when, to);
+    branch_real(in, e, when, to);
   } else if (const TextTest* text = row_of(kTextTests, e.op); text != nullptr) {
-    branch_text(e, asked(text->sign), to);
+    branch_text(in, e, asked(text->sign), to);
   } else if (e.op == Op::kEqDeep || e.op == Op::kNeDeep) {
-    branch_deep(e, when == (e.op == Op::kEqDeep), to);
+    branch_deep(in, e, when == (e.op == Op::kEqDeep), to);
   } else {
     return false;
   }
   return true;
 }
 
-void Lowering::branch_int(const BinaryExpr& e, Op op, Label to) {
-  const Emitter::Mark mark = code_.mark();
-  const Reg left = value(*e.left);
+static void branch_int(Lowering& in, const BinaryExpr& e, Op op, Label to) {
+  const Emitter::Mark mark = in.code.mark();
+  const Reg left = value(in, *e.left);
   std::int64_t small = 0;
   const bool counts =
-      options_.optimise && (op == Op::kLtI || op == Op::kGeI) && code_.just_counted(left);
-  if (options_.optimise && !counts && small_int(*e.right, small)) {
-    code_.release(mark);
-    code_.at(e.span, &e);
-    code_.push(compare_small(op), left.bits, static_cast<std::uint16_t>(small), 0);
+      in.options.optimise && (op == Op::kLtI || op == Op::kGeI) && in.code.just_counted(left);
+  if (in.options.optimise && !counts && small_int(*e.right, small)) {
+    in.code.release(mark);
+    in.code.at(e.span, &e);
+    in.code.push(compare_small(op), left.bits, static_cast<std::uint16_t>(small), 0);
   } else {
-    const Reg right = value(*e.right);
-    code_.release(mark);
-    code_.at(e.span, &e);
+    const Reg right = value(in, *e.right);
+    in.code.release(mark);
+    in.code.at(e.span, &e);
     if (counts) {
-      code_.count_and_compare(op == Op::kLtI, left, right);
+      in.code.count_and_compare(op == Op::kLtI, left, right);
     } else {
-      code_.emit(compare(op), left, right);
+      in.code.emit(compare(op), left, right);
     }
   }
-  code_.jump(to);
+  in.code.jump(to);
 }
 
-void Lowering::branch_real(const BinaryExpr& e, bool when, Label to) {
+static void branch_real(Lowering& in, const BinaryExpr& e, bool when, Label to) {
   const RealTest& row = *row_of(kRealTests, e.op);
-  const Emitter::Mark mark = code_.mark();
-  const Reg left = value(*e.left);
-  const Reg right = value(*e.right);
-  code_.release(mark);
-  code_.at(e.span, &e);
-  code_.emit(when ? row.test : row.otherwise, row.turned ? right : left, row.turned ? left : right);
-  code_.jump(to);
+  const Emitter::Mark mark = in.code.mark();
+  const Reg left = value(in, *e.left);
+  const Reg right = value(in, *e.right);
+  in.code.release(mark);
+  in.code.at(e.span, &e);
+  in.code.emit(when ? row.test : row.otherwise, row.turned ? right : left,
+               row.turned ? left : right);
+  in.code.jump(to);
 }
 
 namespace {
@@ -190,54 +201,54 @@ bool is_character(const Expr& e) { return e.kind == ExprKind::kCharacter && e.co
 }  // namespace
 
 // text[i] == "x", text[i] == text[j]: the numbers of the characters are compared.
-bool Lowering::branch_characters(const BinaryExpr& e, Op op, Label to) {
+static bool branch_characters(Lowering& in, const BinaryExpr& e, Op op, Label to) {
   std::int64_t code = 0;
   const bool with_known = is_character(*e.left) && known_character(*e.right, code);
-  if (!options_.optimise || (op != Op::kEqI && op != Op::kNeI)) return false;
+  if (!in.options.optimise || (op != Op::kEqI && op != Op::kNeI)) return false;
   if (!with_known && !(is_character(*e.left) && is_character(*e.right))) return false;
-  const Emitter::Mark mark = code_.mark();
-  const Reg left = code_.number();
-  character_code(e.left->as<CharacterExpr>(), left);
+  const Emitter::Mark mark = in.code.mark();
+  const Reg left = in.code.number();
+  character_code(in, e.left->as<CharacterExpr>(), left);
   if (with_known) {
-    code_.release(mark);
-    code_.at(e.span, &e);
-    code_.push(compare_small(op), left.bits, static_cast<std::uint16_t>(code), 0);
+    in.code.release(mark);
+    in.code.at(e.span, &e);
+    in.code.push(compare_small(op), left.bits, static_cast<std::uint16_t>(code), 0);
   } else {
-    const Reg right = code_.number();
-    character_code(e.right->as<CharacterExpr>(), right);
-    code_.release(mark);
-    code_.at(e.span, &e);
-    code_.emit(compare(op), left, right);
+    const Reg right = in.code.number();
+    character_code(in, e.right->as<CharacterExpr>(), right);
+    in.code.release(mark);
+    in.code.at(e.span, &e);
+    in.code.emit(compare(op), left, right);
   }
-  code_.jump(to);
+  in.code.jump(to);
   return true;
 }
 
-void Lowering::branch_text(const BinaryExpr& e, Op op, Label to) {
-  if (branch_characters(e, op, to)) return;
-  const Emitter::Mark mark = code_.mark();
-  const Reg sign = code_.number();
-  const Reg left = borrow(*e.left, hold_over(*e.right));
-  const Reg right = borrow(*e.right, Hold::kNow);
-  code_.at(e.span, &e);
-  code_.emit(OpCode::CMPTEXT, sign, left, right);
-  code_.release(mark);
-  code_.push(compare_small(op), sign.bits, 0, 0);
-  code_.jump(to);
+static void branch_text(Lowering& in, const BinaryExpr& e, Op op, Label to) {
+  if (branch_characters(in, e, op, to)) return;
+  const Emitter::Mark mark = in.code.mark();
+  const Reg sign = in.code.number();
+  const Reg left = borrow(in, *e.left, hold_over(in, *e.right));
+  const Reg right = borrow(in, *e.right, Hold::kNow);
+  in.code.at(e.span, &e);
+  in.code.emit(OpCode::CMPTEXT, sign, left, right);
+  in.code.release(mark);
+  in.code.push(compare_small(op), sign.bits, 0, 0);
+  in.code.jump(to);
 }
 
-void Lowering::branch_deep(const BinaryExpr& e, bool equal, Label to) {
-  const Emitter::Mark mark = code_.mark();
-  const Reg truth = code_.number();
-  const Reg left = borrow(*e.left, hold_over(*e.right));
-  const Reg right = borrow(*e.right, Hold::kNow);
-  check_whole(*e.left, left);
-  check_whole(*e.right, right);
-  code_.at(e.span, &e);
-  code_.emit(OpCode::EQDEEP, truth, left, right);
-  code_.word(code_.type(e.left->type));
-  code_.release(mark);
-  branch_on(truth, equal, to);
+static void branch_deep(Lowering& in, const BinaryExpr& e, bool equal, Label to) {
+  const Emitter::Mark mark = in.code.mark();
+  const Reg truth = in.code.number();
+  const Reg left = borrow(in, *e.left, hold_over(in, *e.right));
+  const Reg right = borrow(in, *e.right, Hold::kNow);
+  check_whole(in, *e.left, left);
+  check_whole(in, *e.right, right);
+  in.code.at(e.span, &e);
+  in.code.emit(OpCode::EQDEEP, truth, left, right);
+  in.code.word(in.code.type(e.left->type));
+  in.code.release(mark);
+  branch_on(in, truth, equal, to);
 }
 
 }  // namespace armlet::lang

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "compile/lower/lowering.hpp"
+#include "compile/lower/values.hpp"
 
 namespace armlet::lang {
 
@@ -46,42 +46,42 @@ OpCode arithmetic_instruction(Op op) {
 }
 
 // i + 1, i - 1, i * 2
-bool Lowering::with_small(Site site, Op op, Reg left, const Expr& right, Reg to) {
+bool with_small(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   std::int64_t small = 0;
   const OpCode variant =
       variant_of(Variant::kSmall, arithmetic_instruction(op == Op::kSubI ? Op::kAddI : op));
   if (variant == kNoVariant || !small_int(right, small)) return false;
   if (op == Op::kSubI) small = -small;
   if (small > INT16_MAX) return false;
-  code_.at(site.span, site.expr);
-  code_.push(variant, to.bits, left.bits, static_cast<std::uint16_t>(small));
+  in.code.at(site.span, site.expr);
+  in.code.push(variant, to.bits, left.bits, static_cast<std::uint16_t>(small));
   return true;
 }
 
 // x / 8, x % 8
-bool Lowering::by_power_of_two(Site site, Op op, Reg left, const Expr& right, Reg to) {
+bool by_power_of_two(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   Slot known;
   if ((op != Op::kDivI && op != Op::kModI) || !constant_slot(right, known)) return false;
   if (known.i < 2 || !std::has_single_bit(static_cast<std::uint64_t>(known.i))) return false;
   const int power = std::countr_zero(static_cast<std::uint64_t>(known.i));
-  code_.at(site.span, site.expr);
-  code_.push(op == Op::kDivI ? OpCode::DIVP : OpCode::MODP, to.bits, left.bits,
-             static_cast<std::uint32_t>(power));
+  in.code.at(site.span, site.expr);
+  in.code.push(op == Op::kDivI ? OpCode::DIVP : OpCode::MODP, to.bits, left.bits,
+               static_cast<std::uint32_t>(power));
   return true;
 }
 
 // x + 1.5, x - 1.5, x * 1.5 where the constant has no register: outside of loops.
-bool Lowering::with_constant(Site site, Op op, Reg left, const Expr& right, Reg to) {
+bool with_constant(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   Slot known;
   Reg loaded;
   const OpCode variant =
       variant_of(Variant::kWithConstant, arithmetic_instruction(op == Op::kSubR ? Op::kAddR : op));
   if (variant == kNoVariant) return false;
-  if (!constant_slot(right, known) || in_register(right, loaded)) return false;
+  if (!constant_slot(right, known) || in_register(in, right, loaded)) return false;
   if (op == Op::kSubR) known.d = -known.d;
-  code_.at(site.span, site.expr);
-  if (op != Op::kMulR && left == to && code_.scale_and_offset(to, known)) return true;
-  code_.with_constant(variant, to, left, known);
+  in.code.at(site.span, site.expr);
+  if (op != Op::kMulR && left == to && in.code.scale_and_offset(to, known)) return true;
+  in.code.with_constant(variant, to, left, known);
   return true;
 }
 

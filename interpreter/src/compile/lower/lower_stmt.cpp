@@ -4,190 +4,208 @@
 #include <map>
 
 #include "compile/cancelled.hpp"
-#include "compile/lower/lowering.hpp"
+#include "compile/lower/places.hpp"
+#include "compile/lower/statements.hpp"
+#include "compile/lower/values.hpp"
 
 namespace armlet::lang {
 
 using namespace hir;
 
-void Lowering::statement(const Stmt& s) {
-  if (!code_.reachable()) return;
-  stop_if(options_.cancelled);
-  code_.at(s.span);
+static void declare(Lowering& in, const Variable& variable);
+static void init(Lowering& in, const InitStmt& s);
+static void if_else(Lowering& in, const IfStmt& s);
+static void switch_case(Lowering& in, const SwitchStmt& s);
+static bool switch_by_table(Lowering& in, const SwitchStmt& s, const std::vector<Label>& bodies,
+                            Label otherwise);
+static void jump(Lowering& in, const JumpStmt& s);
+static void give_back(Lowering& in, const ReturnStmt& s);
+static void give_back_reference(Lowering& in, const Expr& e);
+static void raise(Lowering& in, const ThrowStmt& s);
+static void wait(Lowering& in, const WaitStmt& s);
+static void wait_until(Lowering& in, const WaitUntilStmt& s);
+static void check(Lowering& in, const AssertStmt& s);
+
+void statement(Lowering& in, const Stmt& s) {
+  if (!in.code.reachable()) return;
+  stop_if(in.options.cancelled);
+  in.code.at(s.span);
   switch (s.kind) {
     case StmtKind::kBlock:
-      return block(s.as<Block>());
+      return block(in, s.as<Block>());
     case StmtKind::kInit:
-      return init(s.as<InitStmt>());
+      return init(in, s.as<InitStmt>());
     case StmtKind::kAssign:
-      return assign(s.as<AssignStmt>());
+      return assign(in, s.as<AssignStmt>());
     case StmtKind::kStorePart:
-      return store_part(s.as<StorePartStmt>());
+      return store_part(in, s.as<StorePartStmt>());
     case StmtKind::kExpr:
-      return effect(*s.as<ExprStmt>().value);
+      return effect(in, *s.as<ExprStmt>().value);
     case StmtKind::kIf:
-      return if_else(s.as<IfStmt>());
+      return if_else(in, s.as<IfStmt>());
     case StmtKind::kLoop:
-      return loop(s.as<LoopStmt>());
+      return loop(in, s.as<LoopStmt>());
     case StmtKind::kRange:
-      return range(s.as<RangeStmt>());
+      return range(in, s.as<RangeStmt>());
     case StmtKind::kForList:
-      return for_list(s.as<ForListStmt>());
+      return for_list(in, s.as<ForListStmt>());
     case StmtKind::kSwitch:
-      return switch_case(s.as<SwitchStmt>());
+      return switch_case(in, s.as<SwitchStmt>());
     case StmtKind::kTry:
-      return try_catch(s.as<TryStmt>());
+      return try_catch(in, s.as<TryStmt>());
     case StmtKind::kThrow:
-      return raise(s.as<ThrowStmt>());
+      return raise(in, s.as<ThrowStmt>());
     case StmtKind::kJump:
-      return jump(s.as<JumpStmt>());
+      return jump(in, s.as<JumpStmt>());
     case StmtKind::kReturn:
-      return give_back(s.as<ReturnStmt>());
+      return give_back(in, s.as<ReturnStmt>());
     case StmtKind::kAssert:
-      return check(s.as<AssertStmt>());
+      return check(in, s.as<AssertStmt>());
     case StmtKind::kAssertThrows:
-      return check_throws(s.as<AssertThrowsStmt>());
+      return check_throws(in, s.as<AssertThrowsStmt>());
     case StmtKind::kWait:
-      return wait(s.as<WaitStmt>());
+      return wait(in, s.as<WaitStmt>());
     case StmtKind::kWaitUntil:
-      return wait_until(s.as<WaitUntilStmt>());
+      return wait_until(in, s.as<WaitUntilStmt>());
     case StmtKind::kParallel:
-      return parallel(s.as<ParallelStmt>());
+      return parallel(in, s.as<ParallelStmt>());
     case StmtKind::kWhen:
-      return when(s.as<WhenStmt>());
+      return when(in, s.as<WhenStmt>());
     case StmtKind::kEvery:
-      return every(s.as<EveryStmt>());
+      return every(in, s.as<EveryStmt>());
   }
 }
 
-void Lowering::block(const Block& b) {
-  const Emitter::Mark mark = code_.mark();
+void block(Lowering& in, const Block& b) {
+  const Emitter::Mark mark = in.code.mark();
   if (std::ranges::any_of(b.body, starts_watching)) {
-    watched_block(b.body);
+    watched_block(in, b.body);
   } else {
-    for (const Stmt* s : b.body) statement(*s);
+    for (const Stmt* s : b.body) statement(in, *s);
   }
-  code_.at({b.span.end, b.span.end, b.span.source});
-  code_.release(mark);
+  in.code.at({b.span.end, b.span.end, b.span.source});
+  in.code.release(mark);
 }
 
 // ---- variables
 // ----------------------------------------------------------------------------------------------------
 
 // Gives a variable its register or box.
-void Lowering::declare(Variable& variable) {
+static void declare(Lowering& in, const Variable& variable) {
   switch (variable.storage) {
     case Storage::kGlobal:
       break;
     case Storage::kLocal:
-      variable.index = (variable.type->is_reference() ? code_.reference() : code_.number()).bits;
+      in.homes.give(variable,
+                    variable.type->is_reference() ? in.code.reference() : in.code.number());
       break;
     case Storage::kBoxed:
-      variable.index = code_.reference().bits;
-      code_.push(OpCode::BOX, variable.index, 0, variable.type->is_reference() ? 1 : 0);
+      in.homes.give(variable, in.code.reference());
+      in.code.push(OpCode::BOX, in.homes.of(variable).bits, 0,
+                   variable.type->is_reference() ? 1 : 0);
       break;
   }
 }
 
 // The register of a new variable holds nothing yet, so it may be written before the value is
 // complete.
-void Lowering::init(const InitStmt& s) {
-  Variable& variable = *s.variable;
-  declare(variable);
+static void init(Lowering& in, const InitStmt& s) {
+  const Variable& variable = *s.variable;
+  declare(in, variable);
   if (s.value == nullptr) return;
-  const Emitter::Mark mark = code_.mark();
-  whole_ = s.value;
+  const Emitter::Mark mark = in.code.mark();
+  in.uses.set_whole(s.value);
   if (variable.storage != Storage::kLocal) {
-    store(variable, *s.value);
+    store(in, variable, *s.value);
   } else if (variable.type->is_reference()) {
-    own_into(*s.value, reg_of(variable));
+    own_into(in, *s.value, in.homes.of(variable));
   } else {
-    value_into(*s.value, {reg_of(variable), true});
+    value_into(in, *s.value, {in.homes.of(variable), true});
   }
-  code_.release(mark);
-  note_set(variable);
+  in.code.release(mark);
+  note_set(in, variable);
 }
 
 // Declares a variable whose first value is in a register.
-void Lowering::init_from(Variable& variable, Reg value) {
-  declare(variable);
-  store_register(variable, value);
-  note_set(variable);
+void init_from(Lowering& in, const Variable& variable, Reg value) {
+  declare(in, variable);
+  store_register(in, variable, value);
+  note_set(in, variable);
 }
 
-void Lowering::note_set(const Variable& variable) {
+void note_set(Lowering& in, const Variable& variable) {
   if (variable.storage == Storage::kGlobal && variable.maybe_unset) {
-    code_.push(OpCode::GSET, variable.index, 0, 0);
+    in.code.push(OpCode::GSET, variable.index, 0, 0);
   }
 }
 
 // ---- choices
 // ------------------------------------------------------------------------------------------------------
 
-void Lowering::if_else(const IfStmt& s) {
-  const Label end = code_.label();
+static void if_else(Lowering& in, const IfStmt& s) {
+  const Label end = in.code.label();
   const IfStmt* link = &s;
   for (;;) {
-    const Label no = code_.label();
-    branch(*link->condition, false, no);
-    scoped(*link->yes);
+    const Label no = in.code.label();
+    branch(in, *link->condition, false, no);
+    scoped(in, *link->yes);
     if (link->no == nullptr) {
-      code_.bind(no);
+      in.code.bind(no);
       break;
     }
-    code_.jump(end);
-    code_.bind(no);
+    in.code.jump(end);
+    in.code.bind(no);
     if (link->no->kind != StmtKind::kIf) {
-      scoped(*link->no);
+      scoped(in, *link->no);
       break;
     }
     link = &link->no->as<IfStmt>();
   }
-  code_.bind(end);
+  in.code.bind(end);
 }
 
 // A statement whose declarations, if it is one, end with it.
-void Lowering::scoped(const Stmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  Stmt* only = const_cast<Stmt*>(&s);
+void scoped(Lowering& in, const Stmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  const Stmt* only = &s;
   if (starts_watching(only)) {
-    watched_block({&only, 1});
+    watched_block(in, {&only, 1});
   } else {
-    statement(s);
+    statement(in, s);
   }
-  code_.release(mark);
+  in.code.release(mark);
 }
 
-void Lowering::switch_case(const SwitchStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  declare(*s.subject);
-  store(*s.subject, *s.value);
-  const Label end = code_.label();
+static void switch_case(Lowering& in, const SwitchStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  declare(in, *s.subject);
+  store(in, *s.subject, *s.value);
+  const Label end = in.code.label();
   std::vector<Label> bodies;
   // Every value of an enum has its case, so without a default the last case needs no test.
   const SwitchCase* fallback = nullptr;
   if (s.value->type->is(Kind::kEnum) && !s.cases.empty()) fallback = &s.cases.back();
   for (const SwitchCase& c : s.cases) {
-    bodies.push_back(code_.label());
+    bodies.push_back(in.code.label());
     if (c.is_default) fallback = &c;
   }
   const Label otherwise =
       fallback == nullptr ? end : bodies[static_cast<std::size_t>(fallback - s.cases.data())];
-  if (!switch_by_table(s, bodies, otherwise)) {
+  if (!switch_by_table(in, s, bodies, otherwise)) {
     for (std::size_t i = 0; i < s.cases.size(); ++i) {
-      for (const Expr* test : s.cases[i].tests) branch(*test, true, bodies[i]);
+      for (const Expr* test : s.cases[i].tests) branch(in, *test, true, bodies[i]);
     }
-    code_.jump(otherwise);
+    in.code.jump(otherwise);
   }
-  exits_.push_back({&s, end, end, tries_.size(), {}, {}});
+  in.ways.begin(JumpTargets{&s, end, end, in.ways.tries(), {}, {}});
   for (std::size_t i = 0; i < s.cases.size(); ++i) {
-    code_.bind(bodies[i]);
-    if (s.cases[i].body != nullptr) block(*s.cases[i].body);
-    code_.jump(end);
+    in.code.bind(bodies[i]);
+    if (s.cases[i].body != nullptr) block(in, *s.cases[i].body);
+    in.code.jump(end);
   }
-  exits_.pop_back();
-  code_.bind(end);
-  code_.release(mark);
+  in.ways.end();
+  in.code.bind(end);
+  in.code.release(mark);
 }
 
 // The number that a case `subject == number` asks for.
@@ -200,10 +218,10 @@ static bool number_of_case(const Expr& test, const Variable& subject, std::int64
 }
 
 // Numbers that lie close together are looked up, the first case of each.
-bool Lowering::switch_by_table(const SwitchStmt& s, const std::vector<Label>& bodies,
-                               Label otherwise) {
+static bool switch_by_table(Lowering& in, const SwitchStmt& s, const std::vector<Label>& bodies,
+                            Label otherwise) {
   constexpr std::size_t kFewest = 4;
-  if (!options_.optimise || s.subject->storage != Storage::kLocal) return false;
+  if (!in.options.optimise || s.subject->storage != Storage::kLocal) return false;
   std::map<std::int64_t, Label> targets;
   for (std::size_t i = 0; i < s.cases.size(); ++i) {
     for (const Expr* test : s.cases[i].tests) {
@@ -220,116 +238,112 @@ bool Lowering::switch_by_table(const SwitchStmt& s, const std::vector<Label>& bo
   for (const auto& [number, label] : targets) {
     table[static_cast<std::size_t>(number - lowest)] = label;
   }
-  code_.at(s.value->span, s.value);
-  code_.switch_on(reg_of(*s.subject), lowest, table, otherwise);
+  in.code.at(s.value->span, s.value);
+  in.code.switch_on(in.homes.of(*s.subject), lowest, table, otherwise);
   return true;
 }
 
 // ---- going elsewhere
 // ----------------------------------------------------------------------------------------------
 
-void Lowering::jump(const JumpStmt& s) {
-  for (std::size_t i = exits_.size(); i-- > 0;) {
-    const Exit exit = exits_[i];
-    if (exit.target != s.target) continue;
-    leave(exit.tries, [&] {
-      if (s.jump == Jump::kRetry) code_.emit(OpCode::RETRY, exit.retries, exit.instant);
-      code_.jump(s.jump == Jump::kBreak ? exit.leave : exit.again);
-    });
-    return;
-  }
+static void jump(Lowering& in, const JumpStmt& s) {
+  const JumpTargets exit = in.ways.to(s.target);
+  leave(in, exit.tries, [&] {
+    if (s.jump == Jump::kRetry) in.code.emit(OpCode::RETRY, exit.retries, exit.instant);
+    in.code.jump(s.jump == Jump::kBreak ? exit.leave : exit.again);
+  });
 }
 
-void Lowering::give_back(const ReturnStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  whole_ = s.value;
-  if (!expansions_.empty()) {
-    give_back_here(*s.value);
+static void give_back(Lowering& in, const ReturnStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  in.uses.set_whole(s.value);
+  if (in.ways.is_expanding()) {
+    give_back_here(in, *s.value);
   } else if (s.value == nullptr || s.value->type->is(Kind::kVoid)) {
-    if (s.value != nullptr) effect(*s.value);
-    leave(0, [&] { code_.emit(is_program_ ? OpCode::HALT : OpCode::RETVOID); });
+    if (s.value != nullptr) effect(in, *s.value);
+    leave(in, 0, [&] { in.code.emit(in.is_program() ? OpCode::HALT : OpCode::RETVOID); });
   } else if (s.value->type->is_reference()) {
-    give_back_reference(*s.value);
+    give_back_reference(in, *s.value);
   } else {
     Reg result;
-    if (finally_runs() || !in_register(*s.value, result)) {
-      result = code_.number();
-      value_into(*s.value, {result, true});
+    if (in.ways.finally_runs() || !in_register(in, *s.value, result)) {
+      result = in.code.number();
+      value_into(in, *s.value, {result, true});
     }
-    leave(0, [&] {
-      code_.emit(OpCode::RET, options_.optimise ? code_.moved_to_first(result) : result);
+    leave(in, 0, [&] {
+      in.code.emit(OpCode::RET, in.options.optimise ? in.code.moved_to_first(result) : result);
     });
   }
-  code_.release(mark);
+  in.code.release(mark);
 }
 
 // A local variable is handed over; what belongs to someone else is counted; new values are handed
 // over.
-void Lowering::give_back_reference(const Expr& e) {
-  if (!finally_runs()) {
+static void give_back_reference(Lowering& in, const Expr& e) {
+  if (!in.ways.finally_runs()) {
     const bool variable =
         e.kind == ExprKind::kVariable && e.as<VariableExpr>().variable->storage == Storage::kLocal;
     if (variable || e.kind == ExprKind::kField || e.kind == ExprKind::kElement) {
-      const Reg result = borrow(e, Hold::kNow);
-      code_.emit(variable && result.is_reference() ? OpCode::RETTAKE : OpCode::RETREF, result);
+      const Reg result = borrow(in, e, Hold::kNow);
+      in.code.emit(variable && result.is_reference() ? OpCode::RETTAKE : OpCode::RETREF, result);
       return;
     }
   }
-  const Reg result = code_.reference();
-  own_into(e, result);
-  leave(0, [&] { code_.emit(OpCode::RETTAKE, result); });
+  const Reg result = in.code.reference();
+  own_into(in, e, result);
+  leave(in, 0, [&] { in.code.emit(OpCode::RETTAKE, result); });
 }
 
-void Lowering::raise(const ThrowStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  const Reg error = borrow(*s.value, Hold::kNow);
-  code_.at(s.span);
-  code_.emit(OpCode::THROW, error);
-  code_.release(mark);
+static void raise(Lowering& in, const ThrowStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  const Reg error = borrow(in, *s.value, Hold::kNow);
+  in.code.at(s.span);
+  in.code.emit(OpCode::THROW, error);
+  in.code.release(mark);
 }
 
 // ---- waiting and checking
 // -----------------------------------------------------------------------------------------
 
-void Lowering::wait(const WaitStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  const Reg seconds = value(*s.duration);
-  code_.at(s.duration->span, s.duration);
-  code_.emit(OpCode::WAIT, seconds);
-  code_.release(mark);
+static void wait(Lowering& in, const WaitStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  const Reg seconds = value(in, *s.duration);
+  in.code.at(s.duration->span, s.duration);
+  in.code.emit(OpCode::WAIT, seconds);
+  in.code.release(mark);
 }
 
-void Lowering::wait_until(const WaitUntilStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  const Reg condition = borrow(*s.condition, Hold::kOwn);
-  const Reg timeout = code_.number();
+static void wait_until(Lowering& in, const WaitUntilStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  const Reg condition = borrow(in, *s.condition, Hold::kOwn);
+  const Reg timeout = in.code.number();
   if (s.timeout != nullptr) {
-    value_into(*s.timeout, {timeout, true});
+    value_into(in, *s.timeout, {timeout, true});
   } else {
-    code_.constant(timeout, Slot{.i = kAbsentBits});
+    in.code.constant(timeout, Slot{.i = kAbsentBits});
   }
-  code_.at(s.condition_span, s.condition);
-  code_.push(OpCode::WAITUNTIL, condition.bits, timeout.bits, tables_.add_wait(s));
-  code_.release(mark);
+  in.code.at(s.condition_span, s.condition);
+  in.code.push(OpCode::WAITUNTIL, condition.bits, timeout.bits, in.tables.add_wait(s));
+  in.code.release(mark);
 }
 
-void Lowering::check(const AssertStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  for (const InitStmt* part : s.parts_init) init(*part);
-  const Label holds = code_.label();
-  branch(*s.condition, true, holds);
-  const Emitter::Mark inner = code_.mark();
-  const Reg note = s.note != nullptr ? borrow(*s.note, Hold::kOwn) : null_reference();
-  const Reg why = s.explain != nullptr ? borrow(*s.explain, Hold::kOwn) : null_reference();
-  const std::uint32_t index = tables_.add_assert(s);
+static void check(Lowering& in, const AssertStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  for (const InitStmt* part : s.parts_init) init(in, *part);
+  const Label holds = in.code.label();
+  branch(in, *s.condition, true, holds);
+  const Emitter::Mark inner = in.code.mark();
+  const Reg note = s.note != nullptr ? borrow(in, *s.note, Hold::kOwn) : null_reference(in);
+  const Reg why = s.explain != nullptr ? borrow(in, *s.explain, Hold::kOwn) : null_reference(in);
+  const std::uint32_t index = in.tables.add_assert(s);
   std::vector<Reg> registers;
-  for (const AssertPart& part : s.shown) registers.push_back(reg_of(*part.variable));
-  code_.shown(index, std::move(registers));
-  code_.at(s.condition_span, s.condition);
-  code_.push(OpCode::ASSERTFAIL, index, note.bits, why.bits);
-  code_.release(inner);
-  code_.bind(holds);
-  code_.release(mark);
+  for (const AssertPart& part : s.shown) registers.push_back(in.homes.of(*part.variable));
+  in.code.shown(index, std::move(registers));
+  in.code.at(s.condition_span, s.condition);
+  in.code.push(OpCode::ASSERTFAIL, index, note.bits, why.bits);
+  in.code.release(inner);
+  in.code.bind(holds);
+  in.code.release(mark);
 }
 
 }  // namespace armlet::lang

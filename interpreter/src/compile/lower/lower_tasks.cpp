@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "compile/lower/lowering.hpp"
+#include "compile/lower/statements.hpp"
+#include "compile/lower/values.hpp"
 
 namespace armlet::lang {
 
@@ -16,63 +17,63 @@ Span head_of(const Stmt& s) {
 
 }  // namespace
 
-void Lowering::parallel(const ParallelStmt& s) {
+void parallel(Lowering& in, const ParallelStmt& s) {
   std::uint32_t index = 0;
   for (const Expr* branch : s.branches) {
-    const Emitter::Mark mark = code_.mark();
-    const Reg task = borrow(*branch, Hold::kNow);
-    code_.at(branch->span, branch);
-    code_.push(OpCode::SPAWN, task.bits, 0, index++);
-    code_.release(mark);
+    const Emitter::Mark mark = in.code.mark();
+    const Reg task = borrow(in, *branch, Hold::kNow);
+    in.code.at(branch->span, branch);
+    in.code.push(OpCode::SPAWN, task.bits, 0, index++);
+    in.code.release(mark);
   }
-  code_.at(s.word);
-  if (!s.branches.empty()) code_.emit(OpCode::PARALLEL);
+  in.code.at(s.word);
+  if (!s.branches.empty()) in.code.emit(OpCode::PARALLEL);
 }
 
-bool Lowering::starts_watching(const Stmt* s) {
+bool starts_watching(const Stmt* s) {
   return s->kind == StmtKind::kWhen || s->kind == StmtKind::kEvery;
 }
 
 // Every way out of the block ends its watches: like a finally block, written by nobody.
-void Lowering::watched_block(Seq<Stmt*> body) {
+void watched_block(Lowering& in, Seq<const Stmt* const> body) {
   const auto first = std::ranges::find_if(body, starts_watching);
   const Span head = head_of(**first);
-  const Label end = code_.label();
-  const Reg watches = code_.pinned();
-  code_.at(head);
-  code_.emit(OpCode::OPENWATCH, watches);
-  tries_.push_back({nullptr, watches, false, code_.position(), {}, {}});
-  for (const Stmt* s : body) statement(*s);
-  code_.at(head);
-  leave(tries_.size() - 1, [&] { code_.jump(end); });
-  const TryScope scope = pop_try();
-  code_.begin_handler(scope.finals, true);
-  const Reg failure = code_.reference();
-  code_.at(head);
-  code_.emit(OpCode::HOLD, failure);
-  const std::uint32_t begin = code_.position();
-  code_.emit(OpCode::STOPWATCH, watches, failure);
-  code_.finally_code(begin, failure);
-  code_.emit(OpCode::RETHROW, failure);
-  code_.bind(end);
+  const Label end = in.code.label();
+  const Reg watches = in.code.pinned();
+  in.code.at(head);
+  in.code.emit(OpCode::OPENWATCH, watches);
+  in.ways.open({nullptr, watches, false, in.code.position(), {}, {}});
+  for (const Stmt* s : body) statement(in, *s);
+  in.code.at(head);
+  leave(in, in.ways.tries() - 1, [&] { in.code.jump(end); });
+  const TryScope scope = in.ways.close(in.code.position());
+  in.code.begin_handler(scope.finals, true);
+  const Reg failure = in.code.reference();
+  in.code.at(head);
+  in.code.emit(OpCode::HOLD, failure);
+  const std::uint32_t begin = in.code.position();
+  in.code.emit(OpCode::STOPWATCH, watches, failure);
+  in.code.finally_code(begin, failure);
+  in.code.emit(OpCode::RETHROW, failure);
+  in.code.bind(end);
 }
 
-void Lowering::when(const WhenStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  const Reg condition = borrow(*s.condition, Hold::kOwn);
-  const Reg body = borrow(*s.body, Hold::kNow);
-  code_.at(s.head, s.condition);
-  code_.emit(OpCode::WATCHWHEN, condition, body);
-  code_.release(mark);
+void when(Lowering& in, const WhenStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  const Reg condition = borrow(in, *s.condition, Hold::kOwn);
+  const Reg body = borrow(in, *s.body, Hold::kNow);
+  in.code.at(s.head, s.condition);
+  in.code.emit(OpCode::WATCHWHEN, condition, body);
+  in.code.release(mark);
 }
 
-void Lowering::every(const EveryStmt& s) {
-  const Emitter::Mark mark = code_.mark();
-  const Reg period = value(*s.period);
-  const Reg body = borrow(*s.body, Hold::kNow);
-  code_.at(s.head, s.period);
-  code_.emit(OpCode::WATCHEVERY, period, body);
-  code_.release(mark);
+void every(Lowering& in, const EveryStmt& s) {
+  const Emitter::Mark mark = in.code.mark();
+  const Reg period = value(in, *s.period);
+  const Reg body = borrow(in, *s.body, Hold::kNow);
+  in.code.at(s.head, s.period);
+  in.code.emit(OpCode::WATCHEVERY, period, body);
+  in.code.release(mark);
 }
 
 }  // namespace armlet::lang

@@ -8,7 +8,8 @@
 
 #include "check/tree/walk.hpp"
 #include "compile/lower/analysis.hpp"
-#include "compile/lower/lowering.hpp"
+#include "compile/lower/statements.hpp"
+#include "compile/lower/values.hpp"
 
 namespace armlet::lang {
 
@@ -122,51 +123,53 @@ class Judge {
 
 }  // namespace
 
-void mark_inlined_functions(const Module& module) {
-  for (Function* function : module.functions) {
-    function->expands = function != module.main && Judge(*function).is_small();
+FunctionSet inlined_functions(const Module& module) {
+  FunctionSet inlined;
+  for (const Function* function : module.functions) {
+    if (function != module.main && Judge(*function).is_small()) inlined.insert(function);
   }
+  return inlined;
 }
 
 // Arguments are evaluated as for any call; parameters are then other names for their registers.
-void Lowering::expand(const CallExpr& e, Dest to) {
+void expand(Lowering& in, const CallExpr& e, Dest to) {
   Hold hold = Hold::kNow;
   std::vector<Hold> holds(e.arguments.size(), hold);
   for (std::size_t i = e.arguments.size(); i-- > 1;) {
-    holds[i - 1] = hold = stronger(hold, hold_over(*e.arguments[i]));
+    holds[i - 1] = hold = stronger(hold, hold_over(in, *e.arguments[i]));
   }
   std::vector<Reg> arguments;
   for (std::size_t i = 0; i < e.arguments.size(); ++i) {
     const Expr& argument = *e.arguments[i];
     const bool reference = argument.type->is_reference();
-    arguments.push_back(reference ? borrow(argument, holds[i]) : value(argument));
+    arguments.push_back(reference ? borrow(in, argument, holds[i]) : value(in, argument));
     if (arguments.back() == to.reg) to.early = false;
   }
-  expand_body({e.span, &e}, *e.function, arguments, to);
+  expand_body(in, {e.span, &e}, *e.function, arguments, to);
 }
 
-void Lowering::expand_body(Site site, const Function& function, const std::vector<Reg>& arguments,
-                           Dest to) {
+void expand_body(Lowering& in, Site site, const Function& function,
+                 const std::vector<Reg>& arguments, Dest to) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    function.parameters[i]->index = arguments[i].bits;
+    in.homes.give(*function.parameters[i], arguments[i]);
   }
-  code_.at(site.span, site.expr);
-  code_.push(OpCode::EXPANDED, 0, function.index, 0);
-  const std::uint32_t begin = code_.position();
-  const Label end = code_.label();
-  expansions_.push_back({to, end});
-  block(*function.body);
-  expansions_.pop_back();
-  code_.drop_jump(end);
-  code_.expanded({begin, code_.position()}, function.index, site.span);
-  code_.bind(end);
+  in.code.at(site.span, site.expr);
+  in.code.push(OpCode::EXPANDED, 0, function.index, 0);
+  const std::uint32_t begin = in.code.position();
+  const Label end = in.code.label();
+  in.ways.begin(Expansion{to, end});
+  block(in, *function.body);
+  in.ways.end_expansion();
+  in.code.drop_jump(end);
+  in.code.expanded({begin, in.code.position()}, function.index, site.span);
+  in.code.bind(end);
 }
 
 // `return` in a body that stands in place of a call.
-void Lowering::give_back_here(const Expr& e) {
-  const Expansion expansion = expansions_.back();
-  value_into(e, expansion.to);
-  code_.jump(expansion.end);
+void give_back_here(Lowering& in, const Expr& e) {
+  const Expansion expansion = in.ways.expansion();
+  value_into(in, e, expansion.to);
+  in.code.jump(expansion.end);
 }
 
 }  // namespace armlet::lang

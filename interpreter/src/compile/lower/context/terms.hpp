@@ -1,5 +1,8 @@
 #pragma once
-// How the parts of Lowering say where a value goes and how long a borrowed one stays good.
+// How the rules say where a value goes and how long a borrowed one stays good.
+
+#include <functional>
+#include <vector>
 
 #include "check/tree/hir.hpp"
 #include "compile/code/wide.hpp"
@@ -34,10 +37,26 @@ enum class Hold : std::uint8_t {
   kOwn,   // this function itself may change the variable: count it
 };
 [[nodiscard]] Hold stronger(Hold a, Hold b);
-// What a reference needs to outlast the evaluation of `later`.
-[[nodiscard]] Hold hold_over(const hir::Expr& later);
 // a * b of doubles, not known before running.
 [[nodiscard]] bool is_product(const hir::Expr& e);
+
+// By step of a place; unused for fields.
+struct StepIndex {
+  Reg index;
+  Reg column;  // elements of matrices
+};
+using Indices = std::vector<StepIndex>;
+
+// What a loop does in each pass.
+using Pass = std::function<void()>;
+
+// The right side of a compound assignment, or the two factors of it.
+struct Addend {
+  bool is_evaluated = false;
+  bool is_product = false;
+  Reg first;
+  Reg second;
+};
 
 // The instruction of an operator on numbers; comparisons the wrong way round are turned by the
 // caller.
