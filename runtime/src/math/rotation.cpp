@@ -175,7 +175,7 @@ Eigen::Vector4d quaternion_from_R(const Eigen::Matrix3d& R) {
   }
   q /= q.norm();
   if (q[0] < 0.0) q = -q;
-  // A half rotate about an axis is one about its opposite; w is only rounding noise then.
+  // Half a revolution about an axis is one about its opposite; w is only rounding noise then.
   if (q[0] <= 1e-15) {
     const int first = std::abs(q[1]) > 1e-9 ? 1 : (std::abs(q[2]) > 1e-9 ? 2 : 3);
     if (q[first] < 0.0) q = -q;

@@ -18,8 +18,8 @@
 namespace armlet::bind {
 namespace {
 
-// posC(numbers): 3 = place only; 4 = place and rotate about z, for an arm whose tool keeps its
-// tilt; 6 = place, roll, pitch, yaw (section 8).
+// posC(numbers): 3 = position only; 4 = position and rotation about z, for an arm whose tool keeps
+// its tilt; 6 = place, roll, pitch, yaw (section 8).
 Answer<PosC> posc_from(Vm& vm, std::span<const double> v) {
   for (const double x : v) {
     if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);

@@ -143,7 +143,7 @@ class Cell {
   // Brings a robot to rest on its path as its limits allow: see motion.hpp.
   void stop(int robot);
 
-  // The same from outside of the motion, which is reported so.
+  // The same from outside of the motion, and it is reported as such.
   void halt(int robot);
   [[nodiscard]] const MotionReport& report(int motion) const;
 

@@ -380,7 +380,7 @@ std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isome
   if (place && closed_form(robot).position_only()) goal = goal.without_orientation();
   std::vector<Eigen::VectorXd> all = all_solutions(robot, goal, options, count);
   if (!all.empty() || !place) return all;
-  // The orientation cannot be kept: all solutions to the one that is nearest to it.
+  // The orientation cannot be kept: all solutions with the orientation that is nearest to it.
   options.diagnose = false;
   const IkResult turned = solve_ik(robot, T_world_tool, options);
   if (!turned.ok()) return {};
