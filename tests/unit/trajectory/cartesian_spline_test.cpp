@@ -85,7 +85,7 @@ TEST_CASE("one pose is a straight line with an even turn; turns go on past half 
     Eigen::Isometry3d T = forward(kArm, kStart);
     T.linear() =
         T.linear() * Eigen::AngleAxisd(k * 0.8, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    turning.places.push_back(T);
+    turning.poses.push_back(T);
   }
   const PathPlan whole = plan_cartesian_spline(kArm, turning);
   REQUIRE(whole.ok());
