@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/define.hpp"
+#include "armlet/interpreter/define_type.hpp"
 #include "compile/code/program.hpp"
 #include "compile/pipeline.hpp"
 #include "registry.hpp"
@@ -27,6 +27,14 @@ namespace {
                       "` is known to this engine already.");
 }
 
+// `what` cannot be defined, for these reasons.
+[[noreturn]] void refuse(std::string_view what, std::string_view name,
+                         const std::vector<std::string>& faults) {
+  std::string all = "The " + std::string(what) + " `" + std::string(name) + "` cannot be defined: ";
+  for (std::size_t i = 0; i < faults.size(); ++i) all += (i == 0 ? "" : "; ") + faults[i];
+  throw ArgumentError(all + '.');
+}
+
 }  // namespace
 
 Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::string_view chapter) {
@@ -38,14 +46,16 @@ Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::st
 }
 
 Engine& Engine::define(const Definition& definition, std::string_view chapter) {
-  const std::string name(definition.function.name);
   const std::vector<std::string> faults = registry_->faults_of(definition.function);
-  if (!faults.empty()) {
-    std::string all = "The function `" + name + "` cannot be defined: ";
-    for (std::size_t i = 0; i < faults.size(); ++i) all += (i == 0 ? "" : "; ") + faults[i];
-    throw ArgumentError(all + '.');
-  }
+  if (!faults.empty()) refuse("function", definition.function.name, faults);
   return add_functions(registry_->keep(definition), chapter);
+}
+
+Engine& Engine::define(const TypeDefinition& definition, std::string_view chapter) {
+  const std::vector<std::string> faults = registry_->add_type(definition);
+  if (!faults.empty()) refuse("type", definition.type().name, faults);
+  registry_->add_chapter({chapter, definition.functions(), {}});
+  return *this;
 }
 
 Engine& Engine::add_constants(std::span<const NativeConstant> constants, std::string_view chapter) {

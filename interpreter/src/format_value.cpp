@@ -351,7 +351,7 @@ void Writer::reference(Slot s, const Type& type) {
       // Only a value that the program shows by itself has room for more than a line.
       if (!is_shown_ || level_ > 1) out.resize(std::min(out.find('\n', begin), out.size()));
     } else {
-      out += host->type->name;
+      out += type.host->name;
     }
   }
   --level_;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "armlet/interpreter/define.hpp"
+#include "armlet/interpreter/define_type.hpp"
+#include "syntax/tokens/words.hpp"
 #include "types/typed_signature.hpp"
 
 namespace armlet::lang {
@@ -139,7 +140,64 @@ std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
   return signature ? typed_faults(function, *signature) : std::vector<std::string>{error};
 }
 
+// A name that programs can write.
+bool can_be_name(std::string_view text) {
+  return !text.empty() && !(text[0] >= '0' && text[0] <= '9') &&
+         std::ranges::all_of(text, is_word_character) && !is_reserved_word(text);
+}
+
+// What a function of the type `type` is called, without what the checker looks it up by.
+std::string_view written_name(std::string_view name, std::string_view type) {
+  if (name.starts_with(type) && name.substr(type.size()).starts_with('.')) {
+    name.remove_prefix(type.size() + 1);
+    if (name.ends_with('=')) name.remove_suffix(1);
+  }
+  return name;
+}
+
+bool is_operator_row(std::string_view name) {
+  static constexpr std::string_view kSigns[] = {"+", "-",  "*",  "/",  "%",
+                                                "^", ".*", "./", ".^", "\\"};
+  return name.starts_with("operator") &&
+         std::ranges::find(kSigns, name.substr(8)) != std::ranges::end(kSigns);
+}
+
 }  // namespace
+
+std::vector<std::string> Registry::add_type(const TypeDefinition& definition) {
+  const HostType& type = definition.type();
+  std::vector<std::string> all(definition.mistakes().begin(), definition.mistakes().end());
+  if (!can_be_name(type.name)) all.push_back('`' + std::string(type.name) + "` cannot be a name");
+  TypePool types;
+  declare_records(types);
+  std::string error;
+  if (parse_fields("x: " + std::string(type.name), types, type_names(types), error))
+    all.push_back("there is a type of this name");
+  for (const auto& [name, other] : types_) {
+    if (is_same_in_cpp(other, &type)) all.push_back("its values are those of `" + name + '`');
+  }
+  if (!all.empty()) return all;
+  add_type(type);
+  const TypeNames names = type_names(types);
+  for (const NativeFunction& function : definition.functions()) {
+    const std::string name(written_name(function.name, type.name));
+    if (!can_be_name(name) && !is_operator_row(name))
+      all.push_back('`' + name + "` cannot be a name");
+    for (const std::string& fault : faults(function, types, names))
+      all.push_back('`' + name + "`: " + fault);
+  }
+  const NativeFunction* twice = all.empty() ? add_functions(definition.functions()) : nullptr;
+  if (twice != nullptr) {
+    all.push_back('`' + std::string(twice->name) + std::string(twice->signature) +
+                  "` is known to this engine already");
+  }
+  if (all.empty()) {
+    kept_.push_back(definition.kept());
+  } else {
+    types_.erase(types_.find(type.name));
+  }
+  return all;
+}
 
 std::vector<std::string> Registry::check_signatures() const {
   TypePool types;

@@ -21,6 +21,7 @@
 
 namespace armlet {
 struct Definition;
+class TypeDefinition;
 }
 
 namespace armlet::lang {
@@ -40,6 +41,10 @@ class Registry {
   const NativeFunction* add_functions(std::span<const NativeFunction> functions);
   // Keeps a function as long as the registry, for add_functions.
   std::span<const NativeFunction> keep(const Definition& definition);
+  // The same of a type and its functions, which are added.
+  //
+  // returns  every mistake, as clauses; then nothing is added.
+  std::vector<std::string> add_type(const TypeDefinition& definition);
   void add_constant(const NativeConstant& constant);
   void add_type(const HostType& type);
   void add_record(std::string_view name, std::string_view fields);

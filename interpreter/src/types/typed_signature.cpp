@@ -76,7 +76,8 @@ bool fits(const ValueKind& said, const ValueKind& written) {
   if (written.form == Form::kAny) return said.form != Form::kNothing;
   const bool is_list = said.form == Form::kReals || said.form == Form::kHosts;
   if (written.form == Form::kItems && is_list) return said.optional == written.optional;
-  return said == written;
+  return said.form == written.form && said.optional == written.optional &&
+         is_same_in_cpp(said.host, written.host);
 }
 
 std::string name_in_cpp(const ValueKind& kind) {

@@ -51,6 +51,8 @@ template <class R, class... Parameters>
 struct Shape<R (*)(Parameters...) noexcept> : Shape<R (*)(Parameters...)> {};
 template <class T, class R, class... Parameters>
 struct Shape<R (T::*)(Parameters...) const> : Shape<R (*)(const T&, Parameters...)> {};
+template <class T, class R, class... Parameters>
+struct Shape<R (T::*)(Parameters...) const noexcept> : Shape<R (*)(const T&, Parameters...)> {};
 template <class T, class V>
 requires(!std::is_function_v<V>) struct Shape<V T::*> : Shape<V (*)(const T&)> {
 };

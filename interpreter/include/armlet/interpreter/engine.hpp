@@ -34,6 +34,7 @@ struct Instr;
 struct Task;
 }  // namespace lang
 struct Definition;
+class TypeDefinition;
 
 struct ParseLimits {
   std::uint32_t bytes = 16U << 20U;
@@ -108,6 +109,11 @@ class Engine {
   // types:
   //         every difference is told.
   Engine& define(const Definition& definition, std::string_view chapter = "Functions of the host");
+  // A type and its functions, that `type<T>` made (define_type.hpp).
+  //
+  // throws  ArgumentError with every mistake; the engine is as before then.
+  Engine& define(const TypeDefinition& definition,
+                 std::string_view chapter = "Functions of the host");
   Engine& add_constants(std::span<const NativeConstant> constants,
                         std::string_view chapter = "Functions of the host");
   Engine& add_type(const HostType& type);

@@ -143,7 +143,17 @@ struct HostType {
   // the numbers".
   std::string_view noun = {};
   std::string_view use = {};
+  // Of a type that `type<T>` declared: the type that values made in C++ carry, from T alone.
+  const HostType* in_cpp = nullptr;
 };
+
+// Whether values of the two types are the same in C++.
+[[nodiscard]] constexpr bool is_same_in_cpp(const HostType* a, const HostType* b) {
+  const auto carried = [](const HostType* type) {
+    return type != nullptr && type->in_cpp != nullptr ? type->in_cpp : type;
+  };
+  return carried(a) == carried(b);
+}
 
 struct HostObj : Obj {
   std::uint32_t reserved;

@@ -8,7 +8,7 @@
 //   double[], time[] ...   std::span<const double>
 //   any other list         std::span<const Slot>, const ListObj&; of a host's type: HostList<T>
 //   matrix                 const MatrixObj&
-//   a type of the host     const T&, for which kHostType<T> names it
+//   a type of the host     const T&, for which kHostType<T> or `type<T>` names it
 //   a struct, a table      const RecordObj&
 //   fn(...) -> ...         const ScriptFunction<...>&, or FunctionValue to hand it on
 //   T and all the others   Slot
@@ -48,6 +48,34 @@ constexpr HostType host_type(std::string_view name, std::string_view help) {
   return type;
 }
 
+namespace typed {
+
+// The name of T in C++, without namespaces.
+template <class T>
+constexpr std::string_view name_in_cpp() {
+  std::string_view name = __PRETTY_FUNCTION__;  // "... [with T = armlet::Pear; ..."
+  name.remove_prefix(name.find("T = ") + 4);
+  name = name.substr(0, name.find_first_of(";]"));
+  const std::size_t scope = name.rfind("::");
+  return scope == std::string_view::npos ? name : name.substr(scope + 2);
+}
+
+// What values of T carry if only `type<T>` names their type (define_type.hpp).
+template <class T>
+inline constexpr HostType kTypeInCpp = host_type<T>(name_in_cpp<T>(), {});
+
+// The type that values of T carry.
+template <class T>
+constexpr const HostType* carried_type() {
+  if constexpr (kHostType<T> != nullptr) {
+    return kHostType<T>;
+  } else {
+    return &kTypeInCpp<T>;
+  }
+}
+
+}  // namespace typed
+
 template <class T>
 concept HostValue = kHostType<std::remove_cvref_t<T>>
 != nullptr;
@@ -58,7 +86,7 @@ struct FunctionValue {
 };
 
 // A list of values of a type of the host, borrowed from the argument.
-template <HostValue T>
+template <class T>
 class HostList {
  public:
   explicit HostList(std::span<const Slot> items) : items_(items) {}
@@ -137,21 +165,23 @@ struct Argument<const ScriptFunction<Function>&> {
     return ScriptFunction<Function>(vm, slot);
   }
 };
-template <HostValue T>
+template <class T>
+requires std::is_class_v<T>
 struct Argument<const T&> {
-  static constexpr ValueKind kKind{ValueKind::Form::kHost, false, kHostType<T>};
+  static constexpr ValueKind kKind{ValueKind::Form::kHost, false, typed::carried_type<T>()};
   static const T& read(Vm&, Slot slot) { return host_value<T>(slot); }
 };
-template <HostValue T>
+template <class T>
+requires std::is_class_v<T>
 struct Argument<const T*> {
-  static constexpr ValueKind kKind{ValueKind::Form::kHost, true, kHostType<T>};
+  static constexpr ValueKind kKind{ValueKind::Form::kHost, true, typed::carried_type<T>()};
   static const T* read(Vm&, Slot slot) {
     return slot.o == nullptr ? nullptr : &host_value<T>(slot);
   }
 };
-template <HostValue T>
+template <class T>
 struct Argument<HostList<T>> {
-  static constexpr ValueKind kKind{ValueKind::Form::kHosts, false, kHostType<T>};
+  static constexpr ValueKind kKind{ValueKind::Form::kHosts, false, typed::carried_type<T>()};
   static HostList<T> read(Vm&, Slot slot) { return HostList<T>(items_value(slot)); }
 };
 template <class T>

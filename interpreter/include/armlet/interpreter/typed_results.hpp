@@ -17,8 +17,15 @@
 namespace armlet {
 
 // How a result of type T is left in a slot: `kKind`, and leave(vm, value, slot), which may fail.
+// This one is for the structs and classes that `type<T>` names.
 template <class T>
-struct Given;
+struct Given {
+  static_assert(std::is_class_v<T>, "no type of the language stands for this result");
+  static constexpr ValueKind kKind{ValueKind::Form::kHost, false, typed::carried_type<T>()};
+  static Signal leave(Vm& vm, T value, Slot& slot) {
+    return give(&slot, new_host_value(vm, *kKind.host, std::move(value)));
+  }
+};
 
 template <>
 struct Given<void> {
@@ -64,8 +71,10 @@ struct Given<T> {
 // Of references: each left as a result of its own.
 template <class T>
 struct Given<std::vector<T>> {
-  static constexpr ValueKind kKind{HostValue<T> ? ValueKind::Form::kHosts : ValueKind::Form::kItems,
-                                   false, kHostType<T>};
+  static constexpr ValueKind kKind{Given<T>::kKind.form == ValueKind::Form::kHost
+                                       ? ValueKind::Form::kHosts
+                                       : ValueKind::Form::kItems,
+                                   false, Given<T>::kKind.host};
   static Signal leave(Vm& vm, std::vector<T> values, Slot& slot) {
     ListObj* list = new_list(vm, static_cast<std::uint32_t>(values.size()), true);
     for (std::size_t i = 0; list != nullptr && i < values.size(); ++i) {

@@ -64,7 +64,7 @@ std::string object_fault(const Obj& object, const Type& type) {
     return name_of(object.kind) + " where " + expected.name + " is expected";
   if (type.is(Kind::kHost)) {
     const HostType& given = *static_cast<const HostObj&>(object).type;
-    if (&given == type.host) return {};
+    if (is_same_in_cpp(&given, type.host)) return {};
     return "a " + std::string(given.name) + " where a " + std::string(type.host->name) +
            " is expected";
   }
