@@ -4,7 +4,8 @@
 usage: snippets.py COMMAND ROOT
 
 A block after a line `<!-- fails: CODE -->` must fail with that message. One after `<!-- later -->` must be right but for
-what is not available yet (E0199). All others must run.
+what is not available yet (E0199). All others must run. Blocks of C++ in docs/embedding.md must stand in the hosts that they
+are taken from, which are built and run by tests of their own.
 """
 import pathlib
 import re
@@ -13,6 +14,8 @@ import sys
 import tempfile
 
 BLOCK = re.compile(r"(?:<!-- (?:fails: (\w+)|(later)) -->\n)?```rbt\n(.*?)```", re.DOTALL)
+CPP = re.compile(r"```cpp\n(.*?)```", re.DOTALL)
+HOSTS = ("tests/embed/host.cpp", "tests/unit/host/thermostat_test.cpp")
 ERROR = re.compile(r"^error (\w+):", re.MULTILINE)
 
 
@@ -32,11 +35,25 @@ def check(command, folder, document, number, text, code, later):
     return 1
 
 
+def unindented(text):
+    return "\n".join(line.strip() for line in text.strip().splitlines())
+
+
+def check_hosts(root):
+    hosts = [unindented((root / name).read_text()) for name in HOSTS]
+    failed = 0
+    for match in CPP.finditer((root / "docs" / "embedding.md").read_text()):
+        if not any(unindented(match[1]) in host for host in hosts):
+            print(f"docs/embedding.md: in no host:\n{match[1]}")
+            failed += 1
+    return failed
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     command, root = sys.argv[1], pathlib.Path(sys.argv[2])
-    failed = blocks = 0
+    failed, blocks = check_hosts(root), 0
     with tempfile.TemporaryDirectory() as folder:
         for document in sorted([*root.glob("*.md"), *root.glob("docs/**/*.md")]):
             for number, match in enumerate(BLOCK.finditer(document.read_text()), 1):

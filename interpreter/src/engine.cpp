@@ -81,6 +81,13 @@ Engine& Engine::add_record(std::string_view name, std::string_view fields) {
   return *this;
 }
 
+Engine& Engine::add_messages(std::span<const CatalogEntry> rows) {
+  registry_->add_messages(rows);
+  return *this;
+}
+
+const MessageTables& Engine::messages() const { return registry_->messages(); }
+
 Engine& Engine::add_planned(std::span<const std::string_view> names) {
   for (const std::string_view name : names) registry_->add_planned(name);
   return *this;
@@ -118,6 +125,13 @@ std::vector<std::string> Program::test_names() const {
 
 bool Program::mentions(std::string_view function) const {
   return std::binary_search(compiled_->mentioned.begin(), compiled_->mentioned.end(), function);
+}
+
+bool Program::uses_world() const { return compiled_->uses_world; }
+
+std::vector<std::string> Program::declared_names(std::string_view type) const {
+  const auto found = compiled_->declared_names.find(type);
+  return found == compiled_->declared_names.end() ? std::vector<std::string>() : found->second;
 }
 
 std::string Program::disassemble() const { return lang::disassemble(*compiled_); }

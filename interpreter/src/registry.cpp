@@ -15,7 +15,7 @@ auto find_or(const Map& map, std::string_view name, typename Map::mapped_type ot
   return found == map.end() ? otherwise : found->second;
 }
 
-// "operator+", "posC.x=", "robot{}" and "robot()" are found by the checker, not written by
+// "operator+", "point.x=", "motor{}" and "motor()" are found by the checker, not written by
 // programs.
 bool is_written(std::string_view name) {
   return !name.starts_with("operator") && name.find_first_of("[]{}()=") == std::string_view::npos;
@@ -23,8 +23,14 @@ bool is_written(std::string_view name) {
 
 }  // namespace
 
-Registry::Registry() {
-  add_record("error", "message: string, kind: string, line: int, robot: string, time: time");
+Registry::Registry() { describe_errors(); }
+
+void Registry::describe_errors() {
+  std::string fields = "message: string, kind: string, line: int, ";
+  for (const auto& [name, type] : types_) {
+    if (type->resource != nullptr) fields += name + ": string, ";
+  }
+  add_record("error", fields + "time: time");
 }
 
 const NativeFunction* Registry::add_functions(std::span<const NativeFunction> functions) {
@@ -57,7 +63,10 @@ void Registry::add_constant(const NativeConstant& constant) {
   constants_[constant.name] = &constant;
 }
 
-void Registry::add_type(const HostType& type) { types_[std::string(type.name)] = &type; }
+void Registry::add_type(const HostType& type) {
+  types_[std::string(type.name)] = &type;
+  describe_errors();
+}
 
 void Registry::add_record(std::string_view name, std::string_view fields) {
   records_[std::string(name)] = fields;
@@ -74,7 +83,7 @@ const NativeConstant* Registry::constant(std::string_view name) const {
 }
 
 // A type of the host may be written with a capital letter if the library makes its values by a
-// function of that name, as the classic subset does: Robot.
+// function of that name, as the classic subset does.
 const HostType* Registry::type(std::string_view name) const {
   const bool is_classic = !name.empty() && name[0] >= 'A' && name[0] <= 'Z' &&
                           !types_.contains(name) && functions_.contains(name);
@@ -195,6 +204,7 @@ std::vector<std::string> Registry::add_type(const TypeDefinition& definition) {
     kept_.push_back(definition.kept());
   } else {
     types_.erase(types_.find(type.name));
+    describe_errors();
   }
   return all;
 }

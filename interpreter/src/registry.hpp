@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "armlet/interpreter/catalog.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/type.hpp"
@@ -22,7 +23,7 @@
 namespace armlet {
 struct Definition;
 class TypeDefinition;
-}
+}  // namespace armlet
 
 namespace armlet::lang {
 
@@ -48,6 +49,8 @@ class Registry {
   void add_constant(const NativeConstant& constant);
   void add_type(const HostType& type);
   void add_record(std::string_view name, std::string_view fields);
+  void add_messages(std::span<const CatalogEntry> rows) { messages_.add(rows); }
+  [[nodiscard]] const MessageTables& messages() const { return messages_; }
   void add_chapter(const Chapter& chapter) { chapters_.push_back(chapter); }
   // A name of the language reference that nothing stands behind yet.
   void add_planned(std::string_view name) { planned_.insert(name); }
@@ -57,7 +60,7 @@ class Registry {
   [[nodiscard]] const NativeConstant* constant(std::string_view name) const;
   [[nodiscard]] bool is_planned(std::string_view name) const { return planned_.contains(name); }
   [[nodiscard]] const HostType* type(std::string_view name) const;
-  // Whether names such as "robots.scara" exist for "robots".
+  // Whether names such as "Math.sin" exist for "Math".
   [[nodiscard]] bool is_namespace(std::string_view name) const;
   [[nodiscard]] const std::map<std::string, const HostType*, std::less<>>& types() const {
     return types_;
@@ -80,11 +83,15 @@ class Registry {
   [[nodiscard]] std::vector<std::string> faults_of(const NativeFunction& function) const;
 
  private:
+  // The record of a caught error has a field for each type of resource: the one that was commanded.
+  void describe_errors();
+
   // The names are those of the functions and constants, which outlive the engine.
   std::map<std::string_view, std::vector<const NativeFunction*>> functions_;
   std::map<std::string_view, const NativeConstant*> constants_;
   std::map<std::string, const HostType*, std::less<>> types_;
   std::map<std::string, std::string, std::less<>> records_;
+  MessageTables messages_;
   std::set<std::string_view> planned_;
   std::vector<Chapter> chapters_;
   std::deque<NativeFunction> defined_;

@@ -35,7 +35,7 @@ void Checker::look_ahead(const ast::Block& program) {
   }
 }
 
-// The ambient type that a declaration shows: written, or made by robots.something(...); null if
+// The ambient type that a declaration shows: written, or made by motors.something(...); null if
 // none.
 const HostType* Checker::ambient_type(const ast::TypeExpr* type, const ast::Expr* init) {
   while (type != nullptr && type->form == ast::TypeForm::kProduct && type->factors.size() == 1) {
@@ -86,6 +86,8 @@ void finish(SharedState& shared, CompiledProgram& into) {
       into.arena->copy(std::vector<const Type*>(shared.unset.begin(), shared.unset.end()));
   module.global_count = static_cast<std::uint32_t>(globals.size());
   into.mentioned.assign(shared.mentioned.begin(), shared.mentioned.end());
+  for (const auto& [type, names] : shared.declared_names)
+    into.declared_names[type] = names.in_order;
 }
 
 }  // namespace
@@ -114,6 +116,7 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   if (into.arena == nullptr) into.arena = std::make_unique<Arena>();
   if (into.types == nullptr) into.types = std::make_unique<TypePool>();
   registry.declare_records(*into.types);
+  into.messages = &registry.messages();
   SharedState shared;
   shared.error_type = into.types->library_record("error");
   std::deque<Checker> checkers;

@@ -174,8 +174,8 @@ struct Checker : CheckerState {
                               const TypePattern& pattern, Bindings& bindings);
   hir::Expr* ambient_value(const HostType& type, Span callee);
   [[nodiscard]] const Fact* ambient_fact(std::string_view type);
-  // The variables that a call without a robot may mean, and the names of all that it could mean.
-  // all: every name that it could mean, not only two that differ.
+  // The variables that a call without its first argument may mean, and the names of all that it
+  // could mean. all: every name that it could mean, not only two that differ.
   Ambient find_ambient(const HostType& type, bool all = false);
   void note_pause(Span span);
   hir::Expr* run_rule(std::string_view name, const std::vector<Argument>& arguments, const Fit& fit,

@@ -151,7 +151,7 @@ struct CheckerState {
   std::map<std::string_view, Span> top_level_names_;
   std::set<std::string_view> changed_names_;  // that some statement of the text changes
   std::map<std::string_view, std::vector<std::string_view>>
-      ambient_names_;   // top-level robots by type
+      ambient_names_;   // top-level ambient values by type
   Use* use_ = nullptr;  // what is being collected now
   std::vector<const ast::TestStmt*> waiting_tests_;
   std::vector<std::pair<Span, Use>> active_statements_;  // of an imported file's top level

@@ -17,7 +17,7 @@ std::string without_folders(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
-// import robots.grip means the file robots/grip.rbt.
+// import tools.grip means the file tools/grip.rbt.
 std::string path_of(const ast::ImportStmt& stmt) {
   std::string path(stmt.path);
   if (stmt.is_file) return path;

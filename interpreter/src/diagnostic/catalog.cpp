@@ -4,6 +4,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
 
 namespace armlet {
@@ -44,20 +45,78 @@ int CatalogEntry::argument_count() const {
 
 std::span<const CatalogEntry> catalog() { return kCatalog; }
 
-const CatalogEntry* catalog_entry(std::string_view code) {
-  const auto found = std::ranges::lower_bound(kCatalog, code, {}, &CatalogEntry::code);
-  return found != kCatalog.end() && found->code == code ? &*found : nullptr;
+namespace {
+
+const CatalogEntry* find_in(std::span<const CatalogEntry> rows, std::string_view code) {
+  const auto found = std::ranges::lower_bound(rows, code, {}, &CatalogEntry::code);
+  return found != rows.end() && found->code == code ? &*found : nullptr;
+}
+
+bool is_code(std::string_view code) {
+  return code.size() == 5 && std::string_view("ERW").find(code[0]) != std::string_view::npos &&
+         code.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+}  // namespace
+
+const CatalogEntry* catalog_entry(std::string_view code) { return find_in(kCatalog, code); }
+
+void MessageTables::add(std::span<const CatalogEntry> rows) {
+  if (!std::ranges::is_sorted(rows, {}, &CatalogEntry::code))
+    throw ArgumentError("Rows of messages stand in the order of their codes.");
+  std::string_view before;
+  for (const CatalogEntry& row : rows) {
+    const std::string code(row.code);
+    if (!is_code(row.code)) throw ArgumentError("`" + code + "` is no code such as E0901.");
+    if (find(row.code) != nullptr || row.code == before)
+      throw ArgumentError("There is a message " + code + " already.");
+    before = row.code;
+  }
+  tables_.push_back(rows);
+}
+
+const CatalogEntry* MessageTables::find(std::string_view code) const {
+  for (const std::span<const CatalogEntry> rows : tables_) {
+    if (const CatalogEntry* entry = find_in(rows, code)) return entry;
+  }
+  return nullptr;
+}
+
+std::string_view MessageTables::kind_of(std::string_view code) const {
+  const CatalogEntry* entry = find(code);
+  return entry == nullptr ? std::string_view() : entry->kind;
+}
+
+const CatalogEntry* MessageTables::of_kind(std::string_view kind) const {
+  if (kind.empty()) return nullptr;
+  for (const std::span<const CatalogEntry> rows : tables_) {
+    const auto found = std::ranges::find(rows, kind, &CatalogEntry::kind);
+    if (found != rows.end()) return &*found;
+  }
+  return nullptr;
+}
+
+std::vector<const CatalogEntry*> MessageTables::all() const {
+  std::vector<const CatalogEntry*> out;
+  for (const std::span<const CatalogEntry> rows : tables_) {
+    for (const CatalogEntry& row : rows) out.push_back(&row);
+  }
+  std::ranges::sort(out, {}, &CatalogEntry::code);
+  return out;
 }
 
 std::string explain_page(std::string_view code) {
   const CatalogEntry* entry = catalog_entry(code);
-  if (entry == nullptr) return {};
-  std::string title(entry->headline);
+  return entry == nullptr ? std::string() : explain_page(*entry);
+}
+
+std::string explain_page(const CatalogEntry& entry) {
+  std::string title(entry.headline);
   for (std::size_t at = title.find(kPlace); at != std::string::npos; at = title.find(kPlace)) {
     title.replace(at, kPlace.size(), "...");
   }
   // The page starts with the line break behind its opening quote.
-  return std::string(code) + ": " + title + '\n' + std::string(entry->page);
+  return std::string(entry.code) + ": " + title + '\n' + std::string(entry.page);
 }
 
 std::string_view kind_of(std::string_view code) {
@@ -75,16 +134,21 @@ Diagnostic make_diagnostic(std::string_view code, Span span,
                            const std::vector<std::string>& arguments) {
   const CatalogEntry* entry = catalog_entry(code);
   if (entry == nullptr) throw std::logic_error("no message has the code " + std::string(code));
-  if (entry->argument_count() != static_cast<int>(arguments.size())) {
-    throw std::logic_error("the message " + std::string(code) + " takes " +
-                           std::to_string(entry->argument_count()) + " arguments, not " +
+  return make_diagnostic(*entry, span, arguments);
+}
+
+Diagnostic make_diagnostic(const CatalogEntry& entry, Span span,
+                           const std::vector<std::string>& arguments) {
+  if (entry.argument_count() != static_cast<int>(arguments.size())) {
+    throw std::logic_error("the message " + std::string(entry.code) + " takes " +
+                           std::to_string(entry.argument_count()) + " arguments, not " +
                            std::to_string(arguments.size()));
   }
   Diagnostic out;
-  out.code = code;
-  out.severity = code.starts_with('W') ? Severity::kAdvice : Severity::kError;
+  out.code = entry.code;
+  out.severity = entry.code.starts_with('W') ? Severity::kAdvice : Severity::kError;
   out.mark.span = span;
-  std::string_view rest = entry->headline;
+  std::string_view rest = entry.headline;
   for (const std::string& argument : arguments) {
     const std::size_t at = rest.find(kPlace);
     out.message.append(rest.substr(0, at)).append(argument);

@@ -258,7 +258,7 @@ class TextRenderer {
 }  // namespace
 
 bool tells_something(const std::optional<When>& when) {
-  return when && (when->time_ns != 0 || !when->robot.empty() || !when->task.empty() ||
+  return when && (when->time_ns != 0 || !when->resource.empty() || !when->task.empty() ||
                   when->moved || !when->note.empty() || !when->calls.empty());
 }
 
@@ -266,7 +266,7 @@ std::string when_text(const When& when) {
   // A program that calls itself without end has thousands of calls; the innermost ones tell enough.
   constexpr std::size_t kShownCalls = 4;
   std::string out = fmt::format("at t = {:.2f} s", static_cast<double>(when.time_ns) * 1e-9);
-  if (!when.robot.empty()) out += ", robot " + when.robot;
+  if (!when.resource.empty()) out += ", " + when.resource_type + ' ' + when.resource;
   if (!when.task.empty()) out += ", " + when.task;
   if (!when.note.empty()) out += ", " + when.note;
   for (std::size_t i = 0; i < std::min(when.calls.size(), kShownCalls); ++i) {
@@ -275,7 +275,7 @@ std::string when_text(const When& when) {
   if (when.calls.size() > kShownCalls) {
     out += ", and further out";
   }
-  if (when.moved) out += *when.moved ? ", the robot had started to move" : ", nothing has moved";
+  if (when.moved && !when.moved_text.empty()) out += ", " + when.moved_text;
   return out;
 }
 

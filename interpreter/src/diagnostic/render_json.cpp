@@ -49,7 +49,7 @@ Json fix_json(const Fix& fix, std::uint32_t main, const SourceSet& sources) {
 Json when_json(const When& when) {
   Json out;
   out["time"] = static_cast<double>(when.time_ns) / 1e9;
-  add_text(out, "robot", when.robot);
+  if (!when.resource.empty()) add_text(out, when.resource_type, when.resource);
   add_text(out, "task", when.task);
   add_text(out, "note", when.note);
   if (when.moved) out["moved"] = *when.moved;

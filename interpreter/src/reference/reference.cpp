@@ -32,7 +32,7 @@ struct Section {
   std::vector<Page> pages;
 };
 
-// "a: posC, b: posC" -> {"posC", "posC"}
+// "a: point, b: point" -> {"point", "point"}
 std::vector<std::string_view> parameter_types(std::string_view signature) {
   std::vector<std::string_view> types;
   int depth = 0;
@@ -75,7 +75,7 @@ std::string operator_call(std::string_view sign, std::string_view signature) {
   return fmt::format("{} {} {}{}", types[0], sign, types[1], result_of(signature));
 }
 
-// How a reader would write what the table calls `name`: "posC.x" is a field, "robot{}" a block
+// How a reader would write what the table calls `name`: "point.x" is a field, "motor{}" a block
 // declaration. Empty for what no program writes.
 std::string written_call(const lang::Registry& registry, const NativeFunction& function) {
   const std::string_view name = function.name;
@@ -107,7 +107,7 @@ std::string written_call(const lang::Registry& registry, const NativeFunction& f
   return fmt::format("{}({}){}", name, parameters.substr(second + 2), result_of(signature));
 }
 
-// The heading of an entry: "robot NAME { ... }" is found under robot, operators under their sign.
+// The heading of an entry: "motor NAME { ... }" is found under motor, operators under their sign.
 std::string heading(std::string_view name) {
   if (!name.starts_with("operator") && name.ends_with('=')) name.remove_suffix(1);
   if (name.starts_with("operator")) return std::string(name.substr(8));

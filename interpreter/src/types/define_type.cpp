@@ -33,7 +33,7 @@ std::string_view told_type(const ValueKind& kind) {
   }
 }
 
-// The name of the parameter that is the value: "Gripper" -> "gripper".
+// The name of the parameter that is the value: "Valve" -> "valve".
 std::string parameter_name(std::string_view type) {
   std::string name(type);
   if (!name.empty() && name[0] >= 'A' && name[0] <= 'Z')

@@ -40,14 +40,16 @@ class VelocityWaiting : public Waiting {
     if (!report().halted) return Signal::kDone;
     Failure f;
     f.code = "R0618";
-    f.robot = robot();
+    f.resource = resource();
     f.moved = report().end_ns > report().start_ns;
     return fail(vm, std::move(f));
   }
   [[nodiscard]] std::string what() const override {
-    return fmt::format("{} of {}", function_, robot());
+    return fmt::format("{} of {}", function_, resource().name);
   }
-  [[nodiscard]] std::string robot() const override { return host_.cell().robot(robot_).name; }
+  [[nodiscard]] Resource resource() const override {
+    return robot_called(host_.cell().robot(robot_).name);
+  }
 
  private:
   [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
@@ -64,7 +66,7 @@ Failure refusal(Vm& vm, const MoveCall& call, std::string_view code) {
   Failure f;
   f.code = code;
   f.mark_parameter = call.target;
-  f.robot = Host::of(vm).cell().robot(call.robot).name;
+  f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   return f;
 }
 

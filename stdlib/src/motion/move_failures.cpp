@@ -46,7 +46,7 @@ Failure start(Vm& vm, const MoveCall& call, std::string_view code, int mark) {
   Failure f;
   f.code = code;
   f.mark_parameter = mark;
-  f.robot = Host::of(vm).cell().robot(call.robot).name;
+  f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   f.moved = false;
   f.place = call.place;
   f.mark_element = call.element;
@@ -104,14 +104,15 @@ void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, F
   const bool level = std::abs(up.dot(goal - nearest)) < kSameHeight;
   const auto [asked, reached] = distinguished(goal_out, reach_out);
   if (level && goal_out > reach_out) {
-    f.why = fmt::format("the point is {} from the base; `{}` reaches {}", asked, f.robot, reached);
+    f.why = fmt::format("the point is {} from the base; `{}` reaches {}", asked, f.resource.name,
+                        reached);
     f.fix = fmt::format("bring the target at least {} closer", up_to_tenth(d.distance));
   } else if (level) {
     f.why = fmt::format("the point is {} from the base; `{}` cannot fold closer than {}", asked,
-                        f.robot, reached);
+                        f.resource.name, reached);
     f.fix = fmt::format("bring the target at least {} further out", up_to_tenth(d.distance));
   } else {
-    f.why = fmt::format("the nearest point that `{}` reaches is {}, {} away", f.robot,
+    f.why = fmt::format("the nearest point that `{}` reaches is {}, {} away", f.resource.name,
                         format_point_mm(nearest), format_mm(d.distance));
     f.fix = fmt::format("bring the target at least {} closer to it", up_to_tenth(d.distance));
   }
@@ -228,14 +229,14 @@ Failed fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
   if (is_vertical(robot)) {
     f.why = fmt::format(
         "the tool of `{}` always points straight up or down, and this target is tilted by {}",
-        f.robot, tilt);
+        f.resource.name, tilt);
     f.fix = "give only a place and a turn about z";
     return fail(vm, std::move(f));
   }
   f.why = fmt::format(
       "no joint of `{}` tilts its tool, which always leans by {}; this target leans by {}{}, and "
       "the closest orientation differs by {}",
-      f.robot, lean_text(lean_of(up)), tilt,
+      f.resource.name, lean_text(lean_of(up)), tilt,
       lean_text(lean_of(up)) == tilt ? " to another side of the tool" : "", error);
   f.fix = fmt::format("turn the target by {} or more, or give only a place", error);
   return fail(vm, std::move(f));
@@ -292,7 +293,7 @@ Failed fail_swings_outside(Vm& vm, const MoveCall& call, const LimitViolation& o
 Failed fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, double stands) {
   const JointKind kind = model_of(vm, call).joint(joint).kind;
   Failure f = start(vm, call, "R0634", call.target);
-  f.arguments = {fmt::format("`{}` does not stand where the trajectory starts", f.robot)};
+  f.arguments = {fmt::format("`{}` does not stand where the trajectory starts", f.resource.name)};
   f.why = fmt::format("it starts with joint {} at {}, and the joint is at {}", joint + 1,
                       format_joint_value(kind, starts, stands), format_joint_value(kind, stands));
   f.fix = "go there first: moveJ({arg}.q(0s))";
@@ -380,7 +381,7 @@ Failed fail_joint_count(Vm& vm, const MoveCall& call, int count) {
   Failure f = start(vm, call, "R0613", call.target);
   f.message = fmt::format("{} joint value{} for a robot with {} joint{}", count,
                           count == 1 ? "" : "s", robot.n(), robot.n() == 1 ? "" : "s");
-  f.why = fmt::format("`{}` has joints: ", f.robot);
+  f.why = fmt::format("`{}` has joints: ", f.resource.name);
   for (int i = 0; i < robot.n(); ++i)
     f.why += fmt::format("{}{}", i > 0 ? ", " : "", joint_word(robot.joint(i).kind));
   return fail(vm, std::move(f));

@@ -25,15 +25,15 @@ class MoveWaiting : public Waiting {
     if (!is_over()) host_.cell().stop(call_.robot);
   }
   [[nodiscard]] std::string what() const override {
-    return fmt::format("{} of {}", function_, robot());
+    return fmt::format("{} of {}", function_, arm().name);
   }
-  [[nodiscard]] std::string robot() const override { return arm().name; }
+  [[nodiscard]] Resource resource() const override { return robot_called(arm().name); }
 
   Signal finish(Vm& vm, Slot& result) override {
     const MotionReport& done = report();
     const bool reached = done.state == MotionState::kReached;
     const double duration = to_seconds(done.end_ns - done.start_ns);
-    host_.report_move({robot(), function_, to_seconds(done.start_ns), duration, !reached,
+    host_.report_move({arm().name, function_, to_seconds(done.start_ns), duration, !reached,
                        host_.cell().T_world_tool(call_.robot)});
     report_events(vm);
     if (done.halted) return fail_halted(vm);
@@ -59,7 +59,7 @@ class MoveWaiting : public Waiting {
   Signal fail_halted(Vm& vm) {
     Failure f;
     f.code = "R0618";
-    f.robot = robot();
+    f.resource = resource();
     f.moved = report().end_ns > report().start_ns;
     return fail(vm, std::move(f));
   }

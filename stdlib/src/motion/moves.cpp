@@ -75,9 +75,9 @@ Answer<void> check_idle(Vm& vm, int id) {
   if (!robot.motion) return {};
   Failure f;
   f.code = "R0617";
-  f.arguments = {robot.name};
+  f.resource = robot_called(robot.name);
+  f.arguments = {robot.name, std::string(kRobot.resource->busy)};
   f.mark_parameter = kMarkCallee;
-  f.robot = robot.name;
   const MotionReport& report = Host::of(vm).cell().report(robot.motion_id);
   const bool rolls_out = report.held_ns && *report.held_ns <= Host::of(vm).now_ns();
   f.fix = rolls_out ? "it is slowing down after a velocity command: call halt() first"

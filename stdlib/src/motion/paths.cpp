@@ -26,6 +26,7 @@ Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   f.arguments = {std::move(what)};
   f.mark_parameter = parameter;
   f.fix = std::move(fix);
+  f.resource = robot_called({});
   f.moved = false;
   return fail(vm, std::move(f));
 }

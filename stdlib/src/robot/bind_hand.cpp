@@ -16,7 +16,7 @@ Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
   const Cell& cell = Host::of(vm).cell();
   Failure f;
   f.code = "R0605";
-  f.robot = cell.robot(robot).name;
+  f.resource = robot_called(cell.robot(robot).name);
   switch (result.status) {
     case GraspStatus::kNothing:
       f.why = result.object.empty()
@@ -37,7 +37,7 @@ Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
       f.message = fmt::format("\"{}\" is fixed and cannot be grasped", result.object);
       break;
     case GraspStatus::kNoHand:
-      f.message = fmt::format("`{}` has no hand that can grasp", f.robot);
+      f.message = fmt::format("`{}` has no hand that can grasp", f.resource.name);
       f.fix = "give it one: tool: parallelGripper(stroke: 60mm)";
       break;
     case GraspStatus::kHolding:
@@ -72,8 +72,8 @@ Answer<void> release_object(Vm& vm, const RobotRef& r) {
   if (release(cell, r.id)) return {};
   Failure f;
   f.code = "R0619";
-  f.robot = cell.robot(r.id).name;
-  f.arguments = {f.robot};
+  f.resource = robot_called(cell.robot(r.id).name);
+  f.arguments = {f.resource.name};
   f.fix = "grasp something first, or ask holding()";
   return fail(vm, std::move(f));
 }

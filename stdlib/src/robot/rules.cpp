@@ -10,6 +10,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
+#include "armlet/interpreter/world_names.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/model/joint.hpp"
 #include "armlet/stdlib/host.hpp"
@@ -264,7 +265,7 @@ void check_default_robot(CheckCall& call) {
   if (const Robot* robot = host->default_robot_model()) {
     set_robot_fact(call, *robot, robot->name());
   } else if (!call.callee_span().empty()) {  // a call, not a question about one
-    call.report(make_diagnostic("E0220", call.callee_span()));
+    call.report(make_diagnostic("E0220", call.callee_span(), {"robot"}));
   }
 }
 
@@ -423,24 +424,26 @@ void check_sphere(CheckCall& call) { check_lengths(call, {"radius"}); }
 
 void check_object_name(CheckCall& call) {
   const auto constant = call.constant(0);
-  auto* host = static_cast<Host*>(call.host());
-  if (!constant || host == nullptr) return;
+  const WorldNames* world = call.world();
+  if (!constant || world == nullptr) return;
   const std::string& name = constant->text;
-  if (!host->may_have_world() || call.declares("object", name)) return;
-  if (!host->has_world()) host->want_world(call.declared_names("object"));
-  if (!host->has_world() || call.mentions("spawn") || host->cell().world().find(name) != nullptr)
-    return;
+  if (call.declares("object", name)) return;
+  call.use_world();
+  if (call.mentions("spawn") || world->has(name)) return;
   Diagnostic d = make_diagnostic("E0203", call.span(0), {name});
   if (!call.takes_errors()) return call.report(std::move(d));
-  std::vector<std::string> known = host->cell().world().names();
+  std::vector<std::string> known;
+  for (const WorldNames::Thing& thing : world->things) {
+    if (!call.declares("object", thing.name)) known.push_back(thing.name);
+  }
   const std::vector<std::string> declared = call.declared_names("object");
   known.insert(known.end(), declared.begin(), declared.end());
   std::string list;
   for (std::size_t i = 0; i < known.size(); ++i) {
     list += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == known.size() ? " and " : ", ", known[i]);
   }
-  d.why = known.empty() ? fmt::format("the world `{}` is empty", host->world_name())
-                        : fmt::format("the world `{}` contains {}", host->world_name(), list);
+  d.why = known.empty() ? fmt::format("the world `{}` is empty", world->world)
+                        : fmt::format("the world `{}` contains {}", world->world, list);
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   if (const auto meant = most_similar(name, candidates)) {
     d.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),

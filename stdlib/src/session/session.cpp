@@ -5,6 +5,7 @@
 
 #include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
+#include "armlet/interpreter/world_names.hpp"
 
 namespace armlet {
 namespace {
@@ -106,23 +107,23 @@ std::unique_ptr<Host> Session::make_host(bool with_world) {
   host_options.folder = options_.folder;
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
-      fill_world(host, *options_.default_world);
+      fill_world(host, *options_.default_world, problems_);
     };
   }
   auto host = std::make_unique<Host>(std::move(host_options));
-  if (with_world && options_.world) fill_world(*host, *options_.world);
+  if (with_world && options_.world) fill_world(*host, *options_.world, problems_);
   return host;
 }
 
 // A world is a program that declares objects; it runs in the cell before time begins.
-bool Session::fill_world(Host& host, const WorldText& world) {
+bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem>& problems) {
   host.set_world_name(world.name);
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
   compile_options.cancelled = &cancelled_;
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
-  for (Diagnostic& d : compiled.diagnostics) problems_.push_back({std::move(d), compiled.sources});
+  for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
   if (compiled.program == nullptr) return false;
   VmOptions vm_options;
   vm_options.limits = options_.limits;
@@ -132,8 +133,22 @@ bool Session::fill_world(Host& host, const WorldText& world) {
   const InReach in_reach(vm, running_, cancelling_, cancelled_);
   RunResult result = vm.run();
   if (result.status == RunStatus::kDone) return true;
-  if (result.error) problems_.push_back({*std::move(result.error), compiled.sources});
+  if (result.error) problems.push_back({*std::move(result.error), compiled.sources});
   return false;
+}
+
+// The world is evaluated once, in a cell of its own; what it then holds is all that checks know.
+void Session::describe_world() {
+  const std::optional<WorldText>& text = options_.world ? options_.world : options_.default_world;
+  if (world_names_ != nullptr || !text) return;
+  world_problems_.clear();
+  const std::unique_ptr<Host> host = make_host(false);
+  fill_world(*host, *text, world_problems_);
+  auto names = std::make_shared<WorldNames>();
+  names->world = text->name;
+  for (std::string& name : host->cell().world().names())
+    names->things.push_back({std::move(name), "object"});
+  if (!cancelled_.load()) world_names_ = std::move(names);
 }
 
 const SourceSet& Session::sources() const {
@@ -155,20 +170,21 @@ bool Session::compile(std::string text, std::string name) {
   can_run_ = false;
   problems_.clear();
   const OneCompilation one_compilation(can_run_, cancelled_);
-  const std::unique_ptr<Host> host = make_host(true);
-  const bool world_is_well = problems_.empty();
+  describe_world();
+  const std::unique_ptr<Host> host = make_host(false);
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;
   compile_options.host = host.get();
+  compile_options.world = world_names_;
   compile_options.load = options_.load;
   compile_options.cancelled = &cancelled_;
   compilation_ = engine_.compile(std::move(text), std::move(name), compile_options);
-  if (compilation_.cancelled) problems_.clear();
+  const bool has_program = compilation_.program != nullptr;
+  const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
+  if (uses_world && !compilation_.cancelled) problems_ = world_problems_;
   for (const Diagnostic& d : compilation_.diagnostics)
     problems_.push_back({d, compilation_.sources});
-  wants_default_world_ = !options_.world && host->has_world();
-  declared_objects_ = host->skipped_names();
-  can_run_ = world_is_well && compilation_.program != nullptr;
+  can_run_ = has_program && (!options_.world || world_problems_.empty());
   return can_run_;
 }
 
@@ -179,11 +195,11 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
   }
   const OneRun one_run(is_running_, cancelled_);
   host_ = make_host(true);
-  if (wants_default_world_) host_->want_world(declared_objects_);
+  const Program& program = *compilation_.program;
+  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
   FanOut fan_out(options_.backends);
   Cell& cell = host_->cell();
   const Listening listening(cell, options_.backends.empty() ? nullptr : &fan_out);
-  const Program& program = *compilation_.program;
   cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
                            !program.mentions("release"));
 

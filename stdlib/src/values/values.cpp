@@ -82,13 +82,42 @@ const HostType kPosC{.name = "posC",
                      .equal = equal_posc,
                      .text = text_posc,
                      .help = "A place and orientation in space."};
+namespace {
+
+std::string arm_called(std::string_view name) {
+  return name == "arm" ? "the arm" : fmt::format("the {} arm", name);
+}
+
+// What the language says of a robot.
+constexpr ResourceWords kRobotWords{
+    .plural = "robots",
+    .act = "move",
+    .acts = "the moves",
+    .act_on_one = "move the robot",
+    .busy = "is already moving",
+    .still = "still moving",
+    .begun = "the robot had started to move",
+    .not_begun = "nothing has moved",
+    .called = arm_called,
+    .not_in_path = {"this motion cannot be part of a `path`",
+                    "a path joins lines and arcs of the hand and moves of the joints",
+                    "use moveL, moveCirc or moveJ here, or move this line out of the path"},
+    .two_in_path = {"a `path` moves one robot", "the path is one motion of that robot",
+                    "give each robot its own path, side by side in `parallel`"},
+};
+
+}  // namespace
+
+Resource robot_called(std::string name) { return {&kRobot, std::move(name)}; }
+
 const HostType kRobot{.name = "robot",
                       .size = sizeof(RobotRef),
                       .is_handle = true,
                       .is_ambient = true,
                       .equal = equal_robot,
                       .text = text_robot,
-                      .help = "A robot of this cell."};
+                      .help = "A robot of this cell.",
+                      .resource = &kRobotWords};
 const HostType kObject{.name = "object",
                        .size = sizeof(ObjectRef),
                        .is_handle = true,

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "armlet/interpreter/define.hpp"
+#include "armlet/interpreter/resource.hpp"
 #include "armlet/model/joint.hpp"
 #include "armlet/model/link.hpp"
 #include "armlet/model/robot.hpp"
@@ -60,6 +61,9 @@ struct JointRow {
   Joint joint;
   Link link;
 };
+
+// A robot as failures and what waits for it name it.
+[[nodiscard]] Resource robot_called(std::string name);
 
 extern const HostType kPosJ;
 extern const HostType kPosC;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "armlet/interpreter/render.hpp"
+#include "armlet/interpreter/resource.hpp"
 #include "check/check.hpp"
 #include "syntax/parse.hpp"
 
@@ -45,7 +46,13 @@ inline const HostType kPosJ = {.name = "posJ",
                                .noun = "a position",
                                .use = "moves to a posJ, an object made from the numbers"};
 inline const HostType kPosC = {.name = "posC", .size = 8, .text = as_text};
-inline const HostType kRobot = {.name = "robot", .size = 8, .is_handle = true, .is_ambient = true};
+inline constexpr ResourceWords kRobotWords = {.plural = "robots",
+                                              .act = "move",
+                                              .acts = "the moves",
+                                              .act_on_one = "move the robot",
+                                              .busy = "is already moving"};
+inline const HostType kRobot = {
+    .name = "robot", .size = 8, .is_handle = true, .is_ambient = true, .resource = &kRobotWords};
 inline const HostType kRow = {.name = "jointRow", .size = 8};
 
 inline const NativeFunction kWords[] = {

@@ -65,6 +65,8 @@ inline Signal map_reals(Vm& vm, Slot* args) {
   return give(args, to);
 }
 
+inline constexpr HostType kArm = {.name = "robot"};
+
 // Fails, and blames the third value of the list.
 inline Signal refuse(Vm& vm, Slot*) {
   return fail(vm, {.code = "R0602",
@@ -72,7 +74,7 @@ inline Signal refuse(Vm& vm, Slot*) {
                    .mark_parameter = 0,
                    .mark_element = 2,
                    .fix = "the value was given on line {line}",
-                   .robot = "arm"});
+                   .resource = {&kArm, "arm"}});
 }
 
 inline Signal cancel_now(Vm& vm, Slot*) {

@@ -1,18 +1,19 @@
 #pragma once
 // The catalogue of messages: every code with its headline and its page of help.
 //
-// The rows are data in src/diagnostic/*.def; they are constant tables, so a program that reports
-// nothing pays nothing.
+// The rows of the language are data in src/diagnostic/*.def, those of a host in its own sources;
+// they are constant tables, so a program that reports nothing pays nothing.
 
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace armlet {
 
 struct CatalogEntry {
-  std::string_view code;  // "E0401"
-  std::string_view kind;  // of an error that a program can catch ("JointLimit"); otherwise empty
+  std::string_view code;      // "E0401"
+  std::string_view kind;      // of an error that a program can catch ("Timeout"); otherwise empty
   std::string_view headline;  // with {} where make_diagnostic puts its arguments
   std::string_view page;      // what it means, a wrong and a right program
 
@@ -20,20 +21,41 @@ struct CatalogEntry {
   [[nodiscard]] int argument_count() const;
 };
 
-// All entries in the order of their codes: E, then R, then W.
+// All entries of the language in the order of their codes: E, then R, then W.
 [[nodiscard]] std::span<const CatalogEntry> catalog();
+
+// The entries of the language and those that a host added (Engine::add_messages).
+class MessageTables {
+ public:
+  MessageTables() : tables_{catalog()} {}
+  // throws  ArgumentError if a code is no letter E, R or W and four digits, or is there already; or
+  //         if the rows are not in the order of their codes. The rows outlive the tables.
+  void add(std::span<const CatalogEntry> rows);
+  // Null if there is none.
+  [[nodiscard]] const CatalogEntry* find(std::string_view code) const;
+  // The kind of its entry; empty if there is none.
+  [[nodiscard]] std::string_view kind_of(std::string_view code) const;
+  // The entry of an error kind; null for the kinds of programs.
+  [[nodiscard]] const CatalogEntry* of_kind(std::string_view kind) const;
+  // In the order of their codes.
+  [[nodiscard]] std::vector<const CatalogEntry*> all() const;
+
+ private:
+  std::vector<std::span<const CatalogEntry>> tables_;
+};
 
 // The entry of a code, null if there is none.
 [[nodiscard]] const CatalogEntry* catalog_entry(std::string_view code);
 
 // The text that `armlet explain CODE` shows, at most 20 lines; empty for an unknown code.
 [[nodiscard]] std::string explain_page(std::string_view code);
+[[nodiscard]] std::string explain_page(const CatalogEntry& entry);
 
 // The kind that `e.kind` shows for a code of the family R; empty if a program cannot catch it by
 // kind.
 [[nodiscard]] std::string_view kind_of(std::string_view code);
 
-// The code of an error kind of the library: "Unreachable" gives R0601. Empty for the kinds of
+// The code of an error kind of the library: "Timeout" gives R0607. Empty for the kinds of
 // programs.
 [[nodiscard]] std::string_view code_of_kind(std::string_view kind);
 

@@ -104,7 +104,7 @@ struct Split<Result, std::tuple<Vm&, Parameters...>> {
 template <class F>
 using SplitOf = Split<typename Shape<F>::Result, typename Shape<F>::Takes>;
 
-// Where the parameters begin in "name(x: double) -> double"; names may hold "()": "robot()() ->
+// Where the parameters begin in "name(x: double) -> double"; names may hold "()": "motor()() ->
 // ...".
 constexpr std::size_t parameters_begin(std::string_view text) {
   const std::size_t open = std::min(text.find('('), text.size());

@@ -1,13 +1,13 @@
 #pragma once
 // Types of the host, each declared in one expression:
 //
-//     engine.define(type<Gripper>("Gripper", "Two fingers.")
-//                       .constructor("(width: length = 80mm)", &make_gripper, "Opened.",
-//                       "Gripper()") .assignable("width: length", &Gripper::width, "Between the
-//                       fingers.") .field("force", &Gripper::force, "With which it closes, N.")
-//                       .method("open(by: length?) -> Gripper", &Gripper::open, "Opens it.",
-//                       "g.open()") .method("operator+(other: Gripper) -> Gripper",
-//                       &Gripper::joined, "Both."));
+//     engine.define(type<Valve>("Valve", "Lets water through.")
+//                       .constructor("(width: length = 80mm)", &make_valve, "Opened.",
+//                       "Valve()") .assignable("width: length", &Valve::width, "Between the
+//                       fingers.") .field("force", &Valve::force, "With which it closes, N.")
+//                       .method("open(by: length?) -> Valve", &Valve::open, "Opens it.",
+//                       "g.open()") .method("operator+(other: Valve) -> Valve",
+//                       &Valve::joined, "Both."));
 //
 // Values of T are values of the language: functions of `def` take them as const T& and const T*
 // (of a parameter that may be left out) and give them as T, std::vector<T> and Answer<T>. They are
@@ -43,9 +43,9 @@ class TypeDefinition {
   };
   TypeDefinition(const HostType& in_cpp, std::string name, std::string help);
 
-  // "open(by: length?)" -> "open(gripper: Gripper, by: length?)"
+  // "open(by: length?)" -> "open(valve: Valve, by: length?)"
   [[nodiscard]] std::string with_value(std::string_view signature) const;
-  // "width: length" or "width" -> "Gripper.width(gripper: Gripper) -> length", and what changes it.
+  // "width: length" or "width" -> "Valve.width(valve: Valve) -> length", and what changes it.
   [[nodiscard]] std::string getter(std::string_view field, const ValueKind& kind);
   [[nodiscard]] std::string setter(std::string_view field, const ValueKind& kind);
   [[nodiscard]] HostType& changed() { return kept_->type; }
@@ -187,8 +187,8 @@ class TypeOf : public TypeDefinition {
     return field(name, member, std::move(help), std::move(example));
   }
 
-  // A function of the value, `g.open(by: 5mm)`, or an operator, "operator+(other: Gripper) ->
-  // Gripper", whose left side the value is: a const member of T, or what takes const T& first. The
+  // A function of the value, `g.open(by: 5mm)`, or an operator, "operator+(other: Valve) ->
+  // Valve", whose left side the value is: a const member of T, or what takes const T& first. The
   // signature leaves that parameter out.
   template <class F>
   TypeOf& method(std::string_view signature, F function, std::string help = "",
@@ -202,7 +202,7 @@ class TypeOf : public TypeDefinition {
     return *this;
   }
 
-  // For messages: "a gripper", and what such a value does where it fits.
+  // For messages: "a valve", and what such a value does where it fits.
   TypeOf& noun(std::string noun, std::string use = "") {
     changed().noun = keep(std::move(noun));
     changed().use = keep(std::move(use));
@@ -217,6 +217,12 @@ class TypeOf : public TypeDefinition {
   // Calls may leave out a first argument of this type.
   TypeOf& ambient() {
     changed().is_ambient = true;
+    return *this;
+  }
+  // Each is a resource that one task at a time may command (resource.hpp); the words outlive the
+  // engine.
+  TypeOf& exclusive(const ResourceWords& words) {
+    changed().resource = &words;
     return *this;
   }
 

@@ -15,6 +15,8 @@
 
 namespace armlet {
 
+struct CatalogEntry;
+
 enum class Severity : std::uint8_t { kError, kAdvice };
 
 // A marked piece of text with a short label (may be empty).
@@ -40,9 +42,11 @@ struct Fix {
 // Circumstances of a message that arose while running.
 struct When {
   std::int64_t time_ns = 0;
-  std::string robot{};               // empty if no robot was concerned
+  std::string resource_type{};       // "motor"; empty if no resource of the host was concerned
+  std::string resource{};            // its name
   std::string task{};                // "branch 2 of parallel on line 9", or empty
-  std::optional<bool> moved{};       // whether this motion had started to move
+  std::optional<bool> moved{};       // whether this command had begun to act
+  std::string moved_text{};          // the same in the words of the host: "nothing has moved"
   std::string note{};                // "in the 5th pass of the loop on line 7", or empty
   std::vector<std::string> calls{};  // innermost first: "slot, called on line 12"
 };
@@ -61,6 +65,10 @@ struct Diagnostic {
 // Starts a message from the catalogue: fills the headline's {} in order.
 // An unknown code or a wrong number of arguments is a defect of Armlet and throws std::logic_error.
 [[nodiscard]] Diagnostic make_diagnostic(std::string_view code, Span span,
+                                         const std::vector<std::string>& arguments = {});
+
+// The same for a row of a host's table.
+[[nodiscard]] Diagnostic make_diagnostic(const CatalogEntry& entry, Span span,
                                          const std::vector<std::string>& arguments = {});
 
 // Collects messages by the rules of section 20.2: at most one error per statement, at most `limit`

@@ -35,6 +35,8 @@ struct Task;
 }  // namespace lang
 struct Definition;
 class TypeDefinition;
+class MessageTables;
+struct WorldNames;
 
 struct ParseLimits {
   std::uint32_t bytes = 16U << 20U;
@@ -56,7 +58,9 @@ using ModuleLoader = std::function<ImportedText(const std::string& path, const s
 struct CompileOptions {
   ParseLimits limits;
   void* host = nullptr;  // handed to check rules
-  ModuleLoader load;     // nothing can be imported without it
+  // What rules may know of the world by name (world_names.hpp); null: nothing.
+  std::shared_ptr<const WorldNames> world{};
+  ModuleLoader load;  // nothing can be imported without it
   // Set to true by the host, from any thread: compiling ends soon, without a program and with the
   // message R0629 alone.
   const std::atomic<bool>* cancelled = nullptr;
@@ -74,6 +78,10 @@ class Program {
   [[nodiscard]] std::vector<std::string> test_names() const;
   // Whether the text mentions a library function of this name.
   [[nodiscard]] bool mentions(std::string_view function) const;
+  // Whether a name of the world is used that the program does not declare itself, and the names
+  // that its declarations of a type have, in their order.
+  [[nodiscard]] bool uses_world() const;
+  [[nodiscard]] std::vector<std::string> declared_names(std::string_view type) const;
   [[nodiscard]] std::string disassemble() const;
   // The type of a record of the library, such as Move, in this program.
   [[nodiscard]] const Type* library_record(std::string_view name) const;
@@ -120,6 +128,11 @@ class Engine {
   // A record of the library: add_record("Move", "reached: bool, stopped: bool, time: time, length:
   // length").
   Engine& add_record(std::string_view name, std::string_view fields);
+  // Messages of the host, for its rules and failures. The rows outlive the engine.
+  //
+  // throws  ArgumentError as MessageTables::add.
+  Engine& add_messages(std::span<const CatalogEntry> rows);
+  [[nodiscard]] const MessageTables& messages() const;
   // Names that are reserved for what is not there yet: a program that uses one is told so. They
   // must outlive the engine.
   Engine& add_planned(std::span<const std::string_view> names);

@@ -7,7 +7,14 @@
 
 namespace armlet {
 
+struct HostType;
 class Vm;
+
+// A resource of the host (resource.hpp), as programs call it.
+struct Resource {
+  const HostType* type = nullptr;  // null: none is concerned
+  std::string name{};
+};
 
 // A call of a native function that is over, for what goes wrong later on its account. It is valid
 // as long as the program.
@@ -38,9 +45,9 @@ struct Failure {
   // May contain "line {line}", where the marked element was written, and {arg}, the text of the
   // marked argument.
   std::string fix;
-  std::string robot;
-  std::optional<bool> moved;
-  CallPlace place;  // marks belong to this call instead of the running one
+  Resource resource;          // that was commanded
+  std::optional<bool> moved;  // whether it had begun to do so
+  CallPlace place;            // marks belong to this call instead of the running one
 };
 inline constexpr int kMarkCallee = -2;
 

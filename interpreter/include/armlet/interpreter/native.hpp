@@ -3,22 +3,21 @@
 //
 // A function is declared by its signature in the notation of the language reference, section 19:
 //
-//     {"moveL", "(r: robot, target: posC, time: time?, speed: speed?) -> Move", help, example,
-//     &move_l}
+//     {"run", "(m: motor, to: point, time: time?, speed: speed?) -> Run", help, example, &run}
 //
 //   name: type            required;   name: type = literal   default;   name: type?   may be left
 //   out (absent) values: number...     any number of trailing numbers, handed over as one double[]
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
 //   table                 any table, whatever its columns
-//   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U};  joints: a
-//   posJ or a double[] may be declared as two overloads
+//   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U};  to: a point
+//   or a double[] may be declared as two overloads
 //
-// Names with a meaning of their own: "posC.x" is the field x of a posC; "posJ[]" indexing;
-// "posC.x=" and "posJ[]=" give the value that `p.x = v` and `q[i] = v` store, from the old one;
-// "operator*" and its like operators between host types or lists; "robot{}" what a block
-// declaration of type robot calls, whose parameter `name` receives the declared name, and a
-// parameter `joint: jointRow[]` the rows `joint revolute(...)`, each made by
-// "robot.joint.revolute"; "robot()" gives the ambient robot of the host; "Math.sqrt" style names
+// Names with a meaning of their own: "point.x" is the field x of a point; "point[]" indexing;
+// "point.x=" and "point[]=" give the value that `p.x = v` and `p[i] = v` store, from the old one;
+// "operator*" and its like operators between host types or lists; "motor{}" what a block
+// declaration of type motor calls, whose parameter `name` receives the declared name, and a
+// parameter `phase: phaseRow[]` the rows `phase wound(...)`, each made by
+// "motor.phase.wound"; "motor()" gives the ambient motor of the host; "Math.sqrt" style names
 // live in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
 // settings of the block and before "with}" restores those from before on every way out of it;
 // "path.blend", "path{" and "path}" are the same for `path`, whose motions are made by "path{move}"
@@ -44,6 +43,7 @@
 namespace armlet {
 
 class CheckCall;
+struct WorldNames;
 
 struct NativeFunction {
   std::string_view name;
@@ -65,9 +65,10 @@ struct NativeFunction {
   // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what
   // is missing, if that is not the whole function.
   bool later = false;
-  // Acts on its first argument, a robot, which no other task may be moving; what pauses does too.
+  // Commands its first argument, a resource, which no other task may command then; what pauses does
+  // too.
   bool commands = false;
-  // Pauses, but is meant for a robot that another task moves.
+  // Pauses, but is meant for a resource that another task commands.
   bool interrupts = false;
   double (*real3)(double, double, double) = nullptr;  // as real1 and real2
   bool acts = false;                                  // gives a value, and changes the world
@@ -99,10 +100,10 @@ class Waiting {
   virtual void stop() = 0;
   // Called once when over: leaves the result in `result` and returns kDone, or fails.
   virtual Signal finish(Vm& vm, Slot& result) = 0;
-  // What the task waits for, for reports about stuck programs: "moveL of scara".
+  // What the task waits for, for reports about stuck programs: "run of left".
   [[nodiscard]] virtual std::string what() const = 0;
-  // The robot that moves meanwhile; empty if none does.
-  [[nodiscard]] virtual std::string robot() const { return {}; }
+  // The resource that is commanded meanwhile; its type is null if none is.
+  [[nodiscard]] virtual Resource resource() const { return {}; }
 };
 
 // The virtual clock that the host owns.
@@ -111,7 +112,7 @@ class Timeline {
   virtual ~Timeline() = default;
   [[nodiscard]] virtual std::int64_t now_ns() const = 0;
   [[nodiscard]] virtual std::int64_t tick_ns() const = 0;  // how often conditions are looked at
-  // Brings robots, objects and sensors to time t >= now. Returns false if the host wants the
+  // Brings what the host has to time t >= now. Returns false if the host wants the
   // program to stop.
   virtual bool advance_to(std::int64_t t_ns) = 0;
 };
@@ -217,7 +218,7 @@ struct Constant {
   std::vector<Constant> items{};
 };
 
-// What the host knows about a value before running, for example the joints of a robot. Made by
+// What the host knows about a value before running, for example the phases of a motor. Made by
 // check rules, carried along by fixed variables.
 class Fact {
  public:
@@ -241,7 +242,7 @@ class CheckCall {
  public:
   virtual ~CheckCall() = default;
 
-  [[nodiscard]] virtual std::string_view function_name() const = 0;  // as written: "moveJ"
+  [[nodiscard]] virtual std::string_view function_name() const = 0;  // as written: "run"
   [[nodiscard]] virtual bool given(
       int parameter) const = 0;  // absent, defaulted and ambient ones are not
   [[nodiscard]] virtual const Type* type(int parameter) const = 0;  // before conversion
@@ -260,9 +261,9 @@ class CheckCall {
   [[nodiscard]] virtual Span item_span(int parameter, int item) const = 0;
   [[nodiscard]] virtual std::optional<Constant> item_constant(int parameter, int item) const = 0;
   [[nodiscard]] virtual std::shared_ptr<const Fact> item_fact(int parameter, int item) const = 0;
-  // The fact of the ambient value of a host type ("robot") at this place: the robot that a call
-  // without a robot would use; null if there is none or several. The name as declared in the
-  // program, empty for the host's own.
+  // The fact of the ambient value of a host type ("motor") at this place: the one that a call
+  // without a first argument would use; null if there is none or several. The name as declared in
+  // the program, empty for the host's own.
   [[nodiscard]] virtual std::shared_ptr<const Fact> ambient_fact(
       std::string_view host_type) const = 0;
   // Names of all block declarations of a type in the program: declared_names("object"), and
@@ -270,7 +271,7 @@ class CheckCall {
   [[nodiscard]] virtual std::vector<std::string> declared_names(std::string_view type) const = 0;
   [[nodiscard]] virtual bool declares(std::string_view type, std::string_view name) const = 0;
   // Where the literal element `item` of a list argument was written, following fixed and classic
-  // variables and `new posJ(list)`; empty span if it cannot be known.
+  // variables and `new T(list)`; empty span if it cannot be known.
   [[nodiscard]] virtual Span origin(int parameter, int item) const = 0;
   // Whether the program's text mentions this library function anywhere.
   [[nodiscard]] virtual bool mentions(std::string_view function) const = 0;
@@ -279,6 +280,10 @@ class CheckCall {
   [[nodiscard]] virtual InPath in_path() const = 0;
   // The host's state given when compiling (CompileOptions::host); may be null.
   [[nodiscard]] virtual void* host() const = 0;
+  // The names of the world given when compiling (CompileOptions::world); null: nothing is known.
+  [[nodiscard]] virtual const WorldNames* world() const = 0;
+  // The program means one of them that it does not declare itself (Program::uses_world).
+  virtual void use_world() = 0;
 
   virtual void set_result_fact(std::shared_ptr<const Fact> fact) = 0;
   // Whether an error that is reported now will be told: one that will not needs no explanation.

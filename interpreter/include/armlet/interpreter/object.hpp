@@ -17,6 +17,7 @@ namespace armlet {
 
 struct Type;
 struct Obj;
+struct ResourceWords;
 
 union Slot {
   double d;
@@ -128,8 +129,7 @@ struct BoxObj : Obj {
   Slot value;
 };
 
-// A kind of value that the host defines: posJ, posC, robot ... Values are immutable; handles name
-// one thing.
+// A kind of value that the host defines. Values are immutable; handles name one thing.
 struct HostType {
   std::string_view name;
   std::uint32_t size = 0;  // bytes of the payload, at most 16-aligned
@@ -139,12 +139,14 @@ struct HostType {
   bool (*equal)(const void* a, const void* b) = nullptr;        // null: == is not offered
   void (*text)(const void* value, std::string& out) = nullptr;  // as print shows it
   std::string_view help;
-  // For messages about values of another type: "a position", "moves to a posJ, an object made from
-  // the numbers".
+  // For messages about values of another type: "a position", "moves to a place, an object made
+  // from the numbers".
   std::string_view noun = {};
   std::string_view use = {};
   // Of a type that `type<T>` declared: the type that values made in C++ carry, from T alone.
   const HostType* in_cpp = nullptr;
+  // What one task at a time may command (resource.hpp); null: no such thing.
+  const ResourceWords* resource = nullptr;
 };
 
 // Whether values of the two types are the same in C++.

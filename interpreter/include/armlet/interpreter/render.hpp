@@ -30,7 +30,7 @@ inline constexpr Span kNoText{0, 0, 0xFFFFFFFF};
 // Whether circumstances are worth a line: not before anything has happened.
 [[nodiscard]] bool tells_something(const std::optional<When>& when);
 
-// "at t = 4.00 s, robot scara, nothing has moved"
+// "at t = 4.00 s, motor left, nothing has moved"
 [[nodiscard]] std::string when_text(const When& when);
 
 }  // namespace armlet

@@ -31,7 +31,7 @@ enum class Kind : std::uint8_t {
   kRecord,  // struct types, and records of the library such as Move
   kEnum,
   kFunction,
-  kHost,  // values and handles that the host defines: posJ, posC, robot, object ...
+  kHost,  // values and handles that the host defines
 };
 
 struct Type;
@@ -78,7 +78,7 @@ struct Type {
   [[nodiscard]] bool is_reference() const;
 };
 
-// "double[]", "length", "fn(double) -> double", "posJ".
+// "double[]", "length", "fn(double) -> double", "point".
 [[nodiscard]] std::string type_name(const Type* type);
 // "a double[]", "an int", "a length".
 [[nodiscard]] std::string type_phrase(const Type* type);

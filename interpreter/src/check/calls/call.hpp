@@ -63,13 +63,13 @@ struct Fit {
   int cost = 0;
   int generic = 0;
   int zero_quantities = 0;  // literal zeros taken as quantities
-  bool ambient = false;     // the first parameter is the robot of the program
+  bool ambient = false;     // the first parameter is the ambient value of the program
   std::vector<int> from;    // per parameter: which argument, -1 none
   std::vector<int> rest;    // arguments of the variadic parameter
   Bindings bindings;
 };
 
-// The robots (or other ambient values) of the program that can be meant at one place.
+// The ambient values of the program that can be meant at one place.
 struct Ambient {
   Local* local = nullptr;  // the only one, if it is declared above
   FunctionContext* where = nullptr;

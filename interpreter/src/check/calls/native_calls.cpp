@@ -6,6 +6,7 @@
 #include <string>
 
 #include "armlet/interpreter/later.hpp"
+#include "armlet/interpreter/resource.hpp"
 #include "check/calls/over_list.hpp"
 #include "check/checker.hpp"
 #include "check/explain/explained.hpp"
@@ -14,7 +15,7 @@
 namespace armlet::lang {
 namespace {
 
-// `robot arm = robots.scara()`: a library function that takes a name gives its robot the declared
+// `motor left = motors.small()`: a library function that takes a name gives its handle the declared
 // one.
 bool names_result(const Parameter& parameter, const Type* type, const Type* result) {
   return parameter.name == "name" && type->is(Kind::kText) && result->is(Kind::kHost) &&
@@ -161,7 +162,7 @@ void Checker::note_pause(Span span) {
   }
 }
 
-// ---- the robot that is not written -------------------------------------------------------------
+// ---- the first argument that is not written ----------------------------------------------------
 
 Ambient Checker::find_ambient(const HostType& type, bool all) {
   Ambient out;
@@ -196,7 +197,7 @@ Ambient Checker::find_ambient(const HostType& type, bool all) {
     }
     std::ranges::sort(out.names);
     out.names.erase(std::unique(out.names.begin(), out.names.end()), out.names.end());
-    // Robots of two files may have the same name.
+    // Those of two files may have the same name.
     std::ranges::move(out.names, std::back_inserter(found));
     out.names.clear();
     if (!all && found.size() > 1) break;
@@ -205,14 +206,22 @@ Ambient Checker::find_ambient(const HostType& type, bool all) {
   return out;
 }
 
+static std::string plural_of(const HostType& type) {
+  return type.resource != nullptr ? std::string(type.resource->plural)
+                                  : "values of type " + std::string(type.name);
+}
+
 hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
   const Ambient found = find_ambient(type, takes_errors());
   if (found.names.size() > 1) {
     static constexpr std::array<std::string_view, 8> kCounts = {"",     "",     "two", "three",
                                                                 "four", "five", "six", "seven"};
     const std::size_t n = found.names.size();
+    const ResourceWords* words = type.resource;
     Diagnostic diagnostic = make_diagnostic(
-        "E0205", callee, {n < kCounts.size() ? std::string(kCounts[n]) : std::to_string(n)});
+        "E0205", callee,
+        {n < kCounts.size() ? std::string(kCounts[n]) : std::to_string(n), plural_of(type),
+         words != nullptr ? "should " + std::string(words->act) : "is meant"});
     for (std::size_t i = 0; i < n; ++i) {
       diagnostic.why += (i == 0      ? ""
                          : i + 1 < n ? ", "
@@ -223,8 +232,9 @@ hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
         n == 2 ? " are both declared in this program" : " are declared in this program";
     const std::string first(found.names[0]);
     diagnostic.fix =
-        Fix{.text = "write " + first + '.' + text_of(callee) +
-                    "(...), or put the moves inside with (robot: " + first + ") { ... }",
+        Fix{.text = "write " + first + '.' + text_of(callee) + "(...), or put " +
+                    std::string(words != nullptr ? words->acts : "the calls") + " inside with (" +
+                    std::string(type.name) + ": " + first + ") { ... }",
             .edits = {{{callee.begin, callee.begin, callee.source}, first + '.'}}};
     report(std::move(diagnostic));
     return failed(callee);
@@ -233,7 +243,7 @@ hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
   if (!found.names.empty()) return unknown_name(found.names[0], callee);
   const auto suppliers = registry_.functions(std::string(type.name) + "()");
   if (!suppliers.empty()) return call_native(type.name, suppliers, callee, callee, {});
-  report(make_diagnostic("E0220", callee));
+  report(make_diagnostic("E0220", callee, {std::string(type.name)}));
   return failed(callee);
 }
 

@@ -67,7 +67,7 @@ class Call final : public CheckCall {
 
   Span origin(int parameter, int item) const override {
     const hir::Expr* at = &checker_.origin_of(*call_.arguments[parameter]);
-    // new posJ(list): look into what the value was made from.
+    // new T(list): look into what the value was made from.
     while (at->kind == hir::ExprKind::kCallNative &&
            at->as<hir::CallNativeExpr>().arguments.size() == 1) {
       at = &checker_.origin_of(*at->as<hir::CallNativeExpr>().arguments[0]);
@@ -91,6 +91,8 @@ class Call final : public CheckCall {
     return InPath::kNo;
   }
   void* host() const override { return checker_.options_.host; }
+  const WorldNames* world() const override { return checker_.options_.world.get(); }
+  void use_world() override { checker_.into_.uses_world = true; }
 
   void set_result_fact(std::shared_ptr<const Fact> fact) override {
     call_.fact = fact.get();

@@ -8,7 +8,7 @@
 namespace armlet::lang {
 
 // The call that says it, if the value handed to `name` is a call of a library function that can
-// explain itself; null otherwise. `arm.explain(arm.f(x))` is the same as `explain(arm.f(x))`.
+// explain itself; null otherwise. `m.explain(m.f(x))` is the same as `explain(m.f(x))`.
 [[nodiscard]] hir::Expr* explained_call(Checker& checker, std::string_view name,
                                         const std::vector<Argument>& arguments, Span span);
 

@@ -103,7 +103,7 @@ void Checker::add_missing_rows(const NativeFunction& maker, Span span,
   }
 }
 
-// joint revolute(...): a call of "robot.joint.revolute".
+// phase wound(...): a call of "motor.phase.wound".
 hir::Expr* Checker::block_row(const ast::ObjectStmt& stmt, const ast::BlockItem& item) {
   const std::string part = text_of(stmt.type->span) + '.' + std::string(item.name.text);
   const std::string full = part + '.' + std::string(item.constructor.text);

@@ -40,7 +40,7 @@ const ast::Expr* object_of(const ast::Expr& target) {
 // One part of a host value in a place, whose indexes are evaluated once.
 struct Part {
   hir::Place place;
-  std::string name;            // "posC.x", "posJ[]"
+  std::string name;            // "point.x", "point[]"
   hir::Expr* index = nullptr;  // of an element
   std::vector<hir::Stmt*> before;
 };
@@ -142,7 +142,7 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
   if (old->type->is(Kind::kAny)) return nullptr;
   const bool is_sum = assign.op == ast::BinaryOp::kAdd || assign.op == ast::BinaryOp::kSub;
   if (old->type->is_double() && value->type->is_quantity() && is_sum) {
-    // A joint value is a number in SI; with a quantity it counts as one of its kind.
+    // An element is a number in SI; with a quantity it counts as one of its kind.
     old = checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, value->type, old->span,
                                          hir::Conversion::kSame, old);
   } else if (old->type->is_double() && !is_sum) {

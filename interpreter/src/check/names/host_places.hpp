@@ -1,6 +1,6 @@
 #pragma once
 // Storing into a part of a value of the host, which its library offers: q[0] = 30deg, p.x = 10mm.
-// "posC.x=" and "posJ[]=" give the changed value, which is stored where the old one was.
+// "point.x=" and "point[]=" give the changed value, which is stored where the old one was.
 
 #include "check/checker.hpp"
 

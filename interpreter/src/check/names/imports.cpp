@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "armlet/interpreter/resource.hpp"
 #include "diagnostic/backticks.hpp"
 #include "syntax/tokens/words.hpp"
 
@@ -316,12 +317,21 @@ Importer importer_of(const Checker& file) {
   return {};
 }
 
+// "run a motor", in the words of the host.
+std::string what_acts(const Checker& file) {
+  for (const auto& [name, type] : file.registry_.types()) {
+    if (type->resource != nullptr) return std::string(type->resource->act_on_one);
+  }
+  return "let time pass";
+}
+
 void refuse(Checker& file, Span statement, bool moves) {
   file.sink_.begin_statement();
   if (!file.takes_errors()) return;
   const Importer by = importer_of(file);
   const std::string importer = file_name(*by.file);
-  Diagnostic diagnostic = make_diagnostic(moves ? "E0504" : "E0221", statement);
+  Diagnostic diagnostic = moves ? make_diagnostic("E0504", statement, {what_acts(file)})
+                                : make_diagnostic("E0221", statement);
   diagnostic.mark.label = "top level of " + file_name(file) + ", imported from " + importer + ':' +
                           std::to_string(by.file->line_of(by.span));
   diagnostic.fix = Fix{.text = "put this line inside a function and call it from " + importer};

@@ -41,13 +41,13 @@ const Type* imported_type(Checker& checker, const ast::TypeExpr& type);
 // grip.width = 3mm: imported variables are read-only (ruling 8).
 void refuse_change(Checker& checker, const ast::Expr& place, Span statement);
 
-// A robot or object declared in two files under one name, by which the world knows it.
+// A handle of the host declared in two files under one name, by which the world knows it.
 void refuse_second_owner(Checker& checker, const ast::ObjectStmt& stmt, const Type* type);
 
 // An imported file consists of declarations and tests: notes any other statement.
 [[nodiscard]] bool is_active_statement(const Checker& checker, const ast::Stmt& stmt);
 void check_active_statement(Checker& checker, const ast::Stmt& stmt);
-// Reports what would move a robot, or do anything else, while the file is imported.
+// Reports what would command a resource, or do anything else, while the file is imported.
 void refuse_active_statements(Checker& checker);
 // Puts the imported files' first values in front of the program.
 void run_imports_first(Checker& main);

@@ -101,7 +101,7 @@ struct FunctionDecl {
 };
 
 // One function, lambda, condition or test while its body is being checked.
-// A value that calls inside a `with` block mean when they leave it out: its robot.
+// A value that calls inside a `with` block mean when they leave it out: its resource.
 struct WithAmbient {
   const HostType* type = nullptr;
   Local local;
@@ -122,10 +122,9 @@ struct FunctionContext {
   Instance* instance = nullptr;         // kNamed
   std::vector<Local> locals{};          // all that can be seen, innermost last
   std::unordered_map<std::string_view, std::size_t> places{};  // of names in locals
-  std::vector<std::size_t>
-      ambient_places{};                 // of the locals that calls can leave out, such as robots
-  std::vector<std::size_t> blocks{};    // where each open block begins in locals
-  std::vector<WithAmbient> ambients{};  // innermost last
+  std::vector<std::size_t> ambient_places{};  // of the locals that calls can leave out
+  std::vector<std::size_t> blocks{};          // where each open block begins in locals
+  std::vector<WithAmbient> ambients{};        // innermost last
   std::vector<hir::Capture> captures{};
   std::unordered_map<const hir::Variable*, hir::Variable*>
       inner_of{};  // what captures has, by outer

@@ -21,7 +21,7 @@ hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string
 // q(0) for a variable q that is no function.
 hir::Expr* not_a_function(Checker& checker, const ast::CallExpr& call, std::string_view name,
                           const Type* type);
-// moveJ("Syn", p, 2,5): whether two values that touch their comma were one number.
+// run("Syn", p, 2,5): whether two values that touch their comma were one number.
 bool refuse_decimal_comma(Checker& checker, const std::vector<Argument>& arguments);
 // What a variable of a type holds when it holds nothing yet, such as "" or 0; empty if the type has
 // no such value.

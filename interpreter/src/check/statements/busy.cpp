@@ -1,4 +1,5 @@
-// Robots that two branches of one `parallel` command at the same time, as far as the text shows it.
+// Resources of the host that two branches of one `parallel` command at the same time, as far as the
+// text shows it.
 
 #include <algorithm>
 #include <iterator>
@@ -13,10 +14,10 @@ namespace {
 using hir::ExprKind;
 using hir::StmtKind;
 
-bool commands_a_robot(const hir::CallNativeExpr& call) {
+bool commands_a_resource(const hir::CallNativeExpr& call) {
   if (call.arguments.empty() || !call.arguments[0]->type->is(Kind::kHost)) return false;
   const NativeFunction& function = *call.function;
-  return call.arguments[0]->type->host->is_ambient && !function.interrupts &&
+  return call.arguments[0]->type->host->resource != nullptr && !function.interrupts &&
          (function.pauses || function.commands);
 }
 
@@ -31,7 +32,7 @@ void look(const hir::Expr& whole, Beginning& out) {
     if (e.kind == ExprKind::kCall || e.kind == ExprKind::kCallValue) out.is_known = false;
     if (e.kind != ExprKind::kCallNative) return false;
     const auto& call = e.as<hir::CallNativeExpr>();
-    if (!commands_a_robot(call)) return false;
+    if (!commands_a_resource(call)) return false;
     out.command = &call;
     return true;
   });
@@ -63,27 +64,28 @@ void look(const hir::Stmt& stmt, Beginning& out) {
   }
 }
 
-// The variable that a robot was declared as, through the tasks that share it; null for the host's.
-const hir::Variable* declared_robot(const hir::Expr& robot) {
-  if (robot.kind != ExprKind::kVariable) return nullptr;
-  const hir::Variable* variable = robot.as<hir::VariableExpr>().variable;
+// The variable that a resource was declared as, through the tasks that share it; null for the
+// host's.
+const hir::Variable* declared_resource(const hir::Expr& resource) {
+  if (resource.kind != ExprKind::kVariable) return nullptr;
+  const hir::Variable* variable = resource.as<hir::VariableExpr>().variable;
   while (variable->outer != nullptr) variable = variable->outer;
   return variable;
 }
 
-// `left.moveJ`, without the arguments.
+// `left.run`, without the arguments.
 Span command_span(const hir::CallNativeExpr& call) {
-  const Span robot = call.arguments[0]->span;
-  const bool is_method = !robot.empty() && robot.begin < call.site.callee.begin;
-  return is_method ? cover(robot, call.site.callee) : call.site.callee;
+  const Span resource = call.arguments[0]->span;
+  const bool is_method = !resource.empty() && resource.begin < call.site.callee.begin;
+  return is_method ? cover(resource, call.site.callee) : call.site.callee;
 }
 
 // A command as the fix repeats it: several arguments are left out.
 std::string in_short(const Checker& checker, const hir::CallNativeExpr& call) {
   std::size_t written = 0;
   for (const Span argument : call.site.arguments) {
-    const bool is_robot = argument.begin == call.arguments[0]->span.begin;
-    if (!argument.empty() && !is_robot) ++written;
+    const bool is_resource = argument.begin == call.arguments[0]->span.begin;
+    if (!argument.empty() && !is_resource) ++written;
   }
   const std::string head = checker.text_of(command_span(call));
   if (written > 1) return head + "(...)";
@@ -92,24 +94,24 @@ std::string in_short(const Checker& checker, const hir::CallNativeExpr& call) {
 
 }  // namespace
 
-void refuse_busy_robots(Checker& checker, Span word,
-                        const std::vector<const hir::Function*>& branches) {
+void refuse_busy_resources(Checker& checker, Span word,
+                           const std::vector<const hir::Function*>& branches) {
   struct Command {
     const hir::CallNativeExpr* call;
-    const hir::Variable* robot;
+    const hir::Variable* resource;
     std::string branch;
     std::size_t index;  // of the branch
   };
   static constexpr const char* kOrdinals[] = {"first", "second", "third", "fourth", "fifth"};
   std::vector<Command> commands;
-  std::unordered_map<const hir::Variable*, std::size_t> places;  // of the commands, by robot
+  std::unordered_map<const hir::Variable*, std::size_t> places;  // of the commands, by resource
   for (std::size_t i = 0; i < branches.size(); ++i) {
     Beginning beginning;
     look(*branches[i]->body, beginning);
     if (beginning.command == nullptr || !beginning.is_known) continue;
-    const hir::Expr& robot = *beginning.command->arguments[0];
-    const hir::Variable* variable = declared_robot(robot);
-    if (variable == nullptr && robot.kind != ExprKind::kCallNative) continue;
+    const hir::Expr& resource = *beginning.command->arguments[0];
+    const hir::Variable* variable = declared_resource(resource);
+    if (variable == nullptr && resource.kind != ExprKind::kCallNative) continue;
     if (variable != nullptr && checker.changed_names_.contains(variable->name)) continue;
     const auto [place, is_new] = places.try_emplace(variable, commands.size());
     const std::string branch = i < std::size(kOrdinals) ? std::string(kOrdinals[i]) + " branch"
@@ -119,7 +121,7 @@ void refuse_busy_robots(Checker& checker, Span word,
       continue;
     }
     const Command* const same = &commands[place->second];
-    const std::string name(variable != nullptr ? variable->name : std::string_view("robot"));
+    const std::string name(variable != nullptr ? variable->name : resource.type->host->name);
     Diagnostic diagnostic = make_diagnostic("E0501", command_span(*beginning.command), {name});
     diagnostic.mark.label = branch;
     diagnostic.related.push_back({{word.begin, word.begin, word.source}, {}});  // shows its line

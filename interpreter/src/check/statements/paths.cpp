@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "armlet/interpreter/resource.hpp"
 #include "check/statements/settings.hpp"
 #include "check/tree/walk.hpp"
 
@@ -51,10 +52,16 @@ std::vector<FunctionOfType> function_values(const std::vector<hir::Function*>& f
   return out;
 }
 
-// The robot that a move moves, if the text tells; null: the host's own, or none.
-const hir::Variable* robot_variable(const hir::CallNativeExpr& call) {
+// The resource that a motion commands, if the text tells; null: the host's own, or none.
+const hir::Variable* resource_variable(const hir::CallNativeExpr& call) {
   const bool known = !call.arguments.empty() && call.arguments[0]->kind == ExprKind::kVariable;
   return known ? call.arguments[0]->as<hir::VariableExpr>().variable : nullptr;
+}
+
+// What the host says of the resource that a call commands; null: it commands none.
+const ResourceWords* words_of(const hir::CallNativeExpr& call) {
+  const bool has_host = !call.arguments.empty() && call.arguments[0]->type->is(Kind::kHost);
+  return has_host ? call.arguments[0]->type->host->resource : nullptr;
 }
 
 // One path, with the functions that it calls.
@@ -65,14 +72,13 @@ class PathRules {
   void check() { look(*path_.body); }
 
  private:
-  struct Words {
-    std::string_view message{};
-    std::string_view why =
-        "the whole path is planned before it starts, so nothing can happen in the middle";
-    std::string_view fix = "move this line out of the path";
-  };
+  using Words = ResourceWords::Refusal;
 
-  void refuse(Span span) { refuse(span, Words{}); }
+  void refuse(Span span) {
+    refuse(span, {{},
+                  "the whole path is planned before it starts, so nothing can happen in the middle",
+                  "move this line out of the path"});
+  }
   void refuse(Span span, const Words& words) {
     if (outer_ != nullptr && told_ == outer_) return;
     told_ = outer_;
@@ -158,7 +164,7 @@ class PathRules {
 
   void native(const hir::CallNativeExpr& call) {
     const NativeFunction& function = *call.function;
-    if (function.in_path) return call.type->is(Kind::kVoid) ? void() : same_robot(call);
+    if (function.in_path) return call.type->is(Kind::kVoid) ? void() : same_resource(call);
     if (function.name == kMove) {
       return refuse(call.span, {"a `path` cannot contain another one", "a path is one motion",
                                 "write the moves of both in one path"});
@@ -170,10 +176,8 @@ class PathRules {
                      "write the `with` around the path"});
     }
     if (function.pauses && !call.type->is(Kind::kVoid)) {
-      return refuse(call.span, {"this motion cannot be part of a `path`",
-                                "a path joins lines and arcs of the hand and moves of the joints",
-                                "use moveL, moveCirc or moveJ here, or move this line out of the "
-                                "path"});
+      const ResourceWords* words = words_of(call);
+      return words != nullptr ? refuse(call.span, words->not_in_path) : refuse(call.span);
     }
     if (function.pauses || function.commands || function.acts || call.type->is(Kind::kVoid))
       return refuse(call.span);
@@ -202,14 +206,14 @@ class PathRules {
     function_ = around;
   }
 
-  // Only what the text of the path itself shows: a function may be called with any robot.
-  void same_robot(const hir::CallNativeExpr& call) {
-    const hir::Variable* robot = robot_variable(call);
-    if (outer_ != nullptr || robot == nullptr) return;
-    if (robot_ == nullptr) robot_ = robot;
-    if (robot == robot_ || checker_.changed_names_.contains(robot->name)) return;
-    refuse(call.span, {"a `path` moves one robot", "the path is one motion of that robot",
-                       "give each robot its own path, side by side in `parallel`"});
+  // Only what the text of the path itself shows: a function may be called with any resource.
+  void same_resource(const hir::CallNativeExpr& call) {
+    const hir::Variable* resource = resource_variable(call);
+    const ResourceWords* words = words_of(call);
+    if (outer_ != nullptr || resource == nullptr || words == nullptr) return;
+    if (resource_ == nullptr) resource_ = resource;
+    if (resource == resource_ || checker_.changed_names_.contains(resource->name)) return;
+    refuse(call.span, words->two_in_path);
   }
 
   Checker& checker_;
@@ -217,7 +221,7 @@ class PathRules {
   const hir::Expr* outer_ = nullptr;  // the call in the path that leads here
   const hir::Expr* told_ = nullptr;
   const hir::Function* function_ = nullptr;  // whose body it is; null: the path's own
-  const hir::Variable* robot_ = nullptr;
+  const hir::Variable* resource_ = nullptr;
   std::unordered_set<const hir::Function*> entered_;
   std::unordered_set<const hir::Function*> gives_move_;
   std::vector<FunctionOfType> values_;

@@ -13,7 +13,7 @@ namespace armlet::lang {
 [[nodiscard]] Diagnostic leaves_path(const std::string& word, Span span);
 
 // When all functions are known: a path holds nothing that takes time or acts, but moves of one
-// robot, also in the functions that it calls: E0502.
+// resource, also in the functions that it calls: E0502.
 void check_paths(Checker& checker);
 
 }  // namespace armlet::lang

@@ -1,6 +1,6 @@
 // with (name: value, ...) { }: defaults for library settings inside the block.
 //
-// A setting whose name is an ambient type, such as robot, is known from the text alone: calls
+// A setting whose name is an ambient type, such as motor, is known from the text alone: calls
 // inside the block that leave it out mean this value. The others are functions of the host, called
 // on the way in; what was set before comes back on every way out.
 

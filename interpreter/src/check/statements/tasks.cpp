@@ -104,7 +104,7 @@ hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
   checker.close_block();
   checker.here_->flow = std::move(after);
   checker.note_pause(word);
-  refuse_busy_robots(checker, word, functions);
+  refuse_busy_resources(checker, word, functions);
   auto* parallel = checker.make<hir::ParallelStmt>(hir::StmtKind::kParallel, stmt.span,
                                                    checker.seq(branches), word);
   if (body.empty()) return parallel;

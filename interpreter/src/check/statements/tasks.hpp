@@ -15,9 +15,9 @@ namespace armlet::lang {
 // The variable has a value from here on, by whatever name `here` knows it.
 void note_assigned(FunctionContext& here, const hir::Variable* variable);
 
-// Two branches of one `parallel` that begin by commanding the same robot: E0501. `word` is where
+// Two branches of one `parallel` that begin by commanding the same resource: E0501. `word` is where
 // the statement begins.
-void refuse_busy_robots(Checker& checker, Span word,
-                        const std::vector<const hir::Function*>& branches);
+void refuse_busy_resources(Checker& checker, Span word,
+                           const std::vector<const hir::Function*>& branches);
 
 }  // namespace armlet::lang

@@ -2,7 +2,7 @@
 // The checked program: every name resolved, every type known, every conversion written out.
 //
 // The checker makes this tree from the syntax tree; the compiler turns it into bytecode. Overloads,
-// named and default arguments, x.f(a), units, ambient robots and block declarations are gone. One
+// named and default arguments, x.f(a), units, ambient values and block declarations are gone. One
 // function of the text that is generic by use appears here once for each combination of argument
 // types. Nodes live in the program's arena and are read-only after checking; they stay alive with
 // the program, because messages at run time point back to what was written.

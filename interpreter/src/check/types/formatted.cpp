@@ -1,4 +1,4 @@
-// Formatted text: f"joint {j + 1} at {q[j]:.1f deg}".
+// Formatted text: f"value {j + 1} at {q[j]:.1f deg}".
 
 #include "check/checker.hpp"
 

@@ -72,7 +72,7 @@ hir::Expr* Checker::check_member(const ast::MemberExpr& member, const Type* expe
   return field_of(object, member);
 }
 
-// State.Idle, State.values, Math.PI, robots.something; null if `name` is none of these.
+// State.Idle, State.values, Math.PI, motors.something; null if `name` is none of these.
 hir::Expr* Checker::check_type_member(const ast::MemberExpr& member, std::string_view name) {
   const std::string_view field = member.member.text;
   if (const Type* type = declared_type(*this, name); type != nullptr && type->is(Kind::kEnum)) {

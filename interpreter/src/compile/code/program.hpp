@@ -2,6 +2,7 @@
 // A compiled program: bytecode, tables, and what messages need to find their way back to the text.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@
 #include "compile/lower/unset.hpp"
 #include "syntax/tree/arena.hpp"
 #include "types/text_style.hpp"
+
+namespace armlet {
+class MessageTables;
+}
 
 namespace armlet::lang {
 
@@ -123,6 +128,9 @@ struct CompiledProgram {
   std::vector<bool> global_is_reference;
   UnsetElements unset;
   std::vector<std::string> mentioned;  // library functions named in the text, sorted
+  std::map<std::string, std::vector<std::string>, std::less<>> declared_names;  // by type
+  bool uses_world = false;                  // a name that is not among these
+  const MessageTables* messages = nullptr;  // of the engine, which outlives the program
 
   CompiledProgram() = default;
   CompiledProgram(const CompiledProgram&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-// Elements that have no value yet: `new posJ[2]` makes a list of null references. Only a program
+// Elements that have no value yet: `new point[2]` makes a list of null references. Only a program
 // that makes such lists pays for looking at what it reads from lists of their types.
 
 #include <unordered_map>

@@ -184,7 +184,7 @@ Answer round_list(const FailureSite& site) {
   return out;
 }
 
-// posJ({0.0, 0.5})
+// point({0.0, 0.5})
 Answer braces_as_value(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::LBRACE || !open || site.type(*open) == RbtLexer::LBRACE) {
@@ -206,7 +206,7 @@ Answer braces_as_value(const FailureSite& site) {
   return out;
 }
 
-// moveJ(p, time = 2s)
+// run(p, time = 2s)
 Answer setting_with_equals(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || site.type(*open) != RbtLexer::LPAREN ||

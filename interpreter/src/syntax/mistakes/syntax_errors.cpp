@@ -147,7 +147,7 @@ std::vector<Edit> moved_out(const FailureSite& site, std::size_t first, std::siz
   return {use, {site.after(end), '\n' + indent + step}};
 }
 
-// moveJ(p[i++], time: 1s)
+// run(p[i++], time: 1s)
 Answer step_as_value(const FailureSite& site) {
   if (site.type(site.at) != RbtLexer::INC && site.type(site.at) != RbtLexer::DEC)
     return std::nullopt;

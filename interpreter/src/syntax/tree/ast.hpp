@@ -2,8 +2,8 @@
 // The tree of a program as written. Plain structs in an arena; every node carries its span.
 //
 // Nothing here is checked beyond the grammar: names are text, types are type expressions. The
-// checker reads this tree and builds the typed one (check/tree/hir.hpp); it never writes to it, so that
-// one function body can be checked several times.
+// checker reads this tree and builds the typed one (check/tree/hir.hpp); it never writes to it, so
+// that one function body can be checked several times.
 
 #include <cstdint>
 #include <string_view>
@@ -52,10 +52,10 @@ struct VarStmt : Stmt {
   std::string_view doc;  // text of the /// lines above, or empty
 };
 
-// robot scara { joint revolute(...); tool: ... }
+// motor left { phase wound(...); tool: ... }
 struct BlockItem {
   bool is_row;
-  Name name;         // field name, or the row's first word (joint)
+  Name name;         // field name, or the row's first word (phase)
   Name constructor;  // rows: the second word (revolute)
   Expr* value;       // fields
   Seq<Arg> args;     // rows

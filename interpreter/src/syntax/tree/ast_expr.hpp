@@ -190,7 +190,7 @@ struct MapExpr : Expr {  // ["a": 1, "b": 2], and {"a": 1, "b": 2} as an initial
 struct MatrixExpr : Expr {
   Seq<Seq<Expr*>> rows;
 };                             // [a, b; c, d]
-struct NewObjectExpr : Expr {  // new posJ(q)
+struct NewObjectExpr : Expr {  // new point(q)
   TypeExpr* type;
   Seq<Arg> args;
 };
@@ -215,7 +215,7 @@ struct LambdaExpr : Expr {
   Block* body;       // exactly one of body and value is set
   Expr* value;
 };
-struct UntilExpr : Expr {  // arm.moveL(p) until c
+struct UntilExpr : Expr {  // m.run(p) until c
   Expr* motion;
   Expr* condition;
 };

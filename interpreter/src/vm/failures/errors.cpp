@@ -2,6 +2,7 @@
 // again.
 
 #include <new>
+#include <optional>
 
 #include "armlet/interpreter/catalog.hpp"
 #include "vm/failures/failures.hpp"
@@ -49,10 +50,17 @@ RecordObj* new_error(VmState& state) {
   return error;
 }
 
-// The record with these texts, or null after releasing it.
-RecordObj* complete(VmState& state, RecordObj* error) {
-  for (const char* name : {"message", "kind", "robot"}) {
-    if (field(state, *error, name).o == nullptr) {
+// The record with its texts, or null after releasing it. Its other texts are names of resources, by
+// their types: all are empty but that of the failure.
+RecordObj* complete(VmState& state, RecordObj* error, const std::optional<When>& when) {
+  const std::vector<RecordField>& fields = state.error_layout->type->record->fields;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!fields[i].type->is(Kind::kText)) continue;
+    Slot& text = error->fields()[i];
+    const bool is_given = fields[i].name == "message" || fields[i].name == "kind";
+    const bool is_concerned = when && when->resource_type == fields[i].name;
+    if (!is_given) text.o = state.heap.new_text(is_concerned ? when->resource : "");
+    if (text.o == nullptr) {
       state.heap.release(error);
       return nullptr;
     }
@@ -62,6 +70,12 @@ RecordObj* complete(VmState& state, RecordObj* error) {
 
 }  // namespace
 
+const MessageTables& messages_of(const VmState& state) {
+  static const MessageTables kOfLanguage;
+  const MessageTables* tables = state.vm.program().compiled().messages;
+  return tables != nullptr ? *tables : kOfLanguage;
+}
+
 RecordObj* catch_error(VmState& state) {
   const Heap::Reserve reserve(state.heap);
   const FaultLink fault = std::move(state.fault);
@@ -70,14 +84,12 @@ RecordObj* catch_error(VmState& state) {
   const Diagnostic& diagnostic = fault->diagnostic;
   field(state, *error, "message").o = state.heap.new_text(diagnostic.message);
   field(state, *error, "kind").o = state.heap.new_text(fault->kind);
-  field(state, *error, "robot").o =
-      state.heap.new_text(diagnostic.when ? diagnostic.when->robot : "");
   field(state, *error, "line").i =
       diagnostic.mark.span.empty() ? 0 : line_of(state, diagnostic.mark.span);
   field(state, *error, "time").d =
       diagnostic.when ? static_cast<double>(diagnostic.when->time_ns) * 1e-9 : 0.0;
   link_of(state, *error).o = new_link(state, fault);
-  return complete(state, error);
+  return complete(state, error, diagnostic.when);
 }
 
 RecordObj* make_error(VmState& state, TextObj* message, TextObj* kind) {
@@ -88,10 +100,9 @@ RecordObj* make_error(VmState& state, TextObj* message, TextObj* kind) {
   retain_object(kind);
   field(state, *error, "message").o = message;
   field(state, *error, "kind").o = kind != nullptr ? kind : state.heap.new_text({});
-  field(state, *error, "robot").o = state.heap.new_text({});
   field(state, *error, "line").i = at == nullptr ? 0 : line_of(state, at->span);
   field(state, *error, "time").d = static_cast<double>(state.vm.timeline().now_ns()) * 1e-9;
-  return complete(state, error);
+  return complete(state, error, {});
 }
 
 bool throw_error(VmState& state, const RecordObj& error) {
@@ -103,9 +114,9 @@ bool throw_error(VmState& state, const RecordObj& error) {
     return false;
   }
   const std::string kind = text("kind");
-  const std::string_view code = code_of_kind(kind);
+  const CatalogEntry* row = messages_of(state).of_kind(kind);
   Diagnostic failure = start_failure(state, "R0627", {text("message")});
-  if (!code.empty()) failure.code = code;
+  if (row != nullptr) failure.code = row->code;
   raise(state, std::move(failure));
   state.fault->kind = kind;
   return false;

@@ -185,7 +185,7 @@ Diagnostic start_failure(const VmState& state, std::string_view code,
 
 bool raise(VmState& state, Diagnostic diagnostic) {
   if (!diagnostic.when) diagnostic.when = circumstances(state);
-  std::string kind(kind_of(diagnostic.code));
+  std::string kind(messages_of(state).kind_of(diagnostic.code));
   set_fault(state, std::move(diagnostic), std::move(kind), Reach::kHandlers);
   return false;
 }

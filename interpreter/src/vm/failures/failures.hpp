@@ -34,6 +34,8 @@ namespace armlet::lang {
 
 // ---- raising --------------------------------------------------------------------------------
 
+// The rows of the language and of the host.
+[[nodiscard]] const MessageTables& messages_of(const VmState& state);
 // A failure from the catalogue at the running instruction, to be completed and raised.
 [[nodiscard]] Diagnostic start_failure(const VmState& state, std::string_view code,
                                        const std::vector<std::string>& arguments = {});

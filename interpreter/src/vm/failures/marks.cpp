@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/resource.hpp"
 #include "vm/failures/failures.hpp"
 
 namespace armlet::lang {
@@ -101,7 +103,9 @@ Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
   const std::size_t wanted = failure.message.empty() ? failure.arguments.size() : 0;
   Diagnostic out;
   if (wanted > 0 || failure.message.empty()) {
-    out = make_diagnostic(failure.code, {}, failure.arguments);
+    const CatalogEntry* row = messages_of(state).find(failure.code);
+    out = row != nullptr ? make_diagnostic(*row, {}, failure.arguments)
+                         : make_diagnostic(failure.code, {}, failure.arguments);
   } else {
     out.code = failure.code;
     out.severity = failure.code.starts_with('W') ? Severity::kAdvice : Severity::kError;
@@ -130,8 +134,14 @@ Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
     out.fix = Fix{std::move(*fix), {}, Confidence::kMaybe};
   }
   out.when = circumstances(state);
-  out.when->robot = failure.robot;
+  out.when->resource = failure.resource.name;
   out.when->moved = failure.moved;
+  if (failure.resource.type != nullptr) {
+    const HostType& type = *failure.resource.type;
+    out.when->resource_type = type.name;
+    if (failure.moved && type.resource != nullptr)
+      out.when->moved_text = *failure.moved ? type.resource->begun : type.resource->not_begun;
+  }
   return out;
 }
 

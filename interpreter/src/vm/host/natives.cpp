@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "armlet/interpreter/native.hpp"
+#include "armlet/interpreter/resource.hpp"
 #include "vm/failures/failures.hpp"
 
 namespace armlet {
@@ -58,6 +58,23 @@ CallPlace place_of_call(Vm& vm) { return CallPlace(lang::code_span(vm.state()));
 Failed fail(Vm& vm, Failure failure) {
   lang::raise(vm.state(), failure);
   return {};
+}
+
+Answer<void> require_free(Vm& vm, const Resource& resource) {
+  const lang::VmState& state = vm.state();
+  const auto commands = [&](const lang::Task& task) {
+    if (&task == state.running || task.has_ended || task.waiting == nullptr) return false;
+    const Resource other = task.waiting->resource();
+    return other.type == resource.type && other.name == resource.name;
+  };
+  const bool is_commanded =
+      commands(state.main) ||
+      std::ranges::any_of(state.tree.all(), [&](const auto& task) { return commands(*task); });
+  if (!is_commanded) return {};
+  return fail(vm, {.code = "R0617",
+                   .arguments = {resource.name, std::string(resource.type->resource->busy)},
+                   .mark_parameter = kMarkCallee,
+                   .resource = resource});
 }
 
 Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting) {

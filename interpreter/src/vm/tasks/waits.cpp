@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "armlet/interpreter/resource.hpp"
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/instructions/slow_ops.hpp"
@@ -37,12 +38,13 @@ std::string others(const VmState& state) {
   const auto add = [&](const Task& task) {
     const bool waits = task.waiting != nullptr && !task.waits_for_its_tasks();
     if (&task == state.running || task.has_ended || !waits || ++lines > kMost) return;
-    const std::string robot = task.waiting->robot();
+    const Resource resource = task.waiting->resource();
+    const ResourceWords* words = resource.type == nullptr ? nullptr : resource.type->resource;
     const std::string name = task_name(task);
     const std::string line = " is at line " + std::to_string(task_line(state, task));
     if (!text.empty()) text += '\n';
-    if (!robot.empty()) {
-      text += (robot == "arm" ? "the arm" : "the " + robot + " arm") + line + ", still moving";
+    if (words != nullptr) {
+      text += words->called(resource.name) + line + ", " + std::string(words->still);
     } else {
       text +=
           (name.empty() ? "the program" : name) + line + ", waiting for " + task.waiting->what();

@@ -120,14 +120,11 @@ class Host : public Timeline {
   void set_world_name(std::string name) { world_name_ = std::move(name); }
   [[nodiscard]] const std::string& world_name() const { return world_name_; }
   [[nodiscard]] bool has_world() const { return !world_name_.empty(); }
-  // The same, or one is supplied as soon as it is wanted.
-  [[nodiscard]] bool may_have_world() const { return has_world() || options_.default_world; }
   // The program names an object: fetch the default world if nobody gave one.
   void want_world(const std::vector<std::string>& declared);
   // While a default world is filled: whether this object gives way to one that the program declares
   // itself.
   [[nodiscard]] bool is_skipped(std::string_view name) const;
-  [[nodiscard]] const std::vector<std::string>& skipped_names() const { return skipped_; }
 
   // What happened in the cell since the last call; whether this is the first contact pick that is
   // told of.

@@ -79,7 +79,8 @@ class Session {
 
  private:
   [[nodiscard]] std::unique_ptr<Host> make_host(bool with_world);
-  bool fill_world(Host& host, const WorldText& world);
+  bool fill_world(Host& host, const WorldText& world, std::vector<Problem>& problems);
+  void describe_world();
   [[nodiscard]] RunResult run_with(const std::function<RunResult(Vm&)>& start);
 
   const Engine& engine_;
@@ -87,8 +88,9 @@ class Session {
   Compilation compilation_;
   std::vector<Problem> problems_;
   std::unique_ptr<Host> host_;
-  bool wants_default_world_ = false;  // the check found that the program names an object of it
-  std::vector<std::string> declared_objects_;  // which then give way
+  // What the world holds, which is one for all programs, and the messages of its text.
+  std::shared_ptr<const WorldNames> world_names_;
+  std::vector<Problem> world_problems_;
   bool can_run_ = false;
   std::atomic<bool> is_running_{false};
   std::atomic<Vm*> running_{nullptr};

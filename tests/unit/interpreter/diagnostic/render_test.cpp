@@ -157,7 +157,12 @@ TEST_CASE("colours only add escape sequences") {
 }
 
 TEST_CASE("the circumstances name robot, task, calls and whether anything moved") {
-  When when{.time_ns = 1'250'000'000, .robot = "scara", .task = "branch 2", .moved = true};
+  When when{.time_ns = 1'250'000'000,
+            .resource_type = "robot",
+            .resource = "scara",
+            .task = "branch 2",
+            .moved = true,
+            .moved_text = "the robot had started to move"};
   when.calls = {"slot, called on line 12"};
   CHECK(
       when_text(when) ==
@@ -181,7 +186,11 @@ TEST_CASE("JSON holds every part of a message") {
   message.related = {about(source, "1", "given here").mark, {{0, 0, 0}, ""}};
   message.why = "a \"time\" is needed";
   message.fix = Fix{"write 1s", {{{11, 11, 0}, "s"}}, Confidence::kSure};
-  message.when = When{.time_ns = 2'500'000'000, .robot = "arm", .moved = false};
+  message.when = When{.time_ns = 2'500'000'000,
+                      .resource_type = "robot",
+                      .resource = "arm",
+                      .moved = false,
+                      .moved_text = "nothing has moved"};
   message.when->calls = {"f, called on line 2"};
   const std::string text = render_json(message, sources);
   CHECK(text.find('\n') == std::string::npos);

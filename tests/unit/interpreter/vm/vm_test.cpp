@@ -168,7 +168,7 @@ TEST_CASE("a failure of the library is marked where the value was written") {
   REQUIRE(outcome.error->related.size() == 1);
   CHECK(outcome.error->related[0].span.begin == text.find("2.653"));
   CHECK(outcome.error->fix->text == "the value was given on line 2");
-  CHECK(outcome.error->when->robot == "arm");
+  CHECK(outcome.error->when->resource == "arm");
 }
 
 TEST_CASE("failures inside functions that the library calls are told from the inside") {
