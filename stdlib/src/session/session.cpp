@@ -6,6 +6,8 @@
 #include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/world_names.hpp"
+#include "robot/rules.hpp"
+#include "session/bind.hpp"
 
 namespace armlet {
 namespace {
@@ -92,6 +94,20 @@ void come_to_rest(Host& host) {
   }
 }
 
+// Whether names of objects may be checked: the text, or a file that it imports, calls one of the
+// functions that take them.
+bool may_name_objects(std::string_view text) {
+  const auto mentions = [&](std::string_view word) {
+    return text.find(word) != std::string_view::npos;
+  };
+  if (mentions("import")) return true;
+  for (const bind::Chapter& chapter : bind::chapters()) {
+    for (const NativeFunction& function : chapter.functions)
+      if (function.check == bind::check_object_name && mentions(function.name)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Session::Session(const Engine& engine, SessionOptions options)
@@ -170,7 +186,7 @@ bool Session::compile(std::string text, std::string name) {
   can_run_ = false;
   problems_.clear();
   const OneCompilation one_compilation(can_run_, cancelled_);
-  describe_world();
+  if (may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;

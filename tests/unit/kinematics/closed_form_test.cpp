@@ -18,7 +18,7 @@ namespace {
 constexpr double kRight = std::numbers::pi / 2;
 constexpr double kHalf = std::numbers::pi;
 
-Eigen::VectorXd random_joints(const Robot& robot, Random& random) {
+Eigen::VectorXd joints_within_a_turn(const Robot& robot, Random& random) {
   Eigen::VectorXd q(robot.n());
   for (int i = 0; i < robot.n(); ++i)
     q[i] = random.uniform(std::max(robot.lower()[i], -3.1), std::min(robot.upper()[i], 3.1));
@@ -48,7 +48,7 @@ RoundTrip round_trips(const Robot& robot, int count) {
   RoundTrip out;
   ClosedSolutions solutions;
   for (int k = 0; k < count; ++k) {
-    const Eigen::VectorXd q = random_joints(robot, random);
+    const Eigen::VectorXd q = joints_within_a_turn(robot, random);
     const Eigen::Isometry3d T = forward(robot, q);
     closed.solve(T, q, solutions);
     const auto is_q = [&](const ClosedSolution& s) {
