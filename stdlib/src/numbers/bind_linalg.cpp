@@ -234,7 +234,7 @@ Answer<Obj*> svd_of(Vm& vm, const MatrixObj& M) {
 template <class Decompose, class Fields>
 auto into_record(Vm& vm, const Task& task, std::string_view record, const Decompose& decompose,
                  const Fields& fields) {
-  return [&](const MatrixXd& A) -> Answer<Obj*> {
+  return [&vm, &task, record, &decompose, &fields](const MatrixXd& A) -> Answer<Obj*> {
     const auto parts = decompose(A);
     if (!parts) return no_answer(vm, task.name, parts.error());
     return record_of<2>(vm, record, fields(*parts));
