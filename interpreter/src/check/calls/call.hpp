@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "check/names/scope.hpp"
+#include "check/scopes/scope.hpp"
 #include "types/signature.hpp"
 
 namespace armlet::lang {

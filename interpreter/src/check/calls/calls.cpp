@@ -1,35 +1,51 @@
-// Calls: f(a), x.f(a), new T(a). Which function is meant; the other parts check the values.
+#include "check/calls/calls.hpp"
 
 #include <algorithm>
 
+#include "check/calls/intrinsics.hpp"
+#include "check/calls/native_calls.hpp"
 #include "check/calls/printf.hpp"
 #include "check/checker.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/types/expressions.hpp"
 #include "check/types/long_lists.hpp"
 #include "check/types/maps.hpp"
+#include "check/types/members.hpp"
+#include "check/types/types.hpp"
 
 namespace armlet::lang {
 
-bool Checker::waits(const ast::Expr& expr) {
-  return expr.kind == ast::ExprKind::kLambda || written_function(*this, expr) != nullptr ||
-         !library_function(*this, expr).empty();
+namespace {
+
+hir::Expr* call_by_name(Checker& checker, const ast::CallExpr& call, std::string_view name,
+                        Span callee, const Type* expected);
+hir::Expr* call_function(Checker& checker, std::string_view name, Span callee, Span span,
+                         std::vector<Argument> arguments);
+hir::Expr* call_member(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member);
+
+}  // namespace
+
+bool waits(Checker& checker, const ast::Expr& expr) {
+  return expr.kind == ast::ExprKind::kLambda || written_function(checker, expr) != nullptr ||
+         !library_function(checker, expr).empty();
 }
 
 // What a list written in a call is going to be, when all functions of the name agree on it.
-const Type* Checker::list_hint(std::string_view callee, const ast::Arg& arg, std::size_t position) {
+const Type* list_hint(Checker& checker, std::string_view callee, const ast::Arg& arg,
+                      std::size_t position) {
   if (arg.value->kind != ast::ExprKind::kList && arg.value->kind != ast::ExprKind::kBrace)
     return nullptr;
   const Type* hint = nullptr;
-  for (const NativeFunction* candidate : registry_.functions(callee)) {
-    const Signature& signature = signature_of(*candidate);
+  for (const NativeFunction* candidate : checker.registry.functions(callee)) {
+    const Signature& signature = checker.shared.signatures.of(*candidate);
     const int named = signature.index_of(arg.name.text);
     const std::size_t at = arg.name.text.empty() ? position : static_cast<std::size_t>(named);
     if (at >= signature.parameters.size()) continue;
     const TypePattern& pattern = signature.parameters[at].type;
     if (!is_bound(pattern, {})) return nullptr;
-    const Type* type = instantiate(pattern, {}, types_);
+    const Type* type = instantiate(pattern, {}, checker.types);
     if (type == nullptr || !type->is(Kind::kList)) continue;
     if (hint != nullptr && hint != type) return nullptr;
     hint = type;
@@ -37,167 +53,183 @@ const Type* Checker::list_hint(std::string_view callee, const ast::Arg& arg, std
   return hint;
 }
 
-std::vector<Argument> Checker::arguments_of(ast::Seq<ast::Arg> args, std::string_view callee) {
+std::vector<Argument> arguments_of(Checker& checker, ast::Seq<ast::Arg> args,
+                                   std::string_view callee) {
   std::vector<Argument> out;
   for (std::size_t i = 0; i < args.size(); ++i) {
     const ast::Arg& arg = args[i];
     Argument argument{.name = arg.name.text, .name_span = arg.name.span, .written = arg.value};
-    if (!waits(*arg.value)) argument.value = check_value(*arg.value, list_hint(callee, arg, i));
+    if (!waits(checker, *arg.value))
+      argument.value = checker.check_value(*arg.value, list_hint(checker, callee, arg, i));
     out.push_back(argument);
   }
   return out;
 }
 
-hir::Expr* Checker::check_call(const ast::CallExpr& call, const Type* expected) {
+hir::Expr* check_call(Checker& checker, const ast::CallExpr& call, const Type* expected) {
   if (call.callee->kind == ast::ExprKind::kName) {
-    return call_by_name(call, call.callee->as<ast::NameExpr>().name, call.callee->span, expected);
+    return call_by_name(checker, call, call.callee->as<ast::NameExpr>().name, call.callee->span,
+                        expected);
   }
   if (call.callee->kind == ast::ExprKind::kMember) {
-    return call_member(call, call.callee->as<ast::MemberExpr>());
+    return call_member(checker, call, call.callee->as<ast::MemberExpr>());
   }
-  return call_value(check_value(*call.callee), call);
+  return call_value(checker, checker.check_value(*call.callee), call);
 }
 
-hir::Expr* Checker::call_by_name(const ast::CallExpr& call, std::string_view name, Span callee,
-                                 const Type* /*expected*/) {
+namespace {
+
+hir::Expr* call_by_name(Checker& checker, const ast::CallExpr& call, std::string_view name,
+                        Span callee, const Type* /*expected*/) {
   FunctionContext* where = nullptr;
-  Local* local = find_local(name, where);
+  Local* local = checker.scopes.find(name, where);
   const bool is_value = local != nullptr && local->variable->type->is(Kind::kFunction);
   if (is_value || (local != nullptr && local->variable->type->is(Kind::kAny))) {
-    return call_value(read(*local, *where, callee), call);
+    return call_value(checker, read(checker, *local, *where, callee), call);
   }
-  if (find_function(name) == nullptr && !named_types_.contains(name)) {
+  if (checker.names.find_function(name) == nullptr && checker.names.find_type(name) == nullptr) {
     bool known = false;
-    if (hir::Expr* result = intrinsic(call, name, callee, known); known) return result;
+    if (hir::Expr* result = intrinsic(checker, call, name, callee, known); known) return result;
   }
-  const bool exists = find_function(name) != nullptr || named_types_.contains(name) ||
-                      !registry_.functions(name).empty();
+  const bool exists = checker.names.find_function(name) != nullptr ||
+                      checker.names.find_type(name) != nullptr ||
+                      !checker.registry.functions(name).empty();
   if (!exists) {
-    if (local != nullptr) return not_a_function(*this, call, name, local->variable->type);
-    if (hir::Expr* told = foreign_call(*this, call, name)) return told;
-    return unknown_name(name, callee);
+    if (local != nullptr) return not_a_function(checker, call, name, local->variable->type);
+    if (hir::Expr* told = foreign_call(checker, call, name)) return told;
+    return unknown_name(checker, name, callee);
   }
-  return call_function(name, callee, call.span, arguments_of(call.args, name));
+  return call_function(checker, name, callee, call.span, arguments_of(checker, call.args, name));
 }
 
 // A function of the text, a struct, or a function of the library.
-hir::Expr* Checker::call_function(std::string_view name, Span callee, Span span,
-                                  std::vector<Argument> arguments) {
-  if (FunctionDecl* function = find_function(name)) {
-    return call_script(*function, callee, span, std::move(arguments));
+hir::Expr* call_function(Checker& checker, std::string_view name, Span callee, Span span,
+                         std::vector<Argument> arguments) {
+  if (FunctionDecl* function = checker.names.find_function(name)) {
+    return call_script(checker, *function, callee, span, std::move(arguments));
   }
-  if (const auto found = named_types_.find(name); found != named_types_.end()) {
-    if (found->second->is(Kind::kRecord)) {
-      return construct(structs_[found->second->record], callee, span, std::move(arguments));
+  if (const Type* found = checker.names.find_type(name)) {
+    if (found->is(Kind::kRecord)) {
+      return construct(checker, *checker.shared.structs.find(found), callee, span,
+                       std::move(arguments));
     }
-    report(make_diagnostic("E0219", callee, {std::string(name), "type"}));
-    return failed(span);
+    checker.report(make_diagnostic("E0219", callee, {std::string(name), "type"}));
+    return checker.failed(span);
   }
-  return call_native(name, registry_.functions(name), callee, span, std::move(arguments));
+  return call_native(checker, name, checker.registry.functions(name), callee, span,
+                     std::move(arguments));
 }
 
-hir::Expr* Checker::call_member(const ast::CallExpr& call, const ast::MemberExpr& member) {
+hir::Expr* call_member(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member) {
   const std::string_view name = member.member.text;
   const Span callee = member.member.span;
-  if (const std::string group = dotted_name(*member.object); !group.empty()) {
-    if (const Import* from = find_import(*this, group))
-      return call_imported(*this, *from, call, member);
+  if (const std::string group = dotted_name(checker, *member.object); !group.empty()) {
+    if (const Import* from = checker.names.find_import(group))
+      return call_imported(checker, *from, call, member);
     if (group == "System.out" && (name == "println" || name == "print"))
-      return print_call(call, name == "println");
-    if (group == "System.out" && name == "printf") return print_formatted(*this, call);
+      return print_call(checker, call, name == "println");
+    if (group == "System.out" && name == "printf") return print_formatted(checker, call);
     const std::string full = group + '.' + std::string(name);
-    const auto functions = registry_.functions(group == "Math" ? name : std::string_view(full));
+    const auto functions =
+        checker.registry.functions(group == "Math" ? name : std::string_view(full));
     if (!functions.empty()) {
       const std::string shown = group == "Math" ? std::string(name) : full;
-      return call_native(arena_.copy(shown), functions, member.span, call.span,
-                         arguments_of(call.args, shown));
+      return call_native(checker, checker.arena.copy(shown), functions, member.span, call.span,
+                         arguments_of(checker, call.args, shown));
     }
-    if (hir::Expr* told = foreign_method(*this, call, member, full)) return told;
-    if (registry_.is_namespace(group) || group == "Math" || group == "System.out" ||
+    if (hir::Expr* told = foreign_method(checker, call, member, full)) return told;
+    if (checker.registry.is_namespace(group) || group == "Math" || group == "System.out" ||
         group == "System") {
-      return unknown_name(full, member.span);
+      return unknown_name(checker, full, member.span);
     }
   }
-  hir::Expr* object = check_value(*member.object);
+  hir::Expr* object = checker.check_value(*member.object);
   const Type* type = object->type;
-  if (type->is(Kind::kAny)) return failed(call.span);
+  if (type->is(Kind::kAny)) return checker.failed(call.span);
   if (type->is(Kind::kRecord)) {
-    const int field = field_index(*this, *type->record, name);
+    const int field = checker.shared.structs.field_index(*type->record, name);
     if (field >= 0 && type->record->fields[field].type->is(Kind::kFunction)) {
-      return call_value(field_of(object, member), call);
+      return call_value(checker, field_of(checker, object, member), call);
     }
   }
   bool known = false;
-  if (hir::Expr* result = builtin_method(object, call, member, known); known) return result;
+  if (hir::Expr* result = builtin_method(checker, object, call, member, known); known)
+    return result;
 
   const std::string method = type_name(type) + '.' + std::string(name);
-  const auto methods = registry_.functions(method);
+  const auto methods = checker.registry.functions(method);
   std::vector<Argument> arguments = {Argument{.value = object}};
-  FunctionDecl* const elsewhere =
-      find_function(name) == nullptr ? method_of(*this, type, name) : nullptr;
-  const bool exists =
-      find_function(name) != nullptr || elsewhere != nullptr || !registry_.functions(name).empty();
+  const bool own = checker.names.find_function(name) != nullptr;
+  FunctionDecl* const elsewhere = own ? nullptr : method_of(checker, type, name);
+  const bool exists = own || elsewhere != nullptr || !checker.registry.functions(name).empty();
   if (methods.empty() && !exists) {
-    if (type->is(Kind::kRecord) && field_index(*this, *type->record, name) >= 0) {
-      report(make_diagnostic("E0217", callee,
-                             {std::string(name), type_phrase(field_of(object, member)->type)}));
-      return failed(call.span);
+    if (type->is(Kind::kRecord) && checker.shared.structs.field_index(*type->record, name) >= 0) {
+      checker.report(make_diagnostic(
+          "E0217", callee,
+          {std::string(name), type_phrase(field_of(checker, object, member)->type)}));
+      return checker.failed(call.span);
     }
-    return unknown_name(name, callee);
+    return unknown_name(checker, name, callee);
   }
-  std::ranges::copy(arguments_of(call.args, methods.empty() ? name : std::string_view(method)),
-                    std::back_inserter(arguments));
-  if (!methods.empty()) return call_native(name, methods, callee, call.span, std::move(arguments));
-  if (elsewhere != nullptr) return call_script(*elsewhere, callee, call.span, std::move(arguments));
-  return call_function(name, callee, call.span, std::move(arguments));
+  std::ranges::copy(
+      arguments_of(checker, call.args, methods.empty() ? name : std::string_view(method)),
+      std::back_inserter(arguments));
+  if (!methods.empty())
+    return call_native(checker, name, methods, callee, call.span, std::move(arguments));
+  if (elsewhere != nullptr)
+    return call_script(checker, *elsewhere, callee, call.span, std::move(arguments));
+  return call_function(checker, name, callee, call.span, std::move(arguments));
 }
 
-hir::Expr* Checker::call_value(hir::Expr* function, const ast::CallExpr& call) {
+}  // namespace
+
+hir::Expr* call_value(Checker& checker, hir::Expr* function, const ast::CallExpr& call) {
   const Type* type = function->type;
-  if (type->is(Kind::kAny)) return failed(call.span);
-  const std::string name = text_of(call.callee->span);
+  if (type->is(Kind::kAny)) return checker.failed(call.span);
+  const std::string name = checker.text_of(call.callee->span);
   if (!type->is(Kind::kFunction)) {
-    report(make_diagnostic("E0217", call.callee->span, {name, type_phrase(type)}));
-    return failed(call.span);
+    checker.report(make_diagnostic("E0217", call.callee->span, {name, type_phrase(type)}));
+    return checker.failed(call.span);
   }
-  if (!takes(call, name, type->parameters.size(), type->parameters.size()))
-    return failed(call.span);
+  if (!takes(checker, call, name, type->parameters.size(), type->parameters.size()))
+    return checker.failed(call.span);
   std::vector<hir::Expr*> values;
   std::vector<Span> spans;
   for (std::size_t i = 0; i < call.args.size(); ++i) {
-    values.push_back(check_as(*call.args[i].value, {.role = Target::Role::kArgument,
-                                                    .type = type->parameters[i],
-                                                    .function = name,
-                                                    .position = static_cast<int>(i) + 1,
-                                                    .call = call.span}));
+    values.push_back(checker.check_as(*call.args[i].value, {.role = Target::Role::kArgument,
+                                                            .type = type->parameters[i],
+                                                            .function = name,
+                                                            .position = static_cast<int>(i) + 1,
+                                                            .call = call.span}));
     spans.push_back(values.back()->span);
   }
-  return make<hir::CallValueExpr>(hir::ExprKind::kCallValue, type->result, call.span, function,
-                                  seq(values),
-                                  hir::CallSite{call.span, call.callee->span, seq(spans)});
+  return checker.make<hir::CallValueExpr>(
+      hir::ExprKind::kCallValue, type->result, call.span, function, checker.seq(values),
+      hir::CallSite{call.span, call.callee->span, checker.seq(spans)});
 }
 
-hir::Expr* Checker::check_new_object(const ast::NewObjectExpr& expr) {
-  if (type_called(text_of(expr.type->span)) == nullptr) {
-    if (hir::Expr* told =
-            foreign_empty_map(*this, text_of(expr.type->span), expr.args.size(), expr.span))
+hir::Expr* check_new_object(Checker& checker, const ast::NewObjectExpr& expr) {
+  if (type_called(checker, checker.text_of(expr.type->span)) == nullptr) {
+    if (hir::Expr* told = foreign_empty_map(checker, checker.text_of(expr.type->span),
+                                            expr.args.size(), expr.span))
       return told;
   }
-  const Type* type = resolve(*expr.type);
-  if (type->is(Kind::kAny)) return failed(expr.span);
-  std::string_view name = arena_.copy(type_name(type));
+  const Type* type = checker.resolve(*expr.type);
+  if (type->is(Kind::kAny)) return checker.failed(expr.span);
+  std::string_view name = checker.arena.copy(type_name(type));
   // Another name of a type of the host has a constructor of its own.
-  if (type->is(Kind::kHost)) name = arena_.copy(text_of(expr.type->span));
-  if (type->is(Kind::kRecord) && structs_.contains(type->record)) {
-    return construct(structs_[type->record], expr.type->span, expr.span,
-                     arguments_of(expr.args, name));
+  if (type->is(Kind::kHost)) name = checker.arena.copy(checker.text_of(expr.type->span));
+  if (type->is(Kind::kRecord) && checker.shared.structs.find(type) != nullptr) {
+    return construct(checker, *checker.shared.structs.find(type), expr.type->span, expr.span,
+                     arguments_of(checker, expr.args, name));
   }
-  if (!type->is(Kind::kRecord) && registry_.functions(name).empty()) {
-    report(make_diagnostic("E0217", expr.type->span,
-                           {std::string(name), "a type without a constructor"}));
-    return failed(expr.span);
+  if (!type->is(Kind::kRecord) && checker.registry.functions(name).empty()) {
+    checker.report(make_diagnostic("E0217", expr.type->span,
+                                   {std::string(name), "a type without a constructor"}));
+    return checker.failed(expr.span);
   }
-  return call_function(name, expr.type->span, expr.span, arguments_of(expr.args, name));
+  return call_function(checker, name, expr.type->span, expr.span,
+                       arguments_of(checker, expr.args, name));
 }
 
 }  // namespace armlet::lang

@@ -1,40 +1,38 @@
-// Functions inside functions: lambdas, which copy what they use, and conditions and tasks, which
-// share it.
+#include "check/calls/lambdas.hpp"
 
 #include <algorithm>
 
+#include "check/calls/functions.hpp"
 #include "check/checker.hpp"
+#include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
+#include "check/scopes/usage.hpp"
 #include "check/types/any_table.hpp"
 
 namespace armlet::lang {
 
-void Checker::make_global(hir::Variable& variable) {
-  if (std::exchange(variable.storage, hir::Storage::kGlobal) == hir::Storage::kGlobal) return;
-  if (!init_uses_.contains(&variable)) inner_globals_.push_back(&variable);  // not at top level
-}
-
 // The variable that `here` uses for a variable of `owner` outside of it.
-hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionContext& here) {
+hir::Variable* captured(Checker& checker, Local& local, FunctionContext& owner,
+                        FunctionContext& here) {
   if (&here == &owner) return local.variable;
   const bool of_program = owner.kind == FunctionContext::Kind::kProgram;
-  if (of_program && use_ != nullptr) use_->add(local.variable);
+  if (of_program) checker.scopes.use().add(local.variable);
   const bool is_function =
       here.kind == FunctionContext::Kind::kNamed || here.kind == FunctionContext::Kind::kTest;
   if (is_function || here.outer == nullptr) {
-    make_global(*local.variable);
+    checker.shared.top_level.make_global(*local.variable);
     return local.variable;
   }
-  hir::Variable* outer = captured(local, owner, *here.outer);
+  hir::Variable* outer = captured(checker, local, owner, *here.outer);
   const bool shares =
       here.kind == FunctionContext::Kind::kCondition || here.kind == FunctionContext::Kind::kTask;
-  if (shares && (outer->storage == hir::Storage::kGlobal || here.outer == &main_)) {
-    make_global(*outer);
+  if (shares && (outer->storage == hir::Storage::kGlobal || here.outer == &checker.scopes.main())) {
+    checker.shared.top_level.make_global(*outer);
     return outer;
   }
   if (const auto known = here.inner_of.find(outer); known != here.inner_of.end())
     return known->second;
-  hir::Variable* inner = new_variable(outer->name, outer->type, outer->declared);
+  hir::Variable* inner = new_variable(checker, outer->name, outer->type, outer->declared);
   inner->owner = here.function;
   inner->outer = outer;
   inner->fixed = true;
@@ -49,110 +47,118 @@ hir::Variable* Checker::captured(Local& local, FunctionContext& owner, FunctionC
   return inner;
 }
 
-hir::Expr* Checker::closure(hir::Function* function, FunctionContext& context, const Type* type,
-                            Span span) {
-  function->captures = seq(context.captures);
-  use_->add(function);
-  if (&here_->root() == &main_) main_calls_.emplace_back(function, top_level_.size());
+hir::Expr* closure(Checker& checker, hir::Function* function, FunctionContext& context,
+                   const Type* type, Span span) {
+  function->captures = checker.seq(context.captures);
+  note_call(checker, function);
   const auto kind =
       context.captures.empty() ? hir::ExprKind::kFunctionValue : hir::ExprKind::kClosure;
-  if (context.captures.empty()) return make<hir::FunctionValueExpr>(kind, type, span, function);
-  return make<hir::ClosureExpr>(kind, type, span, function);
+  if (context.captures.empty())
+    return checker.make<hir::FunctionValueExpr>(kind, type, span, function);
+  return checker.make<hir::ClosureExpr>(kind, type, span, function);
 }
 
+namespace {
+
 // The parameters of a lambda, with the types that are written or expected; empty after a message.
-std::optional<std::vector<hir::Variable*>> Checker::lambda_parameters(const ast::LambdaExpr& lambda,
-                                                                      const Type* expected,
-                                                                      hir::Function* owner) {
+std::optional<std::vector<hir::Variable*>> lambda_parameters(Checker& checker,
+                                                             const ast::LambdaExpr& lambda,
+                                                             const Type* expected,
+                                                             hir::Function* owner) {
   std::vector<hir::Variable*> out;
   for (std::size_t i = 0; i < lambda.params.size(); ++i) {
     const ast::Param& param = lambda.params[i];
     const Type* given = expected != nullptr ? expected->parameters[i] : nullptr;
-    const Type* type = param.type != nullptr ? resolve(*param.type) : given;
-    if (given != nullptr && is_any_table(*this, param.type) && fits_any_table(param.type, given))
+    const Type* type = param.type != nullptr ? checker.resolve(*param.type) : given;
+    if (given != nullptr && is_any_table(checker, param.type) && fits_any_table(param.type, given))
       type = given;
     if (type == nullptr) {
       const std::string name(param.name.text);
       Diagnostic diagnostic = make_diagnostic("E0323", param.name.span, {'`' + name + '`'});
-      const std::string typed = name + ": " + likely_type_;
+      const std::string typed = name + ": " + checker.surroundings.likely_type();
       diagnostic.fix = Fix{.text = "write its type, such as " + typed,
                            .edits = {{param.name.span, typed}},
                            .confidence = Confidence::kMaybe};
-      report(std::move(diagnostic));
+      checker.report(std::move(diagnostic));
       return std::nullopt;
     }
-    if (find_function(param.name.text) == nullptr && !is_free(param.name)) return std::nullopt;
-    out.push_back(new_variable(param.name.text, type, param.name.span));
+    if (checker.names.find_function(param.name.text) == nullptr && !is_free(checker, param.name))
+      return std::nullopt;
+    out.push_back(new_variable(checker, param.name.text, type, param.name.span));
     out.back()->owner = owner;
     out.back()->is_parameter = out.back()->fixed = true;
   }
   return out;
 }
 
-hir::Expr* Checker::check_lambda(const ast::LambdaExpr& lambda, const Type* expected) {
+}  // namespace
+
+hir::Expr* check_lambda(Checker& checker, const ast::LambdaExpr& lambda, const Type* expected) {
   const bool fits = expected != nullptr && expected->is(Kind::kFunction) &&
                     expected->parameters.size() == lambda.params.size();
   FunctionContext context;
   context.kind = FunctionContext::Kind::kLambda;
-  context.outer = here_;
-  context.function = new_function("lambda on " + line_name(lambda.span), lambda.span);
+  context.outer = &checker.scopes.here();
+  context.function = checker.shared.instances.make_function(
+      "lambda on " + line_name(checker, lambda.span), lambda.span);
   if (lambda.result != nullptr) {
-    context.result = resolve(*lambda.result);
+    context.result = checker.resolve(*lambda.result);
   } else if (fits && !expected->result->is(Kind::kAny)) {
     context.result = expected->result;
   }
   context.result_is_declared = context.result != nullptr;
   if (context.result_is_declared) context.function->result = context.result;
-  const auto parameters = lambda_parameters(lambda, fits ? expected : nullptr, context.function);
-  if (!parameters) return failed(lambda.span);
-  context.function->parameters = seq(*parameters);
+  const auto parameters =
+      lambda_parameters(checker, lambda, fits ? expected : nullptr, context.function);
+  if (!parameters) return checker.failed(lambda.span);
+  context.function->parameters = checker.seq(*parameters);
 
-  FunctionContext* const before = std::exchange(here_, &context);
-  Use* const use_before = std::exchange(use_, &use_of(context.function));
-  open_block();
+  const Scopes::Position outside =
+      checker.scopes.enter(context, checker.shared.uses.of(context.function));
+  checker.scopes.open_block();
   std::vector<const Type*> types;
   for (hir::Variable* parameter : *parameters) {
     types.push_back(parameter->type);
-    add_local(parameter, Declared::kParameter, parameter->declared);
+    checker.scopes.add(parameter, Declared::kParameter, parameter->declared);
   }
   if (lambda.body != nullptr) {
-    const bool failed_before = sink_.statement_failed();
-    context.function->body = check_block(lambda.body->body, lambda.body->span);
-    if (failed_before) sink_.set_statement_failed(true);
+    const bool failed_before = checker.messages.statement_failed();
+    context.function->body = checker.check_block(lambda.body->body, lambda.body->span);
+    if (failed_before) checker.messages.set_statement_failed(true);
   } else {
-    context.function->body = value_body(*lambda.value, context);
+    context.function->body = value_body(checker, *lambda.value, context);
   }
-  finish_result(context, context.function->name,
+  finish_result(checker, context, context.function->name,
                 {lambda.span.end - 1, lambda.span.end, lambda.span.source});
-  close_block();
-  here_ = before;
-  use_ = use_before;
-  if (context.result->is(Kind::kAny)) return failed(lambda.span);
-  return closure(context.function, context, types_.function(std::move(types), context.result),
-                 lambda.span);
+  close_block(checker);
+  checker.scopes.come_back(outside);
+  if (context.result->is(Kind::kAny)) return checker.failed(lambda.span);
+  return closure(checker, context.function, context,
+                 checker.types.function(std::move(types), context.result), lambda.span);
 }
 
 // The condition of until and wait until: a function without parameters that is called again and
 // again.
-hir::Expr* Checker::check_guard(const ast::Expr& written) {
+hir::Expr* check_guard(Checker& checker, const ast::Expr& written) {
   FunctionContext context;
   context.kind = FunctionContext::Kind::kCondition;
-  context.outer = here_;
-  context.function = new_function("condition on " + line_name(written.span), written.span);
+  context.outer = &checker.scopes.here();
+  context.function = checker.shared.instances.make_function(
+      "condition on " + line_name(checker, written.span), written.span);
   context.function->is_condition = true;
-  context.function->result = types_.boolean();
-  FunctionContext* const before = std::exchange(here_, &context);
-  Use* const use_before = std::exchange(use_, &use_of(context.function));
-  open_block();
-  hir::Expr* value = condition(written);
-  hir::Stmt* stmt = make<hir::ReturnStmt>(hir::StmtKind::kReturn, written.span, value);
-  context.function->body =
-      make<hir::Block>(hir::StmtKind::kBlock, written.span, seq(std::vector<hir::Stmt*>{stmt}));
-  close_block();
-  here_ = before;
-  use_ = use_before;
-  conditions_.emplace_back(context.function, written.span);
-  return closure(context.function, context, types_.function({}, types_.boolean()), written.span);
+  context.function->result = checker.types.boolean();
+  const Scopes::Position outside =
+      checker.scopes.enter(context, checker.shared.uses.of(context.function));
+  checker.scopes.open_block();
+  hir::Expr* value = checker.condition(written);
+  hir::Stmt* stmt = checker.make<hir::ReturnStmt>(hir::StmtKind::kReturn, written.span, value);
+  context.function->body = checker.make<hir::Block>(hir::StmtKind::kBlock, written.span,
+                                                    checker.seq(std::vector<hir::Stmt*>{stmt}));
+  close_block(checker);
+  checker.scopes.come_back(outside);
+  checker.shared.postponed.add(Postponed::Condition{context.function, written.span});
+  return closure(checker, context.function, context,
+                 checker.types.function({}, checker.types.boolean()), written.span);
 }
 
 }  // namespace armlet::lang

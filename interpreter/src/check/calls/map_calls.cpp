@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "check/calls/intrinsics.hpp"
+#include "check/names/places.hpp"
 #include "check/types/maps.hpp"
 
 namespace armlet::lang {
@@ -91,8 +93,8 @@ hir::Expr* key_argument(Checker& checker, const ast::CallExpr& call, const Type*
 }
 
 hir::Expr* remove_call(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member) {
-  if (!checker.takes(call, "remove", 1, 1)) return checker.failed(call.span);
-  const auto place = checker.check_place(*member.object, call.span, false);
+  if (!takes(checker, call, "remove", 1, 1)) return checker.failed(call.span);
+  const auto place = check_place(checker, *member.object, call.span, false);
   if (!place) return checker.failed(call.span);
   hir::Expr* key = key_argument(checker, call, place->type, "remove");
   if (key->type->is(Kind::kAny)) return key;
@@ -102,7 +104,7 @@ hir::Expr* remove_call(Checker& checker, const ast::CallExpr& call, const ast::M
 
 hir::Expr* get_call(Checker& checker, hir::Expr* map, const ast::CallExpr& call) {
   const Type* element = map->type->element;
-  if (!checker.takes(call, "get", 2, 2)) return checker.failed(call.span);
+  if (!takes(checker, call, "get", 2, 2)) return checker.failed(call.span);
   hir::Expr* key = key_argument(checker, call, map->type, "get");
   hir::Expr* otherwise = checker.check_as(*call.args[1].value, {.role = Target::Role::kArgument,
                                                                 .type = element,
@@ -117,10 +119,10 @@ hir::Expr* get_call(Checker& checker, hir::Expr* map, const ast::CallExpr& call)
 }
 
 hir::Expr* has_call(Checker& checker, hir::Expr* map, const ast::CallExpr& call) {
-  if (!checker.takes(call, "has", 1, 1)) return checker.failed(call.span);
+  if (!takes(checker, call, "has", 1, 1)) return checker.failed(call.span);
   hir::Expr* key = key_argument(checker, call, map->type, "has");
   if (key->type->is(Kind::kAny)) return key;
-  return checker.make<hir::MapQueryExpr>(hir::ExprKind::kMapQuery, checker.types_.boolean(),
+  return checker.make<hir::MapQueryExpr>(hir::ExprKind::kMapQuery, checker.types.boolean(),
                                          call.span, MapQuestion::kHas, map, key);
 }
 
@@ -129,12 +131,12 @@ hir::Expr* has_call(Checker& checker, hir::Expr* map, const ast::CallExpr& call)
 hir::Expr* call_of_map(Checker& checker, hir::Expr* map, const ast::CallExpr& call,
                        const ast::MemberExpr& member) {
   const std::string_view name = member.member.text;
-  const auto no_values = [&] { return checker.takes(call, name, 0, 0); };
+  const auto no_values = [&] { return takes(checker, call, name, 0, 0); };
   if (map->type->element->is(Kind::kAny)) {
     checker.report(make_diagnostic("E0323", map->span, {"this empty map"}));
     return checker.failed(call.span);
   }
-  if (checker.find_function(name) == nullptr) {
+  if (checker.names.find_function(name) == nullptr) {
     if (hir::Expr* told = foreign_method_of_map(checker, call, member)) return told;
   }
   if (name == "get") return get_call(checker, map, call);
@@ -157,10 +159,10 @@ hir::Expr* foreign_empty_map(Checker& checker, std::string_view name, std::size_
   Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
   Fix fix{.text = "write [:]", .edits = {{span, "[:]"}}};
   // var stock = dict(): the type stands behind the name.
-  const std::string_view text = (*checker.into_.sources)[span.source].text();
+  const std::string_view text = (*checker.into.sources)[span.source].text();
   const std::string_view before = text.substr(0, span.begin);
   const std::size_t equals = before.find_last_not_of(" \t");
-  const std::string_view declared = checker.naming_.value == span ? checker.naming_.name : "";
+  const std::string_view declared = checker.surroundings.name_for(span);
   const std::size_t end = equals == std::string_view::npos || before[equals] != '=' || equals == 0
                               ? std::string_view::npos
                               : before.find_last_not_of(" \t", equals - 1);

@@ -1,4 +1,4 @@
-// Calls of library functions, once it is known which one is meant.
+#include "check/calls/native_calls.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,22 @@
 #include "armlet/interpreter/later.hpp"
 #include "armlet/interpreter/resource.hpp"
 #include "check/calls/over_list.hpp"
+#include "check/calls/overloads.hpp"
 #include "check/checker.hpp"
 #include "check/explain/explained.hpp"
+#include "check/names/unknown_names.hpp"
 #include "check/statements/recordings.hpp"
+#include "check/types/constants.hpp"
+#include "check/types/expressions.hpp"
 
 namespace armlet::lang {
+
 namespace {
+
+hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFunction& function,
+                         Span callee, Span span, std::vector<Argument>& arguments, Fit& fit);
+Ambient find_ambient(Checker& checker, const HostType& type, bool all = false);
+hir::Expr* ambient_value(Checker& checker, const HostType& type, Span callee);
 
 // `motor left = motors.small()`: a library function that takes a name gives its handle the declared
 // one.
@@ -45,128 +55,147 @@ const Type* type_of(const Parameter& parameter, const Bindings& bindings, TypePo
 
 }  // namespace
 
-hir::Expr* Checker::call_native(std::string_view name,
-                                std::span<const NativeFunction* const> candidates, Span callee,
-                                Span span, std::vector<Argument> arguments) {
-  if (candidates.empty()) return unknown_name(name, callee);
+hir::Expr* call_native(Checker& checker, std::string_view name,
+                       std::span<const NativeFunction* const> candidates, Span callee, Span span,
+                       std::vector<Argument> arguments) {
+  if (candidates.empty()) return unknown_name(checker, name, callee);
   for (const Argument& argument : arguments) {
-    if (!argument.waits() && argument.value->type->is(Kind::kAny)) return failed(span);
+    if (!argument.waits() && argument.value->type->is(Kind::kAny)) return checker.failed(span);
   }
-  if (hir::Expr* told = explained_call(*this, name, arguments, span)) return told;
-  settle_start(*this, candidates, arguments);
+  if (hir::Expr* told = explained_call(checker, name, arguments, span)) return told;
+  settle_start(checker, candidates, arguments);
   Fit best;
-  const NativeFunction* function = choose(name, candidates, callee, span, arguments, best);
-  if (function == nullptr) return failed(span);
-  return finish_native(name, *function, callee, span, arguments, best);
+  const NativeFunction* function = choose(checker, name, candidates, callee, span, arguments, best);
+  if (function == nullptr) return checker.failed(span);
+  return finish_native(checker, name, *function, callee, span, arguments, best);
 }
 
+namespace {
+
 // A lambda or the name of a function, now that its parameter's type is known as far as it will be.
-hir::Expr* Checker::waiting_argument(std::string_view name, const Argument& argument,
-                                     const TypePattern& pattern, Bindings& bindings) {
-  const Type* expected = instantiate(pattern, bindings, types_);
+hir::Expr* waiting_argument(Checker& checker, std::string_view name, const Argument& argument,
+                            const TypePattern& pattern, Bindings& bindings) {
+  const Type* expected = instantiate(pattern, bindings, checker.types);
   if (expected == nullptr && pattern.form == TypePattern::Form::kFunction) {
     // The result is found from the body.
     std::vector<const Type*> parameters;
     for (std::size_t i = 0; i + 1 < pattern.parts.size(); ++i) {
-      parameters.push_back(instantiate(pattern.parts[i], bindings, types_));
+      parameters.push_back(instantiate(pattern.parts[i], bindings, checker.types));
     }
     if (std::ranges::find(parameters, nullptr) == parameters.end()) {
-      expected = types_.function(std::move(parameters), types_.any());
+      expected = checker.types.function(std::move(parameters), checker.types.any());
     }
   }
-  hir::Expr* value = check(*argument.written, expected);
+  hir::Expr* value = checker.check(*argument.written, expected);
   if (match(pattern, value->type, false, bindings) < 0) {
-    const std::string name_of_it = pattern_name(pattern, bindings, types_);
+    const std::string name_of_it = pattern_name(pattern, bindings, checker.types);
     std::string need = std::string(article(name_of_it)) + ' ' + name_of_it;
     std::string have = type_phrase(value->type);
     if (value->type->is(Kind::kFunction) && value->type->result->is(Kind::kVoid)) {
       need = "a function that gives a value";
       have = "one that gives none";
     }
-    report(make_diagnostic("E0313", value->span, {std::string(name), need, have}));
-    return failed(value->span);
+    checker.report(make_diagnostic("E0313", value->span, {std::string(name), need, have}));
+    return checker.failed(value->span);
   }
   return value;
 }
 
-hir::Expr* Checker::finish_native(std::string_view name, const NativeFunction& function,
-                                  Span callee, Span span, std::vector<Argument>& arguments,
-                                  Fit& fit) {
-  const Signature& signature = signature_of(function);
+// The values of a variadic parameter.
+std::vector<hir::Expr*> rest_of(Checker& checker, const Parameter& parameter,
+                                const std::vector<Argument>& arguments,
+                                const std::vector<int>& rest, const Target& element) {
+  std::vector<hir::Expr*> items;
+  for (const int at : rest) {
+    hir::Expr* item = arguments[at].value;
+    if (parameter.any_number && item->type->is_quantity()) {
+      item = checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, checker.types.real(),
+                                            item->span, hir::Conversion::kSame, item);
+    }
+    items.push_back(checker.require(item, element));
+  }
+  return items;
+}
+
+hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFunction& function,
+                         Span callee, Span span, std::vector<Argument>& arguments, Fit& fit) {
+  const Signature& signature = checker.shared.signatures.of(function);
   const auto& parameters = signature.parameters;
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const int from = fit.from[p];
     if (from < 0 || !arguments[from].waits()) continue;
     arguments[from].value =
-        waiting_argument(name, arguments[from], parameters[p].type, fit.bindings);
-    if (arguments[from].value->type->is(Kind::kAny)) return failed(span);
+        waiting_argument(checker, name, arguments[from], parameters[p].type, fit.bindings);
+    if (arguments[from].value->type->is(Kind::kAny)) return checker.failed(span);
   }
-  const Type* result = instantiate(signature.result, fit.bindings, types_);
+  const Type* result = instantiate(signature.result, fit.bindings, checker.types);
   if (result == nullptr) {
-    report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
-    return failed(span);
+    checker.report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
+    return checker.failed(span);
   }
   std::vector<hir::Expr*> values(parameters.size(), nullptr);
   std::vector<Span> spans(parameters.size(), Span{callee.end, callee.end, callee.source});
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const Parameter& parameter = parameters[p];
-    const Type* type = type_of(parameter, fit.bindings, types_);
+    const Type* type = type_of(parameter, fit.bindings, checker.types);
     const int from = fit.from[p];
     if (p == 0 && fit.ambient) {
-      values[p] = ambient_value(*type->host, callee);
-      if (values[p]->type->is(Kind::kAny)) return failed(span);
+      values[p] = ambient_value(checker, *type->host, callee);
+      if (values[p]->type->is(Kind::kAny)) return checker.failed(span);
     } else if (from >= 0) {
       spans[p] = arguments[from].value->span;
       if (!arguments[from].name.empty()) spans[p] = cover(arguments[from].name_span, spans[p]);
-      values[p] = require(arguments[from].value,
-                          {.role = Target::Role::kArgument, .type = type, .function = name});
+      values[p] = checker.require(
+          arguments[from].value, {.role = Target::Role::kArgument, .type = type, .function = name});
     } else if (parameter.variadic) {
-      std::vector<hir::Expr*> items;
-      for (const int rest : fit.rest) {
-        hir::Expr* item = arguments[rest].value;
-        if (parameter.any_number && item->type->is_quantity()) {
-          item = make<hir::ConvertExpr>(hir::ExprKind::kConvert, types_.real(), item->span,
-                                        hir::Conversion::kSame, item);
-        }
-        items.push_back(require(
-            item, {.role = Target::Role::kArgument, .type = type->element, .function = name}));
-      }
-      if (!fit.rest.empty()) spans[p] = cover(items.front()->span, items.back()->span);
-      values[p] = make<hir::ListExpr>(hir::ExprKind::kList, type, span, seq(items));
+      const auto items =
+          rest_of(checker, parameter, arguments, fit.rest,
+                  {.role = Target::Role::kArgument, .type = type->element, .function = name});
+      if (!items.empty()) spans[p] = cover(items.front()->span, items.back()->span);
+      values[p] = checker.make<hir::ListExpr>(hir::ExprKind::kList, type, span, checker.seq(items));
     } else if (parameter.default_value) {
-      values[p] = literal_of(*parameter.default_value, type, callee);
-    } else if (const auto text = names_result(parameter, type, result) && span == naming_.value
-                                     ? std::optional<std::string>(naming_.name)
-                                     : unit_for(signature, parameter, type, fit.bindings, types_)) {
-      values[p] = make<hir::TextExpr>(hir::ExprKind::kText, type, callee, arena_.copy(*text));
+      values[p] = literal_of(checker, *parameter.default_value, type, callee);
+    } else if (const auto text =
+                   names_result(parameter, type, result) && checker.surroundings.is_named(span)
+                       ? std::optional<std::string>(checker.surroundings.name_for(span))
+                       : unit_for(signature, parameter, type, fit.bindings, checker.types)) {
+      values[p] = checker.make<hir::TextExpr>(hir::ExprKind::kText, type, callee,
+                                              checker.arena.copy(*text));
     } else {
-      values[p] = make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
+      values[p] = checker.make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
     }
   }
-  if (function.pauses) note_pause(span);
-  if (function.later) note_later(callee, later_feature(function));
-  auto* call = make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span, &function,
-                                         seq(values), hir::CallSite{span, callee, seq(spans)});
-  if (hir::Expr* loop = over_list(*this, function, *call)) return loop;
-  note_callbacks(*this, function, values);
-  return run_rule(name, arguments, fit, call);
+  if (function.pauses) note_pause(checker, span);
+  if (function.later) note_later(checker, callee, later_feature(function));
+  auto* call = checker.make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span,
+                                                 &function, checker.seq(values),
+                                                 hir::CallSite{span, callee, checker.seq(spans)});
+  if (hir::Expr* loop = over_list(checker, function, *call)) return loop;
+  note_callbacks(checker, function, values);
+  return run_rule(checker, name, arguments, fit, call);
 }
 
+}  // namespace
+
 // A pause in a condition would stop the clock that the condition waits for.
-void Checker::note_pause(Span span) {
-  if (use_ != nullptr) use_->pauses = true;
-  for (const FunctionContext* context = here_; context != nullptr; context = context->outer) {
+void note_pause(Checker& checker, Span span) {
+  checker.scopes.use().pauses = true;
+  for (const FunctionContext* context = &checker.scopes.here(); context != nullptr;
+       context = context->outer) {
     if (context->kind != FunctionContext::Kind::kCondition) continue;
-    report_pause(*this, *context->function, span);
+    report_pause(checker, *context->function, span);
     return;
   }
 }
 
 // ---- the first argument that is not written ----------------------------------------------------
 
-Ambient Checker::find_ambient(const HostType& type, bool all) {
+namespace {
+
+Ambient find_ambient(Checker& checker, const HostType& type, bool all) {
   Ambient out;
-  for (FunctionContext* context = here_; context != nullptr; context = context->outer) {
+  for (FunctionContext* context = &checker.scopes.here(); context != nullptr;
+       context = context->outer) {
     for (auto with = context->ambients.rbegin(); with != context->ambients.rend(); ++with) {
       if (with->type == &type) return {&with->local, context, {with->local.variable->name}};
     }
@@ -181,17 +210,18 @@ Ambient Checker::find_ambient(const HostType& type, bool all) {
       out.names.push_back(local.variable->name);
     }
   };
-  for (FunctionContext* context = here_;
-       context != nullptr && context != &main_ && out.names.empty(); context = context->outer) {
+  for (FunctionContext* context = &checker.scopes.here();
+       context != nullptr && context != &checker.scopes.main() && out.names.empty();
+       context = context->outer) {
     look_in(*context, context->locals.size());
   }
   if (!out.names.empty()) return out;
   std::vector<std::string_view> found;
-  for (Checker* file : shared_.files) {
-    FunctionContext& top = file->main_;
-    const bool whole = &here_->root() == &top || top.blocks.size() < 2;
+  for (Checker* file : checker.shared.files) {
+    FunctionContext& top = file->scopes.main();
+    const bool whole = &checker.scopes.here().root() == &top || top.blocks.size() < 2;
     look_in(top, whole ? top.locals.size() : top.blocks[1]);
-    for (const std::string_view declared : file->ambient_names_[type.name]) {
+    for (const std::string_view declared : file->names.ambient(type.name)) {
       if (!all && out.names.size() > 2) break;  // two of them differ
       out.names.push_back(declared);
     }
@@ -206,13 +236,13 @@ Ambient Checker::find_ambient(const HostType& type, bool all) {
   return out;
 }
 
-static std::string plural_of(const HostType& type) {
+std::string plural_of(const HostType& type) {
   return type.resource != nullptr ? std::string(type.resource->plural)
                                   : "values of type " + std::string(type.name);
 }
 
-hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
-  const Ambient found = find_ambient(type, takes_errors());
+hir::Expr* ambient_value(Checker& checker, const HostType& type, Span callee) {
+  const Ambient found = find_ambient(checker, type, checker.messages.takes_errors());
   if (found.names.size() > 1) {
     static constexpr std::array<std::string_view, 8> kCounts = {"",     "",     "two", "three",
                                                                 "four", "five", "six", "seven"};
@@ -232,33 +262,35 @@ hir::Expr* Checker::ambient_value(const HostType& type, Span callee) {
         n == 2 ? " are both declared in this program" : " are declared in this program";
     const std::string first(found.names[0]);
     diagnostic.fix =
-        Fix{.text = "write " + first + '.' + text_of(callee) + "(...), or put " +
+        Fix{.text = "write " + first + '.' + checker.text_of(callee) + "(...), or put " +
                     std::string(words != nullptr ? words->acts : "the calls") + " inside with (" +
                     std::string(type.name) + ": " + first + ") { ... }",
             .edits = {{{callee.begin, callee.begin, callee.source}, first + '.'}}};
-    report(std::move(diagnostic));
-    return failed(callee);
+    checker.report(std::move(diagnostic));
+    return checker.failed(callee);
   }
-  if (found.local != nullptr) return read(*found.local, *found.where, callee);
-  if (!found.names.empty()) return unknown_name(found.names[0], callee);
-  const auto suppliers = registry_.functions(std::string(type.name) + "()");
-  if (!suppliers.empty()) return call_native(type.name, suppliers, callee, callee, {});
-  report(make_diagnostic("E0220", callee, {std::string(type.name)}));
-  return failed(callee);
+  if (found.local != nullptr) return read(checker, *found.local, *found.where, callee);
+  if (!found.names.empty()) return unknown_name(checker, found.names[0], callee);
+  const auto suppliers = checker.registry.functions(std::string(type.name) + "()");
+  if (!suppliers.empty()) return call_native(checker, type.name, suppliers, callee, callee, {});
+  checker.report(make_diagnostic("E0220", callee, {std::string(type.name)}));
+  return checker.failed(callee);
 }
 
-const Fact* Checker::ambient_fact(std::string_view name) {
-  const HostType* type = registry_.type(name);
+}  // namespace
+
+const Fact* ambient_fact(Checker& checker, std::string_view name) {
+  const HostType* type = checker.registry.type(name);
   if (type == nullptr) return nullptr;
-  const Ambient found = find_ambient(*type);
+  const Ambient found = find_ambient(checker, *type);
   if (found.names.size() > 1) return nullptr;
   if (found.local != nullptr) {
     const hir::Expr* init = found.local->variable->init;
     return init != nullptr ? fact_of(*init) : nullptr;
   }
-  const auto suppliers = registry_.functions(std::string(name) + "()");
+  const auto suppliers = checker.registry.functions(std::string(name) + "()");
   if (!found.names.empty() || suppliers.empty()) return nullptr;
-  return fact_of(*call_native(name, suppliers, Span{}, Span{}, {}));
+  return fact_of(*call_native(checker, name, suppliers, Span{}, Span{}, {}));
 }
 
 }  // namespace armlet::lang

@@ -46,7 +46,7 @@ void settle_start(Checker& checker, std::span<const NativeFunction* const> candi
   const bool written = start->kind == hir::ExprKind::kInt || is_zero(*start);
   if (!written || !list->is(Kind::kList) || !list->element->is(Kind::kReal)) return;
   if (is_zero(*start) || list->element->is_double()) {
-    const double value = checker.constant_of(*start)->real;
+    const double value = checker.shared.constants.of(*start)->real;
     start = checker.make<hir::RealExpr>(hir::ExprKind::kReal, list->element, start->span, value);
   }
 }
@@ -79,14 +79,15 @@ void note_callbacks(Checker& checker, const NativeFunction& function,
     if (value->kind == hir::ExprKind::kFunctionValue)
       given = value->as<hir::FunctionValueExpr>().function;
     if (value->kind == hir::ExprKind::kClosure) given = value->as<hir::ClosureExpr>().function;
-    if (given != nullptr) checker.callbacks_.push_back({function.name, given, value->span});
+    if (given != nullptr)
+      checker.shared.postponed.add(Postponed::Callback{function.name, given, value->span});
   }
 }
 
 void check_callbacks(Checker& checker) {
-  for (const Callback& callback : checker.callbacks_) {
-    if (!checker.may_pause(checker.uses_[callback.function])) continue;
-    checker.sink_.begin_statement();
+  for (const Postponed::Callback& callback : checker.shared.postponed.callbacks()) {
+    if (!checker.shared.uses.may_pause(checker.shared.uses.of(callback.function))) continue;
+    checker.messages.begin_statement();
     checker.report(make_diagnostic("E0520", callback.span, {std::string(callback.called_by)}));
   }
 }

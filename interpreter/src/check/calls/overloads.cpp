@@ -1,10 +1,10 @@
-// Which function of the library a call means: every value fits, fewest conversions, no tie
-// (language reference, section 5).
+#include "check/calls/overloads.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 #include "check/checker.hpp"
+#include "check/explain/misfits.hpp"
 #include "check/names/function_names.hpp"
 
 namespace armlet::lang {
@@ -56,20 +56,8 @@ auto rank(const Fit& fit) {
 
 }  // namespace
 
-const Signature& Checker::signature_of(const NativeFunction& function) {
-  std::unique_ptr<Signature>& known = signatures_[&function];
-  if (known == nullptr) {
-    std::string error;
-    auto read = parse_signature(function.signature, types_, registry_.type_names(types_), error);
-    // Engine::check_signatures reports what cannot be read; such a function is never called.
-    known = std::make_unique<Signature>(read ? std::move(*read) : Signature{});
-  }
-  return *known;
-}
-
 // Lets the arguments fall on parameters: by position, then by name.
-bool Checker::place_arguments(const Signature& signature, const std::vector<Argument>& arguments,
-                              Fit& fit) const {
+bool place_arguments(const Signature& signature, const std::vector<Argument>& arguments, Fit& fit) {
   const auto& parameters = signature.parameters;
   const ParameterNames names(signature, arguments.size());
   fit.from.assign(parameters.size(), -1);
@@ -106,8 +94,10 @@ bool Checker::place_arguments(const Signature& signature, const std::vector<Argu
   return true;
 }
 
+namespace {
+
 // A lambda or the name of a function fits a function type with as many parameters.
-bool Checker::fit_waiting(const ast::Expr& written, const TypePattern& pattern) {
+bool fit_waiting(Checker& checker, const ast::Expr& written, const TypePattern& pattern) {
   std::size_t wanted = 0;
   if (pattern.form == TypePattern::Form::kFunction) {
     wanted = pattern.parts.size() - 1;
@@ -118,24 +108,25 @@ bool Checker::fit_waiting(const ast::Expr& written, const TypePattern& pattern) 
   }
   if (written.kind == ast::ExprKind::kLambda)
     return written.as<ast::LambdaExpr>().params.size() == wanted;
-  if (const std::string name = library_function(*this, written); !name.empty()) {
+  if (const std::string name = library_function(checker, written); !name.empty()) {
     if (name == kToText) return wanted == 1;
-    return std::ranges::any_of(registry_.functions(name), [&](const NativeFunction* function) {
-      return takes_values(signature_of(*function), wanted);
-    });
+    return std::ranges::any_of(
+        checker.registry.functions(name), [&](const NativeFunction* function) {
+          return takes_values(checker.shared.signatures.of(*function), wanted);
+        });
   }
-  const FunctionDecl* function = written_function(*this, written);
+  const FunctionDecl* function = written_function(checker, written);
   return function != nullptr && function->node->params.size() == wanted;
 }
 
-void Checker::match_argument(const Signature& signature, const std::vector<Argument>& arguments,
-                             int argument, int parameter, Fit& fit) {
+void match_argument(Checker& checker, const Signature& signature,
+                    const std::vector<Argument>& arguments, int argument, int parameter, Fit& fit) {
   const Parameter& target = signature.parameters[parameter];
   const Argument& given = arguments[argument];
   const TypePattern& pattern = target.variadic ? target.type.parts[0] : target.type;
   int cost = 0;
   if (given.waits()) {
-    cost = fit_waiting(*given.written, pattern) ? 0 : -1;
+    cost = fit_waiting(checker, *given.written, pattern) ? 0 : -1;
   } else if (target.any_number) {
     cost = given.value->type->is_number() ? 0 : -1;
   } else {
@@ -157,7 +148,10 @@ void Checker::match_argument(const Signature& signature, const std::vector<Argum
   if (pattern.form != TypePattern::Form::kType || target.variadic) ++fit.generic;
 }
 
-Fit Checker::fit(const Signature& signature, const std::vector<Argument>& arguments, bool ambient) {
+}  // namespace
+
+Fit fit(Checker& checker, const Signature& signature, const std::vector<Argument>& arguments,
+        bool ambient) {
   Fit out;
   out.ambient = ambient;
   if (!place_arguments(signature, arguments, out)) return out;
@@ -169,29 +163,29 @@ Fit Checker::fit(const Signature& signature, const std::vector<Argument>& argume
   for (int pass = 0; pass < 3; ++pass) {
     for (int p = 0; p < static_cast<int>(out.from.size()); ++p) {
       const int from = out.from[p];
-      if (from >= 0 && pass_of(from) == pass) match_argument(signature, arguments, from, p, out);
+      if (from >= 0 && pass_of(from) == pass)
+        match_argument(checker, signature, arguments, from, p, out);
       if (!signature.parameters[p].variadic) continue;
       for (const int rest : out.rest) {
-        if (pass_of(rest) == pass) match_argument(signature, arguments, rest, p, out);
+        if (pass_of(rest) == pass) match_argument(checker, signature, arguments, rest, p, out);
       }
     }
   }
   return out;
 }
 
-const NativeFunction* Checker::choose(std::string_view name,
-                                      std::span<const NativeFunction* const> candidates,
-                                      Span callee, Span span,
-                                      const std::vector<Argument>& arguments, Fit& best) {
+const NativeFunction* choose(Checker& checker, std::string_view name,
+                             std::span<const NativeFunction* const> candidates, Span callee,
+                             Span span, const std::vector<Argument>& arguments, Fit& best) {
   const NativeFunction* chosen = nullptr;
   const NativeFunction* closest = nullptr;
   Fit closest_fit;
   std::vector<const NativeFunction*> equal;
   for (const NativeFunction* candidate : candidates) {
-    const Signature& signature = signature_of(*candidate);
+    const Signature& signature = checker.shared.signatures.of(*candidate);
     for (const bool ambient : {false, true}) {
       if (ambient && !is_ambient_first(signature)) continue;
-      Fit attempt = fit(signature, arguments, ambient);
+      Fit attempt = fit(checker, signature, arguments, ambient);
       if (attempt.problem != Problem::kNone) {
         const auto closeness = [](const Fit& f) {
           return std::tuple(f.matched, f.problem == Problem::kType, f.argument);
@@ -212,14 +206,15 @@ const NativeFunction* Checker::choose(std::string_view name,
     }
   }
   if (chosen == nullptr && closest != nullptr) {
-    report_misfit(name, signature_of(*closest), callee, span, arguments, closest_fit);
+    report_misfit(checker, name, checker.shared.signatures.of(*closest), callee, span, arguments,
+                  closest_fit);
   } else if (equal.size() > 1) {
     // sum([]): a type would decide.
     for (const Argument& argument : arguments) {
       const bool is_open = argument.value != nullptr && argument.value->type->is(Kind::kList) &&
                            argument.value->type->element->is(Kind::kAny);
       if (!is_open) continue;
-      report(make_diagnostic("E0323", argument.value->span, {"this empty list"}));
+      checker.report(make_diagnostic("E0323", argument.value->span, {"this empty list"}));
       return nullptr;
     }
     Diagnostic diagnostic = make_diagnostic("E0319", callee, {std::string(name)});
@@ -227,7 +222,7 @@ const NativeFunction* Checker::choose(std::string_view name,
       diagnostic.why += (diagnostic.why.empty() ? "" : ", ") + std::string(name);
       diagnostic.why += candidate->signature;
     }
-    report(std::move(diagnostic));
+    checker.report(std::move(diagnostic));
     return nullptr;
   }
   return chosen;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "check/types/expressions.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -54,21 +56,21 @@ hir::Expr* convert_value(Checker& checker, const ast::Arg& arg, const Conversion
   piece.format.style = conversion.style;
   hir::Expr* value = conversion.letter == 'd'
                          ? checker.check_as(*arg.value, {.role = Target::Role::kArgument,
-                                                         .type = checker.types_.integer(),
+                                                         .type = checker.types.integer(),
                                                          .function = "printf",
                                                          .position = position})
                          : checker.check_value(*arg.value);
   const bool is_text = conversion.letter == 's' || conversion.letter == 'b';
   if (is_text) {
     piece.format.style.zeros = piece.format.style.sign = false;
-    value = checker.to_text(value);
+    value = to_text(checker, value);
   } else if (conversion.letter != 'd') {
     constexpr int kJavaDigits = 6;
     if (conversion.style.digits < 0) piece.format.style.digits = kJavaDigits;
     piece.format.style.notation = conversion.letter;
   }
   if (is_text || conversion.letter == 'd') piece.format.style.digits = -1;
-  return checker.in_format(value, piece.format);
+  return in_format(checker, value, piece.format);
 }
 
 void refuse_printf(Checker& checker, Span span, std::string reason) {
@@ -88,8 +90,8 @@ std::optional<std::vector<hir::Expr*>> printf_parts(Checker& checker, const ast:
   std::vector<hir::Expr*> parts;
   const auto add = [&](std::string_view piece) {
     if (piece.empty()) return;
-    parts.push_back(checker.make<hir::TextExpr>(hir::ExprKind::kText, checker.types_.text(), span,
-                                                checker.arena_.copy(piece)));
+    parts.push_back(checker.make<hir::TextExpr>(hir::ExprKind::kText, checker.types.text(), span,
+                                                checker.arena.copy(piece)));
   };
   std::size_t used = 1;
   while (!text.empty()) {

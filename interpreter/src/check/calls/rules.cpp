@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
 
 namespace armlet::lang {
@@ -34,10 +35,10 @@ class Call final : public CheckCall {
   int line_of(Span span) const override { return checker_.line_of(span); }
 
   std::optional<Constant> constant(int parameter) const override {
-    return checker_.constant_of(*call_.arguments[parameter]);
+    return checker_.shared.constants.of(*call_.arguments[parameter]);
   }
   std::shared_ptr<const Fact> fact(int parameter) const override {
-    return shared(checker_.fact_of(*call_.arguments[parameter]));
+    return shared(fact_of(*call_.arguments[parameter]));
   }
 
   int item_count(int parameter) const override { return static_cast<int>(items(parameter).size()); }
@@ -46,42 +47,39 @@ class Call final : public CheckCall {
   }
   Span item_span(int parameter, int item) const override { return items(parameter)[item]->span; }
   std::optional<Constant> item_constant(int parameter, int item) const override {
-    return checker_.constant_of(*items(parameter)[item]);
+    return checker_.shared.constants.of(*items(parameter)[item]);
   }
   std::shared_ptr<const Fact> item_fact(int parameter, int item) const override {
-    return shared(checker_.fact_of(*items(parameter)[item]));
+    return shared(fact_of(*items(parameter)[item]));
   }
 
   std::shared_ptr<const Fact> ambient_fact(std::string_view host_type) const override {
-    return shared(checker_.ambient_fact(host_type));
+    return shared(lang::ambient_fact(checker_, host_type));
   }
   std::vector<std::string> declared_names(std::string_view type) const override {
-    const auto found = checker_.declared_names_.find(std::string(type));
-    return found == checker_.declared_names_.end() ? std::vector<std::string>()
-                                                   : found->second.in_order;
+    return checker_.shared.blocks.of(type);
   }
   bool declares(std::string_view type, std::string_view name) const override {
-    const auto found = checker_.declared_names_.find(std::string(type));
-    return found != checker_.declared_names_.end() && found->second.all.contains(std::string(name));
+    return checker_.shared.blocks.has(type, name);
   }
 
   Span origin(int parameter, int item) const override {
-    const hir::Expr* at = &checker_.origin_of(*call_.arguments[parameter]);
+    const hir::Expr* at = &origin_of(*call_.arguments[parameter]);
     // new T(list): look into what the value was made from.
     while (at->kind == hir::ExprKind::kCallNative &&
            at->as<hir::CallNativeExpr>().arguments.size() == 1) {
-      at = &checker_.origin_of(*at->as<hir::CallNativeExpr>().arguments[0]);
+      at = &origin_of(*at->as<hir::CallNativeExpr>().arguments[0]);
     }
     if (at->kind != hir::ExprKind::kList) return {};
     const auto& list = at->as<hir::ListExpr>().items;
     return item >= 0 && item < static_cast<int>(list.size()) ? list[item]->span : Span{};
   }
   bool mentions(std::string_view function) const override {
-    return checker_.mentioned_.contains(std::string(function));
+    return checker_.shared.mentions.has(function);
   }
   InPath in_path() const override {
     const auto is_path = [](const JumpTarget& at) { return at.kind == JumpTarget::Kind::kPath; };
-    const FunctionContext* context = checker_.here_;
+    const FunctionContext* context = &checker_.scopes.here();
     for (; context != nullptr; context = context->outer) {
       if (std::ranges::any_of(context->targets, is_path)) return InPath::kYes;
       const bool is_called = context->kind == FunctionContext::Kind::kNamed ||
@@ -90,15 +88,15 @@ class Call final : public CheckCall {
     }
     return InPath::kNo;
   }
-  void* host() const override { return checker_.options_.host; }
-  const WorldNames* world() const override { return checker_.options_.world.get(); }
-  void use_world() override { checker_.into_.uses_world = true; }
+  void* host() const override { return checker_.options.host; }
+  const WorldNames* world() const override { return checker_.options.world.get(); }
+  void use_world() override { checker_.into.uses_world = true; }
 
   void set_result_fact(std::shared_ptr<const Fact> fact) override {
     call_.fact = fact.get();
-    checker_.into_.facts.push_back(std::move(fact));
+    checker_.into.facts.push_back(std::move(fact));
   }
-  bool takes_errors() const override { return checker_.takes_errors(); }
+  bool takes_errors() const override { return checker_.messages.takes_errors(); }
   void report(Diagnostic diagnostic) override { checker_.report(std::move(diagnostic)); }
 
  private:
@@ -114,11 +112,12 @@ class Call final : public CheckCall {
     const auto [known, is_new] = items_.try_emplace(parameter);
     std::vector<const hir::Expr*>& out = known->second;
     if (!is_new) return out;
-    const Parameter& declared = checker_.signature_of(*call_.function).parameters[parameter];
+    const Parameter& declared =
+        checker_.shared.signatures.of(*call_.function).parameters[parameter];
     if (declared.variadic) {
       for (const int rest : fit_.rest) out.push_back(arguments_[rest].value);
     } else if (const hir::Expr* value = written(parameter)) {
-      const hir::Expr& list = checker_.origin_of(*value);
+      const hir::Expr& list = origin_of(*value);
       if (list.kind == hir::ExprKind::kList) {
         const auto& values = list.as<hir::ListExpr>().items;
         out.assign(values.begin(), values.end());
@@ -142,12 +141,12 @@ class Call final : public CheckCall {
 
 }  // namespace
 
-hir::Expr* Checker::run_rule(std::string_view name, const std::vector<Argument>& arguments,
-                             const Fit& fit, hir::CallNativeExpr* call) {
+hir::Expr* run_rule(Checker& checker, std::string_view name, const std::vector<Argument>& arguments,
+                    const Fit& fit, hir::CallNativeExpr* call) {
   const auto failed_value = [](const hir::Expr* value) { return value->type->is(Kind::kAny); };
   if (call->function->check == nullptr || std::ranges::any_of(call->arguments, failed_value))
     return call;
-  Call seen(*this, name, arguments, fit, *call);
+  Call seen(checker, name, arguments, fit, *call);
   call->function->check(seen);
   return call;
 }

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/calls/calls.hpp"
+#include "check/calls/functions.hpp"
+#include "check/calls/overloads.hpp"
 #include "check/checker.hpp"
+#include "check/explain/misfits.hpp"
+#include "check/scopes/usage.hpp"
 #include "check/types/any_table.hpp"
 #include "check/types/long_lists.hpp"
 
@@ -21,22 +26,19 @@ std::string likely_type(const std::vector<Argument>& arguments) {
   return "double";
 }
 
-}  // namespace
-
-std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view name,
-                                                            ast::Seq<ast::Param> parameters,
-                                                            Span callee, Span span,
-                                                            std::vector<Argument>& arguments) {
+std::optional<std::vector<Argument*>> by_parameter(Checker& checker, std::string_view name,
+                                                   ast::Seq<ast::Param> parameters, Span callee,
+                                                   Span span, std::vector<Argument>& arguments) {
   // The same rules as for the library, told by the same messages.
   Signature signature;
   for (const ast::Param& parameter : parameters) {
     signature.parameters.push_back({.name = std::string(parameter.name.text),
-                                    .type = {.type = types_.any()},
+                                    .type = {.type = checker.types.any()},
                                     .optional = parameter.default_value != nullptr});
   }
   Fit fit;
   if (!place_arguments(signature, arguments, fit)) {
-    report_misfit(name, signature, callee, span, arguments, fit);
+    report_misfit(checker, name, signature, callee, span, arguments, fit);
     return std::nullopt;
   }
   std::vector<Argument*> out;
@@ -44,12 +46,14 @@ std::optional<std::vector<Argument*>> Checker::by_parameter(std::string_view nam
   return out;
 }
 
-hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
-                                std::vector<Argument> arguments) {
+}  // namespace
+
+hir::Expr* call_script(Checker& checker, FunctionDecl& function, Span callee, Span span,
+                       std::vector<Argument> arguments) {
   const ast::FunctionStmt& node = *function.node;
   const std::string_view name = node.name.text;
-  const auto given = by_parameter(name, node.params, callee, span, arguments);
-  if (!given) return failed(span);
+  const auto given = by_parameter(checker, name, node.params, callee, span, arguments);
+  if (!given) return checker.failed(span);
   const int receiver = !arguments.empty() && arguments[0].written == nullptr ? 1 : 0;
   std::vector<hir::Expr*> values;
   std::vector<const Type*> types;
@@ -66,49 +70,48 @@ hir::Expr* Checker::call_script(FunctionDecl& function, Span callee, Span span,
                                         : Span{callee.end, callee.end, callee.source});
     hir::Expr* value = nullptr;
     if (argument == nullptr) {
-      value = default_value(*this, *function.file, *node.params[p].default_value, target);
+      value = default_value(checker, *function.file, *node.params[p].default_value, target);
     } else {
       if (!argument->name.empty()) target.role = Target::Role::kSetting;
       target.position = static_cast<int>(argument - arguments.data()) + 1 - receiver;
       if (argument->waits()) {
-        const std::string before = std::exchange(likely_type_, likely_type(arguments));
-        argument->value = check_value(*argument->written, type);
-        likely_type_ = before;
+        const std::string before = checker.surroundings.set_likely_type(likely_type(arguments));
+        argument->value = checker.check_value(*argument->written, type);
+        checker.surroundings.set_likely_type(before);
       }
-      value = type != nullptr ? require(argument->value, target) : argument->value;
+      value = type != nullptr ? checker.require(argument->value, target) : argument->value;
     }
-    if (value->type->is(Kind::kAny)) return failed(span);
+    if (value->type->is(Kind::kAny)) return checker.failed(span);
     const ast::TypeExpr* written = node.params[p].type;
     if (is_any_table(*function.file, written) && !fits_any_table(written, value->type)) {
-      report(make_diagnostic(
+      checker.report(make_diagnostic(
           "E0313", value->span,
           {std::string(name), any_table_phrase(written), type_phrase(value->type)}));
-      return failed(span);
+      return checker.failed(span);
     }
     const bool is_map = value->type->is(Kind::kMap);
     if ((is_map || value->type->is(Kind::kList)) && value->type->element->is(Kind::kAny)) {
-      report(
+      checker.report(
           make_diagnostic("E0323", value->span, {is_map ? "this empty map" : "this empty list"}));
-      return failed(span);
+      return checker.failed(span);
     }
     values.push_back(value);
     types.push_back(value->type);
   }
-  Instance* instance = function.file->instance_of(function, std::move(types), span);
-  if (instance == nullptr) return failed(span);
-  use_->add(instance->function);
-  if (&here_->root() == &main_) main_calls_.emplace_back(instance->function, top_level_.size());
-  return make<hir::CallExpr>(hir::ExprKind::kCall, instance->function->result, span,
-                             instance->function, seq(values),
-                             hir::CallSite{span, callee, seq(spans)});
+  Instance* instance = instance_of(*function.file, function, std::move(types), span);
+  if (instance == nullptr) return checker.failed(span);
+  note_call(checker, instance->function);
+  return checker.make<hir::CallExpr>(hir::ExprKind::kCall, instance->function->result, span,
+                                     instance->function, checker.seq(values),
+                                     hir::CallSite{span, callee, checker.seq(spans)});
 }
 
-hir::Expr* Checker::construct(const StructDecl& structure, Span callee, Span span,
-                              std::vector<Argument> arguments) {
+hir::Expr* construct(Checker& checker, const StructDecl& structure, Span callee, Span span,
+                     std::vector<Argument> arguments) {
   const ast::StructStmt& node = *structure.node;
   const std::string_view name = node.name.text;
-  const auto given = by_parameter(name, node.fields, callee, span, arguments);
-  if (!given) return failed(span);
+  const auto given = by_parameter(checker, name, node.fields, callee, span, arguments);
+  if (!given) return checker.failed(span);
   std::vector<hir::Expr*> values;
   for (std::size_t i = 0; i < node.fields.size(); ++i) {
     Argument* argument = (*given)[i];
@@ -119,14 +122,15 @@ hir::Expr* Checker::construct(const StructDecl& structure, Span callee, Span spa
                   .call = span};
     if (argument == nullptr) {
       values.push_back(
-          default_value(*this, *structure.file, *node.fields[i].default_value, target));
+          default_value(checker, *structure.file, *node.fields[i].default_value, target));
     } else {
-      if (argument->waits()) argument->value = check_value(*argument->written, target.type);
-      values.push_back(require(argument->value, target));
+      if (argument->waits()) argument->value = checker.check_value(*argument->written, target.type);
+      values.push_back(checker.require(argument->value, target));
     }
-    if (values.back()->type->is(Kind::kAny)) return failed(span);
+    if (values.back()->type->is(Kind::kAny)) return checker.failed(span);
   }
-  return make<hir::RecordExpr>(hir::ExprKind::kRecord, structure.type, span, seq(values));
+  return checker.make<hir::RecordExpr>(hir::ExprKind::kRecord, structure.type, span,
+                                       checker.seq(values));
 }
 
 }  // namespace armlet::lang

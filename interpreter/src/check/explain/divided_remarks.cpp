@@ -1,5 +1,7 @@
 #include "check/explain/divided_remarks.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace armlet::lang {
@@ -59,7 +61,7 @@ class Divisor {
 
   bool variable(std::string_view word) {
     FunctionContext* where = nullptr;
-    const Local* local = checker_.find_local(word, where);
+    const Local* local = checker_.scopes.find(word, where);
     if (local == nullptr) return false;
     const Type& type = *local->variable->type;
     is_int_ = is_int_ && type.is(Kind::kInt);
@@ -111,22 +113,14 @@ Span with_parentheses(std::string_view text, const ast::Expr& written) {
 bool is_divided_whole(const ast::Expr& written) {
   using ast::ExprKind;
   if (written.parens > 0) return true;
-  switch (written.kind) {
-    case ExprKind::kInt:
-    case ExprKind::kReal:
-    case ExprKind::kName:
-    case ExprKind::kMember:
-    case ExprKind::kIndex:
-    case ExprKind::kCall:
-      return true;
-    default:
-      return false;
-  }
+  constexpr std::array kWhole = {ExprKind::kInt,    ExprKind::kReal,  ExprKind::kName,
+                                 ExprKind::kMember, ExprKind::kIndex, ExprKind::kCall};
+  return std::ranges::find(kWhole, written.kind) != kWhole.end();
 }
 
 // The number in the comment may be the value itself, for the reader.
 bool is_result(const Checker& checker, const hir::Expr& value, std::string_view divisor) {
-  const std::optional<Constant> known = checker.constant_of(value);
+  const std::optional<Constant> known = checker.shared.constants.of(value);
   return known && known->kind == Constant::Kind::kInt && std::to_string(known->integer) == divisor;
 }
 
@@ -138,7 +132,7 @@ void advise_on_divided_remark(Checker& checker, const ast::Expr& written, const 
                        value.as<hir::ConvertExpr>().conversion == hir::Conversion::kIntToReal;
   const bool is_int = was_int || value.type->is(Kind::kInt);
   if (!is_int && !value.type->is_double()) return;
-  const std::string_view text = (*checker.into_.sources)[written.span.source].text();
+  const std::string_view text = (*checker.into.sources)[written.span.source].text();
   const Span divided = with_parentheses(text, written);
   const Remark remark = remark_behind(text, divided.end, divided.source);
   if (remark.inside.empty() || is_result(checker, value, remark.inside)) return;

@@ -8,7 +8,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The text of the line in front of a place.
 std::string line_before(const Checker& checker, Span place) {
-  const Source& source = (*checker.into_.sources)[place.source];
+  const Source& source = (*checker.into.sources)[place.source];
   const std::uint32_t begin = source.line_start(source.position(place.begin).line);
   return checker.text_of({begin, place.begin, place.source});
 }
@@ -54,7 +54,7 @@ Edit at_end_of_block(const Checker& checker, Span brace, const std::string& stat
 }
 
 std::vector<Edit> moved_before(const Checker& checker, Span statement, Span to) {
-  const Source& source = (*checker.into_.sources)[statement.source];
+  const Source& source = (*checker.into.sources)[statement.source];
   const std::string indent = line_before(checker, to);
   const std::string before = line_before(checker, statement);
   if (!is_blank(indent) || !is_blank(before)) return {};

@@ -33,8 +33,8 @@ hir::Expr* explained_call(Checker& checker, std::string_view name,
   told.real1 = nullptr;
   told.real2 = nullptr;
   told.real3 = nullptr;
-  const auto* function = checker.arena_.make<NativeFunction>(told);
-  return checker.make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, checker.types_.text(), span,
+  const auto* function = checker.arena.make<NativeFunction>(told);
+  return checker.make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, checker.types.text(), span,
                                            function, call.arguments, call.site);
 }
 

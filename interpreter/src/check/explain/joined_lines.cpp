@@ -7,7 +7,7 @@ Joined joined_line(const Checker& checker, const ast::Expr& expr) {
   if (expr.kind == ast::ExprKind::kCall) value = expr.as<ast::CallExpr>().callee;
   if (expr.kind == ast::ExprKind::kIndex) value = expr.as<ast::IndexExpr>().object;
   if (value == nullptr) return {};
-  const std::string_view behind = (*checker.into_.sources)[expr.span.source].slice(
+  const std::string_view behind = (*checker.into.sources)[expr.span.source].slice(
       {value->span.end, expr.span.end, expr.span.source});
   const std::size_t bracket = behind.find_first_not_of(" \t\r\n");
   if (bracket == std::string_view::npos || (behind[bracket] != '(' && behind[bracket] != '[') ||

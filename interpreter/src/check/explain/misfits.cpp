@@ -1,4 +1,4 @@
-// Messages about calls that fit no function: which value, and what the closest function takes.
+#include "check/explain/misfits.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,15 @@
 #include "check/names/unknown_names.hpp"
 
 namespace armlet::lang {
+
 namespace {
+
+void report_unknown_setting(Checker& checker, std::string_view name, const Signature& signature,
+                            const Argument& at, bool ambient);
+void report_count(Checker& checker, std::string_view name, const Signature& signature, Span callee,
+                  const std::vector<Argument>& arguments, const Fit& fit);
+void report_argument(Checker& checker, std::string_view name, const Signature& signature, Span span,
+                     const std::vector<Argument>& arguments, const Fit& fit);
 
 // "1 value", "2 to 4 values", "at least 1 value".
 std::string accepted_count(const Signature& signature, bool ambient) {
@@ -42,32 +50,35 @@ int receivers(const std::vector<Argument>& arguments) {
 
 }  // namespace
 
-void Checker::report_misfit(std::string_view name, const Signature& signature, Span callee,
-                            Span span, const std::vector<Argument>& arguments, const Fit& fit) {
-  if (!takes_errors()) return report(make_diagnostic("E0312", callee, {"", "", ""}));
-  if (refuse_decimal_comma(*this, arguments)) return;
+void report_misfit(Checker& checker, std::string_view name, const Signature& signature, Span callee,
+                   Span span, const std::vector<Argument>& arguments, const Fit& fit) {
+  if (!checker.messages.takes_errors())
+    return checker.report(make_diagnostic("E0312", callee, {"", "", ""}));
+  if (refuse_decimal_comma(checker, arguments)) return;
   switch (fit.problem) {
     case Fit::Problem::kUnknownName:
-      return report_unknown_setting(name, signature, arguments[fit.argument], fit.ambient);
+      return report_unknown_setting(checker, name, signature, arguments[fit.argument], fit.ambient);
     case Fit::Problem::kTwice: {
       const Argument& at = arguments[fit.argument];
-      return report(make_diagnostic("E0212", at.name_span, {std::string(at.name)}));
+      return checker.report(make_diagnostic("E0212", at.name_span, {std::string(at.name)}));
     }
     case Fit::Problem::kAfterNamed:
-      return report(make_diagnostic("E0326", arguments[fit.argument].span()));
+      return checker.report(make_diagnostic("E0326", arguments[fit.argument].span()));
     case Fit::Problem::kTooMany:
     case Fit::Problem::kMissing:
-      return report_count(name, signature, callee, arguments, fit);
+      return report_count(checker, name, signature, callee, arguments, fit);
     case Fit::Problem::kType:
-      return report_argument(name, signature, span, arguments, fit);
+      return report_argument(checker, name, signature, span, arguments, fit);
     case Fit::Problem::kNone:
       return;
   }
 }
 
-void Checker::report_unknown_setting(std::string_view name, const Signature& signature,
-                                     const Argument& at, bool ambient) {
-  if (told_.contains(at.name)) return;  // a field of a struct whose text failed
+namespace {
+
+void report_unknown_setting(Checker& checker, std::string_view name, const Signature& signature,
+                            const Argument& at, bool ambient) {
+  if (checker.messages.was_told(at.name)) return;  // a field of a struct whose text failed
   std::vector<std::string> settings;
   std::vector<std::string_view> names;
   for (std::size_t p = ambient ? 1 : 0; p < signature.parameters.size(); ++p) {
@@ -88,16 +99,16 @@ void Checker::report_unknown_setting(std::string_view name, const Signature& sig
                   .edits = {{at.name_span, std::string(meant)}},
                   .confidence = Confidence::kMaybe};
   }
-  report(std::move(out));
+  checker.report(std::move(out));
 }
 
-void Checker::report_count(std::string_view name, const Signature& signature, Span callee,
-                           const std::vector<Argument>& arguments, const Fit& fit) {
+void report_count(Checker& checker, std::string_view name, const Signature& signature, Span callee,
+                  const std::vector<Argument>& arguments, const Fit& fit) {
   const bool missing = fit.problem == Fit::Problem::kMissing;
   const auto positional = [](const Argument& argument) { return argument.name.empty(); };
   if (missing && !arguments.empty() && std::ranges::none_of(arguments, positional)) {
-    report(make_diagnostic("E0327", callee,
-                           {std::string(name), signature.parameters[fit.parameter].name}));
+    checker.report(make_diagnostic("E0327", callee,
+                                   {std::string(name), signature.parameters[fit.parameter].name}));
     return;
   }
   const int receiver = receivers(arguments);
@@ -111,10 +122,8 @@ void Checker::report_count(std::string_view name, const Signature& signature, Sp
   } else {
     out.mark.label = "one too many";
   }
-  report(std::move(out));
+  checker.report(std::move(out));
 }
-
-namespace {
 
 std::string function_of(std::size_t values) {
   return "a function of " + (values == 1 ? "1 value" : std::to_string(values) + " values");
@@ -158,46 +167,47 @@ void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagn
       .text = "write " + key, .edits = {{function.span, key}}, .confidence = Confidence::kMaybe};
 }
 
-}  // namespace
-
-void Checker::report_argument(std::string_view name, const Signature& signature, Span span,
-                              const std::vector<Argument>& arguments, const Fit& fit) {
+void report_argument(Checker& checker, std::string_view name, const Signature& signature, Span span,
+                     const std::vector<Argument>& arguments, const Fit& fit) {
   const Argument& at = arguments[fit.argument];
   const Parameter& parameter = signature.parameters[fit.parameter];
   const TypePattern& pattern = parameter.variadic ? parameter.type.parts[0] : parameter.type;
-  const Type* wanted = at.waits() ? nullptr : instantiate(pattern, fit.bindings, types_);
+  const Type* wanted = at.waits() ? nullptr : instantiate(pattern, fit.bindings, checker.types);
   const bool variable = pattern.form != TypePattern::Form::kType;
   if (variable && wanted != nullptr && wanted->is_quantity() && at.value->type->is_quantity()) {
-    report(
+    checker.report(
         make_diagnostic("E0402", at.span(),
                         {type_phrase(at.value->type), "used together with", type_phrase(wanted)}));
     return;
   }
   if (wanted != nullptr) {
-    require(at.value, {.role = at.name.empty() ? Target::Role::kArgument : Target::Role::kSetting,
-                       .type = wanted,
-                       .name = variable ? std::string_view() : parameter.name,
-                       .function = name,
-                       .position = fit.argument + 1 - receivers(arguments),
-                       .call = span});
+    checker.require(at.value,
+                    {.role = at.name.empty() ? Target::Role::kArgument : Target::Role::kSetting,
+                     .type = wanted,
+                     .name = variable ? std::string_view() : parameter.name,
+                     .function = name,
+                     .position = fit.argument + 1 - receivers(arguments),
+                     .call = span});
     return;
   }
   const std::string have = at.waits() ? "a function" : type_phrase(at.value->type);
   if (pattern.form == TypePattern::Form::kDimension) {
-    report(make_diagnostic("E0314", at.span(), {have}));
+    checker.report(make_diagnostic("E0314", at.span(), {have}));
     return;
   }
   if (at.waits() && pattern.form == TypePattern::Form::kFunction) {
-    const std::string given = function_of(parameters_of(*this, *at.written));
+    const std::string given = function_of(parameters_of(checker, *at.written));
     Diagnostic diagnostic = make_diagnostic(
         "E0313", at.span(), {std::string(name), function_of(pattern.parts.size() - 1), given});
-    if (pattern.parts.size() == 2) key_for_comparison(*this, *at.written, diagnostic);
-    report(std::move(diagnostic));
+    if (pattern.parts.size() == 2) key_for_comparison(checker, *at.written, diagnostic);
+    checker.report(std::move(diagnostic));
     return;
   }
-  const std::string need = pattern_name(pattern, fit.bindings, types_);
-  report(make_diagnostic("E0313", at.span(),
-                         {std::string(name), std::string(article(need)) + ' ' + need, have}));
+  const std::string need = pattern_name(pattern, fit.bindings, checker.types);
+  checker.report(make_diagnostic(
+      "E0313", at.span(), {std::string(name), std::string(article(need)) + ' ' + need, have}));
 }
+
+}  // namespace
 
 }  // namespace armlet::lang

@@ -1,4 +1,4 @@
-// Values whose unit is missing or wrong (language reference, section 20.3, E04xx).
+#include "check/explain/mismatch_units.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -8,7 +8,10 @@
 #include "check/explain/edits.hpp"
 
 namespace armlet::lang {
+
 namespace {
+
+bool variable_named_like_a_unit(Checker& checker, const hir::Expr& value, const Target& target);
 
 // The unit in which people write a quantity of this dimension.
 std::string usual_unit(Dim dim) {
@@ -54,22 +57,22 @@ std::string short_number(double value) {
 
 }  // namespace
 
-void Checker::plain_number_for_quantity(const hir::Expr& value, const Target& target) {
-  if (variable_named_like_a_unit(value, target)) return;
+void plain_number_for_quantity(Checker& checker, const hir::Expr& value, const Target& target) {
+  if (variable_named_like_a_unit(checker, value, target)) return;
   Diagnostic out = make_diagnostic("E0401", value.span);
   out.mark.label = "plain number";
   if (!target.name.empty()) {
     out.why = '`' + std::string(target.name) + "` is " + dimension_phrase(target.type->dim);
   }
-  const std::string text = text_of(value.span);
+  const std::string text = checker.text_of(value.span);
   const std::string unit = usual_unit(target.type->dim);
   if (!is_number_literal(value) || !is_decimal_number(text)) {
     // What a program computes is in SI units; 45 / 2 is what somebody thought of.
-    const std::string& one = constant_of(value) ? unit : si_unit(target.type->dim);
+    const std::string& one = checker.shared.constants.of(value) ? unit : si_unit(target.type->dim);
     const std::string written = as_operand(text) + " * 1" + one;
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
   } else {
-    const auto constant = constant_of(value);
+    const auto constant = checker.shared.constants.of(value);
     // 0.3 for a length hardly means a third of a millimetre.
     const bool metres =
         target.type->dim == dims::kLength && constant && std::abs(constant->real) < 1.0;
@@ -81,10 +84,10 @@ void Checker::plain_number_for_quantity(const hir::Expr& value, const Target& ta
                        short_number(std::floor(turns)) + (turns < 2.0 ? " turn)" : " turns)");
     }
   }
-  report(std::move(out));
+  checker.report(std::move(out));
 }
 
-void Checker::quantity_for_number(const hir::Expr& value) {
+void quantity_for_number(Checker& checker, const hir::Expr& value) {
   const Dim dim = value.type->dim;
   Diagnostic out = make_diagnostic("E0405", value.span, {dimension_phrase(dim)});
   out.mark.label = dimension_name(dim);
@@ -94,24 +97,24 @@ void Checker::quantity_for_number(const hir::Expr& value) {
     out.why = "the program would not say which unit the number counts";
   }
   const std::string unit = dim == dims::kLength ? "mm" : display_unit(dim, 1.0).name;
-  const std::string written = as_operand(text_of(value.span)) + " / 1" + unit;
+  const std::string written = as_operand(checker.text_of(value.span)) + " / 1" + unit;
   out.fix = Fix{.text = "divide by the unit you want: " + written,
                 .edits = {{value.span, written}},
                 .confidence = Confidence::kMaybe};
-  report(std::move(out));
+  checker.report(std::move(out));
 }
 
-void Checker::other_quantity(const hir::Expr& value, const Target& target) {
+void other_quantity(Checker& checker, const hir::Expr& value, const Target& target) {
   const Dim have = value.type->dim;
   const Dim want = target.type->dim;
-  if (variable_named_like_a_unit(value, target)) return;
-  const std::string text = text_of(value.span);
+  if (variable_named_like_a_unit(checker, value, target)) return;
+  const std::string text = checker.text_of(value.span);
   const bool literal = is_number_literal(value);
   if (want == dims::kAngularSpeed && have == want.without_angle()) {
     Diagnostic out = make_diagnostic("E0407", value.span);
     out.mark.label = "frequency";
     if (literal) {
-      const auto constant = constant_of(value);
+      const auto constant = checker.shared.constants.of(value);
       const std::string number = text.substr(0, text.find_first_not_of("0123456789._"));
       const std::string_view count = number == "1" ? "one turn" : number == "2" ? "two turns" : "";
       out.fix = Fix{.text = "write " + text + " * 1rev for " +
@@ -120,7 +123,7 @@ void Checker::other_quantity(const hir::Expr& value, const Target& target) {
                     .edits = {{value.span, text + " * 1rev"}},
                     .confidence = Confidence::kMaybe};
     }
-    report(std::move(out));
+    checker.report(std::move(out));
     return;
   }
   const bool handed =
@@ -136,10 +139,12 @@ void Checker::other_quantity(const hir::Expr& value, const Target& target) {
                   .edits = {{value.span, text + "/s"}},
                   .confidence = Confidence::kMaybe};
   }
-  report(std::move(out));
+  checker.report(std::move(out));
 }
 
-bool Checker::variable_named_like_a_unit(const hir::Expr& value, const Target& target) {
+namespace {
+
+bool variable_named_like_a_unit(Checker& checker, const hir::Expr& value, const Target& target) {
   const hir::Expr& origin = origin_of(value);
   if (origin.kind != hir::ExprKind::kBinary) return false;
   const auto& quotient = origin.as<hir::BinaryExpr>();
@@ -153,7 +158,7 @@ bool Checker::variable_named_like_a_unit(const hir::Expr& value, const Target& t
 
   const std::string name(variable.name);
   Diagnostic out = make_diagnostic("E0406", origin.span, {name});
-  const auto by = constant_of(*divisor);
+  const auto by = checker.shared.constants.of(*divisor);
   out.mark.label = dimension_phrase(quotient.left->type->dim) + " divided by " +
                    (by ? short_number(by->real) : name) + " is " +
                    dimension_phrase(origin.type->dim);
@@ -161,12 +166,14 @@ bool Checker::variable_named_like_a_unit(const hir::Expr& value, const Target& t
   if (!(value.span == origin.span)) {
     out.related.push_back({value.span, dimension_phrase(target.type->dim) + " is needed"});
   }
-  const std::string written = text_of(quotient.left->span) + "/" + name;
+  const std::string written = checker.text_of(quotient.left->span) + "/" + name;
   out.fix = Fix{.text = "write " + written + " without spaces, or rename the variable",
                 .edits = {{origin.span, written}},
                 .confidence = Confidence::kMaybe};
-  report(std::move(out));
+  checker.report(std::move(out));
   return true;
 }
+
+}  // namespace
 
 }  // namespace armlet::lang

@@ -48,14 +48,15 @@ const ast::Expr* nothing_in(Checker& checker, const ast::BinaryExpr& comparison)
     if (side->kind != ast::ExprKind::kName) continue;
     const std::string_view name = side->as<ast::NameExpr>().name;
     FunctionContext* where = nullptr;
-    if (is_nothing(name) && checker.find_local(name, where) == nullptr) return side;
+    if (is_nothing(name) && checker.scopes.find(name, where) == nullptr) return side;
   }
   return nullptr;
 }
 
 hir::Expr* compared_with_nothing(Checker& checker, const ast::BinaryExpr& comparison,
                                  const ast::Expr& nothing, const hir::Expr& other) {
-  if (other.type->is(Kind::kAny) || checker.syntax_failed_) return checker.failed(comparison.span);
+  if (other.type->is(Kind::kAny) || checker.messages.syntax_failed())
+    return checker.failed(comparison.span);
   const std::string name(nothing.as<ast::NameExpr>().name);
   const bool equal = comparison.op == ast::BinaryOp::kEq;
   const Question question = question_about(checker, other, equal);

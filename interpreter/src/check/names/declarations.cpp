@@ -1,125 +1,144 @@
-// Declarations: variables, structs, enums, functions, tests.
+#include "check/names/declarations.hpp"
 
 #include <algorithm>
 #include <unordered_set>
 
+#include "check/check.hpp"
 #include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
+#include "check/names/endless.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/look_ahead.hpp"
 #include "check/types/any_table.hpp"
+#include "check/types/members.hpp"
 
 namespace armlet::lang {
 
-hir::Variable* Checker::new_variable(std::string_view name, const Type* type, Span span) {
-  auto* variable = arena_.make<hir::Variable>();
-  variable->name = arena_.copy(name);
+namespace {
+
+void advise_hidden(Checker& checker, const ast::Name& name);
+void collect_types(Checker& checker, const ast::Block& program);
+void fill_struct(Checker& checker, const ast::StructStmt& node);
+void collect_functions(Checker& checker, const ast::Block& program);
+
+}  // namespace
+
+hir::Variable* new_variable(Checker& checker, std::string_view name, const Type* type, Span span) {
+  auto* variable = checker.arena.make<hir::Variable>();
+  variable->name = checker.arena.copy(name);
   variable->type = type;
   variable->declared = span;
-  variable->owner = here_->function;
+  variable->owner = checker.scopes.here().function;
   return variable;
 }
 
-hir::Variable* Checker::hidden(const Type* type, Span span) {
-  hir::Variable* variable = new_variable({}, type, span);
+hir::Variable* hidden(Checker& checker, const Type* type, Span span) {
+  hir::Variable* variable = new_variable(checker, {}, type, span);
   variable->fixed = true;
   return variable;
 }
 
-Local* Checker::add_local(hir::Variable* variable, Declared how, Span keyword) {
-  here_->add({.variable = variable, .how = how, .keyword = keyword});
-  return &here_->locals.back();
-}
-
-void Checker::close_block() {
-  const std::size_t begin = here_->blocks.back();
-  here_->blocks.pop_back();
-  const bool in_function = here_->root().kind != FunctionContext::Kind::kProgram;
-  for (std::size_t i = begin; i < here_->locals.size(); ++i) {
-    const Local& local = here_->locals[i];
-    here_->flow.assign(local.variable);
+void close_block(Checker& checker) {
+  const std::size_t begin = checker.scopes.close_block();
+  const bool in_function = checker.scopes.here().root().kind != FunctionContext::Kind::kProgram;
+  for (std::size_t i = begin; i < checker.scopes.here().locals.size(); ++i) {
+    const Local& local = checker.scopes.here().locals[i];
+    checker.scopes.here().flow.assign(local.variable);
     const bool declared = local.how == Declared::kLet || local.how == Declared::kFinal ||
                           local.how == Declared::kVar || local.how == Declared::kClassic;
     const Type* type = local.variable->type;
     // After an error a use may not have been seen.
-    if (local.used || errors_ > 0 || !declared || !in_function || type->is(Kind::kAny) ||
-        type->is(Kind::kHost) || local.variable->name.starts_with('_')) {
+    if (local.used || checker.messages.errors() > 0 || !declared || !in_function ||
+        type->is(Kind::kAny) || type->is(Kind::kHost) || local.variable->name.starts_with('_')) {
       continue;
     }
-    report(make_diagnostic("W0709", local.variable->declared, {std::string(local.variable->name)}));
+    checker.report(
+        make_diagnostic("W0709", local.variable->declared, {std::string(local.variable->name)}));
   }
-  // The top level stays visible to functions that are checked later.
-  if (here_ != &main_ || !here_->blocks.empty()) here_->drop(begin);
+  checker.scopes.forget(begin);
 }
 
 // Whether a name can be declared here; says so if not.
-bool Checker::is_free(const ast::Name& name, const ast::Expr* value, Span keyword) {
+bool is_free(Checker& checker, const ast::Name& name, const ast::Expr* value, Span keyword) {
   Span first{};
   std::vector<Edit> changed;  // that make the first declaration a variable
   bool found = false;
-  for (FunctionContext* context = here_; context != nullptr && !found; context = context->outer) {
+  for (FunctionContext* context = &checker.scopes.here(); context != nullptr && !found;
+       context = context->outer) {
     if (const Local* local = context->find(name.text)) {
       first = local->variable->declared;
       if (local->how == Declared::kLet) changed.push_back({local->keyword, "var"});
       found = true;
     }
   }
-  if (!found && &here_->root() == &main_) {
-    if (const FunctionDecl* function = find_function(name.text)) {
+  if (!found && checker.scopes.in_program()) {
+    if (const FunctionDecl* function = checker.names.find_function(name.text)) {
       first = function->node->name.span;
       found = true;
     }
   }
-  if (const Import* import = found ? nullptr : find_import(*this, name.text)) {
+  if (const Import* import = found ? nullptr : checker.names.find_import(name.text)) {
     first = import->span;
-    found = &here_->root() == &main_;
+    found = checker.scopes.in_program();
   }
   if (!found) {
-    if (here_->root().kind == FunctionContext::Kind::kNamed) advise_hidden(name);
+    if (checker.scopes.here().root().kind == FunctionContext::Kind::kNamed)
+      advise_hidden(checker, name);
     return true;
   }
   Diagnostic diagnostic = make_diagnostic("E0204", name.span, {std::string(name.text)});
   diagnostic.mark.label = "declared again";
   diagnostic.related.push_back({first, "first declared here"});
   diagnostic.fix = Fix{.text = "choose another name"};
-  if (value != nullptr && find_function(name.text) == nullptr &&
-      find_import(*this, name.text) == nullptr) {
-    diagnostic.fix->text += ", or write " + std::string(name.text) + " = " + text_of(value->span) +
+  if (value != nullptr && checker.names.find_function(name.text) == nullptr &&
+      checker.names.find_import(name.text) == nullptr) {
+    diagnostic.fix->text += ", or write " + std::string(name.text) + " = " +
+                            checker.text_of(value->span) +
                             " if you want to change it (then declare it with var)";
     if (!keyword.empty()) {
       changed.push_back({{keyword.begin, name.span.begin, keyword.source}, ""});
       diagnostic.fix->edits = std::move(changed);
     }
   }
-  report(std::move(diagnostic));
+  checker.report(std::move(diagnostic));
   return false;
 }
 
-void Checker::advise_hidden(const ast::Name& name) {
+namespace {
+
+void advise_hidden(Checker& checker, const ast::Name& name) {
   std::string_view what;
-  if (find_function(name.text) != nullptr) {
+  if (checker.names.find_function(name.text) != nullptr) {
     what = "function of this file";
-  } else if (top_level_names_.contains(name.text)) {
+  } else if (checker.names.find_variable(name.text) != nullptr) {
     what = "top-level variable";
-  } else if (!registry_.functions(name.text).empty()) {
+  } else if (!checker.registry.functions(name.text).empty()) {
     what = "library function";
   }
   if (what.empty()) return;
   Diagnostic advice =
       make_diagnostic("W0708", name.span, {std::string(name.text), std::string(what)});
-  report(std::move(advice));
+  checker.report(std::move(advice));
 }
+
+}  // namespace
 
 // ---- variables ---------------------------------------------------------------------------------
 
-hir::Stmt* Checker::check_var(const ast::VarStmt& stmt) {
+namespace {
+
+hir::Stmt* declare(Checker& checker, const ast::VarStmt& stmt, const ast::Declarator& declarator);
+
+}  // namespace
+
+hir::Stmt* check_var(Checker& checker, const ast::VarStmt& stmt) {
   std::vector<hir::Stmt*> body;
   for (const ast::Declarator& declarator : stmt.declarators) {
-    if (hir::Stmt* init = declare(stmt, declarator)) body.push_back(init);
+    if (hir::Stmt* init = declare(checker, stmt, declarator)) body.push_back(init);
   }
   if (body.size() == 1) return body[0];
   if (body.empty()) return nullptr;
-  return make<hir::Block>(hir::StmtKind::kBlock, stmt.span, seq(body));
+  return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(body));
 }
 
 namespace {
@@ -140,130 +159,181 @@ bool refuse_unknown_elements(Checker& checker, const ast::Name& name, const hir:
   return true;
 }
 
-}  // namespace
-
-hir::Stmt* Checker::declare(const ast::VarStmt& stmt, const ast::Declarator& declarator) {
+hir::Stmt* declare(Checker& checker, const ast::VarStmt& stmt, const ast::Declarator& declarator) {
   const ast::Name& name = declarator.name;
-  const bool top_level = here_ == &main_ && main_.blocks.size() == 1;
-  const Type* type = declarator.type != nullptr ? resolve(*declarator.type) : nullptr;
+  const bool top_level = checker.scopes.at_top_level();
+  const Type* type = declarator.type != nullptr ? checker.resolve(*declarator.type) : nullptr;
   Use used;
-  Use* const use_before = use_;
-  if (top_level) use_ = &used;
-  const bool classic_before = std::exchange(classic_declaration_, stmt.classic);
-  if (declarator.init != nullptr) naming_ = {name.text, declarator.init->span};
-  hir::Expr* value = declarator.init != nullptr ? check_value(*declarator.init, type) : nullptr;
-  classic_declaration_ = classic_before;
-  if (value != nullptr) advise_on_divided_remark(*this, *declarator.init, *value, type);
+  Use& use_before = checker.scopes.use();
+  if (top_level) checker.scopes.collect_in(used);
+  const bool classic_before = checker.surroundings.set_classic(stmt.classic);
+  if (declarator.init != nullptr) checker.surroundings.set_named(name.text, declarator.init->span);
+  hir::Expr* value =
+      declarator.init != nullptr ? checker.check_value(*declarator.init, type) : nullptr;
+  checker.surroundings.set_classic(classic_before);
+  if (value != nullptr) advise_on_divided_remark(checker, *declarator.init, *value, type);
   if (value != nullptr && type != nullptr)
-    value = require(value, {.type = type, .name = name.text});
-  use_ = use_before;
+    value = checker.require(value, {.type = type, .name = name.text});
+  checker.scopes.collect_in(use_before);
   if (type == nullptr && value != nullptr) {
     type = value->type;
-    if (refuse_unknown_elements(*this, name, *value)) type = types_.any();
+    if (refuse_unknown_elements(checker, name, *value)) type = checker.types.any();
   }
   if (type == nullptr) {
-    report(make_diagnostic("E0323", name.span, {"`" + std::string(name.text) + "`"}));
-    type = types_.any();
+    checker.report(make_diagnostic("E0323", name.span, {"`" + std::string(name.text) + "`"}));
+    type = checker.types.any();
   }
   if (type->is(Kind::kVoid)) {
-    report(make_diagnostic("E0315", declarator.type->span, {"a type with values", "void"}));
-    type = types_.any();
+    checker.report(make_diagnostic("E0315", declarator.type->span, {"a type with values", "void"}));
+    type = checker.types.any();
   }
   const bool alone = stmt.declarators.size() == 1;
-  const bool fresh = is_free(name, declarator.init, alone ? stmt.keyword : Span{});
-  hir::Variable* variable = new_variable(name.text, type, name.span);
+  const bool fresh = is_free(checker, name, declarator.init, alone ? stmt.keyword : Span{});
+  hir::Variable* variable = new_variable(checker, name.text, type, name.span);
   variable->fixed = stmt.fixed;
   const Declared how = !stmt.fixed    ? (stmt.classic ? Declared::kClassic : Declared::kVar)
                        : stmt.classic ? Declared::kFinal
                                       : Declared::kLet;
   // Fixed in fact, when nothing in the text changes it.
-  if (value != nullptr && (stmt.fixed || !changed_names_.contains(name.text))) {
+  if (value != nullptr && (stmt.fixed || !checker.names.is_changed(name.text))) {
     variable->init = value;
-    note_constant(*variable);
+    checker.shared.constants.note(*variable);
   }
-  if (fresh) add_local(variable, how, stmt.keyword);
-  if (fresh && value == nullptr) here_->flow.unset.insert(variable);
-  auto* init = make<hir::InitStmt>(
+  if (fresh) checker.scopes.add(variable, how, stmt.keyword);
+  if (fresh && value == nullptr) checker.scopes.here().flow.unset.insert(variable);
+  auto* init = checker.make<hir::InitStmt>(
       hir::StmtKind::kInit,
       cover(stmt.keyword, declarator.init != nullptr ? declarator.init->span : name.span), variable,
       value);
   if (top_level) {
-    top_level_.emplace_back(variable, init);
-    init_uses_[variable] = std::move(used);
+    checker.shared.top_level.add(variable, init, std::move(used));
   }
   return init;
 }
 
+}  // namespace
+
 // ---- what is visible in the whole file ---------------------------------------------------------
 
-void Checker::collect(const ast::Block& program) {
-  look_ahead(program);
-  collect_types(program);
-  collect_functions(program);
+namespace {
+
+// The ambient type that a declaration shows: written, or made by motors.something(...); null if
+// none.
+const HostType* ambient_type(Checker& checker, const ast::TypeExpr* type, const ast::Expr* init) {
+  while (type != nullptr && type->form == ast::TypeForm::kProduct && type->factors.size() == 1) {
+    type = type->factors[0].type;
+  }
+  const HostType* host = nullptr;
+  if (type != nullptr && type->form == ast::TypeForm::kNamed && type->path.size() == 1) {
+    host = checker.registry.type(type->path[0].text);
+  } else if (type == nullptr && init != nullptr && init->kind == ast::ExprKind::kCall) {
+    const auto makers =
+        checker.registry.functions(dotted_name(checker, *init->as<ast::CallExpr>().callee));
+    const Type* result =
+        makers.empty() ? nullptr : checker.shared.signatures.of(*makers[0]).result.type;
+    if (result != nullptr && result->is(Kind::kHost)) host = result->host;
+  }
+  return host != nullptr && host->is_ambient ? host : nullptr;
 }
 
-void Checker::collect_types(const ast::Block& program) {
+// Notes what the whole text shows before any of it is checked.
+void look_ahead(Checker& checker, const ast::Block& program) {
+  const Sights sights = look_over(program);
+  checker.names.set_changed(sights.changed);
+  for (const std::string_view name : sights.mentioned) {
+    if (!checker.registry.functions(name).empty()) checker.shared.mentions.add(name);
+  }
+  const auto declare = [&](const ast::Name& name, const ast::TypeExpr* type,
+                           const ast::Expr* init) {
+    const bool is_new = checker.names.add_variable(name);
+    if (const HostType* host = is_new ? ambient_type(checker, type, init) : nullptr)
+      checker.names.add_ambient(host->name, name.text);
+  };
+  for (const ast::Stmt* stmt : program.body) {
+    if (stmt->kind == ast::StmtKind::kVar) {
+      for (const ast::Declarator& at : stmt->as<ast::VarStmt>().declarators)
+        declare(at.name, at.type, at.init);
+    } else if (stmt->kind == ast::StmtKind::kObject) {
+      const auto& node = stmt->as<ast::ObjectStmt>();
+      declare(node.name, node.type, nullptr);
+      checker.shared.blocks.add(checker.text_of(node.type->span), node.name.text);
+    }
+  }
+}
+
+}  // namespace
+
+void collect(Checker& checker, const ast::Block& program) {
+  look_ahead(checker, program);
+  collect_types(checker, program);
+  collect_functions(checker, program);
+}
+
+namespace {
+
+void collect_types(Checker& checker, const ast::Block& program) {
   const auto add = [&](const ast::Name& name, const Type* type) {
-    if (named_types_.emplace(name.text, type).second) {
-      type_names_[name.text] = name.span;
-      shared_.homes[type] = this;
+    if (checker.names.add_type(name, type)) {
+      checker.shared.structs.set_home(type, checker);
       return true;
     }
-    sink_.begin_statement();
-    report(make_diagnostic("E0204", name.span, {std::string(name.text)}));
+    checker.messages.begin_statement();
+    checker.report(make_diagnostic("E0204", name.span, {std::string(name.text)}));
     return false;
   };
   for (const ast::Stmt* stmt : program.body) {
     if (stmt->kind == ast::StmtKind::kStruct) {
       const auto& node = stmt->as<ast::StructStmt>();
-      const Type* type = types_.new_record(std::string(node.name.text));
-      if (add(node.name, type)) structs_[type->record] = {&node, this, type};
+      const Type* type = checker.types.new_record(std::string(node.name.text));
+      if (add(node.name, type)) checker.shared.structs.add({&node, &checker, type});
     } else if (stmt->kind == ast::StmtKind::kEnum) {
       const auto& node = stmt->as<ast::EnumStmt>();
       std::vector<std::string> values;
       std::unordered_set<std::string_view> known;
       for (const ast::Name& value : node.values) {
         if (!known.insert(value.text).second) {
-          sink_.begin_statement();
-          report(make_diagnostic("E0204", value.span, {std::string(value.text)}));
+          checker.messages.begin_statement();
+          checker.report(make_diagnostic("E0204", value.span, {std::string(value.text)}));
           continue;
         }
         values.emplace_back(value.text);
       }
-      add(node.name, types_.new_enum(std::string(node.name.text), std::move(values)));
+      add(node.name, checker.types.new_enum(std::string(node.name.text), std::move(values)));
     }
   }
   for (const ast::Stmt* stmt : program.body) {
-    if (stmt->kind == ast::StmtKind::kStruct) fill_struct(stmt->as<ast::StructStmt>());
+    if (stmt->kind == ast::StmtKind::kStruct) fill_struct(checker, stmt->as<ast::StructStmt>());
   }
-  refuse_endless();
+  refuse_endless(checker);
 }
 
-void Checker::fill_struct(const ast::StructStmt& node) {
-  const auto found = named_types_.find(node.name.text);
-  if (found == named_types_.end() || !found->second->is(Kind::kRecord)) return;
-  RecordInfo& record = *found->second->record;
-  if (structs_[&record].node != &node) return;
+void fill_struct(Checker& checker, const ast::StructStmt& node) {
+  const Type* const found = checker.names.find_type(node.name.text);
+  const StructDecl* const declared =
+      found != nullptr ? checker.shared.structs.find(found) : nullptr;
+  if (declared == nullptr || declared->node != &node) return;
+  RecordInfo& record = *found->record;
   std::unordered_set<std::string_view> known;
   for (const ast::Param& field : node.fields) {
-    sink_.begin_statement();
-    const Type* type = field.type != nullptr ? resolve(*field.type) : types_.any();
+    checker.messages.begin_statement();
+    const Type* type = field.type != nullptr ? checker.resolve(*field.type) : checker.types.any();
     if (field.type == nullptr)
-      report(make_diagnostic("E0323", field.name.span, {"`" + std::string(field.name.text) + "`"}));
+      checker.report(
+          make_diagnostic("E0323", field.name.span, {"`" + std::string(field.name.text) + "`"}));
     if (!known.insert(field.name.text).second) {
-      report(make_diagnostic("E0204", field.name.span, {std::string(field.name.text)}));
+      checker.report(make_diagnostic("E0204", field.name.span, {std::string(field.name.text)}));
     }
     record.fields.push_back({std::string(field.name.text), type, field.default_value != nullptr});
   }
 }
 
-void Checker::collect_functions(const ast::Block& program) {
+void collect_functions(Checker& checker, const ast::Block& program) {
   for (const ast::Stmt* stmt : program.body) {
     if (stmt->kind != ast::StmtKind::kFunction) continue;
     const auto& node = stmt->as<ast::FunctionStmt>();
-    sink_.begin_statement();
-    const FunctionDecl* first = find_function(node.name.text);
-    const Import* import = find_import(*this, node.name.text);
+    checker.messages.begin_statement();
+    const FunctionDecl* first = checker.names.find_function(node.name.text);
+    const Import* import = checker.names.find_import(node.name.text);
     if (first != nullptr || import != nullptr) {
       Diagnostic diagnostic =
           make_diagnostic("E0204", node.name.span, {std::string(node.name.text)});
@@ -271,52 +341,54 @@ void Checker::collect_functions(const ast::Block& program) {
       diagnostic.related.push_back(
           {first != nullptr ? first->node->name.span : import->span, "first declared here"});
       diagnostic.fix = Fix{.text = "choose another name"};
-      report(std::move(diagnostic));
+      checker.report(std::move(diagnostic));
       continue;
     }
-    FunctionDecl& function = functions_[node.name.text];
-    function.node = &node;
-    function.file = this;
+    FunctionDecl& function = checker.names.add_function(node, checker);
     std::unordered_map<std::string_view, Span> known;
     for (std::size_t i = 0; i < node.params.size(); ++i) {
       const ast::Param& param = node.params[i];
-      function.parameters.push_back(resolve_open(*this, param.type));
+      function.parameters.push_back(resolve_open(checker, param.type));
       const auto [earlier, is_new] = known.try_emplace(param.name.text, param.name.span);
       if (is_new) continue;
       Diagnostic diagnostic =
           make_diagnostic("E0204", param.name.span, {std::string(param.name.text)});
       diagnostic.mark.label = "declared again";
       diagnostic.related.push_back({earlier->second, "first declared here"});
-      report(std::move(diagnostic));
+      checker.report(std::move(diagnostic));
     }
     if (node.result != nullptr) {
-      function.result = resolve_open(*this, node.result);
+      function.result = resolve_open(checker, node.result);
     } else if (node.body != nullptr && !returns_a_value(*node.body)) {
-      function.result = types_.void_type();
+      function.result = checker.types.void_type();
     }
   }
 }
 
-hir::Stmt* Checker::check_test(const ast::TestStmt& stmt) {
-  if (here_ != &main_ || main_.blocks.size() > 1) return nullptr;  // refused before
+}  // namespace
+
+hir::Stmt* check_test(Checker& checker, const ast::TestStmt& stmt) {
+  if (&checker.scopes.here() != &checker.scopes.main() || checker.scopes.main().blocks.size() > 1)
+    return nullptr;  // refused before
   // Checked when the whole top level is known.
-  waiting_tests_.push_back(&stmt);
+  checker.postponed.add_test(stmt);
   return nullptr;
 }
 
-void Checker::check_waiting_tests() {
-  for (const ast::TestStmt* stmt : waiting_tests_) {
+void check_waiting_tests(Checker& checker) {
+  for (const ast::TestStmt* stmt : checker.postponed.waiting_tests()) {
     FunctionContext context;
     context.kind = FunctionContext::Kind::kTest;
-    context.function = new_function("test " + text_of(stmt->name_span), stmt->span);
-    context.result = types_.void_type();
+    context.function = checker.shared.instances.make_function(
+        "test " + checker.text_of(stmt->name_span), stmt->span);
+    context.result = checker.types.void_type();
     context.result_is_declared = true;
-    FunctionContext* const before = std::exchange(here_, &context);
-    Use* const use_before = std::exchange(use_, &use_of(context.function));
-    context.function->body = check_block(stmt->body->body, stmt->body->span);
-    here_ = before;
-    use_ = use_before;
-    tests_.push_back({arena_.copy(stmt->name), context.function, stmt->span});
+    const Scopes::Position outside =
+        checker.scopes.enter(context, checker.shared.uses.of(context.function));
+    context.function->body = checker.check_block(stmt->body->body, stmt->body->span);
+    checker.scopes.come_back(outside);
+    checker.postponed.add_checked_test(
+        {checker.arena.copy(stmt->name), context.function, stmt->span});
   }
 }
 

@@ -1,4 +1,4 @@
-// Structs that hold themselves, directly or through others: a value of one would never end.
+#include "check/names/endless.hpp"
 
 #include <algorithm>
 
@@ -73,15 +73,15 @@ class Circles {
 
 }  // namespace
 
-void Checker::refuse_endless() {
+void refuse_endless(Checker& checker) {
   Circles circles;
-  for (const auto& [name, type] : named_types_) {
+  for (const auto& [name, type] : checker.names.types()) {
     if (!type->is(Kind::kRecord)) continue;
     circles.look_from(type->record);
     if (!circles.has(type->record)) continue;
-    const ast::Name& written = structs_[type->record].node->name;
-    sink_.begin_statement();
-    report(make_diagnostic("E0333", written.span, {std::string(written.text)}));
+    const ast::Name& written = checker.shared.structs.find(type)->node->name;
+    checker.messages.begin_statement();
+    checker.report(make_diagnostic("E0333", written.span, {std::string(written.text)}));
   }
 }
 

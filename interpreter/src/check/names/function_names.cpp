@@ -1,6 +1,9 @@
 #include "check/names/function_names.hpp"
 
+#include "check/calls/lambdas.hpp"
 #include "check/names/imports.hpp"
+#include "check/types/members.hpp"
+#include "check/types/types.hpp"
 
 namespace armlet::lang {
 
@@ -8,28 +11,28 @@ const FunctionDecl* written_function(Checker& checker, const ast::Expr& expr) {
   if (expr.kind != ast::ExprKind::kName) return imported_function(checker, expr);
   FunctionContext* where = nullptr;
   const std::string_view name = expr.as<ast::NameExpr>().name;
-  return checker.find_local(name, where) == nullptr ? checker.find_function(name) : nullptr;
+  return checker.scopes.find(name, where) == nullptr ? checker.names.find_function(name) : nullptr;
 }
 
 std::string library_function(Checker& checker, const ast::Expr& expr) {
   constexpr std::string_view kMath = "Math.";
-  std::string name = checker.dotted_name(expr);
+  std::string name = dotted_name(checker, expr);
   if (name == kToText) return name;
   if (name.starts_with(kMath)) {
     name.erase(0, kMath.size());
-  } else if (name.find('.') != std::string::npos || checker.find_function(name) != nullptr ||
-             checker.type_called(name) != nullptr) {
+  } else if (name.find('.') != std::string::npos || checker.names.find_function(name) != nullptr ||
+             type_called(checker, name) != nullptr) {
     return {};
   }
   const bool is_one =
-      checker.registry_.constant(name) == nullptr && !checker.registry_.functions(name).empty();
+      checker.registry.constant(name) == nullptr && !checker.registry.functions(name).empty();
   return is_one ? name : std::string();
 }
 
 hir::Expr* library_function_value(Checker& checker, const ast::Expr& written, std::string_view name,
                                   const Type* expected) {
   if (expected == nullptr || !expected->is(Kind::kFunction) ||
-      (checker.registry_.functions(name).empty() && name != kToText))
+      (checker.registry.functions(name).empty() && name != kToText))
     return nullptr;
   const std::size_t count = expected->parameters.size();
   std::vector<ast::Param> params(count);
@@ -37,35 +40,35 @@ hir::Expr* library_function_value(Checker& checker, const ast::Expr& written, st
   const Span behind{written.span.end, written.span.end, written.span.source};
   for (std::size_t i = 0; i < count; ++i) {
     // No program can write this name, so that it hides nothing.
-    const ast::Name parameter{checker.arena_.copy("value " + std::to_string(i + 1)), written.span};
+    const ast::Name parameter{checker.arena.copy("value " + std::to_string(i + 1)), written.span};
     params[i] = {
         .name = parameter, .type = nullptr, .default_value = nullptr, .span = written.span};
-    args[i].value = checker.arena_.make<ast::NameExpr>(
+    args[i].value = checker.arena.make<ast::NameExpr>(
         ast::Expr{.kind = ast::ExprKind::kName, .span = written.span}, parameter.text);
   }
-  auto* call = checker.arena_.make<ast::CallExpr>(
+  auto* call = checker.arena.make<ast::CallExpr>(
       ast::Expr{.kind = ast::ExprKind::kCall, .span = written.span},
-      const_cast<ast::Expr*>(&written), checker.arena_.copy(args), behind);
+      const_cast<ast::Expr*>(&written), checker.arena.copy(args), behind);
   const ast::LambdaExpr lambda{{.kind = ast::ExprKind::kLambda, .span = written.span},
-                               checker.arena_.copy(params),
+                               checker.arena.copy(params),
                                nullptr,
                                nullptr,
                                call};
-  return checker.check_lambda(lambda, expected);
+  return check_lambda(checker, lambda, expected);
 }
 
 std::string lambda_around(Checker& checker, std::string_view function) {
-  const auto known = checker.registry_.functions(function);
+  const auto known = checker.registry.functions(function);
   if (known.empty()) return "";
-  std::size_t left = checker.signature_of(*known[0]).parameters.size();
+  std::size_t left = checker.shared.signatures.of(*known[0]).parameters.size();
   for (const NativeFunction* other : known) {
-    if (checker.signature_of(*other).parameters.size() != left) return "";
+    if (checker.shared.signatures.of(*other).parameters.size() != left) return "";
   }
   std::string names;
   for (char letter = 'a'; left > 0 && letter <= 'z'; ++letter) {
     const std::string name(1, letter == 'a' ? 'x' : letter == 'x' ? 'a' : letter);
     FunctionContext* where = nullptr;
-    if (checker.find_local(name, where) != nullptr) continue;
+    if (checker.scopes.find(name, where) != nullptr) continue;
     names += (names.empty() ? "" : ", ") + name;
     --left;
   }

@@ -1,8 +1,13 @@
 #include "check/names/host_places.hpp"
 
+#include "check/calls/native_calls.hpp"
+#include "check/names/declarations.hpp"
+#include "check/names/places.hpp"
 #include "check/statements/tasks.hpp"
 #include "check/types/long_lists.hpp"
 #include "check/types/matrices.hpp"
+#include "check/types/members.hpp"
+#include "check/types/operators.hpp"
 #include "compile/lower/analysis.hpp"
 
 namespace armlet::lang {
@@ -12,14 +17,14 @@ namespace {
 const Type* type_of_place(Checker& checker, const ast::Expr& expr) {
   if (expr.kind == ast::ExprKind::kName) {
     FunctionContext* where = nullptr;
-    const Local* local = checker.find_local(expr.as<ast::NameExpr>().name, where);
+    const Local* local = checker.scopes.find(expr.as<ast::NameExpr>().name, where);
     return local == nullptr ? nullptr : local->variable->type;
   }
   if (expr.kind == ast::ExprKind::kMember) {
     const auto& member = expr.as<ast::MemberExpr>();
     const Type* object = type_of_place(checker, *member.object);
     if (object == nullptr || !object->is(Kind::kRecord) || object->is_table()) return nullptr;
-    const int i = field_index(checker, *object->record, member.member.text);
+    const int i = checker.shared.structs.field_index(*object->record, member.member.text);
     return i < 0 ? nullptr : object->record->fields[static_cast<std::size_t>(i)].type;
   }
   if (expr.kind != ast::ExprKind::kIndex || is_part(expr)) return nullptr;
@@ -48,14 +53,14 @@ struct Part {
 // What other code could change meanwhile is kept in a variable.
 hir::Expr* kept(Checker& checker, hir::Expr* value, std::vector<hir::Stmt*>& before) {
   if (is_quiet(*value)) return value;
-  hir::Variable* once = checker.hidden(value->type, value->span);
+  hir::Variable* once = hidden(checker, value->type, value->span);
   once->init = value;
   before.push_back(checker.make<hir::InitStmt>(hir::StmtKind::kInit, value->span, once, value));
   return checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, once->type, value->span, once);
 }
 
 std::optional<Part> part_of(Checker& checker, const ast::Expr& target, Span statement) {
-  const auto place = checker.check_place(*object_of(target), statement, false);
+  const auto place = check_place(checker, *object_of(target), statement, false);
   if (!place) return std::nullopt;
   Part out{.place = *place};
   std::vector<hir::Step> steps(place->steps.begin(), place->steps.end());
@@ -71,7 +76,7 @@ std::optional<Part> part_of(Checker& checker, const ast::Expr& target, Span stat
   }
   const auto& index = target.as<ast::IndexExpr>();
   out.name += "[]";
-  if (index.items.size() == 1) out.index = checker.index_value(*index.items[0].first);
+  if (index.items.size() == 1) out.index = index_value(checker, *index.items[0].first);
   if (out.index == nullptr || out.index->type->is(Kind::kAny)) {
     if (out.index == nullptr) checker.report(make_diagnostic("E0328", target.span));
     return std::nullopt;
@@ -81,7 +86,7 @@ std::optional<Part> part_of(Checker& checker, const ast::Expr& target, Span stat
 }
 
 std::vector<Argument> arguments(Checker& checker, const Part& part, hir::Expr* value) {
-  std::vector<Argument> out = {Argument{.value = checker.read_place(part.place)}};
+  std::vector<Argument> out = {Argument{.value = read_place(checker, part.place)}};
   if (part.index != nullptr) out.push_back(Argument{.value = part.index});
   if (value != nullptr) out.push_back(Argument{.value = value});
   return out;
@@ -90,12 +95,12 @@ std::vector<Argument> arguments(Checker& checker, const Part& part, hir::Expr* v
 hir::Stmt* store(Checker& checker, Part& part, const ast::Expr& target, hir::Expr* value,
                  const ast::AssignStmt& assign) {
   const std::string setter = part.name + '=';
-  const auto setters = checker.registry_.functions(setter);
+  const auto setters = checker.registry.functions(setter);
   const bool is_known =
-      target.kind != ast::ExprKind::kMember || !checker.registry_.functions(part.name).empty();
+      target.kind != ast::ExprKind::kMember || !checker.registry.functions(part.name).empty();
   if (setters.empty() && !is_known) {
-    hir::Expr* object = checker.read_place(part.place);
-    checker.unknown_field(*object, target.as<ast::MemberExpr>().member);
+    hir::Expr* object = read_place(checker, part.place);
+    unknown_field(checker, *object, target.as<ast::MemberExpr>().member);
     return nullptr;
   }
   if (setters.empty()) {
@@ -105,8 +110,8 @@ hir::Stmt* store(Checker& checker, Part& part, const ast::Expr& target, hir::Exp
     return nullptr;
   }
   value = kept(checker, value, part.before);
-  hir::Expr* changed = checker.call_native(setter, setters, target.span, target.span,
-                                           arguments(checker, part, value));
+  hir::Expr* changed = call_native(checker, setter, setters, target.span, target.span,
+                                   arguments(checker, part, value));
   if (changed->type->is(Kind::kAny)) return nullptr;
   hir::Stmt* stored = checker.make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, part.place,
                                                     changed, false, hir::Op::kAddI, assign.op_span);
@@ -136,9 +141,8 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
   hir::Expr* value = checker.check_value(*assign.value);
   if (!part || value->type->is(Kind::kAny)) return nullptr;
   value = kept(checker, value, part->before);
-  hir::Expr* old =
-      checker.call_native(part->name, checker.registry_.functions(part->name), target.span,
-                          target.span, arguments(checker, *part, nullptr));
+  hir::Expr* old = call_native(checker, part->name, checker.registry.functions(part->name),
+                               target.span, target.span, arguments(checker, *part, nullptr));
   if (old->type->is(Kind::kAny)) return nullptr;
   const bool is_sum = assign.op == ast::BinaryOp::kAdd || assign.op == ast::BinaryOp::kSub;
   if (old->type->is_double() && value->type->is_quantity() && is_sum) {
@@ -146,7 +150,7 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
     old = checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, value->type, old->span,
                                          hir::Conversion::kSame, old);
   } else if (old->type->is_double() && !is_sum) {
-    value = checker.require(value, {.type = checker.types_.real()});
+    value = checker.require(value, {.type = checker.types.real()});
     if (value->type->is(Kind::kAny)) return nullptr;
   }
   ast::BinaryExpr node{};
@@ -156,7 +160,7 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
   node.left = const_cast<ast::Expr*>(&target);
   node.right = assign.value;
   node.op_span = {assign.op_span.begin, assign.op_span.begin + 1, assign.op_span.source};
-  hir::Expr* result = checker.combine(node, old, value);
+  hir::Expr* result = combine(checker, node, old, value);
   if (result->type->is(Kind::kAny)) return nullptr;
   return store(checker, *part, target, result, assign);
 }

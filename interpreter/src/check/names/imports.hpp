@@ -17,8 +17,6 @@ namespace armlet::lang {
 
 // Gives the imported files the names that they have here.
 void bind_imports(Checker& checker);
-// null if nothing is imported under that name.
-[[nodiscard]] Import* find_import(Checker& checker, std::string_view name);
 
 // grip.width, grip.close, grip.Side; after a message, a value that failed.
 hir::Expr* imported_member(Checker& checker, const Import& from, const ast::MemberExpr& member,

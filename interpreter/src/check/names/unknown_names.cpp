@@ -5,7 +5,11 @@
 #include <optional>
 
 #include "check/explain/edits.hpp"
+#include "check/explain/nothings.hpp"
+#include "check/names/imports.hpp"
 #include "check/types/maps.hpp"
+#include "diagnostic/backticks.hpp"
+#include "reference/language_words.hpp"
 #include "syntax/tokens/foreign_words.hpp"
 
 namespace armlet::lang {
@@ -52,23 +56,23 @@ bool is_name_of_its_own(std::string_view name, std::string_view other) {
 void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& place,
                       Span statement) {
   const std::string_view name = root.as<ast::NameExpr>().name;
-  if (checker.syntax_failed_ || !checker.told_.emplace(name).second) return;
-  if (checker.top_level_names_.contains(name) || foreign_name(name) != nullptr ||
-      checker.registry_.is_planned(name)) {
-    checker.told_.erase(std::string(name));
-    checker.unknown_name(name, root.span);
+  if (!checker.messages.is_news(name)) return;
+  if (checker.names.find_variable(name) != nullptr || foreign_name(name) != nullptr ||
+      checker.registry.is_planned(name)) {
+    checker.messages.forget(name);
+    unknown_name(checker, name, root.span);
     return;
   }
-  if (!checker.takes_errors())
+  if (!checker.messages.takes_errors())
     return checker.report(make_diagnostic("E0201", root.span, {std::string(name)}));
   std::vector<std::string_view> variables;
-  for (const FunctionContext* context = checker.here_; context != nullptr;
+  for (const FunctionContext* context = &checker.scopes.here(); context != nullptr;
        context = context->outer) {
     for (const Local& local : context->locals) variables.push_back(local.variable->name);
   }
-  for (const Local& local : checker.main_.locals) variables.push_back(local.variable->name);
+  for (const Local& local : checker.scopes.main().locals) variables.push_back(local.variable->name);
   Diagnostic diagnostic = make_diagnostic("E0201", root.span, {std::string(name)});
-  diagnostic.fix = checker.did_you_mean(name, root.span, variables);
+  diagnostic.fix = did_you_mean(checker, name, root.span, variables);
   const std::string text = checker.text_of(statement);
   const std::string rest = text.substr(std::min(text.size(), name.size()));
   const std::size_t mark = rest.find_first_not_of(" \t");
@@ -93,12 +97,11 @@ hir::Expr* foreign_method(Checker& checker, const ast::CallExpr& call,
   constexpr std::array<std::string_view, 5> kModules = {"math", "np", "numpy", "cmath", "std"};
   const std::string_view group = full.substr(0, full.find('.'));
   const bool is_module = std::ranges::find(kModules, group) != kModules.end();
-  if (is_module && !checker.registry_.functions(member.member.text).empty())
+  if (is_module && !checker.registry.functions(member.member.text).empty())
     better = member.member.text;
   if (better.empty()) return nullptr;
   const Span mark = cover(member.object->span, member.member.span);
-  if (checker.syntax_failed_ || !checker.told_.emplace(full).second)
-    return checker.failed(call.span);
+  if (!checker.messages.is_news(full)) return checker.failed(call.span);
   Diagnostic diagnostic = make_diagnostic("E0201", mark, {std::string(full)});
   diagnostic.fix =
       Fix{.text = "write " + better, .edits = {{mark, better}}, .confidence = Confidence::kSure};
@@ -113,8 +116,7 @@ hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string
   if (std::ranges::find(kLengths, name) == kLengths.end() || call.args.size() != 1) {
     return nullptr;
   }
-  if (checker.syntax_failed_ || !checker.told_.emplace(name).second)
-    return checker.failed(call.span);
+  if (!checker.messages.is_news(name)) return checker.failed(call.span);
   const std::string better = as_operand(checker.text_of(call.args[0].value->span)) + ".length";
   Diagnostic diagnostic = make_diagnostic("E0201", call.callee->span, {std::string(name)});
   diagnostic.fix = Fix{
@@ -189,8 +191,8 @@ std::string_view empty_value(const Type& type) {
 static bool refuse_call_without_parentheses(Checker& checker, std::string_view name, Span span) {
   const ForeignName* foreign = foreign_name(name);
   const std::string function(foreign != nullptr ? foreign->here : name);
-  if (checker.registry_.functions(function).empty()) return false;
-  const std::string_view text = (*checker.into_.sources)[span.source].text().substr(span.end);
+  if (checker.registry.functions(function).empty()) return false;
+  const std::string_view text = (*checker.into.sources)[span.source].text().substr(span.end);
   const std::string line(text.substr(0, text.find('\n')));
   std::string first = line.substr(0, line.find_first_of(",;"));
   while (first.ends_with(' ') || first.ends_with('\r')) first.pop_back();
@@ -219,6 +221,113 @@ bool refuse_foreign_type(Checker& checker, std::string_view name, Span span) {
       Fix{.text = "write " + better, .edits = {{span, better}}, .confidence = Confidence::kSure};
   checker.report(std::move(diagnostic));
   return true;
+}
+
+std::optional<Fix> did_you_mean(const Checker& checker, std::string_view name, Span span,
+                                const std::vector<std::string_view>& names) {
+  if (!checker.messages.takes_errors()) return std::nullopt;
+  const auto found = suggest(name, std::span<const std::string_view>(names));
+  if (!found) return std::nullopt;
+  return Fix{.text = "did you mean " + in_backticks(*found) + "?",
+             .edits = {{span, std::string(*found)}},
+             .confidence = Confidence::kMaybe};
+}
+
+std::optional<Fix> did_you_mean(const Checker& checker, std::string_view name, Span span,
+                                const Type* wanted) {
+  if (!checker.messages.takes_errors()) return std::nullopt;
+  std::vector<Candidate> own;
+  std::map<std::string_view, Span> declared;
+  const auto add = [&](const Local& local) {
+    if (local.variable->name.empty()) return;
+    own.push_back({local.variable->name, local.variable->type});
+    declared[local.variable->name] = local.variable->declared;
+  };
+  for (const FunctionContext* context = &checker.scopes.here(); context != nullptr;
+       context = context->outer) {
+    std::ranges::for_each(context->locals, add);
+  }
+  if (!checker.scopes.in_program()) std::ranges::for_each(checker.scopes.main().locals, add);
+  for (const auto& [function, declaration] : checker.names.functions()) {
+    own.push_back({function, wanted});
+    declared[function] = declaration.node->name.span;
+  }
+  if (const auto found = suggest(name, std::span<const Candidate>(own), wanted)) {
+    const int line = checker.line_of(declared[found->name]);
+    return Fix{.text = "did you mean " + in_backticks(found->name) + ", declared on line " +
+                       std::to_string(line) + "?",
+               .edits = {{span, std::string(found->name)}},
+               .confidence = Confidence::kMaybe};
+  }
+  std::vector<std::string_view> library = checker.registry.public_names();
+  for (const NativeFunction& word : language_words()) library.push_back(word.name);
+  for (const auto& [type, unused] : checker.names.types()) library.push_back(type);
+  return did_you_mean(checker, name, span, library);
+}
+
+// let f = fn(n: int) -> int => n * f(n - 1): a function that calls itself has a name.
+static std::optional<Fix> named_function_fix(const Checker& checker, Span declared, Span use) {
+  if (use.source != declared.source || use.begin < declared.end) return std::nullopt;
+  const std::string between = checker.text_of({declared.end, use.begin, use.source});
+  const std::size_t sign = between.find_first_not_of(" \t");
+  if (sign == std::string::npos || between[sign] != '=') return std::nullopt;
+  const std::size_t word = between.find_first_not_of(" \t", sign + 1);
+  if (word == std::string::npos || !between.substr(word).starts_with("fn")) return std::nullopt;
+  const std::string before = checker.text_of({0, declared.begin, use.source});
+  const std::size_t keyword = before.find_last_not_of(" \t");
+  if (keyword == std::string::npos || keyword < 2) return std::nullopt;
+  const std::string_view let = std::string_view(before).substr(keyword - 2, 3);
+  if (let != "let" && let != "var") return std::nullopt;
+  const std::string name = "fn " + checker.text_of(declared);
+  return Fix{.text = "a lambda does not know its own name: write " + name + "(...)",
+             .edits = {{{static_cast<std::uint32_t>(keyword - 2),
+                         static_cast<std::uint32_t>(declared.end + word + 2), use.source},
+                        name}},
+             .confidence = Confidence::kSure};
+}
+
+hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span, const Type* expected) {
+  if (!checker.messages.is_news(name)) return checker.failed(span);
+  if (!checker.messages.takes_errors()) {
+    checker.report(make_diagnostic("E0201", span, {std::string(name)}));
+    return checker.failed(span);
+  }
+  if (is_nothing(name)) {
+    Diagnostic diagnostic = make_diagnostic("E0310", span, {std::string(name)});
+    diagnostic.why = "every variable has a value of its type from the start";
+    if (const std::string empty(expected != nullptr ? empty_value(*expected) : ""); !empty.empty())
+      diagnostic.fix = Fix{.text = "write " + empty, .edits = {{span, empty}}};
+    checker.report(std::move(diagnostic));
+    return checker.failed(span);
+  }
+  if (const Span* declared = checker.names.find_variable(name)) {
+    Diagnostic diagnostic = make_diagnostic("E0211", span, {std::string(name)});
+    diagnostic.related.push_back({*declared, "declared here"});
+    diagnostic.fix = named_function_fix(checker, *declared, span);
+    checker.report(std::move(diagnostic));
+    return checker.failed(span);
+  }
+  if (checker.names.find_import(name) != nullptr) {
+    checker.report(make_diagnostic("E0219", span, {std::string(name), "module"}));
+    return checker.failed(span);
+  }
+  if (checker.registry.is_planned(name)) return not_available(checker, span, in_backticks(name));
+  Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
+  if (const ForeignName* foreign = foreign_name(name)) {
+    diagnostic.why = foreign->note;
+    if (!foreign->here.empty()) {
+      diagnostic.fix = Fix{.text = "write " + std::string(foreign->here),
+                           .edits = {{span, std::string(foreign->here)}},
+                           .confidence = Confidence::kMaybe};
+    }
+  } else if (const std::string imported = imported_name(checker, name); !imported.empty()) {
+    diagnostic.fix = Fix{
+        .text = "write " + imported, .edits = {{span, imported}}, .confidence = Confidence::kSure};
+  } else {
+    diagnostic.fix = did_you_mean(checker, name, span, expected);
+  }
+  checker.report(std::move(diagnostic));
+  return checker.failed(span);
 }
 
 }  // namespace armlet::lang

@@ -2,7 +2,6 @@
 // What is said of names that nothing stands behind, and of calls that other languages write
 // otherwise.
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,5 +28,14 @@ bool refuse_decimal_comma(Checker& checker, const std::vector<Argument>& argumen
 // const gap = 20mm, Integer n = 3, def f(x) { ... }: words that other languages have where a type
 // stands; false if `name` is none of these.
 bool refuse_foreign_type(Checker& checker, std::string_view name, Span span);
+
+// Reports E0201 with the best suggestion.
+hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span,
+                        const Type* expected = nullptr);
+[[nodiscard]] std::optional<Fix> did_you_mean(const Checker& checker, std::string_view name,
+                                              Span span, const Type* wanted);
+[[nodiscard]] std::optional<Fix> did_you_mean(const Checker& checker, std::string_view name,
+                                              Span span,
+                                              const std::vector<std::string_view>& names);
 
 }  // namespace armlet::lang

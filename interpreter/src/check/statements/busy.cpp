@@ -112,7 +112,7 @@ void refuse_busy_resources(Checker& checker, Span word,
     const hir::Expr& resource = *beginning.command->arguments[0];
     const hir::Variable* variable = declared_resource(resource);
     if (variable == nullptr && resource.kind != ExprKind::kCallNative) continue;
-    if (variable != nullptr && checker.changed_names_.contains(variable->name)) continue;
+    if (variable != nullptr && checker.names.is_changed(variable->name)) continue;
     const auto [place, is_new] = places.try_emplace(variable, commands.size());
     const std::string branch = i < std::size(kOrdinals) ? std::string(kOrdinals[i]) + " branch"
                                                         : "branch " + std::to_string(i + 1);

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "armlet/interpreter/resource.hpp"
+#include "check/names/declarations.hpp"
 #include "check/statements/settings.hpp"
 #include "check/tree/walk.hpp"
 
@@ -67,7 +68,7 @@ const ResourceWords* words_of(const hir::CallNativeExpr& call) {
 // One path, with the functions that it calls.
 class PathRules {
  public:
-  PathRules(Checker& checker, const PathBlock& path) : checker_(checker), path_(path) {}
+  PathRules(Checker& checker, const Postponed::Path& path) : checker_(checker), path_(path) {}
 
   void check() { look(*path_.body); }
 
@@ -88,7 +89,7 @@ class PathRules {
     if (outer_ != nullptr) diagnostic.related.push_back({span, "called for by this path"});
     diagnostic.why = words.why;
     diagnostic.fix = Fix{.text = std::string(words.fix)};
-    checker_.sink_.begin_statement();
+    checker_.messages.begin_statement();
     checker_.report(std::move(diagnostic));
   }
 
@@ -109,7 +110,20 @@ class PathRules {
           if (is_move(*value)) gives_move_.insert(function_);
         }
         return;
-      default:
+      case StmtKind::kBlock:
+      case StmtKind::kInit:
+      case StmtKind::kAssign:
+      case StmtKind::kIf:
+      case StmtKind::kLoop:
+      case StmtKind::kRange:
+      case StmtKind::kForList:
+      case StmtKind::kSwitch:
+      case StmtKind::kTry:
+      case StmtKind::kThrow:
+      case StmtKind::kJump:
+      case StmtKind::kAssert:
+      case StmtKind::kAssertThrows:
+      case StmtKind::kStorePart:
         for_each_child(
             s, [&](const hir::Expr& e) { value(e); }, [&](const hir::Stmt& child) { look(child); });
     }
@@ -143,23 +157,15 @@ class PathRules {
 
   // One expression without its operands.
   void one(const hir::Expr& e) {
-    switch (e.kind) {
-      case ExprKind::kGuarded:
-        return refuse(e.span, {"a move inside a `path` cannot have a condition",
-                               "the path is one motion, and no part of it can be stopped by itself",
-                               "move this line out of the path, or leave `until` out"});
-      case ExprKind::kCallNative:
-        return native(e.as<hir::CallNativeExpr>());
-      case ExprKind::kOverList:
-        for (const hir::Expr* operand : e.as<hir::OverListExpr>().operands) handed(*operand, e);
-        return;
-      case ExprKind::kCall:
-        return enter(*e.as<hir::CallExpr>().function, e);
-      case ExprKind::kCallValue:
-        return handed(*e.as<hir::CallValueExpr>().function, e);
-      default:
-        return;
-    }
+    if (e.kind == ExprKind::kGuarded)
+      return refuse(e.span, {"a move inside a `path` cannot have a condition",
+                             "the path is one motion, and no part of it can be stopped by itself",
+                             "move this line out of the path, or leave `until` out"});
+    if (e.kind == ExprKind::kCallNative) return native(e.as<hir::CallNativeExpr>());
+    if (e.kind == ExprKind::kCall) return enter(*e.as<hir::CallExpr>().function, e);
+    if (e.kind == ExprKind::kCallValue) return handed(*e.as<hir::CallValueExpr>().function, e);
+    if (e.kind != ExprKind::kOverList) return;
+    for (const hir::Expr* operand : e.as<hir::OverListExpr>().operands) handed(*operand, e);
   }
 
   void native(const hir::CallNativeExpr& call) {
@@ -189,7 +195,7 @@ class PathRules {
   void handed(const hir::Expr& value, const hir::Expr& call) {
     if (!value.type->is(Kind::kFunction)) return;
     if (const hir::Function* function = written_function(value)) return enter(*function, call);
-    if (!values_known_) values_ = function_values(checker_.all_functions_);
+    if (!values_known_) values_ = function_values(checker_.shared.instances.functions());
     values_known_ = true;
     for (const FunctionOfType& other : values_) {
       if (other.type == value.type) enter(*other.function, call);
@@ -212,12 +218,12 @@ class PathRules {
     const ResourceWords* words = words_of(call);
     if (outer_ != nullptr || resource == nullptr || words == nullptr) return;
     if (resource_ == nullptr) resource_ = resource;
-    if (resource == resource_ || checker_.changed_names_.contains(resource->name)) return;
+    if (resource == resource_ || checker_.names.is_changed(resource->name)) return;
     refuse(call.span, words->two_in_path);
   }
 
   Checker& checker_;
-  const PathBlock& path_;
+  const Postponed::Path& path_;
   const hir::Expr* outer_ = nullptr;  // the call in the path that leads here
   const hir::Expr* told_ = nullptr;
   const hir::Function* function_ = nullptr;  // whose body it is; null: the path's own
@@ -241,17 +247,17 @@ Diagnostic leaves_path(const std::string& word, Span span) {
 hir::Stmt* check_path(Checker& checker, const ast::PathStmt& stmt) {
   const std::uint32_t begin = stmt.span.begin;
   const Span word{begin, begin + static_cast<std::uint32_t>(kWord.size()), stmt.span.source};
-  if (checker.registry_.functions(kMove).empty()) {
-    checker.note_later(word, "`path`");
+  if (checker.registry.functions(kMove).empty()) {
+    note_later(checker, word, "`path`");
     return checker.check_block(stmt.body->body, stmt.body->span);
   }
-  checker.open_block();
+  checker.scopes.open_block();
   CheckedSettings settings = check_settings(checker, kWord, stmt.settings);
-  checker.here_->targets.push_back({JumpTarget::Kind::kPath, nullptr});
+  checker.scopes.here().targets.push_back({JumpTarget::Kind::kPath, nullptr});
   hir::Block* body = checker.check_block(stmt.body->body, stmt.body->span);
-  checker.here_->targets.pop_back();
-  checker.close_block();
-  checker.shared_.paths.push_back({body, {begin, begin, stmt.span.source}});
+  checker.scopes.here().targets.pop_back();
+  close_block(checker);
+  checker.shared.postponed.add(Postponed::Path{body, {begin, begin, stmt.span.source}});
   const auto block = [&](const std::vector<hir::Stmt*>& parts) {
     return checker.make<hir::Block>(StmtKind::kBlock, stmt.span, checker.seq(parts));
   };
@@ -267,7 +273,8 @@ hir::Stmt* check_path(Checker& checker, const ast::PathStmt& stmt) {
 }
 
 void check_paths(Checker& checker) {
-  for (const PathBlock& path : checker.shared_.paths) PathRules(checker, path).check();
+  for (const Postponed::Path& path : checker.shared.postponed.paths())
+    PathRules(checker, path).check();
 }
 
 }  // namespace armlet::lang

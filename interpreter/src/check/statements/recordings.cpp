@@ -10,8 +10,11 @@
 #include <string>
 #include <unordered_set>
 
+#include "check/calls/lambdas.hpp"
+#include "check/names/declarations.hpp"
 #include "check/types/any_table.hpp"
 #include "check/types/long_lists.hpp"
+#include "check/types/members.hpp"
 #include "table_functions.hpp"
 
 namespace armlet::lang {
@@ -32,21 +35,21 @@ hir::Expr* builtin(Checker& checker, const NativeFunction& function, const Type*
 hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
   FunctionContext context;
   context.kind = FunctionContext::Kind::kCondition;
-  context.outer = checker.here_;
-  context.function = checker.new_function(
+  context.outer = &checker.scopes.here();
+  context.function = checker.shared.instances.make_function(
       std::string(kSampleName) + std::to_string(checker.line_of(stmt.span)), stmt.span);
   context.function->is_condition = true;
-  FunctionContext* const before = std::exchange(checker.here_, &context);
-  Use* const use_before = std::exchange(checker.use_, &checker.use_of(context.function));
-  checker.open_block();
-  const Type* time = checker.types_.quantity(dims::kTime);
+  const Scopes::Position outside =
+      checker.scopes.enter(context, checker.shared.uses.of(context.function));
+  checker.scopes.open_block();
+  const Type* time = checker.types.quantity(dims::kTime);
   std::vector<RecordField> columns{{.name = "t", .type = time}};
   std::vector<hir::Expr*> values{
       checker.make<hir::RealExpr>(hir::ExprKind::kReal, time, stmt.name.span, 0.0)};
   bool well = true;
   std::unordered_set<std::string> names = {"t", "length"};
   for (const ast::BlockItem& item : stmt.items) {
-    checker.sink_.begin_statement();
+    checker.messages.begin_statement();
     const std::string name(item.name.text);
     const bool taken = !item.is_row && !names.insert(name).second;
     if (item.is_row || taken) {
@@ -64,7 +67,7 @@ hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
     values.push_back(value);
   }
   if (well) {
-    const Type* row = checker.types_.table(columns)->record->row;
+    const Type* row = checker.types.table(columns)->record->row;
     hir::Expr* record =
         checker.make<hir::RecordExpr>(hir::ExprKind::kRecord, row, stmt.span, checker.seq(values));
     hir::Stmt* result = checker.make<hir::ReturnStmt>(hir::StmtKind::kReturn, stmt.span, record);
@@ -72,13 +75,12 @@ hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
     context.function->body = checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span,
                                                       checker.seq(std::vector<hir::Stmt*>{result}));
   }
-  checker.close_block();
-  checker.here_ = before;
-  checker.use_ = use_before;
+  close_block(checker);
+  checker.scopes.come_back(outside);
   if (!well) return nullptr;
-  checker.conditions_.emplace_back(context.function, stmt.span);
-  return checker.closure(context.function, context,
-                         checker.types_.function({}, context.function->result), stmt.name.span);
+  checker.shared.postponed.add(Postponed::Condition{context.function, stmt.span});
+  return closure(checker, context.function, context,
+                 checker.types.function({}, context.function->result), stmt.name.span);
 }
 
 }  // namespace
@@ -92,28 +94,27 @@ void report_pause(Checker& checker, const hir::Function& condition, Span span) {
 
 void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::Stmt*> rest,
                   std::vector<hir::Stmt*>& out) {
-  const bool top_level = checker.here_ == &checker.main_ && checker.main_.blocks.size() == 1;
+  const bool top_level = checker.scopes.at_top_level();
   Use used;
-  Use* const use_before = checker.use_;
-  if (top_level) checker.use_ = &used;
+  Use& use_before = checker.scopes.use();
+  if (top_level) checker.scopes.collect_in(used);
   hir::Expr* period = checker.check_as(*stmt.period, {.role = Target::Role::kSetting,
-                                                      .type = checker.types_.quantity(dims::kTime),
+                                                      .type = checker.types.quantity(dims::kTime),
                                                       .name = "every",
                                                       .function = "record",
                                                       .call = stmt.name.span});
   hir::Expr* sample = check_sample(checker, stmt);
-  checker.use_ = use_before;
+  checker.scopes.collect_in(use_before);
   const bool well = sample != nullptr && !period->type->is(Kind::kAny);
-  const Type* type = well ? sample->type->result->record->table : checker.types_.any();
-  hir::Variable* run = checker.new_variable(stmt.name.text, type, stmt.name.span);
+  const Type* type = well ? sample->type->result->record->table : checker.types.any();
+  hir::Variable* run = new_variable(checker, stmt.name.text, type, stmt.name.span);
   run->fixed = true;
-  if (checker.is_free(stmt.name)) checker.add_local(run, Declared::kBlock, stmt.name.span);
+  if (is_free(checker, stmt.name)) checker.scopes.add(run, Declared::kBlock, stmt.name.span);
   if (!well) return checker.check_into(rest, out);
   hir::Expr* table = builtin(checker, kStartRecording, type, stmt.name.span, {sample, period});
   auto* init = checker.make<hir::InitStmt>(hir::StmtKind::kInit, stmt.name.span, run, table);
   if (top_level) {
-    checker.top_level_.emplace_back(run, init);
-    checker.init_uses_[run] = std::move(used);
+    checker.shared.top_level.add(run, init, std::move(used));
   }
   out.push_back(init);
   std::vector<hir::Stmt*> body;
@@ -121,7 +122,7 @@ void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::S
   hir::Expr* read =
       checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, type, stmt.name.span, run);
   hir::Expr* end =
-      builtin(checker, kEndRecording, checker.types_.void_type(), stmt.name.span, {read});
+      builtin(checker, kEndRecording, checker.types.void_type(), stmt.name.span, {read});
   const auto block = [&](const std::vector<hir::Stmt*>& statements) {
     return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(statements));
   };
@@ -132,27 +133,27 @@ void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::S
 
 hir::Stmt* check_lone_record(Checker& checker, const ast::RecordStmt& stmt) {
   std::vector<hir::Stmt*> out;
-  checker.open_block();
+  checker.scopes.open_block();
   check_record(checker, stmt, {}, out);
-  checker.close_block();
+  close_block(checker);
   return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(out));
 }
 
 hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& member) {
   if (member.member.text == "length")
-    return builtin(checker, kTableLength, checker.types_.integer(), member.span, {table});
+    return builtin(checker, kTableLength, checker.types.integer(), member.span, {table});
   if (!settle(checker, *table)) return checker.failed(member.span);
   const RecordInfo& info = *table->type->record;
-  const int column = field_index(checker, info, member.member.text);
-  if (column < 0) return checker.unknown_field(*table, member.member);
-  hir::Expr* number = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types_.integer(),
+  const int column = checker.shared.structs.field_index(info, member.member.text);
+  if (column < 0) return unknown_field(checker, *table, member.member);
+  hir::Expr* number = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types.integer(),
                                                  member.span, static_cast<std::int64_t>(column));
   return builtin(checker, kTableColumn, info.fields[column].type, member.span, {table, number});
 }
 
 hir::Expr* rows_of(Checker& checker, hir::Expr* table) {
   if (!settle(checker, *table)) return checker.failed(table->span);
-  return builtin(checker, kTableRows, checker.types_.list(table->type->record->row), table->span,
+  return builtin(checker, kTableRows, checker.types.list(table->type->record->row), table->span,
                  {table});
 }
 

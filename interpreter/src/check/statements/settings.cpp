@@ -9,6 +9,10 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "check/calls/native_calls.hpp"
+#include "check/names/declarations.hpp"
+#include "check/names/unknown_names.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -18,13 +22,13 @@ constexpr std::string_view kClose = "with}";
 
 void unknown_setting(Checker& checker, std::string_view word, const ast::Arg& setting) {
   const std::string prefix = std::string(word) + '.';
-  if (!checker.takes_errors())
+  if (!checker.messages.takes_errors())
     return checker.report(make_diagnostic("E0207", setting.span, {std::string(word), ""}));
   std::vector<std::string_view> known;
-  for (const std::string_view name : checker.registry_.public_names()) {
+  for (const std::string_view name : checker.registry.public_names()) {
     if (name.starts_with(prefix)) known.push_back(name.substr(prefix.size()));
   }
-  for (const auto& [name, type] : checker.registry_.types()) {
+  for (const auto& [name, type] : checker.registry.types()) {
     if (type->is_ambient && word == kWith) known.push_back(name);
   }
   std::ranges::sort(known);
@@ -36,7 +40,7 @@ void unknown_setting(Checker& checker, std::string_view word, const ast::Arg& se
   for (std::size_t i = 0; i < known.size(); ++i) {
     diagnostic.why += (i == 0 ? "" : i + 1 < known.size() ? ", " : " and ") + std::string(known[i]);
   }
-  if (is_named) diagnostic.fix = checker.did_you_mean(setting.name.text, mark, known);
+  if (is_named) diagnostic.fix = did_you_mean(checker, setting.name.text, mark, known);
   checker.report(std::move(diagnostic));
 }
 
@@ -44,11 +48,11 @@ void check_setting(Checker& checker, std::string_view word, const ast::Arg& sett
                    CheckedSettings& out) {
   const std::string_view name = setting.name.text;
   const std::string full = std::string(word) + '.' + std::string(name);
-  const HostType* ambient = checker.registry_.type(name);
-  const auto setters = checker.registry_.functions(full);
+  const HostType* ambient = checker.registry.type(name);
+  const auto setters = checker.registry.functions(full);
   const bool is_ambient = word == kWith && ambient != nullptr && ambient->is_ambient;
-  if (checker.registry_.is_planned(full)) {
-    checker.not_available(setting.name.span, "the setting `" + std::string(name) + '`');
+  if (checker.registry.is_planned(full)) {
+    not_available(checker, setting.name.span, "the setting `" + std::string(name) + '`');
     return;
   }
   if (name.empty() || (!is_ambient && setters.empty()))
@@ -56,7 +60,7 @@ void check_setting(Checker& checker, std::string_view word, const ast::Arg& sett
   hir::Expr* value = checker.check_value(*setting.value);
   if (value->type->is(Kind::kAny)) return;
   const auto keep = [&](hir::Expr* kept) {
-    hir::Variable* variable = checker.hidden(kept->type, kept->span);
+    hir::Variable* variable = hidden(checker, kept->type, kept->span);
     variable->init = kept;
     out.before.push_back(
         checker.make<hir::InitStmt>(hir::StmtKind::kInit, kept->span, variable, kept));
@@ -64,17 +68,19 @@ void check_setting(Checker& checker, std::string_view word, const ast::Arg& sett
   };
   if (is_ambient) {
     value = checker.require(value, {.role = Target::Role::kSetting,
-                                    .type = checker.types_.host(ambient),
+                                    .type = checker.types.host(ambient),
                                     .name = name,
                                     .function = word,
                                     .call = setting.span});
     if (value->type->is(Kind::kAny)) return;
-    checker.here_->ambients.push_back({ambient, {.variable = keep(value), .how = Declared::kLet}});
+    checker.scopes.here().ambients.push_back(
+        {ambient, {.variable = keep(value), .how = Declared::kLet}});
     return;
   }
   const Argument argument{
       .name = name, .name_span = setting.name.span, .written = setting.value, .value = value};
-  hir::Expr* call = checker.call_native(word, setters, setting.name.span, setting.span, {argument});
+  hir::Expr* call =
+      call_native(checker, word, setters, setting.name.span, setting.span, {argument});
   if (call->kind != hir::ExprKind::kCallNative) return;
   hir::Expr*& given = call->as<hir::CallNativeExpr>().arguments[0];
   hir::Variable* variable = keep(given);
@@ -101,17 +107,17 @@ CheckedSettings check_settings(Checker& checker, std::string_view word,
 }
 
 hir::Stmt* host_call(Checker& checker, std::string_view name, Span mark, Span span) {
-  hir::Expr* made = checker.call_native(name, checker.registry_.functions(name), mark, mark, {});
+  hir::Expr* made = call_native(checker, name, checker.registry.functions(name), mark, mark, {});
   return checker.make<hir::ExprStmt>(hir::StmtKind::kExpr, span, made);
 }
 
 hir::Stmt* check_with(Checker& checker, const ast::WithStmt& stmt) {
-  checker.open_block();
-  const std::size_t ambients = checker.here_->ambients.size();
+  checker.scopes.open_block();
+  const std::size_t ambients = checker.scopes.here().ambients.size();
   auto [before, inside] = check_settings(checker, kWith, stmt.settings);
   inside.push_back(checker.check_block(stmt.body->body, stmt.body->span));
-  checker.here_->ambients.resize(ambients);
-  checker.close_block();
+  checker.scopes.here().ambients.resize(ambients);
+  close_block(checker);
   const auto block = [&](const std::vector<hir::Stmt*>& body) {
     return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(body));
   };

@@ -1,39 +1,59 @@
-// Statements that are no loops, no switches and no declarations.
+#include "check/statements/statements.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "check/calls/intrinsics.hpp"
+#include "check/calls/lambdas.hpp"
+#include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
 #include "check/explain/explained.hpp"
+#include "check/explain/mismatch.hpp"
+#include "check/names/block_declarations.hpp"
+#include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
+#include "check/names/places.hpp"
+#include "check/names/unknown_names.hpp"
+#include "check/statements/asserts.hpp"
+#include "check/statements/loops.hpp"
 #include "check/statements/paths.hpp"
 #include "check/statements/recordings.hpp"
 #include "check/statements/settings.hpp"
+#include "check/statements/switches.hpp"
 #include "check/statements/tasks.hpp"
+#include "check/types/constants.hpp"
+#include "check/types/members.hpp"
+#include "check/types/types.hpp"
 #include "compile/cancelled.hpp"
 
 namespace armlet::lang {
+
 namespace {
+
+hir::Stmt* check_any_statement(Checker& checker, const ast::Stmt& stmt);
+hir::Stmt* check_expression_statement(Checker& checker, const ast::ExprStmt& stmt);
+hir::Stmt* check_if(Checker& checker, const ast::IfStmt& stmt);
+hir::Stmt* check_return(Checker& checker, const ast::ReturnStmt& stmt);
+hir::Stmt* check_jump(Checker& checker, const ast::Stmt& stmt);
+hir::Stmt* check_throw(Checker& checker, const ast::ThrowStmt& stmt);
+hir::Stmt* check_wait(Checker& checker, const ast::Expr& duration, Span span);
+hir::Stmt* check_wait_until(Checker& checker, const ast::WaitUntilStmt& stmt);
+hir::Stmt* check_try(Checker& checker, const ast::TryStmt& stmt);
 
 constexpr std::string_view kFn = "fn";
 
 // Computing it changes nothing, so a statement made of it does nothing.
 bool does_nothing(const hir::Expr& value) {
-  switch (value.kind) {
-    case hir::ExprKind::kCall:
-    case hir::ExprKind::kCallValue:
-    case hir::ExprKind::kCallNative:
-    case hir::ExprKind::kMutate:
-    case hir::ExprKind::kGuarded:
-      return false;
-    case hir::ExprKind::kCond:
-      return does_nothing(*value.as<hir::CondExpr>().yes) &&
-             does_nothing(*value.as<hir::CondExpr>().no);
-    case hir::ExprKind::kConvert:
-      return does_nothing(*value.as<hir::ConvertExpr>().operand);
-    default:
-      return !value.type->is(Kind::kAny);
-  }
+  using hir::ExprKind;
+  constexpr std::array kActive = {ExprKind::kCall, ExprKind::kCallValue, ExprKind::kCallNative,
+                                  ExprKind::kMutate, ExprKind::kGuarded};
+  if (std::ranges::find(kActive, value.kind) != kActive.end()) return false;
+  if (value.kind == ExprKind::kCond)
+    return does_nothing(*value.as<hir::CondExpr>().yes) &&
+           does_nothing(*value.as<hir::CondExpr>().no);
+  if (value.kind == ExprKind::kConvert) return does_nothing(*value.as<hir::ConvertExpr>().operand);
+  return !value.type->is(Kind::kAny);
 }
 
 // What is done finally is done on every way out, so it cannot choose another one: an error or a
@@ -50,7 +70,7 @@ Diagnostic cannot_leave(JumpTarget::Kind kind, const std::string& word, Span spa
 // languages return by itself.
 void refuse_idle_statement(Checker& checker, const ast::ExprStmt& stmt, const hir::Expr& value) {
   Diagnostic diagnostic = make_diagnostic("E0332", stmt.value->span);
-  const FunctionContext& here = *checker.here_;
+  const FunctionContext& here = checker.scopes.here();
   const std::string text = checker.text_of(stmt.value->span);
   const Span begin{stmt.span.begin, stmt.span.begin, stmt.span.source};
   const Span end{stmt.value->span.end, stmt.value->span.end, stmt.value->span.source};
@@ -59,7 +79,7 @@ void refuse_idle_statement(Checker& checker, const ast::ExprStmt& stmt, const hi
   } else if (here.result_is_declared && here.result == value.type) {
     diagnostic.why = "a value is given back by `return`";
     diagnostic.fix = Fix{.text = "write return " + text, .edits = {{begin, "return "}}};
-    checker.here_->flow.reachable = false;  // no second message about the missing return
+    checker.scopes.here().flow.reachable = false;  // no second message about the missing return
   }
   checker.report(std::move(diagnostic));
 }
@@ -68,9 +88,9 @@ void refuse_idle_statement(Checker& checker, const ast::ExprStmt& stmt, const hi
 
 hir::Block* Checker::check_block(ast::Seq<ast::Stmt*> body, Span span) {
   std::vector<hir::Stmt*> out;
-  open_block();
+  scopes.open_block();
   check_into(body, out);
-  close_block();
+  close_block(*this);
   return make<hir::Block>(hir::StmtKind::kBlock, span, seq(out));
 }
 
@@ -81,7 +101,8 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
     const bool is_declaration =
         stmt.kind == ast::StmtKind::kFunction || stmt.kind == ast::StmtKind::kStruct ||
         stmt.kind == ast::StmtKind::kEnum || stmt.kind == ast::StmtKind::kTest;
-    if (!here_->flow.reachable && !told && stmt.kind != ast::StmtKind::kEmpty && !is_declaration) {
+    if (!scopes.here().flow.reachable && !told && stmt.kind != ast::StmtKind::kEmpty &&
+        !is_declaration) {
       told = true;
       const ast::Stmt* before = i > 0 ? body[i - 1] : nullptr;
       const bool lone_return = before != nullptr && before->kind == ast::StmtKind::kReturn &&
@@ -97,7 +118,7 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
       }
       report(std::move(advice));
     }
-    sink_.begin_statement();
+    messages.begin_statement();
     if (is_active_statement(*this, stmt)) {
       check_active_statement(*this, stmt);
     } else if (stmt.kind == ast::StmtKind::kRecord) {
@@ -109,7 +130,7 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
 }
 
 // int a = 1, b = 2: several statements, but no block of their own; the variables live on.
-void Checker::append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out) {
+void append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out) {
   if (stmt.kind != ast::StmtKind::kVar || checked->kind != hir::StmtKind::kBlock) {
     out.push_back(checked);
     return;
@@ -118,97 +139,99 @@ void Checker::append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir:
 }
 
 hir::Stmt* Checker::check_statement(const ast::Stmt& stmt) {
-  stop_if(options_.cancelled);
-  if (++depth_ > 600) {
-    report(make_diagnostic("E0125", stmt.span, {"600 levels"}));
-    --depth_;
+  stop_if(options.cancelled);
+  if (shared.depth.is_full()) {
+    report(make_diagnostic("E0125", stmt.span, {std::to_string(Depth::kMost) + " levels"}));
     return nullptr;
   }
-  hir::Stmt* out = check_any_statement(stmt);
-  --depth_;
-  return out;
+  const Depth::Level level(shared.depth);
+  return check_any_statement(*this, stmt);
 }
 
-hir::Stmt* Checker::check_any_statement(const ast::Stmt& stmt) {
+namespace {
+
+hir::Stmt* check_any_statement(Checker& checker, const ast::Stmt& stmt) {
   using ast::StmtKind;
   switch (stmt.kind) {
     case StmtKind::kBlock:
-      return check_block(stmt.as<ast::Block>().body, stmt.span);
+      return checker.check_block(stmt.as<ast::Block>().body, stmt.span);
     case StmtKind::kEmpty:
       return nullptr;
     case StmtKind::kVar:
-      return check_var(stmt.as<ast::VarStmt>());
+      return check_var(checker, stmt.as<ast::VarStmt>());
     case StmtKind::kObject:
-      return check_object(stmt.as<ast::ObjectStmt>());
+      return check_object(checker, stmt.as<ast::ObjectStmt>());
     case StmtKind::kFunction:
     case StmtKind::kStruct:
     case StmtKind::kEnum:
     case StmtKind::kImport:
       return nullptr;  // collected before; refused elsewhere while the tree was built
     case StmtKind::kTest:
-      return check_test(stmt.as<ast::TestStmt>());
+      return check_test(checker, stmt.as<ast::TestStmt>());
     case StmtKind::kIf:
-      return check_if(stmt.as<ast::IfStmt>());
+      return check_if(checker, stmt.as<ast::IfStmt>());
     case StmtKind::kWhile:
     case StmtKind::kDo:
     case StmtKind::kForIn:
     case StmtKind::kFor:
-      return check_loop(stmt);
+      return check_loop(checker, stmt);
     case StmtKind::kSwitch:
-      return check_switch(stmt.as<ast::SwitchStmt>());
+      return check_switch(checker, stmt.as<ast::SwitchStmt>());
     case StmtKind::kTry:
-      return check_try(stmt.as<ast::TryStmt>());
+      return check_try(checker, stmt.as<ast::TryStmt>());
     case StmtKind::kParallel:
     case StmtKind::kWhen:
     case StmtKind::kEvery:
-      return check_tasks(*this, stmt);
+      return check_tasks(checker, stmt);
     case StmtKind::kPath:
-      return check_path(*this, stmt.as<ast::PathStmt>());
+      return check_path(checker, stmt.as<ast::PathStmt>());
     case StmtKind::kWith:
-      return check_with(*this, stmt.as<ast::WithStmt>());
+      return check_with(checker, stmt.as<ast::WithStmt>());
     case StmtKind::kRecord:
-      return check_lone_record(*this, stmt.as<ast::RecordStmt>());
+      return check_lone_record(checker, stmt.as<ast::RecordStmt>());
     case StmtKind::kExpr:
-      return check_expression_statement(stmt.as<ast::ExprStmt>());
+      return check_expression_statement(checker, stmt.as<ast::ExprStmt>());
     case StmtKind::kAssign:
-      return check_assign(stmt.as<ast::AssignStmt>());
+      return check_assign(checker, stmt.as<ast::AssignStmt>());
     case StmtKind::kStep:
-      return check_step(stmt.as<ast::StepStmt>());
+      return check_step(checker, stmt.as<ast::StepStmt>());
     case StmtKind::kWait:
-      return check_wait(*stmt.as<ast::WaitStmt>().duration, stmt.span);
+      return check_wait(checker, *stmt.as<ast::WaitStmt>().duration, stmt.span);
     case StmtKind::kWaitUntil:
-      return check_wait_until(stmt.as<ast::WaitUntilStmt>());
+      return check_wait_until(checker, stmt.as<ast::WaitUntilStmt>());
     case StmtKind::kBreak:
     case StmtKind::kContinue:
     case StmtKind::kRetry:
-      return check_jump(stmt);
+      return check_jump(checker, stmt);
     case StmtKind::kReturn:
-      return check_return(stmt.as<ast::ReturnStmt>());
+      return check_return(checker, stmt.as<ast::ReturnStmt>());
     case StmtKind::kThrow:
-      return check_throw(stmt.as<ast::ThrowStmt>());
+      return check_throw(checker, stmt.as<ast::ThrowStmt>());
   }
   return nullptr;
 }
 
-hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {
+hir::Stmt* check_expression_statement(Checker& checker, const ast::ExprStmt& stmt) {
   if (stmt.value->kind == ast::ExprKind::kCall) {
     const auto& call = stmt.value->as<ast::CallExpr>();
-    const std::string name = dotted_name(*call.callee);
-    const bool own = find_function(name) != nullptr;
-    if (name == "assert" && !own) return check_assert(call);
-    if (name == "assertThrows" && !own) return check_assert_throws(call);
+    const std::string name = dotted_name(checker, *call.callee);
+    const bool own = checker.names.find_function(name) != nullptr;
+    if (name == "assert" && !own) return check_assert(checker, call);
+    if (name == "assertThrows" && !own) return check_assert_throws(checker, call);
     if (name == "Thread.sleep") {
-      if (!takes(call, name, 1, 1)) return nullptr;
-      hir::Expr* milliseconds = check_as(
-          *call.args[0].value,
-          {.role = Target::Role::kArgument, .type = types_.real(), .function = "Thread.sleep"});
-      hir::Expr* factor =
-          make<hir::RealExpr>(hir::ExprKind::kReal, types_.real(), stmt.span, 1000.0);
-      hir::Expr* seconds =
-          folded(make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.real(), stmt.span,
-                                       hir::Op::kDivR, milliseconds, factor, stmt.span));
-      note_pause(stmt.span);
-      return make<hir::WaitStmt>(hir::StmtKind::kWait, stmt.span, seconds);
+      if (!takes(checker, call, name, 1, 1)) return nullptr;
+      hir::Expr* milliseconds =
+          checker.check_as(*call.args[0].value, {.role = Target::Role::kArgument,
+                                                 .type = checker.types.real(),
+                                                 .function = "Thread.sleep"});
+      hir::Expr* factor = checker.make<hir::RealExpr>(hir::ExprKind::kReal, checker.types.real(),
+                                                      stmt.span, 1000.0);
+      hir::Expr* seconds = folded(
+          checker,
+          checker.make<hir::BinaryExpr>(hir::ExprKind::kBinary, checker.types.real(), stmt.span,
+                                        hir::Op::kDivR, milliseconds, factor, stmt.span));
+      note_pause(checker, stmt.span);
+      return checker.make<hir::WaitStmt>(hir::StmtKind::kWait, stmt.span, seconds);
     }
   }
   if (stmt.value->kind == ast::ExprKind::kLambda) {
@@ -216,63 +239,68 @@ hir::Stmt* Checker::check_expression_statement(const ast::ExprStmt& stmt) {
     Diagnostic diagnostic =
         make_diagnostic("E0129", {behind, behind, stmt.span.source}, {"a name"});
     diagnostic.why = "a function without a name is a value, which would be forgotten here";
-    report(std::move(diagnostic));
-    syntax_failed_ = true;
+    checker.report(std::move(diagnostic));
+    checker.messages.set_syntax_failed();
     return nullptr;
   }
-  hir::Expr* value = check(*stmt.value);
+  hir::Expr* value = checker.check(*stmt.value);
   if (does_nothing(*value)) {
-    refuse_idle_statement(*this, stmt, *value);
+    refuse_idle_statement(checker, stmt, *value);
     return nullptr;
   }
-  if (hir::Expr* shown = shown_explanation(*this, stmt, value)) value = shown;
-  return make<hir::ExprStmt>(hir::StmtKind::kExpr, stmt.span, value);
+  if (hir::Expr* shown = shown_explanation(checker, stmt, value)) value = shown;
+  return checker.make<hir::ExprStmt>(hir::StmtKind::kExpr, stmt.span, value);
 }
 
-hir::Stmt* Checker::check_if(const ast::IfStmt& stmt) {
-  hir::Expr* test = condition(*stmt.condition);
-  const Flow before = here_->flow;
+hir::Stmt* check_if(Checker& checker, const ast::IfStmt& stmt) {
+  hir::Expr* test = checker.condition(*stmt.condition);
+  const Flow before = checker.scopes.here().flow;
   const auto branch = [&](const ast::Stmt& body) {
-    sink_.begin_statement();
-    open_block();
-    hir::Stmt* out = check_statement(body);
-    close_block();
+    checker.messages.begin_statement();
+    checker.scopes.open_block();
+    hir::Stmt* out = checker.check_statement(body);
+    close_block(checker);
     return out;
   };
   hir::Stmt* yes = branch(*stmt.yes);
-  Flow after = std::exchange(here_->flow, before);
+  Flow after = std::exchange(checker.scopes.here().flow, before);
   hir::Stmt* no = stmt.no != nullptr ? branch(*stmt.no) : nullptr;
-  after.merge(here_->flow);
-  here_->flow = std::move(after);
+  after.merge(checker.scopes.here().flow);
+  checker.scopes.here().flow = std::move(after);
   if (yes == nullptr)
-    yes = make<hir::Block>(hir::StmtKind::kBlock, stmt.yes->span, hir::Seq<hir::Stmt*>{});
-  return make<hir::IfStmt>(hir::StmtKind::kIf, stmt.span, test, yes, no);
+    yes = checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.yes->span, hir::Seq<hir::Stmt*>{});
+  return checker.make<hir::IfStmt>(hir::StmtKind::kIf, stmt.span, test, yes, no);
 }
 
-hir::Stmt* Checker::return_value(hir::Expr* value, Span span) {
-  FunctionContext& context = *here_;
+}  // namespace
+
+hir::Stmt* return_value(Checker& checker, hir::Expr* value, Span span) {
+  FunctionContext& context = checker.scopes.here();
   if (context.result_is_declared) {
-    value = require(value, {.role = Target::Role::kResult, .type = context.result});
+    value = checker.require(value, {.role = Target::Role::kResult, .type = context.result});
   } else if (value->type->is(Kind::kVoid)) {
-    value = mismatch(*value, {.type = types_.any()});
+    value = mismatch(checker, *value, {.type = checker.types.any()});
   }
   if (!context.result_is_declared) {
     hir::Expr seen{.kind = hir::ExprKind::kVariable, .type = context.result, .span = span};
-    const Type* common = context.result == nullptr ? value->type : common_type(seen, *value);
+    const Type* common =
+        context.result == nullptr ? value->type : common_type(checker, seen, *value);
     if (common == nullptr) {
-      mismatch(*value, {.role = Target::Role::kResult, .type = context.result});
-      common = types_.any();
+      mismatch(checker, *value, {.role = Target::Role::kResult, .type = context.result});
+      common = checker.types.any();
     }
     context.result = common;
   }
-  auto* stmt = make<hir::ReturnStmt>(hir::StmtKind::kReturn, span, value);
+  auto* stmt = checker.make<hir::ReturnStmt>(hir::StmtKind::kReturn, span, value);
   context.returns.push_back(stmt);
   context.flow.reachable = false;
   return stmt;
 }
 
-hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
-  FunctionContext& context = *here_;
+namespace {
+
+hir::Stmt* check_return(Checker& checker, const ast::ReturnStmt& stmt) {
+  FunctionContext& context = checker.scopes.here();
   const bool in_function = context.kind == FunctionContext::Kind::kNamed ||
                            context.kind == FunctionContext::Kind::kLambda;
   if (!in_function) return nullptr;  // refused while the tree was built
@@ -281,31 +309,32 @@ hir::Stmt* Checker::check_return(const ast::ReturnStmt& stmt) {
   };
   const auto kept = std::ranges::find_if(context.targets, keeps);
   if (kept != context.targets.end()) {
-    report(cannot_leave(kept->kind, "return", stmt.span));
+    checker.report(cannot_leave(kept->kind, "return", stmt.span));
     return nullptr;
   }
   const bool is_void = context.result_is_declared && context.result->is(Kind::kVoid);
   const std::string name(context.function->name);
   if (stmt.value != nullptr && is_void) {
-    check(*stmt.value);
-    report(make_diagnostic("E0321", stmt.value->span, {name}));
+    checker.check(*stmt.value);
+    checker.report(make_diagnostic("E0321", stmt.value->span, {name}));
     return nullptr;
   }
   if (stmt.value != nullptr) {
     const Type* wanted = context.result_is_declared ? context.result : nullptr;
-    hir::Expr* value = check(*stmt.value, wanted);
-    advise_on_divided_remark(*this, *stmt.value, *value, wanted);
-    return return_value(value, stmt.span);
+    hir::Expr* value = checker.check(*stmt.value, wanted);
+    advise_on_divided_remark(checker, *stmt.value, *value, wanted);
+    return return_value(checker, value, stmt.span);
   }
   if (context.result_is_declared && !is_void && !context.result->is(Kind::kAny)) {
-    report(make_diagnostic("E0322", stmt.span, {type_phrase(context.result)}));
+    checker.report(make_diagnostic("E0322", stmt.span, {type_phrase(context.result)}));
   }
-  if (!context.result_is_declared && context.result == nullptr) context.result = types_.void_type();
+  if (!context.result_is_declared && context.result == nullptr)
+    context.result = checker.types.void_type();
   context.flow.reachable = false;
-  return make<hir::ReturnStmt>(hir::StmtKind::kReturn, stmt.span, nullptr);
+  return checker.make<hir::ReturnStmt>(hir::StmtKind::kReturn, stmt.span, nullptr);
 }
 
-hir::Stmt* Checker::check_jump(const ast::Stmt& stmt) {
+hir::Stmt* check_jump(Checker& checker, const ast::Stmt& stmt) {
   using To = JumpTarget::Kind;
   const bool is_break = stmt.kind == ast::StmtKind::kBreak;
   const bool is_retry = stmt.kind == ast::StmtKind::kRetry;
@@ -314,123 +343,132 @@ hir::Stmt* Checker::check_jump(const ast::Stmt& stmt) {
     if (is_retry) return target.kind == To::kCatch;
     return target.kind == To::kLoop || (is_break && target.kind == To::kSwitch);
   };
-  auto& targets = here_->targets;
+  auto& targets = checker.scopes.here().targets;
   const auto found = std::find_if(targets.rbegin(), targets.rend(), leaves);
   if (found == targets.rend()) {
     const std::string word = is_break ? "break" : is_retry ? "retry" : "continue";
-    report(make_diagnostic("E0121", stmt.span,
-                           {word, is_retry   ? "`catch`"
-                                  : is_break ? "a loop or a `switch`"
-                                             : "a loop"}));
+    checker.report(make_diagnostic("E0121", stmt.span,
+                                   {word, is_retry   ? "`catch`"
+                                          : is_break ? "a loop or a `switch`"
+                                                     : "a loop"}));
     return nullptr;
   }
   if (found->kind == To::kFinally || found->kind == To::kPath) {
     const std::string word = is_break ? "break" : is_retry ? "retry" : "continue";
-    report(cannot_leave(found->kind, word, stmt.span));
+    checker.report(cannot_leave(found->kind, word, stmt.span));
     return nullptr;
   }
-  if (is_break) found->exits.push_back(here_->flow);
-  if (!is_break && !is_retry) found->repeats.push_back(here_->flow);
-  here_->flow.reachable = false;
+  if (is_break) found->exits.push_back(checker.scopes.here().flow);
+  if (!is_break && !is_retry) found->repeats.push_back(checker.scopes.here().flow);
+  checker.scopes.here().flow.reachable = false;
   const hir::Jump jump = is_break   ? hir::Jump::kBreak
                          : is_retry ? hir::Jump::kRetry
                                     : hir::Jump::kContinue;
-  return make<hir::JumpStmt>(hir::StmtKind::kJump, stmt.span, jump, found->statement);
+  return checker.make<hir::JumpStmt>(hir::StmtKind::kJump, stmt.span, jump, found->statement);
 }
 
-hir::Stmt* Checker::check_throw(const ast::ThrowStmt& stmt) {
-  hir::Expr* value = check_value(*stmt.value);
-  here_->flow.reachable = false;
+hir::Stmt* check_throw(Checker& checker, const ast::ThrowStmt& stmt) {
+  hir::Expr* value = checker.check_value(*stmt.value);
+  checker.scopes.here().flow.reachable = false;
   if (value->type->is(Kind::kText)) {
     Diagnostic diagnostic = make_diagnostic("E0315", value->span, {"an error", "a string"});
-    const std::string written = "error(" + text_of(value->span) + ")";
+    const std::string written = "error(" + checker.text_of(value->span) + ")";
     diagnostic.fix = Fix{.text = "write throw " + written,
                          .edits = {{value->span, written}},
                          .confidence = Confidence::kSure};
-    report(std::move(diagnostic));
+    checker.report(std::move(diagnostic));
     return nullptr;
   }
-  value = require(value, {.type = error_type_, .name = "throw"});
-  return make<hir::ThrowStmt>(hir::StmtKind::kThrow, stmt.span, value);
+  value = checker.require(value, {.type = checker.shared.error_type, .name = "throw"});
+  return checker.make<hir::ThrowStmt>(hir::StmtKind::kThrow, stmt.span, value);
 }
 
-hir::Expr* Checker::seconds(const ast::Expr& written, std::string_view what) {
-  hir::Expr* value = check_value(written);
+}  // namespace
+
+hir::Expr* seconds(Checker& checker, const ast::Expr& written, std::string_view what) {
+  hir::Expr* value = checker.check_value(written);
   // Classic programs count seconds in plain numbers.
-  if (hir::Expr* plain = convert(value, types_.real())) return plain;
+  if (hir::Expr* plain = checker.convert(value, checker.types.real())) return plain;
   const bool setting = what == "timeout";
-  return require(value, {.role = setting ? Target::Role::kSetting : Target::Role::kVariable,
-                         .type = types_.quantity(dims::kTime),
-                         .name = setting ? what : std::string_view()});
+  return checker.require(value, {.role = setting ? Target::Role::kSetting : Target::Role::kVariable,
+                                 .type = checker.types.quantity(dims::kTime),
+                                 .name = setting ? what : std::string_view()});
 }
 
-hir::Stmt* Checker::check_wait(const ast::Expr& duration, Span span) {
-  note_pause(span);
-  return make<hir::WaitStmt>(hir::StmtKind::kWait, span, seconds(duration, "wait"));
+namespace {
+
+hir::Stmt* check_wait(Checker& checker, const ast::Expr& duration, Span span) {
+  note_pause(checker, span);
+  return checker.make<hir::WaitStmt>(hir::StmtKind::kWait, span,
+                                     seconds(checker, duration, "wait"));
 }
 
-hir::Stmt* Checker::check_wait_until(const ast::WaitUntilStmt& stmt) {
+hir::Stmt* check_wait_until(Checker& checker, const ast::WaitUntilStmt& stmt) {
   hir::Expr* timeout = nullptr;
   for (const ast::Arg& arg : stmt.args) {
     if (arg.name.text != "timeout") {
       const Span mark = arg.name.text.empty() ? arg.span : arg.name.span;
-      Diagnostic diagnostic = make_diagnostic("E0207", mark, {"wait until", text_of(mark)});
+      Diagnostic diagnostic = make_diagnostic("E0207", mark, {"wait until", checker.text_of(mark)});
       diagnostic.why = "wait until accepts timeout";
-      if (!arg.name.text.empty()) diagnostic.fix = did_you_mean(arg.name.text, mark, {"timeout"});
-      report(std::move(diagnostic));
+      if (!arg.name.text.empty())
+        diagnostic.fix = did_you_mean(checker, arg.name.text, mark, {"timeout"});
+      checker.report(std::move(diagnostic));
       return nullptr;
     }
-    if (timeout != nullptr) report(make_diagnostic("E0212", arg.name.span, {"timeout"}));
-    timeout = seconds(*arg.value, "timeout");
+    if (timeout != nullptr) checker.report(make_diagnostic("E0212", arg.name.span, {"timeout"}));
+    timeout = seconds(checker, *arg.value, "timeout");
   }
-  hir::Expr* guard = check_guard(*stmt.condition);
-  note_pause(stmt.span);
+  hir::Expr* guard = check_guard(checker, *stmt.condition);
+  note_pause(checker, stmt.span);
   const Span span = stmt.condition->span;
-  return make<hir::WaitUntilStmt>(hir::StmtKind::kWaitUntil, stmt.span, guard, timeout,
-                                  into_.sources->slice(span), span);
+  return checker.make<hir::WaitUntilStmt>(hir::StmtKind::kWaitUntil, stmt.span, guard, timeout,
+                                          checker.into.sources->slice(span), span);
 }
 
-hir::Stmt* Checker::check_try(const ast::TryStmt& stmt) {
-  auto* out =
-      make<hir::TryStmt>(hir::StmtKind::kTry, stmt.span, nullptr, nullptr, nullptr, nullptr);
-  const Flow before = here_->flow;
-  out->body = check_block(stmt.body->body, stmt.body->span);
-  Flow after = here_->flow;
+hir::Stmt* check_try(Checker& checker, const ast::TryStmt& stmt) {
+  auto* out = checker.make<hir::TryStmt>(hir::StmtKind::kTry, stmt.span, nullptr, nullptr, nullptr,
+                                         nullptr);
+  const Flow before = checker.scopes.here().flow;
+  out->body = checker.check_block(stmt.body->body, stmt.body->span);
+  Flow after = checker.scopes.here().flow;
   for (std::size_t i = 0; i < stmt.catches.size(); ++i) {
     const ast::CatchClause& clause = stmt.catches[i];
     if (i > 0) {
       Diagnostic diagnostic = make_diagnostic("E0337", clause.body->span);
       diagnostic.related.push_back({stmt.catches[0].body->span, "this one takes every error"});
       diagnostic.fix = Fix{.text = "use one catch with switch (e.kind) { ... } inside it"};
-      report(std::move(diagnostic));
+      checker.report(std::move(diagnostic));
       break;
     }
     // The body may have stopped anywhere, so nothing it stored is certain.
-    here_->flow = before;
-    open_block();
-    if (!clause.name.text.empty() && is_free(clause.name)) {
-      out->error = new_variable(clause.name.text, error_type_, clause.name.span);
+    checker.scopes.here().flow = before;
+    checker.scopes.open_block();
+    if (!clause.name.text.empty() && is_free(checker, clause.name)) {
+      out->error =
+          new_variable(checker, clause.name.text, checker.shared.error_type, clause.name.span);
       out->error->fixed = true;
-      add_local(out->error, Declared::kCatch, clause.name.span);
+      checker.scopes.add(out->error, Declared::kCatch, clause.name.span);
     }
-    here_->targets.push_back({JumpTarget::Kind::kCatch, out});
-    out->handler = check_block(clause.body->body, clause.body->span);
-    here_->targets.pop_back();
-    close_block();
-    after.merge(here_->flow);
+    checker.scopes.here().targets.push_back({JumpTarget::Kind::kCatch, out});
+    out->handler = checker.check_block(clause.body->body, clause.body->span);
+    checker.scopes.here().targets.pop_back();
+    close_block(checker);
+    after.merge(checker.scopes.here().flow);
   }
-  here_->flow = after;
+  checker.scopes.here().flow = after;
   if (stmt.finally != nullptr) {
-    here_->flow = before;
-    here_->targets.push_back({JumpTarget::Kind::kFinally, out});
-    out->finally = check_block(stmt.finally->body, stmt.finally->span);
-    here_->targets.pop_back();
+    checker.scopes.here().flow = before;
+    checker.scopes.here().targets.push_back({JumpTarget::Kind::kFinally, out});
+    out->finally = checker.check_block(stmt.finally->body, stmt.finally->span);
+    checker.scopes.here().targets.pop_back();
     // What finally stores is stored on every way on.
-    after.add_values_of(here_->flow);
-    after.reachable = after.reachable && here_->flow.reachable;
-    here_->flow = std::move(after);
+    after.add_values_of(checker.scopes.here().flow);
+    after.reachable = after.reachable && checker.scopes.here().flow.reachable;
+    checker.scopes.here().flow = std::move(after);
   }
   return out;
 }
+
+}  // namespace
 
 }  // namespace armlet::lang

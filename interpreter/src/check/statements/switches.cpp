@@ -1,12 +1,18 @@
-// switch: each case is a list of tests and a block of its own.
+#include "check/statements/switches.hpp"
 
 #include <algorithm>
 
 #include "check/checker.hpp"
 #include "check/explain/edits.hpp"
+#include "check/names/declarations.hpp"
 
 namespace armlet::lang {
+
 namespace {
+
+void missing_cases(Checker& checker, const ast::SwitchStmt& stmt, const Type* type,
+                   const std::set<std::string>& seen);
+void advise_missing_break(Checker& checker, const ast::SwitchStmt& stmt);
 
 // The last statement that is not just a `;`.
 const ast::Stmt* last_statement(ast::Seq<ast::Stmt*> body) {
@@ -20,64 +26,69 @@ const ast::Stmt* last_statement(ast::Seq<ast::Stmt*> body) {
 
 // subject == value, with `value` written in the text. Notes what was compared with, to find what is
 // missing or double.
-hir::Expr* Checker::case_test(hir::Variable* subject, const ast::Expr& value,
-                              std::set<std::string>& seen) {
-  hir::Expr* wanted =
-      require(check_value(value, subject->type), {.type = subject->type, .name = "case"});
+namespace {
+
+hir::Expr* case_test(Checker& checker, hir::Variable* subject, const ast::Expr& value,
+                     std::set<std::string>& seen) {
+  hir::Expr* wanted = checker.require(checker.check_value(value, subject->type),
+                                      {.type = subject->type, .name = "case"});
   if (wanted->type->is(Kind::kAny)) return wanted;
-  std::string shown = text_of(value.span);
+  std::string shown = checker.text_of(value.span);
   if (wanted->kind == hir::ExprKind::kEnum) {
     shown = wanted->type->enumeration
                 ->values[static_cast<std::size_t>(wanted->as<hir::IntExpr>().value)];
-  } else if (const auto constant = constant_of(*wanted)) {
+  } else if (const auto constant = checker.shared.constants.of(*wanted)) {
     if (constant->kind == Constant::Kind::kInt) shown = std::to_string(constant->integer);
     if (constant->kind == Constant::Kind::kText) shown = '"' + constant->text + '"';
   } else {
-    report(make_diagnostic("E0334", value.span, {"a case", "a value written in the text"}));
-    return failed(value.span);
+    checker.report(make_diagnostic("E0334", value.span, {"a case", "a value written in the text"}));
+    return checker.failed(value.span);
   }
   if (!seen.insert(shown).second) {
-    report(make_diagnostic("E0329", value.span, {text_of(value.span)}));
-    return failed(value.span);
+    checker.report(make_diagnostic("E0329", value.span, {checker.text_of(value.span)}));
+    return checker.failed(value.span);
   }
   hir::Expr* left =
-      make<hir::VariableExpr>(hir::ExprKind::kVariable, subject->type, value.span, subject);
+      checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, subject->type, value.span, subject);
   const hir::Op op = subject->type->is(Kind::kText) ? hir::Op::kEqText : hir::Op::kEqI;
-  return make<hir::BinaryExpr>(hir::ExprKind::kBinary, types_.boolean(), value.span, op, left,
-                               wanted, value.span);
+  return checker.make<hir::BinaryExpr>(hir::ExprKind::kBinary, checker.types.boolean(), value.span,
+                                       op, left, wanted, value.span);
 }
 
-hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
-  auto* out = make<hir::SwitchStmt>(hir::StmtKind::kSwitch, stmt.span, nullptr, nullptr,
-                                    hir::Seq<hir::SwitchCase>{});
-  out->value = check_value(*stmt.value);
+}  // namespace
+
+hir::Stmt* check_switch(Checker& checker, const ast::SwitchStmt& stmt) {
+  auto* out = checker.make<hir::SwitchStmt>(hir::StmtKind::kSwitch, stmt.span, nullptr, nullptr,
+                                            hir::Seq<hir::SwitchCase>{});
+  out->value = checker.check_value(*stmt.value);
   const Type* type = out->value->type;
   if (!type->is(Kind::kInt) && !type->is(Kind::kText) && !type->is(Kind::kEnum) &&
       !type->is(Kind::kAny)) {
-    report(make_diagnostic("E0315", out->value->span,
-                           {"an int, a text or an enum value", type_phrase(type)}));
-    type = types_.any();
+    checker.report(make_diagnostic("E0315", out->value->span,
+                                   {"an int, a text or an enum value", type_phrase(type)}));
+    type = checker.types.any();
   }
-  out->subject = hidden(type, stmt.value->span);
-  const Flow before = here_->flow;
+  out->subject = hidden(checker, type, stmt.value->span);
+  const Flow before = checker.scopes.here().flow;
   std::vector<Flow> ways;  // out of each case
   bool has_default = false;
   std::set<std::string> seen;
   std::vector<hir::SwitchCase> cases;
   std::vector<hir::Expr*> tests;
   bool is_default = false;
-  here_->targets.push_back({JumpTarget::Kind::kSwitch, out});
+  checker.scopes.here().targets.push_back({JumpTarget::Kind::kSwitch, out});
   for (std::size_t i = 0; i < stmt.cases.size(); ++i) {
     const ast::SwitchCase& at = stmt.cases[i];
-    sink_.begin_statement();
-    for (const ast::Expr* value : at.values) tests.push_back(case_test(out->subject, *value, seen));
+    checker.messages.begin_statement();
+    for (const ast::Expr* value : at.values)
+      tests.push_back(case_test(checker, out->subject, *value, seen));
     is_default = is_default || at.is_default;
     // Cases without statements share the next body.
     if (last_statement(at.body) == nullptr && i + 1 < stmt.cases.size()) continue;
-    here_->flow = before;
-    hir::Block* body = check_block(at.body, at.span);
-    ways.push_back(here_->flow);
-    cases.push_back({seq(tests), is_default, body});
+    checker.scopes.here().flow = before;
+    hir::Block* body = checker.check_block(at.body, at.span);
+    ways.push_back(checker.scopes.here().flow);
+    cases.push_back({checker.seq(tests), is_default, body});
     has_default = has_default || is_default;
     tests.clear();
     is_default = false;
@@ -85,19 +96,22 @@ hir::Stmt* Checker::check_switch(const ast::SwitchStmt& stmt) {
   const bool complete = type->is(Kind::kEnum) && seen.size() == type->enumeration->values.size();
   if (!has_default && !complete) ways.push_back(before);
   Flow after = merged(std::move(ways));
-  after.merge(merged(std::move(here_->targets.back().exits)));
-  here_->targets.pop_back();
-  here_->flow = std::move(after);
-  sink_.begin_statement();
-  if (type->is(Kind::kEnum) && !has_default && !complete) missing_cases(stmt, type, seen);
-  advise_missing_break(stmt);
-  out->cases = seq(cases);
+  after.merge(merged(std::move(checker.scopes.here().targets.back().exits)));
+  checker.scopes.here().targets.pop_back();
+  checker.scopes.here().flow = std::move(after);
+  checker.messages.begin_statement();
+  if (type->is(Kind::kEnum) && !has_default && !complete) missing_cases(checker, stmt, type, seen);
+  advise_missing_break(checker, stmt);
+  out->cases = checker.seq(cases);
   return out;
 }
 
-void Checker::missing_cases(const ast::SwitchStmt& stmt, const Type* type,
-                            const std::set<std::string>& seen) {
-  if (!takes_errors()) return report(make_diagnostic("E0307", stmt.header, {""}));
+namespace {
+
+void missing_cases(Checker& checker, const ast::SwitchStmt& stmt, const Type* type,
+                   const std::set<std::string>& seen) {
+  if (!checker.messages.takes_errors())
+    return checker.report(make_diagnostic("E0307", stmt.header, {""}));
   std::vector<std::string> missing;
   for (const std::string& value : type->enumeration->values) {
     if (!seen.contains(value)) missing.push_back(type->enumeration->name + '.' + value);
@@ -109,18 +123,18 @@ void Checker::missing_cases(const ast::SwitchStmt& stmt, const Type* type,
     cases += (i == 0 ? "" : ", ") + missing[i];
   }
   Span header = stmt.header;
-  const std::string text = text_of(header);
+  const std::string text = checker.text_of(header);
   header.end = header.begin + static_cast<std::uint32_t>(text.find_last_of(')') + 1);
   Diagnostic diagnostic = make_diagnostic("E0307", header, {list});
   diagnostic.why = "every value of an enum must be handled";
   const Span brace{stmt.span.end - 1, stmt.span.end, stmt.span.source};
   diagnostic.fix = Fix{.text = "add case " + cases + ": or default:",
-                       .edits = {at_end_of_block(*this, brace, "case " + cases + ":")}};
-  report(std::move(diagnostic));
+                       .edits = {at_end_of_block(checker, brace, "case " + cases + ":")}};
+  checker.report(std::move(diagnostic));
 }
 
 // In Java a case without break runs on; a program that writes break elsewhere may have meant that.
-void Checker::advise_missing_break(const ast::SwitchStmt& stmt) {
+void advise_missing_break(Checker& checker, const ast::SwitchStmt& stmt) {
   const auto ends_with_break = [](const ast::SwitchCase& at) {
     const ast::Stmt* last = last_statement(at.body);
     return last != nullptr && last->kind == ast::StmtKind::kBreak;
@@ -134,9 +148,11 @@ void Checker::advise_missing_break(const ast::SwitchStmt& stmt) {
         last->kind == ast::StmtKind::kThrow || last->kind == ast::StmtKind::kContinue ||
         last->kind == ast::StmtKind::kRetry;
     if (leaves) continue;
-    report(make_diagnostic("W0713", stmt.cases[i].span));
+    checker.report(make_diagnostic("W0713", stmt.cases[i].span));
     return;
   }
 }
+
+}  // namespace
 
 }  // namespace armlet::lang

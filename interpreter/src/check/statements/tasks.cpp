@@ -2,7 +2,11 @@
 
 #include <algorithm>
 
+#include "check/calls/lambdas.hpp"
+#include "check/calls/native_calls.hpp"
 #include "check/explain/edits.hpp"
+#include "check/names/declarations.hpp"
+#include "check/statements/statements.hpp"
 
 namespace armlet::lang {
 
@@ -12,29 +16,27 @@ namespace {
 hir::Function* task_function(Checker& checker, const std::string& name, ast::Seq<ast::Stmt*> body,
                              Span span, FunctionContext& context) {
   context.kind = FunctionContext::Kind::kTask;
-  context.outer = checker.here_;
-  context.flow = checker.here_->flow;
-  context.function = checker.new_function(name, span);
+  context.outer = &checker.scopes.here();
+  context.flow = checker.scopes.here().flow;
+  context.function = checker.shared.instances.make_function(name, span);
   context.function->is_task = true;
-  context.function->result = checker.types_.void_type();
+  context.function->result = checker.types.void_type();
   context.result = context.function->result;
   context.result_is_declared = true;
-  FunctionContext* const before = std::exchange(checker.here_, &context);
-  Use* const use_before = std::exchange(checker.use_, &checker.use_of(context.function));
-  const bool failed_before = checker.sink_.statement_failed();
-  checker.open_block();
+  const Scopes::Position outside =
+      checker.scopes.enter(context, checker.shared.uses.of(context.function));
+  const bool failed_before = checker.messages.statement_failed();
+  checker.scopes.open_block();
   context.function->body = checker.check_block(body, span);
-  checker.close_block();
-  checker.sink_.set_statement_failed(failed_before);
-  checker.here_ = before;
-  checker.use_ = use_before;
+  close_block(checker);
+  checker.messages.set_statement_failed(failed_before);
+  checker.scopes.come_back(outside);
   return context.function;
 }
 
 hir::Expr* task_value(Checker& checker, FunctionContext& context) {
-  return checker.closure(context.function, context,
-                         checker.types_.function({}, checker.types_.void_type()),
-                         context.function->span);
+  return closure(checker, context.function, context,
+                 checker.types.function({}, checker.types.void_type()), context.function->span);
 }
 
 std::string on_line(const Checker& checker, Span span) {
@@ -77,12 +79,12 @@ hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
   std::vector<hir::Expr*> branches;
   std::vector<const hir::Function*> functions;
   std::vector<hir::Stmt*> body;
-  Flow after = checker.here_->flow;
-  checker.open_block();
+  Flow after = checker.scopes.here().flow;
+  checker.scopes.open_block();
   const ast::Seq<ast::Stmt*> statements = stmt.body->body;
   for (std::size_t i = 0; i < statements.size(); ++i) {
     const ast::Stmt& one = *statements[i];
-    checker.sink_.begin_statement();
+    checker.messages.begin_statement();
     if (one.kind == ast::StmtKind::kEmpty) continue;
     if (is_declaration(one)) {
       refuse_declaration(checker, one, word);
@@ -101,9 +103,9 @@ hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
     // What one branch has given a value has one when all have ended.
     after.add_values_of(context.flow);
   }
-  checker.close_block();
-  checker.here_->flow = std::move(after);
-  checker.note_pause(word);
+  close_block(checker);
+  checker.scopes.here().flow = std::move(after);
+  note_pause(checker, word);
   refuse_busy_resources(checker, word, functions);
   auto* parallel = checker.make<hir::ParallelStmt>(hir::StmtKind::kParallel, stmt.span,
                                                    checker.seq(branches), word);
@@ -113,19 +115,19 @@ hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
 }
 
 hir::Stmt* check_when(Checker& checker, const ast::WhenStmt& stmt) {
-  hir::Expr* condition = checker.check_guard(*stmt.condition);
+  hir::Expr* condition = check_guard(checker, *stmt.condition);
   FunctionContext context;
   task_function(checker, "when" + on_line(checker, stmt.span), stmt.body->body, stmt.body->span,
                 context);
-  checker.note_pause(stmt.span);
+  note_pause(checker, stmt.span);
   return checker.make<hir::WhenStmt>(hir::StmtKind::kWhen, stmt.span, condition,
                                      task_value(checker, context),
                                      head_of(stmt.span, *stmt.body, checker));
 }
 
 hir::Stmt* check_every(Checker& checker, const ast::EveryStmt& stmt) {
-  hir::Expr* period = checker.seconds(*stmt.period, "every");
-  const auto known = checker.constant_of(*period);
+  hir::Expr* period = seconds(checker, *stmt.period, "every");
+  const auto known = checker.shared.constants.of(*period);
   const bool is_number =
       known && (known->kind == Constant::Kind::kReal || known->kind == Constant::Kind::kInt);
   if (is_number && !(known->real > 0.0)) {
@@ -136,7 +138,7 @@ hir::Stmt* check_every(Checker& checker, const ast::EveryStmt& stmt) {
   FunctionContext context;
   task_function(checker, "every" + on_line(checker, stmt.span), stmt.body->body, stmt.body->span,
                 context);
-  checker.note_pause(stmt.span);
+  note_pause(checker, stmt.span);
   return checker.make<hir::EveryStmt>(hir::StmtKind::kEvery, stmt.span, period,
                                       task_value(checker, context),
                                       head_of(stmt.span, *stmt.body, checker));
@@ -145,7 +147,7 @@ hir::Stmt* check_every(Checker& checker, const ast::EveryStmt& stmt) {
 }  // namespace
 
 const Flow& flow_for(const Checker& checker, const FunctionContext& where) {
-  const FunctionContext* context = checker.here_;
+  const FunctionContext* context = &checker.scopes.here();
   while (context != &where && context->kind != FunctionContext::Kind::kTask &&
          context->outer != nullptr) {
     context = context->outer;
@@ -165,14 +167,10 @@ void note_assigned(FunctionContext& here, const hir::Variable* variable) {
 }
 
 hir::Stmt* check_tasks(Checker& checker, const ast::Stmt& stmt) {
-  switch (stmt.kind) {
-    case ast::StmtKind::kParallel:
-      return check_parallel(checker, stmt.as<ast::ParallelStmt>());
-    case ast::StmtKind::kWhen:
-      return check_when(checker, stmt.as<ast::WhenStmt>());
-    default:
-      return check_every(checker, stmt.as<ast::EveryStmt>());
-  }
+  if (stmt.kind == ast::StmtKind::kParallel)
+    return check_parallel(checker, stmt.as<ast::ParallelStmt>());
+  if (stmt.kind == ast::StmtKind::kWhen) return check_when(checker, stmt.as<ast::WhenStmt>());
+  return check_every(checker, stmt.as<ast::EveryStmt>());
 }
 
 }  // namespace armlet::lang

@@ -1,11 +1,13 @@
 #include "check/types/any_table.hpp"
 
+#include "check/calls/functions.hpp"
+
 namespace armlet::lang {
 
 bool is_any_table(const Checker& checker, const ast::TypeExpr* type) {
   while (type != nullptr && type->form == ast::TypeForm::kArray) type = type->element;
   return type != nullptr && type->form == ast::TypeForm::kNamed && type->path.size() == 1 &&
-         type->path[0].text == "table" && !checker.named_types_.contains("table");
+         type->path[0].text == "table" && checker.names.find_type("table") == nullptr;
 }
 
 const Type* resolve_open(Checker& checker, const ast::TypeExpr* type) {
@@ -27,13 +29,14 @@ std::string any_table_phrase(const ast::TypeExpr* type) {
 }
 
 bool settle(Checker& checker, const hir::Expr& table) {
-  for (std::size_t i = 0; table.type->is_open_table() && i < checker.queue_.size(); ++i) {
-    Instance& waiting = *checker.queue_[i];
-    waiting.declaration->file->check_body(waiting);
+  for (std::size_t i = 0;
+       table.type->is_open_table() && i < checker.shared.instances.waiting().size(); ++i) {
+    Instance& waiting = *checker.shared.instances.waiting()[i];
+    check_body(*waiting.declaration->file, waiting);
   }
   if (!table.type->is_open_table()) return true;
   // What puts a table there may have failed.
-  if (checker.sink_.has_errors()) return false;
+  if (checker.messages.has_errors()) return false;
   Diagnostic diagnostic = make_diagnostic("E0323", table.span, {"the columns of this table"});
   diagnostic.message = "the columns of this table are not known here";
   diagnostic.why = "nothing above this line puts a table there";

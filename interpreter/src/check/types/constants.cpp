@@ -1,5 +1,4 @@
-// What is known about a value from the text alone: constants, and facts that rules of the host have
-// left.
+#include "check/types/constants.hpp"
 
 #include <cmath>
 
@@ -81,7 +80,7 @@ Constant to_real(Constant constant) {
 
 }  // namespace
 
-std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) const {
+std::optional<Constant> Constants::at(const hir::Expr& expr, int depth) const {
   if (depth > kDeepest) return std::nullopt;
   switch (expr.kind) {
     case ExprKind::kBool:
@@ -97,22 +96,22 @@ std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) c
     case ExprKind::kVariable: {
       const hir::Variable* variable = expr.as<hir::VariableExpr>().variable;
       while (variable->outer != nullptr) variable = variable->outer;
-      const auto known = shared_.constants.find(variable);
-      if (known != shared_.constants.end()) return known->second;
-      return variable->init != nullptr ? constant_of(*variable->init, depth + 1) : std::nullopt;
+      const auto known = known_.find(variable);
+      if (known != known_.end()) return known->second;
+      return variable->init != nullptr ? at(*variable->init, depth + 1) : std::nullopt;
     }
     case ExprKind::kConvert: {
       const auto& node = expr.as<hir::ConvertExpr>();
       if (node.conversion == hir::Conversion::kRealToInt || expr.type->is(Kind::kEnum))
         return std::nullopt;
-      auto value = constant_of(*node.operand, depth + 1);
+      auto value = at(*node.operand, depth + 1);
       if (value && node.conversion != hir::Conversion::kSame) value = to_real(std::move(*value));
       return value;
     }
     case ExprKind::kList: {
       Constant list{.kind = Constant::Kind::kList};
       for (const hir::Expr* item : expr.as<hir::ListExpr>().items) {
-        auto value = constant_of(*item, depth + 1);
+        auto value = at(*item, depth + 1);
         if (!value) return std::nullopt;
         list.items.push_back(std::move(*value));
       }
@@ -120,16 +119,15 @@ std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) c
     }
     case ExprKind::kUnary: {
       const auto& node = expr.as<hir::UnaryExpr>();
-      const auto value = constant_of(*node.operand, depth + 1);
+      const auto value = at(*node.operand, depth + 1);
       if (!value) return std::nullopt;
       if (node.op == Op::kNegR) return real(-value->real);
       return node.op == Op::kNegI ? compute(Op::kSubI, integer(0), *value) : std::nullopt;
     }
     case ExprKind::kBinary: {
       const auto& node = expr.as<hir::BinaryExpr>();
-      const auto left = constant_of(*node.left, depth + 1);
-      const auto right =
-          left && is_number(*left) ? constant_of(*node.right, depth + 1) : std::nullopt;
+      const auto left = at(*node.left, depth + 1);
+      const auto right = left && is_number(*left) ? at(*node.right, depth + 1) : std::nullopt;
       return right && is_number(*right) ? compute(node.op, *left, *right) : std::nullopt;
     }
     default:
@@ -137,21 +135,19 @@ std::optional<Constant> Checker::constant_of(const hir::Expr& expr, int depth) c
   }
 }
 
-// What a variable stands for is found once, when it is declared: `let b = a + a; let c = b + b ...`
-// would take twice as long with every line. What is large is not known through variables.
-void Checker::note_constant(const hir::Variable& variable) {
+void Constants::note(const hir::Variable& variable) {
   constexpr std::size_t kLargest = 1000;
-  std::optional<Constant> value = constant_of(*variable.init);
+  std::optional<Constant> value = of(*variable.init);
   if (value && size_of(*value) > kLargest) value.reset();
-  shared_.constants.insert_or_assign(&variable, std::move(value));
+  known_.insert_or_assign(&variable, std::move(value));
 }
 
-const Fact* Checker::fact_of(const hir::Expr& expr) const {
+const Fact* fact_of(const hir::Expr& expr) {
   const hir::Expr& origin = origin_of(expr);
   return origin.kind == ExprKind::kGuarded ? nullptr : origin.fact;
 }
 
-const hir::Expr& Checker::origin_of(const hir::Expr& expr) const {
+const hir::Expr& origin_of(const hir::Expr& expr) {
   const hir::Expr* at = &expr;
   for (int i = 0; i < kDeepest; ++i) {
     const hir::Expr* next = nullptr;
@@ -163,33 +159,35 @@ const hir::Expr& Checker::origin_of(const hir::Expr& expr) const {
   return *at;
 }
 
-hir::Expr* Checker::literal_of(const Constant& constant, const Type* type, Span span) {
+hir::Expr* literal_of(Checker& checker, const Constant& constant, const Type* type, Span span) {
   switch (constant.kind) {
     case Constant::Kind::kBool:
-      return make<hir::BoolExpr>(ExprKind::kBool, types_.boolean(), span, constant.truth);
+      return checker.make<hir::BoolExpr>(ExprKind::kBool, checker.types.boolean(), span,
+                                         constant.truth);
     case Constant::Kind::kText:
-      return make<hir::TextExpr>(ExprKind::kText, types_.text(), span, arena_.copy(constant.text));
+      return checker.make<hir::TextExpr>(ExprKind::kText, checker.types.text(), span,
+                                         checker.arena.copy(constant.text));
     case Constant::Kind::kInt:
       if (type->is(Kind::kInt))
-        return make<hir::IntExpr>(ExprKind::kInt, type, span, constant.integer);
-      return make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);
+        return checker.make<hir::IntExpr>(ExprKind::kInt, type, span, constant.integer);
+      return checker.make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);
     case Constant::Kind::kReal:
-      return make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);
+      return checker.make<hir::RealExpr>(ExprKind::kReal, type, span, constant.real);
     case Constant::Kind::kList:
       break;
   }
-  return failed(span);
+  return checker.failed(span);
 }
 
 // Arithmetic on two literals is done here, so that -PI / 4 and 20 * 1mm are literals too.
-hir::Expr* Checker::folded(hir::BinaryExpr* expr) {
+hir::Expr* folded(Checker& checker, hir::BinaryExpr* expr) {
   const auto is_literal = [](const hir::Expr& side) {
     return side.kind == ExprKind::kInt || side.kind == ExprKind::kReal;
   };
   if (!is_literal(*expr->left) || !is_literal(*expr->right)) return expr;
-  const auto value = constant_of(*expr);
+  const auto value = checker.shared.constants.of(*expr);
   if (!value || !std::isfinite(value->real)) return expr;
-  return literal_of(*value, expr->type, expr->span);
+  return literal_of(checker, *value, expr->type, expr->span);
 }
 
 }  // namespace armlet::lang

@@ -1,7 +1,11 @@
 // The five conversions that happen by themselves (language reference, section 5), and casts.
 
 #include "check/checker.hpp"
+#include "check/explain/mismatch.hpp"
+#include "check/explain/mismatch_units.hpp"
 #include "check/types/maps.hpp"
+#include "check/types/operators.hpp"
+#include "check/types/types.hpp"
 
 namespace armlet::lang {
 
@@ -11,26 +15,31 @@ bool is_zero(const hir::Expr& value) {
          value.as<hir::RealExpr>().value == 0.0;
 }
 
-hir::Expr* Checker::number_as(hir::Expr* value, const Type* type) {
+namespace {
+
+hir::Expr* number_as(Checker& checker, hir::Expr* value, const Type* type) {
   if (conversion_cost(value->type, type, is_zero(*value)) < 0) return nullptr;
   if (value->kind == hir::ExprKind::kInt) {
     const auto number = static_cast<double>(value->as<hir::IntExpr>().value);
-    return make<hir::RealExpr>(hir::ExprKind::kReal, type, value->span, number);
+    return checker.make<hir::RealExpr>(hir::ExprKind::kReal, type, value->span, number);
   }
   if (value->kind == hir::ExprKind::kBinary && value->as<hir::BinaryExpr>().op == hir::Op::kDivI) {
     const auto& quotient = value->as<hir::BinaryExpr>();
-    advise_whole_quotient(value->span, quotient.left->span, quotient.right->span, "a whole number");
+    advise_whole_quotient(checker, value->span, quotient.left->span, quotient.right->span,
+                          "a whole number");
   }
   const auto how =
       value->type->is(Kind::kInt) ? hir::Conversion::kIntToReal : hir::Conversion::kSame;
-  return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span, how, value);
+  return checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span, how, value);
 }
+
+}  // namespace
 
 hir::Expr* Checker::convert(hir::Expr* value, const Type* type) {
   const Type* from = value->type;
   if (from == type || from->is(Kind::kAny) || type->is(Kind::kAny)) return value;
-  if (from->is_number() && type->is(Kind::kReal)) return number_as(value, type);
-  types_.join_tables(from, type);
+  if (from->is_number() && type->is(Kind::kReal)) return number_as(*this, value, type);
+  types.join_tables(from, type);
   if (from->is_table() && type->is_table() && from->record == type->record)
     return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, value->span,
                                   hir::Conversion::kSame, value);
@@ -76,7 +85,7 @@ hir::Expr* Checker::require(hir::Expr* value, const Target& target) {
       return failed(value->span);
     }
   }
-  return mismatch(*value, target);
+  return mismatch(*this, *value, target);
 }
 
 hir::Expr* Checker::check_as(const ast::Expr& expr, const Target& target) {
@@ -84,7 +93,7 @@ hir::Expr* Checker::check_as(const ast::Expr& expr, const Target& target) {
 }
 
 hir::Expr* Checker::condition(const ast::Expr& expr) {
-  hir::Expr* value = check_value(expr, types_.boolean());
+  hir::Expr* value = check_value(expr, types.boolean());
   if (value->type->is(Kind::kBool) || value->type->is(Kind::kAny)) return value;
   Diagnostic diagnostic = make_diagnostic("E0309", value->span, {type_phrase(value->type)});
   if (value->type->is(Kind::kInt)) {
@@ -95,31 +104,31 @@ hir::Expr* Checker::condition(const ast::Expr& expr) {
   return failed(value->span);
 }
 
-hir::Expr* Checker::cast(hir::Expr* value, const Type* type, Span span) {
-  if (value->type->is(Kind::kAny)) return failed(span);
+hir::Expr* cast(Checker& checker, hir::Expr* value, const Type* type, Span span) {
+  if (value->type->is(Kind::kAny)) return checker.failed(span);
   if (type->is(Kind::kInt) && value->type->is_double()) {
-    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span, hir::Conversion::kRealToInt,
-                                  value);
+    return checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span,
+                                          hir::Conversion::kRealToInt, value);
   }
   if (type->is_double() && value->type->is(Kind::kInt)) {
-    return make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span, hir::Conversion::kIntToReal,
-                                  value);
+    return checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, type, span,
+                                          hir::Conversion::kIntToReal, value);
   }
   if (value->type->is(Kind::kReal) && (type->is_double() || type->is(Kind::kInt))) {
-    hir::Expr* number = convert(value, types_.real());
+    hir::Expr* number = checker.convert(value, checker.types.real());
     if (number == nullptr) {
-      quantity_for_number(*value);
-      return failed(span);
+      quantity_for_number(checker, *value);
+      return checker.failed(span);
     }
-    return type->is(Kind::kInt) ? cast(number, type, span) : number;
+    return type->is(Kind::kInt) ? cast(checker, number, type, span) : number;
   }
   if (value->type == type) return value;
-  report(make_diagnostic("E0325", span, {type_phrase(value->type), type_phrase(type)}));
-  return failed(span);
+  checker.report(make_diagnostic("E0325", span, {type_phrase(value->type), type_phrase(type)}));
+  return checker.failed(span);
 }
 
-const Type* Checker::common_type(const hir::Expr& a, const hir::Expr& b) {
-  if (a.type->is(Kind::kAny) || b.type->is(Kind::kAny)) return types_.any();
+const Type* common_type(Checker& checker, const hir::Expr& a, const hir::Expr& b) {
+  if (a.type->is(Kind::kAny) || b.type->is(Kind::kAny)) return checker.types.any();
   const bool maps = a.type->is(Kind::kMap) && b.type->is(Kind::kMap);
   const bool lists = a.type->is(Kind::kList) && b.type->is(Kind::kList);
   if ((maps || lists) && a.type->element->is(Kind::kAny)) return b.type;
@@ -129,7 +138,7 @@ const Type* Checker::common_type(const hir::Expr& a, const hir::Expr& b) {
     if (is_zero(a) && b.type->is(Kind::kReal)) return b.type;
     if (is_zero(b) && a.type->is(Kind::kReal)) return a.type;
     const auto dim = common_dimension(a.type->dim, b.type->dim);
-    return dim ? types_.quantity(*dim) : nullptr;
+    return dim ? checker.types.quantity(*dim) : nullptr;
   }
   if (!maps && !lists) return nullptr;
   if (conversion_cost(b.type, a.type) >= 0) return a.type;

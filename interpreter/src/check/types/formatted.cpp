@@ -1,43 +1,46 @@
 // Formatted text: f"value {j + 1} at {q[j]:.1f deg}".
 
 #include "check/checker.hpp"
+#include "check/types/expressions.hpp"
 
 namespace armlet::lang {
 
-hir::Expr* Checker::to_text(hir::Expr* value) {
+hir::Expr* to_text(Checker& checker, hir::Expr* value) {
   if (value->type->is(Kind::kText) || value->type->is(Kind::kAny)) return value;
-  return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value,
-                               TextStyle{}, std::string_view{}, 1.0);
+  return checker.make<hir::ToTextExpr>(hir::ExprKind::kToText, checker.types.text(), value->span,
+                                       value, TextStyle{}, std::string_view{}, 1.0);
 }
 
-hir::Expr* Checker::check_formatted(const ast::FormattedExpr& text) {
+hir::Expr* check_formatted(Checker& checker, const ast::FormattedExpr& text) {
   std::vector<hir::Expr*> parts;
   const auto add_text = [&](std::string_view piece) {
     if (piece.empty()) return;
-    parts.push_back(
-        make<hir::TextExpr>(hir::ExprKind::kText, types_.text(), text.span, arena_.copy(piece)));
+    parts.push_back(checker.make<hir::TextExpr>(hir::ExprKind::kText, checker.types.text(),
+                                                text.span, checker.arena.copy(piece)));
   };
   for (std::size_t i = 0; i < text.pieces.size(); ++i) {
     add_text(text.texts[i]);
-    parts.push_back(in_format(check_value(*text.pieces[i].value), text.pieces[i].format));
+    parts.push_back(
+        in_format(checker, checker.check_value(*text.pieces[i].value), text.pieces[i].format));
   }
   add_text(text.texts.back());
-  return make<hir::ConcatExpr>(hir::ExprKind::kConcat, types_.text(), text.span, seq(parts));
+  return checker.make<hir::ConcatExpr>(hir::ExprKind::kConcat, checker.types.text(), text.span,
+                                       checker.seq(parts));
 }
 
-hir::Expr* Checker::in_format(hir::Expr* value, const ast::FormatSpec& format) {
+hir::Expr* in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& format) {
   if (value->type->is(Kind::kAny)) return value;
-  if (format.style.is_plain() && format.unit.empty()) return to_text(value);
+  if (format.style.is_plain() && format.unit.empty()) return to_text(checker, value);
 
   const Type* number = value->type;
   while (number->is(Kind::kList) || number->is(Kind::kMap)) number = number->element;
-  if (number->is(Kind::kMatrix)) number = types_.real();
+  if (number->is(Kind::kMatrix)) number = checker.types.real();
   const bool only_width = !format.style.needs_number() && format.unit.empty();
   const bool is_word =
       value->type->is(Kind::kText) || value->type->is(Kind::kBool) || value->type->is(Kind::kEnum);
   if (!number->is_number() && !(only_width && is_word)) {
-    report(make_diagnostic("E0314", value->span, {type_phrase(value->type)}));
-    return failed(value->span);
+    checker.report(make_diagnostic("E0314", value->span, {type_phrase(value->type)}));
+    return checker.failed(value->span);
   }
   double factor = 1.0;
   if (!format.unit.empty()) {
@@ -48,13 +51,13 @@ hir::Expr* Checker::in_format(hir::Expr* value, const ast::FormatSpec& format) {
       Diagnostic diagnostic = make_diagnostic("E0209", format.span, {std::string(format.unit)});
       if (const auto near = suggest(format.unit, std::span<const std::string_view>(names))) {
         Span word = format.span;
-        const std::size_t at = text_of(word).rfind(format.unit);
+        const std::size_t at = checker.text_of(word).rfind(format.unit);
         if (at != std::string::npos) word.begin += static_cast<std::uint32_t>(at);
         diagnostic.fix = Fix{.text = "did you mean " + std::string(*near) + "?",
                              .edits = {{word, std::string(*near)}}};
       }
-      report(std::move(diagnostic));
-      return failed(value->span);
+      checker.report(std::move(diagnostic));
+      return checker.failed(value->span);
     }
     // An angle may already have become a plain number in radians.
     if (unit->dim != number->dim && unit->dim.without_angle() != number->dim) {
@@ -63,13 +66,14 @@ hir::Expr* Checker::in_format(hir::Expr* value, const ast::FormatSpec& format) {
                           {dimension_phrase(number->dim), "shown in", std::string(format.unit)});
       diagnostic.mark.label = dimension_name(unit->dim);
       diagnostic.related.push_back({value->span, dimension_name(number->dim)});
-      report(std::move(diagnostic));
-      return failed(value->span);
+      checker.report(std::move(diagnostic));
+      return checker.failed(value->span);
     }
     factor = unit->factor;
   }
-  return make<hir::ToTextExpr>(hir::ExprKind::kToText, types_.text(), value->span, value,
-                               format.style, arena_.copy(format.unit), factor);
+  return checker.make<hir::ToTextExpr>(hir::ExprKind::kToText, checker.types.text(), value->span,
+                                       value, format.style, checker.arena.copy(format.unit),
+                                       factor);
 }
 
 }  // namespace armlet::lang

@@ -5,37 +5,22 @@
 
 #include <algorithm>
 
+#include "check/names/declarations.hpp"
 #include "check/tree/hand_on.hpp"
 
 namespace armlet::lang {
 namespace {
 
-constexpr std::size_t kMany = 16;  // names, from which on a table or a function is worth its while
-
-template <class Names, class Name>
-int index_in(const Names& names, std::string_view name, Name name_of,
-             std::unordered_map<std::string_view, int>* table) {
-  if (table == nullptr) {
-    const auto found = std::ranges::find(names, name, name_of);
-    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-  }
-  if (table->size() != names.size()) {
-    table->clear();
-    for (std::size_t i = 0; i < names.size(); ++i)
-      table->emplace(name_of(names[i]), static_cast<int>(i));
-  }
-  const auto found = table->find(name);
-  return found == table->end() ? -1 : found->second;
-}
+constexpr std::size_t kMany = 16;  // names, from which on a function is worth its while
 
 hir::Expr* list_of_names(Checker& checker, const EnumInfo& info, Span span) {
   std::vector<hir::Expr*> names;
-  const Type* text = checker.types_.text();
+  const Type* text = checker.types.text();
   for (const std::string& name : info.values) {
     names.push_back(
-        checker.make<hir::TextExpr>(hir::ExprKind::kText, text, span, checker.arena_.copy(name)));
+        checker.make<hir::TextExpr>(hir::ExprKind::kText, text, span, checker.arena.copy(name)));
   }
-  return checker.make<hir::ListExpr>(hir::ExprKind::kList, checker.types_.list(text), span,
+  return checker.make<hir::ListExpr>(hir::ExprKind::kList, checker.types.list(text), span,
                                      checker.seq(names));
 }
 
@@ -45,14 +30,14 @@ hir::Expr* list_of_values(Checker& checker, const Type* type, Span span) {
     all.push_back(
         checker.make<hir::IntExpr>(hir::ExprKind::kEnum, type, span, static_cast<std::int64_t>(i)));
   }
-  return checker.make<hir::ListExpr>(hir::ExprKind::kList, checker.types_.list(type), span,
+  return checker.make<hir::ListExpr>(hir::ExprKind::kList, checker.types.list(type), span,
                                      checker.seq(all));
 }
 
 hir::Expr* name_at(Checker& checker, hir::Expr* names, hir::Expr* value, Span span) {
   hir::Expr* number = checker.make<hir::ConvertExpr>(
-      hir::ExprKind::kConvert, checker.types_.integer(), span, hir::Conversion::kSame, value);
-  return checker.make<hir::ElementExpr>(hir::ExprKind::kElement, checker.types_.text(), span, names,
+      hir::ExprKind::kConvert, checker.types.integer(), span, hir::Conversion::kSame, value);
+  return checker.make<hir::ElementExpr>(hir::ExprKind::kElement, checker.types.text(), span, names,
                                         number);
 }
 
@@ -67,7 +52,7 @@ hir::Expr* call_of(Checker& checker, hir::Function* function, const std::vector<
                    Span span) {
   std::vector<Span> spans;
   for (const hir::Expr* value : values) spans.push_back(value->span);
-  checker.use_->add(function);
+  checker.scopes.use().add(function);
   return checker.make<hir::CallExpr>(hir::ExprKind::kCall, function->result, span, function,
                                      checker.seq(values),
                                      hir::CallSite{span, span, checker.seq(spans)});
@@ -75,42 +60,30 @@ hir::Expr* call_of(Checker& checker, hir::Function* function, const std::vector<
 
 }  // namespace
 
-int field_index(Checker& checker, const RecordInfo& record, std::string_view name) {
-  return index_in(
-      record.fields, name, [](const RecordField& field) -> std::string_view { return field.name; },
-      record.fields.size() < kMany ? nullptr : &checker.shared_.places[&record]);
-}
-
-int value_index(Checker& checker, const EnumInfo& enumeration, std::string_view name) {
-  return index_in(
-      enumeration.values, name, [](const std::string& value) -> std::string_view { return value; },
-      enumeration.values.size() < kMany ? nullptr : &checker.shared_.places[&enumeration]);
-}
-
 // The names in a list, picked by number.
-hir::Expr* Checker::enum_name(hir::Expr* value, Span span) {
+hir::Expr* enum_name(Checker& checker, hir::Expr* value, Span span) {
   const EnumInfo& info = *value->type->enumeration;
   if (info.values.size() < kMany)
-    return name_at(*this, list_of_names(*this, info, span), value, span);
-  hir::Function*& known = shared_.enum_names[&info];
+    return name_at(checker, list_of_names(checker, info, span), value, span);
+  hir::Function*& known = checker.shared.structs.name_function(info);
   if (known == nullptr) {
-    known = new_function(info.name + ".name", span);
-    hir::Variable* parameter = hidden(value->type, span);
+    known = checker.shared.instances.make_function(info.name + ".name", span);
+    hir::Variable* parameter = hidden(checker, value->type, span);
     parameter->owner = known;
     parameter->is_parameter = true;
-    known->parameters = seq(std::vector<hir::Variable*>{parameter});
+    known->parameters = checker.seq(std::vector<hir::Variable*>{parameter});
     hir::Expr* read =
-        make<hir::VariableExpr>(hir::ExprKind::kVariable, value->type, span, parameter);
-    give_body(*this, *known, name_at(*this, list_of_names(*this, info, span), read, span));
+        checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, value->type, span, parameter);
+    give_body(checker, *known, name_at(checker, list_of_names(checker, info, span), read, span));
   }
-  return call_of(*this, known, {value}, span);
+  return call_of(checker, known, {value}, span);
 }
 
 hir::Expr* enum_values(Checker& checker, const Type* type, Span span) {
   if (type->enumeration->values.size() < kMany) return list_of_values(checker, type, span);
-  hir::Function*& known = checker.shared_.enum_values[type->enumeration];
+  hir::Function*& known = checker.shared.structs.values_function(*type->enumeration);
   if (known == nullptr) {
-    known = checker.new_function(type->enumeration->name + ".values", span);
+    known = checker.shared.instances.make_function(type->enumeration->name + ".values", span);
     known->gives_fixed_value = true;
     give_body(checker, *known, list_of_values(checker, type, span));
   }
@@ -131,11 +104,10 @@ bool all_fixed(const auto& items, int& parts);
 // A value that is the same at every call: written in the text, or a value of the host or a new list
 // made from such values. Counts its parts.
 bool is_fixed_value(const hir::Expr& value, int& parts) {
-  ++parts;
+  const bool is_text = value.kind == hir::ExprKind::kText;
+  parts += is_text && value.as<hir::TextExpr>().value.size() > kShortText ? 1 + kFewParts : 1;
   switch (value.kind) {
     case hir::ExprKind::kText:
-      if (value.as<hir::TextExpr>().value.size() > kShortText) parts += kFewParts;
-      return true;
     case hir::ExprKind::kBool:
     case hir::ExprKind::kInt:
     case hir::ExprKind::kReal:
@@ -161,16 +133,35 @@ bool is_fixed_value(const hir::Expr& value, int& parts) {
       return all_fixed(value.as<hir::RecordExpr>().fields, parts);
     case hir::ExprKind::kNewArray:
       return all_fixed(value.as<hir::NewArrayExpr>().sizes, parts);
-    case hir::ExprKind::kCallNative: {
-      const auto& call = value.as<hir::CallNativeExpr>();
-      const bool makes_one = value.type->is(Kind::kHost) || call.function == &kFilled;
-      return makes_one && all_fixed(call.arguments, parts);
-    }
+    case hir::ExprKind::kCallNative:
+      return (value.type->is(Kind::kHost) ||
+              value.as<hir::CallNativeExpr>().function == &kFilled) &&
+             all_fixed(value.as<hir::CallNativeExpr>().arguments, parts);
     case hir::ExprKind::kCall:  // of a function that gives a default value
       return value.as<hir::CallExpr>().function->gives_fixed_value;
-    default:
-      return false;
+    case hir::ExprKind::kVariable:
+    case hir::ExprKind::kAnd:
+    case hir::ExprKind::kOr:
+    case hir::ExprKind::kCond:
+    case hir::ExprKind::kField:
+    case hir::ExprKind::kElement:
+    case hir::ExprKind::kSlice:
+    case hir::ExprKind::kLength:
+    case hir::ExprKind::kCharacter:
+    case hir::ExprKind::kCallValue:
+    case hir::ExprKind::kClosure:
+    case hir::ExprKind::kConcat:
+    case hir::ExprKind::kToText:
+    case hir::ExprKind::kError:
+    case hir::ExprKind::kMutate:
+    case hir::ExprKind::kGuarded:
+    case hir::ExprKind::kPart:
+    case hir::ExprKind::kOverList:
+    case hir::ExprKind::kEntry:
+    case hir::ExprKind::kMapQuery:
+      break;
   }
+  return false;
 }
 
 bool all_fixed(const auto& items, int& parts) {
@@ -181,22 +172,22 @@ bool all_fixed(const auto& items, int& parts) {
 // Checked when it is first needed. A struct whose fields have defaults that have defaults would
 // grow without end if every use repeated them, so large ones become functions.
 Default& known_default(Checker& checker, const ast::Expr& expr, const Target& target) {
-  const auto [entry, is_new] = checker.shared_.defaults.try_emplace(&expr);
-  Default& known = entry->second;  // stays there: other defaults are noted while this is checked
-  if (known.is_open) {             // a struct whose default holds itself
+  const auto [entry, is_new] = checker.shared.defaults.find(expr);
+  Default& known = *entry;
+  if (known.is_open) {  // a struct whose default holds itself
     checker.report(make_diagnostic("E0125", expr.span, {"600 levels"}));
     known.value = checker.failed(expr.span);
   }
   if (!is_new) return known;
   known.value = checker.failed(expr.span);
   known.is_open = true;
-  const bool before = std::exchange(checker.only_top_level_, true);
+  const bool before = checker.scopes.see_top_level_only(true);
   Use used;
-  Use* const use_before = std::exchange(checker.use_, &used);
+  Use& use_before = checker.scopes.collect_in(used);
   hir::Expr* value =
       target.type != nullptr ? checker.check_as(expr, target) : checker.check_value(expr);
-  checker.use_ = use_before;
-  checker.only_top_level_ = before;
+  checker.scopes.collect_in(use_before);
+  checker.scopes.see_top_level_only(before);
   known.is_open = false;
   known.use = std::move(used);
   if (value->type->is(Kind::kAny)) return known;
@@ -208,9 +199,10 @@ Default& known_default(Checker& checker, const ast::Expr& expr, const Target& ta
   }
   known.value = value;
   if (parts <= kFewParts) return known;
-  known.function = checker.new_function("default of " + std::string(target.name), expr.span);
+  known.function =
+      checker.shared.instances.make_function("default of " + std::string(target.name), expr.span);
   known.function->gives_fixed_value = true;
-  checker.uses_[known.function] = std::exchange(known.use, {});
+  checker.shared.uses.of(known.function) = std::exchange(known.use, {});
   give_body(checker, *known.function, value);
   return known;
 }
@@ -219,17 +211,15 @@ Default& known_default(Checker& checker, const ast::Expr& expr, const Target& ta
 
 hir::Expr* default_value(Checker& checker, Checker& file, const ast::Expr& expr,
                          const Target& target) {
-  if (++checker.shared_.defaults_taken > kMostDefaults) {
-    if (checker.shared_.defaults_taken == kMostDefaults + 1)
+  if (const std::size_t taken = checker.shared.defaults.take(); taken > kMostDefaults) {
+    if (taken == kMostDefaults + 1)
       checker.report(make_diagnostic(
           "E0124", target.call,
           {"more than " + std::to_string(kMostDefaults) + " values left out in calls"}));
     return checker.failed(target.call);
   }
   Default& known = known_default(file, expr, target);
-  for (hir::Variable* variable : known.use.globals) checker.use_->add(variable);
-  for (const hir::Function* function : known.use.calls) checker.use_->add(function);
-  checker.use_->pauses = checker.use_->pauses || known.use.pauses;
+  checker.scopes.use().add(known.use);
   if (known.function == nullptr) return known.value;
   hir::Expr* value = call_of(checker, known.function, {}, target.call);
   value->fact = known.value->fact;

@@ -4,6 +4,8 @@
 
 #include <unordered_map>
 
+#include "check/types/types.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -15,8 +17,8 @@ bool can_be_key(const Type* type) {
 bool refuse_size(Checker& checker, const ast::TypeExpr& written) {
   const ast::TypeExpr& key = *written.key;
   FunctionContext* where = nullptr;
-  if (key.path.size() != 1 || checker.type_called(key.path[0].text) != nullptr) return false;
-  if (checker.find_local(key.path[0].text, where) == nullptr) return false;
+  if (key.path.size() != 1 || type_called(checker, key.path[0].text) != nullptr) return false;
+  if (checker.scopes.find(key.path[0].text, where) == nullptr) return false;
   const std::string name(key.path[0].text);
   Diagnostic diagnostic = make_diagnostic("E0338", key.span, {'`' + name + "`, a variable"});
   diagnostic.why = "the size of a list is no part of its type";
@@ -29,7 +31,7 @@ bool refuse_size(Checker& checker, const ast::TypeExpr& written) {
 // A key as it can be told from others before the program runs; empty if it cannot.
 std::string known_key(const Checker& checker, const hir::Expr& key) {
   if (key.kind == hir::ExprKind::kEnum) return std::to_string(key.as<hir::IntExpr>().value);
-  const auto constant = checker.constant_of(key);
+  const auto constant = checker.shared.constants.of(key);
   if (!constant) return {};
   if (constant->kind == Constant::Kind::kText) return '"' + constant->text + '"';
   if (constant->kind == Constant::Kind::kInt) return std::to_string(constant->integer);
@@ -58,10 +60,10 @@ bool refuse_bare_name(Checker& checker, const ast::Expr& written) {
   if (written.kind != ast::ExprKind::kName) return false;
   const std::string_view name = written.as<ast::NameExpr>().name;
   FunctionContext* where = nullptr;
-  if (checker.find_local(name, where) != nullptr || checker.find_function(name) != nullptr ||
-      !checker.registry_.functions(name).empty() || checker.registry_.constant(name) != nullptr)
+  if (checker.scopes.find(name, where) != nullptr || checker.names.find_function(name) != nullptr ||
+      !checker.registry.functions(name).empty() || checker.registry.constant(name) != nullptr)
     return false;
-  if (checker.syntax_failed_ || !checker.told_.emplace(name).second) return true;
+  if (!checker.messages.is_news(name)) return true;
   const std::string text = '"' + std::string(name) + '"';
   Diagnostic diagnostic = make_diagnostic("E0201", written.span, {std::string(name)});
   diagnostic.why = "a key that is a text stands in quotes";
@@ -83,7 +85,7 @@ std::vector<hir::Expr*> keys_of(Checker& checker, const ast::MapExpr& map, const
     const Type* found = key->type;
     if (type == nullptr && !found->is(Kind::kAny) && !can_be_key(found)) {
       checker.report(make_diagnostic("E0338", key->span, {type_phrase(found)}));
-      found = checker.types_.any();
+      found = checker.types.any();
     }
     if (type == nullptr) type = found;
     if (!found->is(Kind::kAny)) key = checker.require(key, {.type = type, .name = "key"});
@@ -102,7 +104,7 @@ std::vector<hir::Expr*> keys_of(Checker& checker, const ast::MapExpr& map, const
 const Type* type_of_values(Checker& checker, std::vector<hir::Expr*>& values) {
   hir::Expr* widest = values.front();
   for (hir::Expr* value : values) {
-    const Type* type = checker.common_type(*widest, *value);
+    const Type* type = common_type(checker, *widest, *value);
     if (type == nullptr) {
       Diagnostic diagnostic = make_diagnostic(
           "E0330", value->span, {type_phrase(widest->type), type_phrase(value->type)});
@@ -126,12 +128,12 @@ hir::Expr* key_value(Checker& checker, const ast::Expr& written, const Type* map
 
 const Type* map_type(Checker& checker, const ast::TypeExpr& written) {
   const Type* element = checker.resolve(*written.element);
-  if (refuse_size(checker, written)) return checker.types_.any();
+  if (refuse_size(checker, written)) return checker.types.any();
   const Type* key = checker.resolve(*written.key);
-  if (key->is(Kind::kAny) || element->is(Kind::kAny)) return checker.types_.any();
-  if (can_be_key(key)) return checker.types_.map(key, element);
+  if (key->is(Kind::kAny) || element->is(Kind::kAny)) return checker.types.any();
+  if (can_be_key(key)) return checker.types.map(key, element);
   checker.report(make_diagnostic("E0338", written.key->span, {type_phrase(key)}));
-  return checker.types_.any();
+  return checker.types.any();
 }
 
 hir::Expr* empty_map(Checker& checker, const Type* type, Span span) {
@@ -140,10 +142,10 @@ hir::Expr* empty_map(Checker& checker, const Type* type, Span span) {
 }
 
 hir::Expr* check_map(Checker& checker, const ast::MapExpr& map, const Type* expected) {
-  const Type* const any = checker.types_.any();
+  const Type* const any = checker.types.any();
   const Type* wanted = expected != nullptr && expected->is(Kind::kMap) ? expected : nullptr;
   if (map.keys.empty())
-    return empty_map(checker, wanted != nullptr ? wanted : checker.types_.map(any, any), map.span);
+    return empty_map(checker, wanted != nullptr ? wanted : checker.types.map(any, any), map.span);
   const Type* key = wanted != nullptr ? wanted->key : nullptr;
   const std::vector<hir::Expr*> keys = keys_of(checker, map, key);
   if (key == nullptr) return checker.failed(map.span);
@@ -158,7 +160,7 @@ hir::Expr* check_map(Checker& checker, const ast::MapExpr& map, const Type* expe
   }
   if (element == nullptr) element = type_of_values(checker, values);
   if (element == nullptr) return checker.failed(map.span);
-  return checker.make<hir::MapExpr>(hir::ExprKind::kMap, checker.types_.map(key, element), map.span,
+  return checker.make<hir::MapExpr>(hir::ExprKind::kMap, checker.types.map(key, element), map.span,
                                     checker.seq(keys), checker.seq(values));
 }
 
@@ -205,7 +207,7 @@ std::optional<hir::Step> entry_step(Checker& checker, const ast::IndexExpr& inde
 
 hir::Expr* parts_of_map(Checker& checker, hir::MapQuestion question, hir::Expr* map, Span span) {
   const Type* part = question == hir::MapQuestion::kKeys ? map->type->key : map->type->element;
-  return checker.make<hir::MapQueryExpr>(hir::ExprKind::kMapQuery, checker.types_.list(part), span,
+  return checker.make<hir::MapQueryExpr>(hir::ExprKind::kMapQuery, checker.types.list(part), span,
                                          question, map, nullptr);
 }
 

@@ -4,6 +4,10 @@
 
 #include "armlet/interpreter/later.hpp"
 #include "check/explain/edits.hpp"
+#include "check/names/declarations.hpp"
+#include "check/names/places.hpp"
+#include "check/types/members.hpp"
+#include "check/types/operators.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -18,25 +22,25 @@ std::string size_text(const SizeFact& size) {
 void set_size(Checker& checker, hir::Expr& expr, SizeFact size) {
   auto fact = std::make_shared<SizeFact>(size);
   expr.fact = fact.get();
-  checker.into_.facts.push_back(std::move(fact));
+  checker.into.facts.push_back(std::move(fact));
 }
 
 // What the text shows about the size of a list or matrix.
-std::optional<SizeFact> size_of(const Checker& checker, const hir::Expr& expr) {
-  if (const auto* size = dynamic_cast<const SizeFact*>(checker.fact_of(expr))) return *size;
-  const hir::Expr& origin = checker.origin_of(expr);
+std::optional<SizeFact> size_of(const hir::Expr& expr) {
+  if (const auto* size = dynamic_cast<const SizeFact*>(fact_of(expr))) return *size;
+  const hir::Expr& origin = origin_of(expr);
   if (origin.kind != ExprKind::kList) return std::nullopt;
   return SizeFact(static_cast<std::int64_t>(origin.as<hir::ListExpr>().items.size()));
 }
 
 // How many rows or columns a place between brackets picks of `all`; empty if the text does not
 // tell.
-std::optional<std::int64_t> count_of(const Checker& checker, const hir::PartEnds& ends,
+std::optional<std::int64_t> count_of(const Constants& constants, const hir::PartEnds& ends,
                                      std::optional<std::int64_t> all) {
   if (!ends.is_range) return 1;
   const auto end = [&](const hir::Expr* expr, std::optional<std::int64_t> otherwise) {
     if (expr == nullptr) return otherwise;
-    const auto value = checker.constant_of(*expr);
+    const auto value = constants.of(*expr);
     return value ? std::optional(value->integer) : std::nullopt;
   };
   const auto first = end(ends.first, 0);
@@ -46,15 +50,15 @@ std::optional<std::int64_t> count_of(const Checker& checker, const hir::PartEnds
 }
 
 // The size of a part of something whose own size is known or not.
-std::optional<SizeFact> size_of_part(const Checker& checker, const hir::PartEnds& rows,
+std::optional<SizeFact> size_of_part(const Constants& constants, const hir::PartEnds& rows,
                                      const hir::PartEnds& cols,
                                      const std::optional<SizeFact>& whole, bool list) {
   const auto along = [&](std::int64_t SizeFact::*axis) {
     return whole ? std::optional((*whole).*axis) : std::nullopt;
   };
-  const auto r = count_of(checker, rows, along(&SizeFact::rows));
+  const auto r = count_of(constants, rows, along(&SizeFact::rows));
   if (list) return r ? std::optional(SizeFact(*r)) : std::nullopt;
-  const auto c = count_of(checker, cols, along(&SizeFact::cols));
+  const auto c = count_of(constants, cols, along(&SizeFact::cols));
   if (!r || !c) return std::nullopt;
   const bool matrix = rows.is_range && cols.is_range;
   return matrix ? SizeFact(*r, *c) : SizeFact(*r * *c);
@@ -62,7 +66,7 @@ std::optional<SizeFact> size_of_part(const Checker& checker, const hir::PartEnds
 
 hir::PartEnds check_ends(Checker& checker, const ast::IndexItem& item) {
   const auto end = [&](const ast::Expr* written) {
-    return written != nullptr ? checker.index_value(*written) : nullptr;
+    return written != nullptr ? index_value(checker, *written) : nullptr;
   };
   hir::Expr* first = end(item.first);
   return {first, item.is_range ? end(item.last) : nullptr, item.is_range};
@@ -90,18 +94,18 @@ bool is_block(const hir::Expr& value) {
 }
 
 const Type* part_type(Checker& checker, const hir::PartEnds& rows, const hir::PartEnds& cols) {
-  return rows.is_range && cols.is_range ? checker.types_.matrix()
-                                        : checker.types_.list(checker.types_.real());
+  return rows.is_range && cols.is_range ? checker.types.matrix()
+                                        : checker.types.list(checker.types.real());
 }
 
 // E0305 when the text shows that value and part differ in size.
 bool part_fits(Checker& checker, const hir::StorePartStmt& store, Span target) {
   const bool list = store.place.type->is(Kind::kList);
   const auto* init = store.place.variable->init;
-  const auto whole = store.place.steps.empty() && init != nullptr ? size_of(checker, *init)
-                                                                  : std::optional<SizeFact>();
-  const auto part = size_of_part(checker, store.rows, store.cols, whole, list);
-  const auto value = size_of(checker, *store.value);
+  const auto whole =
+      store.place.steps.empty() && init != nullptr ? size_of(*init) : std::optional<SizeFact>();
+  const auto part = size_of_part(checker.shared.constants, store.rows, store.cols, whole, list);
+  const auto value = size_of(*store.value);
   if (!part || !value || part->is_list != value->is_list) return true;
   if (part->rows == value->rows && part->cols == value->cols) return true;
   Diagnostic diagnostic =
@@ -116,7 +120,7 @@ bool part_fits(Checker& checker, const hir::StorePartStmt& store, Span target) {
 }  // namespace
 
 hir::Expr* check_matrix(Checker& checker, const ast::MatrixExpr& matrix) {
-  const Type* real = checker.types_.real();
+  const Type* real = checker.types.real();
   std::vector<hir::Expr*> items;
   const std::size_t cols = matrix.rows[0].size();
   for (const ast::Seq<ast::Expr*>& row : matrix.rows) {
@@ -145,7 +149,7 @@ hir::Expr* check_matrix(Checker& checker, const ast::MatrixExpr& matrix) {
       if (items.back()->type->is(Kind::kAny)) return checker.failed(matrix.span);
     }
   }
-  auto* out = checker.make<hir::MatrixExpr>(ExprKind::kMatrix, checker.types_.matrix(), matrix.span,
+  auto* out = checker.make<hir::MatrixExpr>(ExprKind::kMatrix, checker.types.matrix(), matrix.span,
                                             static_cast<std::uint32_t>(cols), checker.seq(items));
   set_size(
       checker, *out,
@@ -158,12 +162,12 @@ hir::Expr* check_matrix_index(Checker& checker, const ast::IndexExpr& index, hir
   const hir::PartEnds rows = check_ends(checker, index.items[0]);
   const hir::PartEnds cols = check_ends(checker, index.items[1]);
   if (!rows.is_range && !cols.is_range) {
-    return checker.make<hir::ElementExpr>(ExprKind::kElement, checker.types_.real(), index.span,
+    return checker.make<hir::ElementExpr>(ExprKind::kElement, checker.types.real(), index.span,
                                           matrix, rows.first, cols.first);
   }
   auto* part = checker.make<hir::PartExpr>(ExprKind::kPart, part_type(checker, rows, cols),
                                            index.span, matrix, rows, cols);
-  const auto size = size_of_part(checker, rows, cols, size_of(checker, *matrix), false);
+  const auto size = size_of_part(checker.shared.constants, rows, cols, size_of(*matrix), false);
   if (size) set_size(checker, *part, *size);
   return part;
 }
@@ -171,14 +175,14 @@ hir::Expr* check_matrix_index(Checker& checker, const ast::IndexExpr& index, hir
 std::optional<hir::Step> matrix_step(Checker& checker, const ast::IndexExpr& index) {
   if (!has_two_places(checker, index)) return std::nullopt;
   if (index.items[0].is_range || index.items[1].is_range) {
-    checker.not_available(index.span, kStoringParts);
+    not_available(checker, index.span, kStoringParts);
     return std::nullopt;
   }
   hir::Step step{};
   step.span = index.span;
-  step.index = checker.index_value(*index.items[0].first);
-  step.column = checker.index_value(*index.items[1].first);
-  step.type = checker.types_.real();
+  step.index = index_value(checker, *index.items[0].first);
+  step.column = index_value(checker, *index.items[1].first);
+  step.type = checker.types.real();
   return step;
 }
 
@@ -196,7 +200,7 @@ void evaluate_once(Checker& checker, hir::Expr*& index, std::vector<hir::Stmt*>&
   if (index == nullptr || index->kind == ExprKind::kInt || index->kind == ExprKind::kVariable ||
       index->kind == ExprKind::kText || index->kind == ExprKind::kEnum)
     return;
-  hir::Variable* once = checker.hidden(index->type, index->span);
+  hir::Variable* once = hidden(checker, index->type, index->span);
   before.push_back(checker.make<hir::InitStmt>(hir::StmtKind::kInit, index->span, once, index));
   index = checker.make<hir::VariableExpr>(ExprKind::kVariable, once->type, once->declared, once);
 }
@@ -206,7 +210,7 @@ namespace {
 // What the part holds now.
 hir::Expr* read_part(Checker& checker, const hir::StorePartStmt& store, const Type* type,
                      Span span) {
-  hir::Expr* whole = checker.read_place(store.place);
+  hir::Expr* whole = read_place(checker, store.place);
   if (store.place.type->is(Kind::kList)) {
     return checker.make<hir::SliceExpr>(ExprKind::kSlice, type, span, whole, store.rows.first,
                                         store.rows.last);
@@ -234,14 +238,14 @@ hir::Expr* compound_value(Checker& checker, hir::StorePartStmt& store, const Typ
   node.left = const_cast<ast::IndexExpr*>(&target);
   node.right = assign.value;
   node.op_span = {assign.op_span.begin, assign.op_span.begin + 1, assign.op_span.source};
-  return checker.combine(node, read_part(checker, store, type, target.span), value);
+  return combine(checker, node, read_part(checker, store, type, target.span), value);
 }
 
 }  // namespace
 
 hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
                        const ast::AssignStmt& assign) {
-  const auto place = checker.check_place(*target.object, assign.span, false);
+  const auto place = check_place(checker, *target.object, assign.span, false);
   if (!place) {
     checker.check(*assign.value);
     return nullptr;

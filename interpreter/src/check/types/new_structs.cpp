@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "armlet/interpreter/work.hpp"
+#include "check/calls/calls.hpp"
+#include "check/calls/native_calls.hpp"
 #include "check/tree/hand_on.hpp"
 
 namespace armlet::lang {
@@ -51,17 +53,16 @@ bool has_all_defaults(const ast::StructStmt& node) {
 }  // namespace
 
 hir::Expr* new_structs(Checker& checker, const ast::NewArrayExpr& expr, const Type* type) {
-  const auto known =
-      type->is(Kind::kRecord) ? checker.structs_.find(type->record) : checker.structs_.end();
-  if (known == checker.structs_.end() || !has_all_defaults(*known->second.node)) return nullptr;
-  hir::Expr* value = checker.construct(known->second, expr.element->span, expr.span, {});
+  const StructDecl* const known = checker.shared.structs.find(type);
+  if (known == nullptr || !has_all_defaults(*known->node)) return nullptr;
+  hir::Expr* value = construct(checker, *known, expr.element->span, expr.span, {});
   for (std::size_t i = expr.sizes.size(); i-- > 0;) {
     if (value->type->is(Kind::kAny)) return checker.failed(expr.span);
     hir::Expr* size =
-        checker.check_as(*expr.sizes[i], {.type = checker.types_.integer(), .name = "size"});
+        checker.check_as(*expr.sizes[i], {.type = checker.types.integer(), .name = "size"});
     const NativeFunction* const functions[] = {&kFilled};
-    value = checker.call_native("new", functions, expr.span, expr.span,
-                                {Argument{.value = size}, Argument{.value = value}});
+    value = call_native(checker, "new", functions, expr.span, expr.span,
+                        {Argument{.value = size}, Argument{.value = value}});
   }
   return value;
 }

@@ -1,4 +1,4 @@
-// Types as written, turned into types.
+#include "check/types/types.hpp"
 
 #include <algorithm>
 
@@ -9,93 +9,98 @@
 
 namespace armlet::lang {
 
-const Type* Checker::type_called(std::string_view name) {
-  if (name == "int" || name == "long") return types_.integer();
-  if (name == "double" || name == "float") return types_.real();
-  if (name == "bool" || name == "boolean") return types_.boolean();
-  if (name == "string" || name == "String") return types_.text();
-  if (name == "matrix" || name == "Matrix") return types_.matrix();
-  if (const auto found = named_types_.find(name); found != named_types_.end()) return found->second;
-  if (const HostType* host = registry_.type(name)) return types_.host(host);
-  if (const auto dim = dimension_named(name)) return types_.quantity(*dim);
-  if (name == "table") return types_.open_table();
-  return types_.library_record(name);
+const Type* type_called(Checker& checker, std::string_view name) {
+  if (name == "int" || name == "long") return checker.types.integer();
+  if (name == "double" || name == "float") return checker.types.real();
+  if (name == "bool" || name == "boolean") return checker.types.boolean();
+  if (name == "string" || name == "String") return checker.types.text();
+  if (name == "matrix" || name == "Matrix") return checker.types.matrix();
+  if (const Type* found = checker.names.find_type(name)) return found;
+  if (const HostType* host = checker.registry.type(name)) return checker.types.host(host);
+  if (const auto dim = dimension_named(name)) return checker.types.quantity(*dim);
+  if (name == "table") return checker.types.open_table();
+  return checker.types.library_record(name);
 }
 
-const Type* Checker::resolve_named(const ast::TypeExpr& type) {
+namespace {
+
+const Type* resolve_named(Checker& checker, const ast::TypeExpr& type) {
   if (type.path.size() == 1) {
-    if (const Type* found = type_called(type.path[0].text)) return found;
+    if (const Type* found = type_called(checker, type.path[0].text)) return found;
   }
   std::string name;
   for (const ast::Name& part : type.path)
     name += (name.empty() ? "" : ".") + std::string(part.text);
-  if (type.path.size() > 1) return imported_type(*this, type);
-  if (syntax_failed_ || !told_.emplace(name).second) return types_.any();
-  if (registry_.is_planned(name)) {
-    not_available(type.span, '`' + name + '`');
-    return types_.any();
+  if (type.path.size() > 1) return imported_type(checker, type);
+  if (!checker.messages.is_news(name)) return checker.types.any();
+  if (checker.registry.is_planned(name)) {
+    not_available(checker, type.span, '`' + name + '`');
+    return checker.types.any();
   }
-  if (refuse_foreign_type(*this, name, type.span)) return types_.any();
-  if (!takes_errors()) {
-    report(make_diagnostic("E0216", type.span, {name}));
-    return types_.any();
+  if (refuse_foreign_type(checker, name, type.span)) return checker.types.any();
+  if (!checker.messages.takes_errors()) {
+    checker.report(make_diagnostic("E0216", type.span, {name}));
+    return checker.types.any();
   }
   std::vector<std::string_view> names = {"int",    "double", "bool", "string",
                                          "matrix", "table",  "void"};
   std::ranges::copy(dimension_names(), std::back_inserter(names));
-  for (const auto& [known, unused] : named_types_) names.push_back(known);
-  for (const auto& [known, unused] : registry_.types()) names.push_back(known);
-  for (const auto& [known, unused] : registry_.records()) names.push_back(known);
+  for (const auto& [known, unused] : checker.names.types()) names.push_back(known);
+  for (const auto& [known, unused] : checker.registry.types()) names.push_back(known);
+  for (const auto& [known, unused] : checker.registry.records()) names.push_back(known);
   Diagnostic diagnostic = make_diagnostic("E0216", type.span, {name});
-  diagnostic.fix = did_you_mean(name, type.span, names);
-  report(std::move(diagnostic));
-  return types_.any();
+  diagnostic.fix = did_you_mean(checker, name, type.span, names);
+  checker.report(std::move(diagnostic));
+  return checker.types.any();
 }
 
-const Type* Checker::resolve_product(const ast::TypeExpr& type) {
+const Type* resolve_product(Checker& checker, const ast::TypeExpr& type) {
   if (type.factors.size() == 1 && type.factors[0].exponent == 1)
-    return resolve(*type.factors[0].type);
+    return checker.resolve(*type.factors[0].type);
   std::optional<Dim> dim = Dim{};
   for (const ast::TypeFactor& factor : type.factors) {
-    const Type* base = resolve(*factor.type);
+    const Type* base = checker.resolve(*factor.type);
     if (base->is(Kind::kAny)) return base;
     if (!base->is(Kind::kReal)) {
-      report(make_diagnostic("E0315", factor.type->span, {"a quantity", type_phrase(base)}));
-      return types_.any();
+      checker.report(
+          make_diagnostic("E0315", factor.type->span, {"a quantity", type_phrase(base)}));
+      return checker.types.any();
     }
     const auto raised = power(base->dim, 2 * factor.exponent);
     dim = raised ? multiply(*dim, *raised) : std::nullopt;
     if (!dim) {
-      report(make_diagnostic("E0409", type.span));
-      return types_.any();
+      checker.report(make_diagnostic("E0409", type.span));
+      return checker.types.any();
     }
   }
-  return types_.quantity(*dim);
+  return checker.types.quantity(*dim);
 }
+
+}  // namespace
 
 const Type* Checker::resolve(const ast::TypeExpr& type) {
   switch (type.form) {
     case ast::TypeForm::kNamed:
     case ast::TypeForm::kPrimitive:
-      return resolve_named(type);
+      return resolve_named(*this, type);
     case ast::TypeForm::kArray: {
       const Type* element = resolve(*type.element);
-      return element->is(Kind::kAny) ? element : types_.list(element);
+      return element->is(Kind::kAny) ? element : types.list(element);
     }
     case ast::TypeForm::kMap:
       return map_type(*this, type);
     case ast::TypeForm::kProduct:
-      return resolve_product(type);
+      return resolve_product(*this, type);
     case ast::TypeForm::kFunction: {
       std::vector<const Type*> parameters;
       for (const ast::TypeExpr* parameter : type.parameters)
         parameters.push_back(resolve(*parameter));
-      return types_.function(std::move(parameters), resolve(*type.result));
+      return types.function(std::move(parameters), resolve(*type.result));
     }
     case ast::TypeForm::kVoid:
-      return types_.void_type();
+      return types.void_type();
   }
-  return types_.any();
+  return types.any();
 }
 
 }  // namespace armlet::lang

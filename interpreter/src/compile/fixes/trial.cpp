@@ -31,14 +31,14 @@ std::string with_edits(std::string_view text, const std::vector<Edit>& edits) {
   return out;
 }
 
-struct Messages {
+struct Outcome {
   std::shared_ptr<const SourceSet> sources;
   std::vector<Diagnostic> all;
 };
 
 // What is wrong in one file of a program.
-Messages messages_about(const Source& file, const Registry& registry, const Source& main,
-                        const CompileOptions& options) {
+Outcome messages_about(const Source& file, const Registry& registry, const Source& main,
+                       const CompileOptions& options) {
   DiagnosticSink sink(2 * options.limits.errors);
   CompiledProgram program;
   program.sources = std::make_shared<SourceSet>();
@@ -134,7 +134,7 @@ std::optional<Trial> Trials::with(std::vector<Edit> edits) {
   *read_ += all_;
   const Source& source = sources_[edits[0].span.source];
   const Source file(source.name(), with_edits(source.text(), edits), source.id());
-  Messages left = messages_about(file, registry_, sources_[0], options_);
+  Outcome left = messages_about(file, registry_, sources_[0], options_);
   return Trial(std::move(edits), std::move(left.sources), std::move(left.all));
 }
 

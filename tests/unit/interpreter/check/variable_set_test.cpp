@@ -1,4 +1,4 @@
-#include "check/names/variable_set.hpp"
+#include "check/scopes/variable_set.hpp"
 
 #include <doctest/doctest.h>
 

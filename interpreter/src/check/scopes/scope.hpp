@@ -1,15 +1,14 @@
 #pragma once
-// What names stand for while a program is checked: variables, functions, types; and what each
-// function uses.
+// One function while its body is checked: the variables that can be seen, which of them have a
+// value, and what can be left from here.
 
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
-#include "check/names/variable_set.hpp"
+#include "check/names/declared.hpp"
+#include "check/scopes/variable_set.hpp"
 #include "check/tree/hir.hpp"
-#include "syntax/tree/ast.hpp"
 
 namespace armlet::lang {
 
@@ -59,54 +58,13 @@ struct JumpTarget {
   std::vector<Flow> repeats{};  // the states at each continue
 };
 
-// Which top-level variables and which functions the text of a function mentions.
-struct Use {
-  std::vector<hir::Variable*> globals{};
-  std::vector<const hir::Function*> calls{};
-  std::unordered_set<const void*> known{};
-  bool pauses = false;
-
-  void add(hir::Variable* variable);
-  void add(const hir::Function* function);
-};
-
-struct Checker;
-
-// A file that another one imports, under the name that it has there.
-struct Import {
-  Span span{};              // of the import
-  Checker* file = nullptr;  // null: it could not be read, which was told
-};
-
-// A function of the text, and its forms for the types it was called with.
-struct FunctionDecl;
-
-struct Instance {
-  std::vector<const Type*> types;
-  hir::Function* function = nullptr;
-  bool result_known = false;
-  bool checked = false;
-  FunctionDecl* declaration = nullptr;
-  Span first_call{};
-};
-
-struct FunctionDecl {
-  const ast::FunctionStmt* node = nullptr;
-  Checker* file = nullptr;                // where it is declared
-  std::vector<const Type*> parameters{};  // null: generic by use
-  const Type* result = nullptr;           // null: inferred
-  std::vector<Instance*> instances{};
-  bool failed = false;  // a form of it had errors
-  [[nodiscard]] bool is_generic() const;
-};
-
-// One function, lambda, condition or test while its body is being checked.
 // A value that calls inside a `with` block mean when they leave it out: its resource.
 struct WithAmbient {
   const HostType* type = nullptr;
   Local local;
 };
 
+// One function, lambda, condition or test while its body is being checked.
 struct FunctionContext {
   enum class Kind : std::uint8_t {
     kProgram,
@@ -140,12 +98,6 @@ struct FunctionContext {
   // Forgets the locals from `first` on.
   void drop(std::size_t first);
   [[nodiscard]] const FunctionContext& root() const;
-};
-
-struct StructDecl {
-  const ast::StructStmt* node = nullptr;
-  Checker* file = nullptr;  // where it is declared
-  const Type* type = nullptr;
 };
 
 }  // namespace armlet::lang

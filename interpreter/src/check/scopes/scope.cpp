@@ -1,6 +1,5 @@
-#include "check/names/scope.hpp"
+#include "check/scopes/scope.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "armlet/interpreter/native.hpp"
@@ -36,14 +35,6 @@ Flow merged(std::vector<Flow> ways) {
   return std::move(ways.front());
 }
 
-void Use::add(hir::Variable* variable) {
-  if (known.insert(variable).second) globals.push_back(variable);
-}
-
-void Use::add(const hir::Function* function) {
-  if (known.insert(function).second) calls.push_back(function);
-}
-
 Local* FunctionContext::find(std::string_view name) {
   const auto found = places.find(name);
   return found == places.end() ? nullptr : &locals[found->second];
@@ -64,10 +55,6 @@ void FunctionContext::drop(std::size_t first) {
   }
   while (!ambient_places.empty() && ambient_places.back() >= first) ambient_places.pop_back();
   locals.resize(first);
-}
-
-bool FunctionDecl::is_generic() const {
-  return std::ranges::any_of(parameters, [](const Type* type) { return type == nullptr; });
 }
 
 const FunctionContext& FunctionContext::root() const {

@@ -1,0 +1,25 @@
+#pragma once
+// Calls: f(a), x.f(a), new T(a). Which function is meant; the other parts check the values.
+
+#include <string_view>
+#include <vector>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Expr* check_call(Checker& checker, const ast::CallExpr& call, const Type* expected);
+hir::Expr* call_value(Checker& checker, hir::Expr* function, const ast::CallExpr& call);
+hir::Expr* check_new_object(Checker& checker, const ast::NewObjectExpr& expr);
+std::vector<Argument> arguments_of(Checker& checker, ast::Seq<ast::Arg> args,
+                                   std::string_view callee);
+[[nodiscard]] bool waits(Checker& checker, const ast::Expr& expr);
+const Type* list_hint(Checker& checker, std::string_view callee, const ast::Arg& arg,
+                      std::size_t position);
+
+hir::Expr* call_script(Checker& checker, FunctionDecl& function, Span callee, Span span,
+                       std::vector<Argument> arguments);
+hir::Expr* construct(Checker& checker, const StructDecl& structure, Span callee, Span span,
+                     std::vector<Argument> arguments);
+
+}  // namespace armlet::lang

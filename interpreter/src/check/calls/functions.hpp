@@ -1,0 +1,20 @@
+#pragma once
+// Functions of the text: one typed form for every combination of argument types, results found from
+// bodies.
+
+#include <string_view>
+#include <vector>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+Instance* instance_of(Checker& checker, FunctionDecl& function, std::vector<const Type*> types,
+                      Span call);
+void check_body(Checker& checker, Instance& instance);
+hir::Block* value_body(Checker& checker, const ast::Expr& expr, FunctionContext& context);
+void finish_result(Checker& checker, FunctionContext& context, std::string_view name, Span end);
+hir::Expr* function_value(Checker& checker, FunctionDecl& function, const Type* expected,
+                          Span span);
+
+}  // namespace armlet::lang

@@ -1,0 +1,158 @@
+#include "check/explain/mismatch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "check/checker.hpp"
+#include "check/explain/edits.hpp"
+#include "check/explain/joined_lines.hpp"
+#include "check/explain/mismatch_units.hpp"
+#include "check/explain/nothings.hpp"
+#include "check/names/imports.hpp"
+#include "check/names/unknown_names.hpp"
+#include "check/types/any_table.hpp"
+#include "check/types/matrices.hpp"
+#include "diagnostic/backticks.hpp"
+#include "reference/language_words.hpp"
+
+namespace armlet::lang {
+namespace {
+
+std::string ordinal(int position) {
+  static constexpr std::array<std::string_view, 10> kWords = {
+      "first", "second",  "third",  "fourth", "fifth",
+      "sixth", "seventh", "eighth", "ninth",  "tenth"};
+  if (position >= 1 && position <= 10) return std::string(kWords[position - 1]);
+  return std::to_string(position) + "th";
+}
+
+}  // namespace
+
+namespace {
+
+bool is_handed_over(const Target& target) {
+  return target.role == Target::Role::kArgument || target.role == Target::Role::kSetting;
+}
+
+// 1e9 and 2.0 as ints have them; empty for numbers with a fraction.
+std::string as_whole_number(const std::string& text) {
+  constexpr double kMostExact = 9e15;
+  if (!is_decimal_number(text) || text.find('_') != std::string::npos) return {};
+  const double number = std::strtod(text.c_str(), nullptr);
+  if (std::trunc(number) != number || std::abs(number) > kMostExact) return {};
+  return std::to_string(static_cast<std::int64_t>(number));
+}
+
+Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value) {
+  Diagnostic out = make_diagnostic("E0303", value.span, {type_phrase(value.type)});
+  if (!value.type->is_double()) return out;
+  const std::string text = checker.text_of(value.span);
+  if (const std::string whole = as_whole_number(text); !whole.empty()) {
+    out.why = "a number with a point or an exponent is a double";
+    out.fix = Fix{
+        .text = "write " + whole, .edits = {{value.span, whole}}, .confidence = Confidence::kSure};
+    return out;
+  }
+  out.why = "storing it in an int would lose the fraction";
+  const std::string cut = "int(" + text + ")";
+  out.fix =
+      Fix{.text = "write " + cut, .edits = {{value.span, cut}}, .confidence = Confidence::kMaybe};
+  if (value.kind != hir::ExprKind::kBinary || value.as<hir::BinaryExpr>().op != hir::Op::kDivR)
+    return out;
+  // i / 3.0 for an int i: the same with a whole number.
+  const auto& division = value.as<hir::BinaryExpr>();
+  const std::string right = checker.text_of(division.right->span);
+  if (division.left->kind != hir::ExprKind::kConvert || !right.ends_with(".0")) return out;
+  const std::string whole =
+      checker.text_of({value.span.begin, division.right->span.begin, value.span.source}) +
+      right.substr(0, right.size() - 2);
+  out.fix = Fix{.text = "write " + whole + " (whole-number division) or " + cut,
+                .edits = {{value.span, whole}},
+                .confidence = Confidence::kMaybe};
+  return out;
+}
+
+// A list where the host's value made from it is needed.
+Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, const Target& target,
+                             bool constructible) {
+  const HostType& host = *target.type->host;
+  Diagnostic out =
+      make_diagnostic("E0301", value.span, {ordinal(target.position), std::string(host.noun)});
+  out.mark.label = "this is " + type_phrase(value.type);
+  if (!host.use.empty()) out.why = in_backticks(target.function) + ' ' + std::string(host.use);
+  if (!constructible) return out;
+  const std::string made =
+      "new " + std::string(host.name) + '(' + checker.text_of(value.span) + ')';
+  const Span before{target.call.begin, value.span.begin, value.span.source};
+  Span after{value.span.end, target.call.end, value.span.source};
+  if (checker.text_of({after.end, after.end + 1, after.source}) == ";") ++after.end;
+  out.fix = Fix{.text = "write " + checker.text_of(before) + made + checker.text_of(after),
+                .edits = {{value.span, made}},
+                .confidence = Confidence::kSure};
+  return out;
+}
+
+// Whether the function that is called like the host's type makes one of a value like this.
+bool is_made_from(Checker& checker, const Type* wanted, const Type* value) {
+  const auto makers = checker.registry.functions(wanted->host->name);
+  return std::ranges::any_of(makers, [&](const NativeFunction* maker) {
+    const Signature& signature = checker.shared.signatures.of(*maker);
+    Bindings bindings;
+    return signature.parameters.size() == 1 && !signature.parameters[0].variadic &&
+           match(signature.parameters[0].type, value, false, bindings) >= 0;
+  });
+}
+
+}  // namespace
+
+hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& target) {
+  const Type* have = value.type;
+  const Type* want = target.type;
+  if (!checker.messages.takes_errors()) {  // what is said below may quote the whole call
+    checker.report(make_diagnostic("E0315", value.span, {"", ""}));
+    return checker.failed(value.span);
+  }
+  const std::string have_text = table_phrase(have);
+  const std::string want_text = table_phrase(want);
+  if (!have_text.empty() && !want_text.empty()) {
+    Diagnostic diagnostic = make_diagnostic("E0315", value.span, {want_text, have_text});
+    diagnostic.why = "all tables of a list, and of a field, have the same columns";
+    checker.report(std::move(diagnostic));
+  } else if (have->is(Kind::kVoid)) {
+    const std::string text = checker.text_of(value.span);
+    checker.report(make_diagnostic("E0320", value.span, {text.substr(0, text.find('('))}));
+  } else if (want->is(Kind::kInt) && have->is(Kind::kReal)) {
+    checker.report(whole_number_needed(checker, value));
+  } else if (want->is_quantity() && (have->is(Kind::kInt) || have->is_double())) {
+    plain_number_for_quantity(checker, value, target);
+  } else if (want->is_double() && have->is_quantity()) {
+    quantity_for_number(checker, value);
+  } else if (want->is_quantity() && have->is_quantity()) {
+    other_quantity(checker, value, target);
+  } else if (target.role == Target::Role::kArgument && want->is(Kind::kHost) &&
+             !want->host->noun.empty()) {
+    checker.report(host_value_needed(checker, value, target, is_made_from(checker, want, have)));
+  } else if (want->is_number() && have->is(Kind::kText)) {
+    Diagnostic diagnostic = make_diagnostic("E0314", value.span, {"a text"});
+    checker.report(std::move(diagnostic));
+  } else if (is_handed_over(target)) {
+    Diagnostic diagnostic = make_diagnostic(
+        "E0313", value.span, {std::string(target.function), type_phrase(want), type_phrase(have)});
+    if (want->is(Kind::kHost) && is_made_from(checker, want, have)) {
+      const std::string made =
+          std::string(want->host->name) + '(' + checker.text_of(value.span) + ')';
+      diagnostic.fix = Fix{.text = "write " + made, .edits = {{value.span, made}}};
+    }
+    checker.report(std::move(diagnostic));
+  } else {
+    Diagnostic diagnostic =
+        make_diagnostic("E0315", value.span, {type_phrase(want), type_phrase(have)});
+    if (want->is(Kind::kMatrix)) diagnostic.fix = matrix_from_list_fix(checker, value);
+    checker.report(std::move(diagnostic));
+  }
+  return checker.failed(value.span);
+}
+
+}  // namespace armlet::lang

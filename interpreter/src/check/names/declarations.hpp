@@ -1,0 +1,20 @@
+#pragma once
+// Declarations: variables, structs, enums, functions, tests.
+
+#include <string_view>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+void collect(Checker& checker, const ast::Block& program);
+hir::Stmt* check_var(Checker& checker, const ast::VarStmt& stmt);
+hir::Stmt* check_test(Checker& checker, const ast::TestStmt& stmt);
+void check_waiting_tests(Checker& checker);
+hir::Variable* new_variable(Checker& checker, std::string_view name, const Type* type, Span span);
+hir::Variable* hidden(Checker& checker, const Type* type, Span span);
+bool is_free(Checker& checker, const ast::Name& name, const ast::Expr* value = nullptr,
+             Span keyword = {});
+void close_block(Checker& checker);
+
+}  // namespace armlet::lang

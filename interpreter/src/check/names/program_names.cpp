@@ -1,0 +1,27 @@
+#include "check/names/program_names.hpp"
+
+namespace armlet::lang {
+
+void BlockNames::add(const std::string& type, std::string_view name) {
+  OfType& names = types_[type];
+  names.in_order.emplace_back(name);
+  names.all.emplace(name);
+}
+
+std::vector<std::string> BlockNames::of(std::string_view type) const {
+  const auto found = types_.find(type);
+  return found == types_.end() ? std::vector<std::string>() : found->second.in_order;
+}
+
+bool BlockNames::has(std::string_view type, std::string_view name) const {
+  const auto found = types_.find(type);
+  return found != types_.end() && found->second.all.contains(std::string(name));
+}
+
+std::map<std::string, std::vector<std::string>, std::less<>> BlockNames::all() const {
+  std::map<std::string, std::vector<std::string>, std::less<>> names;
+  for (const auto& [type, of_type] : types_) names.emplace(type, of_type.in_order);
+  return names;
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,40 @@
+#include "check/scopes/scopes.hpp"
+
+namespace armlet::lang {
+
+void Scopes::begin(hir::Function* program, Use& use) {
+  main_.function = program;
+  use_ = &use;
+}
+
+Local* Scopes::find(std::string_view name, FunctionContext*& where) {
+  if (!only_top_level_) {
+    for (where = here_; where != nullptr; where = where->outer) {
+      if (Local* local = where->find(name)) return local;
+    }
+    if (in_program()) return nullptr;
+  }
+  // Named functions and tests see what the top level has declared so far, but not its inner blocks.
+  where = &main_;
+  Local* local = main_.find(name);
+  const bool inner =
+      local != nullptr && main_.blocks.size() > 1 && local >= main_.locals.data() + main_.blocks[1];
+  return inner ? nullptr : local;
+}
+
+Local* Scopes::add(hir::Variable* variable, Declared how, Span keyword) {
+  here_->add({.variable = variable, .how = how, .keyword = keyword});
+  return &here_->locals.back();
+}
+
+std::size_t Scopes::close_block() {
+  const std::size_t begin = here_->blocks.back();
+  here_->blocks.pop_back();
+  return begin;
+}
+
+void Scopes::forget(std::size_t first) {
+  if (here_ != &main_ || !here_->blocks.empty()) here_->drop(first);
+}
+
+}  // namespace armlet::lang

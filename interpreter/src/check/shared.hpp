@@ -1,0 +1,67 @@
+#pragma once
+// What the files of one program have in common while they are checked.
+
+#include <vector>
+
+#include "check/calls/instances.hpp"
+#include "check/calls/signatures.hpp"
+#include "check/names/program_names.hpp"
+#include "check/scopes/top_level.hpp"
+#include "check/scopes/uses.hpp"
+#include "check/statements/postponed.hpp"
+#include "check/types/constants.hpp"
+#include "check/types/defaults.hpp"
+#include "check/types/structs.hpp"
+#include "compile/code/program.hpp"
+#include "registry.hpp"
+
+namespace armlet::lang {
+
+struct Checker;
+
+// How deep checks are nested in each other. They nest as the text does, and as bodies of called
+// functions do. The parser limits the first; this bounds both.
+class Depth {
+ public:
+  static constexpr int kMost = 600;
+
+  // One level, while it lives.
+  class Level {
+   public:
+    explicit Level(Depth& depth) : depth_(depth) { ++depth_.levels_; }
+    ~Level() { --depth_.levels_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+
+   private:
+    Depth& depth_;
+  };
+
+  [[nodiscard]] bool is_full() const { return levels_ >= kMost; }
+
+ private:
+  int levels_ = 0;
+};
+
+struct Shared {
+  Shared(const CompiledProgram& into, const Registry& registry)
+      : instances(*into.arena, *into.types),
+        signatures(registry, *into.types),
+        error_type(into.types->library_record("error")) {}
+
+  std::vector<Checker*> files{};  // imported ones before those that import them
+  Depth depth{};
+  Instances instances;
+  Uses uses{};
+  TopLevel top_level{};
+  Postponed postponed{};
+  Structs structs{};
+  Defaults defaults{};
+  Constants constants{};
+  Signatures signatures;
+  BlockNames blocks{};
+  Mentions mentions{};
+  const Type* const error_type;
+};
+
+}  // namespace armlet::lang

@@ -1,0 +1,78 @@
+#pragma once
+// What is looked at when the whole program is known, in the order of the text.
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "check/scopes/uses.hpp"
+#include "check/tree/hir.hpp"
+#include "syntax/tree/ast.hpp"
+
+namespace armlet::lang {
+
+// Of all files.
+class Postponed {
+ public:
+  // A function that is called again and again while time stands still.
+  struct Condition {
+    const hir::Function* function;
+    Span span;
+  };
+  // A function of the program handed to one of the library, which calls it.
+  struct Callback {
+    std::string_view called_by;
+    const hir::Function* function;
+    Span span;
+  };
+  struct Path {
+    const hir::Block* body;
+    Span head;  // where it begins
+  };
+
+  void add(const Condition& condition) { conditions_.push_back(condition); }
+  void add(const Callback& callback) { callbacks_.push_back(callback); }
+  void add(const Path& path) { paths_.push_back(path); }
+  // Something of the language that is checked but cannot run yet; the first use of each.
+  void add_planned(std::string feature, Span span) { planned_.emplace(std::move(feature), span); }
+
+  [[nodiscard]] const std::vector<Condition>& conditions() const { return conditions_; }
+  [[nodiscard]] const std::vector<Callback>& callbacks() const { return callbacks_; }
+  [[nodiscard]] const std::vector<Path>& paths() const { return paths_; }
+  [[nodiscard]] const std::map<std::string, Span>& planned() const { return planned_; }
+
+ private:
+  std::vector<Condition> conditions_;
+  std::vector<Callback> callbacks_;
+  std::vector<Path> paths_;
+  std::map<std::string, Span> planned_;
+};
+
+// Of one file: tests, and what the top level of an imported file must not do.
+class PostponedStatements {
+ public:
+  struct Active {
+    Span span;
+    Use use;
+  };
+
+  void add_test(const ast::TestStmt& stmt) { waiting_tests_.push_back(&stmt); }
+  [[nodiscard]] const std::vector<const ast::TestStmt*>& waiting_tests() const {
+    return waiting_tests_;
+  }
+  void add_checked_test(hir::Test test) { tests_.push_back(test); }
+  [[nodiscard]] const std::vector<hir::Test>& tests() const { return tests_; }
+
+  // A statement that is no declaration.
+  void add_active(Span span, Use use) { active_.push_back({span, std::move(use)}); }
+  [[nodiscard]] const std::vector<Active>& active() const { return active_; }
+
+ private:
+  std::vector<const ast::TestStmt*> waiting_tests_;
+  std::vector<hir::Test> tests_;
+  std::vector<Active> active_;
+};
+
+}  // namespace armlet::lang

@@ -1,0 +1,15 @@
+#pragma once
+// Statements that are no loops, no switches and no declarations.
+
+#include <string_view>
+#include <vector>
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+void append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out);
+hir::Stmt* return_value(Checker& checker, hir::Expr* value, Span span);
+hir::Expr* seconds(Checker& checker, const ast::Expr& written, std::string_view what);
+
+}  // namespace armlet::lang

@@ -1,0 +1,10 @@
+#pragma once
+// switch: each case is a list of tests and a block of its own.
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Stmt* check_switch(Checker& checker, const ast::SwitchStmt& stmt);
+
+}  // namespace armlet::lang

@@ -1,0 +1,42 @@
+#pragma once
+// What stands around the expression that is checked, as far as messages and defaults depend on it.
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "armlet/interpreter/source.hpp"
+
+namespace armlet::lang {
+
+class Surroundings {
+ public:
+  // The declaration whose first value is being checked.
+  void set_named(std::string_view name, Span value) {
+    name_ = name;
+    value_ = value;
+  }
+  // The name that a declaration gives to the value written there; empty: it is no first value.
+  [[nodiscard]] std::string_view name_for(Span value) const {
+    return is_named(value) ? name_ : std::string_view();
+  }
+  [[nodiscard]] bool is_named(Span value) const { return value_ == value; }
+
+  // Whether it is the value of a classic declaration, int a = ...; set_classic gives what held.
+  [[nodiscard]] bool is_classic() const { return classic_; }
+  bool set_classic(bool classic) { return std::exchange(classic_, classic); }
+
+  // Of a lambda's parameter without a type.
+  [[nodiscard]] const std::string& likely_type() const { return likely_type_; }
+  std::string set_likely_type(std::string type) {
+    return std::exchange(likely_type_, std::move(type));
+  }
+
+ private:
+  std::string_view name_;
+  Span value_{};
+  bool classic_ = false;
+  std::string likely_type_ = "double";
+};
+
+}  // namespace armlet::lang

@@ -1,0 +1,14 @@
+#pragma once
+// Names, literals, lists, `? :` and what else is no operator and no call.
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Expr* read(Checker& checker, Local& local, FunctionContext& where, Span span);
+
+hir::Expr* check_formatted(Checker& checker, const ast::FormattedExpr& text);
+hir::Expr* in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& format);
+hir::Expr* to_text(Checker& checker, hir::Expr* value);
+
+}  // namespace armlet::lang

@@ -1,0 +1,17 @@
+#pragma once
+// x.name and x[i].
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Expr* check_member(Checker& checker, const ast::MemberExpr& member,
+                        const Type* expected = nullptr);
+hir::Expr* field_of(Checker& checker, hir::Expr* object, const ast::MemberExpr& member);
+hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::Name& field);
+hir::Expr* check_index(Checker& checker, const ast::IndexExpr& index);
+hir::Expr* index_value(Checker& checker, const ast::Expr& expr);
+// "System.out" for a chain of names that are no variables; empty otherwise.
+[[nodiscard]] std::string dotted_name(Checker& checker, const ast::Expr& expr);
+
+}  // namespace armlet::lang

@@ -1,0 +1,16 @@
+#pragma once
+// Operators: numbers and quantities with the angle rule of section 6, text, truth, and what the
+// library adds.
+
+#include "check/checker.hpp"
+
+namespace armlet::lang {
+
+hir::Expr* check_unary(Checker& checker, const ast::UnaryExpr& unary, const Type* expected);
+hir::Expr* check_binary(Checker& checker, const ast::BinaryExpr& binary, const Type* expected);
+hir::Expr* combine(Checker& checker, const ast::BinaryExpr& node, hir::Expr* left,
+                   hir::Expr* right);
+void advise_whole_quotient(Checker& checker, Span whole, Span left, Span right,
+                           const std::string& value);
+
+}  // namespace armlet::lang

@@ -1,0 +1,50 @@
+#pragma once
+// The structs and enums of all files.
+
+#include <map>
+#include <set>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "check/names/declared.hpp"
+
+namespace armlet::lang {
+
+class Structs {
+ public:
+  void add(const StructDecl& structure);
+  // Null if the type is no struct of the program.
+  [[nodiscard]] const StructDecl* find(const Type* type) const;
+
+  // The file that declares a struct or an enum; null if it is another type.
+  void set_home(const Type* type, Checker& file) { homes_[type] = &file; }
+  [[nodiscard]] Checker* home(const Type* type) const;
+
+  // Where a name stands among the fields of a struct or the values of an enum; -1: nowhere.
+  [[nodiscard]] int field_index(const RecordInfo& record, std::string_view name);
+  [[nodiscard]] int value_index(const EnumInfo& enumeration, std::string_view name);
+
+  // The function that gives the name of a value, or all values, of an enum with many of them; null
+  // until it is made.
+  [[nodiscard]] hir::Function*& name_function(const EnumInfo& info) { return enum_names_[&info]; }
+  [[nodiscard]] hir::Function*& values_function(const EnumInfo& info) {
+    return enum_values_[&info];
+  }
+
+  // Arrays are made of elements that begin without a value.
+  void add_unset(const Type* element) { unset_.insert(element); }
+  [[nodiscard]] std::vector<const Type*> unset() const { return {unset_.begin(), unset_.end()}; }
+
+ private:
+  using Places = std::unordered_map<std::string_view, int>;
+
+  std::map<const RecordInfo*, StructDecl> structs_;
+  std::map<const Type*, Checker*> homes_;
+  std::unordered_map<const void*, Places> places_;  // by record or enum with many names
+  std::unordered_map<const EnumInfo*, hir::Function*> enum_names_;
+  std::unordered_map<const EnumInfo*, hir::Function*> enum_values_;
+  std::set<const Type*> unset_;
+};
+
+}  // namespace armlet::lang
