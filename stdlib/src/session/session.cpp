@@ -186,7 +186,7 @@ bool Session::compile(std::string text, std::string name) {
   can_run_ = false;
   problems_.clear();
   const OneCompilation one_compilation(can_run_, cancelled_);
-  if (may_name_objects(text)) describe_world();
+  if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;
