@@ -194,7 +194,7 @@ def check_long_motion(folder):
     (folder / "years.rbt").write_text('speedC([0.0, 0.0, 0.0, 0.0, 0.0, 0.0], during: 1e9s)\n')
     process = subprocess.Popen([ARMLET, "run", "--trace", "t.csv", "years.rbt"], cwd=folder, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
-    while not any((folder / n).stat().st_size > 100_000 for n in names(folder)):
+    while process.poll() is None and not any((folder / n).stat().st_size > 100_000 for n in names(folder)):
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
     try:

@@ -375,8 +375,17 @@ void Writer::value(Slot s, const Type& type) {
     case Kind::kEnum:
       out += type.enumeration->name + '.' + type.enumeration->values[static_cast<std::size_t>(s.i)];
       return fill_up(out, begin, style, false);
-    default:
-      if (type.is_reference()) reference(s, type);
+    case Kind::kText:
+    case Kind::kList:
+    case Kind::kMap:
+    case Kind::kMatrix:
+    case Kind::kRecord:
+    case Kind::kFunction:
+    case Kind::kHost:
+      return reference(s, type);
+    case Kind::kAny:
+    case Kind::kVoid:
+      return;
   }
 }
 

@@ -65,7 +65,7 @@ void Registry::add_constant(const NativeConstant& constant) {
 
 void Registry::add_type(const HostType& type) {
   types_[std::string(type.name)] = &type;
-  describe_errors();
+  if (type.resource != nullptr) describe_errors();
 }
 
 void Registry::add_record(std::string_view name, std::string_view fields) {

@@ -24,8 +24,8 @@ std::string Evaluator::text(Span span) const {
 
 void Evaluator::fail(const std::string& code, Span where,
                      const std::vector<std::string>& words) const {
-  throw Failure{code, make_diagnostic(code, where, words).message, std::string(kind_of(code)),
-                where};
+  throw Failure{code, make_diagnostic(code, where, words).message,
+                std::string(MessageTables().kind_of(code)), where};
 }
 
 void Evaluator::fail_index(std::int64_t index, std::size_t size, Span where,
@@ -123,8 +123,9 @@ void Evaluator::throw_error(const lang::hir::ThrowStmt& s) {
   const Value error = evaluate(*s.value);
   if (error.record().failure != nullptr) throw Failure(*error.record().failure);
   const std::string kind = error_field(error, "kind");
-  const std::string code(code_of_kind(kind));
-  throw Failure{code.empty() ? "R0627" : code, error_field(error, "message"), kind, s.span};
+  const CatalogEntry* row = MessageTables().of_kind(kind);
+  throw Failure{std::string(row == nullptr ? "R0627" : row->code), error_field(error, "message"),
+                kind, s.span};
 }
 
 // ---- assertions

@@ -96,38 +96,15 @@ const CatalogEntry* MessageTables::of_kind(std::string_view kind) const {
   return nullptr;
 }
 
-std::vector<const CatalogEntry*> MessageTables::all() const {
-  std::vector<const CatalogEntry*> out;
-  for (const std::span<const CatalogEntry> rows : tables_) {
-    for (const CatalogEntry& row : rows) out.push_back(&row);
-  }
-  std::ranges::sort(out, {}, &CatalogEntry::code);
-  return out;
-}
-
 std::string explain_page(std::string_view code) {
   const CatalogEntry* entry = catalog_entry(code);
-  return entry == nullptr ? std::string() : explain_page(*entry);
-}
-
-std::string explain_page(const CatalogEntry& entry) {
-  std::string title(entry.headline);
+  if (entry == nullptr) return {};
+  std::string title(entry->headline);
   for (std::size_t at = title.find(kPlace); at != std::string::npos; at = title.find(kPlace)) {
     title.replace(at, kPlace.size(), "...");
   }
   // The page starts with the line break behind its opening quote.
-  return std::string(entry.code) + ": " + title + '\n' + std::string(entry.page);
-}
-
-std::string_view kind_of(std::string_view code) {
-  const CatalogEntry* entry = catalog_entry(code);
-  return entry == nullptr ? std::string_view() : entry->kind;
-}
-
-std::string_view code_of_kind(std::string_view kind) {
-  if (kind.empty()) return {};
-  const auto found = std::ranges::find(kCatalog, kind, &CatalogEntry::kind);
-  return found == kCatalog.end() ? std::string_view() : found->code;
+  return std::string(code) + ": " + title + '\n' + std::string(entry->page);
 }
 
 Diagnostic make_diagnostic(std::string_view code, Span span,

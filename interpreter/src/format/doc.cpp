@@ -152,7 +152,10 @@ class Printer {
           break;
         case DocKind::kColumn:
           break;
-        default: {
+        case DocKind::kConcat:
+        case DocKind::kGroup:
+        case DocKind::kIndent:
+        case DocKind::kBody: {
           const Mode mode = mode_to_measure(at);
           for (auto part = doc.parts.rbegin(); part != doc.parts.rend(); ++part)
             inside.push_back({&*part, 0, mode});

@@ -63,6 +63,7 @@ Doc Layout::lead_of(std::uint32_t token, Lead lead) const {
   const Gap& gap = gaps_[token];
   const auto planned = [&] {
     switch (lead) {
+      case Lead::kDone:
       case Lead::kTight:
         return Doc{};
       case Lead::kSpace:
@@ -73,9 +74,11 @@ Doc Layout::lead_of(std::uint32_t token, Lead lead) const {
         return line(" ");
       case Lead::kFill:
         return Doc{.kind = DocKind::kFillLine, .text = " "};
-      default:
-        return hard_break(lead == Lead::kBreak && gap.breaks_before > 1);
+      case Lead::kBreak:
+      case Lead::kFirstBreak:
+        break;
     }
+    return hard_break(lead == Lead::kBreak && gap.breaks_before > 1);
   };
   if (gap.comments.empty()) return planned();
   const auto may_be_blank = [&](std::size_t i) { return lead != Lead::kFirstBreak || i > 0; };
@@ -157,23 +160,13 @@ Doc Layout::column(std::uint32_t token) const {
 
 Doc Layout::node(const ShapeNode& node, Lead lead, bool is_value) {
   stop_if(cancelled_);
-  switch (node.rule) {
-    case Rule::kToken:
-      return token(node.token, lead);
-    case Rule::kBlock:
-      return braces(node, 0, lead, Braces::kAsWritten);
-    case Rule::kIfStmt:
-      return if_statement(node, lead);
-    case Rule::kTryStmt:
-      return try_statement(node, lead);
-    case Rule::kSwitchCase:
-      return switch_case(node, lead);
-    case Rule::kExpression:
-    case Rule::kExpr:
-      return expression(node, lead);
-    default:
-      return sequence(node, lead, is_value);
-  }
+  if (node.rule == Rule::kToken) return token(node.token, lead);
+  if (node.rule == Rule::kBlock) return braces(node, 0, lead, Braces::kAsWritten);
+  if (node.rule == Rule::kIfStmt) return if_statement(node, lead);
+  if (node.rule == Rule::kTryStmt) return try_statement(node, lead);
+  if (node.rule == Rule::kSwitchCase) return switch_case(node, lead);
+  if (node.rule == Rule::kExpression || node.rule == Rule::kExpr) return expression(node, lead);
+  return sequence(node, lead, is_value);
 }
 
 // Whether part `i` is all that a line says behind its `=` or `:`.

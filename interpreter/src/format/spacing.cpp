@@ -37,31 +37,22 @@ Lead Layout::between(const ShapeNode& node, std::size_t part) const {
   const ShapeNode& right = node.parts[part];
   if (shape_.tokens[right.token].inserted || is(right, ",") || is(right, ";")) return Lead::kTight;
   if (is_tight(node.rule) || is_one_word(node)) return Lead::kTight;
-  switch (node.rule) {
-    case Rule::kExpr:
-      return between_operands(node, part);
-    case Rule::kExprStmt: {  // i++
-      const bool is_step =
-          is(node.parts[0], "++") || is(node.parts[0], "--") || is(right, "++") || is(right, "--");
-      return is_step ? Lead::kTight : Lead::kSpace;
-    }
-    case Rule::kWaitStmt:  // wait(2s), wait 2s
-      return node.parts.size() == 2 && text_of(right.token) == "(" ? Lead::kTight : Lead::kSpace;
-    case Rule::kPrimary:
-    case Rule::kBlockItem:
-      return right.rule == Rule::kArgs || is(right, ":") ? Lead::kTight : Lead::kSpace;
-    case Rule::kFnDecl:
-    case Rule::kLambda:
-    case Rule::kFnType:
-      return is(right, "(") ? Lead::kTight : Lead::kSpace;
-    case Rule::kForHeader:
-      return Lead::kSpace;
-    case Rule::kNewArray:
-      if (right.rule == Rule::kNewDim) return Lead::kTight;
-      [[fallthrough]];
-    default:
-      return is(right, "[") || is(right, ":") ? Lead::kTight : Lead::kSpace;
+  const auto tight_if = [](bool tight) { return tight ? Lead::kTight : Lead::kSpace; };
+  const Rule rule = node.rule;
+  if (rule == Rule::kExpr) return between_operands(node, part);
+  if (rule == Rule::kExprStmt) {  // i++
+    const ShapeNode& first = node.parts[0];
+    return tight_if(is(first, "++") || is(first, "--") || is(right, "++") || is(right, "--"));
   }
+  if (rule == Rule::kWaitStmt)  // wait(2s), wait 2s
+    return tight_if(node.parts.size() == 2 && text_of(right.token) == "(");
+  if (rule == Rule::kPrimary || rule == Rule::kBlockItem)
+    return tight_if(right.rule == Rule::kArgs || is(right, ":"));
+  if (rule == Rule::kFnDecl || rule == Rule::kLambda || rule == Rule::kFnType)
+    return tight_if(is(right, "("));
+  if (rule == Rule::kForHeader) return Lead::kSpace;
+  const bool is_size = rule == Rule::kNewArray && right.rule == Rule::kNewDim;
+  return tight_if(is_size || is(right, "[") || is(right, ":"));
 }
 
 // Operators with one operand touch it, `^` touches both if they are words.

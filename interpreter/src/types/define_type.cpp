@@ -1,6 +1,7 @@
 #include "armlet/interpreter/define_type.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace armlet {
 
@@ -17,20 +18,16 @@ std::pair<std::string_view, std::string_view> parts_of(std::string_view field) {
 
 // The type that a field has if the text gives none; empty if the type of C++ does not tell.
 std::string_view told_type(const ValueKind& kind) {
-  switch (kind.form) {
-    case ValueKind::Form::kReal:
-      return "double";
-    case ValueKind::Form::kInt:
-      return "int";
-    case ValueKind::Form::kBool:
-      return "bool";
-    case ValueKind::Form::kText:
-      return "string";
-    case ValueKind::Form::kReals:
-      return "double[]";
-    default:
-      return {};
+  using Form = ValueKind::Form;
+  static constexpr std::pair<Form, std::string_view> kTypes[] = {{Form::kReal, "double"},
+                                                                 {Form::kInt, "int"},
+                                                                 {Form::kBool, "bool"},
+                                                                 {Form::kText, "string"},
+                                                                 {Form::kReals, "double[]"}};
+  for (const auto& [form, type] : kTypes) {
+    if (form == kind.form) return type;
   }
+  return {};
 }
 
 // The name of the parameter that is the value: "Valve" -> "valve".

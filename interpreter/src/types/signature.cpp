@@ -476,16 +476,9 @@ const Type* instantiate(const TypePattern& pattern, const Bindings& bindings, Ty
 std::string pattern_name(const TypePattern& pattern, const Bindings& bindings, TypePool& types) {
   if (pattern.form == Form::kTable) return "table";
   if (const Type* type = instantiate(pattern, bindings, types)) return type_name(type);
-  switch (pattern.form) {
-    case Form::kDimension:
-      return "number";
-    case Form::kList:
-      return pattern_name(pattern.parts[0], bindings, types) + "[]";
-    case Form::kFunction:
-      return "function";
-    default:
-      return "value";
-  }
+  if (pattern.form == Form::kDimension) return "number";
+  if (pattern.form == Form::kList) return pattern_name(pattern.parts[0], bindings, types) + "[]";
+  return pattern.form == Form::kFunction ? "function" : "value";
 }
 
 }  // namespace armlet::lang

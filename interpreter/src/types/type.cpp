@@ -75,9 +75,15 @@ bool Type::is_reference() const {
     case Kind::kFunction:
     case Kind::kHost:
       return true;
-    default:
+    case Kind::kAny:
+    case Kind::kVoid:
+    case Kind::kBool:
+    case Kind::kInt:
+    case Kind::kReal:
+    case Kind::kEnum:
       return false;
   }
+  return false;
 }
 
 std::string type_name(const Type* type) {

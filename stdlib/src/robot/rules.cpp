@@ -433,8 +433,8 @@ void check_object_name(CheckCall& call) {
   Diagnostic d = make_diagnostic("E0203", call.span(0), {name});
   if (!call.takes_errors()) return call.report(std::move(d));
   std::vector<std::string> known;
-  for (const WorldNames::Thing& thing : world->things) {
-    if (!call.declares("object", thing.name)) known.push_back(thing.name);
+  for (const std::string& thing : world->things) {
+    if (!call.declares("object", thing)) known.push_back(thing);
   }
   const std::vector<std::string> declared = call.declared_names("object");
   known.insert(known.end(), declared.begin(), declared.end());

@@ -10,6 +10,7 @@ namespace {
 // is heard.
 constexpr std::int64_t kPaceStep = 10'000'000;  // ns
 
+// Of a motion, between two looks at the wish to stop.
 constexpr std::int64_t kLongestPart = 3'600'000'000'000;  // ns
 
 }  // namespace
@@ -103,8 +104,6 @@ bool Host::advance_to(std::int64_t t_ns) {
     if (next == t_ns) break;
     cell_.advance_to(next);
   }
-  // Who wants the program to stop is heard between two parts of a long motion, whose samples take
-  // time.
   if (cell_.next_event()) t_ns = std::min(t_ns, cell_.now_ns() + kLongestPart);
   cell_.advance_to(t_ns);
   return true;

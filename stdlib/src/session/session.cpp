@@ -162,8 +162,7 @@ void Session::describe_world() {
   fill_world(*host, *text, world_problems_);
   auto names = std::make_shared<WorldNames>();
   names->world = text->name;
-  for (std::string& name : host->cell().world().names())
-    names->things.push_back({std::move(name), "object"});
+  names->things = host->cell().world().names();
   if (!cancelled_.load()) world_names_ = std::move(names);
 }
 

@@ -143,7 +143,7 @@ void check_room(CheckCall& call) {
   if (!name || call.world() == nullptr || call.world()->has(name->text)) return;
   Diagnostic d = make_diagnostic(kMessages[0], call.span(0), {name->text});
   d.why = "the rooms of " + call.world()->world + " are";
-  for (const WorldNames::Thing& thing : call.world()->things) d.why += ' ' + thing.name;
+  for (const std::string& thing : call.world()->things) d.why += ' ' + thing;
   call.report(std::move(d));
 }
 

@@ -33,12 +33,11 @@ class MessageTables {
   void add(std::span<const CatalogEntry> rows);
   // Null if there is none.
   [[nodiscard]] const CatalogEntry* find(std::string_view code) const;
-  // The kind of its entry; empty if there is none.
+  // The kind that `e.kind` shows for a code of the family R; empty if a program cannot catch it by
+  // kind.
   [[nodiscard]] std::string_view kind_of(std::string_view code) const;
-  // The entry of an error kind; null for the kinds of programs.
+  // The entry of an error kind: "Timeout" gives R0607. Null for the kinds of programs.
   [[nodiscard]] const CatalogEntry* of_kind(std::string_view kind) const;
-  // In the order of their codes.
-  [[nodiscard]] std::vector<const CatalogEntry*> all() const;
 
  private:
   std::vector<std::span<const CatalogEntry>> tables_;
@@ -49,14 +48,5 @@ class MessageTables {
 
 // The text that `armlet explain CODE` shows, at most 20 lines; empty for an unknown code.
 [[nodiscard]] std::string explain_page(std::string_view code);
-[[nodiscard]] std::string explain_page(const CatalogEntry& entry);
-
-// The kind that `e.kind` shows for a code of the family R; empty if a program cannot catch it by
-// kind.
-[[nodiscard]] std::string_view kind_of(std::string_view code);
-
-// The code of an error kind of the library: "Timeout" gives R0607. Empty for the kinds of
-// programs.
-[[nodiscard]] std::string_view code_of_kind(std::string_view kind);
 
 }  // namespace armlet

@@ -2,17 +2,15 @@
 // Types of the host, each declared in one expression:
 //
 //     engine.define(type<Valve>("Valve", "Lets water through.")
-//                       .constructor("(width: length = 80mm)", &make_valve, "Opened.",
-//                       "Valve()") .assignable("width: length", &Valve::width, "Between the
-//                       fingers.") .field("force", &Valve::force, "With which it closes, N.")
-//                       .method("open(by: length?) -> Valve", &Valve::open, "Opens it.",
-//                       "g.open()") .method("operator+(other: Valve) -> Valve",
-//                       &Valve::joined, "Both."));
+//                       .constructor("(width: length = 80mm)", &make_valve, "A closed one.")
+//                       .assignable("width: length", &Valve::width, "Of its pipe.")
+//                       .field("flow", &Valve::flow, "Through it, l/s.")
+//                       .method("open(by: length?) -> Valve", &Valve::open, "Opens it."));
 //
 // Values of T are values of the language: functions of `def` take them as const T& and const T*
 // (of a parameter that may be left out) and give them as T, std::vector<T> and Answer<T>. They are
 // compared where T has ==, and printed where T has `std::string text() const`. A program changes an
-// assignable field by `g.width = 5mm`, which puts a changed copy where the value was.
+// assignable field by `v.width = 5mm`, which puts a changed copy where the value was.
 
 #include <concepts>
 #include <memory>
@@ -187,7 +185,7 @@ class TypeOf : public TypeDefinition {
     return field(name, member, std::move(help), std::move(example));
   }
 
-  // A function of the value, `g.open(by: 5mm)`, or an operator, "operator+(other: Valve) ->
+  // A function of the value, `v.open(by: 5mm)`, or an operator, "operator+(other: Valve) ->
   // Valve", whose left side the value is: a const member of T, or what takes const T& first. The
   // signature leaves that parameter out.
   template <class F>

@@ -112,8 +112,8 @@ class Timeline {
   virtual ~Timeline() = default;
   [[nodiscard]] virtual std::int64_t now_ns() const = 0;
   [[nodiscard]] virtual std::int64_t tick_ns() const = 0;  // how often conditions are looked at
-  // Brings what the host has to time t >= now. Returns false if the host wants the
-  // program to stop.
+  // Brings what the host has to time t >= now, or to an earlier one: then it is asked again, so
+  // that who wants the program to stop is heard in between. Returns false if the host wants it.
   virtual bool advance_to(std::int64_t t_ns) = 0;
 };
 

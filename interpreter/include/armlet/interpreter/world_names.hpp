@@ -10,15 +10,11 @@ namespace armlet {
 
 // Never changes: the host makes it once for the programs of one world.
 struct WorldNames {
-  struct Thing {
-    std::string name;
-    std::string kind;  // "object"
-  };
   std::string world;  // what the world is called; empty: it has no name
-  std::vector<Thing> things{};
+  std::vector<std::string> things{};
 
   [[nodiscard]] bool has(std::string_view name) const {
-    return std::ranges::find(things, name, &Thing::name) != things.end();
+    return std::ranges::find(things, name) != things.end();
   }
 };
 

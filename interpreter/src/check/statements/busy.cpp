@@ -39,28 +39,22 @@ void look(const hir::Expr& whole, Beginning& out) {
 }
 
 void look(const hir::Stmt& stmt, Beginning& out) {
-  switch (stmt.kind) {
-    case StmtKind::kBlock:
-      for (const hir::Stmt* inner : stmt.as<hir::Block>().body) {
-        if (out.command == nullptr && out.is_known) look(*inner, out);
-      }
-      break;
-    case StmtKind::kTry:
-      look(*stmt.as<hir::TryStmt>().body, out);
-      break;
-    case StmtKind::kInit:
-    case StmtKind::kAssign:
-    case StmtKind::kExpr:
-      for_each_child(
-          stmt,
-          [&](const hir::Expr& e) {
-            if (out.command == nullptr && out.is_known) look(e, out);
-          },
-          [](const hir::Stmt&) {});
-      break;
-    default:
-      out.is_known = false;
-      break;
+  if (stmt.kind == StmtKind::kBlock) {
+    for (const hir::Stmt* inner : stmt.as<hir::Block>().body) {
+      if (out.command == nullptr && out.is_known) look(*inner, out);
+    }
+  } else if (stmt.kind == StmtKind::kTry) {
+    look(*stmt.as<hir::TryStmt>().body, out);
+  } else if (stmt.kind == StmtKind::kInit || stmt.kind == StmtKind::kAssign ||
+             stmt.kind == StmtKind::kExpr) {
+    for_each_child(
+        stmt,
+        [&](const hir::Expr& e) {
+          if (out.command == nullptr && out.is_known) look(e, out);
+        },
+        [](const hir::Stmt&) {});
+  } else {
+    out.is_known = false;
   }
 }
 

@@ -28,37 +28,25 @@ std::optional<std::int64_t> whole_power(std::int64_t base, std::int64_t exponent
 
 std::optional<Constant> compute(Op op, const Constant& a, const Constant& b) {
   std::int64_t whole = 0;
-  switch (op) {
-    case Op::kAddI:
-      return __builtin_add_overflow(a.integer, b.integer, &whole) ? std::nullopt
-                                                                  : std::optional(integer(whole));
-    case Op::kSubI:
-      return __builtin_sub_overflow(a.integer, b.integer, &whole) ? std::nullopt
-                                                                  : std::optional(integer(whole));
-    case Op::kMulI:
-      return __builtin_mul_overflow(a.integer, b.integer, &whole) ? std::nullopt
-                                                                  : std::optional(integer(whole));
-    case Op::kDivI:
-      if (b.integer == 0 || b.integer == -1) return std::nullopt;
-      return integer(a.integer / b.integer);
-    case Op::kModI:
-      if (b.integer == 0 || b.integer == -1) return std::nullopt;
-      return integer(a.integer % b.integer);
-    case Op::kPowI: {
-      const auto value = whole_power(a.integer, b.integer);
-      return value ? std::optional(integer(*value)) : std::nullopt;
-    }
-    case Op::kAddR:
-      return real(a.real + b.real);
-    case Op::kSubR:
-      return real(a.real - b.real);
-    case Op::kMulR:
-      return real(a.real * b.real);
-    case Op::kDivR:
-      return real(a.real / b.real);
-    default:
-      return std::nullopt;
+  const auto unless = [&](bool overflow) {
+    return overflow ? std::nullopt : std::optional(integer(whole));
+  };
+  if (op == Op::kAddI) return unless(__builtin_add_overflow(a.integer, b.integer, &whole));
+  if (op == Op::kSubI) return unless(__builtin_sub_overflow(a.integer, b.integer, &whole));
+  if (op == Op::kMulI) return unless(__builtin_mul_overflow(a.integer, b.integer, &whole));
+  if (op == Op::kDivI || op == Op::kModI) {
+    if (b.integer == 0 || b.integer == -1) return std::nullopt;
+    return integer(op == Op::kDivI ? a.integer / b.integer : a.integer % b.integer);
   }
+  if (op == Op::kPowI) {
+    const auto value = whole_power(a.integer, b.integer);
+    return value ? std::optional(integer(*value)) : std::nullopt;
+  }
+  if (op == Op::kAddR) return real(a.real + b.real);
+  if (op == Op::kSubR) return real(a.real - b.real);
+  if (op == Op::kMulR) return real(a.real * b.real);
+  if (op == Op::kDivR) return real(a.real / b.real);
+  return std::nullopt;
 }
 
 bool is_number(const Constant& constant) {
@@ -82,57 +70,58 @@ Constant to_real(Constant constant) {
 
 std::optional<Constant> Constants::at(const hir::Expr& expr, int depth) const {
   if (depth > kDeepest) return std::nullopt;
-  switch (expr.kind) {
-    case ExprKind::kBool:
-      return Constant{.kind = Constant::Kind::kBool, .truth = expr.as<hir::BoolExpr>().value};
-    case ExprKind::kInt:
-      if (expr.type->is(Kind::kAny)) return std::nullopt;
-      return integer(expr.as<hir::IntExpr>().value);
-    case ExprKind::kReal:
-      return real(expr.as<hir::RealExpr>().value);
-    case ExprKind::kText:
-      return Constant{.kind = Constant::Kind::kText,
-                      .text = std::string(expr.as<hir::TextExpr>().value)};
-    case ExprKind::kVariable: {
-      const hir::Variable* variable = expr.as<hir::VariableExpr>().variable;
-      while (variable->outer != nullptr) variable = variable->outer;
-      const auto known = known_.find(variable);
-      if (known != known_.end()) return known->second;
-      return variable->init != nullptr ? at(*variable->init, depth + 1) : std::nullopt;
-    }
-    case ExprKind::kConvert: {
-      const auto& node = expr.as<hir::ConvertExpr>();
-      if (node.conversion == hir::Conversion::kRealToInt || expr.type->is(Kind::kEnum))
-        return std::nullopt;
-      auto value = at(*node.operand, depth + 1);
-      if (value && node.conversion != hir::Conversion::kSame) value = to_real(std::move(*value));
-      return value;
-    }
-    case ExprKind::kList: {
-      Constant list{.kind = Constant::Kind::kList};
-      for (const hir::Expr* item : expr.as<hir::ListExpr>().items) {
-        auto value = at(*item, depth + 1);
-        if (!value) return std::nullopt;
-        list.items.push_back(std::move(*value));
-      }
-      return list;
-    }
-    case ExprKind::kUnary: {
-      const auto& node = expr.as<hir::UnaryExpr>();
-      const auto value = at(*node.operand, depth + 1);
-      if (!value) return std::nullopt;
-      if (node.op == Op::kNegR) return real(-value->real);
-      return node.op == Op::kNegI ? compute(Op::kSubI, integer(0), *value) : std::nullopt;
-    }
-    case ExprKind::kBinary: {
-      const auto& node = expr.as<hir::BinaryExpr>();
-      const auto left = at(*node.left, depth + 1);
-      const auto right = left && is_number(*left) ? at(*node.right, depth + 1) : std::nullopt;
-      return right && is_number(*right) ? compute(node.op, *left, *right) : std::nullopt;
-    }
-    default:
-      return std::nullopt;
+  if (expr.kind == ExprKind::kBool) {
+    return Constant{.kind = Constant::Kind::kBool, .truth = expr.as<hir::BoolExpr>().value};
   }
+  if (expr.kind == ExprKind::kInt) {
+    if (expr.type->is(Kind::kAny)) return std::nullopt;
+    return integer(expr.as<hir::IntExpr>().value);
+  }
+  if (expr.kind == ExprKind::kReal) {
+    return real(expr.as<hir::RealExpr>().value);
+  }
+  if (expr.kind == ExprKind::kText) {
+    return Constant{.kind = Constant::Kind::kText,
+                    .text = std::string(expr.as<hir::TextExpr>().value)};
+  }
+  if (expr.kind == ExprKind::kVariable) {
+    const hir::Variable* variable = expr.as<hir::VariableExpr>().variable;
+    while (variable->outer != nullptr) variable = variable->outer;
+    const auto known = known_.find(variable);
+    if (known != known_.end()) return known->second;
+    return variable->init != nullptr ? at(*variable->init, depth + 1) : std::nullopt;
+  }
+  if (expr.kind == ExprKind::kConvert) {
+    const auto& node = expr.as<hir::ConvertExpr>();
+    if (node.conversion == hir::Conversion::kRealToInt || expr.type->is(Kind::kEnum))
+      return std::nullopt;
+    auto value = at(*node.operand, depth + 1);
+    if (value && node.conversion != hir::Conversion::kSame) value = to_real(std::move(*value));
+    return value;
+  }
+  if (expr.kind == ExprKind::kList) {
+    Constant list{.kind = Constant::Kind::kList};
+    for (const hir::Expr* item : expr.as<hir::ListExpr>().items) {
+      auto value = at(*item, depth + 1);
+      if (!value) return std::nullopt;
+      list.items.push_back(std::move(*value));
+    }
+    return list;
+  }
+  if (expr.kind == ExprKind::kUnary) {
+    const auto& node = expr.as<hir::UnaryExpr>();
+    const auto value = at(*node.operand, depth + 1);
+    if (!value) return std::nullopt;
+    if (node.op == Op::kNegR) return real(-value->real);
+    return node.op == Op::kNegI ? compute(Op::kSubI, integer(0), *value) : std::nullopt;
+  }
+  if (expr.kind == ExprKind::kBinary) {
+    const auto& node = expr.as<hir::BinaryExpr>();
+    const auto left = at(*node.left, depth + 1);
+    const auto right = left && is_number(*left) ? at(*node.right, depth + 1) : std::nullopt;
+    return right && is_number(*right) ? compute(node.op, *left, *right) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 void Constants::note(const hir::Variable& variable) {
