@@ -170,8 +170,7 @@ struct Outcome {
 Outcome run(const std::string& text, double temperature = 18.0) {
   static const Engine engine = thermostat();
   CompileOptions options;
-  options.world = std::make_shared<const WorldNames>(
-      WorldNames{"the house", {{"kitchen", "room"}, {"bath", "room"}}});
+  options.world = std::make_shared<const WorldNames>(WorldNames{"the house", {"kitchen", "bath"}});
   const Compilation compilation = engine.compile(text, "house.rbt", options);
   Outcome out;
   for (const Diagnostic& d : compilation.diagnostics)
