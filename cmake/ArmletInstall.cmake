@@ -5,7 +5,7 @@ set(ARMLET_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/armlet)
 install(TARGETS armlet_core armlet_runtime armlet_interpreter armlet_stdlib
   EXPORT armlet-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(part runtime interpreter stdlib)
-  install(DIRECTORY ${part}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+  install(DIRECTORY ${part}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" PATTERN "*.def")
 endforeach()
 install(EXPORT armlet-targets NAMESPACE armlet:: DESTINATION ${ARMLET_PACKAGE_DIR})
 

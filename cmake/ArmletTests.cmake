@@ -112,6 +112,7 @@ function(armlet_add_source_tests)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py $<TARGET_FILE:armlet>)
   add_test(NAME docs.programs
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/snippets.py $<TARGET_FILE:armlet> ${PROJECT_SOURCE_DIR})
+  add_test(NAME source.refused COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/refused_sources.py ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR})
   add_test(NAME hostile COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/hostile.py $<TARGET_FILE:armlet>)
 endfunction()
 

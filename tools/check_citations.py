@@ -38,7 +38,7 @@ def tracked():
 
 
 def catalogue():
-    rows = "".join(p.read_text() for p in sorted((ROOT / "interpreter/src/diagnostic").glob("catalog_*.def")))
+    rows = "".join(p.read_text() for p in sorted(ROOT.glob("*/**/messages/*.def")))
     return set(re.findall(r"^ARMLET_MESSAGE\(([ERW]\d{4}),", rows, re.M))
 
 

@@ -47,7 +47,7 @@ HEADLINE = re.compile(r"^(?:error|advice) ([ERW]\d{4}): ")
 
 
 def catalogue():
-    rows = "".join(p.read_text() for p in sorted((ROOT / "interpreter/src/diagnostic").glob("catalog_*.def")))
+    rows = "".join(p.read_text() for p in sorted(ROOT.glob("*/**/messages/*.def")))
     return sorted(re.findall(r"^ARMLET_MESSAGE\(([ERW]\d{4}),", rows, re.M))
 
 

@@ -25,22 +25,22 @@ int disasm(const ProgramOptions& options, const std::string& file) {
 }
 
 int explain(const std::string& code) {
+  const MessageTables& messages = library_engine().messages();
   if (code.empty()) {
-    for (const CatalogEntry& entry : catalog())
-      print_out(fmt::format("{}  {}\n", entry.code, entry.headline));
+    for (const CatalogEntry* entry : messages.all())
+      print_out(fmt::format("{}  {}\n", entry->code, entry->headline));
     return finish_output() ? kDone : kFailed;
   }
   std::string wanted = code;
   for (char& c : wanted) {
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
   }
-  const std::string page = explain_page(wanted);
-  if (!page.empty()) {
-    print_out(page);
+  if (const CatalogEntry* entry = messages.find(wanted)) {
+    print_out(explain_page(*entry));
     return finish_output() ? kDone : kFailed;
   }
   std::vector<std::string_view> codes;
-  for (const CatalogEntry& entry : catalog()) codes.push_back(entry.code);
+  for (const CatalogEntry* entry : messages.all()) codes.push_back(entry->code);
   std::string message = fmt::format("armlet: there is no message {}", code);
   if (const auto meant = most_similar(wanted, codes))
     message += fmt::format("; did you mean {}?", *meant);

@@ -181,8 +181,11 @@ class Evaluator {
 
   // ---- failures
   [[nodiscard]] std::string text(Span span) const;
-  [[noreturn]] void fail(const std::string& code, Span where,
-                         const std::vector<std::string>& words) const;
+  [[noreturn]] void fail(const Headline& headline, Span where) const;
+  template <std::size_t N>
+  [[noreturn]] void fail(CodeFor<N> code, Span where, const std::string (&words)[N]) const {
+    fail(Headline(code, words), where);
+  }
   [[noreturn]] void fail_index(std::int64_t index, std::size_t size, Span where,
                                const std::string& what = "list") const;
   [[noreturn]] void fail_backwards(std::int64_t first, std::int64_t last, Span where) const;

@@ -22,10 +22,9 @@ std::string Evaluator::text(Span span) const {
   return span.empty() ? std::string() : std::string(sources_.slice(span));
 }
 
-void Evaluator::fail(const std::string& code, Span where,
-                     const std::vector<std::string>& words) const {
-  throw Failure{code, make_diagnostic(code, where, words).message,
-                std::string(MessageTables().kind_of(code)), where};
+void Evaluator::fail(const Headline& headline, Span where) const {
+  const CatalogEntry& row = *headline.row();
+  throw Failure{std::string(row.code), headline.text(), std::string(row.kind), where};
 }
 
 void Evaluator::fail_index(std::int64_t index, std::size_t size, Span where,

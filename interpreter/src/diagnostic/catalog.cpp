@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <cassert>
+#include <utility>
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
@@ -15,13 +16,13 @@ namespace {
 // The order is that of the codes.
 // clang-format off
 constexpr auto kCatalog = std::to_array<CatalogEntry>({
-#include "catalog_text.def"
-#include "catalog_names.def"
-#include "catalog_types.def"
-#include "catalog_units.def"
-#include "catalog_robots.def"
-#include "catalog_running.def"
-#include "catalog_advice.def"
+#include "armlet/interpreter/messages/text.def"
+#include "armlet/interpreter/messages/names.def"
+#include "armlet/interpreter/messages/types.def"
+#include "armlet/interpreter/messages/units.def"
+#include "armlet/interpreter/messages/tasks.def"
+#include "armlet/interpreter/messages/running.def"
+#include "armlet/interpreter/messages/advice.def"
 });
 // clang-format on
 
@@ -34,16 +35,9 @@ constexpr std::string_view kPlace = "{}";
 
 }  // namespace
 
-int CatalogEntry::argument_count() const {
-  int count = 0;
-  for (std::size_t at = headline.find(kPlace); at != std::string_view::npos;
-       at = headline.find(kPlace, at + kPlace.size())) {
-    ++count;
-  }
-  return count;
-}
-
 std::span<const CatalogEntry> catalog() { return kCatalog; }
+
+const CatalogEntry& language_row(std::size_t place) { return kCatalog[place]; }
 
 namespace {
 
@@ -58,8 +52,6 @@ bool is_code(std::string_view code) {
 }
 
 }  // namespace
-
-const CatalogEntry* catalog_entry(std::string_view code) { return find_in(kCatalog, code); }
 
 void MessageTables::add(std::span<const CatalogEntry> rows) {
   if (!std::ranges::is_sorted(rows, {}, &CatalogEntry::code))
@@ -96,42 +88,57 @@ const CatalogEntry* MessageTables::of_kind(std::string_view kind) const {
   return nullptr;
 }
 
-std::string explain_page(std::string_view code) {
-  const CatalogEntry* entry = catalog_entry(code);
-  if (entry == nullptr) return {};
-  std::string title(entry->headline);
+std::vector<const CatalogEntry*> MessageTables::all() const {
+  std::vector<const CatalogEntry*> rows;
+  for (const std::span<const CatalogEntry> table : tables_)
+    for (const CatalogEntry& row : table) rows.push_back(&row);
+  std::ranges::sort(rows, {}, [](const CatalogEntry* row) { return row->code; });
+  return rows;
+}
+
+std::string explain_page(const CatalogEntry& entry) {
+  std::string title(entry.headline);
   for (std::size_t at = title.find(kPlace); at != std::string::npos; at = title.find(kPlace)) {
     title.replace(at, kPlace.size(), "...");
   }
   // The page starts with the line break behind its opening quote.
-  return std::string(code) + ": " + title + '\n' + std::string(entry->page);
+  return std::string(entry.code) + ": " + title + '\n' + std::string(entry.page);
 }
 
-Diagnostic make_diagnostic(std::string_view code, Span span,
-                           const std::vector<std::string>& arguments) {
-  const CatalogEntry* entry = catalog_entry(code);
-  if (entry == nullptr) throw std::logic_error("no message has the code " + std::string(code));
-  return make_diagnostic(*entry, span, arguments);
+Headline Headline::own(KnownCode code, std::string sentence) {
+  Headline out;
+  out.row_ = &code.row();
+  out.text_ = std::move(sentence);
+  return out;
 }
 
-Diagnostic make_diagnostic(const CatalogEntry& entry, Span span,
-                           const std::vector<std::string>& arguments) {
-  if (entry.argument_count() != static_cast<int>(arguments.size())) {
-    throw std::logic_error("the message " + std::string(entry.code) + " takes " +
-                           std::to_string(entry.argument_count()) + " arguments, not " +
-                           std::to_string(arguments.size()));
+Headline Headline::of(const CatalogEntry& row, std::span<const std::string> arguments) {
+  const std::size_t asked = row.argument_count();
+  if (asked != arguments.size()) {
+    throw ArgumentError("The headline of " + std::string(row.code) + " takes " +
+                        std::to_string(asked) + " arguments, and " +
+                        std::to_string(arguments.size()) + " are given.");
   }
-  Diagnostic out;
-  out.code = entry.code;
-  out.severity = entry.code.starts_with('W') ? Severity::kAdvice : Severity::kError;
-  out.mark.span = span;
-  std::string_view rest = entry.headline;
+  return {row, arguments};
+}
+
+Headline::Headline(const CatalogEntry& row, std::span<const std::string> arguments) : row_(&row) {
+  std::string_view rest = row.headline;
   for (const std::string& argument : arguments) {
     const std::size_t at = rest.find(kPlace);
-    out.message.append(rest.substr(0, at)).append(argument);
+    text_.append(rest.substr(0, at)).append(argument);
     rest.remove_prefix(at + kPlace.size());
   }
-  out.message.append(rest);
+  text_.append(rest);
+}
+
+Diagnostic make_diagnostic(const Headline& headline, Span span) {
+  assert(headline.row() != nullptr && "a message has a headline");
+  Diagnostic out;
+  out.code = headline.row()->code;
+  out.severity = out.code.starts_with('W') ? Severity::kAdvice : Severity::kError;
+  out.message = headline.text();
+  out.mark.span = span;
   return out;
 }
 

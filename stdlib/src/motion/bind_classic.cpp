@@ -8,6 +8,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
@@ -87,15 +88,14 @@ Answer<void> insert_obj(Vm& vm, std::string_view given_name) try {
     cube.T_world_obj = stand_in_place(host);
     host.cell().insert(std::move(cube));
     Failure advice;
-    advice.code = "W0712";
-    advice.arguments = {name};
+    advice.headline = {row("W0712"), {name}};
     advice.mark_parameter = 0;
     vm.advise(advice);
   }
   host.cell().add_to_task(name);
   return {};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0631", error);
+  return failure_of(vm, row("R0631"), error);
 }
 
 Answer<Eigen::Vector3d> get_pos_obj(Vm& vm, std::string_view name) {

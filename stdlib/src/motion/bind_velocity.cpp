@@ -7,6 +7,7 @@
 #include "armlet/core/format.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/velocity.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
@@ -39,7 +40,7 @@ class VelocityWaiting : public Waiting {
   Signal finish(Vm& vm, Slot&) override {
     if (!report().halted) return Signal::kDone;
     Failure f;
-    f.code = "R0618";
+    f.headline = Headline(row("R0618"));
     f.resource = resource();
     f.moved = report().end_ns > report().start_ns;
     return fail(vm, std::move(f));
@@ -62,9 +63,8 @@ class VelocityWaiting : public Waiting {
   bool stopped_ = false;
 };
 
-Failure refusal(Vm& vm, const MoveCall& call, std::string_view code) {
+Failure refusal(Vm& vm, const MoveCall& call) {
   Failure f;
-  f.code = code;
   f.mark_parameter = call.target;
   f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   return f;
@@ -81,11 +81,12 @@ Failed fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
     static constexpr const char* kVerbs[] = {"move", "gain speed", "gain acceleration"};
     const RateTooHigh& high = *plan.too_high;
     const JointKind kind = robot.joint(high.joint).kind;
-    Failure f = refusal(vm, call, "R0604");
-    f.message =
-        fmt::format("joint {} would have to {} by {}; its limit is {}", high.joint + 1,
-                    kVerbs[static_cast<int>(high.kind)], rate_text(kind, high.kind, high.value),
-                    rate_text(kind, high.kind, high.limit));
+    Failure f = refusal(vm, call);
+    f.headline =
+        Headline::own(row("R0604"), fmt::format("joint {} would have to {} by {}; its limit is {}",
+                                                high.joint + 1, kVerbs[static_cast<int>(high.kind)],
+                                                rate_text(kind, high.kind, high.value),
+                                                rate_text(kind, high.kind, high.limit)));
     if (call.function == "speedC")
       f.why = "near a posture where the arm is singular the joints run fast for a slow hand";
     f.fix = "ask for less speed";
@@ -93,17 +94,18 @@ Failed fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
   }
   if (plan.outside) {
     const Joint& joint = robot.joint(plan.outside->joint);
-    Failure f = refusal(vm, call, "R0602");
-    f.arguments = {std::to_string(plan.outside->joint + 1), std::string(joint_word(joint.kind)),
-                   format_joint_value(joint.kind, plan.outside->value, plan.outside->limit),
-                   format_joint_value(joint.kind, joint.lower),
-                   format_joint_value(joint.kind, joint.upper)};
+    Failure f = refusal(vm, call);
+    f.headline = {
+        row("R0602"),
+        {std::to_string(plan.outside->joint + 1), std::string(joint_word(joint.kind)),
+         format_joint_value(joint.kind, plan.outside->value, plan.outside->limit),
+         format_joint_value(joint.kind, joint.lower), format_joint_value(joint.kind, joint.upper)}};
     f.why = "the way on which it would stop counts, so that it can always stop in time";
     f.fix = "hold the velocity for a shorter time, or ask for less speed";
     return fail(vm, std::move(f));
   }
-  Failure f = refusal(vm, call, "R0601");
-  f.arguments = {"no joint speeds give the hand this velocity"};
+  Failure f = refusal(vm, call);
+  f.headline = {row("R0601"), {"no joint speeds give the hand this velocity"}};
   f.why = fmt::format("the nearest that this arm can do differs by {} % of it",
                       format_number(100.0 * plan.lacking, 1));
   f.fix = "leave out what the arm cannot do, or move away from where it is singular";

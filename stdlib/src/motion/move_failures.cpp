@@ -13,6 +13,7 @@
 #include "armlet/math/angles.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
+#include "messages/library_messages.hpp"
 #include "session/bind.hpp"
 
 namespace armlet::bind {
@@ -42,9 +43,8 @@ bool is_vertical(const Robot& robot) {
   return up && lean_of(*up) <= kVertical;
 }
 
-Failure start(Vm& vm, const MoveCall& call, std::string_view code, int mark) {
+Failure start(Vm& vm, const MoveCall& call, int mark) {
   Failure f;
-  f.code = code;
   f.mark_parameter = mark;
   f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   f.moved = false;
@@ -181,15 +181,15 @@ std::string rate(const Robot& robot, int joint, LimitKind kind, double value) {
 Failed fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
                         const IkResult& result) {
   const Robot& robot = model_of(vm, call);
-  Failure f = start(vm, call, "R0601", call.target);
+  Failure f = start(vm, call, call.target);
   const IkDiagnosis& d = result.diagnosis;
   switch (result.status) {
     case IkStatus::kJointLimit:
-      f.arguments = {"only with a joint beyond its limits"};
+      f.headline = {row("R0601"), {"only with a joint beyond its limits"}};
       say_joints(robot, d, f);
       break;
     case IkStatus::kOrientationUnreachable:
-      f.arguments = {"the hand gets there, but not with this orientation"};
+      f.headline = {row("R0601"), {"the hand gets there, but not with this orientation"}};
       f.why =
           fmt::format("the closest orientation at this place differs by {}", format_deg(d.angle));
       if (d.gap.exists()) f.why += fmt::format("; with this one {}", describe(d.gap));
@@ -197,17 +197,17 @@ Failed fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
           fmt::format("turn the target by {} or more, or give only a place", format_deg(d.angle));
       break;
     case IkStatus::kSingularGoal:
-      f.arguments = {"the arm is singular at this place"};
+      f.headline = {row("R0601"), {"the arm is singular at this place"}};
       f.why = "there it cannot move in every direction, so the joint values are not determined";
       break;
     case IkStatus::kBadRotation:
     case IkStatus::kNotFinite:
     case IkStatus::kBadSize:
-      f.arguments = {std::string(to_text(result.status))};
+      f.headline = {row("R0601"), {std::string(to_text(result.status))}};
       f.why = explain(robot, goal, result);
       break;
     default:
-      f.arguments = {"no joint values bring the hand there"};
+      f.headline = {row("R0601"), {"no joint values bring the hand there"}};
       say_place(robot, goal.translation(), d, f);
       // Where it is the tool point itself, this has been said.
       if (d.gap.exists() && d.gap.point != GapPoint::kToolPoint)
@@ -221,8 +221,8 @@ Failed fail_tilted(Vm& vm, const MoveCall& call, const PosC& target) {
   const Eigen::VectorXd& q = Host::of(vm).cell().robot(call.robot).q;
   const IkResult place = solve_ik(robot, target.T, {.seed = q, .task = IkTask::kPositionFirst});
   if (!place.ok()) return fail_unreachable(vm, call, target.T, place);
-  Failure f = start(vm, call, "R0601", call.target);
-  f.arguments = {"the hand gets there, but not with this orientation"};
+  Failure f = start(vm, call, call.target);
+  f.headline = {row("R0601"), {"the hand gets there, but not with this orientation"}};
   const Vector3d up = fixed_tilt(robot).value_or(Vector3d::UnitZ());
   const std::string error = lean_text(tilt_error(robot, target.T));
   const std::string tilt = lean_text(lean_of(target.T.linear().row(2)));
@@ -255,11 +255,12 @@ namespace {
 Failure outside_limits(Vm& vm, const MoveCall& call, const LimitViolation& outside) {
   const Joint& joint = model_of(vm, call).joint(outside.joint);
   const JointKind kind = joint.kind;
-  Failure f = start(vm, call, "R0602", call.target);
+  Failure f = start(vm, call, call.target);
   f.moved.reset();
-  f.arguments = {std::to_string(outside.joint + 1), std::string(joint_word(kind)),
+  f.headline = {row("R0602"),
+                {std::to_string(outside.joint + 1), std::string(joint_word(kind)),
                  format_joint_value(kind, outside.value, outside.limit),
-                 format_joint_value(kind, joint.lower), format_joint_value(kind, joint.upper)};
+                 format_joint_value(kind, joint.lower), format_joint_value(kind, joint.upper)}};
   return f;
 }
 
@@ -292,8 +293,9 @@ Failed fail_swings_outside(Vm& vm, const MoveCall& call, const LimitViolation& o
 
 Failed fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, double stands) {
   const JointKind kind = model_of(vm, call).joint(joint).kind;
-  Failure f = start(vm, call, "R0634", call.target);
-  f.arguments = {fmt::format("`{}` does not stand where the trajectory starts", f.resource.name)};
+  Failure f = start(vm, call, call.target);
+  f.headline = {row("R0634"),
+                {fmt::format("`{}` does not stand where the trajectory starts", f.resource.name)}};
   f.why = fmt::format("it starts with joint {} at {}, and the joint is at {}", joint + 1,
                       format_joint_value(kind, starts, stands), format_joint_value(kind, stands));
   f.fix = "go there first: moveJ({arg}.q(0s))";
@@ -303,9 +305,9 @@ Failed fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, do
 Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   const Robot& robot = model_of(vm, call);
   const JointKind kind = robot.joint(fast.joint).kind;
-  Failure f = start(vm, call, "R0604", call.time);
+  Failure f = start(vm, call, call.time);
   f.moved.reset();
-  f.arguments = {given_time(fast.given), at_least(fast.least_time)};
+  f.headline = {row("R0604"), {given_time(fast.given), at_least(fast.least_time)}};
   const std::string travel = format_joint_value(kind, std::abs(fast.travel));
   const char* verb = kind == JointKind::kRevolute ? "turns" : "slides";
   const std::string limit = rate(robot, fast.joint, fast.kind, fast.limit);
@@ -325,10 +327,11 @@ void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
       fast.limit * (fast.kind == LimitKind::kSpeed          ? excess
                     : fast.kind == LimitKind::kAcceleration ? excess * excess
                                                             : excess * excess * excess);
-  Failure f = start(vm, call, "W0707", call.time);
+  Failure f = start(vm, call, call.time);
   f.moved.reset();
-  f.arguments = {std::to_string(fast.joint + 1), rate(robot, fast.joint, fast.kind, needed),
-                 rate(robot, fast.joint, fast.kind, fast.limit)};
+  f.headline = {row("W0707"),
+                {std::to_string(fast.joint + 1), rate(robot, fast.joint, fast.kind, needed),
+                 rate(robot, fast.joint, fast.kind, fast.limit)}};
   f.fix = fmt::format("give it at least {}", at_least(fast.least_time));
   vm.advise(f);
 }
@@ -337,16 +340,19 @@ Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
                  const PosC& target, const LineFault& fault) {
   if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
   const Robot& robot = model_of(vm, call);
-  Failure f = start(vm, call, "R0603", call.element >= 0 ? call.target : kMarkCallee);
+  Failure f = start(vm, call, call.element >= 0 ? call.target : kMarkCallee);
   const std::string part = fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)));
   const bool is_straight = call.way == kStraightLine;
-  f.arguments = {part};
+  f.headline = {row("R0603"), {part}};
   if (!is_straight)
-    f.message = fmt::format("the {} cannot be followed beyond {} of its length", call.way, part);
+    f.headline = Headline::own(
+        row("R0603"),
+        fmt::format("the {} cannot be followed beyond {} of its length", call.way, part));
   const Vector3d start_point = forward(robot, start_joints).translation();
   const Vector3d closest = nearest_to_axis(robot, start_point, target.T.translation());
   if (fault.kind == LineFaultKind::kNoArc) {
-    f.message = "no arc leads over these places: they lie on one line";
+    f.headline =
+        Headline::own(row("R0603"), "no arc leads over these places: they lie on one line");
     f.why = "an arc goes from where the hand is, over the first place, to the second";
     f.fix = "move the first place off the line, or use moveL";
     return fail(vm, std::move(f));
@@ -366,7 +372,7 @@ Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
         "both ends can be reached, but only with different postures of the arm, and it cannot "
         "change between them on the way";
   } else {
-    Failure there = start(vm, call, "R0601", call.target);
+    Failure there = start(vm, call, call.target);
     if (fault.ik.status == IkStatus::kJointLimit) say_joints(robot, fault.ik.diagnosis, there);
     if (there.why.empty())
       say_place(robot, fault.T_world_tool.translation(), fault.ik.diagnosis, there);
@@ -378,9 +384,10 @@ Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
 
 Failed fail_joint_count(Vm& vm, const MoveCall& call, int count) {
   const Robot& robot = model_of(vm, call);
-  Failure f = start(vm, call, "R0613", call.target);
-  f.message = fmt::format("{} joint value{} for a robot with {} joint{}", count,
-                          count == 1 ? "" : "s", robot.n(), robot.n() == 1 ? "" : "s");
+  Failure f = start(vm, call, call.target);
+  f.headline = Headline::own(
+      "R0613", fmt::format("{} joint value{} for a robot with {} joint{}", count,
+                           count == 1 ? "" : "s", robot.n(), robot.n() == 1 ? "" : "s"));
   f.why = fmt::format("`{}` has joints: ", f.resource.name);
   for (int i = 0; i < robot.n(); ++i)
     f.why += fmt::format("{}{}", i > 0 ? ", " : "", joint_word(robot.joint(i).kind));
@@ -388,9 +395,10 @@ Failed fail_joint_count(Vm& vm, const MoveCall& call, int count) {
 }
 
 Failed fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner) {
-  Failure f = start(vm, call, "R0604", call.planner);
-  f.message =
-      fmt::format("\"{}\" makes the joints jump to their speed, which no drive can do", planner);
+  Failure f = start(vm, call, call.planner);
+  f.headline = Headline::own(
+      row("R0604"),
+      fmt::format("\"{}\" makes the joints jump to their speed, which no drive can do", planner));
   f.why = "its acceleration has no bound at the ends; it is there to be studied";
   f.fix = "use \"Lin\", which has ramps at both ends";
   return fail(vm, std::move(f));
@@ -399,16 +407,17 @@ Failed fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner) {
 Failed fail_planner(Vm& vm, const MoveCall& call, std::string_view planner) {
   const std::vector<std::string> names = Host::of(vm).planners().names();
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  Failure f = start(vm, call, "R0626", call.planner);
-  f.message = fmt::format("there is no trajectory called \"{}\"", planner);
+  Failure f = start(vm, call, call.planner);
+  f.headline = Headline::own("R0626", fmt::format("there is no trajectory called \"{}\"", planner));
   if (const auto meant = most_similar(planner, candidates))
     f.fix = fmt::format("did you mean \"{}\"?", *meant);
   return fail(vm, std::move(f));
 }
 
 Failed fail_no_time(Vm& vm, const MoveCall& call, double distance) {
-  Failure f = start(vm, call, "R0604", call.time);
-  f.message = fmt::format("0 s is too short for this move of {}", format_mm(distance));
+  Failure f = start(vm, call, call.time);
+  f.headline = Headline::own(
+      row("R0604"), fmt::format("0 s is too short for this move of {}", format_mm(distance)));
   f.fix = "give a time, or leave it out to move as fast as the joints allow";
   return fail(vm, std::move(f));
 }

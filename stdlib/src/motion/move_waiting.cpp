@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armlet/kinematics/forward.hpp"
+#include "messages/library_messages.hpp"
 #include "session/time_left.hpp"
 
 namespace armlet::bind {
@@ -58,7 +59,7 @@ class MoveWaiting : public Waiting {
 
   Signal fail_halted(Vm& vm) {
     Failure f;
-    f.code = "R0618";
+    f.headline = Headline(row("R0618"));
     f.resource = resource();
     f.moved = report().end_ns > report().start_ns;
     return fail(vm, std::move(f));
@@ -69,8 +70,7 @@ class MoveWaiting : public Waiting {
     for (const CellEvent& event : host_.take_events()) {
       if (event.kind != CellEventKind::kPicked || !host_.first_contact_pick()) continue;
       Failure advice;
-      advice.code = "W0704";
-      advice.arguments = {event.object};
+      advice.headline = {row("W0704"), {event.object}};
       advice.mark_parameter = call_.target;
       advice.why =
           "this program never calls grasp or release, so objects named in insertObj are picked up "

@@ -74,9 +74,8 @@ Answer<void> check_idle(Vm& vm, int id) {
   const CellRobot& robot = Host::of(vm).cell().robot(id);
   if (!robot.motion) return {};
   Failure f;
-  f.code = "R0617";
   f.resource = robot_called(robot.name);
-  f.arguments = {robot.name, std::string(kRobot.resource->busy)};
+  f.headline = {"R0617", {robot.name, std::string(kRobot.resource->busy)}};
   f.mark_parameter = kMarkCallee;
   const MotionReport& report = Host::of(vm).cell().report(robot.motion_id);
   const bool rolls_out = report.held_ns && *report.held_ns <= Host::of(vm).now_ns();

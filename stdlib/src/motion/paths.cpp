@@ -9,6 +9,7 @@
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"
 #include "robot/goals.hpp"
@@ -22,8 +23,7 @@ using Eigen::VectorXd;
 
 Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   Failure f;
-  f.code = "R0635";
-  f.arguments = {std::move(what)};
+  f.headline = {row("R0635"), {std::move(what)}};
   f.mark_parameter = parameter;
   f.fix = std::move(fix);
   f.resource = robot_called({});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armlet/core/format.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/paths.hpp"
 #include "robot/rules.hpp"
 
@@ -40,7 +41,7 @@ void check_in_path(CheckCall& call, const PathParameters& parameters) {
   }
   if (!call.given(parameters.blend)) return;
   if (in_path == CheckCall::InPath::kNo) {
-    Diagnostic d = make_diagnostic("E0514", call.setting_span(parameters.blend));
+    Diagnostic d = make_diagnostic(row("E0514"), call.setting_span(parameters.blend));
     d.why = "a move outside a path stops exactly at its target";
     d.fix = Fix{.text = "leave it out, or put the moves that are to be joined into a path",
                 .edits = without(call, parameters.blend)};

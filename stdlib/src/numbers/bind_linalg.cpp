@@ -11,6 +11,7 @@
 #include "armlet/math/decompose.hpp"
 #include "armlet/math/linalg.hpp"
 #include "armlet/math/matrix_product.hpp"
+#include "messages/library_messages.hpp"
 #include "values/blocks.hpp"
 #include "values/matrices.hpp"
 
@@ -82,8 +83,7 @@ auto on_matrix(Vm& vm, const MatrixObj& A, const Task& task, F f) -> decltype(f(
 Failed no_answer(Vm& vm, std::string_view name, const Error& error) {
   if (error.code == "singular") {
     Failure f;
-    f.code = "R0616";
-    f.arguments = {"the matrix"};
+    f.headline = {row("R0616"), {"the matrix"}};
     f.mark_parameter = 0;
     f.why = error.message;
     f.fix = name == "solving"

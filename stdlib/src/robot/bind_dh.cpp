@@ -9,6 +9,7 @@
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/joint_limits.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
 #include "robot/models.hpp"
 #include "robot/rules.hpp"
@@ -55,7 +56,7 @@ Answer<RobotRef> robot_from_table(Vm& vm, Rows table, Types types, std::optional
   if (limits) set_limits(spec.joints, rows_of(*limits));
   return add_robot(vm, finished(Robot(std::move(spec)), base, tool));
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0630", error);
+  return failure_of(vm, row("R0630"), error);
 }
 
 // ---- the names of the platform

@@ -5,6 +5,7 @@
 #include "armlet/cell/gripper.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -15,7 +16,7 @@ namespace {
 Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
   const Cell& cell = Host::of(vm).cell();
   Failure f;
-  f.code = "R0605";
+  f.headline = Headline(row("R0605"));
   f.resource = robot_called(cell.robot(robot).name);
   switch (result.status) {
     case GraspStatus::kNothing:
@@ -28,25 +29,28 @@ Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
       if (!result.object.empty()) f.fix = fmt::format("move to poseOf({}) first", result.object);
       break;
     case GraspStatus::kTooWide:
-      f.message = fmt::format("\"{}\" is too wide for this gripper", result.object);
+      f.headline = Headline::own(row("R0605"),
+                                 fmt::format("\"{}\" is too wide for this gripper", result.object));
       f.why = fmt::format("it is {} wide and the gripper opens {}", format_mm(result.width),
                           format_mm(result.stroke));
       f.fix = "grasp it from another side, or use a gripper with a longer stroke";
       break;
     case GraspStatus::kFixed:
-      f.message = fmt::format("\"{}\" is fixed and cannot be grasped", result.object);
+      f.headline = Headline::own(
+          row("R0605"), fmt::format("\"{}\" is fixed and cannot be grasped", result.object));
       break;
     case GraspStatus::kNoHand:
-      f.message = fmt::format("`{}` has no hand that can grasp", f.resource.name);
+      f.headline = Headline::own(row("R0605"),
+                                 fmt::format("`{}` has no hand that can grasp", f.resource.name));
       f.fix = "give it one: tool: parallelGripper(stroke: 60mm)";
       break;
     case GraspStatus::kHolding:
-      f.message = fmt::format("the hand is closed on \"{}\" already", result.object);
+      f.headline = Headline::own(
+          row("R0605"), fmt::format("the hand is closed on \"{}\" already", result.object));
       f.fix = "release it first";
       break;
     case GraspStatus::kUnknownObject:
-      f.code = "R0625";
-      f.arguments = {result.object};
+      f.headline = {row("R0625"), {result.object}};
       break;
     case GraspStatus::kGrasped:
       break;
@@ -71,9 +75,8 @@ Answer<void> release_object(Vm& vm, const RobotRef& r) {
   if (!check_idle(vm, r.id)) return Failed{};
   if (release(cell, r.id)) return {};
   Failure f;
-  f.code = "R0619";
   f.resource = robot_called(cell.robot(r.id).name);
-  f.arguments = {f.resource.name};
+  f.headline = {row("R0619"), {f.resource.name}};
   f.fix = "grasp something first, or ask holding()";
   return fail(vm, std::move(f));
 }

@@ -10,6 +10,7 @@
 #include "armlet/model/serial_arm.hpp"
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
 #include "robot/models.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
@@ -114,7 +115,7 @@ Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alph
 
 Answer<RobotRef> add_robot(Vm& vm, Robot robot) {
   Result<int> id = Host::of(vm).add_robot(std::make_shared<const Robot>(std::move(robot)));
-  if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
+  if (!id.ok()) return failure_of(vm, row("R0630"), ArgumentError(id.error().message));
   return RobotRef{*id, &Host::of(vm).cell()};
 }
 
@@ -188,7 +189,7 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   if (tcp != nullptr) robot = robot.with_tool_point(tcp->T);
   return add_robot(vm, std::move(robot));
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0630", error);
+  return failure_of(vm, row("R0630"), error);
 }
 
 // A robot from a file in the folder of the program.
@@ -209,19 +210,19 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
     UrdfOptions published = options;
     published.inertia_check = InertiaCheck::kPublished;
     const bool inertia_only = read_urdf(*text, published).ok();
-    return failure_of(vm, "R0630", ArgumentError(mechanism.error().message), kPath,
+    return failure_of(vm, row("R0630"), ArgumentError(mechanism.error().message), kPath,
                       inertia_only ? kKeepInertias : "");
   }
   Result<RobotSpec> spec = serial_arm(*mechanism, tip.value_or(""));
-  if (!spec.ok()) return failure_of(vm, "R0630", ArgumentError(spec.error().message), kPath);
+  if (!spec.ok()) return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath);
   return add_robot(vm, finished(Robot(std::move(spec).value()), base, tool, name));
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0630", error);
+  return failure_of(vm, row("R0630"), error);
 }
 
 Answer<RobotRef> default_robot(Vm& vm) {
   const Result<int> id = Host::of(vm).default_robot();
-  if (!id.ok()) return failure_of(vm, "R0630", ArgumentError(id.error().message));
+  if (!id.ok()) return failure_of(vm, row("R0630"), ArgumentError(id.error().message));
   return RobotRef{*id, &Host::of(vm).cell()};
 }
 
@@ -231,12 +232,12 @@ Answer<RobotRef> default_robot(Vm& vm) {
 Answer<ToolValue> gripper(Vm& vm, double stroke, double length, double force) try {
   return ToolValue{parallel_gripper(stroke, length, force), {}};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0631", error);
+  return failure_of(vm, row("R0631"), error);
 }
 Answer<ToolValue> suction(Vm& vm, double radius, double length) try {
   return ToolValue{suction_cup(radius, length), {}};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0631", error);
+  return failure_of(vm, row("R0631"), error);
 }
 ToolValue tool_point(const PosC& p) { return {point_tool(), p.T}; }
 
@@ -295,7 +296,7 @@ std::vector<Definition> ready_robots() {
       try {
         return add_robot(vm, finished(*make_robot(arm), base, tool, own_name));
       } catch (const ArgumentError& error) {
-        return failure_of(vm, "R0630", error);
+        return failure_of(vm, row("R0630"), error);
       }
     };
     robots.push_back(def(name + "(base: posC?, tool: tool?, name: string?) -> robot", make,

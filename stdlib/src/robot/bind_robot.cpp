@@ -6,6 +6,7 @@
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/kinematics/manipulability.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
@@ -58,7 +59,7 @@ Answer<void> set_model(Vm& vm, const RobotRef& r, Robot model) try {
   Host::of(vm).cell().set_model(r.id, std::make_shared<const Robot>(std::move(model)));
   return {};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0630", error);
+  return failure_of(vm, row("R0630"), error);
 }
 Answer<void> set_tool(Vm& vm, const RobotRef& r, const PosC& tcp) {
   return set_model(vm, r, model_of(vm, r).with_tool_point(tcp.T));
@@ -66,7 +67,7 @@ Answer<void> set_tool(Vm& vm, const RobotRef& r, const PosC& tcp) {
 Answer<void> set_home(Vm& vm, const RobotRef& r, const PosJ& q) try {
   return set_model(vm, r, model_of(vm, r).with_home(q.vector()));
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0630", error, 1);
+  return failure_of(vm, row("R0630"), error, 1);
 }
 
 // ---- kinematics

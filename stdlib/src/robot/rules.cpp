@@ -15,6 +15,7 @@
 #include "armlet/model/joint.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/planner.hpp"
+#include "messages/library_messages.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -50,7 +51,7 @@ void report_count(CheckCall& call, const RobotFact& robot, int count, Span whole
   const int joints = static_cast<int>(robot.turns.size());
   const bool too_many = count > joints;
   const Span span = too_many ? item_span(joints) : whole;
-  Diagnostic d = make_diagnostic("E0302", span.empty() ? whole : span,
+  Diagnostic d = make_diagnostic(row("E0302"), span.empty() ? whole : span,
                                  {count_of(count, "joint value"), count_of(joints, "joint")});
   const int missing = joints - count;
   if (too_many) {
@@ -114,7 +115,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 
 void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const Type* type) {
   Diagnostic d = make_diagnostic(
-      "E0404", call.item_span(0, item),
+      row("E0404"), call.item_span(0, item),
       {std::to_string(item + 1), robot.turns[item] ? "turns" : "slides",
        robot.turns[item] ? "an angle" : "a length", std::string(type_phrase(type))});
   d.mark.label = fmt::format("{} value", ordinal(item));
@@ -154,7 +155,7 @@ void check_posj_values(CheckCall& call) {
     if (fits && type->dim != (robot->turns[i] ? dims::kAngle : dims::kLength))
       return report_wrong_kind(call, *robot, i, type);
     if (type->dim != dims::kAngle && type->dim != dims::kLength) {
-      Diagnostic d = make_diagnostic("E0404", call.item_span(0, i),
+      Diagnostic d = make_diagnostic(row("E0404"), call.item_span(0, i),
                                      {std::to_string(i + 1), "turns or slides",
                                       "an angle or a length", std::string(type_phrase(type))});
       d.mark.label = fmt::format("{} value", ordinal(i));
@@ -212,7 +213,7 @@ void check_limits(CheckCall& call, const JointFact& joint, int i) {
   if (!joint.limits || (*joint.limits)[0] <= (*joint.limits)[1]) return;
   const JointKind kind = joint.turns ? JointKind::kRevolute : JointKind::kPrismatic;
   Diagnostic d =
-      make_diagnostic("E0511", joint.written,
+      make_diagnostic(row("E0511"), joint.written,
                       {format_joint_value(kind, (*joint.limits)[0]), std::to_string(i + 1),
                        format_joint_value(kind, (*joint.limits)[1])});
   d.fix = Fix{.text = "limits are written as [lower, upper]"};
@@ -244,7 +245,7 @@ void check_robot_block(CheckCall& call) {
     fact->turns.push_back(joint->turns);
   }
   if (fact->turns.empty()) {
-    Diagnostic d = make_diagnostic("E0508", call.callee_span(), {fact->name});
+    Diagnostic d = make_diagnostic(row("E0508"), call.callee_span(), {fact->name});
     d.fix = Fix{.text = "give it joints, such as joint revolute(a: 300mm)"};
     return call.report(std::move(d));
   }
@@ -290,7 +291,7 @@ void check_planner(CheckCall& call, int parameter) {
   const std::vector<std::string> names = planners.names();
   const std::vector<std::string_view> all(names.begin(), names.end());
   const Span span = call.span(parameter);
-  Diagnostic d = make_diagnostic("E0202", span, {name});
+  Diagnostic d = make_diagnostic(row("E0202"), span, {name});
   d.why = "the planners are " + listed(names);
   if (const auto meant = most_similar(name, all)) {
     d.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
@@ -332,7 +333,7 @@ void check_duration(CheckCall& call, int parameter) {
 
 void check_time_and_speed(CheckCall& call, int time, int speed) {
   if (call.given(time) && call.given(speed)) {
-    Diagnostic d = make_diagnostic("E0506", call.setting_span(speed));
+    Diagnostic d = make_diagnostic(row("E0506"), call.setting_span(speed));
     d.related.push_back({call.setting_span(time), ""});
     d.fix = Fix{.text = "leave one of them out", .edits = without(call, speed)};
     return call.report(std::move(d));
@@ -390,7 +391,7 @@ void explain_list_for_posj(CheckCall& call) {
 }
 
 void explain_arc(CheckCall& call) {
-  Diagnostic d = make_diagnostic("E0503", call.callee_span());
+  Diagnostic d = make_diagnostic(row("E0503"), call.callee_span());
   d.why = "other robot languages use MoveC for circles; here C stands for Cartesian";
   const std::string whole = call.text_of(call.call_span());
   const std::size_t name_end = call.callee_span().end - call.call_span().begin;
@@ -430,7 +431,7 @@ void check_object_name(CheckCall& call) {
   if (call.declares("object", name)) return;
   call.use_world();
   if (call.mentions("spawn") || world->has(name)) return;
-  Diagnostic d = make_diagnostic("E0203", call.span(0), {name});
+  Diagnostic d = make_diagnostic(row("E0203"), call.span(0), {name});
   if (!call.takes_errors()) return call.report(std::move(d));
   std::vector<std::string> known;
   for (const std::string& thing : world->things) {

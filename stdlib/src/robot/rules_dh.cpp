@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "armlet/model/joint_limits.hpp"
+#include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
 
 namespace armlet::bind {
@@ -36,7 +37,7 @@ bool check_rows(CheckCall& call, const Constant& table) {
   for (std::size_t i = 0; i < table.items.size(); ++i) {
     const std::size_t found = table.items[i].items.size();
     if (table.items[i].kind != Constant::Kind::kList || found == kRow) continue;
-    Diagnostic d = make_diagnostic("E0509", call.item_span(kTable, static_cast<int>(i)),
+    Diagnostic d = make_diagnostic(row("E0509"), call.item_span(kTable, static_cast<int>(i)),
                                    {std::to_string(i + 1), count_of(found, "value")});
     d.why = "a row is theta, d, a, alpha";
     call.report(std::move(d));
@@ -53,7 +54,7 @@ bool check_limits(CheckCall& call, const std::string& kinds) {
     const auto& pair = limits->items[i].items;
     if (pair.size() != 2 || pair[0].real <= pair[1].real) continue;
     const JointKind kind = kinds[i] == 'R' ? JointKind::kRevolute : JointKind::kPrismatic;
-    Diagnostic d = make_diagnostic("E0511", call.item_span(kLimits, static_cast<int>(i)),
+    Diagnostic d = make_diagnostic(row("E0511"), call.item_span(kLimits, static_cast<int>(i)),
                                    {format_joint_value(kind, pair[0].real), std::to_string(i + 1),
                                     format_joint_value(kind, pair[1].real)});
     d.fix = Fix{.text = "limits are written as [lower, upper]"};
@@ -78,7 +79,7 @@ void report_assumed_limits(CheckCall& call, const std::string& kinds) {
     assumed += fmt::format("{} from {}", turns ? ", those that slide" : "joints that slide go",
                            text_of(JointKind::kPrismatic));
   }
-  Diagnostic d = make_diagnostic("W0716", call.callee_span(), {assumed});
+  Diagnostic d = make_diagnostic(row("W0716"), call.callee_span(), {assumed});
   d.fix = Fix{.text = "give them: limits: [[-2.6, 2.6], ...], in rad and m"};
   call.report(std::move(d));
 }
@@ -95,7 +96,7 @@ void check_dh_table(CheckCall& call) {
   }
   const bool letters = kinds->find_first_not_of("RP") == std::string::npos;
   if (!letters || (is_list(table) && kinds->size() != table->items.size())) {
-    Diagnostic d = make_diagnostic("E0510", call.span(kTypes), {*kinds});
+    Diagnostic d = make_diagnostic(row("E0510"), call.span(kTypes), {*kinds});
     if (letters)
       d.mark.label = fmt::format("{} for {}", count_of(kinds->size(), "joint"),
                                  count_of(table->items.size(), "row"));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
 
 namespace armlet::bind {
@@ -66,7 +67,7 @@ void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>&
   // A list that stands in the call itself is marked at the number.
   const bool in_place = is_inside(origin, used);
   Diagnostic d =
-      make_diagnostic("W0702", in_place ? origin : used,
+      make_diagnostic(row("W0702"), in_place ? origin : used,
                       {fmt::format("{} rad", call.text_of(origin)),
                        revolutions_text(items[static_cast<std::size_t>(meant.first)].real)});
   d.mark.label = "plain numbers count as radians and metres";

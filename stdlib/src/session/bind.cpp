@@ -7,11 +7,10 @@
 
 namespace armlet::bind {
 
-Failed failure(Vm& vm, std::string_view code, std::string message, int parameter, std::string why,
+Failed failure(Vm& vm, KnownCode code, std::string message, int parameter, std::string why,
                std::string fix) {
   Failure f;
-  f.code = code;
-  f.message = std::move(message);
+  f.headline = Headline::own(code, std::move(message));
   f.mark_parameter = parameter;
   f.why = std::move(why);
   f.fix = std::move(fix);
@@ -23,9 +22,9 @@ Failed domain_failure(Vm& vm, std::string_view function, double value, std::stri
   if (!std::isfinite(value))
     return not_finite(vm, fmt::format("the value given to {}", function), value, parameter);
   Failure f;
-  f.code = "R0609";
   const std::string shown = fmt::format("{:.15g}", value);
-  f.message = fmt::format("{} of {}: the value must {}", function, shown, requirement);
+  f.headline = Headline::own(
+      "R0609", fmt::format("{} of {}: the value must {}", function, shown, requirement));
   f.mark_parameter = parameter;
   f.label = shown;
   f.fix = std::move(fix);
@@ -57,11 +56,10 @@ std::string clause_of(const std::exception& error) {
   return sentence;
 }
 
-Failed failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter,
+Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, int parameter,
                   std::string fix) {
   Failure f;
-  f.code = code;
-  f.arguments = {clause_of(error)};
+  f.headline = {code, {clause_of(error)}};
   f.mark_parameter = parameter;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));

@@ -63,11 +63,11 @@ Failed not_finite(Vm& vm, std::string_view what, double value, int parameter);
 Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right);
 
 // A failure of a native function with a code of the catalogue and its own headline.
-Failed failure(Vm& vm, std::string_view code, std::string message, int parameter = -1,
+Failed failure(Vm& vm, KnownCode code, std::string message, int parameter = -1,
                std::string why = {}, std::string fix = {});
 
 // The same with the sentence of a broken precondition as its argument.
-Failed failure_of(Vm& vm, std::string_view code, const std::exception& error, int parameter = -1,
+Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, int parameter = -1,
                   std::string fix = {});
 
 // The sentence of a broken precondition as it goes on from other words, without capital and full

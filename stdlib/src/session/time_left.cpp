@@ -16,9 +16,9 @@ Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, int 
   const double left = time_left(vm);
   if (seconds <= left) return {};
   Failure f;
-  f.code = "R0636";
-  f.arguments = {fmt::format("{} of {:.6g} s", what, seconds),
-                 fmt::format("{} s", format_number(left))};
+  f.headline = {
+      "R0636",
+      {fmt::format("{} of {:.6g} s", what, seconds), fmt::format("{} s", format_number(left))}};
   f.mark_parameter = parameter;
   return fail(vm, std::move(f));
 }

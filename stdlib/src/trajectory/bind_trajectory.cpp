@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/motion_text.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
@@ -132,7 +133,7 @@ Answer<PlannedMotion> joined(Vm& vm, const PlannedMotion& first, const PlannedMo
   return PlannedMotion{std::move(planner), first.motion.then(next.motion), first.joints,
                        first.robot};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0634", error);
+  return failure_of(vm, row("R0634"), error);
 }
 
 PlannedMotion reversed(const PlannedMotion& plan) {

@@ -1,5 +1,6 @@
 // Rules of trajectories and of moves through several points, checked before running.
 
+#include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
 
 namespace armlet::bind {
@@ -8,7 +9,7 @@ namespace {
 // E0506 for two settings that say the same thing.
 void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
   if (!call.given(one) || !call.given(other)) return;
-  Diagnostic d = make_diagnostic("E0506", call.setting_span(other));
+  Diagnostic d = make_diagnostic(row("E0506"), call.setting_span(other));
   d.message = what;
   d.related.push_back({call.setting_span(one), ""});
   d.fix = Fix{.text = "leave one of them out", .edits = without(call, other)};

@@ -7,6 +7,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/trajectory/planner.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"
 #include "robot/goals.hpp"
@@ -45,11 +46,8 @@ MotionNotes notes_of(const std::vector<PosC>& places, const PathPlan& plan) {
 }  // namespace
 
 std::optional<SplineKind> spline_called(std::string_view planner) {
-  if (planner == "Cubic") return SplineKind::kCubic;
-  if (planner == "Spline3") return SplineKind::kSpline3;
-  if (planner == "Spline4") return SplineKind::kSpline4;
-  if (planner == "Spline5") return SplineKind::kSpline5;
-  return std::nullopt;
+  const auto row = std::ranges::find(planner_rows(), planner, &PlannerRow::name);
+  return row == planner_rows().end() ? std::nullopt : row->in_space;
 }
 
 Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, SplineKind kind,

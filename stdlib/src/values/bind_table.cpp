@@ -160,8 +160,7 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file) {
   const auto saved = Host::of(vm).save_file(kTable, std::string(file), header + '\n' + body);
   if (saved.ok()) return {};
   Failure f;
-  f.code = "R0626";
-  f.message = fmt::format("`{}` cannot be saved", file);
+  f.headline = Headline::own("R0626", fmt::format("`{}` cannot be saved", file));
   f.mark_parameter = 1;
   f.why = saved.error().message;
   return fail(vm, std::move(f));

@@ -16,8 +16,7 @@ std::string values_text(std::int64_t count) {
 
 Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter, std::string fix) {
   Failure f;
-  f.code = "R0613";
-  f.arguments = {sizes};
+  f.headline = {"R0613", {sizes}};
   f.mark_parameter = parameter;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));

@@ -9,6 +9,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -20,8 +21,7 @@ Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter) {
   Host& host = Host::of(vm);
   const World& world = host.cell().world();
   Failure f;
-  f.code = "R0625";
-  f.arguments = {std::string(name)};
+  f.headline = {row("R0625"), {std::string(name)}};
   f.mark_parameter = parameter;
   std::string list;
   for (const std::string& known : world.names())
@@ -61,7 +61,7 @@ Answer<ObjectRef> insert_object(Vm& vm, Object object) try {
   if (!host.is_skipped(made.name)) host.cell().insert(std::move(object));
   return made;
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0631", error);
+  return failure_of(vm, row("R0631"), error);
 }
 
 Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
@@ -102,7 +102,7 @@ Answer<const Object*> free_object(Vm& vm, const ObjectRef& o, std::string_view w
   const auto holder = cell.holder_of(o.name);
   if (!holder) return object;
   const std::string& name = cell.robot(*holder).name;
-  return failure(vm, "R0631",
+  return failure(vm, row("R0631"),
                  fmt::format("\"{}\" is held by `{}`, so it cannot be {}", o.name, name, what), 0,
                  {}, fmt::format("write {}.release() first", name));
 }
@@ -112,10 +112,10 @@ void report_falls(Vm& vm, const std::vector<Fall>& falls) {
   if (falls.empty() || !Host::of(vm).first_fall()) return;
   const Fall& first = falls.front();
   Failure advice;
-  advice.code = "W0714";
-  advice.arguments = {first.name, format_mm(first.drop.distance),
+  advice.headline = {row("W0714"),
+                     {first.name, format_mm(first.drop.distance),
                       first.drop.support == "floor" ? std::string("the floor")
-                                                    : fmt::format("\"{}\"", first.drop.support)};
+                                                    : fmt::format("\"{}\"", first.drop.support)}};
   advice.mark_parameter = 0;
   for (std::size_t i = 1; i < falls.size(); ++i)
     advice.why += fmt::format("{}\"{}\"", i == 1 ? "so did " : ", ", falls[i].name);
@@ -130,7 +130,7 @@ Answer<void> set_pose(Vm& vm, const ObjectRef& o, const PosC& p) try {
   report_falls(vm, Host::of(vm).cell().set_pose(o.name, T));
   return {};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0631", error);
+  return failure_of(vm, row("R0631"), error);
 }
 Answer<void> remove_object(Vm& vm, const ObjectRef& o) {
   if (!free_object(vm, o, "removed")) return Failed{};
@@ -163,7 +163,7 @@ bool object_at(Vm& vm, const PosC& p, double within) {
 Answer<ObjectRef> nearest_object(Vm& vm, const PosC& p) {
   const Object* object = nearest(vm, p.T.translation());
   if (object != nullptr) return ObjectRef{object->name};
-  return failure(vm, "R0625", "there is no object that could be grasped in this world");
+  return failure(vm, row("R0625"), "there is no object that could be grasped in this world");
 }
 
 // From above: the tool's z axis points down, its x axis along the object's x axis turned by yaw.

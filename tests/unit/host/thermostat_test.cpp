@@ -132,7 +132,7 @@ Answer<std::unique_ptr<Waiting>> warm(Vm& vm, const Heater& heater, double secon
   if (house(vm).temperature < 0.0) {
     return fail(
         vm,
-        {.code = "R0901", .arguments = {resource.name, "0"}, .resource = resource, .moved = false});
+        {.headline = {kMessages[1], {resource.name, "0"}}, .resource = resource, .moved = false});
   }
   return std::unique_ptr<Waiting>(
       std::make_unique<Heating>(house(vm), resource, *heater.radiator, seconds));

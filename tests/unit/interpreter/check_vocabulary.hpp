@@ -23,6 +23,9 @@ inline void check_ready_robot(CheckCall& call) {
   call.set_result_fact(std::move(fact));
 }
 
+inline constexpr CatalogEntry kJointCount{
+    .code = "E0302", .kind = {}, .headline = "{} for a robot with {}", .page = {}};
+
 // Every joint of the robot gets one value.
 inline void check_move(CheckCall& call) {
   const auto fact = std::static_pointer_cast<const RobotFact>(
@@ -32,7 +35,7 @@ inline void check_move(CheckCall& call) {
   while (!call.origin(1, values).empty()) ++values;
   if (values == 0 || values == fact->joints) return;
   call.report(make_diagnostic(
-      "E0302", call.span(1),
+      kJointCount, call.span(1),
       {std::to_string(values) + " joint values", std::to_string(fact->joints) + " joints"}));
 }
 

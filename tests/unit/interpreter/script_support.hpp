@@ -15,8 +15,7 @@ namespace script_library {
 inline Signal root(Vm& vm, Slot* args) {
   if (args[0].d < 0.0) {
     Failure failure;
-    failure.code = "R0609";
-    failure.message = "the root of a negative number";
+    failure.headline = Headline::own("R0609", "the root of a negative number");
     return fail(vm, std::move(failure));
   }
   return give(args, std::sqrt(args[0].d));

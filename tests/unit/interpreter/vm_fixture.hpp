@@ -38,10 +38,10 @@ inline double square_root(double x) { return __builtin_sqrt(x); }
 
 inline Signal sqrt_of(Vm& vm, Slot* args) {
   if (args[0].d >= 0.0) return give(args, square_root(args[0].d));
-  return fail(vm, {.code = "R0609",
-                   .arguments = {"sqrt", "a negative number", "the value must not be negative"},
-                   .mark_parameter = 0,
-                   .fix = "use sqrt(abs({arg}))"});
+  return fail(
+      vm, {.headline = {"R0609", {"sqrt", "a negative number", "the value must not be negative"}},
+           .mark_parameter = 0,
+           .fix = "use sqrt(abs({arg}))"});
 }
 
 inline Signal move(Vm& vm, Slot* args) {
@@ -69,8 +69,8 @@ inline constexpr HostType kArm = {.name = "robot"};
 
 // Fails, and blames the third value of the list.
 inline Signal refuse(Vm& vm, Slot*) {
-  return fail(vm, {.code = "R0602",
-                   .arguments = {"3", "turn", "152 deg", "-145 deg", "145 deg"},
+  return fail(vm, {.headline = Headline::own(
+                       "R0606", "joint 3 would turn to 152 deg; its range is -145 deg to 145 deg"),
                    .mark_parameter = 0,
                    .mark_element = 2,
                    .fix = "the value was given on line {line}",
@@ -83,7 +83,7 @@ inline Signal cancel_now(Vm& vm, Slot*) {
 }
 
 inline Signal note(Vm& vm, Slot*) {
-  vm.advise({.code = "W0712", .message = "a note", .mark_parameter = kMarkCallee});
+  vm.advise({.headline = Headline::own("W0701", "a note"), .mark_parameter = kMarkCallee});
   return give_nothing();
 }
 

@@ -1,25 +1,17 @@
 #pragma once
 // The catalogue of messages: every code with its headline and its page of help.
 //
-// The rows of the language are data in src/diagnostic/*.def, those of a host in its own sources;
-// they are constant tables, so a program that reports nothing pays nothing.
+// The rows of the language are data in messages/*.def, those of a host in its own sources; they are
+// constant tables, so a program that reports nothing pays nothing.
 
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "armlet/interpreter/message_code.hpp"
+
 namespace armlet {
-
-struct CatalogEntry {
-  std::string_view code;      // "E0401"
-  std::string_view kind;      // of an error that a program can catch ("Timeout"); otherwise empty
-  std::string_view headline;  // with {} where make_diagnostic puts its arguments
-  std::string_view page;      // what it means, a wrong and a right program
-
-  // How many arguments the headline takes.
-  [[nodiscard]] int argument_count() const;
-};
 
 // All entries of the language in the order of their codes: E, then R, then W.
 [[nodiscard]] std::span<const CatalogEntry> catalog();
@@ -38,15 +30,14 @@ class MessageTables {
   [[nodiscard]] std::string_view kind_of(std::string_view code) const;
   // The entry of an error kind: "Timeout" gives R0607. Null for the kinds of programs.
   [[nodiscard]] const CatalogEntry* of_kind(std::string_view kind) const;
+  // All rows in the order of their codes.
+  [[nodiscard]] std::vector<const CatalogEntry*> all() const;
 
  private:
   std::vector<std::span<const CatalogEntry>> tables_;
 };
 
-// The entry of a code, null if there is none.
-[[nodiscard]] const CatalogEntry* catalog_entry(std::string_view code);
-
-// The text that `armlet explain CODE` shows, at most 20 lines; empty for an unknown code.
-[[nodiscard]] std::string explain_page(std::string_view code);
+// The text that `armlet explain CODE` shows, at most 20 lines.
+[[nodiscard]] std::string explain_page(const CatalogEntry& entry);
 
 }  // namespace armlet

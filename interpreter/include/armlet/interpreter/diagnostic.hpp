@@ -3,19 +3,19 @@
 //
 // Diagnostics are data. `render` (render.hpp) turns them into the text form of the
 // language reference, section 20.1, and into one line of JSON (ruling 26). The headlines and the
-// help pages live in the catalogue, src/diagnostic/catalog_*.def.
+// help pages live in the catalogue, messages/*.def.
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "armlet/interpreter/message_code.hpp"
 #include "armlet/interpreter/source.hpp"
 
 namespace armlet {
-
-struct CatalogEntry;
 
 enum class Severity : std::uint8_t { kError, kAdvice };
 
@@ -62,14 +62,18 @@ struct Diagnostic {
   std::optional<When> when;
 };
 
-// Starts a message from the catalogue: fills the headline's {} in order.
-// An unknown code or a wrong number of arguments is a defect of Armlet and throws std::logic_error.
-[[nodiscard]] Diagnostic make_diagnostic(std::string_view code, Span span,
-                                         const std::vector<std::string>& arguments = {});
+// Starts a message about `span`.
+[[nodiscard]] Diagnostic make_diagnostic(const Headline& headline, Span span);
 
-// The same for a row of a host's table.
-[[nodiscard]] Diagnostic make_diagnostic(const CatalogEntry& entry, Span span,
-                                         const std::vector<std::string>& arguments = {});
+// Starts a message from the catalogue: fills the headline's {} in order.
+template <std::size_t N>
+[[nodiscard]] Diagnostic make_diagnostic(CodeFor<N> code, Span span,
+                                         const std::string (&arguments)[N]) {
+  return make_diagnostic(Headline(code, arguments), span);
+}
+[[nodiscard]] inline Diagnostic make_diagnostic(MessageCode<0> code, Span span) {
+  return make_diagnostic(Headline(code), span);
+}
 
 // Collects messages by the rules of section 20.2: at most one error per statement, at most `limit`
 // in all.

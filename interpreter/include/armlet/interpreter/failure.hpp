@@ -3,7 +3,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "armlet/interpreter/message_code.hpp"
 
 namespace armlet {
 
@@ -32,10 +33,8 @@ class CallPlace {
 
 // Why a native function failed. The position is added by the interpreter.
 struct Failure {
-  std::string code;                    // "R0601"; gives the kind and the headline
-  std::vector<std::string> arguments;  // for the headline's {}
-  std::string message;                 // replaces the headline if not empty
-  std::string kind;                    // replaces the code's kind if not empty
+  Headline headline;  // {"R0606", {index, range}}; its code gives the kind
+  std::string kind;   // replaces the code's kind if not empty
   int mark_parameter =
       -1;                 // which argument to mark; -1: the call; kMarkCallee: the function's name
   int mark_element = -1;  // element of a list argument (or of the position made from it) at fault

@@ -37,16 +37,15 @@ Signal last_element(Vm& vm, Slot* args) {
   const auto* list = static_cast<const ListObj*>(args[0].o);
   if (list->size == 0) {
     Failure failure;
-    failure.code = "R0606";
-    failure.message = "an empty list has no last value";
+    failure.headline = Headline::own("R0606", "an empty list has no last value");
     failure.mark_parameter = 0;
     return fail(vm, std::move(failure));
   }
   const Slot last = list->data[list->size - 1];
   if (list->holds_references() && last.o == nullptr) {
     Failure failure;
-    failure.code = "R0623";
-    failure.message = "the last element of this list is read before it has a value";
+    failure.headline =
+        Headline::own("R0623", "the last element of this list is read before it has a value");
     failure.mark_parameter = 0;
     return fail(vm, std::move(failure));
   }

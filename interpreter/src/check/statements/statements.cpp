@@ -108,7 +108,8 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
       const bool lone_return = before != nullptr && before->kind == ast::StmtKind::kReturn &&
                                before->as<ast::ReturnStmt>().value == nullptr &&
                                stmt.kind == ast::StmtKind::kExpr;
-      Diagnostic advice = make_diagnostic(lone_return ? "W0705" : "W0710", stmt.span);
+      Diagnostic advice =
+          lone_return ? make_diagnostic("W0705", stmt.span) : make_diagnostic("W0710", stmt.span);
       if (lone_return) {
         advice.related.push_back({before->span, "ends here"});
         advice.fix = Fix{.text = "write the value behind return, on the same line",

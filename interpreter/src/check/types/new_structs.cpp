@@ -18,9 +18,8 @@ Signal fill(Vm& vm, Slot* args) {
   Obj* const value = args[1].o;
   if (size < 0) {
     Failure failure;
-    failure.code = "R0613";
-    failure.message =
-        "the sizes do not fit: a list cannot have " + std::to_string(size) + " values";
+    failure.headline = Headline::own(
+        "R0613", "the sizes do not fit: a list cannot have " + std::to_string(size) + " values");
     return fail(vm, std::move(failure));
   }
   if (!charge_work(vm, static_cast<std::uint64_t>(size))) return Signal::kFail;

@@ -452,11 +452,13 @@ hir::Expr* different_dimensions(Checker& checker, const ast::BinaryExpr& node,
   }
   const std::string a = dimension_phrase(left.type->dim);
   const std::string b = dimension_phrase(right.type->dim);
-  std::vector<std::string> words = {a, "compared with", b};
-  if (node.op == BinaryOp::kAdd) words[1] = "added to";
-  if (node.op == BinaryOp::kSub) words = {b, "subtracted from", a};
-  if (node.op == BinaryOp::kMod) words[1] = "divided with a remainder by";
-  Diagnostic diagnostic = make_diagnostic("E0402", right.span, words);
+  const bool minus = node.op == BinaryOp::kSub;
+  std::string done = "compared with";
+  if (node.op == BinaryOp::kAdd) done = "added to";
+  if (minus) done = "subtracted from";
+  if (node.op == BinaryOp::kMod) done = "divided with a remainder by";
+  Diagnostic diagnostic =
+      make_diagnostic("E0402", right.span, {minus ? b : a, done, minus ? a : b});
   diagnostic.mark.label = dimension_name(right.type->dim);
   diagnostic.related.push_back({left.span, dimension_name(left.type->dim)});
   diagnostic.fix = Fix{.text = "check which of the two was meant"};

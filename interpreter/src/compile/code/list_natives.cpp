@@ -14,8 +14,7 @@ Signal common_length(Vm& vm, Slot* args) {
   const std::size_t b = items_value(args[1]).size();
   if (a == b) return give(args, static_cast<std::int64_t>(a));
   Failure failure;
-  failure.code = "R0613";
-  failure.arguments = {std::to_string(a) + " and " + std::to_string(b) + " values"};
+  failure.headline = {"R0613", {std::to_string(a) + " and " + std::to_string(b) + " values"}};
   failure.why = "zip takes one element of each list at a time";
   return fail(vm, std::move(failure));
 }
@@ -73,8 +72,7 @@ Signal sort_by_real(Vm& vm, Slot* args) {
   if (!in_blocks(vm, keys.size(), 2, look) && bad == keys.size()) return Signal::kFail;
   if (bad != keys.size()) {
     Failure failure;
-    failure.code = "R0612";
-    failure.arguments = {"the key of element " + std::to_string(bad), "nan"};
+    failure.headline = {"R0612", {"the key of element " + std::to_string(bad), "nan"}};
     failure.mark_parameter = 1;
     return fail(vm, std::move(failure));
   }

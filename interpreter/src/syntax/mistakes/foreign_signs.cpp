@@ -6,6 +6,7 @@
 
 #include "syntax/mistakes/failure_site.hpp"
 #include "syntax/mistakes/syntax_errors.hpp"
+#include "syntax/tokens/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -218,15 +219,21 @@ std::size_t end_of_indented(const FailureSite& site, std::size_t colon) {
   return last;
 }
 
+// What `def` and `elif` at the start of the statement stand for; empty if it starts with another
+// word.
+std::string_view foreign_opening(const FailureSite& site) {
+  const std::string_view meant = meant_by(site.text(site.statement), &ForeignWord::at_start);
+  return meant == "fn" || meant == "else if" ? meant : std::string_view();
+}
+
 bool is_python_function(const FailureSite& site) {
-  return site.type(site.statement) == RbtLexer::FN || site.text(site.statement) == "def";
+  return site.type(site.statement) == RbtLexer::FN || foreign_opening(site) == "fn";
 }
 
 bool opens_python_block(const FailureSite& site) {
   const std::uint16_t type = site.type(site.statement);
-  const std::string word = site.text(site.statement);
   return is_header_word(type) || type == RbtLexer::FN || type == RbtLexer::ELSE ||
-         type == RbtLexer::TRY || type == RbtLexer::FINALLY || word == "def" || word == "elif";
+         type == RbtLexer::TRY || type == RbtLexer::FINALLY || !foreign_opening(site).empty();
 }
 
 // The colon behind which a line ends, or a `return` stands; nothing if this is no such statement.
@@ -253,10 +260,9 @@ Answer python_block(const FailureSite& site) {
   const std::size_t colon = *found;
   const bool on_line = !site.starts_line(colon + 1);
   std::vector<Edit> edits;
-  const std::string word = site.text(site.statement);
-  if (word == "def") edits.push_back({site.span(site.statement), "fn"});
-  if (word == "elif") edits.push_back({site.span(site.statement), "else if"});
-  const bool bare = (is_header_word(site.type(site.statement)) || word == "elif") &&
+  const std::string_view meant = foreign_opening(site);
+  if (!meant.empty()) edits.push_back({site.span(site.statement), std::string(meant)});
+  const bool bare = (is_header_word(site.type(site.statement)) || meant == "else if") &&
                     site.type(site.statement + 1) != RbtLexer::LPAREN;
   if (bare) {
     const std::uint32_t begin = site.span(site.statement + 1).begin;

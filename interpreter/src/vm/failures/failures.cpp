@@ -177,10 +177,9 @@ When circumstances(const VmState& state) {
 
 // ---- raising --------------------------------------------------------------------------------
 
-Diagnostic start_failure(const VmState& state, std::string_view code,
-                         const std::vector<std::string>& arguments) {
+Diagnostic start_failure(const VmState& state, const Headline& headline) {
   const CodeSpan* at = code_span(state);
-  return make_diagnostic(code, at == nullptr ? Span{} : at->span, arguments);
+  return make_diagnostic(headline, at == nullptr ? Span{} : at->span);
 }
 
 bool raise(VmState& state, Diagnostic diagnostic) {
@@ -188,10 +187,6 @@ bool raise(VmState& state, Diagnostic diagnostic) {
   std::string kind(messages_of(state).kind_of(diagnostic.code));
   set_fault(state, std::move(diagnostic), std::move(kind), Reach::kHandlers);
   return false;
-}
-
-bool raise(VmState& state, std::string_view code, const std::vector<std::string>& arguments) {
-  return raise(state, start_failure(state, code, arguments));
 }
 
 bool raise(VmState& state, const Failure& failure) {

@@ -37,11 +37,21 @@ namespace armlet::lang {
 // The rows of the language and of the host.
 [[nodiscard]] const MessageTables& messages_of(const VmState& state);
 // A failure from the catalogue at the running instruction, to be completed and raised.
-[[nodiscard]] Diagnostic start_failure(const VmState& state, std::string_view code,
-                                       const std::vector<std::string>& arguments = {});
+[[nodiscard]] Diagnostic start_failure(const VmState& state, const Headline& headline);
+template <std::size_t N>
+[[nodiscard]] Diagnostic start_failure(const VmState& state, CodeFor<N> code,
+                                       const std::string (&arguments)[N]) {
+  return start_failure(state, Headline(code, arguments));
+}
 // The kind comes from the code. Adds the circumstances.
 bool raise(VmState& state, Diagnostic diagnostic);
-bool raise(VmState& state, std::string_view code, const std::vector<std::string>& arguments = {});
+template <std::size_t N>
+bool raise(VmState& state, CodeFor<N> code, const std::string (&arguments)[N]) {
+  return raise(state, start_failure(state, code, arguments));
+}
+inline bool raise(VmState& state, MessageCode<0> code) {
+  return raise(state, start_failure(state, Headline(code)));
+}
 // A failure of a native function, with its marks put where the arguments were written.
 [[nodiscard]] Diagnostic diagnostic_of(const VmState& state, const Failure& failure);
 bool raise(VmState& state, const Failure& failure);

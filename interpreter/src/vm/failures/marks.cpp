@@ -100,17 +100,7 @@ std::optional<std::string> fix_of(const VmState& state, const Failure& failure,
 }  // namespace
 
 Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
-  const std::size_t wanted = failure.message.empty() ? failure.arguments.size() : 0;
-  Diagnostic out;
-  if (wanted > 0 || failure.message.empty()) {
-    const CatalogEntry* row = messages_of(state).find(failure.code);
-    out = row != nullptr ? make_diagnostic(*row, {}, failure.arguments)
-                         : make_diagnostic(failure.code, {}, failure.arguments);
-  } else {
-    out.code = failure.code;
-    out.severity = failure.code.starts_with('W') ? Severity::kAdvice : Severity::kError;
-    out.message = failure.message;
-  }
+  Diagnostic out = make_diagnostic(failure.headline, {});
   const auto* earlier = static_cast<const CodeSpan*>(failure.place.code());
   const CodeSpan* at = earlier != nullptr ? earlier : code_span(state);
   const NativeCall call = call_at(at);

@@ -71,10 +71,10 @@ Answer<void> require_free(Vm& vm, const Resource& resource) {
       commands(state.main) ||
       std::ranges::any_of(state.tree.all(), [&](const auto& task) { return commands(*task); });
   if (!is_commanded) return {};
-  return fail(vm, {.code = "R0617",
-                   .arguments = {resource.name, std::string(resource.type->resource->busy)},
-                   .mark_parameter = kMarkCallee,
-                   .resource = resource});
+  return fail(vm,
+              {.headline = {"R0617", {resource.name, std::string(resource.type->resource->busy)}},
+               .mark_parameter = kMarkCallee,
+               .resource = resource});
 }
 
 Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting) {

@@ -52,9 +52,9 @@ Signal start_recording(Vm& vm, Slot* args) {
     return Signal::kFail;
   if (!is_time) {
     Failure failure;
-    failure.code = "R0609";
-    failure.message = "samples cannot be taken every " + quantity_text(period, dims::kTime) +
-                      ": the period must be at least 1 ns";
+    failure.headline = Headline::own("R0609", "samples cannot be taken every " +
+                                                  quantity_text(period, dims::kTime) +
+                                                  ": the period must be at least 1 ns");
     failure.mark_parameter = 1;
     raise(state, failure);
     return Signal::kFail;
@@ -90,10 +90,10 @@ Obj* make_matrix(VmState& state, RecordObj& table, std::uint16_t column) {
     if (other == rows.size) return nullptr;
     const std::size_t i = other;
     Failure failure;
-    failure.code = "R0613";
-    failure.message = "the column `" + field.name + "` has " + std::to_string(list_in(i).size()) +
-                      " values in row " + std::to_string(i) + " and " + std::to_string(cols) +
-                      " in row 0";
+    failure.headline = Headline::own("R0613", "the column `" + field.name + "` has " +
+                                                  std::to_string(list_in(i).size()) +
+                                                  " values in row " + std::to_string(i) + " and " +
+                                                  std::to_string(cols) + " in row 0");
     failure.why = "a column of lists is a matrix, whose rows are equally long";
     raise(state, failure);
     return nullptr;

@@ -62,7 +62,7 @@ Exit Scheduler::run_instant() {
     if (pass.changed) ++rounds;
     if (rounds < kMostRounds && ++quiet < kMostQuietRounds) continue;
     if (++failures > 2) return abandon();
-    fail_everywhere("R0620", {std::to_string(std::max(rounds, quiet))}, {});
+    fail_everywhere({"R0620", {std::to_string(std::max(rounds, quiet))}}, {});
     rounds = quiet = 0;
   }
 }
@@ -203,13 +203,12 @@ Exit Scheduler::advance() {
   if (state_.take_cancellation()) return stop();
   const std::int64_t next = next_instant();
   if (next == kNever) {
-    fail_everywhere("R0621", {}, waited_for());
+    fail_everywhere(Headline("R0621"), waited_for());
     return Exit::kPaused;
   }
   if (next > state_.options.limits.time_ns) {
-    fail_everywhere(
-        "R0636", {"what the program waits for", quantity_text(time_left(state_.vm), dims::kTime)},
-        waited_for());
+    const std::string left = quantity_text(time_left(state_.vm), dims::kTime);
+    fail_everywhere({"R0636", {"what the program waits for", left}}, waited_for());
     return Exit::kPaused;
   }
   try {
@@ -245,8 +244,7 @@ Exit Scheduler::abandon() {
 }
 
 // Raised in the program itself; when that is being ended already, in whoever still waits.
-void Scheduler::fail_everywhere(const char* code, const std::vector<std::string>& arguments,
-                                std::string why) {
+void Scheduler::fail_everywhere(const Headline& headline, std::string why) {
   std::vector<Task*> victims;
   if (state_.main.interrupted == nullptr) {
     victims.push_back(&state_.main);
@@ -258,7 +256,7 @@ void Scheduler::fail_everywhere(const char* code, const std::vector<std::string>
   }
   for (Task* task : victims) {
     state_.running = task;
-    Diagnostic failure = start_failure(state_, code, arguments);
+    Diagnostic failure = start_failure(state_, headline);
     failure.why = why;
     raise(state_, std::move(failure));
     tree_.interrupt(*task, std::move(state_.fault));

@@ -41,8 +41,7 @@ class Scheduler {
   bool advance_to(std::int64_t t_ns);
   Exit stop();
   Exit abandon();
-  void fail_everywhere(const char* code, const std::vector<std::string>& arguments,
-                       std::string why);
+  void fail_everywhere(const Headline& headline, std::string why);
   [[nodiscard]] std::string waited_for() const;
 
   VmState& state_;

@@ -62,6 +62,8 @@ using Planner = std::function<Plan(const MoveRequest&)>;
 // them all.
 enum class Through { kStops, kAllPoints };
 
+enum class SplineKind;  // cartesian_spline.hpp
+
 // A planner that programs can name. A planner is one row of
 // runtime/src/trajectory/planners/planner.cpp, in the order in which messages and documents list
 // them.
@@ -71,6 +73,7 @@ struct PlannerRow {
   Plan (*plan)(const MoveRequest&) = nullptr;
   Through through = Through::kStops;
   int smooth = 0;  // how many derivatives of the positions are continuous, from rest to rest
+  std::optional<SplineKind> in_space{};  // the curve of the same name through places in space
 };
 [[nodiscard]] std::span<const PlannerRow> planner_rows();
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/trajectory/cartesian_spline.hpp"
 #include "trajectory/planners/planning.hpp"
 
 namespace armlet {
@@ -212,24 +213,28 @@ constexpr PlannerRow kPlanners[] = {
      .does = "together, a law of third order; through several points a curve that never swings out",
      .plan = plan_cubic,
      .through = Through::kAllPoints,
-     .smooth = 1},
+     .smooth = 1,
+     .in_space = SplineKind::kCubic},
     {.name = "Spline3",
      .does = "a spline of third order through several points",
      .plan = plan_spline_3,
      .through = Through::kAllPoints,
-     .smooth = 1},
+     .smooth = 1,
+     .in_space = SplineKind::kSpline3},
     {.name = "Spline4",
      .does = "a spline of fourth order through several points; the acceleration is zero at both "
              "ends",
      .plan = plan_spline_4,
      .through = Through::kAllPoints,
-     .smooth = 2},
+     .smooth = 2,
+     .in_space = SplineKind::kSpline4},
     {.name = "Spline5",
      .does = "a spline of fifth order through several points; the acceleration is zero at both "
              "ends",
      .plan = plan_spline_5,
      .through = Through::kAllPoints,
-     .smooth = 2},
+     .smooth = 2,
+     .in_space = SplineKind::kSpline5},
     {.name = "434",
      .does = "lift-off, travel and set-down, polynomials of order 4, 3 and 4 through four points; "
              "from two points the joints lift off and set down by a tenth of the way, without "

@@ -52,7 +52,8 @@ double middle_of(double x, double low, double high) {
 
 Signal middle(Vm& vm, Slot* args) {
   const double found = middle_of(args[0].d, args[1].d, args[2].d);
-  if (std::isnan(found)) return fail(vm, {.code = "R0609", .message = "the ends are turned"});
+  if (std::isnan(found))
+    return fail(vm, {.headline = Headline::own("R0609", "the ends are turned")});
   return give(args, found);
 }
 

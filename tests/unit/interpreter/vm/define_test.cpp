@@ -44,7 +44,8 @@ double mixed(double x, std::int64_t n, bool minus) {
   return minus ? x - static_cast<double>(n) : x + static_cast<double>(n);
 }
 Answer<double> root(Vm& vm, double x) {
-  if (x < 0.0) return fail(vm, {.code = "R0609", .message = "no root", .mark_parameter = 0});
+  if (x < 0.0)
+    return fail(vm, {.headline = Headline::own("R0609", "no root"), .mark_parameter = 0});
   return x / 2.0;
 }
 std::string twice(std::string_view text) { return std::string(text) + std::string(text); }
@@ -81,7 +82,7 @@ double trace_of(const MatrixObj& m) {
   return sum;
 }
 Answer<void> nothing(Vm& vm, bool fails) {
-  if (fails) return fail(vm, {.code = "R0609", .message = "as asked"});
+  if (fails) return fail(vm, {.headline = Headline::own("R0609", "as asked")});
   return {};
 }
 std::string why_root(double x) { return "the root of " + std::to_string(static_cast<int>(x)); }

@@ -38,7 +38,8 @@ struct Grip : Maker {
   [[nodiscard]] std::vector<Finger> fingers() const { return {{0.01}, {0.02}}; }
 };
 Answer<Grip> make_grip(Vm& vm, double width) {
-  if (width < 0.0) return fail(vm, {.code = "R0609", .message = "too narrow", .mark_parameter = 0});
+  if (width < 0.0)
+    return fail(vm, {.headline = Headline::own("R0609", "too narrow"), .mark_parameter = 0});
   Grip out;
   out.width = width;
   return out;
@@ -95,8 +96,7 @@ TEST_CASE("a type of C++ is declared in one expression, with fields, methods and
   CHECK(engine.check_signatures().empty());
   const auto printed = [&](const std::string& text) { return printed_by(engine, text); };
   CHECK(printed("print(Grip().width, new Grip(5mm).width)") == "80 mm 5 mm\n");
-  CHECK(printed("var g = Grip(10mm)\ng.width = 20mm\ng.width += 5mm\nprint(g.width)") ==
-        "25 mm\n");
+  CHECK(printed("var g = Grip(10mm)\ng.width = 20mm\ng.width += 5mm\nprint(g.width)") == "25 mm\n");
   CHECK(printed("var g = Grip(10mm)\nlet h = g\ng.count = 3\nprint(g.count, h.count)") == "3 2\n");
   CHECK(printed("var g = Grip()\ng.closed = true\ng.forces = [1.0, 2.0]\ng.maker = \"you\"\n"
                 "print(g.closed, g.forces, g.maker)") == "true [1.0, 2.0] you\n");

@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/render.hpp"
+#include "armlet/stdlib/install.hpp"
 
 namespace armlet {
 namespace {
@@ -362,7 +364,9 @@ Mark mark_at(const Source& source, const At& at) {
 
 Diagnostic diagnostic_of(const MessageSample& sample, const Source& source) {
   const Mark main = mark_at(source, sample.main);
-  Diagnostic out = make_diagnostic(sample.code, main.span, sample.arguments);
+  const CatalogEntry* row = library_engine().messages().find(sample.code);
+  REQUIRE(row != nullptr);
+  Diagnostic out = make_diagnostic(Headline::of(*row, sample.arguments), main.span);
   out.mark.label = main.label;
   for (const At& at : sample.related) out.related.push_back(mark_at(source, at));
   out.why = sample.why;

@@ -1,5 +1,3 @@
-#include "armlet/interpreter/catalog.hpp"
-
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -12,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/engine.hpp"
+#include "armlet/stdlib/install.hpp"
 #include "syntax/parse.hpp"
 
 namespace armlet {
@@ -29,7 +30,8 @@ int count_lines(const std::string& text) {
 // The table of docs/diagnostics.md.
 std::string table() {
   std::string out = "| code | kind | message |\n|---|---|---|\n";
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     std::string headline(entry.headline);
     for (std::size_t at = headline.find("{}"); at != std::string::npos; at = headline.find("{}")) {
       headline.replace(at, 2, "...");
@@ -74,19 +76,21 @@ std::string read(const std::string& path) {
 TEST_CASE("a code is a letter and four digits, and each stands once") {
   const std::regex shape("[ERW]0[1-7]\\d\\d");
   std::string last;
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     CAPTURE(entry.code);
     CHECK(std::regex_match(std::string(entry.code), shape));
     CHECK(last < entry.code);
     last = entry.code;
-    CHECK(catalog_entry(entry.code) == &entry);
+    CHECK(library_engine().messages().find(entry.code) == &entry);
   }
-  CHECK(catalog_entry("E9999") == nullptr);
-  CHECK(catalog_entry("") == nullptr);
+  CHECK(library_engine().messages().find("E9999") == nullptr);
+  CHECK(library_engine().messages().find("") == nullptr);
 }
 
 TEST_CASE("headlines are plain sentences without words of the trade") {
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     const std::string headline(entry.headline);
     CAPTURE(headline);
     CHECK_FALSE(headline.empty());
@@ -97,9 +101,10 @@ TEST_CASE("headlines are plain sentences without words of the trade") {
 }
 
 TEST_CASE("every page fits on a screen and says something") {
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     CAPTURE(entry.code);
-    const std::string page = explain_page(entry.code);
+    const std::string page = explain_page(entry);
     CHECK(page.starts_with(std::string(entry.code) + ": "));
     CHECK(page.ends_with("\n"));
     CHECK(count_lines(page) <= 20);
@@ -108,11 +113,11 @@ TEST_CASE("every page fits on a screen and says something") {
     std::istringstream lines(page);
     for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
   }
-  CHECK(explain_page("E9999").empty());
 }
 
 TEST_CASE("a wrong program comes with a right one") {
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     CAPTURE(entry.code);
     const bool wrong = entry.page.find("\nWrong") != std::string_view::npos;
     const bool right = entry.page.find("\nRight") != std::string_view::npos;
@@ -121,7 +126,8 @@ TEST_CASE("a wrong program comes with a right one") {
 }
 
 TEST_CASE("the right program of every page reads without a message") {
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     const std::string program = program_below(entry.page, "Right");
     if (program.empty()) continue;
     CAPTURE(entry.code);
@@ -133,7 +139,8 @@ TEST_CASE("the right program of every page reads without a message") {
 }
 
 TEST_CASE("the wrong program of a page about reading gives the message of the page") {
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     const std::string program = program_below(entry.page, "Wrong");
     if (program.empty()) continue;
     CAPTURE(entry.code);
@@ -151,11 +158,12 @@ TEST_CASE("the wrong program of a page about reading gives the message of the pa
 
 TEST_CASE("a kind names one code, except Unreachable (of lines too) and IndexError (of maps too)") {
   std::map<std::string_view, int> uses;
-  for (const CatalogEntry& entry : catalog()) {
+  for (const CatalogEntry* row : library_engine().messages().all()) {
+    const CatalogEntry& entry = *row;
     if (entry.kind.empty()) continue;
     CHECK(entry.code.starts_with('R'));
     ++uses[entry.kind];
-    CHECK(MessageTables().kind_of(entry.code) == entry.kind);
+    CHECK(library_engine().messages().kind_of(entry.code) == entry.kind);
   }
   for (const auto& [kind, count] : uses) {
     const auto& shown = kind;  // clang 14 captures no binding
@@ -176,7 +184,7 @@ TEST_CASE("kinds and codes are those of ruling 21") {
       {"Busy", "R0617"},        {"Halted", "R0618"},
       {"NotHolding", "R0619"},  {"UnknownObject", "R0625"},
       {"Host", "R0626"}};
-  const MessageTables rows;
+  const MessageTables& rows = library_engine().messages();
   for (const auto& [kind, code] : kinds) {
     const auto& shown = kind;  // clang 14 captures no binding
     CAPTURE(shown);

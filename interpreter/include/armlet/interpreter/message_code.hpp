@@ -1,0 +1,128 @@
+#pragma once
+// Codes of messages, checked while compiling: a code that no table has, or one whose headline takes
+// another number of arguments, does not compile.
+//
+// Codes of the language are written as they are: make_diagnostic("E0201", span, {name}). Codes of a
+// host are rows of its own constant table: make_diagnostic(kRows[0], span, {name}).
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace armlet {
+
+struct CatalogEntry {
+  std::string_view code;      // "E0401"
+  std::string_view kind;      // of an error that a program can catch ("Timeout"); otherwise empty
+  std::string_view headline;  // with {} where the arguments of the message go
+  std::string_view page;      // what it means, a wrong and a right program
+
+  // How many arguments the headline takes.
+  [[nodiscard]] constexpr std::size_t argument_count() const {
+    std::size_t count = 0;
+    for (std::size_t at = headline.find("{}"); at != std::string_view::npos;
+         at = headline.find("{}", at + 2)) {
+      ++count;
+    }
+    return count;
+  }
+};
+
+namespace message_code {
+
+struct Row {
+  std::string_view code;
+  std::size_t arguments;
+};
+
+// The codes of the language, in order.
+#define ARMLET_MESSAGE(code, kind, headline, page) \
+  Row{#code, CatalogEntry{{}, {}, headline, {}}.argument_count()},
+inline constexpr auto kRows = std::to_array<Row>({
+// clang-format off
+#include "armlet/interpreter/messages/text.def"
+#include "armlet/interpreter/messages/names.def"
+#include "armlet/interpreter/messages/types.def"
+#include "armlet/interpreter/messages/units.def"
+#include "armlet/interpreter/messages/tasks.def"
+#include "armlet/interpreter/messages/running.def"
+#include "armlet/interpreter/messages/advice.def"
+    // clang-format on
+});
+#undef ARMLET_MESSAGE
+
+// The place of a code among them.
+consteval std::size_t place_of(std::string_view code) {
+  for (std::size_t i = 0; i < kRows.size(); ++i)
+    if (kRows[i].code == code) return i;
+  throw "the language has no message with this code";
+}
+
+}  // namespace message_code
+
+// The row of a code of the language, which is the `place`-th of the catalogue.
+[[nodiscard]] const CatalogEntry& language_row(std::size_t place);
+
+// A code that exists.
+class KnownCode {
+ public:
+  consteval KnownCode(const char* code) : place_(message_code::place_of(code)) {}
+  // `row` outlives the code: it belongs to the constant table of a host.
+  constexpr KnownCode(const CatalogEntry& row) : row_(&row) {}
+  [[nodiscard]] const CatalogEntry& row() const {
+    return row_ != nullptr ? *row_ : language_row(place_);
+  }
+
+ private:
+  const CatalogEntry* row_ = nullptr;  // null: of the language
+  std::size_t place_ = 0;
+};
+
+// A code whose headline takes N arguments.
+template <std::size_t N>
+class MessageCode : public KnownCode {
+ public:
+  consteval MessageCode(const char* code) : KnownCode(code) {
+    if (message_code::kRows[message_code::place_of(code)].arguments != N)
+      throw "the headline of this code takes another number of arguments";
+  }
+  consteval MessageCode(const CatalogEntry& row) : KnownCode(row) {
+    if (row.argument_count() != N)
+      throw "the headline of this code takes another number of arguments";
+  }
+};
+
+// As the parameter of a function template whose arguments decide N.
+template <std::size_t N>
+using CodeFor = std::type_identity_t<MessageCode<N>>;
+
+// The headline of a message: that of the catalogue with its arguments, or a sentence in its place.
+class Headline {
+ public:
+  // Nothing is said yet.
+  Headline() = default;
+  explicit Headline(MessageCode<0> code) : row_(&code.row()), text_(code.row().headline) {}
+  template <std::size_t N>
+  Headline(CodeFor<N> code, const std::string (&arguments)[N])
+      : Headline(code.row(), std::span<const std::string>(arguments)) {}
+  // A sentence of its own.
+  [[nodiscard]] static Headline own(KnownCode code, std::string sentence);
+  // Of a row that is known only when the program runs, and outlives the headline.
+  // throws  ArgumentError if the headline takes another number of arguments.
+  [[nodiscard]] static Headline of(const CatalogEntry& row, std::span<const std::string> arguments);
+
+  // Null if nothing is said yet.
+  [[nodiscard]] const CatalogEntry* row() const { return row_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  Headline(const CatalogEntry& row, std::span<const std::string> arguments);
+
+  const CatalogEntry* row_ = nullptr;
+  std::string text_;
+};
+
+}  // namespace armlet
