@@ -24,21 +24,34 @@ class CsvBackend final : public Backend {
  public:
   explicit CsvBackend(std::ostream& out) : sink_(out) {}
 
-  void begin(const RunInfo& run) override {
-    for (const RobotInfo& robot : run.robots) {
+  void on(const Event& event) override {
+    std::visit(Overload{[this](const auto& each) { write(each); }, kIgnored}, event);
+  }
+  [[nodiscard]] EventKinds ignores() const override { return kIgnored.kinds(); }
+
+  [[nodiscard]] std::string error() const override {
+    return columns_.error().empty() ? sink_.error() : columns_.error();
+  }
+
+ private:
+  static constexpr Ignore<FinalFigure> kIgnored{};
+  static constexpr std::size_t kPoseColumns = 7;
+
+  void write(const BeginRun& begin) {
+    for (const RobotInfo& robot : begin.run.robots) {
       robots_.push_back(robot.name);
     }
-    columns_.begin(run);
+    columns_.begin(begin.run);
     write_header();
-    for (const ObjectInfo& object : run.objects) object_added(0, object);
+    for (const ObjectInfo& object : begin.run.objects) write_object(0, object);
   }
 
-  void robot_added(std::int64_t, const RobotInfo& robot) override {
-    robots_.push_back(robot.name);
-    columns_.add(robot);
+  void write(const RobotAdded& added) {
+    robots_.push_back(added.robot.name);
+    columns_.add(added.robot);
   }
 
-  void joint_sample(const JointSample& sample) override {
+  void write(const JointSample& sample) {
     if (!columns_.hold(sample)) return;
     begin_row(sample.t_ns, "robot", robots_[static_cast<std::size_t>(sample.robot)]);
     write_pose(sample.T_world_tool);
@@ -46,36 +59,31 @@ class CsvBackend final : public Backend {
     end_row();
   }
 
-  void object_added(std::int64_t t_ns, const ObjectInfo& object) override {
-    object_sample({.t_ns = t_ns, .name = object.name, .T_world_obj = object.T_world_obj});
-  }
+  void write(const ObjectAdded& added) { write_object(added.t_ns, added.object); }
 
-  void object_sample(const ObjectSample& sample) override {
+  void write(const ObjectSample& sample) {
     begin_row(sample.t_ns, "object", sample.name);
     write_pose(sample.T_world_obj);
     skip(3 * columns_.count());
     end_row();
   }
 
-  void object_event(const ObjectEvent& event) override {
+  void write(const ObjectEvent& event) {
     const bool has_robot = event.robot >= 0;
     write_row(event.t_ns, to_text(event.change), event.name,
               has_robot ? robots_[static_cast<std::size_t>(event.robot)] : std::string());
   }
 
-  void note(const Note& note) override { write_row(note.t_ns, to_text(note.kind), {}, note.text); }
+  void write(const Note& note) { write_row(note.t_ns, to_text(note.kind), {}, note.text); }
 
-  void end(std::int64_t t_ns) override {
-    write_row(t_ns, "end", {});
+  void write(const EndRun& end) {
+    write_row(end.t_ns, "end", {});
     sink_.flush();
   }
 
-  [[nodiscard]] std::string error() const override {
-    return columns_.error().empty() ? sink_.error() : columns_.error();
+  void write_object(std::int64_t t_ns, const ObjectInfo& object) {
+    write(ObjectSample{.t_ns = t_ns, .name = object.name, .T_world_obj = object.T_world_obj});
   }
-
- private:
-  static constexpr std::size_t kPoseColumns = 7;
 
   void write_header() {
     sink_.text("t,what,name,x,y,z,qw,qx,qy,qz");

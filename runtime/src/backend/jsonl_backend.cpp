@@ -12,26 +12,33 @@ class JsonlBackend final : public Backend {
  public:
   explicit JsonlBackend(std::ostream& out) : sink_(out) {}
 
-  void begin(const RunInfo& run) override {
+  void on(const Event& event) override {
+    std::visit([this](const auto& each) { write(each); }, event);
+  }
+
+  [[nodiscard]] std::string error() const override { return sink_.error(); }
+
+ private:
+  void write(const BeginRun& begin) {
     sink_.text("{\"what\":\"begin\",\"robots\":[");
-    for (const RobotInfo& robot : run.robots) {
+    for (const RobotInfo& robot : begin.run.robots) {
       sink_.text(robots_.empty() ? "{" : ",{");
       write_robot(robot);
       sink_.text("}");
     }
     sink_.text("]");
     end_line();
-    for (const ObjectInfo& object : run.objects) object_added(0, object);
+    for (const ObjectInfo& object : begin.run.objects) write_object(0, object);
   }
 
-  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override {
-    begin_line(t_ns, "robotAdded");
+  void write(const RobotAdded& added) {
+    begin_line(added.t_ns, "robotAdded");
     sink_.text(",");
-    write_robot(robot);
+    write_robot(added.robot);
     end_line();
   }
 
-  void joint_sample(const JointSample& sample) override {
+  void write(const JointSample& sample) {
     begin_line(sample.t_ns, "robot");
     field("name", robots_[static_cast<std::size_t>(sample.robot)]);
     field("q", sample.q);
@@ -41,7 +48,9 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
-  void object_added(std::int64_t t_ns, const ObjectInfo& object) override {
+  void write(const ObjectAdded& added) { write_object(added.t_ns, added.object); }
+
+  void write_object(std::int64_t t_ns, const ObjectInfo& object) {
     begin_line(t_ns, "added");
     field("name", object.name);
     field("shape", object.shape);
@@ -52,14 +61,14 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
-  void object_sample(const ObjectSample& sample) override {
+  void write(const ObjectSample& sample) {
     begin_line(sample.t_ns, "object");
     field("name", sample.name);
     pose(sample.T_world_obj);
     end_line();
   }
 
-  void object_event(const ObjectEvent& event) override {
+  void write(const ObjectEvent& event) {
     begin_line(event.t_ns, to_text(event.change));
     field("name", event.name);
     if (event.robot >= 0) {
@@ -68,14 +77,15 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
-  void note(const Note& note) override {
+  void write(const Note& note) {
     begin_line(note.t_ns, to_text(note.kind));
     field("text", note.text);
     end_line();
   }
 
-  void figure(std::int64_t t_ns, const Figure& figure) override {
-    begin_line(t_ns, "figure");
+  void write(const FinalFigure& final) {
+    const Figure& figure = *final.figure;
+    begin_line(final.t_ns, "figure");
     field("title", figure.title);
     axes(figure);
     if (!figure.panels.empty()) {
@@ -91,15 +101,12 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
-  void end(std::int64_t t_ns) override {
-    begin_line(t_ns, "end");
+  void write(const EndRun& end) {
+    begin_line(end.t_ns, "end");
     end_line();
     sink_.flush();
   }
 
-  [[nodiscard]] std::string error() const override { return sink_.error(); }
-
- private:
   void begin_line(std::int64_t t_ns, std::string_view what) {
     sink_.text("{\"t\":");
     sink_.seconds(t_ns);

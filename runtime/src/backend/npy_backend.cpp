@@ -35,14 +35,26 @@ class NpyBackend final : public Backend {
  public:
   explicit NpyBackend(std::ostream& out) : sink_(out) {}
 
-  void begin(const RunInfo& run) override {
-    columns_.begin(run);
+  void on(const Event& event) override {
+    std::visit(Overload{[this](const auto& each) { add(each); }, kIgnored}, event);
+  }
+  [[nodiscard]] EventKinds ignores() const override { return kIgnored.kinds(); }
+
+  [[nodiscard]] std::string error() const override {
+    return sink_.error().empty() ? columns_.error() : sink_.error();
+  }
+
+ private:
+  static constexpr Ignore<ObjectAdded, ObjectSample, ObjectEvent, Note, FinalFigure> kIgnored{};
+
+  void add(const BeginRun& begin) {
+    columns_.begin(begin.run);
     sink_.text(npy_header(columns_.count(), 0));
   }
 
-  void robot_added(std::int64_t, const RobotInfo& robot) override { columns_.add(robot); }
+  void add(const RobotAdded& added) { columns_.add(added.robot); }
 
-  void joint_sample(const JointSample& sample) override {
+  void add(const JointSample& sample) {
     if (!columns_.hold(sample)) return;
     write(static_cast<double>(sample.t_ns) / 1e9);
     write(static_cast<std::uint64_t>(sample.robot));
@@ -54,13 +66,8 @@ class NpyBackend final : public Backend {
     ++rows_;
   }
 
-  void end(std::int64_t) override { sink_.replace_beginning(npy_header(columns_.count(), rows_)); }
+  void add(const EndRun&) { sink_.replace_beginning(npy_header(columns_.count(), rows_)); }
 
-  [[nodiscard]] std::string error() const override {
-    return sink_.error().empty() ? columns_.error() : sink_.error();
-  }
-
- private:
   void write(std::uint64_t bits) {
     char bytes[sizeof bits];
     for (char& byte : bytes) {

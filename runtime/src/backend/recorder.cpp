@@ -1,12 +1,23 @@
 #include "armlet/backend/recorder.hpp"
 
 namespace armlet {
+namespace {
 
-void Recorder::begin(const RunInfo& run) { run_ = run; }
+constexpr Ignore<FinalFigure> kNotKept{};
 
-void Recorder::robot_added(std::int64_t, const RobotInfo& robot) { run_.robots.push_back(robot); }
+}  // namespace
 
-void Recorder::joint_sample(const JointSample& sample) {
+void Recorder::on(const Event& event) {
+  std::visit(Overload{[this](const auto& each) { keep(each); }, kNotKept}, event);
+}
+
+EventKinds Recorder::ignores() const { return kNotKept.kinds(); }
+
+void Recorder::keep(const BeginRun& begin) { run_ = begin.run; }
+
+void Recorder::keep(const RobotAdded& added) { run_.robots.push_back(added.robot); }
+
+void Recorder::keep(const JointSample& sample) {
   joints_.push_back({.t_ns = sample.t_ns,
                      .robot = sample.robot,
                      .q = {sample.q.begin(), sample.q.end()},
@@ -15,29 +26,30 @@ void Recorder::joint_sample(const JointSample& sample) {
                      .T_world_tool = sample.T_world_tool.matrix()});
 }
 
-void Recorder::object_added(std::int64_t t_ns, const ObjectInfo& object) {
-  objects_.push_back(
-      {.t_ns = t_ns, .name = object.name, .T_world_obj = object.T_world_obj.matrix()});
+void Recorder::keep(const ObjectAdded& added) {
+  objects_.push_back({.t_ns = added.t_ns,
+                      .name = added.object.name,
+                      .T_world_obj = added.object.T_world_obj.matrix()});
 }
 
-void Recorder::object_sample(const ObjectSample& sample) {
+void Recorder::keep(const ObjectSample& sample) {
   objects_.push_back({.t_ns = sample.t_ns,
                       .name = std::string(sample.name),
                       .T_world_obj = sample.T_world_obj.matrix()});
 }
 
-void Recorder::object_event(const ObjectEvent& event) {
+void Recorder::keep(const ObjectEvent& event) {
   events_.push_back({.t_ns = event.t_ns,
                      .change = event.change,
                      .name = std::string(event.name),
                      .robot = event.robot});
 }
 
-void Recorder::note(const Note& note) {
+void Recorder::keep(const Note& note) {
   notes_.push_back({.t_ns = note.t_ns, .kind = note.kind, .text = std::string(note.text)});
 }
 
-void Recorder::end(std::int64_t t_ns) { end_ns_ = t_ns; }
+void Recorder::keep(const EndRun& end) { end_ns_ = end.t_ns; }
 
 bool Recorder::same_as(const Recorder& other) const {
   return joints_ == other.joints_ && objects_ == other.objects_ && events_ == other.events_ &&

@@ -49,6 +49,13 @@ void check_tick(const char* what, std::int64_t period_ns) {
 
 }  // namespace
 
+// Only while there is a backend.
+template <class Told>
+void Cell::tell(Told&& event) {
+  event.number = told_++;
+  backend_->on(std::forward<Told>(event));
+}
+
 Cell::Cell(World world, CellOptions options) : world_(std::move(world)), options_(options) {
   check_tick("tick", options.tick_ns);
   check_tick("sample period", options.sample_period_ns);
@@ -67,7 +74,7 @@ int Cell::add_robot(std::shared_ptr<const Robot> model, std::string name) {
   published_ns_.push_back(-1);
   const int index = robot_count() - 1;
   if (listening()) {
-    backend_->robot_added(now_ns(), robot_info(robot(index)));
+    tell(RobotAdded{.t_ns = now_ns(), .robot = robot_info(robot(index))});
     publish(index);
   }
   return index;
@@ -132,7 +139,7 @@ Vector6d Cell::contact_wrench(int index) const {
 
 void Cell::insert(Object object) {
   const Object& inserted = world_.insert(std::move(object));
-  if (listening()) backend_->object_added(now_ns(), object_info(inserted));
+  if (listening()) tell(ObjectAdded{.t_ns = now_ns(), .object = object_info(inserted)});
 }
 
 std::optional<int> Cell::holder_of(std::string_view name) const {
@@ -207,7 +214,7 @@ Drop Cell::let_go(int index) {
 void Cell::note(NoteKind kind, std::string_view text) {
   if (backend_ == nullptr) return;
   if (begun_) {
-    backend_->note({.t_ns = now_ns(), .kind = kind, .text = text});
+    tell(Note{.t_ns = now_ns(), .kind = kind, .text = text});
   } else {
     pending_notes_.push_back({.t_ns = now_ns(), .kind = kind, .text = std::string(text)});
   }
@@ -222,9 +229,9 @@ void Cell::begin() {
   for (std::size_t i = 0; i < world_.size(); ++i) {
     run.objects.push_back(object_info(world_.object(i)));
   }
-  backend_->begin(run);
+  tell(BeginRun{.t_ns = now_ns(), .run = std::move(run)});
   for (const PendingNote& each : pending_notes_) {
-    backend_->note({.t_ns = each.t_ns, .kind = each.kind, .text = each.text});
+    tell(Note{.t_ns = each.t_ns, .kind = each.kind, .text = each.text});
   }
   pending_notes_.clear();
   for (int i = 0; i < robot_count(); ++i) publish(i);
@@ -232,12 +239,14 @@ void Cell::begin() {
 
 void Cell::figure(const Figure& figure) {
   begin();
-  if (backend_ != nullptr) backend_->figure(now_ns(), figure);
+  if (backend_ != nullptr) {
+    tell(FinalFigure{.t_ns = now_ns(), .figure = &figure});
+  }
 }
 
 void Cell::end() {
   begin();
-  if (backend_ != nullptr) backend_->end(now_ns());
+  if (backend_ != nullptr) tell(EndRun{.t_ns = now_ns()});
 }
 
 void Cell::publish(int index) {
@@ -246,12 +255,12 @@ void Cell::publish(int index) {
   if (last_ns == now_ns()) return;
   last_ns = now_ns();
   const CellRobot& arm = robot(index);
-  backend_->joint_sample({.t_ns = now_ns(),
-                          .robot = index,
-                          .q = as_span(arm.q),
-                          .qd = as_span(arm.qd),
-                          .qdd = as_span(arm.qdd),
-                          .T_world_tool = T_world_tool(index)});
+  tell(JointSample{.t_ns = now_ns(),
+                   .robot = index,
+                   .q = as_span(arm.q),
+                   .qd = as_span(arm.qd),
+                   .qdd = as_span(arm.qdd),
+                   .T_world_tool = T_world_tool(index)});
   for (std::size_t i = 0; i < world_.size(); ++i) {
     const auto& carried = world_.attachment_of(i);
     if (carried && carried->carrier == index) publish_object(world_.object(i).name);
@@ -261,8 +270,7 @@ void Cell::publish(int index) {
 void Cell::publish_object(std::string_view name) {
   if (!listening()) return;
   const Object& object = world_.at(name);
-  backend_->object_sample(
-      {.t_ns = now_ns(), .name = object.name, .T_world_obj = object.T_world_obj});
+  tell(ObjectSample{.t_ns = now_ns(), .name = object.name, .T_world_obj = object.T_world_obj});
 }
 
 void Cell::publish_falls(const std::vector<Fall>& falls) {
@@ -274,7 +282,7 @@ void Cell::publish_falls(const std::vector<Fall>& falls) {
 
 void Cell::publish_event(ObjectChange change, std::string_view name, int index) {
   if (!listening()) return;
-  backend_->object_event({.t_ns = now_ns(), .change = change, .name = name, .robot = index});
+  tell(ObjectEvent{.t_ns = now_ns(), .change = change, .name = name, .robot = index});
 }
 
 }  // namespace armlet

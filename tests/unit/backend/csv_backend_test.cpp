@@ -30,13 +30,13 @@ TEST_CASE("a run is one table with as many columns in every row") {
 TEST_CASE("a robot with fewer joints leaves its last cells empty") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_csv_backend(out);
-  backend->begin(
-      {.robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}}, {"left", {JointUnit::kRadian}}},
-       .objects = {}});
+  backend->on(BeginRun{.run = {.robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}},
+                                          {"left", {JointUnit::kRadian}}},
+                               .objects = {}}});
   const double one = 1.0;
   const std::span<const double> q(&one, 1);
-  backend->joint_sample({.robot = 1, .q = q, .qd = q, .qdd = q});
-  backend->end(0);
+  backend->on(JointSample{.robot = 1, .q = q, .qd = q, .qdd = q});
+  backend->on(EndRun{});
   CHECK(out.str().find("0.000000000,robot,left,0,0,0,1,0,0,0,1,,1,,1,,\n") != std::string::npos);
 }
 
@@ -44,13 +44,13 @@ TEST_CASE("half a turn is written with one sign whatever the rounding") {
   for (const double rounding : {1e-17, -1e-17}) {
     std::ostringstream out;
     const std::unique_ptr<Backend> backend = make_csv_backend(out);
-    backend->begin({});
+    backend->on(BeginRun{});
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = Eigen::AngleAxisd(M_PI + rounding, Eigen::Vector3d::UnitX()).matrix();
     T.linear()(2, 1) = rounding;
     T.linear()(1, 2) = -rounding;
-    backend->object_sample({.name = "a", .T_world_obj = T});
-    backend->end(0);
+    backend->on(ObjectSample{.name = "a", .T_world_obj = T});
+    backend->on(EndRun{});
     CHECK(out.str().find(",1,0,0,") != std::string::npos);
   }
 }
@@ -65,11 +65,11 @@ TEST_CASE("a stream that cannot be written is reported, once, and stops the writ
 TEST_CASE("a robot that joins later and is too wide for the table is an error") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_csv_backend(out);
-  backend->begin({.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}});
-  backend->robot_added(5, {"wide", {JointUnit::kRadian, JointUnit::kMetre}});
+  backend->on(BeginRun{.run = {.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}}});
+  backend->on(RobotAdded{.t_ns = 5, .robot = {"wide", {JointUnit::kRadian, JointUnit::kMetre}}});
   const std::array q{1.0, 2.0};
-  backend->joint_sample({.t_ns = 5, .robot = 1, .q = q, .qd = q, .qdd = q});
-  backend->end(5);
+  backend->on(JointSample{.t_ns = 5, .robot = 1, .q = q, .qd = q, .qdd = q});
+  backend->on(EndRun{.t_ns = 5});
   CHECK(out.str().find("wide") == std::string::npos);
   CHECK(backend->error() ==
         "The table was begun for robots of 1 joints; \"wide\" has 2. Declare it before the first "

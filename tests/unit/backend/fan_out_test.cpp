@@ -12,6 +12,7 @@ namespace {
 
 class Failing : public Backend {
  public:
+  void on(const Event&) override {}
   [[nodiscard]] std::string error() const override { return "full"; }
 };
 

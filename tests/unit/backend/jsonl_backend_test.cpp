@@ -56,8 +56,8 @@ TEST_CASE("a figure is one line, and what is no number is null") {
   const double inf = std::numeric_limits<double>::infinity();
   figure.series.push_back(
       {.kind = SeriesKind::kPoints, .label = "joint 1", .x = {0, 1}, .y = {0.1, inf}});
-  backend->figure(2'000'000'000, figure);
-  backend->end(2'000'000'000);
+  backend->on(FinalFigure{.t_ns = 2'000'000'000, .figure = &figure});
+  backend->on(EndRun{.t_ns = 2'000'000'000});
   const nlohmann::json row = nlohmann::json::parse(out.str().substr(0, out.str().find('\n')));
   CHECK(row["t"] == 2.0);
   CHECK(row["what"] == "figure");
@@ -76,8 +76,8 @@ TEST_CASE(
   figure.panels.push_back({.title = "q", .x = {"time", "s"}, .y = {.unit = "rad", .log = true}});
   figure.panels[0].series.push_back({.label = "q1", .x = {0}, .y = {1}});
   figure.panels[0].names = {"a", "b"};
-  backend->figure(0, figure);
-  backend->end(0);
+  backend->on(FinalFigure{.figure = &figure});
+  backend->on(EndRun{});
   const nlohmann::json row = nlohmann::json::parse(out.str().substr(0, out.str().find('\n')));
   CHECK(row["series"].empty());
   CHECK(row["panels"][0]["title"] == "q");

@@ -29,6 +29,6 @@ TEST_CASE("equal runs are recorded equally, others not") {
   play_short_run(one);
   play_short_run(two);
   CHECK(one.same_as(two));
-  two.note({.t_ns = 1, .text = "more"});
+  two.on(Note{.t_ns = 1, .text = "more"});
   CHECK_FALSE(one.same_as(two));
 }

@@ -17,12 +17,16 @@ namespace {
 
 class Figures : public Backend {
  public:
-  void begin(const RunInfo&) override { began = true; }
-  void figure(std::int64_t, const Figure& each) override {
-    CHECK(began);
-    figures.push_back(each);
+  void on(const Event& event) override {
+    std::visit(
+        Overload{[this](const BeginRun&) { began = true; },
+                 [this](const FinalFigure& each) {
+                   CHECK(began);
+                   figures.push_back(*each.figure);
+                 },
+                 [this](const EndRun&) { ended_after = figures.size(); }, [](const auto&) {}},
+        event);
   }
-  void end(std::int64_t) override { ended_after = figures.size(); }
 
   bool began = false;
   std::size_t ended_after = 0;

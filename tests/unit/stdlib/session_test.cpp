@@ -285,8 +285,8 @@ TEST_CASE("what functions of the host throw is a failure, and the session runs a
 TEST_CASE("a backend that throws fails the program, and leaves nothing that points to it") {
   class Throws : public Backend {
    public:
-    void joint_sample(const JointSample&) override {
-      throw std::runtime_error("the screen is off");
+    void on(const Event& event) override {
+      if (std::holds_alternative<JointSample>(event)) throw std::runtime_error("the screen is off");
     }
   };
   Throws backend;

@@ -1,25 +1,22 @@
 #pragma once
 
+#include <vector>
+
 #include "armlet/backend/backend.hpp"
 
 namespace armlet {
 
-// Several backends as one; each hears everything, in the order given.
+// Several backends as one; each is told everything, in the order given.
 class FanOut : public Backend {
  public:
   // backends  not owned; they live at least as long as this.
   // throws    ArgumentError if one of them is null.
   explicit FanOut(std::vector<Backend*> backends);
 
-  void begin(const RunInfo& run) override;
-  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
-  void joint_sample(const JointSample& sample) override;
-  void object_added(std::int64_t t_ns, const ObjectInfo& object) override;
-  void object_sample(const ObjectSample& sample) override;
-  void object_event(const ObjectEvent& event) override;
-  void note(const Note& note) override;
-  void figure(std::int64_t t_ns, const Figure& figure) override;
-  void end(std::int64_t t_ns) override;
+  void on(const Event& event) override;
+
+  // What all of them ignore.
+  [[nodiscard]] EventKinds ignores() const override;
 
   // The error of the first backend that has one.
   [[nodiscard]] std::string error() const override;

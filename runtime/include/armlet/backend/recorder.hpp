@@ -32,17 +32,12 @@ struct RecordedNote {
   bool operator==(const RecordedNote&) const = default;
 };
 
-// Keeps a run in memory. An object that appears is recorded as a sample of its pose.
+// Keeps a run in memory, without its figures. An object that appears is recorded as a sample of its
+// pose.
 class Recorder : public Backend {
  public:
-  void begin(const RunInfo& run) override;
-  void robot_added(std::int64_t t_ns, const RobotInfo& robot) override;
-  void joint_sample(const JointSample& sample) override;
-  void object_added(std::int64_t t_ns, const ObjectInfo& object) override;
-  void object_sample(const ObjectSample& sample) override;
-  void object_event(const ObjectEvent& event) override;
-  void note(const Note& note) override;
-  void end(std::int64_t t_ns) override;
+  void on(const Event& event) override;
+  [[nodiscard]] EventKinds ignores() const override;
 
   [[nodiscard]] const RunInfo& run() const { return run_; }
   [[nodiscard]] const std::vector<RecordedJoints>& joints() const { return joints_; }
@@ -55,6 +50,15 @@ class Recorder : public Backend {
   [[nodiscard]] bool same_as(const Recorder& other) const;
 
  private:
+  void keep(const BeginRun& begin);
+  void keep(const RobotAdded& added);
+  void keep(const JointSample& sample);
+  void keep(const ObjectAdded& added);
+  void keep(const ObjectSample& sample);
+  void keep(const ObjectEvent& event);
+  void keep(const Note& note);
+  void keep(const EndRun& end);
+
   RunInfo run_;
   std::vector<RecordedJoints> joints_;
   std::vector<RecordedObject> objects_;

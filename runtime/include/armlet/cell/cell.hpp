@@ -188,7 +188,7 @@ class Cell {
   // by itself.
   void begin();
 
-  // Hands the backend a picture that the program made.
+  // Hands the backend a figure as the program left it.
   void figure(const Figure& figure);
 
   // Ends the run for the backend. Nothing may happen afterwards.
@@ -207,6 +207,8 @@ class Cell {
   void publish_object(std::string_view name);
   void publish_falls(const std::vector<Fall>& falls);
   void refuse_held(std::string_view name, std::string_view what) const;
+  template <class Told>
+  void tell(Told&& event);
   void publish_event(ObjectChange change, std::string_view name, int robot);
   void end_due_motions();
   void end_motion(int index);
@@ -224,6 +226,7 @@ class Cell {
   std::vector<std::string> task_objects_;
   std::vector<PendingNote> pending_notes_;
   Backend* backend_ = nullptr;
+  std::uint64_t told_ = 0;  // events that the backend was told
   bool begun_ = false;
 };
 

@@ -1,0 +1,218 @@
+// What a run tells the outside, as values: one small struct for each kind of event.
+//
+// Every event has a time and a number. The numbers of a run count from 0 in the order in which the
+// events are told, without gaps, and do not depend on who listens.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "armlet/plot/figure.hpp"
+
+namespace armlet {
+
+// Unit of a joint's position; speeds and accelerations are per second and per second squared.
+enum class JointUnit { kRadian, kMetre };
+
+// A robot of the run. Its index in RunInfo names it in what follows.
+struct RobotInfo {
+  std::string name;
+  std::vector<JointUnit> joints;
+};
+
+// An object when it appears. `size` is x, y, z of a box, radius and height of a cylinder, radius of
+// a sphere, m.
+struct ObjectInfo {
+  std::string name;
+  std::string shape;
+  std::vector<double> size;
+  double mass = 0.0;  // kg
+  std::string color = "gray";
+  Eigen::Isometry3d T_world_obj = Eigen::Isometry3d::Identity();
+};
+
+struct RunInfo {
+  std::vector<RobotInfo> robots;
+  std::vector<ObjectInfo> objects;
+};
+
+// The run begins, with what is there.
+struct BeginRun {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  RunInfo run;
+};
+
+// A robot that joins later; its index follows those before it.
+struct RobotAdded {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  RobotInfo robot;
+};
+
+// State of one robot at one instant. The spans live only during the call.
+struct JointSample {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  int robot = 0;
+  std::span<const double> q;    // rad or m
+  std::span<const double> qd;   // 1/s
+  std::span<const double> qdd;  // 1/s^2
+  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+};
+
+struct ObjectAdded {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  ObjectInfo object;
+};
+
+// The name lives only during the call; so do those of other events.
+struct ObjectSample {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  std::string_view name;
+  Eigen::Isometry3d T_world_obj = Eigen::Isometry3d::Identity();
+};
+
+// kAttached and kDetached say which robot; kRemoved and kFell (what it rested on went away) have
+// none (-1).
+enum class ObjectChange { kAttached, kDetached, kRemoved, kFell };
+struct ObjectEvent {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  ObjectChange change = ObjectChange::kAttached;
+  std::string_view name;
+  int robot = -1;
+};
+
+// kOutput is what the program prints, kMessage what went wrong, kAdvice what could be better.
+enum class NoteKind { kOutput, kMessage, kAdvice };
+struct Note {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  NoteKind kind = NoteKind::kOutput;
+  std::string_view text;
+};
+
+// A figure as the program left it, after everything else.
+//
+// figure  never null; it lives only during the call.
+struct FinalFigure {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  const Figure* figure = nullptr;
+};
+
+struct EndRun {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+};
+
+// What a backend is told. BeginRun comes first, EndRun last, each once.
+using Event = std::variant<BeginRun, RobotAdded, JointSample, ObjectAdded, ObjectSample,
+                           ObjectEvent, Note, FinalFigure, EndRun>;
+
+// The alternatives of Event, in their order.
+enum class EventKind : std::size_t {
+  kBeginRun,
+  kRobotAdded,
+  kJointSample,
+  kObjectAdded,
+  kObjectSample,
+  kObjectEvent,
+  kNote,
+  kFinalFigure,
+  kEndRun,
+};
+inline constexpr std::size_t kEventKinds = std::variant_size_v<Event>;
+
+[[nodiscard]] inline EventKind kind_of(const Event& event) {
+  return static_cast<EventKind>(event.index());
+}
+[[nodiscard]] inline std::int64_t time_of(const Event& event) {
+  return std::visit([](const auto& each) { return each.t_ns; }, event);
+}
+[[nodiscard]] inline std::uint64_t number_of(const Event& event) {
+  return std::visit([](const auto& each) { return each.number; }, event);
+}
+
+// A set of kinds of events.
+class EventKinds {
+ public:
+  constexpr EventKinds() = default;
+
+  // The kinds of these structs: EventKinds::of<Note, JointSample>().
+  template <class... Events>
+  [[nodiscard]] static constexpr EventKinds of() {
+    EventKinds kinds;
+    ((kinds.bits_ |= bit(index_of<Events>(static_cast<Event*>(nullptr)))), ...);
+    return kinds;
+  }
+  [[nodiscard]] static constexpr EventKinds all() {
+    EventKinds kinds;
+    kinds.bits_ = bit(kEventKinds) - 1;
+    return kinds;
+  }
+
+  [[nodiscard]] constexpr bool has(EventKind kind) const {
+    return (bits_ & bit(static_cast<std::size_t>(kind))) != 0;
+  }
+
+  // Those in both.
+  friend constexpr EventKinds operator&(EventKinds one, EventKinds other) {
+    one.bits_ &= other.bits_;
+    return one;
+  }
+  bool operator==(const EventKinds&) const = default;
+
+ private:
+  static constexpr std::uint32_t bit(std::size_t index) { return std::uint32_t{1} << index; }
+
+  template <class Wanted, class... All>
+  static constexpr std::size_t index_of(const std::variant<All...>*) {
+    static_assert((std::is_same_v<Wanted, All> || ...), "not an alternative of Event");
+    std::size_t index = 0;
+    (void)((std::is_same_v<Wanted, All> || (++index, false)) || ...);
+    return index;
+  }
+
+  std::uint32_t bits_ = 0;
+};
+
+// Functions for different events as one, for std::visit:
+//
+//   std::visit(Overload{[](const Note& note) { ... }, [](const auto&) {}}, event);
+template <class... Functions>
+struct Overload : Functions... {
+  using Functions::operator()...;
+};
+template <class... Functions>
+Overload(Functions...) -> Overload<Functions...>;
+
+// What a backend does with events that it ignores, in an Overload; kinds() is what it declares. An
+// event that is neither handled nor ignored does not compile.
+template <class Ignored>
+struct IgnoreOne {
+  constexpr void operator()(const Ignored&) const {}
+};
+template <class... Ignored>
+struct Ignore : IgnoreOne<Ignored>... {
+  using IgnoreOne<Ignored>::operator()...;
+  [[nodiscard]] static constexpr EventKinds kinds() { return EventKinds::of<Ignored...>(); }
+};
+
+// "attached", "detached", "removed" or "fell"; "output", "message" or "advice".
+std::string_view to_text(ObjectChange change);
+std::string_view to_text(NoteKind kind);
+// The name of its struct: "JointSample".
+std::string_view to_text(EventKind kind);
+
+}  // namespace armlet

@@ -1,0 +1,55 @@
+#include "armlet/backend/event.hpp"
+
+namespace armlet {
+
+std::string_view to_text(ObjectChange change) {
+  switch (change) {
+    case ObjectChange::kAttached:
+      return "attached";
+    case ObjectChange::kDetached:
+      return "detached";
+    case ObjectChange::kRemoved:
+      return "removed";
+    case ObjectChange::kFell:
+      return "fell";
+  }
+  return "";
+}
+
+std::string_view to_text(NoteKind kind) {
+  switch (kind) {
+    case NoteKind::kOutput:
+      return "output";
+    case NoteKind::kMessage:
+      return "message";
+    case NoteKind::kAdvice:
+      return "advice";
+  }
+  return "";
+}
+
+std::string_view to_text(EventKind kind) {
+  switch (kind) {
+    case EventKind::kBeginRun:
+      return "BeginRun";
+    case EventKind::kRobotAdded:
+      return "RobotAdded";
+    case EventKind::kJointSample:
+      return "JointSample";
+    case EventKind::kObjectAdded:
+      return "ObjectAdded";
+    case EventKind::kObjectSample:
+      return "ObjectSample";
+    case EventKind::kObjectEvent:
+      return "ObjectEvent";
+    case EventKind::kNote:
+      return "Note";
+    case EventKind::kFinalFigure:
+      return "FinalFigure";
+    case EventKind::kEndRun:
+      return "EndRun";
+  }
+  return "";
+}
+
+}  // namespace armlet
