@@ -34,6 +34,8 @@ std::string_view to_text(EventKind kind) {
       return "BeginRun";
     case EventKind::kRobotAdded:
       return "RobotAdded";
+    case EventKind::kRobotChanged:
+      return "RobotChanged";
     case EventKind::kJointSample:
       return "JointSample";
     case EventKind::kObjectAdded:

@@ -22,6 +22,10 @@ EventKinds FanOut::ignores() const {
   return kinds;
 }
 
+bool FanOut::wants_link_poses() const {
+  return std::ranges::any_of(backends_, &Backend::wants_link_poses);
+}
+
 std::string FanOut::error() const {
   for (const Backend* each : backends_) {
     if (std::string error = each->error(); !error.empty()) return error;

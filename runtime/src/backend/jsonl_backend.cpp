@@ -38,6 +38,13 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
+  void write(const RobotChanged& changed) {
+    begin_line(changed.t_ns, "robotChanged");
+    sink_.text(",");
+    describe(changed.robot);
+    end_line();
+  }
+
   void write(const JointSample& sample) {
     begin_line(sample.t_ns, "robot");
     field("name", robots_[static_cast<std::size_t>(sample.robot)]);
@@ -125,6 +132,11 @@ class JsonlBackend final : public Backend {
 
   void field(std::string_view key, std::span<const double> values) {
     write_key(key);
+    numbers(values);
+  }
+
+  // Null where there is no number.
+  void numbers(std::span<const double> values) {
     sink_.text("[");
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) sink_.text(",");
@@ -138,10 +150,36 @@ class JsonlBackend final : public Backend {
   }
 
   void pose(const Eigen::Isometry3d& T) {
+    const std::array<double, 7> numbers = pose_numbers(T);
+    field("p", std::span(numbers).first<3>());
+    field("r", std::span(numbers).last<4>());
+  }
+
+  // x, y, z and a unit quaternion w, x, y, z.
+  static std::array<double, 7> pose_numbers(const Eigen::Isometry3d& T) {
     const Eigen::Vector3d p = T.translation();
     const Eigen::Quaterniond r = positive_quaternion(T);
-    field("p", std::array{p.x(), p.y(), p.z()});
-    field("r", std::array{r.w(), r.x(), r.y(), r.z()});
+    return {p.x(), p.y(), p.z(), r.w(), r.x(), r.y(), r.z()};
+  }
+
+  void describe(const JointInfo& joint) {
+    sink_.text("{\"before\":");
+    numbers(pose_numbers(joint.T_before_joint));
+    field("after", pose_numbers(joint.T_joint_link));
+    field("limits", std::array{joint.lower, joint.upper});
+    field("speed", joint.max_speed);
+    if (!joint.mesh.empty()) field("mesh", joint.mesh);
+    sink_.text("}");
+  }
+
+  void describe(const ToolInfo& tool) {
+    sink_.text(",\"tool\":{\"kind\":");
+    sink_.quoted(tool.kind);
+    field("pose", pose_numbers(tool.T_flange_tool));
+    field("stroke", tool.stroke);
+    field("radius", tool.radius);
+    field("length", tool.length);
+    sink_.text("}");
   }
 
   // The units of the axes and the series between them.
@@ -177,14 +215,26 @@ class JsonlBackend final : public Backend {
   // Fields of a robot that joins, without braces.
   void write_robot(const RobotInfo& robot) {
     robots_.push_back(robot.name);
+    describe(robot);
+  }
+
+  void describe(const RobotInfo& robot) {
     sink_.text("\"name\":");
     sink_.quoted(robot.name);
     sink_.text(",\"joints\":[");
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
       sink_.text(i > 0 ? "," : "");
-      sink_.quoted(robot.joints[i] == JointUnit::kRadian ? "rad" : "m");
+      sink_.quoted(robot.joints[i].unit == JointUnit::kRadian ? "rad" : "m");
+    }
+    sink_.text("],\"links\":[");
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+      sink_.text(i > 0 ? "," : "");
+      describe(robot.joints[i]);
     }
     sink_.text("]");
+    field("home", std::span<const double>(robot.home));
+    field("base", pose_numbers(robot.T_world_base));
+    describe(robot.tool);
   }
 
   void end_line() {

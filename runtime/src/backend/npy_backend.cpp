@@ -45,7 +45,8 @@ class NpyBackend final : public Backend {
   }
 
  private:
-  static constexpr Ignore<ObjectAdded, ObjectSample, ObjectEvent, Note, FinalFigure> kIgnored{};
+  static constexpr Ignore<RobotChanged, ObjectAdded, ObjectSample, ObjectEvent, Note, FinalFigure>
+      kIgnored{};
 
   void add(const BeginRun& begin) {
     columns_.begin(begin.run);

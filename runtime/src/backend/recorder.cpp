@@ -17,6 +17,10 @@ void Recorder::keep(const BeginRun& begin) { run_ = begin.run; }
 
 void Recorder::keep(const RobotAdded& added) { run_.robots.push_back(added.robot); }
 
+void Recorder::keep(const RobotChanged& changed) {
+  run_.robots.at(static_cast<std::size_t>(changed.index)) = changed.robot;
+}
+
 void Recorder::keep(const JointSample& sample) {
   joints_.push_back({.t_ns = sample.t_ns,
                      .robot = sample.robot,

@@ -6,36 +6,10 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "cell/descriptions.hpp"
 
 namespace armlet {
 namespace {
-
-struct ShapeSize {
-  std::vector<double> operator()(const Box& box) const {
-    return {box.size.x(), box.size.y(), box.size.z()};
-  }
-  std::vector<double> operator()(const Cylinder& cylinder) const {
-    return {cylinder.radius, cylinder.height};
-  }
-  std::vector<double> operator()(const Sphere& sphere) const { return {sphere.radius}; }
-};
-
-ObjectInfo object_info(const Object& object) {
-  return {.name = object.name,
-          .shape = shape_name(object.shape),
-          .size = std::visit(ShapeSize{}, object.shape),
-          .mass = object.mass,
-          .color = object.color,
-          .T_world_obj = object.T_world_obj};
-}
-
-RobotInfo robot_info(const CellRobot& robot) {
-  RobotInfo info{.name = robot.name, .joints = {}};
-  for (int i = 0; i < robot.model->n(); ++i) {
-    info.joints.push_back(robot.model->is_revolute(i) ? JointUnit::kRadian : JointUnit::kMetre);
-  }
-  return info;
-}
 
 std::span<const double> as_span(const Eigen::VectorXd& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
@@ -107,6 +81,8 @@ void Cell::set_model(int index, std::shared_ptr<const Robot> model) {
     throw ArgumentError(fmt::format("\"{}\" is moving; it cannot be exchanged now.", changed.name));
   }
   changed.model = std::move(model);
+  if (listening())
+    tell(RobotChanged{.t_ns = now_ns(), .index = index, .robot = robot_info(changed)});
 }
 
 void Cell::set_joints(int index, const Eigen::VectorXd& q) {
@@ -249,18 +225,25 @@ void Cell::end() {
   if (backend_ != nullptr) tell(EndRun{.t_ns = now_ns()});
 }
 
-void Cell::publish(int index) {
+void Cell::publish(int index, int motion) {
   if (!listening()) return;
   std::int64_t& last_ns = published_ns_[static_cast<std::size_t>(index)];
   if (last_ns == now_ns()) return;
   last_ns = now_ns();
   const CellRobot& arm = robot(index);
+  T_world_links_.clear();
+  if (backend_->wants_link_poses()) {
+    T_world_links_.resize(static_cast<std::size_t>(arm.model->n()));
+    link_frames(*arm.model, arm.q, T_world_links_);
+  }
   tell(JointSample{.t_ns = now_ns(),
                    .robot = index,
+                   .motion = motion,
                    .q = as_span(arm.q),
                    .qd = as_span(arm.qd),
                    .qdd = as_span(arm.qdd),
-                   .T_world_tool = T_world_tool(index)});
+                   .T_world_tool = T_world_tool(index),
+                   .T_world_links = T_world_links_});
   for (std::size_t i = 0; i < world_.size(); ++i) {
     const auto& carried = world_.attachment_of(i);
     if (carried && carried->carrier == index) publish_object(world_.object(i).name);

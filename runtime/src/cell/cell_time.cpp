@@ -41,7 +41,7 @@ int Cell::execute(int index, Trajectory trajectory, std::optional<std::int64_t> 
   reports_.push_back(
       {.robot = index, .start_ns = now_ns(), .end_ns = arm.motion->end_ns(), .held_ns = held_ns});
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
-  publish(index);
+  publish(index, arm.motion_id);
   return arm.motion_id;
 }
 
@@ -121,7 +121,7 @@ void Cell::advance_to(std::int64_t t_ns) {
     bring_to_now();
     for (int i = 0; due && i < robot_count(); ++i) {
       // A motion that ends at this instant is reported at rest, by end_motion.
-      if (robot(i).motion && robot(i).motion->end_ns() > next) publish(i);
+      if (robot(i).motion && robot(i).motion->end_ns() > next) publish(i, robot(i).motion_id);
     }
     end_due_motions();
   }
@@ -151,7 +151,7 @@ void Cell::end_motion(int index) {
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
   arm.motion.reset();
   if (!arm.held.empty()) world_.move_carried(index, T_world_flange(index));
-  publish(index);
+  publish(index, arm.motion_id);
   events_.push_back({.t_ns = now_ns(), .robot = index, .motion = arm.motion_id});
   if (!options_.contact_picking) return;
   if (auto event = pick_or_put_down(*this, index)) events_.push_back(*std::move(event));

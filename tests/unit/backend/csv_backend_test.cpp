@@ -30,8 +30,8 @@ TEST_CASE("a run is one table with as many columns in every row") {
 TEST_CASE("a robot with fewer joints leaves its last cells empty") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_csv_backend(out);
-  backend->on(BeginRun{.run = {.robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}},
-                                          {"left", {JointUnit::kRadian}}},
+  backend->on(BeginRun{.run = {.robots = {{"arm", {{JointUnit::kRadian}, {JointUnit::kMetre}}},
+                                          {"left", {{JointUnit::kRadian}}}},
                                .objects = {}}});
   const double one = 1.0;
   const std::span<const double> q(&one, 1);
@@ -65,8 +65,9 @@ TEST_CASE("a stream that cannot be written is reported, once, and stops the writ
 TEST_CASE("a robot that joins later and is too wide for the table is an error") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_csv_backend(out);
-  backend->on(BeginRun{.run = {.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}}});
-  backend->on(RobotAdded{.t_ns = 5, .robot = {"wide", {JointUnit::kRadian, JointUnit::kMetre}}});
+  backend->on(BeginRun{.run = {.robots = {{"arm", {{JointUnit::kRadian}}}}, .objects = {}}});
+  backend->on(
+      RobotAdded{.t_ns = 5, .robot = {"wide", {{JointUnit::kRadian}, {JointUnit::kMetre}}}});
   const std::array q{1.0, 2.0};
   backend->on(JointSample{.t_ns = 5, .robot = 1, .q = q, .qd = q, .qdd = q});
   backend->on(EndRun{.t_ns = 5});

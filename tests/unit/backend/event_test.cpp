@@ -10,8 +10,8 @@ using namespace armlet;
 namespace {
 
 // Handles notes and the end; what it ignores is the rest of what follows.
-constexpr Ignore<BeginRun, RobotAdded, JointSample, ObjectAdded, ObjectSample, ObjectEvent,
-                 FinalFigure>
+constexpr Ignore<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
+                 ObjectEvent, FinalFigure>
     kIgnored{};
 
 std::string handled_as(const Event& event) {
@@ -41,6 +41,7 @@ TEST_CASE("kinds have words") {
 TEST_CASE("a kind is the struct that an event holds, and has its name") {
   CHECK(kind_of(BeginRun{}) == EventKind::kBeginRun);
   CHECK(kind_of(RobotAdded{}) == EventKind::kRobotAdded);
+  CHECK(kind_of(RobotChanged{}) == EventKind::kRobotChanged);
   CHECK(kind_of(JointSample{}) == EventKind::kJointSample);
   CHECK(kind_of(ObjectAdded{}) == EventKind::kObjectAdded);
   CHECK(kind_of(ObjectSample{}) == EventKind::kObjectSample);

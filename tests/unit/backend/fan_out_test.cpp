@@ -28,6 +28,18 @@ TEST_CASE("every backend hears the same") {
   CHECK(both.error().empty());
 }
 
+TEST_CASE("the poses of links are wanted if one backend wants them") {
+  class Drawing : public Failing {
+   public:
+    [[nodiscard]] bool wants_link_poses() const override { return true; }
+  };
+  Recorder recorder;
+  Failing failing;
+  Drawing drawing;
+  CHECK_FALSE(FanOut({&recorder, &failing}).wants_link_poses());
+  CHECK(FanOut({&recorder, &drawing}).wants_link_poses());
+}
+
 TEST_CASE("the first error is the error of all") {
   Recorder fine;
   Failing failing;

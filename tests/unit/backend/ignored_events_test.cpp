@@ -22,8 +22,9 @@ void play_without(std::optional<EventKind> left_out, Backend& backend) {
   const Figure figure{.title = "speed"};
   const std::span<const double> one(kNumbers.data(), 1);
   const Event events[] = {
-      BeginRun{.run = {.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {{.name = "cube"}}}},
-      RobotAdded{.t_ns = 1, .robot = {"late", std::vector<JointUnit>(3)}},
+      BeginRun{.run = {.robots = {{"arm", {{JointUnit::kRadian}}}}, .objects = {{.name = "cube"}}}},
+      RobotAdded{.t_ns = 1, .robot = {"late", std::vector<JointInfo>(3)}},
+      RobotChanged{.t_ns = 1, .robot = {"changed", {{JointUnit::kMetre}}}},
       JointSample{.t_ns = 2, .q = one, .qd = one, .qdd = one},
       ObjectAdded{.t_ns = 3, .object = {.name = "ball"}},
       ObjectSample{.t_ns = 4, .name = "ball"},

@@ -42,6 +42,50 @@ TEST_CASE("every line is JSON and numbers read back to the same bits") {
   CHECK(rows[10]["t"] == 3.0);
 }
 
+TEST_CASE("an arm is described so that it can be drawn, at the beginning and when it changes") {
+  std::ostringstream out;
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
+  RobotInfo arm{.name = "arm", .joints = {{.lower = -2, .upper = 2, .max_speed = 3}, {}}};
+  arm.joints[0].T_joint_link.translation() = Eigen::Vector3d(0.5, 0, 0.25);
+  arm.joints[0].mesh = "upper arm.stl";
+  arm.joints[1] = {.unit = JointUnit::kMetre,
+                   .lower = -std::numeric_limits<double>::infinity(),
+                   .upper = std::numeric_limits<double>::infinity()};
+  arm.home = {0.5, 0};
+  arm.T_world_base.translation().x() = 2;
+  backend->on(BeginRun{.run = {.robots = {arm}, .objects = {}}});
+  arm.tool = {.kind = "gripper", .stroke = 0.1, .length = 0.125};
+  arm.tool.T_flange_tool.translation().z() = 0.125;
+  backend->on(RobotChanged{.t_ns = 1'000'000'000, .robot = arm});
+  backend->on(EndRun{});
+  std::istringstream lines(out.str());
+  std::string line;
+  std::getline(lines, line);
+  nlohmann::json robot = nlohmann::json::parse(line)["robots"][0];
+  CHECK(robot["joints"] == nlohmann::json({"rad", "m"}));
+  REQUIRE(robot["links"].size() == 2);
+  CHECK(robot["links"][0]["before"] == nlohmann::json({0, 0, 0, 1, 0, 0, 0}));
+  CHECK(robot["links"][0]["after"] == nlohmann::json({0.5, 0, 0.25, 1, 0, 0, 0}));
+  CHECK(robot["links"][0]["limits"] == nlohmann::json({-2, 2}));
+  CHECK(robot["links"][0]["speed"] == 3);
+  CHECK(robot["links"][0]["mesh"] == "upper arm.stl");
+  CHECK(robot["links"][1]["limits"] == nlohmann::json({nullptr, nullptr}));
+  CHECK_FALSE(robot["links"][1].contains("mesh"));
+  CHECK(robot["home"] == nlohmann::json({0.5, 0}));
+  CHECK(robot["base"] == nlohmann::json({2, 0, 0, 1, 0, 0, 0}));
+  CHECK(robot["tool"]["kind"] == "none");
+  std::getline(lines, line);
+  robot = nlohmann::json::parse(line);
+  CHECK(robot["t"] == 1.0);
+  CHECK(robot["what"] == "robotChanged");
+  CHECK(robot["name"] == "arm");
+  CHECK(robot["links"].size() == 2);
+  CHECK(robot["tool"]["kind"] == "gripper");
+  CHECK(robot["tool"]["stroke"] == 0.1);
+  CHECK(robot["tool"]["length"] == 0.125);
+  CHECK(robot["tool"]["pose"] == nlohmann::json({0, 0, 0.125, 1, 0, 0, 0}));
+}
+
 TEST_CASE("a stream that cannot be written is reported") {
   std::ofstream full("/dev/full");
   const std::unique_ptr<Backend> backend = make_jsonl_backend(full);

@@ -75,7 +75,7 @@ TEST_CASE("the header keeps its length whatever the number of rows; the rows hol
     CAPTURE(rows);
     std::ostringstream out;
     const std::unique_ptr<Backend> backend = make_npy_backend(out);
-    backend->on(BeginRun{.run = {.robots = {{"arm", {JointUnit::kRadian}}}, .objects = {}}});
+    backend->on(BeginRun{.run = {.robots = {{"arm", {{JointUnit::kRadian}}}}, .objects = {}}});
     std::vector<double> told;
     for (int k = 0; k < rows; ++k) {
       const std::array q{random.uniform(-9, 9)}, qd{random.uniform(-9, 9)},
@@ -99,13 +99,13 @@ TEST_CASE("the header keeps its length whatever the number of rows; the rows hol
 TEST_CASE("a robot with fewer joints leaves its last numbers NaN; one with more is an error") {
   std::ostringstream out;
   const std::unique_ptr<Backend> backend = make_npy_backend(out);
-  backend->on(BeginRun{.run = {.robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}},
-                                          {"left", {JointUnit::kRadian}}},
+  backend->on(BeginRun{.run = {.robots = {{"arm", {{JointUnit::kRadian}, {JointUnit::kMetre}}},
+                                          {"left", {{JointUnit::kRadian}}}},
                                .objects = {}}});
   const std::array q{1.0, 2.0, 3.0};
   const std::span<const double> one(q.data(), 1);
   backend->on(JointSample{.robot = 1, .q = one, .qd = one, .qdd = one});
-  backend->on(RobotAdded{.t_ns = 5, .robot = {"wide", std::vector<JointUnit>(3)}});
+  backend->on(RobotAdded{.t_ns = 5, .robot = {"wide", std::vector<JointInfo>(3)}});
   backend->on(JointSample{.t_ns = 5, .robot = 2, .q = q, .qd = q, .qdd = q});
   backend->on(EndRun{.t_ns = 5});
   const NpyFile file = read_npy(out.str());

@@ -8,13 +8,13 @@
 namespace armlet {
 
 inline void play_short_run(Backend& backend) {
-  const RunInfo run{
-      .robots = {{"arm", {JointUnit::kRadian, JointUnit::kMetre}}, {"left", {JointUnit::kRadian}}},
-      .objects = {{.name = "cube",
-                   .shape = "box",
-                   .size = {0.04, 0.04, 0.04},
-                   .mass = 0.2,
-                   .color = "red"}}};
+  const RunInfo run{.robots = {{"arm", {{JointUnit::kRadian}, {JointUnit::kMetre}}},
+                               {"left", {{JointUnit::kRadian}}}},
+                    .objects = {{.name = "cube",
+                                 .shape = "box",
+                                 .size = {0.04, 0.04, 0.04},
+                                 .mass = 0.2,
+                                 .color = "red"}}};
   backend.on(BeginRun{.run = run});
   const std::array q{0.1, -0.0};
   const std::array qd{1.0 / 3.0, 2.5};
@@ -29,7 +29,7 @@ inline void play_short_run(Backend& backend) {
   backend.on(ObjectEvent{.t_ns = 30000000, .change = ObjectChange::kRemoved, .name = "ball"});
   backend.on(Note{.t_ns = 30000000, .text = "say \"hi\",\n now"});
   backend.on(Note{.t_ns = 30000000, .kind = NoteKind::kAdvice, .text = "slower"});
-  backend.on(RobotAdded{.t_ns = 40000000, .robot = {"late", {JointUnit::kMetre}}});
+  backend.on(RobotAdded{.t_ns = 40000000, .robot = {"late", {{JointUnit::kMetre}}}});
   backend.on(EndRun{.t_ns = 3000000000});
 }
 

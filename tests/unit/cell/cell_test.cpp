@@ -200,7 +200,7 @@ TEST_CASE("notes before the first motion wait for the robots; later robots are a
   CHECK(recorder.notes()[0].text == "hello");
   cell.add_robot(make_robot("puma560"));
   CHECK(recorder.run().robots.size() == 2);
-  CHECK(recorder.run().robots[0].joints[2] == JointUnit::kMetre);
+  CHECK(recorder.run().robots[0].joints[2].unit == JointUnit::kMetre);
   CHECK(recorder.joints().back().robot == 1);
 }
 

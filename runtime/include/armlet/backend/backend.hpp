@@ -19,6 +19,9 @@ class Backend {
   // The events that it does nothing with; it need not be told of them.
   [[nodiscard]] virtual EventKinds ignores() const { return {}; }
 
+  // Whether samples of joints are to carry the frames of the links, which have to be computed.
+  [[nodiscard]] virtual bool wants_link_poses() const { return false; }
+
   // Empty while everything was written; otherwise a sentence about the first thing that failed.
   [[nodiscard]] virtual std::string error() const { return {}; }
 };

@@ -21,10 +21,51 @@ namespace armlet {
 // Unit of a joint's position; speeds and accelerations are per second and per second squared.
 enum class JointUnit { kRadian, kMetre };
 
-// A robot of the run. Its index in RunInfo names it in what follows.
+// A joint and the link that it moves. With q its position, the frame of the link in the frame of
+// the link before, or in the base for the first joint, is
+//
+//   T_before_joint M(q) T_joint_link,
+//
+// M(q) the rotation by q about z (kRadian) or the translation by q along z (kMetre).
+//
+// lower, upper  limits of the position, rad or m.
+// max_speed     rad/s or m/s.
+// mesh          file of the link's shape, in the frame of the link; empty: none.
+struct JointInfo {
+  JointUnit unit = JointUnit::kRadian;
+  double lower = 0.0;
+  double upper = 0.0;
+  double max_speed = 0.0;
+  Eigen::Isometry3d T_before_joint = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_joint_link = Eigen::Isometry3d::Identity();
+  std::string mesh;
+};
+
+// What is mounted at the flange, which is the frame of the last link.
+//
+// kind    "none", "gripper", "suction cup" or "point".
+// stroke  widest opening of a gripper, m.
+// radius  of a suction cup, m.
+// length  from the flange to the end of the hand along z, m.
+// T_flange_tool  the tool point.
+struct ToolInfo {
+  std::string kind = "none";
+  double stroke = 0.0;
+  double radius = 0.0;
+  double length = 0.0;
+  Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
+};
+
+// A robot of the run, as one needs it to draw the arm. Its index in RunInfo names it in what
+// follows.
+//
+// home  of each joint, rad or m.
 struct RobotInfo {
   std::string name;
-  std::vector<JointUnit> joints;
+  std::vector<JointInfo> joints;
+  std::vector<double> home;
+  Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+  ToolInfo tool;
 };
 
 // An object when it appears. `size` is x, y, z of a box, radius and height of a cylinder, radius of
@@ -57,15 +98,28 @@ struct RobotAdded {
   RobotInfo robot;
 };
 
+// A robot has another tool or tool point, or stands elsewhere: what it is from now on.
+struct RobotChanged {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  int index = 0;
+  RobotInfo robot;
+};
+
 // State of one robot at one instant. The spans live only during the call.
+//
+// motion         number of the motion in the run; -1 while the robot stands.
+// T_world_links  frames of the links, one for each joint, if a backend wants them; otherwise empty.
 struct JointSample {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
   int robot = 0;
+  int motion = -1;
   std::span<const double> q;    // rad or m
   std::span<const double> qd;   // 1/s
   std::span<const double> qdd;  // 1/s^2
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+  std::span<const Eigen::Isometry3d> T_world_links;
 };
 
 struct ObjectAdded {
@@ -117,13 +171,14 @@ struct EndRun {
 };
 
 // What a backend is told. BeginRun comes first, EndRun last, each once.
-using Event = std::variant<BeginRun, RobotAdded, JointSample, ObjectAdded, ObjectSample,
-                           ObjectEvent, Note, FinalFigure, EndRun>;
+using Event = std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded,
+                           ObjectSample, ObjectEvent, Note, FinalFigure, EndRun>;
 
 // The alternatives of Event, in their order.
 enum class EventKind : std::size_t {
   kBeginRun,
   kRobotAdded,
+  kRobotChanged,
   kJointSample,
   kObjectAdded,
   kObjectSample,

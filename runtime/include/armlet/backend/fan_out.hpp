@@ -18,6 +18,9 @@ class FanOut : public Backend {
   // What all of them ignore.
   [[nodiscard]] EventKinds ignores() const override;
 
+  // What any of them wants.
+  [[nodiscard]] bool wants_link_poses() const override;
+
   // The error of the first backend that has one.
   [[nodiscard]] std::string error() const override;
 

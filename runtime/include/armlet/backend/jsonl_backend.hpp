@@ -9,7 +9,9 @@ namespace armlet {
 
 // A backend that writes a run as one JSON object per line; numbers read back to the same bits.
 //
-//   {"what":"begin","robots":[{"name":"arm","joints":["rad","m"]}]}
+//   {"what":"begin","robots":[{"name":"arm","joints":["rad","m"],"links":[{"before":[..],
+//    "after":[..],"limits":[-2,2],"speed":3.1,"mesh":"upper_arm.stl"},..],"home":[..],"base":[..],
+//    "tool":{"kind":"gripper","pose":[..],"stroke":0.1,"radius":0,"length":0.12}}]}
 //   {"t":0.000000000,"what":"added","name":"cube","shape":"box","size":[...],"mass":0.2,
 //    "color":"red","p":[x,y,z],"r":[w,x,y,z]}
 //   {"t":0.010000000,"what":"robot","name":"arm","q":[...],"qd":[...],"qdd":[...],"p":..,"r":..}
@@ -20,10 +22,14 @@ namespace armlet {
 //    [{"kind":"line","label":"...","axis":"left","x":[...],"y":[...],"z":[]}]}    (units of SI;
 //    null: no number; with logarithmic axes "log":"y", with names below bars "names":["a","b"], in
 //    panels "panels":[{"title":"...","x":..., "series":[...]}])
-//   {"t":..,"what":"robotAdded","name":"late","joints":["rad"]}
+//   {"t":..,"what":"robotAdded","name":"late","joints":["rad"],..}  (as at the beginning)
+//   {"t":..,"what":"robotChanged","name":"arm",..}                  (its tool or its base)
 //   {"t":..,"what":"end"}
 //
-// A robot's p and r are those of its tool point in the world; r is a unit quaternion.
+// A robot's p and r are those of its tool point in the world; r is a unit quaternion. The poses
+// before, after, base and pose are p and r in one list of seven numbers; with them the arm can be
+// drawn: see JointInfo and ToolInfo (event.hpp). A limit that there is not is null, and a link
+// without a file of its shape has no mesh.
 //
 // out  not owned; lives at least as long as the backend.
 [[nodiscard]] std::unique_ptr<Backend> make_jsonl_backend(std::ostream& out);

@@ -39,6 +39,7 @@ class Recorder : public Backend {
   void on(const Event& event) override;
   [[nodiscard]] EventKinds ignores() const override;
 
+  // What began the run, with the robots that joined, as they are now.
   [[nodiscard]] const RunInfo& run() const { return run_; }
   [[nodiscard]] const std::vector<RecordedJoints>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<RecordedObject>& objects() const { return objects_; }
@@ -52,6 +53,7 @@ class Recorder : public Backend {
  private:
   void keep(const BeginRun& begin);
   void keep(const RobotAdded& added);
+  void keep(const RobotChanged& changed);
   void keep(const JointSample& sample);
   void keep(const ObjectAdded& added);
   void keep(const ObjectSample& sample);

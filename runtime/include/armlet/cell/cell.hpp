@@ -203,7 +203,8 @@ class Cell {
   CellRobot& state(int index);
   int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
   void bring_to_now();
-  void publish(int index);
+  // motion  that the robot executes or has just ended; -1: it stands without one.
+  void publish(int index, int motion = -1);
   void publish_object(std::string_view name);
   void publish_falls(const std::vector<Fall>& falls);
   void refuse_held(std::string_view name, std::string_view what) const;
@@ -225,6 +226,7 @@ class Cell {
   std::vector<CellEvent> events_;
   std::vector<std::string> task_objects_;
   std::vector<PendingNote> pending_notes_;
+  std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are wanted
   Backend* backend_ = nullptr;
   std::uint64_t told_ = 0;  // events that the backend was told
   bool begun_ = false;

@@ -1,0 +1,70 @@
+#include "cell/descriptions.hpp"
+
+namespace armlet {
+namespace {
+
+struct ShapeSize {
+  std::vector<double> operator()(const Box& box) const {
+    return {box.size.x(), box.size.y(), box.size.z()};
+  }
+  std::vector<double> operator()(const Cylinder& cylinder) const {
+    return {cylinder.radius, cylinder.height};
+  }
+  std::vector<double> operator()(const Sphere& sphere) const { return {sphere.radius}; }
+};
+
+std::string tool_word(ToolKind kind) {
+  switch (kind) {
+    case ToolKind::kNone:
+      return "none";
+    case ToolKind::kParallelGripper:
+      return "gripper";
+    case ToolKind::kSuctionCup:
+      return "suction cup";
+    case ToolKind::kPoint:
+      return "point";
+  }
+  return "";
+}
+
+// The row of joint i without the joint's value, which moves before it (standard convention) or
+// behind it (modified): rotations about z and translations along z commute.
+JointInfo joint_info(const Robot& robot, int i) {
+  JointInfo info{.unit = robot.is_revolute(i) ? JointUnit::kRadian : JointUnit::kMetre,
+                 .lower = robot.lower()[i],
+                 .upper = robot.upper()[i],
+                 .max_speed = robot.max_speed()[i]};
+  const DhConvention convention = robot.spec().convention;
+  const Eigen::Isometry3d T_row = dh_pose(convention, robot.joint(i).dh);
+  (convention == DhConvention::kStandard ? info.T_joint_link : info.T_before_joint) = T_row;
+  if (!robot.spec().links.empty()) info.mesh = robot.link(i).mesh;
+  return info;
+}
+
+}  // namespace
+
+ObjectInfo object_info(const Object& object) {
+  return {.name = object.name,
+          .shape = shape_name(object.shape),
+          .size = std::visit(ShapeSize{}, object.shape),
+          .mass = object.mass,
+          .color = object.color,
+          .T_world_obj = object.T_world_obj};
+}
+
+RobotInfo robot_info(const CellRobot& robot) {
+  const Robot& model = *robot.model;
+  const Tool& tool = model.tool();
+  RobotInfo info{.name = robot.name,
+                 .home = {model.home().begin(), model.home().end()},
+                 .T_world_base = model.T_world_base(),
+                 .tool = {.kind = tool_word(tool.kind),
+                          .stroke = tool.stroke,
+                          .radius = tool.radius,
+                          .length = tool.length,
+                          .T_flange_tool = model.T_flange_tool()}};
+  for (int i = 0; i < model.n(); ++i) info.joints.push_back(joint_info(model, i));
+  return info;
+}
+
+}  // namespace armlet

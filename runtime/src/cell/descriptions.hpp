@@ -1,0 +1,12 @@
+#pragma once
+// Robots and objects as backends are told of them.
+
+#include "armlet/backend/event.hpp"
+#include "armlet/cell/cell.hpp"
+
+namespace armlet {
+
+RobotInfo robot_info(const CellRobot& robot);
+ObjectInfo object_info(const Object& object);
+
+}  // namespace armlet
