@@ -34,7 +34,7 @@ class CsvBackend final : public Backend {
   }
 
  private:
-  static constexpr Ignore<RobotChanged, FinalFigure> kIgnored{};
+  static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure> kIgnored{};
   static constexpr std::size_t kPoseColumns = 7;
 
   void write(const BeginRun& begin) {

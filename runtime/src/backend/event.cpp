@@ -46,6 +46,8 @@ std::string_view to_text(EventKind kind) {
       return "ObjectEvent";
     case EventKind::kNote:
       return "Note";
+    case EventKind::kFigureChanged:
+      return "FigureChanged";
     case EventKind::kFinalFigure:
       return "FinalFigure";
     case EventKind::kEndRun:

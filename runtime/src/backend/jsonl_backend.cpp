@@ -13,12 +13,15 @@ class JsonlBackend final : public Backend {
   explicit JsonlBackend(std::ostream& out) : sink_(out) {}
 
   void on(const Event& event) override {
-    std::visit([this](const auto& each) { write(each); }, event);
+    std::visit(Overload{[this](const auto& each) { write(each); }, kIgnored}, event);
   }
+  [[nodiscard]] EventKinds ignores() const override { return kIgnored.kinds(); }
 
   [[nodiscard]] std::string error() const override { return sink_.error(); }
 
  private:
+  static constexpr Ignore<FigureChanged> kIgnored{};
+
   void write(const BeginRun& begin) {
     sink_.text("{\"what\":\"begin\",\"robots\":[");
     for (const RobotInfo& robot : begin.run.robots) {

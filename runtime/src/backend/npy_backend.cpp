@@ -45,7 +45,8 @@ class NpyBackend final : public Backend {
   }
 
  private:
-  static constexpr Ignore<RobotChanged, ObjectAdded, ObjectSample, ObjectEvent, Note, FinalFigure>
+  static constexpr Ignore<RobotChanged, ObjectAdded, ObjectSample, ObjectEvent, Note, FigureChanged,
+                          FinalFigure>
       kIgnored{};
 
   void add(const BeginRun& begin) {

@@ -3,7 +3,7 @@
 namespace armlet {
 namespace {
 
-constexpr Ignore<FinalFigure> kNotKept{};
+constexpr Ignore<FigureChanged, FinalFigure> kNotKept{};
 
 }  // namespace
 

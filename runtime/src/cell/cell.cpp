@@ -210,13 +210,28 @@ void Cell::begin() {
     tell(Note{.t_ns = each.t_ns, .kind = each.kind, .text = each.text});
   }
   pending_notes_.clear();
+  for (const Figure& each : pending_figures_) figure_changed(each);
+  pending_figures_.clear();
   for (int i = 0; i < robot_count(); ++i) publish(i);
+}
+
+void Cell::figure_changed(const Figure& figure) {
+  if (backend_ == nullptr) return;
+  if (begun_) {
+    tell(FigureChanged{.t_ns = now_ns(), .index = figure.index, .figure = &figure});
+    return;
+  }
+  auto pending = std::ranges::find(pending_figures_, figure.index, &Figure::index);
+  if (pending == pending_figures_.end())
+    pending = pending_figures_.insert(pending, {.index = figure.index});
+  // A large figure is not copied for nobody; that it is told of counts all the same.
+  if (!backend_->ignores().has(EventKind::kFigureChanged)) *pending = figure;
 }
 
 void Cell::figure(const Figure& figure) {
   begin();
   if (backend_ != nullptr) {
-    tell(FinalFigure{.t_ns = now_ns(), .figure = &figure});
+    tell(FinalFigure{.t_ns = now_ns(), .index = figure.index, .figure = &figure});
   }
 }
 

@@ -33,8 +33,9 @@ Answer<void> plot_values(Vm& vm, std::span<const double> x, std::span<const doub
                 .label = text_or_nothing(label),
                 .x = {x.begin(), x.end()},
                 .y = {y.begin(), y.end()}};
-  return add_to_current(vm, std::move(series), axis, 3,
-                        {text_or_nothing(x_unit), text_or_nothing(y_unit), 0, 1});
+  const PlotUnits units{text_or_nothing(x_unit), text_or_nothing(y_unit), 0, 1};
+  if (!add_to_current(vm, std::move(series), axis, 3, units)) return Failed{};
+  return figure_changed(vm);
 }
 
 // Where the bar of each name stands: below the same name of the figure, or behind all that are
@@ -73,7 +74,7 @@ Answer<void> named_bars(Vm& vm, std::span<const Slot> given, std::span<const dou
   if (!add_to_current(vm, std::move(series), axis, 3, {{}, text_or_nothing(y_unit), 0, 1}))
     return Failed{};
   figure.names = std::move(names);
-  return {};
+  return figure_changed(vm);
 }
 
 // Fails unless what a figure holds can be shown on axes that become logarithmic.
@@ -98,7 +99,8 @@ void set_log(Figure& figure, bool x, bool y) {
 
 // A figure of that title goes on; otherwise a new one begins.
 Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
-  std::vector<Figure>& figures = Host::of(vm).figures();
+  Host& host = Host::of(vm);
+  std::vector<Figure>& figures = host.figures();
   const bool both = log == "xy" || log == "yx";
   const bool x = both || log == "x";
   const bool y = both || log == "y";
@@ -108,7 +110,8 @@ Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   }
   const auto found = std::ranges::find(figures, title, &Figure::title);
   if (found == figures.end()) {
-    figures.push_back({.title = std::string(title)});
+    host.begin_figure({.title = std::string(title)});
+    host.figure_changed();
   } else {
     std::rotate(found, found + 1, figures.end());
   }
@@ -122,19 +125,22 @@ Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   if (!charge_steps(vm, changed.series.size()) || !check_log_of(vm, changed)) return Failed{};
   changed.saved = false;
   current = std::move(changed);
-  return {};
+  return figure_changed(vm);
 }
 
 // A figure of a series in space. A figure that was begun and is still empty becomes this one.
 void add_cloud(Host& host, Series series, std::string title, const std::string& unit) {
   Figure figure{.title = std::move(title), .x = {"x", unit}, .y = {"y", unit}, .z = {"z", unit}};
+  figure.series.push_back(std::move(series));
   std::vector<Figure>& figures = host.figures();
   if (!figures.empty() && figures.back().is_empty()) {
     if (figure.title.empty()) figure.title = figures.back().title;
-    figures.pop_back();
+    figure.index = figures.back().index;
+    figures.back() = std::move(figure);
+  } else {
+    host.begin_figure(std::move(figure));
   }
-  figure.series.push_back(std::move(series));
-  figures.push_back(std::move(figure));
+  host.figure_changed();
 }
 
 Failed not_spatial(Vm& vm, std::size_t values) {

@@ -37,7 +37,7 @@ Answer<void> add_lines(Vm& vm, std::span<const double> x, std::size_t lines,
     figure.series.resize(had);
     return Failed{};
   }
-  return {};
+  return figure_changed(vm);
 }
 
 // Over 0, 1, 2, ...
@@ -48,8 +48,9 @@ Answer<void> plot_numbered(Vm& vm, std::span<const double> y, OptionalText label
   if (!right) return Failed{};
   Series series{.label = text_or_nothing(label), .y = {y.begin(), y.end()}, .right = *right};
   for (std::size_t i = 0; i < y.size(); ++i) series.x.push_back(static_cast<double>(i));
-  return add_series(vm, current_figure(Host::of(vm)), std::move(series),
-                    {{}, text_or_nothing(y_unit), 0, 0});
+  const PlotUnits units{{}, text_or_nothing(y_unit), 0, 0};
+  if (!add_series(vm, current_figure(Host::of(vm)), std::move(series), units)) return Failed{};
+  return figure_changed(vm);
 }
 
 Answer<void> plot_matrix(Vm& vm, std::span<const double> x, const MatrixObj& y, OptionalItems label,

@@ -68,7 +68,7 @@ Answer<void> draw(Vm& vm, const std::vector<double>& t, std::vector<Panel> panel
     }
     (**fields)[k].y.label.clear();
   }
-  return {};
+  return figure_changed(vm);
 }
 
 // ---- trajectories
@@ -165,7 +165,7 @@ Answer<void> plot_positions(Vm& vm, std::span<const double> x, std::span<const S
     figure.series.resize(had);
     return Failed{};
   }
-  return {};
+  return figure_changed(vm);
 }
 
 // ---- records

@@ -42,7 +42,7 @@ std::string quantity_name(const std::string& unit) {
 }  // namespace
 
 Figure& current_figure(Host& host) {
-  if (host.figures().empty()) host.figures().emplace_back();
+  if (host.figures().empty()) host.begin_figure({});
   host.figures().back().saved = false;
   return host.figures().back();
 }

@@ -25,6 +25,12 @@ using OptionalItems = std::optional<std::span<const Slot>>;
 // The figure that plot adds to: the last one, or a first one without a title.
 [[nodiscard]] Figure& current_figure(Host& host);
 
+// The last figure has changed: tells who listens.
+[[nodiscard]] inline Answer<void> figure_changed(Vm& vm) {
+  Host::of(vm).figure_changed();
+  return {};
+}
+
 // Room for more values, as steps and as memory of the host.
 [[nodiscard]] Answer<void> make_room(Vm& vm, std::size_t more);
 

@@ -88,6 +88,15 @@ void Host::report_move(const MoveReport& report) {
   if (options_.on_move) options_.on_move(report);
 }
 
+Figure& Host::begin_figure(Figure figure) {
+  figure.index = static_cast<int>(figures_.size());
+  return figures_.emplace_back(std::move(figure));
+}
+
+void Host::figure_changed() {
+  if (!figures_.empty()) cell_.figure_changed(figures_.back());
+}
+
 std::vector<CellEvent> Host::take_events() { return cell_.take_events(); }
 
 bool Host::first_contact_pick() { return !std::exchange(contact_pick_reported_, true); }

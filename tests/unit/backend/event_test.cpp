@@ -11,7 +11,7 @@ namespace {
 
 // Handles notes and the end; what it ignores is the rest of what follows.
 constexpr Ignore<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
-                 ObjectEvent, FinalFigure>
+                 ObjectEvent, FigureChanged, FinalFigure>
     kIgnored{};
 
 std::string handled_as(const Event& event) {
@@ -47,6 +47,7 @@ TEST_CASE("a kind is the struct that an event holds, and has its name") {
   CHECK(kind_of(ObjectSample{}) == EventKind::kObjectSample);
   CHECK(kind_of(ObjectEvent{}) == EventKind::kObjectEvent);
   CHECK(kind_of(Note{}) == EventKind::kNote);
+  CHECK(kind_of(FigureChanged{}) == EventKind::kFigureChanged);
   CHECK(kind_of(FinalFigure{}) == EventKind::kFinalFigure);
   CHECK(kind_of(EndRun{}) == EventKind::kEndRun);
   CHECK(to_text(EventKind::kJointSample) == "JointSample");

@@ -204,6 +204,38 @@ TEST_CASE("what one backend wants changes no trace of another") {
   }
 }
 
+TEST_CASE("figures that change before the run are told when it begins, the last state of each") {
+  class Figures : public Backend {
+   public:
+    explicit Figures(EventKinds ignored) : ignored_(ignored) {}
+    void on(const Event& event) override {
+      last = number_of(event);
+      if (const auto* changed = std::get_if<FigureChanged>(&event))
+        told.push_back(changed->figure->title + std::to_string(changed->index));
+    }
+    [[nodiscard]] EventKinds ignores() const override { return ignored_; }
+    std::vector<std::string> told;
+    std::uint64_t last = 0;
+
+   private:
+    EventKinds ignored_;
+  };
+  Figures listener({}), ignoring(EventKinds::of<FigureChanged>());
+  for (Figures* each : {&listener, &ignoring}) {
+    Cell cell;
+    cell.set_backend(each);
+    cell.figure_changed({.title = "a"});
+    cell.figure_changed({.title = "b", .index = 1});
+    cell.figure_changed({.title = "c"});
+    CHECK(each->told.empty());
+    cell.begin();
+    cell.figure_changed({.title = "d", .index = 1});
+    cell.end();
+  }
+  CHECK(listener.told == std::vector<std::string>{"c0", "b1", "d1"});
+  CHECK(listener.last == ignoring.last);
+}
+
 TEST_CASE("samples say which motion they belong to") {
   Drawing drawing(false);
   run_two_moves(drawing);

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <tuple>
 
 #include "armlet/backend/backend.hpp"
 #include "armlet/stdlib/session.hpp"
@@ -15,13 +18,41 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool is_same(const Axis& one, const Axis& other) {
+  return std::tie(one.label, one.unit, one.log) == std::tie(other.label, other.unit, other.log);
+}
+
+bool is_same(const Series& one, const Series& other) {
+  return std::tie(one.kind, one.label, one.x, one.y, one.z, one.right) ==
+         std::tie(other.kind, other.label, other.x, other.y, other.z, other.right);
+}
+
+bool is_same(const Figure& one, const Figure& other) {
+  const auto each = [](const auto& a, const auto& b) { return is_same(a, b); };
+  return one.title == other.title && one.names == other.names && is_same(one.x, other.x) &&
+         is_same(one.y, other.y) && is_same(one.z, other.z) && is_same(one.right, other.right) &&
+         std::ranges::equal(one.series, other.series, each) &&
+         std::ranges::equal(one.panels, other.panels, each);
+}
+
+// What a listener was told of a figure: its index, its title and how many series it has.
+using Told = std::tuple<int, std::string, std::size_t>;
+
 class Figures : public Backend {
  public:
   void on(const Event& event) override {
     std::visit(
         Overload{[this](const BeginRun&) { began = true; },
+                 [this](const FigureChanged& each) {
+                   CHECK(began);
+                   CHECK(figures.empty());
+                   changed[each.index] = *each.figure;
+                   told.emplace_back(each.index, each.figure->title, each.figure->series.size());
+                 },
                  [this](const FinalFigure& each) {
                    CHECK(began);
+                   const bool is_told = changed.count(each.index) != 0;
+                   CHECK(is_same(is_told ? changed[each.index] : Figure{}, *each.figure));
                    figures.push_back(*each.figure);
                  },
                  [this](const EndRun&) { ended_after = figures.size(); }, [](const auto&) {}},
@@ -31,9 +62,11 @@ class Figures : public Backend {
   bool began = false;
   std::size_t ended_after = 0;
   std::vector<Figure> figures;
+  std::map<int, Figure> changed;  // the last state of each
+  std::vector<Told> told;
 };
 
-std::vector<Figure> figures_of(const std::string& program, const fs::path& folder = {}) {
+Figures heard_of(const std::string& program, const fs::path& folder = {}) {
   Figures backend;
   SessionOptions options;
   options.backends = {&backend};
@@ -44,7 +77,11 @@ std::vector<Figure> figures_of(const std::string& program, const fs::path& folde
   if (result.error) MESSAGE(result.error->message);
   REQUIRE(result.status == RunStatus::kDone);
   CHECK(backend.ended_after == backend.figures.size());
-  return backend.figures;
+  return backend;
+}
+
+std::vector<Figure> figures_of(const std::string& program, const fs::path& folder = {}) {
+  return heard_of(program, folder).figures;
 }
 
 std::string text_of(const fs::path& file) {
@@ -98,6 +135,37 @@ TEST_CASE("a title that is there goes on with its figure") {
     CHECK(figure.series.size() == 2);
     CHECK(figure.series[1].label == "Asyn");
   }
+}
+
+TEST_CASE("a listener is told of a figure when it begins and whenever it changes") {
+  const Figures heard = heard_of(
+      "wait(1s)\n"
+      "figure(\"a\"); plot([1, 2], [3, 4]); scatter([1, 2], [3, 4])\n"
+      "figure(\"b\"); bars([\"one\", \"two\"], [3.0, 4.0])\n"
+      "figure(\"a\"); plot([1, 2], [1, 2; 3, 4])\n"
+      "try { plot([1, 2], [3m, 4m]) } catch (e) { print(\"refused\") }\n"
+      "figure(\"a\", log: \"y\")\n"
+      "figure(\"c\"); scatter3([[1m, 2m, 3m]])\n");
+  CHECK(heard.told == std::vector<Told>{{0, "a", 0},
+                                        {0, "a", 1},
+                                        {0, "a", 2},
+                                        {1, "b", 0},
+                                        {1, "b", 1},
+                                        {0, "a", 4},
+                                        {0, "a", 4},
+                                        {2, "c", 0},
+                                        {2, "c", 1}});
+  REQUIRE(heard.figures.size() == 3);
+  CHECK(heard.changed.at(0).y.log);
+}
+
+TEST_CASE("of figures that change before the run begins only the last state is told") {
+  const Figures heard = heard_of(
+      "figure(\"a\"); plot([1, 2], [3, 4]); plot([1, 2], [5, 6])\n"
+      "figure(\"b\"); plot([1, 2], [3, 4])\n"
+      "wait(1s)\n"
+      "plot([1, 2], [5, 6])\n");
+  CHECK(heard.told == std::vector<Told>{{0, "a", 2}, {1, "b", 1}, {1, "b", 2}});
 }
 
 TEST_CASE("points in space come from lists of three lengths") {

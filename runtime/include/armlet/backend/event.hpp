@@ -156,12 +156,23 @@ struct Note {
   std::string_view text;
 };
 
-// A figure as the program left it, after everything else.
+// A figure has begun or has changed: the whole of it as it is now. Of a figure that changed before
+// the run began only the last state is told, when it begins.
 //
+// index   of the figure in the run: they count from 0 as they are begun.
 // figure  never null; it lives only during the call.
+struct FigureChanged {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  int index = 0;
+  const Figure* figure = nullptr;
+};
+
+// A figure as the program left it, after everything else; index and figure as above.
 struct FinalFigure {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
+  int index = 0;
   const Figure* figure = nullptr;
 };
 
@@ -172,7 +183,7 @@ struct EndRun {
 
 // What a backend is told. BeginRun comes first, EndRun last, each once.
 using Event = std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded,
-                           ObjectSample, ObjectEvent, Note, FinalFigure, EndRun>;
+                           ObjectSample, ObjectEvent, Note, FigureChanged, FinalFigure, EndRun>;
 
 // The alternatives of Event, in their order.
 enum class EventKind : std::size_t {
@@ -184,6 +195,7 @@ enum class EventKind : std::size_t {
   kObjectSample,
   kObjectEvent,
   kNote,
+  kFigureChanged,
   kFinalFigure,
   kEndRun,
 };

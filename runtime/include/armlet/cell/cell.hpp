@@ -188,6 +188,10 @@ class Cell {
   // by itself.
   void begin();
 
+  // Tells the backend that a figure has begun or has changed. What changes before the run begins is
+  // kept as notes are, the last state of each figure.
+  void figure_changed(const Figure& figure);
+
   // Hands the backend a figure as the program left it.
   void figure(const Figure& figure);
 
@@ -226,6 +230,7 @@ class Cell {
   std::vector<CellEvent> events_;
   std::vector<std::string> task_objects_;
   std::vector<PendingNote> pending_notes_;
+  std::vector<Figure> pending_figures_;
   std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are wanted
   Backend* backend_ = nullptr;
   std::uint64_t told_ = 0;  // events that the backend was told

@@ -39,6 +39,7 @@ struct Figure {
   // Drawn one below the other over one x axis; the figure then has nothing of its own but a title.
   std::vector<Figure> panels{};
   bool saved = false;  // in a file of the program, as it is now
+  int index = 0;       // names the figure in a run: they count from 0 as they are begun
 
   bool is_spatial() const { return !series.empty() && !series.front().z.empty(); }
   bool is_empty() const { return series.empty() && panels.empty(); }

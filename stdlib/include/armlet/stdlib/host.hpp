@@ -148,6 +148,10 @@ class Host : public Timeline {
   // The figures of the program, in the order in which it began them.
   [[nodiscard]] std::vector<Figure>& figures() { return figures_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
+  // Adds a figure, which becomes the last one; it gets the next index.
+  Figure& begin_figure(Figure figure);
+  // The last figure has changed: tells who listens.
+  void figure_changed();
 
   void remember_motion(int robot, LastMotion motion);
   // Null if it has not moved.
