@@ -23,11 +23,11 @@ void BoundedQueue::on(const Event& event) {
     Entry entry{.event = std::make_unique<const OwnedEvent>(event)};
     const std::lock_guard lock(mutex_);
     entry.serial = pushed_++;
-    std::visit(Overload{[&](const JointSample& each) { note_sample(each, entry); },
-                        [&](const ObjectSample& each) { note_sample(each, entry); },
+    std::visit(Overload{[&](const JointSample& each) { track(each, entry); },
+                        [&](const ObjectSample& each) { track(each, entry); },
                         [&](const ObjectAdded& each) { forget_object(each.object.name); },
                         [&](const ObjectEvent& each) { forget_object(each.name); },
-                        [&](const FigureChanged& each) { note_figure(each, entry); },
+                        [&](const FigureChanged& each) { track(each, entry); },
                         Ignore<BeginRun, RobotAdded, RobotChanged, Note, FinalFigure, EndRun>{}},
                event);
     entries_.push_back(std::move(entry));
@@ -45,26 +45,26 @@ void BoundedQueue::close() {
   arrived_.notify_all();
 }
 
-void BoundedQueue::note_sample(const JointSample& sample, Entry& entry) {
+void BoundedQueue::track(const JointSample& sample, Entry& entry) {
   const auto [found, is_new] = robots_.try_emplace(sample.robot);
   LastSample& last = found->second;
   if (is_new) last.source = sources_++;
   const bool goes_on = !is_new && sample.motion >= 0 && sample.motion == last.motion;
-  if (goes_on && !last.is_first) let_go(last.serial);
+  if (goes_on && !last.is_first) allow_to_go(last.serial);
   entry.source = last.source;
   last.serial = entry.serial;
   last.motion = sample.motion;
   last.is_first = !goes_on;
 }
 
-void BoundedQueue::note_sample(const ObjectSample& sample, Entry& entry) {
+void BoundedQueue::track(const ObjectSample& sample, Entry& entry) {
   auto found = objects_.find(sample.name);
   if (found == objects_.end()) {
     found = objects_.try_emplace(std::string(sample.name)).first;
     found->second.source = sources_++;
   }
   LastSample& last = found->second;
-  if (last.is_latest) let_go(last.serial);
+  if (last.is_latest) allow_to_go(last.serial);
   entry.source = last.source;
   last.serial = entry.serial;
   last.is_latest = true;
@@ -75,7 +75,7 @@ void BoundedQueue::forget_object(std::string_view name) {
     found->second.is_latest = false;
 }
 
-void BoundedQueue::note_figure(const FigureChanged& changed, const Entry& entry) {
+void BoundedQueue::track(const FigureChanged& changed, const Entry& entry) {
   const auto [found, is_new] = figures_.try_emplace(changed.index, entry.serial);
   if (is_new) return;
   if (const auto before = find(found->second); before != entries_.end()) {
@@ -90,7 +90,7 @@ std::deque<BoundedQueue::Entry>::iterator BoundedQueue::find(std::uint64_t seria
   return found != entries_.end() && found->serial == serial ? found : entries_.end();
 }
 
-void BoundedQueue::let_go(std::uint64_t serial) {
+void BoundedQueue::allow_to_go(std::uint64_t serial) {
   const auto found = find(serial);
   if (found == entries_.end() || found->may_go) return;
   found->may_go = true;

@@ -84,12 +84,12 @@ class BoundedQueue : public Backend {
     bool is_latest = false;  // nothing else was told of that object since
   };
 
-  void note_sample(const JointSample& sample, Entry& entry);
-  void note_sample(const ObjectSample& sample, Entry& entry);
-  void note_figure(const FigureChanged& changed, const Entry& entry);
+  void track(const JointSample& sample, Entry& entry);
+  void track(const ObjectSample& sample, Entry& entry);
+  void track(const FigureChanged& changed, const Entry& entry);
   void forget_object(std::string_view name);
   [[nodiscard]] std::deque<Entry>::iterator find(std::uint64_t serial);
-  void let_go(std::uint64_t serial);
+  void allow_to_go(std::uint64_t serial);
   void make_room();
   void thin();
 
