@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "armlet/core/similar.hpp"
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
 

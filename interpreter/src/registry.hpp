@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/type.hpp"

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "armlet/interpreter/render.hpp"
-#include "random_program.hpp"
+#include "random/program.hpp"
 #include "target.hpp"
 
 using namespace armlet;

@@ -1,6 +1,6 @@
 // What fails, with the words and places of the reference (section 20, ruling 21).
 
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "evaluator.hpp"
 #include "show.hpp"
 

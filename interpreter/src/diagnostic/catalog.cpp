@@ -1,4 +1,4 @@
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 
 #include <algorithm>
 #include <array>

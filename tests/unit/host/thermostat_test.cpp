@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/define_type.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/render.hpp"

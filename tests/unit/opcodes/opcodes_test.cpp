@@ -15,7 +15,7 @@
 #include "compile/pipeline.hpp"
 #include "executed.hpp"
 #include "library.hpp"
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace fs = std::filesystem;
 using namespace armlet;

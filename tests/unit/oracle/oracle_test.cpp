@@ -8,7 +8,7 @@
 
 #include "comparison.hpp"
 #include "library.hpp"
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 using namespace armlet;
 using namespace armlet::oracle;

@@ -9,7 +9,7 @@
 
 #include "armlet/stdlib/install.hpp"
 #include "comparison.hpp"
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 using namespace armlet;
 using namespace armlet::oracle;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/stdlib/install.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "syntax/parse.hpp"

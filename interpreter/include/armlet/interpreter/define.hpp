@@ -24,8 +24,8 @@
 #include <utility>
 
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/typed_parameters.hpp"
-#include "armlet/interpreter/typed_results.hpp"
+#include "armlet/interpreter/binding/typed_parameters.hpp"
+#include "armlet/interpreter/binding/typed_results.hpp"
 
 namespace armlet {
 

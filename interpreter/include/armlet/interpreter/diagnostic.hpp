@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "armlet/interpreter/message_code.hpp"
+#include "armlet/interpreter/messages/message_code.hpp"
 #include "armlet/interpreter/source.hpp"
 
 namespace armlet {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "armlet/interpreter/message_code.hpp"
+#include "armlet/interpreter/messages/message_code.hpp"
 
 namespace armlet {
 

@@ -37,7 +37,7 @@
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/failure.hpp"
 #include "armlet/interpreter/object.hpp"
-#include "armlet/interpreter/thunk.hpp"
+#include "armlet/interpreter/binding/thunk.hpp"
 #include "armlet/interpreter/type.hpp"
 
 namespace armlet {

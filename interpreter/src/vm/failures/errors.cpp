@@ -4,7 +4,7 @@
 #include <new>
 #include <optional>
 
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "vm/failures/failures.hpp"
 
 namespace armlet::lang {

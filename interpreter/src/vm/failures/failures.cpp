@@ -7,7 +7,7 @@
 #include <new>
 
 #include "armlet/core/checkpoint.hpp"
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "compile/code/properties.hpp"
 #include "format_value.hpp"
 #include "vm/instructions/interpret.hpp"

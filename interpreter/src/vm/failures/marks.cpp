@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "armlet/interpreter/catalog.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/resource.hpp"
 #include "vm/failures/failures.hpp"
 

@@ -1,4 +1,4 @@
-#include "armlet/interpreter/map_values.hpp"
+#include "armlet/interpreter/binding/map_values.hpp"
 
 #include "vm/failures/failures.hpp"
 #include "vm/heap/map.hpp"

@@ -9,7 +9,7 @@
 
 #include "armlet/interpreter/render.hpp"
 #include "format/lay_out.hpp"
-#include "random_program.hpp"
+#include "random/program.hpp"
 #include "syntax/parse.hpp"
 #include "syntax_dump.hpp"
 #include "syntax_sentences.hpp"

@@ -1,6 +1,6 @@
 // Functions of a host that take and give maps.
 
-#include "armlet/interpreter/map_values.hpp"
+#include "armlet/interpreter/binding/map_values.hpp"
 
 #include <doctest/doctest.h>
 

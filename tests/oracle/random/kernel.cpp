@@ -1,7 +1,7 @@
 // Loops that compute with doubles: long expressions of few variables, sums that grow from pass to
 // pass, elements and fields among them.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

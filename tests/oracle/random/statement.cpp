@@ -1,6 +1,6 @@
 // Statements that store and show values.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

@@ -1,7 +1,7 @@
 // Values that come from somewhere else: calls, elements, fields, choices, lists that give something
 // up.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

@@ -1,7 +1,7 @@
 // Maps: literals, entries that are there and others, entries that are stored and removed while
 // something else reads them.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "armlet/interpreter/answer.hpp"
-#include "armlet/interpreter/typed_parameters.hpp"
+#include "armlet/interpreter/binding/typed_parameters.hpp"
 
 namespace armlet {
 

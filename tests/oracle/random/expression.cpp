@@ -1,7 +1,7 @@
 // Expressions of a given type. Operands stand in parentheses, so that nobody has to think about
 // priorities.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

@@ -1,7 +1,7 @@
 // Functions that copy a parameter, change the copy and give it back, and calls where the argument
 // is needed afterwards or not: whoever still holds the old value must keep it.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

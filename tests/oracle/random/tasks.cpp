@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

@@ -1,7 +1,7 @@
 // Loops over lists of ints and doubles that are changed: exchanges, counts, copies, neighbours,
 // rows, and the ifs that choose one of two numbers.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

@@ -1,7 +1,7 @@
 // Operations whose operands are elements of lists, of rows and of variables of the program, tests
 // whether a number can be divided, characters, switches, and loops of one statement.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "armlet/interpreter/message_code.hpp"
+#include "armlet/interpreter/messages/message_code.hpp"
 
 namespace armlet {
 

@@ -1,7 +1,7 @@
 // Lists whose elements are not set yet, copied and looked into in every way: whatever reads such an
 // element fails, whatever only hands it on does not.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 namespace armlet::oracle {
 

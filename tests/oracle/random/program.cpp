@@ -1,6 +1,6 @@
 // Programs as a whole: types, variables, functions, and the main text.
 
-#include "random_program.hpp"
+#include "random/program.hpp"
 
 #include <utility>
 
