@@ -9,11 +9,12 @@ ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^g
 step format
 ours '*.cpp' '*.hpp' '*.h' | xargs -r clang-format --dry-run --Werror
 
-step layers, messages, names, sizes and words
+step layers, messages, names, sizes, structure and words
 python3 tools/check_layers.py
 python3 tools/check_messages.py
 python3 tools/check_names.py
 python3 tools/check_sizes.py
+python3 tools/check_structure.py
 python3 tools/check_words.py
 
 if command -v antlr4 >/dev/null; then
