@@ -126,7 +126,7 @@ endfunction()
 
 # The platform of WebAssembly compiled for this machine, in place of this machine's; and the module itself, if there is one.
 function(armlet_add_wasm_tests)
-  armlet_add_unit_tests(bare armlet::core)
+  armlet_add_unit_tests(bare armlet::core ${PROJECT_SOURCE_DIR}/runtime/src)
   target_sources(test_bare PRIVATE ${PROJECT_SOURCE_DIR}/runtime/src/core/bare/files.cpp
                                    ${PROJECT_SOURCE_DIR}/runtime/src/core/bare/platform.cpp)
   add_test(NAME wasm.programs COMMAND ${PROJECT_SOURCE_DIR}/tests/wasm/run.sh

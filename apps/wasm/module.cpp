@@ -16,11 +16,11 @@
 #include "../armlet/imports.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
 #include "armlet/core/error.hpp"
-#include "armlet/core/memory_files.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "core/bare/memory_files.hpp"
 
 namespace armlet::wasm {
 namespace {

@@ -1,5 +1,5 @@
 // The bare platform, which is that of WebAssembly, compiled for this machine.
-#include "armlet/core/memory_files.hpp"
+#include "core/bare/memory_files.hpp"
 
 #include <doctest/doctest.h>
 

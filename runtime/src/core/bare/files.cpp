@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "armlet/core/memory_files.hpp"
+#include "memory_files.hpp"
 
 namespace armlet {
 namespace {
