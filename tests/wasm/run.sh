@@ -9,6 +9,7 @@ if ! [[ -f build/wasm/armlet.wasm && $(ninja -C build/wasm -n 2>&1) == *'no work
   echo 'there is no build of the module that is up to date: ./dev wasm'
   exit 77
 fi
+node tests/wasm/measure.mjs build/wasm/armlet.js examples/01_pick_and_place.rbt
 node tests/wasm/page.mjs build/wasm/armlet.js
 node tests/wasm/same_as_native.mjs "$command" build/wasm/armlet.js examples
 programs=$(mktemp -d)
