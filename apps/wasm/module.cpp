@@ -61,12 +61,26 @@ class Seat {
     return runs;
   }
 
-  int run() {
-    const RunResult result = session_->run();
-    if (result.error) tell(*result.error, session_->sources());
-    return result.status == RunStatus::kDone     ? kDone
-           : result.status == RunStatus::kFailed ? kFailed
-                                                 : kCancelled;
+  // Goes on for so much virtual time, s, or so many steps.
+  int run(double time, double steps) {
+    if (!(time >= 0.0) || !(steps >= 1.0))
+      throw ArgumentError("A slice has no negative time and at least 1 step.");
+    Budget budget;
+    const double now_ns = static_cast<double>(this->now_ns());
+    budget.until_ns = static_cast<std::int64_t>(
+        std::min(now_ns + 1e9 * time, static_cast<double>(kEndOfTime_ns)));
+    budget.steps = static_cast<std::uint64_t>(std::min(steps, 1e15));
+    const Progress progress = session_->run(budget);
+    if (progress == Progress::kPaused) return kPaused;
+    if (const auto& error = session_->result().error) tell(*error, session_->sources());
+    return progress == Progress::kDone     ? kDone
+           : progress == Progress::kFailed ? kFailed
+                                           : kCancelled;
+  }
+
+  // Virtual time of the run, ns.
+  [[nodiscard]] std::int64_t now_ns() const {
+    return session_->host() != nullptr ? session_->host()->now_ns() : 0;
   }
 
   std::string take(What what) {
@@ -168,8 +182,8 @@ EMSCRIPTEN_KEEPALIVE int armlet_compile(int session, const char* text, const cha
   return guarded([&] { return seat_of(session).compile(text, name) ? kDone : kFailed; });
 }
 
-EMSCRIPTEN_KEEPALIVE int armlet_run(int session, double, double) {
-  return guarded([&] { return seat_of(session).run(); });
+EMSCRIPTEN_KEEPALIVE int armlet_run(int session, double time, double steps) {
+  return guarded([&] { return seat_of(session).run(time, steps); });
 }
 
 EMSCRIPTEN_KEEPALIVE int armlet_cancel(int session) {
@@ -183,8 +197,7 @@ EMSCRIPTEN_KEEPALIVE int armlet_cancel(int session) {
 EMSCRIPTEN_KEEPALIVE double armlet_time(int session) {
   double time = 0.0;
   guarded([&] {
-    const Host* host = seat_of(session).session().host();
-    time = host != nullptr ? 1e-9 * static_cast<double>(host->now_ns()) : 0.0;
+    time = 1e-9 * static_cast<double>(seat_of(session).now_ns());
     return kDone;
   });
   return time;
