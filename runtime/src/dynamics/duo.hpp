@@ -47,6 +47,30 @@ template <class V>
   }
 }
 
+// body(i) for i = begin .. end - 1, or the other way round: unrolled in kernels for a number of
+// joints N, a loop in those for any number, whose code would not fit where the processor keeps it
+// decoded.
+template <int N, class Body>
+[[gnu::always_inline]] inline void upward(int begin, int end, const Body& body) {
+  if constexpr (N == 0) {
+#pragma GCC unroll 1
+    for (int i = begin; i < end; ++i) body(i);
+  } else {
+#pragma GCC unroll 8
+    for (int i = begin; i < end; ++i) body(i);
+  }
+}
+template <int N, class Body>
+[[gnu::always_inline]] inline void downward(int end, int begin, const Body& body) {
+  if constexpr (N == 0) {
+#pragma GCC unroll 1
+    for (int i = end - 1; i >= begin; --i) body(i);
+  } else {
+#pragma GCC unroll 8
+    for (int i = end - 1; i >= begin; --i) body(i);
+  }
+}
+
 // A vector of three components, each a number, a Duo of them or one number per lane.
 template <class T>
 struct Triple {

@@ -114,56 +114,56 @@ template <class V, int N, bool kSlides, bool kAccel, class Sines, class Motion, 
     if (kSlides && link.slides) a.z = a.z + rate_rate(0);
     loads[0] = link_load<V, kSlides>(link, A, a);
   }
-#pragma GCC unroll 8
-  for (int i = 1; i < n; ++i) {
-    const PlanLink& link = plan.links[i];
-    const V sine = sines.sine(i), cosine = sines.cosine(i);
-    if (link.has_a) {
-      const V length = constant<V>(link.a);
-      a = {a.x + length * A.xx, a.y + length * A.yx, a.z + length * A.zx};
-    }
-    a = turn_out<V>(link, sine, cosine, a);
-    spin = turn_out<V>(link, sine, cosine, spin);
-    const V rate = motion.qd(i);
-    if (!kSlides || !link.slides) {
-      const V zero = constant<V>(0.0);
-      spin.x = spin.x + Duo<V>{zero, spin.y.first() * rate};
-      spin.y = spin.y - Duo<V>{zero, spin.x.first() * rate};
-      spin.z = spin.z + Duo<V>{rate, rate_rate(i)};
-    }
-    A = SpinMatrix<V>(spin);
-    if (link.has_d) {
-      const V d = shift(i);
-      a = {a.x + d * A.xz, a.y + d * A.yz, a.z + d * A.zz};
-    }
-    if (kSlides && link.slides) {
-      const V twice = rate + rate;
-      a = {a.x + spin.y.first() * twice, a.y - spin.x.first() * twice, a.z + rate_rate(i)};
-    }
-    loads[i] = link_load<V, kSlides>(link, A, a);
-  }
+  upward<N>(
+      1, n, [&](int i) __attribute__((always_inline)) {
+        const PlanLink& link = plan.links[i];
+        const V sine = sines.sine(i), cosine = sines.cosine(i);
+        if (link.has_a) {
+          const V length = constant<V>(link.a);
+          a = {a.x + length * A.xx, a.y + length * A.yx, a.z + length * A.zx};
+        }
+        a = turn_out<V>(link, sine, cosine, a);
+        spin = turn_out<V>(link, sine, cosine, spin);
+        const V rate = motion.qd(i);
+        if (!kSlides || !link.slides) {
+          const V zero = constant<V>(0.0);
+          spin.x = spin.x + Duo<V>{zero, spin.y.first() * rate};
+          spin.y = spin.y - Duo<V>{zero, spin.x.first() * rate};
+          spin.z = spin.z + Duo<V>{rate, rate_rate(i)};
+        }
+        A = SpinMatrix<V>(spin);
+        if (link.has_d) {
+          const V d = shift(i);
+          a = {a.x + d * A.xz, a.y + d * A.yz, a.z + d * A.zz};
+        }
+        if (kSlides && link.slides) {
+          const V twice = rate + rate;
+          a = {a.x + spin.y.first() * twice, a.y - spin.x.first() * twice, a.z + rate_rate(i)};
+        }
+        loads[i] = link_load<V, kSlides>(link, A, a);
+      });
   Triple<V> f = loads[n - 1].f, moment = loads[n - 1].n;
-#pragma GCC unroll 8
-  for (int i = n - 1; i >= 0; --i) {
-    const PlanLink& link = plan.links[i];
-    give(i, kSlides && link.slides ? f.z : moment.z);
-    if (i == 0) break;
-    const V sine = sines.sine(i), cosine = sines.cosine(i);
-    if (link.has_d) {
-      const V d = shift(i);
-      moment.x -= d * f.y;
-      moment.y += d * f.x;
-    }
-    f = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, f));
-    moment = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, moment));
-    if (link.has_a) {
-      const V length = constant<V>(link.a);
-      moment.y -= length * f.z;
-      moment.z += length * f.y;
-    }
-    f = f + loads[i - 1].f;
-    moment = moment + loads[i - 1].n;
-  }
+  downward<N>(
+      n, 1, [&](int i) __attribute__((always_inline)) {
+        const PlanLink& link = plan.links[i];
+        give(i, kSlides && link.slides ? f.z : moment.z);
+        const V sine = sines.sine(i), cosine = sines.cosine(i);
+        if (link.has_d) {
+          const V d = shift(i);
+          moment.x -= d * f.y;
+          moment.y += d * f.x;
+        }
+        f = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, f));
+        moment = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, moment));
+        if (link.has_a) {
+          const V length = constant<V>(link.a);
+          moment.y -= length * f.z;
+          moment.z += length * f.y;
+        }
+        f = f + loads[i - 1].f;
+        moment = moment + loads[i - 1].n;
+      });
+  give(0, kSlides && plan.links[0].slides ? f.z : moment.z);
 }
 
 }  // namespace armlet
