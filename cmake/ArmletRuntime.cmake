@@ -13,10 +13,10 @@ endif()
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
 function(armlet_compile_wide_kernels)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    foreach(kernels batch/batch closed_form/closed)
-      set_source_files_properties(src/kinematics/${kernels}_avx2.cpp PROPERTIES
+    foreach(kernels kinematics/batch/batch kinematics/closed_form/closed dynamics/batch/dynamics)
+      set_source_files_properties(src/${kernels}_avx2.cpp PROPERTIES
         COMPILE_OPTIONS -mavx2 SKIP_PRECOMPILE_HEADERS ON)
-      set_source_files_properties(src/kinematics/${kernels}_avx512.cpp PROPERTIES
+      set_source_files_properties(src/${kernels}_avx512.cpp PROPERTIES
         COMPILE_OPTIONS "-mavx512f;-mavx512dq" SKIP_PRECOMPILE_HEADERS ON)
     endforeach()
   else()  # other processors have no such registers
