@@ -36,6 +36,9 @@ step one definition of everything: linked as a whole
 step build with the other compiler
 ./dev build clang
 
+step programs in WebAssembly as natively
+./dev wasm
+
 if command -v clang-tidy >/dev/null; then
   step clang-tidy on what has changed since the last commit
   git diff --name-only --diff-filter=d HEAD -- '*.cpp' | grep -v '^grammar/generated/' |

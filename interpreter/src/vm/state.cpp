@@ -1,12 +1,14 @@
 #include "vm/state.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <string_view>
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/recordings.hpp"
+#include "vm/tasks/tasks.hpp"
 
 namespace armlet::lang {
 
@@ -21,7 +23,10 @@ void StepMeter::settle() {
 
 bool StepMeter::refill() {
   settle();
-  chunk = left = static_cast<std::int64_t>(std::min(kChunk, limit - std::min(limit, since_pause)));
+  std::uint64_t most = std::min(kChunk, limit - std::min(limit, since_pause));
+  // What cannot be paused goes on beyond the end of the slice.
+  if (total < slice_end) most = std::min(most, slice_end - total);
+  chunk = left = static_cast<std::int64_t>(most);
   return chunk > 0;
 }
 
@@ -56,7 +61,10 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
   make_error_layout();
 }
 
-VmState::~VmState() { clear(); }
+VmState::~VmState() {
+  clear();
+  assert(heap.used() == 0 && "every object was released");
+}
 
 void VmState::make_error_layout() {
   const Type* type = program.types->library_record("error");
@@ -82,6 +90,12 @@ bool VmState::make_texts() {
     texts.push_back(slot_of(object));
   }
   return true;
+}
+
+void VmState::reopen() {
+  is_leaving = false;
+  steps.paused();
+  steps.limit = options.limits.steps;
 }
 
 void VmState::clear() {

@@ -1,4 +1,4 @@
-#include <cassert>
+#include <limits>
 #include <utility>
 
 #include "armlet/core/ample_stack.hpp"
@@ -7,10 +7,13 @@
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/tasks/tasks.hpp"
+#include "vm/turn.hpp"
 
 namespace armlet {
 
 namespace {
+
+constexpr std::int64_t kEndless = std::numeric_limits<std::int64_t>::max();
 
 // A clock without a world.
 class Clock final : public Timeline {
@@ -26,59 +29,28 @@ class Clock final : public Timeline {
   std::int64_t now_ns_ = 0;
 };
 
-// A Vm runs once: its variables are those of that run.
-RunResult refuse_second_run() {
+RunResult ended(lang::VmState& state, lang::Exit exit) {
   RunResult result;
-  result.status = RunStatus::kFailed;
-  result.error =
-      make_diagnostic("R0626", {}, {"this Vm has run already; make a new one to run again"});
-  return result;
-}
-
-// The program belongs to this thread while it runs.
-class OnThisThread {
- public:
-  explicit OnThisThread(lang::VmState& state) : state_(state) {
-    state_.thread = lang::this_thread();
-  }
-  ~OnThisThread() { state_.thread = nullptr; }
-  OnThisThread(const OnThisThread&) = delete;
-  OnThisThread& operator=(const OnThisThread&) = delete;
-
- private:
-  lang::VmState& state_;
-};
-
-RunResult finish_run(lang::VmState& state, lang::Exit exit) {
-  RunResult result;
-  state.steps.settle();
-  result.steps = state.steps.total;
-  if (exit != lang::Exit::kDone) {
-    result.status = state.fault->cancelled ? RunStatus::kCancelled : RunStatus::kFailed;
+  if (exit == lang::Exit::kFailed) {
+    result.status = state.fault->cancelled ? Progress::kCancelled : Progress::kFailed;
     result.error = std::move(state.fault->diagnostic);
+    state.fault.reset();
   }
-  state.clear();
-  assert(state.heap.used() == 0 && "every object was released");
+  state.reopen();
   return result;
 }
 
-// Functions of the library call the program, which calls functions of the library, and so on.
-RunResult start(lang::VmState& state, std::uint32_t function) {
-  RunResult result;
-  const OnThisThread here(state);
-  on_ample_stack([&] {
-    const Supervised kernels(&state.kernels);
-    lang::Exit exit = lang::Exit::kFailed;
-    try {
-      lang::Scheduler scheduler(state);
-      if (state.make_texts()) exit = scheduler.run(function);
-    } catch (...) {  // of the host, where no instruction of the program is to blame
-      lang::raise_thrown(state, state.main);
-      exit = lang::Exit::kFailed;
+lang::Exit run_slice(lang::VmState& state, std::uint32_t function, std::int64_t until_ns) {
+  try {
+    if (state.scheduler == nullptr) {
+      state.scheduler = std::make_unique<lang::Scheduler>(state, function);
+      if (!state.make_texts()) return lang::Exit::kFailed;
     }
-    result = finish_run(state, exit);
-  });
-  return result;
+    return state.scheduler->go_on(until_ns);
+  } catch (...) {  // of the host, where no instruction of the program is to blame
+    lang::raise_thrown(state, state.main);
+    return lang::Exit::kFailed;
+  }
 }
 
 }  // namespace
@@ -105,9 +77,31 @@ Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
 
 Vm::~Vm() = default;
 
+// Functions of the library call the program, which calls functions of the library, and so on: a
+// slice has an ample stack.
+Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
+  lang::VmState& state = *state_;
+  if (budget.steps == 0)
+    throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
+  const lang::Turn turn(state);
+  if (result_.status != Progress::kPaused)
+    throw ArgumentError("This Vm has run to its end; make a new one to run again.");
+  on_ample_stack([&] {
+    const Supervised kernels(&state.kernels);
+    state.steps.begin_slice(budget.steps);
+    const lang::Exit exit = run_slice(state, function, budget.until_ns.value_or(kEndless));
+    if (exit != lang::Exit::kSliced) result_ = ended(state, exit);
+    state.steps.begin_slice(Budget::kNoLimit);
+    result_.steps = state.steps.total;
+  });
+  return result_.status;
+}
+
+Progress Vm::run(const Budget& budget) { return go_on(0, budget); }
+
 RunResult Vm::run() {
-  if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  return start(*state_, 0);
+  run(Budget{});
+  return result_;
 }
 
 RunResult Vm::run_test(std::size_t index) {
@@ -116,8 +110,10 @@ RunResult Vm::run_test(std::size_t index) {
     throw ArgumentError("test " + std::to_string(index) + " does not exist; the program has " +
                         std::to_string(program.module.tests.size()) + " tests.");
   }
-  if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  return start(*state_, program.module.tests[index].function->index);
+  if (state_->scheduler != nullptr)
+    throw ArgumentError("This Vm runs something already; make a new one to run a test.");
+  go_on(program.module.tests[index].function->index, Budget{});
+  return result_;
 }
 
 namespace {

@@ -46,7 +46,7 @@ void check_example(const NativeFunction& function) {
       function.name == "urdf")
     return;
   const RunResult result = session.run();
-  CHECK(result.status == RunStatus::kDone);
+  CHECK(result.status == Progress::kDone);
   if (result.error) FAIL_CHECK(result.error->message);
 }
 

@@ -110,17 +110,18 @@ bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
 
 }  // namespace lang
 
-// A window always has room for arguments (vm/tasks/task.cpp), even when there is none for the frames.
+// A window always has room for arguments (vm/tasks/task.cpp), even when there is none for the
+// frames.
 namespace {
 
 // The machine, when its program may be called here and now.
 lang::VmState& require_running(lang::VmState& state) {
-  if (state.thread == lang::this_thread()) [[likely]]
+  const void* thread = state.thread.load(std::memory_order_relaxed);
+  if (thread == lang::this_thread()) [[likely]]
     return state;
   throw ArgumentError(
-      state.thread == nullptr
-          ? "Functions of a program can be called only while it runs."
-          : "Functions of a program can be called only by the thread that runs it.");
+      thread == nullptr ? "Functions of a program can be called only while it runs."
+                        : "Functions of a program can be called only by the thread that runs it.");
 }
 
 const ClosureObj* require_function(const Obj* function) {

@@ -68,7 +68,12 @@ struct alignas(64) ClosedLanes {
 //          axis) that it needs the functions with branches.
 using ClosedKernel = bool(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& out);
 extern ClosedKernel* const kBaselineClosed;
+#if defined(__x86_64__)
 extern ClosedKernel* const kAvx2Closed;
 extern ClosedKernel* const kAvx512Closed;
+#else  // other processors are never asked for these (is_supported)
+inline ClosedKernel* const& kAvx2Closed = kBaselineClosed;
+inline ClosedKernel* const& kAvx512Closed = kBaselineClosed;
+#endif
 
 }  // namespace armlet

@@ -1,6 +1,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "armlet/kinematics/closed_form.hpp"
 #include "armlet/math/angles.hpp"
@@ -204,8 +205,7 @@ int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
     const auto same = [&](const ClosedSolution& other) { return is_same(chain_, solution, other); };
     if (std::none_of(solutions.begin(), solutions.end(), same)) ++solutions.count;
   }
-  std::ranges::sort(solutions.at.begin(), solutions.at.begin() + solutions.count, {},
-                    &ClosedSolution::branch);
+  std::ranges::sort(std::span(solutions.at).first(solutions.count), {}, &ClosedSolution::branch);
   return solutions.count;
 }
 
