@@ -35,6 +35,7 @@ DOCUMENTED = {"docs/architecture.md": ("runtime/src", "interpreter/src", "stdlib
 LARGE = {
     "VmState": "registers of the machine, read by every instruction",
     "Task": "the part of them that is swapped when another task goes on",
+    "PlanLink": "the numbers of one link for the recursions of dynamics, written by plan_dynamics.cpp alone",
 }
 
 IS_FUNCTION = re.compile(r"\b(operator|friend|using|typedef|static|static_assert|enum|template|constexpr)\b")
