@@ -35,6 +35,12 @@ struct RunOptions {
   bool plots = false;  // draw the figures in the terminal
 };
 
+struct EditorOptions {
+  ProgramOptions program;
+  std::string file;
+  std::string position;  // LINE:COLUMN, counted from 1, columns in characters
+};
+
 struct FormatOptions {
   std::vector<std::string> files;  // "-" is standard input
   bool check = false;              // name what would change, change nothing
@@ -55,6 +61,8 @@ int check(const ProgramOptions& options, const std::vector<std::string>& files);
 int test(const ProgramOptions& options, const std::vector<std::string>& files);
 int disasm(const ProgramOptions& options, const std::string& file);
 int format(const FormatOptions& options);
+int complete(const EditorOptions& options);
+int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
 int help(const std::string& name, bool markdown);

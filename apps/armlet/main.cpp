@@ -54,6 +54,7 @@ bool knows_command(const CLI::App& app, std::string_view word) {
 struct Asked {
   ProgramOptions options;
   RunOptions run;
+  EditorOptions editor;
   FormatOptions format;
   RobotOptions robot;
   std::vector<std::string> files;
@@ -92,6 +93,13 @@ void add_format_options(CLI::App& command, Asked& asked) {
   command.add_flag("--check", asked.format.check,
                    "change nothing; name the files that would change and exit with 1");
   command.add_flag("--json", asked.format.json, "messages as JSON, one object per line");
+}
+
+void add_editor_options(CLI::App& command, Asked& asked) {
+  command.add_option("FILE", asked.editor.file, "the program")->required();
+  command.add_option("LINE:COLUMN", asked.editor.position, "counted from 1, columns in characters")
+      ->required();
+  add_program_options(command, asked.editor.program);
 }
 
 void add_robot_options(CLI::App& command, Asked& asked) {
@@ -140,14 +148,16 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return disasm(asked.options, asked.file); }},
     {"fmt", "lay programs out, each in its file", add_format_options,
      [](const Asked& asked) { return format(asked.format); }},
+    {"complete", "list what can be written at a position of a program", add_editor_options,
+     [](const Asked& asked) { return complete(asked.editor); }},
+    {"hover", "say what stands at a position of a program", add_editor_options,
+     [](const Asked& asked) { return hover(asked.editor); }},
     {"robot", "show the table of a ready robot: rows, limits, reach, kinematics", add_robot_options,
      [](const Asked& asked) { return robot(asked.robot); }},
     {"explain", "say what a message means, with a wrong and a right program", add_explain_options,
      [](const Asked& asked) { return explain(asked.code); }},
     {"help", "say what a function does, with an example", add_help_options,
-     [](const Asked& asked) {
-       return asked.lists ? lists() : help(asked.name, asked.markdown);
-     }},
+     [](const Asked& asked) { return asked.lists ? lists() : help(asked.name, asked.markdown); }},
 };
 
 int dispatch(int argc, char** argv) {

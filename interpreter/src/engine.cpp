@@ -8,6 +8,8 @@
 #include "armlet/interpreter/define_type.hpp"
 #include "compile/code/program.hpp"
 #include "compile/pipeline.hpp"
+#include "editor/analyse.hpp"
+#include "editor/facts.hpp"
 #include "registry.hpp"
 
 namespace armlet {
@@ -109,6 +111,14 @@ Compilation Engine::compile(std::string text, std::string name,
   auto kept = std::make_shared<const Kept>(Kept{std::move(made.program), registry_});
   made.program = {kept, kept->program.get()};
   return made;
+}
+
+std::shared_ptr<const Analysis> Engine::analyse(
+    std::string text, std::string name, const CompileOptions& options,
+    const std::shared_ptr<const Analysis>& before) const {
+  return std::make_shared<const Analysis>(
+      lang::analyse_text(registry_, std::move(text), std::move(name), options,
+                         before != nullptr ? &before->facts() : nullptr));
 }
 
 std::vector<std::string> Engine::check_signatures() const { return registry_->check_signatures(); }

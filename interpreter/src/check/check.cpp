@@ -55,12 +55,13 @@ void check_functions(Checker& checker) {
 }  // namespace
 
 bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
-                   const CompileOptions& options, DiagnosticSink& sink) {
+                   const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt) {
   if (into.arena == nullptr) into.arena = std::make_unique<Arena>();
   if (into.types == nullptr) into.types = std::make_unique<TypePool>();
   registry.declare_records(*into.types);
   into.messages = &registry.messages();
   Shared shared(into, registry);
+  shared.learnt = learnt;
   std::deque<Checker> checkers;
   for (const FileTree& file : files)
     shared.files.push_back(&checkers.emplace_back(file, shared, into, registry, options, sink));

@@ -13,6 +13,8 @@
 
 namespace armlet::lang {
 
+class Learnt;
+
 // One file of a program, as written.
 struct FileTree {
   // An import and the number of the file that it names; -1: there is none, which was told.
@@ -32,8 +34,9 @@ struct FileTree {
 //        be dropped afterwards.
 // into   into.sources must hold the program's texts and stay where they are: the tree points into
 //        them.
+// learnt  what the check finds out besides, also where it fails; null: not asked for.
 // returns  whether there were no errors.
 bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
-                   const CompileOptions& options, DiagnosticSink& sink);
+                   const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt = nullptr);
 
 }  // namespace armlet::lang

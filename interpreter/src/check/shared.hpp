@@ -18,6 +18,7 @@
 namespace armlet::lang {
 
 struct Checker;
+class Learnt;
 
 // How deep checks are nested in each other. They nest as the text does, and as bodies of called
 // functions do. The parser limits the first; this bounds both.
@@ -49,6 +50,7 @@ struct Shared {
         signatures(registry, *into.types),
         error_type(into.types->library_record("error")) {}
 
+  Learnt* learnt = nullptr;       // what editors ask for; null: nobody does
   std::vector<Checker*> files{};  // imported ones before those that import them
   Depth depth{};
   Instances instances;

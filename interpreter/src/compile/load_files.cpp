@@ -47,8 +47,14 @@ std::string files_there(const std::vector<std::string>& names) {
 
 class Loader {
  public:
-  Loader(SourceSet& sources, Arena& tree, const CompileOptions& options, DiagnosticSink& sink)
-      : sources_(sources), tree_(tree), options_(options), sink_(sink) {}
+  Loader(SourceSet& sources, Arena& tree, const CompileOptions& options, DiagnosticSink& sink,
+         Mended* main_file, const ReadBefore* before)
+      : sources_(sources),
+        tree_(tree),
+        options_(options),
+        sink_(&sink),
+        main_file_(main_file),
+        before_(before) {}
 
   std::vector<FileTree> run() {
     bytes_ = sources_[0].text().size();
@@ -67,20 +73,36 @@ class Loader {
 
   // Returns the number of the file.
   int read(const Source& source) {
-    const Parsed parsed = parse(source, tree_, sink_, options_.limits, nullptr, options_.cancelled);
+    const Parsed parsed = parsed_of(source);
     FileTree file{.program = {}, .ok = parsed.ok};
     file.program.span = {0, static_cast<std::uint32_t>(source.text().size()), source.id()};
     file.program.body = tree_.copy(parsed.statements);
+    // What a text imports that cannot be read is known to editors, but not told about.
+    DiagnosticSink* const before = sink_;
+    const bool is_mended = main_file_ != nullptr && source.id() == 0 && !main_file_->is_readable;
+    if (is_mended) {
+      file.program.body = tree_.copy(main_file_->statements);
+      sink_ = &quiet_;
+    }
     for (const ast::Stmt* stmt : file.program.body) {
       if (stmt->kind != ast::StmtKind::kImport) continue;
       const auto& import = stmt->as<ast::ImportStmt>();
-      sink_.begin_statement();
+      sink_->begin_statement();
       path_.push_back({&source, &import});
       file.imports.push_back({&import, follow(source, import)});
       path_.pop_back();
     }
+    sink_ = before;
     files_.push_back(std::move(file));
     return numbers_[source.name()] = static_cast<int>(files_.size()) - 1;
+  }
+
+  Parsed parsed_of(const Source& source) {
+    if (main_file_ == nullptr || source.id() != 0)
+      return parse(source, tree_, *sink_, options_.limits, nullptr, options_.cancelled);
+    *main_file_ =
+        parse_and_mend(source, tree_, *sink_, options_.limits, options_.cancelled, before_);
+    return main_file_->exact;
   }
 
   // The number of the imported file; -1 after a message.
@@ -88,7 +110,7 @@ class Loader {
     const std::string path = path_of(import);
     const auto followed = followed_.find({from.id(), path});
     if (followed != followed_.end()) return followed->second;  // the host need not read it again
-    if (sink_.full()) return -1;
+    if (sink_->full() && sink_ != &quiet_) return -1;
     const int file = look_up(from, import, path);
     if (file >= 0) followed_.emplace(std::pair(from.id(), path), file);
     return file;
@@ -109,7 +131,7 @@ class Loader {
       const std::string what =
           many ? "more than " + std::to_string(kMostFiles) + " files"
                : "its files have more than " + std::to_string(options_.limits.bytes) + " bytes";
-      sink_.report(make_diagnostic("E0124", import.path_span, {what}));
+      sink_->report(make_diagnostic("E0124", import.path_span, {what}));
       return -1;
     }
     numbers_[found.name] = kBeingRead;
@@ -138,7 +160,7 @@ class Loader {
             Fix{"did you mean " + better + "?", {{import.path_span, better}}, Confidence::kSure};
       }
     }
-    sink_.report(std::move(out));
+    sink_->report(std::move(out));
     return -1;
   }
 
@@ -152,14 +174,17 @@ class Loader {
     for (std::size_t i = first; i + 1 < path_.size(); ++i)
       out.related.push_back({path_[i].import->path_span, ""});
     out.fix = Fix{"move what both need into a third file", {}, Confidence::kMaybe};
-    sink_.report(std::move(out));
+    sink_->report(std::move(out));
     return -1;
   }
 
   SourceSet& sources_;
   Arena& tree_;
   const CompileOptions& options_;
-  DiagnosticSink& sink_;
+  DiagnosticSink* sink_;
+  DiagnosticSink quiet_{0};
+  Mended* main_file_;
+  const ReadBefore* before_;
   std::vector<FileTree> files_;
   std::map<std::string, int> numbers_;                             // of files by name
   std::map<std::pair<std::uint32_t, std::string>, int> followed_;  // by file and what it says
@@ -170,8 +195,9 @@ class Loader {
 }  // namespace
 
 std::vector<FileTree> load_files(SourceSet& sources, Arena& tree, const CompileOptions& options,
-                                 DiagnosticSink& sink) {
-  return Loader(sources, tree, options, sink).run();
+                                 DiagnosticSink& sink, Mended* main_file,
+                                 const ReadBefore* before) {
+  return Loader(sources, tree, options, sink, main_file, before).run();
 }
 
 }  // namespace armlet::lang

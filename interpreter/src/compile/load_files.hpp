@@ -5,6 +5,7 @@
 
 #include "armlet/interpreter/engine.hpp"
 #include "check/check.hpp"
+#include "syntax/parse.hpp"
 #include "syntax/tree/arena.hpp"
 
 namespace armlet::lang {
@@ -13,8 +14,11 @@ namespace armlet::lang {
 // Each file is read once, however often it is imported. A file that cannot be had and files that
 // import each other are told of in `sink`.
 //
+// main_file  given: filled with what parse_and_mend says of the main file, with `before`.
 // returns  the trees in `tree`, imported files before those that import them, the main file last.
 [[nodiscard]] std::vector<FileTree> load_files(SourceSet& sources, Arena& tree,
-                                               const CompileOptions& options, DiagnosticSink& sink);
+                                               const CompileOptions& options, DiagnosticSink& sink,
+                                               Mended* main_file = nullptr,
+                                               const ReadBefore* before = nullptr);
 
 }  // namespace armlet::lang

@@ -46,14 +46,13 @@ ModuleLoader remembered(const ModuleLoader& load) {
   };
 }
 
-// Reached only through a mistake of ours, or when the machine has no memory left.
+}  // namespace
+
 Diagnostic defect(const char* what) {
   Diagnostic d = make_diagnostic("E0198", {});
   d.why = std::string("Armlet itself failed: ") + what;
   return d;
 }
-
-}  // namespace
 
 Compilation compile_text(const Registry& registry, std::string text, std::string name,
                          const CompileOptions& options, LowerOptions lowering) {

@@ -13,4 +13,7 @@ namespace armlet::lang {
 [[nodiscard]] Compilation compile_text(const Registry& registry, std::string text, std::string name,
                                        const CompileOptions& options, LowerOptions lowering = {});
 
+// Reached only through a mistake of ours, or when the machine has no memory left.
+[[nodiscard]] Diagnostic defect(const char* what);
+
 }  // namespace armlet::lang

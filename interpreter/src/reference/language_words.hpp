@@ -1,6 +1,6 @@
 #pragma once
-// Calls that the checker itself understands (check/calls/intrinsics.cpp), described like functions of the
-// library.
+// Calls that the checker itself understands (check/calls/intrinsics.cpp), described like functions
+// of the library.
 
 #include <span>
 

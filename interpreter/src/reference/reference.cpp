@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "reference/language_words.hpp"
+#include "reference/written_call.hpp"
 #include "registry.hpp"
 #include "syntax/tokens/words.hpp"
 
@@ -75,38 +76,6 @@ std::string operator_call(std::string_view sign, std::string_view signature) {
   return fmt::format("{} {} {}{}", types[0], sign, types[1], result_of(signature));
 }
 
-// How a reader would write what the table calls `name`: "point.x" is a field, "motor{}" a block
-// declaration. Empty for what no program writes.
-std::string written_call(const lang::Registry& registry, const NativeFunction& function) {
-  const std::string_view name = function.name;
-  const std::string_view signature = function.signature;
-  if (name.ends_with("()")) return {};
-  if (name.starts_with("operator")) return operator_call(name.substr(8), signature);
-  if (name.ends_with('=')) {  // p.x = length, q[i] = angle
-    std::string place(name.substr(0, name.size() - 1));
-    if (place.ends_with("[]")) place.insert(place.size() - 1, "i");
-    return fmt::format("{} = {}", place, parameter_types(signature).back());
-  }
-  if (name.ends_with("[]"))
-    return fmt::format("{}[i]{}", name.substr(0, name.size() - 2), result_of(signature));
-  if (name.ends_with("{}"))
-    return fmt::format("{} NAME {{ {} }}", name.substr(0, name.size() - 2),
-                       parameters_of(signature));
-  if (const std::string_view word = block_of(name); !word.empty())
-    return fmt::format("{} {} {{ ... }}", word, signature);
-  const std::size_t dot = name.find('.');
-  if (dot == std::string_view::npos || registry.type(name.substr(0, dot)) == nullptr)
-    return fmt::format("{}{}", name, signature);
-  const std::string_view rest = name.substr(dot + 1);
-  if (const std::size_t row = rest.find('.'); row != std::string_view::npos)
-    return fmt::format("{} {}({})", rest.substr(0, row), rest.substr(row + 1),
-                       parameters_of(signature));
-  const std::string_view parameters = parameters_of(signature);
-  const std::size_t second = parameters.find(", ");
-  if (second == std::string_view::npos) return fmt::format("{}{}", name, result_of(signature));
-  return fmt::format("{}({}){}", name, parameters.substr(second + 2), result_of(signature));
-}
-
 // The heading of an entry: "motor NAME { ... }" is found under motor, operators under their sign.
 std::string heading(std::string_view name) {
   if (!name.starts_with("operator") && name.ends_with('=')) name.remove_suffix(1);
@@ -125,7 +94,7 @@ void add_once(std::vector<T>& items, U item) {
 
 void add_function(const lang::Registry& registry, Section& section,
                   const NativeFunction& function) {
-  std::string call = written_call(registry, function);
+  std::string call = lang::written_call(registry, function);
   if (call.empty() || function.help.empty() || function.later) return;
   const std::string name = heading(function.name);
   auto page = std::ranges::find(section.pages, name, &Page::name);
@@ -188,6 +157,40 @@ std::string lower(std::string_view text) {
 }
 
 }  // namespace
+
+namespace lang {
+
+std::string written_call(const Registry& registry, const NativeFunction& function) {
+  const std::string_view name = function.name;
+  const std::string_view signature = function.signature;
+  if (name.ends_with("()")) return {};
+  if (name.starts_with("operator")) return operator_call(name.substr(8), signature);
+  if (name.ends_with('=')) {  // p.x = length, q[i] = angle
+    std::string place(name.substr(0, name.size() - 1));
+    if (place.ends_with("[]")) place.insert(place.size() - 1, "i");
+    return fmt::format("{} = {}", place, parameter_types(signature).back());
+  }
+  if (name.ends_with("[]"))
+    return fmt::format("{}[i]{}", name.substr(0, name.size() - 2), result_of(signature));
+  if (name.ends_with("{}"))
+    return fmt::format("{} NAME {{ {} }}", name.substr(0, name.size() - 2),
+                       parameters_of(signature));
+  if (const std::string_view word = block_of(name); !word.empty())
+    return fmt::format("{} {} {{ ... }}", word, signature);
+  const std::size_t dot = name.find('.');
+  if (dot == std::string_view::npos || registry.type(name.substr(0, dot)) == nullptr)
+    return fmt::format("{}{}", name, signature);
+  const std::string_view rest = name.substr(dot + 1);
+  if (const std::size_t row = rest.find('.'); row != std::string_view::npos)
+    return fmt::format("{} {}({})", rest.substr(0, row), rest.substr(row + 1),
+                       parameters_of(signature));
+  const std::string_view parameters = parameters_of(signature);
+  const std::size_t second = parameters.find(", ");
+  if (second == std::string_view::npos) return fmt::format("{}{}", name, result_of(signature));
+  return fmt::format("{}({}){}", name, parameters.substr(second + 2), result_of(signature));
+}
+
+}  // namespace lang
 
 std::vector<LanguageWord> reserved_and_soft_words() {
   std::vector<LanguageWord> words;

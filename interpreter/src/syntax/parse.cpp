@@ -8,10 +8,15 @@
 #include "syntax/mistakes/brackets.hpp"
 #include "syntax/mistakes/recovery.hpp"
 #include "syntax/mistakes/syntax_errors.hpp"
+#include "syntax/repair/balance.hpp"
+#include "syntax/repair/first_failure.hpp"
+#include "syntax/repair/mend.hpp"
 #include "syntax/table_prediction.hpp"
 #include "syntax/token_feed.hpp"
 #include "syntax/tokens/lex.hpp"
 #include "syntax/tokens/line_ends.hpp"
+#include "syntax/tokens/token_kinds.hpp"
+#include "syntax/tree/ast_copy.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -19,6 +24,12 @@ namespace {
 // Levels of the tree. Every later stage may recurse this deep; a chain of operators is as deep as
 // it is long.
 constexpr std::size_t kMaxDepth = 1000;
+
+// Messages about a text that is mended, behind which nothing is kept to be read again.
+constexpr int kMostQuietMessages = 100;
+
+// Statements of the top level that are mended: each takes some trials.
+constexpr int kMostMended = 50;
 
 std::timed_mutex& parser_mutex() {
   static std::timed_mutex mutex;
@@ -57,9 +68,46 @@ class Front {
     return out;
   }
 
-  ast::Expr* piece(Span range, std::size_t depth) {
-    if (!read(range)) return nullptr;
-    Machine machine(*this);
+  Mended mended_program(const ReadBefore* before) {
+    Mended out;
+    mended_ = &out.statements;
+    read_ = &out.read;
+    before_ = before;
+    out.is_readable = check_text(source_, sink_, limits_);
+    if (!out.is_readable) return out;
+    out.is_readable = read(program_range(source_));
+    out.tokens = tokens_;
+    out.comments = comments_;
+    if (out.is_readable) {
+      tokens_ = insert_line_ends(tokens_);
+      out.exact.statements = statements();
+      out.exact.comments = comments_;
+      out.exact.ok = ok_;
+    } else {
+      mend_all(std::move(tokens_));
+    }
+    return out;
+  }
+
+  ast::Expr* piece(Span range, std::size_t depth) { return read(range) ? value(depth) : nullptr; }
+
+  // The value with what is missing put in; null if that does not help.
+  ast::Expr* mended_piece(Span range, std::size_t depth) {
+    (void)read(range);
+    Tokens tokens = balanced(source_, without_errors(std::move(tokens_)));
+    Token& end = tokens.back();
+    tokens.insert(tokens.end() - 1, {.begin = end.begin, .end = end.begin, .type = RbtLexer::SEMI});
+    std::optional<Tokens> whole =
+        mended(std::move(tokens), [this](const Tokens& trial) { return failure_of(trial); });
+    if (!whole || whole->size() < 2) return nullptr;
+    tokens_ = *std::move(whole);
+    tokens_.erase(tokens_.end() - 2);
+    return value(depth);
+  }
+
+ private:
+  ast::Expr* value(std::size_t depth) {
+    Machine machine = make_machine();
     const BuildInput input = build_input(depth);
     AstBuilder builder(input);
     ast::Expr* value = nullptr;
@@ -80,27 +128,33 @@ class Front {
     return ok_ && !builder.failed() ? value : nullptr;
   }
 
- private:
   // ANTLR's objects for one run over the tokens.
   struct Machine {
-    explicit Machine(Front& front) : feed(front.tokens_, front.cancelled_), parser(&feed) {
+    Machine(const Tokens& tokens, std::shared_ptr<antlr4::ANTLRErrorStrategy> at_mistakes,
+            const ParseLimits& limits, const std::atomic<bool>* cancelled)
+        : feed(tokens, cancelled), parser(&feed) {
       parser.removeErrorListeners();
-      parser.setErrorHandler(std::make_shared<StatementRecovery>(
-          front.tokens_, [&front](std::size_t statement, std::size_t at) {
-            return front.report_failure(statement, at);
-          }));
+      parser.setErrorHandler(std::move(at_mistakes));
       using Prediction = antlr4::atn::ParserATNSimulator;
       auto tables =
           std::make_unique<TablePrediction>(&parser, *parser.getInterpreter<Prediction>());
       // The grammar never needs more: a test looks for full-context decisions in random programs.
       tables->setPredictionMode(antlr4::atn::PredictionMode::SLL);
       parser.setInterpreter(tables.release());
-      parser.max_level = front.limits_.nesting;
+      parser.max_level = limits.nesting;
       parser.max_chain = kMaxDepth;
     }
     TokenFeed feed;
     RbtParser parser;
   };
+
+  Machine make_machine() {
+    return Machine(tokens_,
+                   std::make_shared<StatementRecovery>(
+                       tokens_, [this](std::size_t statement,
+                                       std::size_t at) { return report_failure(statement, at); }),
+                   limits_, cancelled_);
+  }
 
   bool read(Span range) {
     Lexed lexed = lex(source_, range, sink_, limits_, cancelled_);
@@ -123,7 +177,8 @@ class Front {
             kMaxDepth,
             depth,
             [this](Span range, std::size_t at) {
-              return Front(source_, arena_, sink_, limits_, nullptr, cancelled_).piece(range, at);
+              Front inner(source_, arena_, sink_, limits_, nullptr, cancelled_);
+              return mending_ ? inner.mended_piece(range, at) : inner.piece(range, at);
             },
             cancelled_};
   }
@@ -131,20 +186,40 @@ class Front {
   // Statement by statement, so that memory goes with the longest one and not with the text.
   std::vector<ast::Stmt*> statements() {
     std::vector<ast::Stmt*> out;
-    Machine machine(*this);
+    Machine machine = make_machine();
     const BuildInput input = build_input(0);
     AstBuilder builder(input);
     try {
-      while (machine.feed.LA(1) != antlr4::Token::EOF && !sink_.full()) {
+      while (machine.feed.LA(1) != antlr4::Token::EOF && (mended_ != nullptr || !sink_.full())) {
+        const bool is_wanted = !sink_.full();
         machine.feed.drop_past();
         const std::size_t first = machine.feed.index();
+        if (const ReadBefore::Found known = read_before(first); known.statement != nullptr) {
+          if (ast::Stmt* made = take(known)) {
+            mended_->push_back(made);
+            if (is_wanted) out.push_back(made);
+          }
+          machine.feed.seek(behind(first, read_->back().end));
+          continue;
+        }
+        const std::size_t messages = sink_.all().size();
         statement_ok_ = true;
         RbtParser::StmtContext* ctx = machine.parser.stmt();
         if (machine.feed.index() == first) machine.feed.consume();
         ast::Stmt* made = statement_ok_ ? builder.statement(ctx) : nullptr;
-        if (builder.take_incomplete()) made = nullptr;
+        const bool incomplete = builder.take_incomplete();
+        if (incomplete) made = nullptr;
         if (shape_ != nullptr && statement_ok_) shape_->program.parts.push_back(shape_of(ctx));
-        if (made != nullptr) out.push_back(made);
+        if (made != nullptr && is_wanted) out.push_back(made);
+        if (mended_ != nullptr && made != nullptr) mended_->push_back(made);
+        const bool is_good =
+            is_wanted && statement_ok_ && !incomplete && sink_.all().size() == messages;
+        if (read_ != nullptr && is_good) note_read(made, first, machine.feed.index());
+        // What cannot be built although it can be read has a formatted text with a mistake.
+        if (mended_ != nullptr && (!statement_ok_ || incomplete) && mends_left_ > 0) {
+          --mends_left_;
+          mend(first, machine.feed.index());
+        }
         machine.parser.getTreeTracker().reset();
       }
     } catch (const antlr4::ParseCancellationException&) {
@@ -155,6 +230,101 @@ class Front {
     }
     ok_ = ok_ && !builder.failed();
     return out;
+  }
+
+  [[nodiscard]] ReadBefore::Found read_before(std::size_t first) const {
+    if (before_ == nullptr || read_ == nullptr) return {};
+    return before_->at(tokens_[first].begin);
+  }
+
+  // The statement at its new place; null if it is empty.
+  ast::Stmt* take(const ReadBefore::Found& known) {
+    const ReadStatement& old = *known.statement;
+    ast::Stmt* made =
+        old.tree != nullptr ? copied(*old.tree, arena_, source_, known.shift) : nullptr;
+    read_->push_back({made, static_cast<std::uint32_t>(old.begin + known.shift),
+                      static_cast<std::uint32_t>(old.end + known.shift)});
+    return made;
+  }
+
+  // The first token behind a statement that ends at a byte, with the inserted end of the statement.
+  [[nodiscard]] std::size_t behind(std::size_t first, std::uint32_t end) const {
+    std::size_t at = first;
+    while (tokens_[at].type != kEndOfText &&
+           (tokens_[at].begin < end || (tokens_[at].inserted && tokens_[at].end <= end)))
+      ++at;
+    return at;
+  }
+
+  void note_read(const ast::Stmt* made, std::size_t first, std::size_t last) {
+    std::uint32_t end = tokens_[first].end;
+    for (std::size_t i = first; i < last; ++i) {
+      if (!tokens_[i].inserted) end = tokens_[i].end;
+      // What is put in stands in no other text.
+      if (tokens_[i].inserted && tokens_[i].type != RbtLexer::SEMI) return;
+    }
+    if (!tokens_[first].inserted) read_->push_back({made, tokens_[first].begin, end});
+  }
+
+  // What can be made of the tokens of one statement at the top level with a mistake.
+  void mend(std::size_t first, std::size_t last) {
+    Tokens statement(tokens_.begin() + static_cast<std::ptrdiff_t>(first),
+                     tokens_.begin() + static_cast<std::ptrdiff_t>(last));
+    const std::uint32_t end = statement.empty() ? 0 : statement.back().end;
+    statement.push_back({.begin = end, .end = end, .type = kEndOfText, .line_break_before = true});
+    std::optional<Tokens> whole =
+        mended(std::move(statement), [this](const Tokens& tokens) { return failure_of(tokens); });
+    if (!whole) return;
+    read_quietly(*std::move(whole), false);
+  }
+
+  // The same of a text that cannot be divided into tokens, or whose brackets do not match.
+  void mend_all(Tokens tokens) {
+    read_quietly(insert_line_ends(balanced(source_, without_errors(std::move(tokens)))), true);
+  }
+
+  // mends: also statements in which something is missing.
+  void read_quietly(Tokens tokens, bool mends) {
+    DiagnosticSink quiet(kMostQuietMessages);
+    Front front(source_, arena_, quiet, limits_, nullptr, cancelled_);
+    if (mends) {
+      front.read_ = read_;
+      front.before_ = before_;
+    }
+    front.tokens_ = std::move(tokens);
+    front.comments_ = comments_;
+    front.mended_ = mended_;
+    front.mending_ = true;
+    if (!mends) front.mends_left_ = 0;
+    (void)front.statements();
+  }
+
+  static Tokens without_errors(Tokens tokens) {
+    for (Token& token : tokens) {
+      // A name that nothing has: it fails quietly where a value stands.
+      if (token.type == RbtLexer::BADSTR || token.type == RbtLexer::BADNUM)
+        token.type = RbtLexer::ID;
+    }
+    std::erase_if(tokens, [](const Token& token) { return token.type == RbtLexer::ERR; });
+    return tokens;
+  }
+
+  std::optional<ParseFailure> failure_of(const Tokens& tokens) {
+    const auto failure = std::make_shared<FirstFailure>();
+    Machine machine(tokens, failure, limits_, cancelled_);
+    try {
+      while (machine.feed.LA(1) != antlr4::Token::EOF) {
+        const std::size_t first = machine.feed.index();
+        machine.parser.stmt();
+        machine.parser.getTreeTracker().reset();
+        if (machine.feed.index() == first) return ParseFailure{first, first};
+      }
+    } catch (const antlr4::RecognitionException&) {
+      return failure->found();
+    } catch (const antlr4::ParseCancellationException&) {
+      return ParseFailure{0, machine.feed.index()};
+    }
+    return std::nullopt;
   }
 
   std::size_t report_failure(std::size_t statement, std::size_t at) {
@@ -185,6 +355,11 @@ class Front {
   const ParseLimits& limits_;
   Shape* shape_;
   const std::atomic<bool>* cancelled_;
+  std::vector<ast::Stmt*>* mended_ = nullptr;   // also statements with a mistake go there, if given
+  std::vector<ReadStatement>* read_ = nullptr;  // statements without a message, if given
+  const ReadBefore* before_ = nullptr;
+  bool mending_ = false;  // nothing is reported
+  int mends_left_ = kMostMended;
   Tokens tokens_;
   std::vector<Span> comments_;
   bool ok_ = true;
@@ -197,6 +372,13 @@ Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink, const Par
              Shape* shape, const std::atomic<bool>* cancelled) {
   const std::unique_lock lock = lock_parser(cancelled);
   return Front(source, arena, sink, limits, shape, cancelled).program();
+}
+
+Mended parse_and_mend(const Source& source, Arena& arena, DiagnosticSink& sink,
+                      const ParseLimits& limits, const std::atomic<bool>* cancelled,
+                      const ReadBefore* before) {
+  const std::unique_lock lock = lock_parser(cancelled);
+  return Front(source, arena, sink, limits, nullptr, cancelled).mended_program(before);
 }
 
 bool is_complete(const Source& source, const ParseLimits& limits) {

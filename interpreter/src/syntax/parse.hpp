@@ -6,6 +6,7 @@
 
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "syntax/read_before.hpp"
 #include "syntax/tokens/shape.hpp"
 #include "syntax/tree/arena.hpp"
 #include "syntax/tree/ast.hpp"
@@ -26,6 +27,22 @@ struct Parsed {
 [[nodiscard]] Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink,
                            const ParseLimits& limits = {}, Shape* shape = nullptr,
                            const std::atomic<bool>* cancelled = nullptr);
+
+// The same, and what the text most likely becomes when it is written to its end.
+struct Mended {
+  bool is_readable = true;  // false: brackets or tokens are wrong, and `exact` is empty
+  Parsed exact{};           // what parse gives
+  std::vector<ast::Stmt*> statements{};  // also those with a mistake, with what is missing put in
+  Tokens tokens{};                       // of the text, as far as it could be divided into tokens
+  std::vector<Span> comments{};
+  std::vector<ReadStatement> read{};  // those that need not be read again, for ReadBefore
+};
+// A name without text stands where a name, a value or a type is missing. Statements without a
+// mistake are in both lists. Those in `before` are copied rather than read.
+[[nodiscard]] Mended parse_and_mend(const Source& source, Arena& arena, DiagnosticSink& sink,
+                                    const ParseLimits& limits = {},
+                                    const std::atomic<bool>* cancelled = nullptr,
+                                    const ReadBefore* before = nullptr);
 
 // Whether the prompt should read the text now, or wait for more lines: a bracket is open, or the
 // last line goes on.

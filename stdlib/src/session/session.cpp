@@ -6,9 +6,11 @@
 #include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/core/platform.hpp"
+#include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/interpreter/world_names.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
+#include "session/editor_texts.hpp"
 
 namespace armlet {
 namespace {
@@ -168,6 +170,29 @@ void Session::cancel() noexcept {
   cancelling_.fetch_sub(1);
 }
 
+CompileOptions Session::compile_options(Host& host) const {
+  CompileOptions out;
+  out.limits = options_.parse_limits;
+  out.host = &host;
+  out.world = world_names_;
+  out.load = options_.load;
+  out.cancelled = &cancelled_;
+  return out;
+}
+
+std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string name,
+                                                 const std::shared_ptr<const Analysis>& before) {
+  if (is_running_.load())
+    throw ArgumentError("A session cannot analyse while its program runs; use another one.");
+  const bool makes_program = false;
+  const OneCompilation one_compilation(makes_program, cancelled_);
+  describe_world();
+  const std::unique_ptr<Host> host = make_host(false);
+  CompileOptions options = compile_options(*host);
+  options.texts = editor_texts(host->planners().names(), world_names_);
+  return engine_.analyse(std::move(text), std::move(name), options, before);
+}
+
 bool Session::compile(std::string text, std::string name) {
   if (is_running_.load())
     throw ArgumentError("A session cannot compile while its program runs; use another one.");
@@ -178,13 +203,7 @@ bool Session::compile(std::string text, std::string name) {
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  CompileOptions compile_options;
-  compile_options.limits = options_.parse_limits;
-  compile_options.host = host.get();
-  compile_options.world = world_names_;
-  compile_options.load = options_.load;
-  compile_options.cancelled = &cancelled_;
-  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options);
+  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options(*host));
   const bool has_program = compilation_.program != nullptr;
   const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
   if (uses_world && !compilation_.cancelled) problems_ = world_problems_;

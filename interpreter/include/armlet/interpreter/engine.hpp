@@ -37,6 +37,7 @@ struct Task;
 }  // namespace lang
 struct Definition;
 class TypeDefinition;
+class Analysis;
 class MessageTables;
 struct WorldNames;
 
@@ -63,6 +64,9 @@ struct CompileOptions {
   // What rules may know of the world by name (world_names.hpp); null: nothing.
   std::shared_ptr<const WorldNames> world{};
   ModuleLoader load;  // nothing can be imported without it
+  // For editors: the texts that a parameter of a library function may hold, as far as the host
+  // knows them, such as names of things in its world. Null: none.
+  std::function<std::vector<std::string>(const NativeFunction&, std::string_view parameter)> texts;
   // Set to true by the host, from any thread: compiling ends soon, without a program and with the
   // message R0629 alone.
   const std::atomic<bool>* cancelled = nullptr;
@@ -146,6 +150,13 @@ class Engine {
 
   [[nodiscard]] Compilation compile(std::string text, std::string name,
                                     const CompileOptions& options = {}) const;
+  // What a text means, also if it has mistakes (editor/analysis.hpp).
+  //
+  // before  an analysis of this engine of a text that is much alike: what has not changed since is
+  //         not read again. The result does not depend on it. Null: none.
+  [[nodiscard]] std::shared_ptr<const Analysis> analyse(
+      std::string text, std::string name, const CompileOptions& options = {},
+      const std::shared_ptr<const Analysis>& before = nullptr) const;
   // Every declared signature that cannot be read, with the reason; empty if all is well (for
   // tests).
   [[nodiscard]] std::vector<std::string> check_signatures() const;

@@ -5,6 +5,7 @@
 #include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
 #include "check/explain/edits.hpp"
+#include "check/learnt.hpp"
 #include "check/names/declarations.hpp"
 #include "check/scopes/usage.hpp"
 #include "check/statements/statements.hpp"
@@ -83,6 +84,8 @@ void check_body(Checker& checker, Instance& instance) {
                        ? Span{node.body->span.end - 1, node.body->span.end, node.body->span.source}
                        : node.value->span;
   finish_result(checker, context, instance.function->name, end);
+  if (checker.shared.learnt != nullptr)
+    checker.shared.learnt->result(node.name.span, context.result);
   close_block(checker);
   checker.scopes.come_back(outside);
   checker.messages.set_statement_failed(failed_before);
@@ -150,6 +153,7 @@ void finish_result(Checker& checker, FunctionContext& context, std::string_view 
 // The name of a function where a value is needed.
 hir::Expr* function_value(Checker& checker, FunctionDecl& function, const Type* expected,
                           Span span) {
+  if (checker.shared.learnt != nullptr) checker.shared.learnt->use(span, function.node->name.span);
   std::vector<const Type*> types = function.parameters;
   if (expected != nullptr && expected->is(Kind::kFunction) &&
       expected->parameters.size() == types.size()) {

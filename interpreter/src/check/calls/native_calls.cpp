@@ -11,6 +11,7 @@
 #include "check/calls/overloads.hpp"
 #include "check/checker.hpp"
 #include "check/explain/explained.hpp"
+#include "check/learnt.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/statements/recordings.hpp"
 #include "check/types/constants.hpp"
@@ -117,10 +118,24 @@ std::vector<hir::Expr*> rest_of(Checker& checker, const Parameter& parameter,
   return items;
 }
 
+// For editors: the function that was chosen, and its parameters that are named.
+void note_native_names(Checker& checker, const NativeFunction& function, Span callee,
+                       const std::vector<Argument>& arguments, const Fit& fit) {
+  if (checker.shared.learnt == nullptr) return;
+  checker.shared.learnt->native({callee, &function});
+  for (std::size_t p = 0; p < fit.from.size(); ++p) {
+    if (fit.from[p] < 0) continue;
+    const Argument& argument = arguments[static_cast<std::size_t>(fit.from[p])];
+    if (!argument.name.empty())
+      checker.shared.learnt->native({argument.name_span, &function, static_cast<int>(p)});
+  }
+}
+
 hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFunction& function,
                          Span callee, Span span, std::vector<Argument>& arguments, Fit& fit) {
   const Signature& signature = checker.shared.signatures.of(function);
   const auto& parameters = signature.parameters;
+  note_native_names(checker, function, callee, arguments, fit);
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const int from = fit.from[p];
     if (from < 0 || !arguments[from].waits()) continue;

@@ -8,6 +8,7 @@
 #include "check/calls/overloads.hpp"
 #include "check/checker.hpp"
 #include "check/explain/misfits.hpp"
+#include "check/learnt.hpp"
 #include "check/scopes/usage.hpp"
 #include "check/types/any_table.hpp"
 #include "check/types/long_lists.hpp"
@@ -26,9 +27,22 @@ std::string likely_type(const std::vector<Argument>& arguments) {
   return "double";
 }
 
+// For editors: which parameters the names in front of values mean.
+void note_named_values(Checker& checker, ast::Seq<ast::Param> parameters,
+                       const std::vector<Argument>& arguments) {
+  if (checker.shared.learnt == nullptr) return;
+  for (const Argument& argument : arguments) {
+    const auto named = std::ranges::find_if(parameters, [&](const ast::Param& parameter) {
+      return parameter.name.text == argument.name;
+    });
+    if (named != parameters.end()) checker.shared.learnt->use(argument.name_span, named->name.span);
+  }
+}
+
 std::optional<std::vector<Argument*>> by_parameter(Checker& checker, std::string_view name,
                                                    ast::Seq<ast::Param> parameters, Span callee,
                                                    Span span, std::vector<Argument>& arguments) {
+  note_named_values(checker, parameters, arguments);
   // The same rules as for the library, told by the same messages.
   Signature signature;
   for (const ast::Param& parameter : parameters) {
@@ -52,6 +66,7 @@ hir::Expr* call_script(Checker& checker, FunctionDecl& function, Span callee, Sp
                        std::vector<Argument> arguments) {
   const ast::FunctionStmt& node = *function.node;
   const std::string_view name = node.name.text;
+  if (checker.shared.learnt != nullptr) checker.shared.learnt->use(callee, node.name.span);
   const auto given = by_parameter(checker, name, node.params, callee, span, arguments);
   if (!given) return checker.failed(span);
   const int receiver = !arguments.empty() && arguments[0].written == nullptr ? 1 : 0;
@@ -110,6 +125,7 @@ hir::Expr* construct(Checker& checker, const StructDecl& structure, Span callee,
                      std::vector<Argument> arguments) {
   const ast::StructStmt& node = *structure.node;
   const std::string_view name = node.name.text;
+  if (checker.shared.learnt != nullptr) checker.shared.learnt->use(callee, node.name.span);
   const auto given = by_parameter(checker, name, node.fields, callee, span, arguments);
   if (!given) return checker.failed(span);
   std::vector<hir::Expr*> values;

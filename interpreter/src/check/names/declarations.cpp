@@ -6,6 +6,7 @@
 #include "check/check.hpp"
 #include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
+#include "check/learnt.hpp"
 #include "check/names/endless.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/look_ahead.hpp"
@@ -29,6 +30,7 @@ hir::Variable* new_variable(Checker& checker, std::string_view name, const Type*
   variable->type = type;
   variable->declared = span;
   variable->owner = checker.scopes.here().function;
+  if (checker.shared.learnt != nullptr && !name.empty()) checker.shared.learnt->variable(*variable);
   return variable;
 }
 
@@ -198,6 +200,8 @@ hir::Stmt* declare(Checker& checker, const ast::VarStmt& stmt, const ast::Declar
   if (value != nullptr && (stmt.fixed || !checker.names.is_changed(name.text))) {
     variable->init = value;
     checker.shared.constants.note(*variable);
+    if (checker.shared.learnt != nullptr)
+      checker.shared.learnt->constant(name.span, checker.shared.constants.of(*value));
   }
   if (fresh) checker.scopes.add(variable, how, stmt.keyword);
   if (fresh && value == nullptr) checker.scopes.here().flow.unset.insert(variable);
@@ -298,7 +302,10 @@ void collect_types(Checker& checker, const ast::Block& program) {
         }
         values.emplace_back(value.text);
       }
-      add(node.name, checker.types.new_enum(std::string(node.name.text), std::move(values)));
+      const Type* type = checker.types.new_enum(std::string(node.name.text), std::move(values));
+      if (checker.shared.learnt != nullptr)
+        checker.shared.learnt->enumeration(*type->enumeration, node);
+      add(node.name, type);
     }
   }
   for (const ast::Stmt* stmt : program.body) {
@@ -312,6 +319,7 @@ void fill_struct(Checker& checker, const ast::StructStmt& node) {
   const StructDecl* const declared =
       found != nullptr ? checker.shared.structs.find(found) : nullptr;
   if (declared == nullptr || declared->node != &node) return;
+  if (checker.shared.learnt != nullptr) checker.shared.learnt->structure(node, found);
   RecordInfo& record = *found->record;
   std::unordered_set<std::string_view> known;
   for (const ast::Param& field : node.fields) {

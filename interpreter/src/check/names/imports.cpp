@@ -10,6 +10,7 @@
 #include "check/names/unknown_names.hpp"
 #include "check/types/expressions.hpp"
 #include "check/types/members.hpp"
+#include "check/types/types.hpp"
 #include "diagnostic/backticks.hpp"
 #include "syntax/tokens/words.hpp"
 
@@ -26,13 +27,6 @@ std::string without_ending(std::string name) {
 }
 
 bool is_private(std::string_view name) { return name.starts_with('_'); }
-
-// What an import calls its file when it has no `as`: the file's name without folders and ending.
-std::string name_of(const ast::ImportStmt& stmt) {
-  if (!stmt.alias.text.empty()) return std::string(stmt.alias.text);
-  if (stmt.is_file) return without_ending(without_folders(stmt.path));
-  return std::string(stmt.path.substr(stmt.path.find_last_of('.') + 1));
-}
 
 void report_no_name(Checker& checker, const ast::ImportStmt& stmt, const std::string& name) {
   std::string better;
@@ -94,6 +88,12 @@ bool refuse_member(Checker& checker, const Checker& file, std::string_view impor
 
 }  // namespace
 
+std::string imported_as(const ast::ImportStmt& stmt) {
+  if (!stmt.alias.text.empty()) return std::string(stmt.alias.text);
+  if (stmt.is_file) return without_ending(without_folders(stmt.path));
+  return std::string(stmt.path.substr(stmt.path.find_last_of('.') + 1));
+}
+
 bool is_main_file(const Checker& checker) { return checker.shared.files.back() == &checker; }
 
 std::string file_name(const Checker& checker) {
@@ -113,7 +113,7 @@ void bind_imports(Checker& checker) {
   for (const FileTree::Import& import : checker.file.imports) {
     const ast::ImportStmt& stmt = *import.statement;
     checker.messages.begin_statement();
-    const std::string name = name_of(stmt);
+    const std::string name = imported_as(stmt);
     const bool is_word = std::ranges::all_of(name, is_word_character) && !name.empty() &&
                          (name[0] < '0' || name[0] > '9') && !is_reserved_word(name);
     if (!is_word) {
@@ -215,8 +215,10 @@ const Type* imported_type(Checker& checker, const ast::TypeExpr& type) {
   }
   if (from->file == nullptr) return checker.types.any();
   const std::string whole = checker.text_of(type.span);
-  if (const Type* found = type.path.size() == 2 ? declared_type(checker, whole) : nullptr)
+  if (const Type* found = type.path.size() == 2 ? declared_type(checker, whole) : nullptr) {
+    note_type_use(checker, *found, type.span);
     return found;
+  }
   if (refuse_member(checker, *from->file, first.text, type.path[1])) return checker.types.any();
   checker.report(make_diagnostic("E0216", type.span, {whole}));
   return checker.types.any();

@@ -15,6 +15,9 @@ namespace armlet::lang {
 // "line 7", or "line 7 of grip.rbt" if that is not the file that `checker` is about.
 [[nodiscard]] std::string line_phrase(const Checker& checker, Span span);
 
+// What an import calls its file when it has no `as`: the file's name without folders and ending.
+[[nodiscard]] std::string imported_as(const ast::ImportStmt& stmt);
+
 // Gives the imported files the names that they have here.
 void bind_imports(Checker& checker);
 

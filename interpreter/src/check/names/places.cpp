@@ -6,6 +6,7 @@
 #include "check/calls/lambdas.hpp"
 #include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
+#include "check/learnt.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/host_places.hpp"
 #include "check/names/imports.hpp"
@@ -177,6 +178,8 @@ std::optional<hir::Place> check_place(Checker& checker, const ast::Expr& expr, S
     refuse_place(checker, root, expr, statement);
     return std::nullopt;
   }
+  if (checker.shared.learnt != nullptr)
+    checker.shared.learnt->use(root.span, local->variable->declared);
   const bool is_whole = whole && chain.empty();
   const Type* type = local->variable->type;
   if (type->is(Kind::kAny)) return std::nullopt;
@@ -242,6 +245,7 @@ std::optional<hir::Step> check_place_step(Checker& checker, const ast::Expr& at,
       checker.report(std::move(diagnostic));
     }
     if (i < 0) return std::nullopt;
+    note_field_use(checker, *type, static_cast<std::size_t>(i), field.span);
     step.is_field = true;
     step.field = static_cast<std::uint32_t>(i);
     step.type = type->record->fields[i].type;

@@ -8,6 +8,7 @@
 #include "check/checker.hpp"
 #include "check/explain/joined_lines.hpp"
 #include "check/explain/mismatch.hpp"
+#include "check/learnt.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
@@ -45,6 +46,7 @@ hir::Expr* Checker::check(const ast::Expr& expr, const Type* expected) {
   if (!joined.bracket.empty()) messages.open(joined);
   const Depth::Level level(shared.depth);
   hir::Expr* out = check_any(*this, expr, expected);
+  if (shared.learnt != nullptr) shared.learnt->value(expr, *out);
   if (!joined.bracket.empty()) messages.close_joined();
   return out;
 }
@@ -186,6 +188,7 @@ hir::Expr* check_name(Checker& checker, const ast::NameExpr& name, const Type* e
 hir::Expr* read(Checker& checker, Local& local, FunctionContext& where, Span span) {
   local.used = true;
   hir::Variable* variable = local.variable;
+  if (checker.shared.learnt != nullptr) checker.shared.learnt->use(span, variable->declared);
   const bool of_program = where.kind == FunctionContext::Kind::kProgram;
   if (of_program &&
       &checker.scopes.use() != &checker.shared.uses.of(checker.scopes.main().function))

@@ -5,6 +5,7 @@
 #include "check/calls/intrinsics.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
+#include "check/learnt.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
@@ -12,6 +13,7 @@
 #include "check/types/long_lists.hpp"
 #include "check/types/maps.hpp"
 #include "check/types/matrices.hpp"
+#include "check/types/types.hpp"
 
 namespace armlet::lang {
 
@@ -82,11 +84,18 @@ hir::Expr* check_type_member(Checker& checker, const ast::MemberExpr& member,
                              std::string_view name) {
   const std::string_view field = member.member.text;
   if (const Type* type = declared_type(checker, name); type != nullptr && type->is(Kind::kEnum)) {
+    note_type_use(checker, *type, member.object->span);
     const EnumInfo& info = *type->enumeration;
     const auto value = [&](std::int64_t i) {
       return checker.make<hir::IntExpr>(hir::ExprKind::kEnum, type, member.span, i);
     };
-    if (const int i = checker.shared.structs.value_index(info, field); i >= 0) return value(i);
+    if (const int i = checker.shared.structs.value_index(info, field); i >= 0) {
+      if (checker.shared.learnt != nullptr) {
+        checker.shared.learnt->use(
+            member.member.span, checker.shared.learnt->value_of(info, static_cast<std::size_t>(i)));
+      }
+      return value(i);
+    }
     if (field == "values") return enum_values(checker, type, member.span);
     Diagnostic diagnostic =
         make_diagnostic("E0218", member.member.span, {std::string(name), std::string(field)});
@@ -110,6 +119,13 @@ hir::Expr* check_type_member(Checker& checker, const ast::MemberExpr& member,
 
 }  // namespace
 
+void note_field_use(Checker& checker, const Type& record, std::size_t field, Span name) {
+  if (checker.shared.learnt == nullptr) return;
+  const StructDecl* declared = checker.shared.structs.find(&record);
+  if (declared != nullptr && field < declared->node->fields.size())
+    checker.shared.learnt->use(name, declared->node->fields[field].name.span);
+}
+
 hir::Expr* field_of(Checker& checker, hir::Expr* object, const ast::MemberExpr& member) {
   const std::string_view field = member.member.text;
   const Type* type = object->type;
@@ -124,6 +140,7 @@ hir::Expr* field_of(Checker& checker, hir::Expr* object, const ast::MemberExpr& 
   if (type->is(Kind::kRecord)) {
     const int i = checker.shared.structs.field_index(*type->record, field);
     if (i < 0) return unknown_field(checker, *object, member.member);
+    note_field_use(checker, *type, static_cast<std::size_t>(i), member.member.span);
     return checker.make<hir::FieldExpr>(hir::ExprKind::kField, type->record->fields[i].type,
                                         member.span, object, static_cast<std::uint32_t>(i));
   }

@@ -11,6 +11,8 @@ hir::Expr* field_of(Checker& checker, hir::Expr* object, const ast::MemberExpr& 
 hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::Name& field);
 hir::Expr* check_index(Checker& checker, const ast::IndexExpr& index);
 hir::Expr* index_value(Checker& checker, const ast::Expr& expr);
+// For editors: the name of field `field` of a struct stands at `name`.
+void note_field_use(Checker& checker, const Type& record, std::size_t field, Span name);
 // "System.out" for a chain of names that are no variables; empty otherwise.
 [[nodiscard]] std::string dotted_name(Checker& checker, const ast::Expr& expr);
 

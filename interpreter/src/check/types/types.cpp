@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/checker.hpp"
+#include "check/learnt.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/types/maps.hpp"
@@ -19,11 +20,21 @@ const Type* type_called(Checker& checker, std::string_view name) {
   return checker.types.library_record(name);
 }
 
+void note_type_use(Checker& checker, const Type& type, Span name) {
+  if (checker.shared.learnt == nullptr) return;
+  Checker* const home = checker.shared.structs.home(&type);
+  if (home != nullptr)
+    checker.shared.learnt->use(name, home->names.declaration_of(type_name(&type)));
+}
+
 namespace {
 
 const Type* resolve_named(Checker& checker, const ast::TypeExpr& type) {
   if (type.path.size() == 1) {
-    if (const Type* found = type_called(checker, type.path[0].text)) return found;
+    if (const Type* found = type_called(checker, type.path[0].text)) {
+      note_type_use(checker, *found, type.span);
+      return found;
+    }
   }
   std::string name;
   for (const ast::Name& part : type.path)

@@ -44,7 +44,7 @@ void StatementRecovery::recover(antlr4::Parser* parser, std::exception_ptr error
   } catch (const antlr4::RecognitionException& cause) {
     at = std::max(at, cause.getOffendingToken()->getTokenIndex());
   }
-  input->seek(std::max(next_statement(ctx->start->getTokenIndex(), at), resume_));
+  input->seek(std::max(next_statement(tokens_, ctx->start->getTokenIndex(), at), resume_));
 }
 
 // Called before every turn of a loop: what starts no statement of a block is reported and skipped.
@@ -54,25 +54,25 @@ void StatementRecovery::sync(antlr4::Parser* parser) {
   while (!may_stand_in_block(input->LA(1)) && input->LA(1) != antlr4::Token::EOF) {
     const std::size_t at = input->index();
     report_(at, at);
-    input->seek(std::max(at + 1, next_statement(at, at)));
+    input->seek(std::max(at + 1, next_statement(tokens_, at, at)));
   }
 }
 
-std::size_t StatementRecovery::next_statement(std::size_t start, std::size_t at) const {
+std::size_t next_statement(const Tokens& tokens, std::size_t start, std::size_t at) {
   std::size_t depth = 0;
-  for (std::size_t i = start; i < tokens_.size(); ++i) {
-    const std::uint16_t type = tokens_[i].type;
+  for (std::size_t i = start; i < tokens.size(); ++i) {
+    const std::uint16_t type = tokens[i].type;
     if (type == kEndOfText) return i;
-    if (depth == 0 && i > start && i >= at && tokens_[i].line_break_before && word_of(type).resumes)
+    if (depth == 0 && i > start && i >= at && tokens[i].line_break_before && word_of(type).resumes)
       return i;
     if (is_opener(type)) ++depth;
     if (is_closer(type) && depth == 0) return i;
     if (is_closer(type)) --depth;
     if (depth > 0 || i < at) continue;
-    if (type == RbtParser::SEMI && tokens_[i + 1].type != RbtParser::ELSE) return i + 1;
-    if (type == RbtParser::RBRACE && !continues_block(tokens_[i + 1].type)) return i + 1;
+    if (type == RbtParser::SEMI && tokens[i + 1].type != RbtParser::ELSE) return i + 1;
+    if (type == RbtParser::RBRACE && !continues_block(tokens[i + 1].type)) return i + 1;
   }
-  return tokens_.size() - 1;
+  return tokens.size() - 1;
 }
 
 }  // namespace armlet::lang

@@ -8,6 +8,9 @@
 
 namespace armlet::lang {
 
+// The first token behind the statement that starts at `start` and has a mistake at `at`.
+[[nodiscard]] std::size_t next_statement(const Tokens& tokens, std::size_t start, std::size_t at);
+
 class StatementRecovery : public antlr4::ANTLRErrorStrategy {
  public:
   // `report(statement, at)`: the statement that starts at the first token cannot go on at the
@@ -26,9 +29,6 @@ class StatementRecovery : public antlr4::ANTLRErrorStrategy {
   void reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) override;
 
  private:
-  // The first token behind the statement that starts at `start` and has a mistake at `at`.
-  [[nodiscard]] std::size_t next_statement(std::size_t start, std::size_t at) const;
-
   const Tokens& tokens_;
   Report report_;
   bool reported_ = false;

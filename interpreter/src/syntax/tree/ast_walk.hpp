@@ -24,6 +24,11 @@ class Parts {
   void part(const Stmt* stmt) {
     if (stmt != nullptr) on_stmt_(*stmt);
   }
+  // Neither expressions nor statements are in these.
+  void part(const Span&) {}
+  void part(const Name&) {}
+  void part(std::string_view) {}
+  void part(const TypeExpr*) {}
   void part(const Arg& arg) { part(arg.value); }
   void part(const FormatPiece& piece) { part(piece.value); }
   void part(const IndexItem& item) { of(item, &IndexItem::first, &IndexItem::last); }

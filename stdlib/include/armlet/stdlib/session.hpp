@@ -58,6 +58,11 @@ class Session {
   // errors and advice of the world's text included, are in problems(). If it was cancelled,
   // R0629 is the only one.
   bool compile(std::string text, std::string name);
+  // What the text means, also if it has mistakes (interpreter/editor/analysis.hpp), for the robot
+  // and the world of the session; the program that was compiled last stays. The world is always
+  // described for it. `before` is the analysis of a text that is much alike, or null.
+  [[nodiscard]] std::shared_ptr<const Analysis> analyse(
+      std::string text, std::string name, const std::shared_ptr<const Analysis>& before = nullptr);
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
   [[nodiscard]] const Program* program() const { return compilation_.program.get(); }
   // throws  ArgumentError before the first compile().
@@ -100,6 +105,7 @@ class Session {
   bool come_to_rest(const Budget& budget);
   void end_run();
   void give_up();
+  [[nodiscard]] CompileOptions compile_options(Host& host) const;
 
   const Engine& engine_;
   SessionOptions options_;

@@ -1,0 +1,100 @@
+// From a text to its analysis: parse, mend, check, put in order.
+
+#include "editor/analyse.hpp"
+
+#include <exception>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "armlet/core/ample_stack.hpp"
+#include "compile/cancelled.hpp"
+#include "compile/load_files.hpp"
+#include "compile/pipeline.hpp"
+#include "editor/facts.hpp"
+
+namespace armlet::lang {
+namespace {
+
+// A fix that was not tried out is a guess.
+std::vector<Diagnostic> as_guesses(std::vector<Diagnostic> all) {
+  for (Diagnostic& diagnostic : all) {
+    if (diagnostic.fix) diagnostic.fix->confidence = Confidence::kMaybe;
+  }
+  return all;
+}
+
+// The messages are about the statements without a mistake; what is learnt is about all of them.
+void check_facts(Facts& facts, const Mended& read, DiagnosticSink& sink) {
+  FileTree& main = facts.files.back();
+  facts.is_whole = main.ok;
+  const auto check = [&](CompiledProgram& into, DiagnosticSink& to, Learnt* learnt) {
+    check_program(facts.files, into, *facts.registry, facts.options, to, learnt);
+  };
+  if (main.ok) {
+    check(facts.compiled, sink, &facts.learnt);
+    return;
+  }
+  if (read.is_readable) {
+    CompiledProgram exact;
+    exact.sources = facts.compiled.sources;
+    check(exact, sink, nullptr);
+  }
+  main.program.body = facts.tree.copy(read.statements);
+  DiagnosticSink quiet(0);
+  check(facts.compiled, quiet, &facts.learnt);
+}
+
+void analyse(Facts& facts, DiagnosticSink& sink, const Facts* before) {
+  Mended main;
+  std::optional<ReadBefore> known;
+  if (before != nullptr && !before->read.empty())
+    known.emplace(before->main().text(), before->read, facts.main().text());
+  facts.files = load_files(*facts.compiled.sources, facts.tree, facts.options, sink, &main,
+                           known ? &*known : nullptr);
+  facts.tokens = std::move(main.tokens);
+  facts.comments = std::move(main.comments);
+  facts.read = std::move(main.read);
+  check_facts(facts, main, sink);
+  facts.signed_ = std::make_unique<Signed>(*facts.registry, *facts.compiled.types);
+  index_facts(facts);
+}
+
+}  // namespace
+
+std::unique_ptr<const Facts> analyse_text(std::shared_ptr<const Registry> registry,
+                                          std::string text, std::string name,
+                                          const CompileOptions& options, const Facts* before) {
+  auto facts = std::make_unique<Facts>();
+  facts->registry = std::move(registry);
+  facts->options = options;
+  facts->compiled.sources = std::make_shared<SourceSet>();
+  facts->compiled.sources->add(name, text);
+  DiagnosticSink sink(options.limits.errors);
+  const auto begin_again = [&] {
+    auto fresh = std::make_unique<Facts>();
+    fresh->registry = facts->registry;
+    fresh->compiled.sources = std::make_shared<SourceSet>();
+    fresh->compiled.sources->add(name, text);
+    facts = std::move(fresh);
+  };
+  try {
+    on_ample_stack([&] { analyse(*facts, sink, before); });
+    facts->diagnostics = as_guesses(sink.take_sorted());
+  } catch (const Cancelled&) {
+    begin_again();
+    facts->cancelled = true;
+    facts->diagnostics = {make_diagnostic("R0629", {})};
+  } catch (const std::bad_alloc&) {
+    begin_again();
+    facts->diagnostics = {defect("the computer has no memory left")};
+  } catch (const std::exception& e) {
+    begin_again();
+    facts->diagnostics = {defect(e.what())};
+  }
+  facts->options.cancelled = nullptr;
+  facts->options.host = nullptr;
+  return facts;
+}
+
+}  // namespace armlet::lang

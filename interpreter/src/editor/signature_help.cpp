@@ -1,0 +1,87 @@
+// The call that a position is in: its overloads and the parameter that is written.
+
+#include <algorithm>
+
+#include "editor/cursor.hpp"
+#include "editor/facts.hpp"
+#include "reference/written_call.hpp"
+
+namespace armlet {
+namespace lang {
+namespace {
+
+using Overload = SignatureHelp::Overload;
+
+// Where parameters stand in "name(a: T, b: U) -> V".
+void find_parameters(Overload& out) {
+  int depth = 0;
+  std::uint32_t begin = 0;
+  for (std::uint32_t i = 0; i < out.text.size(); ++i) {
+    const char c = out.text[i];
+    const bool opens = c == '(' || c == '[' || c == '{';
+    const bool closes = c == ')' || c == ']' || c == '}';
+    if (opens && ++depth == 1) begin = i + 1;
+    if ((c == ',' && depth == 1) || (closes && depth == 1)) {
+      if (i > begin) out.parameters.emplace_back(begin, i);
+      begin = i + 2;
+    }
+    if (closes && --depth == 0) return;
+  }
+}
+
+std::optional<SignatureHelp> help_of_symbol(const Facts& facts, const OpenCall& call,
+                                            const Symbol& symbol) {
+  const std::span<const ast::Param> parameters =
+      symbol.function != nullptr ? std::span<const ast::Param>(symbol.function->params)
+                                 : std::span<const ast::Param>(symbol.structure->fields);
+  Overload one{.text = std::string(symbol.name) + '(', .help = std::string(symbol.doc)};
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (i > 0) one.text += ", ";
+    const auto begin = static_cast<std::uint32_t>(one.text.size());
+    one.text += facts.compiled.sources->slice(parameters[i].span);
+    one.parameters.emplace_back(begin, static_cast<std::uint32_t>(one.text.size()));
+  }
+  one.text += ')';
+  SignatureHelp out{.overloads = {std::move(one)}};
+  const std::size_t at = static_cast<std::size_t>(call.values) + (call.behind_point ? 1 : 0);
+  if (at < parameters.size() && call.setting.empty()) out.parameter = static_cast<int>(at);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!call.setting.empty() && parameters[i].name.text == call.setting)
+      out.parameter = static_cast<int>(i);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<SignatureHelp> signature_help(const Facts& facts, std::uint32_t at) {
+  const Cursor cursor = cursor_at(facts, at);
+  if (!cursor.call || cursor.call->kind == OpenCall::Kind::kBlock) return std::nullopt;
+  const OpenCall& call = *cursor.call;
+  const Symbol* symbol = callee_symbol(facts, call, at);
+  if (symbol != nullptr && (symbol->function != nullptr || symbol->structure != nullptr))
+    return help_of_symbol(facts, call, *symbol);
+  SignatureHelp out;
+  const Learnt::NativeUse* chosen = facts.native_at(call.callee.begin);
+  for (const NativeFunction* function : candidates(facts, call)) {
+    Overload one{.text = std::string(function->name.substr(function->name.rfind('.') + 1)) +
+                         std::string(function->signature),
+                 .help = std::string(function->help)};
+    find_parameters(one);
+    if (chosen != nullptr && chosen->function == function) out.active = out.overloads.size();
+    out.overloads.push_back(std::move(one));
+  }
+  if (out.overloads.empty()) return std::nullopt;
+  out.parameter = parameter_of(facts, call, *candidates(facts, call)[out.active]);
+  return out;
+}
+
+}  // namespace lang
+
+std::optional<SignatureHelp> Analysis::signature_help(std::uint32_t at) const {
+  if (facts_->signed_ == nullptr) return std::nullopt;
+  const std::scoped_lock one_query(facts_->signed_->mutex);
+  return lang::signature_help(*facts_, facts_->place(at));
+}
+
+}  // namespace armlet

@@ -1,0 +1,22 @@
+#include "editor_texts.hpp"
+
+#include <utility>
+
+#include "robot/rules.hpp"
+
+namespace armlet {
+
+std::function<std::vector<std::string>(const NativeFunction&, std::string_view)> editor_texts(
+    std::vector<std::string> planners, std::shared_ptr<const WorldNames> world) {
+  return [planners = std::move(planners), world = std::move(world)](const NativeFunction& function,
+                                                                    std::string_view parameter) {
+    const bool names_object = function.check == bind::check_object_name;
+    const bool makes_trajectory = function.check == &bind::check_trajectory<true> ||
+                                  function.check == &bind::check_trajectory<false>;
+    if (parameter == "traj" || (makes_trajectory && parameter == "name")) return planners;
+    if (names_object && world != nullptr) return world->things;
+    return std::vector<std::string>();
+  };
+}
+
+}  // namespace armlet
