@@ -62,6 +62,7 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
   auto compiled = std::make_unique<CompiledProgram>();
   compiled->sources = std::make_shared<SourceSet>();
   result.sources = compiled->sources;
+  compiled->what_takes_time = registry.what_takes_time();
   compiled->sources->add(std::move(name), std::move(text));
   try {
     CompileOptions once = options;

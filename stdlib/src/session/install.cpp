@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "armlet/interpreter/later.hpp"
+#include "messages/foreign_names.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -56,6 +57,9 @@ std::span<const Chapter> chapters() {
       {.title = "Robots: inverse kinematics as values",
        .functions = ikine_info_functions(),
        .is_mathematics = true},
+      {.title = "Robots: dynamics",
+       .functions = dynamics_functions(),
+       .is_mathematics = true},
       {.title = "Robots: motion", .functions = motion_functions()},
       {.title = "Robots: velocity commands", .functions = velocity_functions()},
       {.title = "Trajectories", .functions = trajectory_functions(), .is_mathematics = true},
@@ -104,6 +108,7 @@ void install(Engine& engine) {
   engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_record("OdeSolution", "t: time[], y: matrix");
   engine.add_messages(bind::kLibraryMessages);
+  engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");
   engine.add_planned(kPlanned);
   for (const bind::Chapter& chapter : bind::chapters())

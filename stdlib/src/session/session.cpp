@@ -1,11 +1,11 @@
 #include "armlet/stdlib/session.hpp"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 #include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
+#include "armlet/core/platform.hpp"
 #include "armlet/interpreter/world_names.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
@@ -64,7 +64,7 @@ class InReach {
   }
   ~InReach() {
     running_.store(before_);
-    while (cancelling_.load() != 0) std::this_thread::yield();
+    while (cancelling_.load() != 0) yield_thread();
     if (before_ != nullptr && cancelled_.load()) before_->cancel();
   }
   InReach(const InReach&) = delete;

@@ -18,6 +18,7 @@
 
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/foreign_name.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/output.hpp"
 #include "armlet/interpreter/run.hpp"
@@ -134,6 +135,11 @@ class Engine {
   // throws  ArgumentError as MessageTables::add.
   Engine& add_messages(std::span<const CatalogEntry> rows);
   [[nodiscard]] const MessageTables& messages() const;
+  // What other languages call names of the library, for messages about unknown names. The texts
+  // outlive the engine.
+  //
+  // throws  ArgumentError for a word that is known already.
+  Engine& add_foreign_names(std::span<const ForeignName> rows);
   // Names that are reserved for what is not there yet: a program that uses one is told so. They
   // must outlive the engine.
   Engine& add_planned(std::span<const std::string_view> names);

@@ -107,6 +107,13 @@ struct AssertInfo {
   std::vector<std::uint16_t> registers;  // of the shown parts
 };
 
+// Names in the text that the host asks for.
+struct UsedNames {
+  std::vector<std::string> functions;                                     // of the library, sorted
+  std::map<std::string, std::vector<std::string>, std::less<>> declared;  // by type
+  bool of_world = false;  // one of the world that is not among the declared
+};
+
 struct CompiledProgram {
   std::shared_ptr<SourceSet> sources;
   std::unique_ptr<Arena> arena;  // hir
@@ -127,9 +134,8 @@ struct CompiledProgram {
   std::vector<const hir::WaitUntilStmt*> waits;
   std::vector<bool> global_is_reference;
   UnsetElements unset;
-  std::vector<std::string> mentioned;  // library functions named in the text, sorted
-  std::map<std::string, std::vector<std::string>, std::less<>> declared_names;  // by type
-  bool uses_world = false;                  // a name that is not among these
+  UsedNames names;
+  std::string what_takes_time;              // in the words of the host: "wait or move"
   const MessageTables* messages = nullptr;  // of the engine, which outlives the program
 
   CompiledProgram() = default;
