@@ -33,6 +33,7 @@ struct RunOptions {
   bool realtime = false;
   bool quiet = false;  // no progress, no summary
   bool plots = false;  // draw the figures in the terminal
+  bool hash = false;   // print the hash of the run
 };
 
 struct EditorOptions {

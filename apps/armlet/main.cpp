@@ -75,6 +75,7 @@ void add_run_options(CLI::App& command, Asked& asked) {
   command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock");
   command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary");
   command.add_flag("--plots", asked.run.plots, "draw the figures of the program in the terminal");
+  command.add_flag("--hash", asked.run.hash, "print a number that tells runs apart, bit for bit");
 }
 
 void add_files_options(CLI::App& command, Asked& asked) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/backend/run_hash.hpp"
 #include "armlet/backend/trace_format.hpp"
 #include "armlet/core/files.hpp"
 #include "armlet/core/format.hpp"
@@ -159,7 +160,7 @@ void show_summary(const Session& session, const std::string& trace, Progress sta
   const Host& host = *session.host();
   const char* how = status == Progress::kDone        ? "finished"
                     : status == Progress::kCancelled ? "stopped by the user"
-                                                      : "ended by an error";
+                                                     : "ended by an error";
   progress(fmt::format("{} at t = {}, {} move{}", how, seconds(to_seconds(host.now_ns())),
                        host.move_count(), host.move_count() == 1 ? "" : "s"));
   const World& world = host.cell().world();
@@ -196,6 +197,8 @@ int run(const RunOptions& options) {
   if (const int exit = trace.choose(options.trace); exit != kDone) return exit;
   if (trace.backend() != nullptr) setup.session.backends.push_back(trace.backend());
   if (options.realtime) setup.session.pace = real_time();
+  RunHash hash;
+  if (options.hash) setup.session.backends.push_back(&hash);
   const bool talks = !json && !options.quiet;
   if (talks) setup.session.on_move = show_move;
   const SourceSet* sources = nullptr;
@@ -218,6 +221,7 @@ int run(const RunOptions& options) {
   if (interrupted() && result.status == Progress::kFailed) result.status = Progress::kCancelled;
   if (result.error && output_is_read()) show(*result.error, session.sources(), json);
   if (options.plots) draw_figures(session);
+  if (options.hash) print_out("hash " + hash.text() + "\n");
   const bool written = finish_output();
   const bool traced = trace.finish() == kDone;
   Figures figures(session);

@@ -1,0 +1,157 @@
+// Where a run pauses changes nothing: examples, scripts with tasks, random programs.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "armlet/backend/run_hash.hpp"
+#include "armlet/core/random.hpp"
+#include "library.hpp"
+#include "random/program.hpp"
+
+using namespace armlet;
+using namespace armlet::oracle;
+namespace fs = std::filesystem;
+
+namespace {
+
+// What a run shows of itself.
+struct Shown {
+  std::string output;
+  std::string hash;
+  std::string ending;
+  std::uint64_t steps = 0;
+  std::int64_t end_ns = 0;
+  bool operator==(const Shown&) const = default;
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+ModuleLoader files_beside(const fs::path& folder) {
+  return [folder](const std::string& path, const std::string& from) {
+    const fs::path file = (folder / fs::path(from).parent_path() / path).lexically_normal();
+    ImportedText out;
+    if (!fs::exists(file)) return out;
+    out.name = fs::relative(file, folder).string();
+    out.text = text_of(file);
+    return out;
+  };
+}
+
+// A program with a session of its own.
+class Subject {
+ public:
+  Subject(const std::string& text, const fs::path& folder, RunLimits limits) {
+    SessionOptions options = at_the_table();
+    options.backends = {&hash_};
+    options.limits = limits;
+    options.load = files_beside(folder);
+    options.output = [this](std::string_view piece) {
+      shown_.output += piece;
+      return std::string();
+    };
+    session_.emplace(library_engine(), std::move(options));
+    compiles_ = session_->compile(text, "program.rbt");
+  }
+
+  [[nodiscard]] bool compiles() const { return compiles_; }
+
+  // next  gives the budget of the next slice for the present time.
+  template <class Next>
+  Shown run(Next next) {
+    hash_ = RunHash();
+    shown_ = {};
+    std::int64_t now_ns = 0;
+    while (session_->run(next(now_ns)) == Progress::kPaused) now_ns = session_->host()->now_ns();
+    const RunResult& result = session_->result();
+    shown_.hash = hash_.text();
+    shown_.steps = result.steps;
+    shown_.end_ns = session_->host()->now_ns();
+    if (result.error) shown_.ending = result.error->code + " " + result.error->message;
+    return shown_;
+  }
+
+ private:
+  RunHash hash_;
+  Shown shown_;
+  std::optional<Session> session_;
+  bool compiles_ = false;
+};
+
+// Short runs step by step; long ones in as many slices as they can be in a test. Times in
+// milliseconds, or a thousandth of a long run.
+void check_slices(Subject& subject, std::uint64_t seed, std::uint64_t most_slices) {
+  const Shown whole = subject.run([](std::int64_t) { return Budget{}; });
+  const std::uint64_t steps = 1 + whole.steps / most_slices;
+  CHECK(subject.run([&](std::int64_t) { return Budget{.until_ns = {}, .steps = steps}; }) == whole);
+  const std::int64_t period =
+      std::max<std::int64_t>(1'000'000, whole.end_ns / static_cast<std::int64_t>(most_slices));
+  const auto every_period = [&](std::int64_t now) { return Budget{.until_ns = now + period}; };
+  if (whole.end_ns > 0) CHECK(subject.run(every_period) == whole);
+  Random random(seed);
+  const auto at_random = [&](std::int64_t now) {
+    Budget budget{.until_ns = {}, .steps = 1 + random.next() % (2 * steps + 7)};
+    if (random.next() % 2 == 0)
+      budget.until_ns = now + static_cast<std::int64_t>(random.next() % (2 * period));
+    return budget;
+  };
+  CHECK(subject.run(at_random) == whole);
+}
+
+void check_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const bool is_module = entry.path().string().find("/modules/") != std::string::npos;
+    // It drives for three years, of which every 10 ms would be told.
+    const bool is_endless = entry.path().filename() == "end_of_time.rbt";
+    if (entry.path().extension() == ".rbt" && !is_module && !is_endless)
+      files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  CHECK(files.size() > 20);
+  int ran = 0;
+  for (const fs::path& file : files) {
+    CAPTURE(file);
+    Subject subject(text_of(file), file.parent_path(), {.steps = 2'000'000});
+    if (!subject.compiles()) continue;
+    ++ran;
+    check_slices(subject, 1, 5000);
+  }
+  CHECK(ran > 20);
+}
+
+std::uint64_t number_from(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+}  // namespace
+
+TEST_CASE("examples tell the same events in slices of any size") {
+  check_files(fs::path(ARMLET_ROOT) / "examples");
+}
+
+TEST_CASE("scripts with tasks tell the same events in slices of any size") {
+  check_files(fs::path(ARMLET_ROOT) / "tests/scripts/tasks");
+}
+
+TEST_CASE("2,000 random programs do the same in slices of any size") {
+  const std::uint64_t first = number_from("ARMLET_FIRST", 1);
+  const std::uint64_t last = number_from("ARMLET_LAST", 2000);
+  for (std::uint64_t number = first; number <= last; ++number) {
+    CAPTURE(number);
+    Subject subject(RandomProgram(number).text(), {}, {.steps = 20'000, .call_depth = 60});
+    REQUIRE(subject.compiles());
+    check_slices(subject, number, 2000);
+  }
+}
