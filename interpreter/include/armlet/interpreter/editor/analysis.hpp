@@ -59,7 +59,7 @@ struct Completion {
 };
 struct Completions {
   Span replaced{};  // the word that is being written
-  // In the order of the language reference, section 21: names in scope, innermost first, then
+  // Names in scope, innermost first, then
   // settings of the call, then the library. Where a setting has its value, names whose type fits
   // come first. All names that can stand here, whatever has been written of the word.
   std::vector<Completion> items{};
