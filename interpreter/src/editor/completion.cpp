@@ -175,7 +175,7 @@ class Completer {
     }
   }
 
-  // joint turn(...): both words are part of the names of their makers.
+  // phase wound(...): both words are part of the names of their makers.
   void add_rows(const std::string& prefix) {
     for (std::string_view name : facts_.registry->public_names()) {
       if (!name.starts_with(prefix)) continue;

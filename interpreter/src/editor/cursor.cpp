@@ -71,7 +71,7 @@ class Around {
     out_.word = {begin, is_closed ? token.end - 1 : out_.at, 0};
   }
 
-  // f"{arm.na|}": bytes, as the text is one token.
+  // f"{left.na|}": bytes, as the text is one token.
   void find_word_in_braces(const Token& token, std::string_view text) {
     const auto at = static_cast<std::size_t>(out_.at - token.begin);
     std::size_t first = at;
@@ -136,7 +136,7 @@ class Around {
     return true;
   }
 
-  // joint turn(: "robot.joint.turn", which makes a row of a block declaration.
+  // phase wound(: "motor.phase.wound", which makes a row of a block declaration.
   std::string row_maker(std::size_t opener) const {
     const std::string name(facts_.text_of(tokens_[opener - 1]));
     const std::string row = '.' + std::string(facts_.text_of(tokens_[opener - 2])) + '.' + name;
@@ -258,7 +258,7 @@ int parameter_of(const Facts& facts, const OpenCall& call, const NativeFunction&
   if (signature.parameters.empty()) return -1;
   std::size_t first = call.behind_point ? 1 : 0;
   if (first == 0 && is_ambient(signature.parameters[0])) {
-    // The first value may be the robot itself, written out.
+    // The first value may be the ambient one, written out.
     first = 1;
     const Type* given = nullptr;
     if (!call.earlier.empty()) {

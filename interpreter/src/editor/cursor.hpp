@@ -14,7 +14,7 @@ namespace armlet::lang {
 // The innermost call, settings or block declaration whose bracket is open.
 struct OpenCall {
   enum class Kind : std::uint8_t { kCall, kWith, kPath, kBlock } kind = Kind::kCall;
-  std::string name{};                     // "moveL", "Math.sin"; kBlock: the type
+  std::string name{};                     // "run", "Math.sin"; kBlock: the type
   Span callee{};                          // the name without what stands in front of a point
   bool behind_point = false;              // x.f(
   bool directly = true;                   // the position is not in a list inside of it

@@ -46,7 +46,7 @@ enum class NameKind : std::uint8_t {
 // What stands at a position.
 struct Hover {
   Span span{};          // of the name or the expression
-  std::string text{};   // "gap: length", "fn place(k: int) -> posC", one line for each overload
+  std::string text{};   // "gap: length", "fn place(k: int) -> length", one line for each overload
   std::string help{};   // what the documentation says; may be empty
   std::string value{};  // "30 mm", where the text alone gives it
   std::vector<std::string> messages{};  // about this position: "E0401: this needs a unit"
@@ -59,7 +59,7 @@ struct Completion {
 };
 struct Completions {
   Span replaced{};  // the word that is being written
-  // In the order of the language reference, section 21: names in scope, innermost first, then
+  // Names in scope, innermost first, then
   // settings of the call, then the library. Where a setting has its value, names whose type fits
   // come first. All names that can stand here, whatever has been written of the word.
   std::vector<Completion> items{};
@@ -68,7 +68,7 @@ struct Completions {
 // The call that a position is in.
 struct SignatureHelp {
   struct Overload {
-    std::string text{};  // "moveL(target: posC, time: time?) -> Move"
+    std::string text{};  // "run(to: point, time: time?) -> Run"
     std::vector<std::pair<std::uint32_t, std::uint32_t>> parameters{};  // bytes of `text`
     std::string help{};
   };
