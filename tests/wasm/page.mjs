@@ -42,6 +42,7 @@ for (let i = 1; i < shown.length; ++i) {
   const step = parseFloat(shown[i].slice(4)) - parseFloat(shown[i - 1].slice(4));
   assert(step >= 0 && step < 0.03, `time goes on by a slice: ${shown[i - 1]}, then ${shown[i]}`);
 }
+const slices = shown.length;
 assert.match(await runPage('moveJ(1);'), /error/);
 assert.match(await runPage('print(1 / 0);\nassert false;'), /error/);
-console.log(`the page ran a program in ${shown.length} slices`);
+console.log(`the page ran a program in ${slices} slices`);

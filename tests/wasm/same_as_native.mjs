@@ -10,10 +10,10 @@ import { Answer, What, loadArmlet } from './armlet_module.mjs';
 const exitStatus = { [Answer.done]: 0, [Answer.failed]: 70 };
 const rejected = 65;
 
-const [command, script, ...rest] = process.argv.slice(2);
+const [command, script, ...rest] = process.argv.slice(2).map((given, i) => (i < 2 ? path.resolve(given) : given));
 let steps = 100_000_000;
 if (rest[0] === '--steps') steps = Number(rest.splice(0, 2)[1]);
-const armlet = await loadArmlet(path.resolve(script));
+const armlet = await loadArmlet(script);
 
 function filesBelow(folder, inside = '') {
   return readdirSync(path.join(folder, inside), { withFileTypes: true }).flatMap((entry) => {
