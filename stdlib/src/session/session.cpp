@@ -126,6 +126,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
+  compile_options.open = false;
   compile_options.cancelled = &cancelled_;
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
@@ -183,6 +184,7 @@ bool Session::compile(std::string text, std::string name) {
   compile_options.host = host.get();
   compile_options.world = world_names_;
   compile_options.load = options_.load;
+  compile_options.open = options_.open;
   compile_options.cancelled = &cancelled_;
   compilation_ = engine_.compile(std::move(text), std::move(name), compile_options);
   const bool has_program = compilation_.program != nullptr;

@@ -24,7 +24,7 @@ std::string refusal(const std::string& before, std::string motion, double time) 
   const std::string text =
       before + "\ntry { " + motion + " } catch (e) { print(e.kind, e.message) }";
   REQUIRE_MESSAGE(session.compile(text, "p.rbt"), text);
-  REQUIRE_MESSAGE(session.run().status == RunStatus::kDone, text);
+  REQUIRE_MESSAGE(session.run().status == Progress::kDone, text);
   return printed;
 }
 
