@@ -1,5 +1,5 @@
 // What a call between host and script costs, in Armlet and through Lua's C interface: the time of
-// one pass of a loop that does nothing else.
+// one pass of a loop that does nothing else. A host that calls by name is compared with lua_pcall.
 
 #include <chrono>
 #include <cstdlib>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "armlet/interpreter/define.hpp"
+#include "armlet/interpreter/host/program_function.hpp"
 #include "bench.hpp"
 
 namespace {
@@ -82,10 +83,23 @@ fn next(x: double) -> double { return 0.5 * x + 1.0 }
 print(timeOf(shrinking), timeOf(mixing), timeOf(limiting), timeOf(stepping), timeOfCalls(next))
 )";
 
-constexpr int kKinds = 5;
-constexpr const char* kNames[kKinds] = {"script calls f(x)", "script calls f(x, y)",
+constexpr int kKinds = 6;
+constexpr const char* kNames[kKinds] = {"script calls f(x)",       "script calls f(x, y)",
                                         "script calls f(x, y, z)", "script calls step(n, up)",
-                                        "host calls f(x)"};
+                                        "host calls f(x) inside",  "host calls f(x) by name"};
+
+// ns of one call between runs, by a host that found the function by its name.
+double time_of_function(Vm& vm) {
+  const auto next = vm.function<double(double)>("next");
+  double x = 0.5;
+  return nanoseconds([&] {
+    for (std::int64_t i = 0; i < kCalls; ++i) {
+      const Answer<double> answer = next(x);
+      if (!answer) std::abort();
+      x = *answer;
+    }
+  });
+}
 
 void time_armlet(const Engine& engine, std::vector<double> (&times)[kKinds]) {
   const Compilation compilation = engine.compile(kProgram, "calls.rbt");
@@ -96,11 +110,12 @@ void time_armlet(const Engine& engine, std::vector<double> (&times)[kKinds]) {
   Vm vm(compilation.program, std::move(options));
   if (vm.run().status != Progress::kDone) std::abort();
   const char* at = printed.c_str();
-  for (auto& kind : times) {
+  for (int kind = 0; kind < kKinds - 1; ++kind) {
     char* end = nullptr;
-    kind.push_back(std::strtod(at, &end));
+    times[kind].push_back(std::strtod(at, &end));
     at = end;
   }
+  times[kKinds - 1].push_back(time_of_function(vm));
 }
 
 // ---- Lua ------------------------------------------------------------------------------------
@@ -149,6 +164,15 @@ void time_lua(lua_State* lua, std::vector<double> (&times)[kKinds]) {
       lua_pushvalue(lua, -1);
       lua_pushnumber(lua, x);
       lua_call(lua, 1, 1);
+      x = lua_tonumber(lua, -1);
+      lua_pop(lua, 1);
+    }
+  }));
+  times[++kind].push_back(nanoseconds([&] {
+    for (std::int64_t i = 0; i < kCalls; ++i) {
+      lua_pushvalue(lua, -1);
+      lua_pushnumber(lua, x);
+      if (lua_pcall(lua, 1, 1, 0) != LUA_OK) std::abort();
       x = lua_tonumber(lua, -1);
       lua_pop(lua, 1);
     }

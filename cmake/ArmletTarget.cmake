@@ -71,6 +71,12 @@ function(armlet_add_library name)
   endif()
 endfunction()
 
+# Fixed alignment and the same bits whatever the instruction set of whoever includes the headers of TARGET.
+function(armlet_use_eigen target)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen)
+  target_compile_definitions(${target} PUBLIC EIGEN_DONT_VECTORIZE)
+endfunction()
+
 # ARMLET_LAYERS are what armlet_add_layer_tests links: what a layer may not use is missing there.
 function(armlet_add_layer name)
   cmake_parse_arguments(ARG "" "" "USES;SOURCES;UNITY" ${ARGN})
@@ -79,6 +85,7 @@ function(armlet_add_layer name)
   armlet_compile_options(armlet_layer_${name})
   target_include_directories(armlet_layer_${name} PRIVATE include src)
   target_link_libraries(armlet_layer_${name} PUBLIC armlet::core)
+  armlet_use_eigen(armlet_layer_${name})
   armlet_group_sources(armlet_layer_${name} ${ARG_UNITY})
   set(layers armlet_layer_${name})
   foreach(used IN LISTS ARG_USES)

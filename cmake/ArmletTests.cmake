@@ -2,6 +2,8 @@
 # armlet_add_layer_tests(LAYER) does so for a layer of the runtime, and links it with those it uses and nothing else.
 # armlet_add_script_tests(FOLDER...) adds one test for every .rbt file below, except those in folders called modules.
 
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
 # Tests use std::regex, in which g++ 12 sees uninitialised variables when it is to check addresses (gcc.gnu.org/PR105562).
 if(ARMLET_SANITIZE)
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
@@ -78,22 +80,37 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
 endfunction()
 
-# Installs this build into a folder of its own, then builds and runs the program in tests/embed against it.
+# Installs this build into a folder of its own, then builds host programs against it and looks at what they print and see:
+# that of tests/embed, the examples, and one of the language alone, from which Eigen is hidden.
 function(armlet_add_embed_test)
   set(prefix ${CMAKE_CURRENT_BINARY_DIR}/installed)
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/embed)
+  add_test(NAME embed.clear COMMAND ${CMAKE_COMMAND} -E rm -rf ${prefix})  # of what is installed no longer
+  set_tests_properties(embed.clear PROPERTIES FIXTURES_SETUP no_package)
+  add_test(NAME embed.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
+  set_tests_properties(embed.install PROPERTIES FIXTURES_SETUP installed_package FIXTURES_REQUIRED no_package)
+  armlet_add_host_test(embed.host ${folder} "" embed_host)
+  set(hosts ${PROJECT_SOURCE_DIR}/examples/embed)
+  armlet_add_host_test(embed.examples ${hosts} ""
+    ${Python3_EXECUTABLE} ${folder}/examples.py ${hosts} ${CMAKE_CURRENT_BINARY_DIR}/embed.examples)
+  if(NOT ARMLET_SANITIZE)  # the libraries of sanitizers show their symbols, and use exceptions
+    armlet_add_host_test(embed.language ${folder}/language_only -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON
+      ${Python3_EXECUTABLE} ${folder}/check_package.py ${CMAKE_CXX_COMPILER} ${prefix} ${CMAKE_CURRENT_BINARY_DIR}/embed.language)
+  endif()
+endfunction()
+
+# Builds the project in SOURCES against the installed package, with one more OPTION, and runs the command.
+function(armlet_add_host_test name sources option)
   set(flags "")
   if(ARMLET_SANITIZE)
     set(flags -fsanitize=${ARMLET_SANITIZE})
   endif()
-  add_test(NAME embed.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
-  add_test(NAME embed.host COMMAND ${CMAKE_CTEST_COMMAND}
-    --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/embed ${CMAKE_CURRENT_BINARY_DIR}/embed
+  add_test(NAME ${name} COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${sources} ${CMAKE_CURRENT_BINARY_DIR}/${name}
     --build-generator ${CMAKE_GENERATOR}
-    --build-options -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-                    -DCMAKE_CXX_FLAGS=${flags}
-    --test-command embed_host)
-  set_tests_properties(embed.install PROPERTIES FIXTURES_SETUP installed_package)
-  set_tests_properties(embed.host PROPERTIES FIXTURES_REQUIRED installed_package)
+    --build-options -DCMAKE_PREFIX_PATH=${CMAKE_CURRENT_BINARY_DIR}/installed -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                    -DCMAKE_CXX_FLAGS=${flags} ${option}
+    --test-command ${ARGN})
+  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED installed_package)
 endfunction()
 
 # What the sources must be like, what the documents say, and input that nobody would mean.

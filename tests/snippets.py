@@ -15,7 +15,7 @@ import tempfile
 
 BLOCK = re.compile(r"(?:<!-- (?:fails: (\w+)|(later)) -->\n)?```rbt\n(.*?)```", re.DOTALL)
 CPP = re.compile(r"```cpp\n(.*?)```", re.DOTALL)
-HOSTS = ("tests/embed/host.cpp", "tests/unit/host/thermostat_test.cpp")
+HOSTS = ("tests/embed", "tests/unit/host", "examples/embed")
 ERROR = re.compile(r"^error (\w+):", re.MULTILINE)
 
 
@@ -40,7 +40,7 @@ def unindented(text):
 
 
 def check_hosts(root):
-    hosts = [unindented((root / name).read_text()) for name in HOSTS]
+    hosts = [unindented(host.read_text()) for folder in HOSTS for host in (root / folder).rglob("*.cpp")]
     failed = 0
     for match in CPP.finditer((root / "docs" / "embedding.md").read_text()):
         if not any(unindented(match[1]) in host for host in hosts):

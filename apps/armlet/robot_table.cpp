@@ -10,6 +10,7 @@
 #include "armlet/kinematics/closed_form.hpp"
 #include "armlet/kinematics/reach.hpp"
 #include "armlet/math/angles.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/math/rotation.hpp"
 
 namespace armlet::cli {

@@ -15,6 +15,7 @@
 #include "armlet/backend/trace_format.hpp"
 #include "armlet/core/files.hpp"
 #include "armlet/core/format.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/plot/braille.hpp"
 #include "armlet/plot/svg.hpp"
 #include "armlet/stdlib/install.hpp"

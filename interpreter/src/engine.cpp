@@ -6,6 +6,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/define_type.hpp"
+#include "armlet/interpreter/render.hpp"
 #include "compile/code/program.hpp"
 #include "compile/pipeline.hpp"
 #include "editor/analyse.hpp"
@@ -17,7 +18,7 @@ namespace armlet {
 // ---- Engine
 // -------------------------------------------------------------------------------------------------------
 
-Engine::Engine() : registry_(std::make_unique<lang::Registry>()) {}
+Engine::Engine() : registry_(std::make_shared<Vocabulary>()) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
@@ -123,10 +124,19 @@ std::shared_ptr<const Analysis> Engine::analyse(
 
 std::vector<std::string> Engine::check_signatures() const { return registry_->check_signatures(); }
 
+// ---- Compilation
+// --------------------------------------------------------------------------------------------------
+
+std::string Compilation::text() const {
+  std::string out;
+  for (const Diagnostic& diagnostic : diagnostics) out += render_text(diagnostic, *sources);
+  return out;
+}
+
 // ---- Program
 // ------------------------------------------------------------------------------------------------------
 
-Program::Program(std::unique_ptr<lang::CompiledProgram> compiled)
+Program::Program(std::unique_ptr<Code> compiled)
     : compiled_(std::move(compiled)) {}
 Program::~Program() = default;
 

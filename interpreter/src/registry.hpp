@@ -15,17 +15,13 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/foreign_name.hpp"
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/type.hpp"
 #include "types/signature.hpp"
-
-namespace armlet {
-struct Definition;
-class TypeDefinition;
-}  // namespace armlet
 
 namespace armlet::lang {
 
@@ -109,3 +105,5 @@ class Registry {
 };
 
 }  // namespace armlet::lang
+
+struct armlet::Engine::Vocabulary final : lang::Registry {};

@@ -1,4 +1,4 @@
-#include "armlet/interpreter/watchdog.hpp"
+#include "armlet/interpreter/host/watchdog.hpp"
 
 #include <utility>
 

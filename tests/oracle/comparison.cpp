@@ -12,15 +12,13 @@ namespace armlet::oracle {
 
 namespace {
 
-using lang::CompiledProgram;
-
 const std::string kGaveUp = "the oracle gave up: ";
 
 // The same checked program, compiled once more. The first program is no good for anything
 // afterwards.
 std::shared_ptr<const Program> compiled_again(const Program& first, lang::LowerOptions options) {
-  auto& from = const_cast<CompiledProgram&>(first.compiled());
-  auto to = std::make_unique<CompiledProgram>();
+  auto& from = const_cast<Program::Code&>(first.compiled());
+  auto to = std::make_unique<Program::Code>();
   to->sources = from.sources;
   to->arena = std::move(from.arena);
   to->types = std::move(from.types);

@@ -83,6 +83,7 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   for (Checker& file : checkers) refuse_active_statements(file);
   report_later(main);
   if (!sink.has_errors()) finish_usage(main);
+  if (options.open) shared.top_level.open();
   run_imports_first(main);
   finish(shared, into);
   return !sink.has_errors();

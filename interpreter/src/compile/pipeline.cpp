@@ -19,7 +19,7 @@ namespace {
 
 // A program that passed all checks; null if there were errors.
 std::shared_ptr<const Program> build(const Registry& registry,
-                                     std::unique_ptr<CompiledProgram> compiled,
+                                     std::unique_ptr<Program::Code> compiled,
                                      const CompileOptions& options, LowerOptions lowering,
                                      DiagnosticSink& sink) {
   Arena tree;
@@ -58,7 +58,7 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
                          const CompileOptions& options, LowerOptions lowering) {
   Compilation result;
   DiagnosticSink sink(options.limits.errors);
-  auto compiled = std::make_unique<CompiledProgram>();
+  auto compiled = std::make_unique<Program::Code>();
   compiled->sources = std::make_shared<SourceSet>();
   result.sources = compiled->sources;
   compiled->what_takes_time = registry.what_takes_time();

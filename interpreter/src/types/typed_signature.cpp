@@ -123,6 +123,32 @@ std::string difference(const std::string& what, const ValueKind& said, const Val
 
 }  // namespace
 
+bool stands_for(const Type& type, const ValueKind& kind) { return fits(kind_of(type), kind); }
+
+std::string stored_name(const ValueKind& kind) {
+  switch (kind.form) {
+    case Form::kAny:
+      return "Value";
+    case Form::kText:
+      return "std::string";
+    case Form::kReals:
+      return "std::vector<double>";
+    case Form::kHost:
+      return std::string(kind.host->name);
+    case Form::kNothing:
+    case Form::kBool:
+    case Form::kInt:
+    case Form::kReal:
+    case Form::kItems:
+    case Form::kMatrix:
+    case Form::kRecord:
+    case Form::kFunction:
+    case Form::kHosts:
+      return name_in_cpp(kind);
+  }
+  return {};
+}
+
 std::vector<std::string> typed_faults(const NativeFunction& function, const Signature& signature) {
   std::vector<std::string> faults;
   if (function.gives == nullptr) return faults;

@@ -13,4 +13,9 @@ namespace armlet::lang {
 [[nodiscard]] std::vector<std::string> typed_faults(const NativeFunction& function,
                                                     const Signature& signature);
 
+// Whether values of the type are of this kind in C++.
+[[nodiscard]] bool stands_for(const Type& type, const ValueKind& kind);
+// What stores a value of this kind in C++: "std::string", "double".
+[[nodiscard]] std::string stored_name(const ValueKind& kind);
+
 }  // namespace armlet::lang

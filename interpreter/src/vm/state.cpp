@@ -44,7 +44,7 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
       program(compiled),
       options(vm_options),
       natives(compiled.natives.data()),
-      heap(vm_options.limits.heap_bytes),
+      heap(vm_options.limits.heap_bytes, vm_options.memory),
       kernels(owner),
       main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)),
       output_left(vm_options.limits.output_bytes) {
@@ -101,7 +101,7 @@ void VmState::reopen() {
 void VmState::clear() {
   tree.clear();
   recordings.reset();
-  for (Task* task : {&main, condition_task.get()}) {
+  for (Task* task : {&main, condition_task.get(), host_access.task.get()}) {
     while (task != nullptr && task->top > task->frames) leave_frame(*this, *task);
     if (task != nullptr) task->shrink(heap);
   }
@@ -150,7 +150,7 @@ Obj* VmState::character(unsigned char code) {
 
 bool VmState::take_cancellation() {
   if (on_look) on_look();
-  return vm.cancelled_.exchange(false, std::memory_order_relaxed);
+  return vm.take_cancellation();
 }
 
 }  // namespace armlet::lang

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -66,6 +67,16 @@ struct StepMeter {
     settle();
     since_pause = 0;
   }
+  // A call by the host may take as many steps as the program between two pauses, and does not count
+  // among these: what the running chunk has done is booked when it is settled.
+  [[nodiscard]] std::uint64_t begin_call() {
+    const std::uint64_t before = since_pause + static_cast<std::uint64_t>(chunk - left);
+    since_pause = 0 - static_cast<std::uint64_t>(chunk - left);
+    return before;
+  }
+  void end_call(std::uint64_t before) {
+    since_pause = before - static_cast<std::uint64_t>(chunk - left);
+  }
 };
 
 class Recordings;
@@ -93,6 +104,16 @@ struct MissingRow : ListObj {
   std::int64_t index;
   std::uint64_t rows;  // that there are
   const Instr* at;     // where it was looked for
+};
+
+// What the host that owns the Vm asks of it between its runs.
+struct HostAccess {
+  std::unique_ptr<Task> task;          // on which its calls run; null before the first one
+  std::optional<Diagnostic> error;     // of the last call that failed
+  bool all_are_set = false;            // all variables of the top level have values
+  const void* stack_thread = nullptr;  // whose stack is known to be ample from here up to there
+  std::uintptr_t ample_from = 0;
+  std::uintptr_t ample_bytes = 0;
 };
 
 struct VmState {
@@ -134,6 +155,7 @@ struct VmState {
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
   std::unique_ptr<Scheduler> scheduler;    // of the run; null before it
+  HostAccess host_access;
   std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
   std::uint64_t output_left;
@@ -161,3 +183,7 @@ struct VmState {
 };
 
 }  // namespace armlet::lang
+
+struct armlet::Vm::State final : lang::VmState {
+  using VmState::VmState;
+};

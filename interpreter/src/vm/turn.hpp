@@ -5,12 +5,24 @@
 
 namespace armlet::lang {
 
+// Says why the Vm is busy.
+[[noreturn]] void refuse_turn(const void* other);
+
+// throws  ArgumentError if somebody else's turn has not ended.
+inline void begin_turn(VmState& state) {
+  const void* other = nullptr;
+  if (!state.thread.compare_exchange_strong(other, this_thread(), std::memory_order_acquire))
+    [[unlikely]]
+    refuse_turn(other);
+}
+inline void end_turn(VmState& state) { state.thread.store(nullptr, std::memory_order_release); }
+
 // While it lives the program belongs to this thread: its functions can be called.
 class Turn {
  public:
   // throws  ArgumentError if somebody else's has not ended.
-  explicit Turn(VmState& state);
-  ~Turn() { state_.thread.store(nullptr, std::memory_order_release); }
+  explicit Turn(VmState& state) : state_(state) { begin_turn(state); }
+  ~Turn() { end_turn(state_); }
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
 

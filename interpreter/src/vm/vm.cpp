@@ -73,7 +73,7 @@ Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
       options_(require_limits(std::move(options))),
       own_timeline_(options_.timeline == nullptr ? std::make_unique<Clock>() : nullptr),
       timeline_(options_.timeline == nullptr ? own_timeline_.get() : options_.timeline),
-      state_(std::make_unique<lang::VmState>(*this, program_->compiled(), options_)) {}
+      state_(std::make_unique<State>(*this, program_->compiled(), options_)) {}
 
 Vm::~Vm() = default;
 
@@ -121,7 +121,10 @@ namespace {
 // What `when` and `every` start, and conditions, draw from the stream of the task around them.
 lang::Task& source_of_chance(const lang::VmState& state) {
   lang::Task* task = state.running;
-  while (task->watch != nullptr || task == state.condition_task.get()) task = task->parent;
+  while (task->watch != nullptr || task == state.condition_task.get() ||
+         task == state.host_access.task.get()) {
+    task = task->parent;
+  }
   return *task;
 }
 

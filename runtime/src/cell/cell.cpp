@@ -6,6 +6,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "cell/descriptions.hpp"
 
 namespace armlet {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "armlet/core/error.hpp"
 #include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "kernels.hpp"
 
 // What the functions of the layer check of their arguments and results.

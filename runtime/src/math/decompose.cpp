@@ -10,6 +10,7 @@
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "armlet/math/check_finite.hpp"
 #include "math/decompose_checks.hpp"
 
 namespace armlet {

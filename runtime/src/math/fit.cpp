@@ -7,6 +7,7 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "math/solvers.hpp"
 
 namespace armlet {

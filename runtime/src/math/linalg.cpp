@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/decompose.hpp"
 
 namespace armlet {

@@ -6,6 +6,7 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 
 namespace armlet {
 namespace {

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 
 namespace armlet {
 namespace {

@@ -5,7 +5,9 @@
 #include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/math/angles.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/det_math.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/math/rotation.hpp"
 
 namespace armlet {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/polynomial.hpp"
 

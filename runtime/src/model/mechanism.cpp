@@ -8,6 +8,8 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
+#include "armlet/math/check_finite.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/math/pose.hpp"
 #include "validate.hpp"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 
 namespace armlet {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
+#include "armlet/math/check_finite.hpp"
 
 namespace armlet {
 namespace {

@@ -1,6 +1,7 @@
 #include "armlet/trajectory/joint_move.hpp"
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 
 namespace armlet {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/pose.hpp"
 
 namespace armlet {

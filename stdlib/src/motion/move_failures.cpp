@@ -12,6 +12,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/det_math.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/math/pose.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"

@@ -8,6 +8,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
 #include "messages/library_messages.hpp"
 #include "motion/move_failures.hpp"

@@ -128,6 +128,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   CompileOptions compile_options;
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
+  compile_options.open = false;
   compile_options.cancelled = &cancelled_;
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
@@ -176,6 +177,7 @@ CompileOptions Session::compile_options(Host& host) const {
   out.host = &host;
   out.world = world_names_;
   out.load = options_.load;
+  out.open = options_.open;
   out.cancelled = &cancelled_;
   return out;
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"

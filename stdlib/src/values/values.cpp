@@ -7,6 +7,7 @@
 
 #include "armlet/cell/cell.hpp"
 #include "armlet/core/format.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/stdlib/robot_text.hpp"

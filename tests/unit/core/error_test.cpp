@@ -26,16 +26,10 @@ TEST_CASE("a wrong size is reported with both sizes") {
   CHECK_NOTHROW(check_size("q", 6, 6));
 }
 
-TEST_CASE("a value that is not finite is reported with its place") {
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2, 3);
-  CHECK_NOTHROW(check_finite("A", A));
-  A(1, 2) = NAN;
-  CHECK(message_of([&] { check_finite("A", A); }) ==
-        "Element (1, 2) of `A` is nan; it must be a finite number.");
+TEST_CASE("a value that is not finite is reported") {
+  CHECK_NOTHROW(check_finite("t", 1e300));
   CHECK(message_of([] { check_finite("t", -INFINITY); }) ==
         "`t` is -inf; it must be a finite number.");
-  CHECK(message_of([] { check_finite("q", Eigen::Vector2d(0.0, INFINITY)); }) ==
-        "Element 1 of `q` is inf; it must be a finite number.");
 }
 
 TEST_CASE("zero is not positive") {

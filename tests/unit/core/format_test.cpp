@@ -18,9 +18,3 @@ TEST_CASE("lengths are shown in millimetres and angles in degrees") {
   CHECK(format_mm(0.9) == "900 mm");
   CHECK(format_deg(-2.6599) == "-152.4 deg");
 }
-
-TEST_CASE("vectors are shown in brackets") {
-  CHECK(format_vector(Eigen::Vector3d(0.1, 2.0, -3.25)) == "(0.1, 2, -3.25)");
-  CHECK(format_vector(Eigen::VectorXd()) == "()");
-  CHECK(format_point_mm({0.18, -0.2642, 0.02}) == "(180, -264.2, 20) mm");
-}

@@ -154,7 +154,7 @@ inline std::unique_ptr<Checked> check_text(const std::string& text,
   FileTree file{.program = {}, .ok = parsed.ok};
   file.program.span = {0, static_cast<std::uint32_t>(text.size()), 0};
   file.program.body = tree.copy(parsed.statements);
-  out->ok = check_program({&file, 1}, out->program, registry, {}, sink) && parsed.ok;
+  out->ok = check_program({&file, 1}, out->program, registry, {.open = false}, sink) && parsed.ok;
   out->messages = sink.take_sorted();
   return out;
 }

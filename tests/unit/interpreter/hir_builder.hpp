@@ -11,7 +11,7 @@ namespace armlet::lang {
 
 class HirBuilder {
  public:
-  HirBuilder() : program(std::make_unique<CompiledProgram>()) {
+  HirBuilder() : program(std::make_unique<Program::Code>()) {
     program->sources = std::make_shared<SourceSet>();
     program->sources->add("built.rbt", "by hand");
     program->arena = std::make_unique<Arena>();
@@ -170,7 +170,7 @@ class HirBuilder {
   }
 
   // The program, complete: ready for `lower`.
-  std::unique_ptr<CompiledProgram> finish(const std::vector<hir::Stmt*>& body) {
+  std::unique_ptr<Program::Code> finish(const std::vector<hir::Stmt*>& body) {
     main->body = block(body);
     program->module.main = main;
     program->module.functions = copy(functions);
@@ -179,7 +179,7 @@ class HirBuilder {
     return std::move(program);
   }
 
-  std::unique_ptr<CompiledProgram> program;
+  std::unique_ptr<Program::Code> program;
   hir::Function* main = nullptr;
   hir::Function* owner = nullptr;  // of the variables made from now on
 

@@ -204,7 +204,7 @@ Definition def(std::string signature, F function, std::string help, std::string 
                const CallOptions& options = {}) {
   if constexpr (std::is_pointer_v<F> || std::is_member_pointer_v<F>) {
     if (function == nullptr)
-      throw ArgumentError("There is no function behind `" + signature + "`.");
+      refuse_argument("There is no function behind `" + signature + "`.");
   }
   struct Kept {
     std::string signature, help, example;

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/interpreter/binding/stored.hpp"
 #include "armlet/interpreter/define.hpp"
 
 namespace armlet {
@@ -108,32 +109,6 @@ template <class T, class... More>
 inline constexpr bool kTakesFirst<T, std::tuple<T, More...>> = true;
 template <class T, class... More>
 inline constexpr bool kTakesFirst<T, std::tuple<Vm&, const T&, More...>> = true;
-
-// How a function takes what an assignable field stores.
-template <class V>
-struct Stored {
-  using Type = const V&;
-};
-template <SlotNumber V>
-struct Stored<V> {
-  using Type = V;
-};
-template <>
-struct Stored<std::string> {
-  using Type = std::string_view;
-};
-template <>
-struct Stored<std::vector<double>> {
-  using Type = std::span<const double>;
-};
-template <class V, class Part>
-V stored(const Part& part) {
-  if constexpr (std::is_same_v<Part, std::span<const double>>) {
-    return V(part.begin(), part.end());
-  } else {
-    return V(part);
-  }
-}
 
 }  // namespace typed
 

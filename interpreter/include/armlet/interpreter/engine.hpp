@@ -7,6 +7,7 @@
 // Nothing here throws for what a script does.
 
 #include <atomic>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,9 +17,11 @@
 #include <string_view>
 #include <vector>
 
+#include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/foreign_name.hpp"
+#include "armlet/interpreter/host/memory.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/output.hpp"
 #include "armlet/interpreter/run.hpp"
@@ -26,19 +29,13 @@
 
 namespace armlet {
 
-namespace lang {
-struct CompiledProgram;
-class Registry;
-struct VmState;
-struct Callee;
-struct Frame;
-struct Instr;
-struct Task;
-}  // namespace lang
 struct Definition;
 class TypeDefinition;
 class Analysis;
 class MessageTables;
+class Value;
+template <class Signature>
+class ProgramFunction;
 struct WorldNames;
 
 struct ParseLimits {
@@ -67,6 +64,9 @@ struct CompileOptions {
   // For editors: the texts that a parameter of a library function may hold, as far as the host
   // knows them, such as names of things in its world. Null: none.
   std::function<std::vector<std::string>(const NativeFunction&, std::string_view parameter)> texts;
+  // The host can read and set the program's variables by name. Where nobody asks for them, those
+  // that only the top level uses lie in registers.
+  bool open = true;
   // Set to true by the host, from any thread: compiling ends soon, without a program and with the
   // message R0629 alone.
   const std::atomic<bool>* cancelled = nullptr;
@@ -75,7 +75,8 @@ struct CompileOptions {
 // A checked program. Shared by all who run it.
 class Program {
  public:
-  explicit Program(std::unique_ptr<lang::CompiledProgram> compiled);
+  struct Code;  // the interpreter's own
+  explicit Program(std::unique_ptr<Code> compiled);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -91,10 +92,10 @@ class Program {
   [[nodiscard]] std::string disassemble() const;
   // The type of a record of the library, such as Move, in this program.
   [[nodiscard]] const Type* library_record(std::string_view name) const;
-  [[nodiscard]] const lang::CompiledProgram& compiled() const { return *compiled_; }
+  [[nodiscard]] const Code& compiled() const { return *compiled_; }
 
  private:
-  std::unique_ptr<lang::CompiledProgram> compiled_;
+  std::unique_ptr<Code> compiled_;
 };
 
 struct Compilation {
@@ -102,6 +103,9 @@ struct Compilation {
   std::shared_ptr<const SourceSet> sources;  // also when it failed
   std::vector<Diagnostic> diagnostics;       // errors and advice in the order of the text
   bool cancelled = false;
+
+  // All messages as people read them.
+  [[nodiscard]] std::string text() const;
 };
 
 class Engine {
@@ -160,10 +164,11 @@ class Engine {
   // Every declared signature that cannot be read, with the reason; empty if all is well (for
   // tests).
   [[nodiscard]] std::vector<std::string> check_signatures() const;
-  [[nodiscard]] const lang::Registry& registry() const { return *registry_; }
+  struct Vocabulary;  // the interpreter's own
+  [[nodiscard]] const Vocabulary& registry() const { return *registry_; }
 
  private:
-  std::shared_ptr<lang::Registry> registry_;  // programs keep it too
+  std::shared_ptr<Vocabulary> registry_;  // programs keep it too
 };
 
 struct VmOptions {
@@ -171,12 +176,13 @@ struct VmOptions {
   Timeline* timeline = nullptr;                   // null: a clock without a world
   void* host = nullptr;                           // what native functions find with Vm::host
   Output output;                                  // what `print` writes
+  Memory memory;                                  // where its values lie; none: of the C library
   std::function<void(const Diagnostic&)> advice;  // advice given while running
 };
 
 class Vm {
  public:
-  Vm(std::shared_ptr<const Program> program, VmOptions options);
+  explicit Vm(std::shared_ptr<const Program> program, VmOptions options = {});
   ~Vm();
   Vm(const Vm&) = delete;
   Vm& operator=(const Vm&) = delete;
@@ -200,7 +206,33 @@ class Vm {
   // step check.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
-  // For native functions.
+  // ---- the program's functions and variables by name, while it is not running
+  // (program_function.hpp, globals.hpp)
+
+  // throws  ArgumentError with both signatures if there is no function of these types; the other
+  //         gives it as a result.
+  template <class Signature>
+  [[nodiscard]] ProgramFunction<Signature> function(std::string_view name);
+  template <class Signature>
+  [[nodiscard]] Result<ProgramFunction<Signature>> try_function(std::string_view name);
+  // Why the last call of one failed, and the same as people read it; null and empty: none has.
+  [[nodiscard]] const Diagnostic* error() const;
+  [[nodiscard]] std::string error_text() const;
+  // A variable of the top level: as a Value, or as a type of C++.
+  //
+  // throws  ArgumentError if there is none with this name and type, it has no value yet, or the
+  //         program runs; the others give that as a result.
+  [[nodiscard]] Value global(std::string_view name);
+  template <class T>
+  [[nodiscard]] T global(std::string_view name);
+  [[nodiscard]] Result<Value> try_global(std::string_view name);
+  void set(std::string_view name, const Value& value);
+  void set(std::string_view name, double number, std::string_view unit);
+  template <class T>  // a type of the host
+  requires(!std::convertible_to<const T&, Value>) void set(std::string_view name, const T& value);
+  [[nodiscard]] std::optional<Error> try_set(std::string_view name, const Value& value);
+
+  // ---- for native functions
   [[nodiscard]] void* host() const { return options_.host; }
   [[nodiscard]] Timeline& timeline() { return *timeline_; }
   [[nodiscard]] const Program& program() const { return *program_; }
@@ -219,7 +251,12 @@ class Vm {
   [[nodiscard]] Random& random();
   // Begins its stream anew, and those of the branches that it starts from here on.
   void seed(std::uint64_t seed);
-  [[nodiscard]] lang::VmState& state() { return *state_; }
+  // Whether somebody has asked to cancel since this was asked last.
+  [[nodiscard]] bool take_cancellation() noexcept {
+    return cancelled_.exchange(false, std::memory_order_relaxed);
+  }
+  struct State;  // the interpreter's own
+  [[nodiscard]] State& state() { return *state_; }
 
  private:
   Progress go_on(std::uint32_t function, const Budget& budget);
@@ -228,10 +265,9 @@ class Vm {
   VmOptions options_;
   std::unique_ptr<Timeline> own_timeline_;
   Timeline* timeline_;
-  std::unique_ptr<lang::VmState> state_;
+  std::unique_ptr<State> state_;
   RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
   std::atomic<bool> cancelled_{false};
-  friend struct lang::VmState;
 };
 
 // A function of the program that the running native function calls, perhaps many times: what all
@@ -252,13 +288,13 @@ class PreparedCall {
   [[nodiscard]] Outcome run() const;
 
  private:
-  lang::VmState& state_;
-  lang::Task& task_;
-  lang::Frame* below_;
-  // The frame of the function, in the order of a frame: it is copied as it lies here.
-  const lang::Instr* code_;
+  // Parts of the machine, which hosts do not see.
+  Vm::State& state_;
+  void* task_;
+  void* below_;
+  const void* code_;
   Slot* window_;
-  const lang::Callee* callee_;
+  const void* callee_;
   ClosureObj* function_;
 };
 

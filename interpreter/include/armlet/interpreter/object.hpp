@@ -148,6 +148,8 @@ struct HostType {
   const HostType* in_cpp = nullptr;
   // What one task at a time may command (resource.hpp); null: no such thing.
   const ResourceWords* resource = nullptr;
+  // Constructs a copy at `to`, for hosts that read such values; null: they cannot be copied.
+  void (*copy)(const void* from, void* to) = nullptr;
 };
 
 // Whether values of the two types are the same in C++.

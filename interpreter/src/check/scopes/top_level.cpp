@@ -19,6 +19,14 @@ void TopLevel::make_global(hir::Variable& variable) {
   if (!uses_.contains(&variable)) inner_globals_.push_back(&variable);
 }
 
+void TopLevel::open() {
+  for (const auto& [variable, init] : entries_) {
+    if (variable->declared.source != 0 || variable->name.empty()) continue;
+    variable->storage = hir::Storage::kGlobal;
+    variable->is_open = true;
+  }
+}
+
 std::vector<hir::Variable*> TopLevel::number_globals() const {
   std::vector<hir::Variable*> out;
   for (const auto& [variable, init] : entries_) {

@@ -26,6 +26,8 @@ class TopLevel {
 
   // Functions use the variable, which may stand in a block of the top level too.
   void make_global(hir::Variable& variable);
+  // Shows those of the main file to the host.
+  void open();
   // All global variables, numbered.
   [[nodiscard]] std::vector<hir::Variable*> number_globals() const;
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/source.hpp"
@@ -16,10 +17,6 @@
 #include "compile/lower/unset.hpp"
 #include "syntax/tree/arena.hpp"
 #include "types/text_style.hpp"
-
-namespace armlet {
-class MessageTables;
-}
 
 namespace armlet::lang {
 
@@ -147,3 +144,5 @@ struct CompiledProgram {
 [[nodiscard]] std::string disassemble(const CompiledProgram& program);
 
 }  // namespace armlet::lang
+
+struct armlet::Program::Code final : lang::CompiledProgram {};

@@ -67,7 +67,8 @@ static std::uint32_t line_of(const Lowering& in, Span span) {
   return sources == nullptr ? 0 : static_cast<std::uint32_t>(sources->position(span).line);
 }
 
-// While a quiet loop runs, nobody else changes the program's variables: they stay in registers.
+// While a quiet loop runs, nobody else changes the program's variables: they stay in registers. A
+// host may change its own between two passes.
 static void pin_globals(Lowering& in, const Summary& summary) {
   if (!in.options.optimise || !summary.quiet) return;
   for (const VariableUse& use : summary.uses) {
@@ -75,6 +76,7 @@ static void pin_globals(Lowering& in, const Summary& summary) {
     Reg reg;
     if (variable.storage != Storage::kGlobal || use.assigned || in.loops.is_pinned(variable, reg))
       continue;
+    if (variable.is_open && !variable.fixed) continue;
     if (use.element && use.whole) continue;
     reg = in.code.number();
     in.code.push(use.element ? OpCode::GOWN : OpCode::GLOAD, reg.bits, variable.index, 0);

@@ -134,7 +134,7 @@ void init_from(Lowering& in, const Variable& variable, Reg value) {
 }
 
 void note_set(Lowering& in, const Variable& variable) {
-  if (variable.storage == Storage::kGlobal && variable.maybe_unset) {
+  if (variable.storage == Storage::kGlobal && (variable.maybe_unset || variable.is_open)) {
     in.code.push(OpCode::GSET, variable.index, 0, 0);
   }
 }

@@ -254,7 +254,13 @@ static std::string bytes_text(std::uint64_t bytes) {
 }
 
 bool raise_out_of_memory(VmState& state) {
-  return raise(state, "R0628", {bytes_text(state.options.limits.heap_bytes)});
+  const Heap& heap = state.heap;
+  if (!heap.was_refused())
+    return raise(state, "R0628", {bytes_text(state.options.limits.heap_bytes)});
+  Diagnostic failure = start_failure(state, "R0628", {bytes_text(heap.reserved())});
+  failure.why = "the host gives no more; the limit of this program is " +
+                bytes_text(state.options.limits.heap_bytes);
+  return raise(state, std::move(failure));
 }
 
 bool raise_out_of_output(VmState& state) {

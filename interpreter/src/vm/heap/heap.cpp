@@ -52,7 +52,7 @@ static const ClosureReferences& references_of(const ClosureObj& closure, std::ui
 }
 
 Heap::~Heap() {
-  for (std::byte* chunk : chunks_) std::free(chunk);
+  for (std::byte* chunk : chunks_) return_block(chunk, kChunk);
 }
 
 void* Heap::take_slowly(std::size_t units) {
@@ -73,6 +73,7 @@ void* Heap::take_slowly(std::size_t units) {
 
 // Dead objects are freed until there is room, and some of them before the heap grows.
 void Heap::make_way(std::uint64_t bytes) {
+  was_refused_ = false;
   if (dead_ != nullptr) reclaim(kReclaimed);
   while (dead_ != nullptr && (bytes > limit_ - std::min(limit_, used_) || !has_room(bytes)))
     reclaim(kReclaimed);
@@ -90,7 +91,7 @@ void* Heap::take_zeros(std::size_t bytes) {
   if (is_refused()) return nullptr;
   make_way(size);
   if (size > limit_ || used_ > limit_ - size || !has_room(size)) return nullptr;
-  void* block = std::calloc(units, kUnit);
+  void* block = obtain(size, true);
   if (block == nullptr) return nullptr;
   used_ += size;
   reserved_ += size;
@@ -109,6 +110,8 @@ bool Heap::charge(std::uint64_t bytes) {
 void* Heap::carve(std::size_t units) {
   const std::size_t bytes = units * kUnit;
   if (static_cast<std::size_t>(chunk_end_ - chunk_at_) < bytes) {
+    // Nothing is lost when that throws.
+    if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 1);
     auto* chunk = static_cast<std::byte*>(reserve(kChunk));
     if (chunk == nullptr) return nullptr;
     chunks_.push_back(chunk);
@@ -128,27 +131,47 @@ bool Heap::has_room(std::size_t bytes) const {
 
 void* Heap::reserve(std::size_t bytes) {
   if (!has_room(bytes)) return nullptr;
-  void* block = std::malloc(bytes);
+  void* block = obtain(bytes, false);
   if (block != nullptr) reserved_ += bytes;
   return block;
 }
 
+// From the host, or from the system.
+void* Heap::obtain(std::size_t bytes, bool zero) {
+  void* block = nullptr;
+  if (memory_.take != nullptr) {
+    block = memory_.take(memory_.context, bytes);
+    if (zero && block != nullptr) std::memset(block, 0, bytes);
+  } else {
+    block = zero ? std::calloc(bytes, 1) : std::malloc(bytes);
+  }
+  was_refused_ = block == nullptr;
+  return block;
+}
+
+void Heap::return_block(void* block, std::size_t bytes) {
+  if (memory_.take != nullptr) return memory_.give_back(memory_.context, block, bytes);
+  std::free(block);
+}
+
 void Heap::free_large(void* block, std::size_t units) {
   reserved_ -= units * kUnit;
-  std::free(block);
+  return_block(block, units * kUnit);
 }
 
 void* Heap::resize(void* block, std::size_t old_bytes, std::size_t new_bytes) {
   const std::size_t old_units = units_of(old_bytes);
   const std::size_t new_units = units_of(new_bytes);
   if (block != nullptr && old_units == new_units) return block;
-  if (block != nullptr && old_units >= kClasses && new_units >= kClasses && refuse_from_ == 0) {
+  const bool may_move = refuse_from_ == 0 && memory_.take == nullptr;
+  if (block != nullptr && old_units >= kClasses && new_units >= kClasses && may_move) {
     if (new_units > old_units) make_way((new_units - old_units) * kUnit);
     const std::uint64_t others = used_ - old_units * kUnit;
     if (new_units * kUnit > limit_ || others > limit_ - new_units * kUnit) return nullptr;
     if (new_units > old_units && !has_room((new_units - old_units) * kUnit)) return nullptr;
     void* moved = std::realloc(block, new_units * kUnit);
-    if (moved == nullptr) return nullptr;
+    was_refused_ = moved == nullptr;
+    if (was_refused_) return nullptr;
     used_ = others + new_units * kUnit;
     reserved_ += (new_units - old_units) * kUnit;
     return moved;

@@ -3,7 +3,7 @@
 // What the heap has from the system stays within 1 % and one chunk of that limit, also when free
 // blocks of one size are of no use for another.
 //
-// Small blocks come from free lists, one per size; large ones from malloc. Destroying an object
+// Small blocks come from free lists, one per size; large ones from the system or from the host. Destroying an object
 // never recurses: dead objects wait in a list threaded through their own headers. Of many only some
 // are freed at once, the others when the next ones die or memory is needed.
 
@@ -13,13 +13,15 @@
 #include <string_view>
 #include <vector>
 
+#include "armlet/interpreter/host/memory.hpp"
 #include "armlet/interpreter/object.hpp"
 
 namespace armlet::lang {
 
 class Heap {
  public:
-  explicit Heap(std::uint64_t limit) : limit_(limit), gate_(limit) {}
+  explicit Heap(std::uint64_t limit, const Memory& memory = {})
+      : memory_(memory), limit_(limit), gate_(limit) {}
   ~Heap();
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
@@ -120,6 +122,9 @@ class Heap {
 
   // Bytes that the heap has from the system.
   [[nodiscard]] std::uint64_t reserved() const { return reserved_; }
+  // Whether the last thing that could not be had is something that the host would not give, below
+  // the limit.
+  [[nodiscard]] bool was_refused() const { return was_refused_; }
 
   // For tests: the n-th allocation from now (1: the next) and `count - 1` after it are refused. 0:
   // none.
@@ -161,6 +166,8 @@ class Heap {
   void free_large(void* block, std::size_t units);
   [[nodiscard]] bool has_room(std::size_t bytes) const;
   [[nodiscard]] void* reserve(std::size_t bytes);
+  [[nodiscard]] void* obtain(std::size_t bytes, bool zero);
+  void return_block(void* block, std::size_t bytes);
   void destroy(Obj* object);
   void reclaim(std::size_t most);
   void make_way(std::uint64_t bytes);
@@ -171,6 +178,8 @@ class Heap {
   void free_object(Obj* object);
   void drop_marks(TextObj& text);
 
+  Memory memory_;
+  bool was_refused_ = false;
   FreeBlock* free_[kClasses] = {};
   Obj* dead_ = nullptr;  // waiting to be freed
   std::uint64_t used_ = 0;

@@ -5,22 +5,14 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/script_function.hpp"
-#include "vm/failures/failures.hpp"
 #include "vm/host/checked.hpp"
-#include "vm/instructions/interpret.hpp"
-#include "vm/instructions/slow_ops.hpp"
-#include "vm/instructions/unset.hpp"
+#include "vm/host/frames.hpp"
 
 namespace armlet {
 
 namespace lang {
 
 namespace {
-
-// Behind the registers of the frame, and the slots there that native calls may use.
-Slot* window_above(const Frame& below) {
-  return below.base + below.callee->registers + VmState::kScratch;
-}
 
 bool has_room(const Task& task, const Frame* below, const Slot* window) {
   return below + 2 < task.frames_end && window < task.slots_end;
@@ -30,13 +22,6 @@ bool fits(const Task& task, const Frame* below, const Slot* window) {
   return below + 2 < task.frames_limit && window < task.slots_limit;
 }
 
-// The host's frame above `below`, which ends the loop when the function above it returns.
-void push_host(const Task& task, Frame* below, Slot* window) {
-  below[1] = {kReturnToHost, window, task.frames->callee, nullptr};
-}
-
-bool count_step(VmState& state) { return --state.steps.left >= 0 || count_slowly(state); }
-
 bool refuse(VmState& state, const Callee& callee, bool deep) {
   if (state.host_calls > VmState::kHostCalls) {
     return raise_too_deep(state, callee, VmState::kHostCalls);
@@ -44,24 +29,6 @@ bool refuse(VmState& state, const Callee& callee, bool deep) {
   if (!count_step(state)) return false;
   return deep ? raise_too_deep(state, callee, state.options.limits.call_depth)
               : raise_out_of_memory(state);
-}
-
-// What the library is given it may read.
-bool check_given(VmState& state, const Callee& callee, Slot result) {
-  if (check_result(state, result, *callee.function->function->result)) return true;
-  state.heap.release(result.o);
-  return false;
-}
-
-// The frame of the function above that; the loop is told where it is.
-[[gnu::always_inline]] inline void push_function(Frame* below, const Frame& function) {
-  below[2] = function;
-  unsigned count = function.callee->references;
-  if (count == 0) [[likely]]
-    return;
-  for (Slot* reference = function.base + function.callee->references_begin; count > 0; --count) {
-    reference++->o = nullptr;
-  }
 }
 
 }  // namespace
@@ -115,7 +82,7 @@ bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
 namespace {
 
 // The machine, when its program may be called here and now.
-lang::VmState& require_running(lang::VmState& state) {
+Vm::State& require_running(Vm::State& state) {
   const void* thread = state.thread.load(std::memory_order_relaxed);
   if (thread == lang::this_thread()) [[likely]]
     return state;
@@ -151,17 +118,20 @@ void require_count(const lang::Callee& callee, std::size_t arguments) {
 
 PreparedCall::PreparedCall(Vm& vm, Obj* function)
     : state_(require_running(vm.state())),
-      task_(*state_.running),
-      below_(task_.top),
-      window_(lang::window_above(*below_)),
+      task_(state_.running),
+      below_(state_.running->top),
+      window_(lang::window_above(*state_.running->top)),
       callee_(&callee_of(state_, function)),
       function_(static_cast<ClosureObj*>(function)) {
-  code_ = callee_->code;
-  const bool has_room = lang::has_room(task_, below_, window_) ||
-                        (lang::fits(task_, below_, window_) &&
-                         task_.grow(state_.heap, below_ + 2, window_, callee_->registers));
+  lang::Task& task = *state_.running;
+  lang::Frame* below = task.top;
+  const lang::Callee& callee = callee_of(state_, function);
+  code_ = callee.code;
+  const bool has_room = lang::has_room(task, below, window_) ||
+                        (lang::fits(task, below, window_) &&
+                         task.grow(state_.heap, below + 2, window_, callee.registers));
   if (++state_.host_calls <= lang::VmState::kHostCalls && has_room) [[likely]] {
-    lang::push_host(task_, below_, window_);  // every call leaves it as it is
+    lang::push_host(task, below, window_);  // every call leaves it as it is
   } else {
     below_ = nullptr;  // run refuses
   }
@@ -171,21 +141,25 @@ PreparedCall::~PreparedCall() { --state_.host_calls; }
 
 PreparedCall::Outcome PreparedCall::run() const {
   lang::VmState& state = state_;
-  if (below_ == nullptr) [[unlikely]]
-    return {lang::refuse(state, *callee_, !lang::fits(task_, task_.top, window_))};
+  lang::Task& task = *static_cast<lang::Task*>(task_);
+  auto* below = static_cast<lang::Frame*>(below_);
+  const auto& callee = *static_cast<const lang::Callee*>(callee_);
+  const auto* code = static_cast<const lang::Instr*>(code_);
+  if (below == nullptr) [[unlikely]]
+    return {lang::refuse(state, callee, !lang::fits(task, task.top, window_))};
   if (!lang::count_step(state)) [[unlikely]]
     return {false};
-  lang::push_function(below_, {code_, window_, callee_, function_});
+  lang::push_function(below, {code, window_, &callee, function_});
   lang::Left left{};
   try {
-    left = lang::interpret(state, task_, below_ + 2, window_, code_);
+    left = lang::interpret(state, task, below + 2, window_, code);
   } catch (...) {
-    left = lang::resume_thrown(state, task_);
+    left = lang::resume_thrown(state, task);
   }
   if (left.exit != lang::Exit::kDone) [[unlikely]]
     return {false};
-  task_.top = below_;
-  if (callee_->checks_result && !lang::check_given(state, *callee_, *window_)) [[unlikely]]
+  task.top = below;
+  if (callee.checks_result && !lang::check_given(state, callee, *window_)) [[unlikely]]
     return {false};
   return {true, left.result};
 }

@@ -6,6 +6,7 @@
 // depends on it. Where nobody supervises, a checkpoint is one comparison.
 
 #include <cstdint>
+#include <utility>
 
 namespace armlet {
 
@@ -20,11 +21,16 @@ class Supervisor {
   [[nodiscard]] virtual bool go_on(std::uint64_t operations) = 0;
 };
 
+namespace detail {
+extern constinit thread_local Supervisor* present_supervisor;
+}
+
 // While it lives, checkpoints in this thread ask `supervisor`, or nobody if it is null.
 class Supervised {
  public:
-  explicit Supervised(Supervisor* supervisor);
-  ~Supervised();
+  explicit Supervised(Supervisor* supervisor)
+      : before_(std::exchange(detail::present_supervisor, supervisor)) {}
+  ~Supervised() { detail::present_supervisor = before_; }
   Supervised(const Supervised&) = delete;
   Supervised& operator=(const Supervised&) = delete;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,6 +14,10 @@ class ArgumentError : public std::invalid_argument {
  public:
   explicit ArgumentError(const std::string& message) : std::invalid_argument(message) {}
 };
+
+// Throws it: headers that say this instead of `throw` can be read by hosts compiled without
+// exceptions.
+[[noreturn]] void refuse_argument(const std::string& message);
 
 // Why a question has no answer.
 //
@@ -48,23 +52,22 @@ class [[nodiscard]] Result {
 
   // The reason. Throws ArgumentError if there is a value.
   const Error& error() const {
-    if (ok()) throw ArgumentError("This result holds a value; it has no error to read.");
+    if (ok()) refuse_argument("This result holds a value; it has no error to read.");
     return std::get<1>(content_);
   }
 
  private:
   void require_value() const {
-    if (!ok()) throw ArgumentError(std::get<1>(content_).message);
+    if (!ok()) refuse_argument(std::get<1>(content_).message);
   }
   std::variant<T, Error> content_;
 };
 
 // Throws ArgumentError "`q` has 5 elements; expected 6." unless given == expected.
-void check_size(std::string_view name, Eigen::Index given, Eigen::Index expected);
+void check_size(std::string_view name, std::ptrdiff_t given, std::ptrdiff_t expected);
 
-// Throws ArgumentError naming the value (and the element) that is not a number or infinite.
+// Throws ArgumentError naming the value that is not a number or infinite.
 void check_finite(std::string_view name, double value);
-void check_finite(std::string_view name, const Eigen::Ref<const Eigen::MatrixXd>& values);
 
 // Throws ArgumentError unless value is a finite number above zero.
 void check_positive(std::string_view name, double value);

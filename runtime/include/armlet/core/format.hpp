@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 
 namespace armlet {
@@ -11,11 +10,5 @@ std::string format_number(double value, int digits = 3);
 // "37.2 mm" from metres and "12.3 deg" from radians, with one decimal at most.
 std::string format_mm(double length);
 std::string format_deg(double angle);
-
-// "(0.1, 2, -3.25)"
-std::string format_vector(const Eigen::VectorXd& values, int digits = 3);
-
-// "(180, -264.2, 20) mm" from metres.
-std::string format_point_mm(const Eigen::Vector3d& p);
 
 }  // namespace armlet

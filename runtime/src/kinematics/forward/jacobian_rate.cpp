@@ -1,5 +1,6 @@
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "chain/walk_out.hpp"
 
 namespace armlet {

@@ -8,6 +8,7 @@
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/manipulability.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "ik_closed.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/trajectory/cartesian_spline.hpp"
 #include "trajectory/planners/planning.hpp"
 

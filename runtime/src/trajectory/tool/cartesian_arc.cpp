@@ -1,4 +1,4 @@
-#include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
 #include "trajectory/tool/curve_plan.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/pose.hpp"
 #include "trajectory/tool/curve_plan.hpp"
 #include "trajectory/tool/line_samples.hpp"

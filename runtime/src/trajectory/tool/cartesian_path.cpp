@@ -7,6 +7,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
 #include "trajectory/timing/smooth_run.hpp"

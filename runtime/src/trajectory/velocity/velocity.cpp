@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/trajectory/verify.hpp"
 #include "trajectory/planners/ramp.hpp"
 #include "trajectory/velocity/take_up.hpp"

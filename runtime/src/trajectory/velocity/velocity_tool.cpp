@@ -5,6 +5,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/trajectory/velocity.hpp"
 #include "trajectory/velocity/velocity_command.hpp"
 #include "trajectory/velocity/velocity_motion.hpp"

@@ -32,6 +32,7 @@ struct SessionOptions {
       default_world;             // used when a program names an object and no world is given
   std::filesystem::path folder;  // below which the program may write files; empty: none
   ParseLimits parse_limits;
+  bool open = false;  // see CompileOptions
   ModuleLoader load;  // files that the program imports; none without it
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session

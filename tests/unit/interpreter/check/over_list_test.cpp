@@ -33,7 +33,7 @@ const Engine& engine() {
 
 ScriptRun run(const std::string& text, bool optimise, const RunLimits& limits = {}) {
   const Compilation compilation =
-      compile_text(engine().registry(), text, "test.rbt", {}, {.optimise = optimise});
+      compile_text(engine().registry(), text, "test.rbt", {.open = false}, {.optimise = optimise});
   for (const Diagnostic& d : compilation.diagnostics) {
     if (d.severity == Severity::kError) FAIL(d.code << ": " << d.message << " in\n" << text);
   }

@@ -28,7 +28,7 @@ hir::Stmt* print_int(HirBuilder& b, hir::Expr* value) {
 }
 
 // What the program prints, after a clean end.
-std::string output_of(std::unique_ptr<CompiledProgram> compiled) {
+std::string output_of(std::unique_ptr<Program::Code> compiled) {
   std::string out;
   VmOptions options;
   options.output = [&](std::string_view text) { out += text; };

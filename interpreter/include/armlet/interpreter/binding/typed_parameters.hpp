@@ -37,6 +37,8 @@ constexpr HostType host_type(std::string_view name, std::string_view help) {
   HostType type{.name = name, .size = sizeof(T), .help = help};
   if constexpr (!std::is_trivially_destructible_v<T>)
     type.destroy = [](void* value) { static_cast<T*>(value)->~T(); };
+  if constexpr (std::is_copy_constructible_v<T>)
+    type.copy = [](const void* from, void* to) { new (to) T(*static_cast<const T*>(from)); };
   if constexpr (requires(const T& a) { bool{a == a}; })
     type.equal = [](const void* a, const void* b) {
       return *static_cast<const T*>(a) == *static_cast<const T*>(b);

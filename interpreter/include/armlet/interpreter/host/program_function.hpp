@@ -1,0 +1,220 @@
+#pragma once
+// Functions of a program as functions of C++, called by the host that owns the Vm:
+//
+//     const auto on_tick = vm.function<double(double)>("on_tick");
+//     if (const Answer<double> power = on_tick(0.001)) use(*power);
+//     else std::cerr << vm.error_text();
+//
+// Parameters and results are double (of a quantity: in SI units), std::int64_t (also an enum),
+// bool, std::string, std::vector<double>, Value, and types of the host; a result may be void. A
+// function may be called whenever the Vm is not running: when the program has ended, and between
+// two slices of its run. It may not take virtual time. It belongs to its Vm, and may be copied.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "armlet/interpreter/answer.hpp"
+#include "armlet/interpreter/binding/stored.hpp"
+#include "armlet/interpreter/binding/typed_results.hpp"
+#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/value.hpp"
+
+namespace armlet {
+
+// What calls of one function have in common; its types have been compared.
+class ReadyFunction {
+ public:
+  static constexpr std::size_t kMostParameters = 16;
+
+  struct Outcome {
+    bool done;            // false: the call failed, and Vm::error says why
+    double result = 0.0;  // if it is a double; sooner than from the slot
+  };
+
+  // takes, gives  what C++ passes and wants.
+  // returns       an error that shows both signatures if there is no such function.
+  static Result<ReadyFunction> find(Vm& vm, std::string_view name, std::span<const ValueKind> takes,
+                                    const ValueKind& gives);
+
+  // Calls the function; its result is left in `result`, and a reference belongs to the caller.
+  //
+  // throws  ArgumentError while the Vm runs: in another thread, or in the function of the host that
+  //         calls this.
+  Outcome run(std::span<const Slot> arguments, Slot& result) const;
+  // The same with at most three arguments, in registers; what is beyond the parameters is not read.
+  Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
+
+  // A call with arguments or a result that are objects: while it lives, the Vm is busy with it.
+  class Call {
+   public:
+    explicit Call(const ReadyFunction& function);
+    ~Call();
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+    template <class T>
+    [[nodiscard]] bool pass(std::size_t parameter, const T& value, Slot& slot);
+    [[nodiscard]] Outcome run(std::span<const Slot> arguments, Slot& result);
+    template <class T>
+    [[nodiscard]] T take(Slot result);
+
+   private:
+    void pass_value(std::size_t parameter, const Value& value, Slot& slot);
+    [[nodiscard]] Value take_value(Slot result);
+    void keep(Obj* object);
+    void fail();
+
+    const ReadyFunction& function_;
+    std::array<Obj*, kMostParameters + 1> kept_{};
+    std::size_t count_ = 0;
+  };
+
+  [[nodiscard]] Vm& vm() const { return *vm_; }
+
+ private:
+  ReadyFunction(Vm& vm, const void* callee) : vm_(&vm), callee_(callee) {}
+
+  Vm* vm_;
+  const void* callee_;  // of the machine
+};
+
+namespace typed {
+
+template <class T>
+constexpr ValueKind passed_kind() {
+  if constexpr (std::is_void_v<T>) {
+    return {ValueKind::Form::kNothing};
+  } else if constexpr (std::is_same_v<T, Value>) {
+    return {};
+  } else {
+    return kStoredKind<T>;
+  }
+}
+
+// As it is written: const std::string& and std::string_view are std::string.
+template <class T>
+using Passed = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, std::string_view> ||
+                                      std::is_same_v<std::decay_t<T>, const char*>,
+                                  std::string, std::remove_cvref_t<T>>;
+
+}  // namespace typed
+
+template <class Signature>
+class ProgramFunction;
+
+template <class Result_, class... Arguments>
+class ProgramFunction<Result_(Arguments...)> {
+  static_assert(sizeof...(Arguments) <= ReadyFunction::kMostParameters);
+
+ public:
+  static Result<ProgramFunction> find(Vm& vm, std::string_view name) {
+    static constexpr std::array<ValueKind, sizeof...(Arguments)> kTakes{
+        typed::passed_kind<typed::Passed<Arguments>>()...};
+    static constexpr ValueKind kGives = typed::passed_kind<Result_>();
+    Result<ReadyFunction> ready = ReadyFunction::find(vm, name, kTakes, kGives);
+    if (!ready) return ready.error();
+    return ProgramFunction(*ready);
+  }
+
+  // throws  ArgumentError while the Vm runs (ReadyFunction::run).
+  Answer<Result_> operator()(const typed::Passed<Arguments>&... arguments) const {
+    if constexpr (kIsPlain) {
+      Slot result{.i = 0};
+      const ReadyFunction::Outcome outcome = run(result, slot_of(arguments)...);
+      if (!outcome.done) return Failed{};
+      if constexpr (std::is_void_v<Result_>) {
+        return {};
+      } else if constexpr (std::is_same_v<Result_, double>) {
+        return outcome.result;
+      } else {
+        return number_in<Result_>(result);
+      }
+    } else {
+      return call(std::index_sequence_for<Arguments...>{}, arguments...);
+    }
+  }
+
+ private:
+  // Numbers need nobody's memory.
+  template <class T>
+  static constexpr bool kIsNumber = SlotNumber<T> || std::is_void_v<T>;
+  static constexpr bool kIsPlain =
+      kIsNumber<Result_> && (kIsNumber<typed::Passed<Arguments>> && ...);
+
+  explicit ProgramFunction(const ReadyFunction& ready) : ready_(ready) {}
+
+  ReadyFunction::Outcome run(Slot& result, Slot first = {.i = 0}, Slot second = {.i = 0},
+                             Slot third = {.i = 0}) const {
+    return ready_.run(first, second, third, result);
+  }
+  template <class... More>
+  requires(sizeof...(More) > 3) ReadyFunction::Outcome run(Slot& result, More... slots)
+  const { return ready_.run(std::array<Slot, sizeof...(More)>{slots...}, result); }
+
+  template <std::size_t... I>
+  Answer<Result_> call(std::index_sequence<I...>,
+                       const typed::Passed<Arguments>&... arguments) const;
+
+  ReadyFunction ready_;
+};
+
+template <class Result_, class... Arguments>
+template <std::size_t... I>
+Answer<Result_> ProgramFunction<Result_(Arguments...)>::call(
+    std::index_sequence<I...>, const typed::Passed<Arguments>&... arguments) const {
+  ReadyFunction::Call call(ready_);
+  std::array<Slot, sizeof...(Arguments)> slots{};
+  Slot result{.i = 0};
+  if (!(call.pass(I, arguments, slots[I]) && ...)) return Failed{};
+  if (!call.run(slots, result).done) return Failed{};
+  if constexpr (std::is_void_v<Result_>) {
+    return {};
+  } else {
+    return call.template take<Result_>(result);
+  }
+}
+
+template <class T>
+bool ReadyFunction::Call::pass(std::size_t parameter, const T& value, Slot& slot) {
+  if constexpr (SlotNumber<T>) {
+    slot = slot_of(value);
+    return true;
+  } else if constexpr (std::is_same_v<T, Value>) {
+    pass_value(parameter, value, slot);
+    return true;
+  } else {
+    if (Given<T>::leave(function_.vm(), value, slot) != Signal::kDone) {
+      fail();
+      return false;
+    }
+    keep(slot.o);
+    return true;
+  }
+}
+
+template <class T>
+T ReadyFunction::Call::take(Slot result) {
+  if constexpr (std::is_same_v<T, Value>) {
+    return take_value(result);
+  } else {
+    if constexpr (!SlotNumber<T>) keep(result.o);
+    return typed::stored_in<T>(function_.vm(), result);
+  }
+}
+
+template <class Signature>
+Result<ProgramFunction<Signature>> Vm::try_function(std::string_view name) {
+  return ProgramFunction<Signature>::find(*this, name);
+}
+template <class Signature>
+ProgramFunction<Signature> Vm::function(std::string_view name) {
+  return try_function<Signature>(name).value();
+}
+
+}  // namespace armlet

@@ -1,0 +1,109 @@
+#pragma once
+// A value of a program as its host holds it: owned by the host, apart from the program and its
+// memory, and copied like any other value of C++.
+//
+//     Value speed = vm.global("speed");
+//     speed.in("mm/s")                          // 200.0; its unit is checked
+//     vm.set("speed", Value(0.2, "m/s"));
+//     vm.set("names", {"left", "right"});
+
+#include <concepts>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "armlet/core/error.hpp"
+#include "armlet/interpreter/object.hpp"
+#include "armlet/interpreter/unit.hpp"
+
+namespace armlet {
+
+class Value {
+ public:
+  // A double, or a quantity in SI units.
+  struct Number {
+    double si = 0.0;
+    Dim dim{};
+    bool operator==(const Number&) const = default;
+  };
+  using List = std::vector<Value>;  // also a table: its rows are records
+  struct Matrix {
+    std::uint32_t rows = 0;
+    std::uint32_t cols = 0;
+    std::vector<double> elements{};  // row by row
+    bool operator==(const Matrix&) const = default;
+  };
+  struct Record {
+    std::string type;
+    std::vector<std::pair<std::string, Value>> fields;
+    bool operator==(const Record&) const;
+  };
+  struct Enum {
+    std::string type;
+    std::string value;
+    bool operator==(const Enum&) const = default;
+  };
+  using Map = std::vector<std::pair<Value, Value>>;  // in the order of insertion
+  // A value of a type of the host.
+  struct Host {
+    const HostType* type = nullptr;
+    std::shared_ptr<const void> value{};
+    bool operator==(const Host&) const;
+  };
+  using Content = std::variant<std::monostate, bool, std::int64_t, Number, std::string, List,
+                               Matrix, Record, Enum, Map, Host>;
+
+  Value() = default;  // nothing
+  Value(bool truth) : content_(truth) {}
+  template <std::integral T>
+  Value(T number) : content_(static_cast<std::int64_t>(number)) {}
+  Value(double number) : content_(Number{number}) {}
+  // throws  ArgumentError if there is no such unit.
+  Value(double number, std::string_view unit);
+  Value(std::string text) : content_(std::move(text)) {}
+  Value(std::string_view text) : content_(std::string(text)) {}
+  Value(const char* text) : content_(std::string(text)) {}
+  Value(const std::vector<double>& numbers);
+  Value(std::initializer_list<Value> items) : content_(List(items)) {}
+  template <class T>
+  requires(!std::same_as<T, Value> && !std::integral<T> &&
+           std::constructible_from<Content, std::in_place_type_t<T>, T>) Value(T content)
+      : content_(std::in_place_type<T>, std::move(content)) {}
+
+  [[nodiscard]] const Content& content() const { return content_; }
+  // Null if it is of another kind: get_if<Value::List>().
+  template <class T>
+  [[nodiscard]] const T* get_if() const {
+    return std::get_if<T>(&content_);
+  }
+  // throws  ArgumentError if it is of another kind.
+  template <class T>
+  [[nodiscard]] const T& get() const {
+    if (const T* content = get_if<T>()) return *content;
+    refuse("what is asked for");
+  }
+  // The number in a unit; without a unit, a double or an int.
+  //
+  // throws  ArgumentError if it is none, or not of this dimension.
+  [[nodiscard]] double in(std::string_view unit = {}) const;
+  // A field of a record.
+  //
+  // throws  ArgumentError if it is no record with this field.
+  [[nodiscard]] const Value& operator[](std::string_view field) const;
+  // "a length", "a list", "a record Pallet": for messages.
+  [[nodiscard]] std::string kind() const;
+
+  bool operator==(const Value&) const = default;
+
+ private:
+  [[noreturn]] void refuse(const std::string& wanted) const;
+
+  Content content_{};
+};
+
+}  // namespace armlet

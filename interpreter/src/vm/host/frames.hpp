@@ -1,0 +1,43 @@
+#pragma once
+// Frames of functions that the host calls.
+
+#include "vm/failures/failures.hpp"
+#include "vm/instructions/interpret.hpp"
+#include "vm/instructions/slow_ops.hpp"
+#include "vm/instructions/unset.hpp"
+
+namespace armlet::lang {
+
+// Behind the registers of the frame, and the slots there that native calls may use.
+[[nodiscard]] inline Slot* window_above(const Frame& below) {
+  return below.base + below.callee->registers + VmState::kScratch;
+}
+
+// The host's frame above `below`, which ends the loop when the function above it returns.
+inline void push_host(const Task& task, Frame* below, Slot* window) {
+  below[1] = {kReturnToHost, window, task.frames->callee, nullptr};
+}
+
+[[nodiscard]] inline bool count_step(VmState& state) {
+  return --state.steps.left >= 0 || count_slowly(state);
+}
+
+// What the library is given it may read.
+[[nodiscard]] inline bool check_given(VmState& state, const Callee& callee, Slot result) {
+  if (check_result(state, result, *callee.function->function->result)) return true;
+  state.heap.release(result.o);
+  return false;
+}
+
+// The frame of the function above that; the loop is told where it is.
+[[gnu::always_inline]] inline void push_function(Frame* below, const Frame& function) {
+  below[2] = function;
+  unsigned count = function.callee->references;
+  if (count == 0) [[likely]]
+    return;
+  for (Slot* reference = function.base + function.callee->references_begin; count > 0; --count) {
+    reference++->o = nullptr;
+  }
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,238 @@
+// Functions of the program, called by the host that owns the Vm.
+
+#include "armlet/interpreter/host/program_function.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "armlet/core/ample_stack.hpp"
+#include "types/typed_signature.hpp"
+#include "vm/host/access.hpp"
+#include "vm/host/frames.hpp"
+#include "vm/host/values.hpp"
+#include "vm/turn.hpp"
+
+namespace armlet {
+
+namespace {
+
+using Outcome = ReadyFunction::Outcome;
+
+// What is asked of a function, as it is written in C++.
+struct Asked {
+  std::span<const ValueKind> takes;
+  const ValueKind& gives;
+
+  [[nodiscard]] std::string text() const {
+    std::string out = lang::stored_name(gives) + '(';
+    for (std::size_t i = 0; i < takes.size(); ++i)
+      out += (i == 0 ? "" : ", ") + lang::stored_name(takes[i]);
+    return out + ')';
+  }
+};
+
+// Why the function cannot be called like that; empty if it can.
+std::string misfit(const lang::hir::Function& function, const Asked& asked) {
+  const std::size_t count = function.parameters.size();
+  if (count != asked.takes.size())
+    return "it has " + std::to_string(count) + (count == 1 ? " parameter" : " parameters") +
+           ", and is given " + std::to_string(asked.takes.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const lang::hir::Variable& parameter = *function.parameters[i];
+    if (!lang::stands_for(*parameter.type, asked.takes[i]))
+      return '`' + std::string(parameter.name) + "` is " + type_phrase(parameter.type) +
+             ", where C++ passes " + lang::stored_name(asked.takes[i]);
+  }
+  const Type* result = function.result;
+  if (lang::stands_for(*result, asked.gives)) return {};
+  return "it gives " + (result->is(Kind::kVoid) ? std::string("nothing") : type_phrase(result)) +
+         ", where C++ wants " + lang::stored_name(asked.gives);
+}
+
+const lang::hir::Function& require_function(const lang::VmState& state, std::string_view name,
+                                            const Asked& asked) {
+  const auto functions = lang::require_functions(state, name);
+  for (const lang::hir::Function* function : functions) {
+    if (misfit(*function, asked).empty()) return *function;
+  }
+  const lang::hir::Function& first = *functions.front();
+  throw ArgumentError('`' + lang::signature_of(first) + "` of the program cannot be called as `" +
+                      asked.text() + "`: " + misfit(first, asked) + '.');
+}
+
+// The host's calls run on a task of their own, so that one of the program may be paused.
+lang::Task& make_task(lang::VmState& state) {
+  std::unique_ptr<lang::Task>& task = state.host_access.task;
+  if (task == nullptr) {
+    const std::uint32_t depth = state.options.limits.call_depth;
+    task = std::make_unique<lang::Task>(depth, lang::ample_slots(depth));
+    task->parent = &state.main;
+    lang::push_host(*task, task->frames, lang::window_above(*task->frames));
+  }
+  return *task;
+}
+
+// While it lives, the host's task is the running one.
+class Running {
+ public:
+  Running(lang::VmState& state, lang::Task& task)
+      : state_(state), before_(state.running), kernels_(&state.kernels) {
+    if (task.host_data != state.main.host_data) task.host_data = state.main.host_data;
+    state.running = &task;
+    ++state.host_calls;
+    steps_ = state.steps.begin_call();
+  }
+  ~Running() {
+    state_.steps.end_call(steps_);
+    --state_.host_calls;
+    state_.running = before_;
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  lang::VmState& state_;
+  lang::Task* before_;
+  std::uint64_t steps_ = 0;  // of the run since it paused last
+  Supervised kernels_;
+};
+
+// Where the arguments of the next call go.
+Slot* window_of(const lang::VmState& state) { return state.host_access.task->frames[1].base; }
+
+// With the arguments in their window.
+[[gnu::always_inline]] inline Outcome run_here(lang::VmState& state, const lang::Callee& callee,
+                                               Slot& result) {
+  lang::Task& task = *state.host_access.task;
+  lang::Frame* below = task.frames;
+  Slot* window = below[1].base;
+  const Running running(state, task);
+  lang::Left left{lang::Exit::kFailed};
+  if (lang::count_step(state)) [[likely]] {
+    lang::push_function(below, {callee.code, window, &callee, nullptr});
+    try {
+      left = lang::interpret(state, task, below + 2, window, callee.code);
+    } catch (...) {
+      left = lang::resume_thrown(state, task);
+    }
+  }
+  task.top = below;
+  result = *window;
+  if (left.exit == lang::Exit::kDone && callee.checks_result &&
+      !lang::check_given(state, callee, result)) [[unlikely]]
+    left.exit = lang::Exit::kFailed;
+  if (left.exit == lang::Exit::kDone) [[likely]]
+    return {true, left.result};
+  lang::keep_failure(state);
+  return {false};
+}
+
+[[gnu::cold, gnu::noinline]] Outcome run_elsewhere(lang::VmState& state, const lang::Callee& callee,
+                                                   Slot& result) {
+  Outcome outcome{false};
+  on_ample_stack([&] { outcome = run_here(state, callee, result); });
+  return outcome;
+}
+
+// Whether the present stack is ample; asked of the system only where the last call was elsewhere.
+[[gnu::always_inline]] inline bool has_ample_stack(lang::HostAccess& access) {
+  const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+  if (access.stack_thread == lang::this_thread() && here - access.ample_from < access.ample_bytes)
+      [[likely]]
+    return true;
+  const std::size_t left = stack_left();
+  if (left < kAmpleStack) return false;
+  access.stack_thread = lang::this_thread();
+  access.ample_from = here - (left - kAmpleStack);
+  access.ample_bytes = left - kAmpleStack + 1;
+  return true;
+}
+
+[[gnu::always_inline]] inline Outcome run_in_turn(lang::VmState& state, const lang::Callee& callee,
+                                                  Slot& result) {
+  if (!state.host_access.all_are_set) [[unlikely]]
+    lang::require_values_of_globals(state);
+  if (has_ample_stack(state.host_access)) [[likely]]
+    return run_here(state, callee, result);
+  return run_elsewhere(state, callee, result);
+}
+
+const lang::Callee& callee_of(const void* callee) {
+  return *static_cast<const lang::Callee*>(callee);
+}
+
+const lang::hir::Function& declared(const void* callee) {
+  return *callee_of(callee).function->function;
+}
+
+}  // namespace
+
+Result<ReadyFunction> ReadyFunction::find(Vm& vm, std::string_view name,
+                                          std::span<const ValueKind> takes,
+                                          const ValueKind& gives) {
+  lang::VmState& state = vm.state();
+  try {
+    const lang::Turn turn(state);
+    const lang::hir::Function& function = require_function(state, name, {takes, gives});
+    make_task(state);
+    return ReadyFunction(vm, &state.callees[function.index]);
+  } catch (const ArgumentError& error) {
+    return Error{"function", error.what()};
+  }
+}
+
+Outcome ReadyFunction::run(std::span<const Slot> arguments, Slot& result) const {
+  lang::VmState& state = vm_->state();
+  const lang::Turn turn(state);
+  std::ranges::copy(arguments, window_of(state));
+  return run_in_turn(state, callee_of(callee_), result);
+}
+
+// A window has room for three arguments, however few the function has.
+Outcome ReadyFunction::run(Slot first, Slot second, Slot third, Slot& result) const {
+  lang::VmState& state = vm_->state();
+  const lang::Turn turn(state);
+  Slot* window = window_of(state);
+  window[0] = first;
+  window[1] = second;
+  window[2] = third;
+  return run_in_turn(state, callee_of(callee_), result);
+}
+
+// ---- calls with objects
+
+ReadyFunction::Call::Call(const ReadyFunction& function) : function_(function) {
+  lang::begin_turn(function.vm().state());
+}
+
+ReadyFunction::Call::~Call() {
+  lang::VmState& state = function_.vm().state();
+  for (std::size_t i = 0; i < count_; ++i) state.heap.release(kept_[i]);
+  lang::end_turn(state);
+}
+
+Outcome ReadyFunction::Call::run(std::span<const Slot> arguments, Slot& result) {
+  lang::VmState& state = function_.vm().state();
+  std::ranges::copy(arguments, window_of(state));
+  return run_in_turn(state, callee_of(function_.callee_), result);
+}
+
+void ReadyFunction::Call::keep(Obj* object) { kept_[count_++] = object; }
+
+void ReadyFunction::Call::fail() { lang::keep_failure(function_.vm().state()); }
+
+void ReadyFunction::Call::pass_value(std::size_t parameter, const Value& value, Slot& slot) {
+  const lang::hir::Variable& variable = *declared(function_.callee_).parameters[parameter];
+  slot = lang::slot_of_value(function_.vm().state(), value, *variable.type,
+                             '`' + std::string(variable.name) + '`');
+  if (variable.type->is_reference()) keep(slot.o);
+}
+
+Value ReadyFunction::Call::take_value(Slot result) {
+  const lang::hir::Function& function = declared(function_.callee_);
+  if (function.result->is_reference()) keep(result.o);
+  return lang::value_in(result, *function.result,
+                        "The result of `" + std::string(function.name) + '`');
+}
+
+}  // namespace armlet

@@ -1,0 +1,251 @@
+#include "armlet/interpreter/host/program_function.hpp"
+
+#include <atomic>
+#include <random>
+#include <stdexcept>
+#include <thread>
+
+#include "host_support.hpp"
+
+using namespace armlet;
+
+namespace {
+
+struct Gear {
+  double ratio = 1.0;
+  [[nodiscard]] bool operator==(const Gear&) const = default;
+};
+Gear make_gear(double ratio) { return {ratio}; }
+
+Engine engine_with_gears() {
+  Engine engine;
+  engine.define(type<Gear>("Gear", "Two wheels.")
+                    .constructor("(ratio: double)", &make_gear, "Of this ratio.", "Gear(2.0)")
+                    .field("ratio", &Gear::ratio, "Of the speeds."));
+  return engine;
+}
+
+}  // namespace
+
+TEST_CASE("a function of the program is called by its name and type") {
+  Hosted host(R"(
+    var calls = 0
+    fn half(x: double) -> double { calls += 1
+      return 0.5 * x }
+    fn times(n: int, s: string) -> string { var out = ""
+      for (i in range(n)) { out = out + s }
+      return out }
+    fn mean(xs: double[]) -> double { var all = 0.0
+      for (x in xs) { all += x }
+      return all / xs.length }
+    fn squares(n: int) -> double[] { var out: double[] = []
+      for (i in range(n)) { out.push(double(i * i)) }
+      return out }
+    fn is_even(n: int) -> bool { return n % 2 == 0 }
+    fn stop(v: speed, a: double) -> length { return 2s * v / a }
+    fn note(what: string) { print(what) }
+  )");
+  const auto half = host.vm.function<double(double)>("half");
+  for (int i = 0; i < 10; ++i) CHECK(*half(i) == 0.5 * i);
+  CHECK(host.vm.global<std::int64_t>("calls") == 10);
+  CHECK(*host.vm.function<std::string(std::int64_t, std::string_view)>("times")(3, "ab") ==
+        "ababab");
+  CHECK(*host.vm.function<double(std::vector<double>)>("mean")({1.0, 2.0, 6.0}) == 3.0);
+  CHECK(*host.vm.function<std::vector<double>(std::int64_t)>("squares")(4) ==
+        std::vector<double>{0.0, 1.0, 4.0, 9.0});
+  CHECK(*host.vm.function<bool(std::int64_t)>("is_even")(4));
+  CHECK(*host.vm.function<double(double, double)>("stop")(3.0, 2.0) == 3.0);  // SI units
+  CHECK(host.vm.function<void(const std::string&)>("note")("said"));
+  CHECK(host.printed == "said\n");
+}
+
+TEST_CASE("a function that is asked for wrongly is refused with both signatures") {
+  Hosted host("fn on_tick(dt: time, gear: int) -> double { return 1.0 }\nfn none() { }");
+  Vm& vm = host.vm;
+  CHECK(refusal([&] { static_cast<void>(vm.function<double(double)>("on_tick")); }) ==
+        "`on_tick(dt: time, gear: int) -> double` of the program cannot be called as "
+        "`double(double)`: it has 2 parameters, and is given 1.");
+  CHECK(refusal([&] { static_cast<void>(vm.function<double(double, std::string)>("on_tick")); }) ==
+        "`on_tick(dt: time, gear: int) -> double` of the program cannot be called as "
+        "`double(double, std::string)`: `gear` is an int, where C++ passes std::string.");
+  CHECK(refusal([&] { static_cast<void>(vm.function<std::string()>("none")); }) ==
+        "`none()` of the program cannot be called as `std::string()`: it gives nothing, where C++ "
+        "wants std::string.");
+  CHECK(refusal([&] { static_cast<void>(vm.function<void()>("on_tik")); }) ==
+        "The program has no function `on_tik`; did you mean `on_tick`?");
+  const auto absent = vm.try_function<void()>("on_tik");
+  REQUIRE_FALSE(absent);
+  CHECK(absent.error().message == "The program has no function `on_tik`; did you mean `on_tick`?");
+}
+
+TEST_CASE("a failure of a function is told, and the next call succeeds") {
+  Hosted host(R"(
+    fn at(i: int) -> double { let xs = [1.0, 2.0]
+      return xs[i] }
+  )");
+  const auto at = host.vm.function<double(std::int64_t)>("at");
+  CHECK(host.vm.error() == nullptr);
+  CHECK_FALSE(at(7));
+  REQUIRE(host.vm.error() != nullptr);
+  CHECK(host.vm.error()->code == "R0606");
+  CHECK(host.vm.error_text().find("host.rbt:3:") != std::string::npos);
+  CHECK(*at(1) == 2.0);
+}
+
+TEST_CASE("values of any type go through Value, and those of the host through its types") {
+  const Engine engine = engine_with_gears();
+  Hosted host(R"(
+    struct Stop { name: string = ""
+      at: length = 0mm }
+    fn next(stop: Stop) -> Stop { return Stop(name: stop.name + "!", at: stop.at + 5mm) }
+    fn doubled(g: Gear) -> Gear { return Gear(2 * g.ratio) }
+  )",
+              {}, engine);
+  const Value stop(Value::Record{"Stop", {{"name", "A"}, {"at", Value(1, "cm")}}});
+  const auto next = host.vm.function<Value(Value)>("next")(stop);
+  REQUIRE(next);
+  CHECK((*next)["name"] == "A!");
+  CHECK((*next)["at"].in("mm") == 15.0);
+  CHECK(refusal([&] { static_cast<void>(host.vm.function<Value(Value)>("next")(3)); }) ==
+        "`stop` takes a Stop, and was given an int.");
+  CHECK(*host.vm.function<Gear(Gear)>("doubled")(Gear{1.5}) == Gear{3.0});
+  CHECK(refusal([&] {
+          static_cast<void>(host.vm.function<Gear(double)>("doubled"));
+        }).ends_with("`g` is a Gear, where C++ passes double."));
+}
+
+TEST_CASE("limits hold for each call, and cancelling stops one") {
+  VmOptions options;
+  options.limits.steps = 1000;
+  Hosted host(R"(
+    fn turn(n: int) -> int { var k = 0
+      while (k < n) { k += 1 }
+      return k }
+    fn endless() { while (true) { } }
+    fn waits() { wait(1s) }
+  )",
+              options);
+  const auto turn = host.vm.function<std::int64_t(std::int64_t)>("turn");
+  for (int i = 0; i < 100; ++i) REQUIRE(*turn(900) == 900);  // 90,000 steps in all
+  const auto endless = host.vm.function<void()>("endless");
+  CHECK_FALSE(endless());
+  CHECK(host.vm.error()->code == "R0622");
+  CHECK_FALSE(host.vm.function<void()>("waits")());
+  CHECK(host.vm.error()->message.find("wait") != std::string::npos);
+  host.vm.cancel();
+  CHECK_FALSE(turn(900));
+  CHECK(host.vm.error()->code == "R0629");
+  CHECK(*turn(900) == 900);
+}
+
+TEST_CASE("a call is stopped from another thread") {
+  Hosted host("fn endless() { while (true) { } }", {.limits = {.steps = UINT64_MAX}});
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    host.vm.cancel();
+  });
+  CHECK_FALSE(host.vm.function<void()>("endless")());
+  CHECK(host.vm.error()->code == "R0629");
+  other.join();
+}
+
+TEST_CASE("a Vm that is busy refuses a second user, and stays as it was") {
+  std::atomic<bool> is_inside{false};
+  std::atomic<bool> may_leave{false};
+  Vm* inner = nullptr;
+  std::string re_entered;
+  Engine engine;
+  engine.define(def(
+      "linger()",
+      [&] {
+        is_inside = true;
+        while (!may_leave) std::this_thread::yield();
+      },
+      "Waits for the test.", "linger()"));
+  engine.define(def(
+      "again() -> int",
+      [&]() -> std::int64_t {
+        re_entered =
+            refusal([&] { static_cast<void>(inner->function<std::int64_t()>("three")()); });
+        return 1;
+      },
+      "Calls the program.", "again()"));
+  Hosted host(R"(
+    fn three() -> int { return 3 }
+    fn lingers() { linger() }
+    fn enters() -> int { return again() }
+  )",
+              {}, engine);
+  inner = &host.vm;
+  const auto three = host.vm.function<std::int64_t()>("three");
+  std::thread other([&] { static_cast<void>(host.vm.function<void()>("lingers")()); });
+  while (!is_inside) std::this_thread::yield();
+  const std::string busy = "This Vm runs already, in another thread.";
+  CHECK(refusal([&] { static_cast<void>(three()); }) == busy);
+  CHECK(refusal([&] { static_cast<void>(host.vm.global("x")); }) == busy);
+  CHECK(refusal([&] { host.vm.run({}); }) == busy);
+  may_leave = true;
+  other.join();
+  CHECK(*three() == 3);
+  CHECK(*host.vm.function<std::int64_t()>("enters")() == 1);
+  CHECK(re_entered == "This Vm runs already: a function that it calls cannot run it.");
+  CHECK(*three() == 3);
+}
+
+TEST_CASE("what a function of the host throws is a failure of the program") {
+  Engine engine;
+  engine.define(def(
+      "fuse() -> double", []() -> double { throw std::runtime_error("it is hot"); }, "Blows.",
+      "fuse()"));
+  Hosted host(R"(
+    fn blown() -> double { return fuse() }
+    fn caught() -> string { try { return f"{fuse()}" } catch (e) { return e.message } }
+  )",
+              {}, engine);
+  CHECK_FALSE(host.vm.function<double()>("blown")());
+  CHECK(host.vm.error()->message == "`fuse` failed: it is hot");
+  CHECK(*host.vm.function<std::string()>("caught")() == "`fuse` failed: it is hot");
+}
+
+TEST_CASE("functions are called between two slices, and the run goes on as if they had not been") {
+  const std::string text = R"(
+    var n = 0
+    var sum = 0
+    fn peek() -> int { return 1000 * n + sum % 7 }
+    for (i in range(300)) { n += 1
+      sum += i * i }
+    print(n, sum)
+  )";
+  Hosted whole(text);
+  std::string printed;
+  const Engine engine;
+  Vm vm(compiled(engine, text), {.output = [&](std::string_view part) { printed += part; }});
+  CHECK(refusal([&] { static_cast<void>(vm.function<std::int64_t()>("peek")()); }) ==
+        "The program has not run yet, so nothing in it has a value; run it first.");
+  std::mt19937 random(7);
+  int looks = 0;
+  std::int64_t last = 0;
+  while (vm.run({.steps = 1 + random() % 9}) == Progress::kPaused) {
+    if (!vm.try_global("sum")) continue;  // not yet
+    const auto now = vm.function<std::int64_t()>("peek")();
+    REQUIRE(now);
+    CHECK(*now / 1000 == vm.global<std::int64_t>("n"));
+    CHECK(*now >= last - 6);
+    last = *now;
+    ++looks;
+  }
+  CHECK(looks > 30);
+  CHECK(printed == whole.printed);
+}
+
+TEST_CASE("a function is not called before the variables have values") {
+  const Engine engine;
+  Vm vm(
+      compiled(engine, "wait(1s)\nvar names = [\"a\"]\nfn first() -> string { return names[0] }"));
+  CHECK(vm.run({.until_ns = 0}) == Progress::kPaused);
+  const auto first = vm.function<std::string()>("first");
+  CHECK(refusal([&] { static_cast<void>(first()); }) ==
+        "`names` has no value yet: the program has not come to line 2, where it is declared.");
+  CHECK(vm.run({}) == Progress::kDone);
+  CHECK(*first() == "a");
+}
