@@ -35,6 +35,7 @@ DOCUMENTED = {"docs/architecture.md": ("runtime/src", "interpreter/src", "stdlib
 LARGE = {
     "VmState": "registers of the machine, read by every instruction",
     "Task": "the part of them that is swapped when another task goes on",
+    "Facts": "what an analysis found out, written by analyse.cpp alone and read-only in an Analysis",
     "PlanLink": "the numbers of one link for the recursions of dynamics, written by plan_dynamics.cpp alone",
 }
 

@@ -81,6 +81,43 @@ template <class V, bool kSlides>
   return {none, none, {rate, rate_rate}};
 }
 
+// How far Z_i is shifted along its axis.
+template <class V, bool kSlides, class Motion>
+[[gnu::always_inline]] inline V shift_along(const PlanLink& link, const Motion& motion, int i) {
+  const V d = constant<V>(link.d);
+  return kSlides && link.slides ? d + motion.q(i) : d;
+}
+
+// From the last link to the first: the forces that the loads of the links ask of their joints.
+template <class V, int N, bool kSlides, class Sines, class Motion, class Give>
+[[gnu::always_inline]] inline void bring_in(const DynamicsPlan& plan, const Sines& sines,
+                                            const Motion& motion, const LinkLoad<V>* loads,
+                                            const Give& give) {
+  const int n = N == 0 ? static_cast<int>(plan.n) : N;
+  Triple<V> f = loads[n - 1].f, moment = loads[n - 1].n;
+  downward<N>(
+      n, 1, [&](int i) __attribute__((always_inline)) {
+        const PlanLink& link = plan.links[i];
+        give(i, kSlides && link.slides ? f.z : moment.z);
+        const V sine = sines.sine(i), cosine = sines.cosine(i);
+        if (link.has_d) {
+          const V d = shift_along<V, kSlides>(link, motion, i);
+          moment.x -= d * f.y;
+          moment.y += d * f.x;
+        }
+        f = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, f));
+        moment = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, moment));
+        if (link.has_a) {
+          const V length = constant<V>(link.a);
+          moment.y -= length * f.z;
+          moment.z += length * f.y;
+        }
+        f = f + loads[i - 1].f;
+        moment = moment + loads[i - 1].n;
+      });
+  give(0, kSlides && plan.links[0].slides ? f.z : moment.z);
+}
+
 // Joint forces of a rigid arm, without motors and friction.
 //
 // kSlides   whether there may be sliding joints.
@@ -100,10 +137,6 @@ template <class V, int N, bool kSlides, bool kAccel, class Sines, class Motion, 
   const auto rate_rate = [&](int i) __attribute__((always_inline)) {
     if constexpr (kAccel) return motion.qdd(i);
     return constant<V>(0.0);
-  };
-  const auto shift = [&](int i) __attribute__((always_inline)) {
-    const V d = constant<V>(plan.links[i].d);
-    return kSlides && plan.links[i].slides ? d + motion.q(i) : d;
   };
   Triple<Duo<V>> spin = first_spin<V, kSlides>(plan.links[0], motion.qd(0), rate_rate(0));
   SpinMatrix<V> A(spin);
@@ -133,7 +166,7 @@ template <class V, int N, bool kSlides, bool kAccel, class Sines, class Motion, 
         }
         A = SpinMatrix<V>(spin);
         if (link.has_d) {
-          const V d = shift(i);
+          const V d = shift_along<V, kSlides>(link, motion, i);
           a = {a.x + d * A.xz, a.y + d * A.yz, a.z + d * A.zz};
         }
         if (kSlides && link.slides) {
@@ -142,28 +175,7 @@ template <class V, int N, bool kSlides, bool kAccel, class Sines, class Motion, 
         }
         loads[i] = link_load<V, kSlides>(link, A, a);
       });
-  Triple<V> f = loads[n - 1].f, moment = loads[n - 1].n;
-  downward<N>(
-      n, 1, [&](int i) __attribute__((always_inline)) {
-        const PlanLink& link = plan.links[i];
-        give(i, kSlides && link.slides ? f.z : moment.z);
-        const V sine = sines.sine(i), cosine = sines.cosine(i);
-        if (link.has_d) {
-          const V d = shift(i);
-          moment.x -= d * f.y;
-          moment.y += d * f.x;
-        }
-        f = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, f));
-        moment = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, moment));
-        if (link.has_a) {
-          const V length = constant<V>(link.a);
-          moment.y -= length * f.z;
-          moment.z += length * f.y;
-        }
-        f = f + loads[i - 1].f;
-        moment = moment + loads[i - 1].n;
-      });
-  give(0, kSlides && plan.links[0].slides ? f.z : moment.z);
+  bring_in<V, N, kSlides>(plan, sines, motion, loads, give);
 }
 
 }  // namespace armlet

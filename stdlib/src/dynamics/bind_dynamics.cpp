@@ -1,4 +1,4 @@
-// Forces and accelerations of robots (language reference, 19.4; rulings 30 and 64).
+// Forces and accelerations of robots.
 
 #include <fmt/format.h>
 

@@ -34,9 +34,9 @@ class TypeDefinition;
 class Analysis;
 class MessageTables;
 class Value;
+struct WorldNames;
 template <class Signature>
 class ProgramFunction;
-struct WorldNames;
 
 struct ParseLimits {
   std::uint32_t bytes = 16U << 20U;
@@ -297,5 +297,4 @@ class PreparedCall {
   const void* callee_;
   ClosureObj* function_;
 };
-
 }  // namespace armlet
