@@ -3,7 +3,7 @@
 
 usage: check_mathematics.py COMMAND [--list]
 
-The document has a row for every public function and class of math, chain, model, kinematics and trajectory: what a program calls
+The document has a row for every public function and class of math, chain, model, kinematics, dynamics and trajectory: what a program calls
 to reach it, or why it cannot; and a row for every function of the library's mathematical chapters that has no C++ function
 of its own. --list prints the functions of the headers and of those chapters that are in no row.
 """
@@ -15,7 +15,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "mathematics.md"
-LAYERS = ("math", "chain", "model", "kinematics", "trajectory")
+LAYERS = ("math", "chain", "model", "kinematics", "dynamics", "trajectory")
 
 
 def without_comments(text):

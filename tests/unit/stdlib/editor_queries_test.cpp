@@ -243,9 +243,13 @@ TEST_CASE("every position has a defined answer") {
   CHECK_FALSE(analysis->hover(3).has_value());
 }
 
+static std::uint32_t end_of(const std::string& text) {
+  return static_cast<std::uint32_t>(text.size());
+}
+
 TEST_CASE("between quotes the names of planners and of objects are offered") {
   const std::string planners = "moveJ(home(), traj: \"";
-  CHECK(offers(analysis_of(planners)->completion(planners.size()), "Spline5"));
+  CHECK(offers(analysis_of(planners)->completion(end_of(planners)), "Spline5"));
   const std::string objects = "insertObj(\"\")";
   CHECK(offers(analysis_of(objects)->completion(11), "cube"));
 }
@@ -253,17 +257,17 @@ TEST_CASE("between quotes the names of planners and of objects are offered") {
 TEST_CASE("settings, fitting values, overloads") {
   const std::string call = "let v = 100mm/s\nlet t = 2s\nmoveL(xyz(1mm, 2mm, 3mm), speed: ";
   const auto analysis = analysis_of(call);
-  const Completions list = analysis->completion(call.size());
+  const Completions list = analysis->completion(end_of(call));
   REQUIRE_FALSE(list.items.empty());
   CHECK(list.items[0].text == "v");
-  const auto help = analysis->signature_help(call.size());
+  const auto help = analysis->signature_help(end_of(call));
   REQUIRE(help.has_value());
   REQUIRE(help->parameter >= 0);
   const auto& overload = help->overloads[help->active];
   const auto [begin, end] = overload.parameters[static_cast<std::size_t>(help->parameter)];
   CHECK(overload.text.substr(begin, end - begin) == "speed: speed?");
   const std::string half = "moveL(xyz(1mm, 2mm, 3mm), ";
-  CHECK(offers(analysis_of(half)->completion(half.size()), "blend"));
+  CHECK(offers(analysis_of(half)->completion(end_of(half)), "blend"));
 }
 
 TEST_CASE("a name is not given where it would mean something else") {
