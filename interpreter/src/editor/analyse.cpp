@@ -62,17 +62,18 @@ void analyse(Facts& facts, DiagnosticSink& sink, const Facts* before) {
 
 }  // namespace
 
-std::unique_ptr<const Facts> analyse_text(std::shared_ptr<const Registry> registry,
-                                          std::string text, std::string name,
-                                          const CompileOptions& options, const Facts* before) {
-  auto facts = std::make_unique<Facts>();
+std::unique_ptr<const Analysis::Facts> analyse_text(std::shared_ptr<const Registry> registry,
+                                                    std::string text, std::string name,
+                                                    const CompileOptions& options,
+                                                    const Facts* before) {
+  auto facts = std::make_unique<Analysis::Facts>();
   facts->registry = std::move(registry);
   facts->options = options;
   facts->compiled.sources = std::make_shared<SourceSet>();
   facts->compiled.sources->add(name, text);
   DiagnosticSink sink(options.limits.errors);
   const auto begin_again = [&] {
-    auto fresh = std::make_unique<Facts>();
+    auto fresh = std::make_unique<Analysis::Facts>();
     fresh->registry = facts->registry;
     fresh->compiled.sources = std::make_shared<SourceSet>();
     fresh->compiled.sources->add(name, text);

@@ -6,7 +6,7 @@
 
 namespace armlet {
 
-Analysis::Analysis(std::unique_ptr<const lang::Facts> facts) : facts_(std::move(facts)) {}
+Analysis::Analysis(std::unique_ptr<const Facts> facts) : facts_(std::move(facts)) {}
 Analysis::~Analysis() = default;
 
 const SourceSet& Analysis::sources() const { return *facts_->compiled.sources; }

@@ -131,3 +131,7 @@ void index_facts(Facts& facts);
 [[nodiscard]] std::string described(const Facts& facts, const Symbol& symbol);
 
 }  // namespace armlet::lang
+
+namespace armlet {
+struct Analysis::Facts : lang::Facts {};
+}  // namespace armlet

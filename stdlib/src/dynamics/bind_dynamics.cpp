@@ -197,9 +197,7 @@ constexpr NativeFunction kDynamicsFunctions[] = {
         kInverse, "invDyn([0.0, 0.5, 0.1, 0.0], jointSpeeds(), jointAccels())",
         {.check = check_joint_list<1>}),
     def<forward<Joints>>("fwdDyn(r: robot, q: posJ, qd: double[], tau: double[]) -> double[]",
-                         kForward,
-                         "robots.puma560().fwdDyn(posJ(0deg, 45deg, 180deg, 0deg, 45deg, "
-                         "0deg), zeros(6), zeros(6))"),
+                         kForward, "fwdDyn(joints(), zeros(4), zeros(4))"),
     def<forward<JointList>>(
         "fwdDyn(r: robot, q: double[], qd: double[], tau: double[]) -> double[]", kForward,
         "robots.puma560().fwdDyn(zeros(6), zeros(6), zeros(6))", {.check = check_joint_list<1>}),

@@ -19,10 +19,6 @@
 
 namespace armlet {
 
-namespace lang {
-struct Facts;
-}
-
 // What a name stands for.
 enum class NameKind : std::uint8_t {
   kVariable,
@@ -89,7 +85,8 @@ struct InlayHint {
 
 class Analysis {
  public:
-  explicit Analysis(std::unique_ptr<const lang::Facts> facts);
+  struct Facts;  // what was found out
+  explicit Analysis(std::unique_ptr<const Facts> facts);
   ~Analysis();
   Analysis(const Analysis&) = delete;
   Analysis& operator=(const Analysis&) = delete;
@@ -113,10 +110,10 @@ class Analysis {
   // Types of variables that are declared without one.
   [[nodiscard]] std::vector<InlayHint> inlay_hints() const;
 
-  [[nodiscard]] const lang::Facts& facts() const { return *facts_; }
+  [[nodiscard]] const Facts& facts() const { return *facts_; }
 
  private:
-  std::unique_ptr<const lang::Facts> facts_;
+  std::unique_ptr<const Facts> facts_;
 };
 
 }  // namespace armlet
