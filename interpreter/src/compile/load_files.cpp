@@ -1,9 +1,11 @@
 #include "compile/load_files.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "check/entries/kept.hpp"
 #include "check/names/suggest.hpp"
 #include "syntax/parse.hpp"
 
@@ -15,16 +17,6 @@ constexpr std::size_t kMostFiles = 200;
 
 std::string without_folders(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
-}
-
-// import tools.grip means the file tools/grip.rbt.
-std::string path_of(const ast::ImportStmt& stmt) {
-  std::string path(stmt.path);
-  if (stmt.is_file) return path;
-  for (char& c : path) {
-    if (c == '.') c = '/';
-  }
-  return path + ".rbt";
 }
 
 // What programs of other languages import and what needs no import here.
@@ -47,13 +39,15 @@ std::string files_there(const std::vector<std::string>& names) {
 
 class Loader {
  public:
-  Loader(SourceSet& sources, Arena& tree, const CompileOptions& options, DiagnosticSink& sink)
-      : sources_(sources), tree_(tree), options_(options), sink_(sink) {}
+  Loader(SourceSet& sources, Arena& tree, const CompileOptions& options, DiagnosticSink& sink,
+         const KeptNames* before)
+      : sources_(sources), tree_(tree), options_(options), sink_(sink), before_(before) {}
 
   std::vector<FileTree> run() {
-    bytes_ = sources_[0].text().size();
-    numbers_[sources_[0].name()] = kBeingRead;
-    read(sources_[0]);
+    const Source& main = sources_[sources_.first()];
+    bytes_ = main.text().size();
+    numbers_[main.name()] = kBeingRead;
+    read(main);
     return std::move(files_);
   }
 
@@ -75,12 +69,35 @@ class Loader {
       if (stmt->kind != ast::StmtKind::kImport) continue;
       const auto& import = stmt->as<ast::ImportStmt>();
       sink_.begin_statement();
+      if (const KeptFile* kept = unchanged(import, source)) {
+        file.imports.push_back({&import, -1, kept});
+        continue;
+      }
       path_.push_back({&source, &import});
       file.imports.push_back({&import, follow(source, import)});
       path_.pop_back();
     }
     files_.push_back(std::move(file));
     return numbers_[source.name()] = static_cast<int>(files_.size()) - 1;
+  }
+
+  // The file as an earlier entry has read it; null: none did, or something has changed since.
+  const KeptFile* unchanged(const ast::ImportStmt& import, const Source& from) {
+    if (before_ == nullptr || !options_.load) return nullptr;
+    const ImportedText found = options_.load(path_of(import), from.name());
+    const auto* known = found.text ? before_->imported.find(key_of(found.name)) : nullptr;
+    if (known == nullptr) return nullptr;
+    const KeptFile& newest = *known->back();
+    return is_unchanged(newest, found) ? &newest : nullptr;
+  }
+
+  bool is_unchanged(const KeptFile& file, const ImportedText& found) {
+    const Source& source = sources_[file.span.source];
+    if (source.name() != found.name || source.text() != *found.text) return false;
+    return std::ranges::all_of(file.imports, [&](const KeptFile::KeptImport& import) {
+      const ImportedText inner = options_.load(import.path, source.name());
+      return inner.text && is_unchanged(*import.file, inner);
+    });
   }
 
   // The number of the imported file; -1 after a message.
@@ -104,7 +121,7 @@ class Loader {
     }
     if (!found.text) return refuse_missing(import, path, found);
     bytes_ += found.text->size();
-    const bool many = sources_.size() >= kMostFiles;
+    const bool many = sources_.size() - sources_.first() >= kMostFiles;
     if (many || bytes_ > options_.limits.bytes) {
       const std::string what =
           many ? "more than " + std::to_string(kMostFiles) + " files"
@@ -160,6 +177,7 @@ class Loader {
   Arena& tree_;
   const CompileOptions& options_;
   DiagnosticSink& sink_;
+  const KeptNames* before_;
   std::vector<FileTree> files_;
   std::map<std::string, int> numbers_;                             // of files by name
   std::map<std::pair<std::uint32_t, std::string>, int> followed_;  // by file and what it says
@@ -169,9 +187,18 @@ class Loader {
 
 }  // namespace
 
+std::string path_of(const ast::ImportStmt& stmt) {
+  std::string path(stmt.path);
+  if (stmt.is_file) return path;
+  for (char& c : path) {
+    if (c == '.') c = '/';
+  }
+  return path + ".rbt";
+}
+
 std::vector<FileTree> load_files(SourceSet& sources, Arena& tree, const CompileOptions& options,
-                                 DiagnosticSink& sink) {
-  return Loader(sources, tree, options, sink).run();
+                                 DiagnosticSink& sink, const KeptNames* before) {
+  return Loader(sources, tree, options, sink, before).run();
 }
 
 }  // namespace armlet::lang

@@ -1,6 +1,7 @@
 #pragma once
 // The files of a program: the main one and all that it imports.
 
+#include <string>
 #include <vector>
 
 #include "armlet/interpreter/engine.hpp"
@@ -9,12 +10,20 @@
 
 namespace armlet::lang {
 
-// Reads and parses what the main file, which is sources[0], imports directly or through others.
-// Each file is read once, however often it is imported. A file that cannot be had and files that
-// import each other are told of in `sink`.
+struct KeptNames;
+
+// The path that an import names: import tools.grip means the file tools/grip.rbt.
+[[nodiscard]] std::string path_of(const ast::ImportStmt& stmt);
+
+// Reads and parses what the main file, which is sources[sources.first()], imports directly or
+// through others. Each file is read once, however often it is imported. A file that cannot be had
+// and files that import each other are told of in `sink`.
 //
 // returns  the trees in `tree`, imported files before those that import them, the main file last.
+// before   what the entry before this one has left; null: there is none. A file that an earlier
+//          entry imported is not read again if nothing has changed in it and in what it imports.
 [[nodiscard]] std::vector<FileTree> load_files(SourceSet& sources, Arena& tree,
-                                               const CompileOptions& options, DiagnosticSink& sink);
+                                               const CompileOptions& options, DiagnosticSink& sink,
+                                               const KeptNames* before = nullptr);
 
 }  // namespace armlet::lang

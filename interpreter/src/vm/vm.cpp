@@ -5,6 +5,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/work.hpp"
+#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/tasks/tasks.hpp"
 
@@ -25,6 +26,8 @@ class Clock final : public Timeline {
  private:
   std::int64_t now_ns_ = 0;
 };
+
+constexpr std::size_t kMostShown = 2000;  // bytes of a value; the rest is left out
 
 // A Vm runs once: its variables are those of that run.
 RunResult refuse_second_run() {
@@ -49,16 +52,22 @@ class OnThisThread {
   lang::VmState& state_;
 };
 
-RunResult finish_run(lang::VmState& state, lang::Exit exit) {
+RunResult finish_run(lang::VmState& state, lang::Exit exit, std::uint64_t steps_before) {
   RunResult result;
   state.steps.settle();
-  result.steps = state.steps.total;
+  result.steps = state.steps.total - steps_before;
   if (exit != lang::Exit::kDone) {
     result.status = state.fault->cancelled ? RunStatus::kCancelled : RunStatus::kFailed;
     result.error = std::move(state.fault->diagnostic);
   }
-  state.clear();
-  assert(state.heap.used() == 0 && "every object was released");
+  if (state.newest->is_entry) {
+    lang::finish_entry(state, exit == lang::Exit::kDone);
+    state.fault.reset();
+    state.is_leaving = false;
+  } else {
+    state.clear();
+    assert(state.heap.used() == 0 && "every object was released");
+  }
   return result;
 }
 
@@ -66,17 +75,18 @@ RunResult finish_run(lang::VmState& state, lang::Exit exit) {
 RunResult start(lang::VmState& state, std::uint32_t function) {
   RunResult result;
   const OnThisThread here(state);
+  const std::uint64_t steps_before = state.steps.total;
   on_ample_stack([&] {
     const Supervised kernels(&state.kernels);
     lang::Exit exit = lang::Exit::kFailed;
     try {
       lang::Scheduler scheduler(state);
-      if (state.make_texts()) exit = scheduler.run(function);
+      if (lang::make_texts(state)) exit = scheduler.run(function);
     } catch (...) {  // of the host, where no instruction of the program is to blame
       lang::raise_thrown(state, state.main);
       exit = lang::Exit::kFailed;
     }
-    result = finish_run(state, exit);
+    result = finish_run(state, exit, steps_before);
   });
   return result;
 }
@@ -107,7 +117,48 @@ Vm::~Vm() = default;
 
 RunResult Vm::run() {
   if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  return start(*state_, 0);
+  if (!program_->is_entry()) return start(*state_, 0);
+  if (state_->before == nullptr) state_->before = std::make_unique<lang::Before>(*state_);
+  state_->tree.wake_watches();
+  RunResult result = start(*state_, 0);
+  if (result.status == RunStatus::kDone) done_ = program_;
+  program_ = done_ != nullptr ? done_ : program_;
+  state_->newest = &program_->compiled();
+  return result;
+}
+
+void Vm::begin(std::shared_ptr<const Program> entry) {
+  entry = require_program(std::move(entry));
+  if (state_->thread != nullptr)
+    throw ArgumentError("A new entry can begin only when the one before has ended.");
+  if (!state_->has_run) throw ArgumentError("The entry before has not run; run it first.");
+  if (!entry->is_entry() || !program_->is_entry())
+    throw ArgumentError(
+        "Only entries can follow each other: compile both with CompileOptions::is_entry.");
+  if (entry->after() != done_)
+    throw ArgumentError(
+        "This entry was compiled behind another one than the newest that has run here: give that "
+        "one "
+        "as CompileOptions::after.");
+  state_->has_run = false;
+  state_->before = std::make_unique<lang::Before>(*state_);
+  lang::load(*state_, entry->compiled(), state_->before.get());
+  program_ = std::move(entry);
+}
+
+std::optional<EntryValue> Vm::shown() const {
+  const lang::ShownValue* shown = done_ == nullptr ? nullptr : &done_->compiled().shown;
+  if (shown == nullptr || shown->variable == nullptr || shown->is_hidden) return std::nullopt;
+  const lang::hir::Variable& variable = *shown->variable;
+  EntryValue value;
+  if (shown->is_declared) value.name = variable.name;
+  const Slot slot = state_->globals[variable.index];
+  value.text = lang::value_text(slot, *variable.type, kMostShown);
+  if (value.text.size() > kMostShown)
+    value.text = std::string(whole_characters(value.text, kMostShown)) + " ...";
+  if (variable.type->is(Kind::kText)) value.text = '"' + value.text + '"';
+  value.type = type_name(variable.type);
+  return value;
 }
 
 RunResult Vm::run_test(std::size_t index) {

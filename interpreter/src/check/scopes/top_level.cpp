@@ -5,6 +5,7 @@
 namespace armlet::lang {
 
 void TopLevel::add(hir::Variable* variable, hir::InitStmt* init, Use use) {
+  if (keeps_all_) variable->storage = hir::Storage::kGlobal;
   entries_.push_back({variable, init});
   uses_[variable] = std::move(use);
 }

@@ -16,6 +16,9 @@ class TopLevel {
     hir::InitStmt* init;
   };
 
+  // An entry: all variables stay for the entries behind it.
+  void keep_all() { keeps_all_ = true; }
+
   // use: what its first value mentions.
   void add(hir::Variable* variable, hir::InitStmt* init, Use use);
   [[nodiscard]] std::size_t count() const { return entries_.size(); }
@@ -30,6 +33,7 @@ class TopLevel {
   [[nodiscard]] std::vector<hir::Variable*> number_globals() const;
 
  private:
+  bool keeps_all_ = false;
   std::vector<Entry> entries_;
   std::unordered_map<const hir::Variable*, Use> uses_;
   std::vector<hir::Variable*> inner_globals_;  // of blocks

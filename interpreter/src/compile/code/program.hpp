@@ -19,7 +19,8 @@
 
 namespace armlet {
 class MessageTables;
-}
+class Program;
+}  // namespace armlet
 
 namespace armlet::lang {
 
@@ -107,7 +108,20 @@ struct AssertInfo {
   std::vector<std::uint16_t> registers;  // of the shown parts
 };
 
+// The last statement of an entry, if it has a value to be shown.
+struct ShownValue {
+  const hir::Variable* variable = nullptr;  // which has the value; null: there is none
+  bool is_declared = false;                 // the statement declares it; otherwise it is `ans`
+  bool is_hidden = false;                   // a semicolon follows
+};
+
+struct KeptNames;
+
 struct CompiledProgram {
+  CompiledProgram();
+  // An entry of a session; after: the one before it, or null.
+  explicit CompiledProgram(std::shared_ptr<const Program> after);
+
   std::shared_ptr<SourceSet> sources;
   std::unique_ptr<Arena> arena;  // hir
   std::unique_ptr<TypePool> types;
@@ -125,14 +139,20 @@ struct CompiledProgram {
   std::vector<AssertInfo> asserts;
   std::vector<const hir::AssertThrowsStmt*> expects;
   std::vector<const hir::WaitUntilStmt*> waits;
-  std::vector<bool> global_is_reference;
   UnsetElements unset;
   std::vector<std::string> mentioned;  // library functions named in the text, sorted
   std::map<std::string, std::vector<std::string>, std::less<>> declared_names;  // by type
   bool uses_world = false;                  // a name that is not among these
   const MessageTables* messages = nullptr;  // of the engine, which outlives the program
 
-  CompiledProgram() = default;
+  // ---- entries of sessions
+  bool is_entry = false;
+  mutable std::shared_ptr<const Program> after;  // the entry before; null: there is none
+  std::unique_ptr<Arena> syntax;  // of functions and structs, which later calls check
+  bool keeps_syntax = false;
+  std::unique_ptr<const KeptNames> kept;
+  ShownValue shown;
+
   CompiledProgram(const CompiledProgram&) = delete;
   CompiledProgram& operator=(const CompiledProgram&) = delete;
   ~CompiledProgram();

@@ -48,7 +48,8 @@ bool refuse(VmState& state, const Callee& callee, bool deep) {
 
 // What the library is given it may read.
 bool check_given(VmState& state, const Callee& callee, Slot result) {
-  if (check_result(state, result, *callee.function->function->result)) return true;
+  if (check_result(state, callee.program->unset, result, *callee.function->function->result))
+    return true;
   state.heap.release(result.o);
   return false;
 }
@@ -75,7 +76,7 @@ bool make_room(VmState& state, Task& task, const Frame* frame, Slot* window, con
 bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
   Frame* below = running->top;
   Slot* window = window_above(*below);
-  const Callee& callee = callees[function];
+  const Callee& callee = *callees[function].own;
   if (!has_room(*running, below, window) &&
       !make_room(*this, *running, below + 2, window, callee)) {
     return false;
@@ -110,7 +111,8 @@ bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
 
 }  // namespace lang
 
-// A window always has room for arguments (vm/tasks/task.cpp), even when there is none for the frames.
+// A window always has room for arguments (vm/tasks/task.cpp), even when there is none for the
+// frames.
 namespace {
 
 // The machine, when its program may be called here and now.
@@ -135,7 +137,7 @@ std::string function_name(const lang::Callee& callee) {
 }
 
 const lang::Callee& callee_of(const lang::VmState& state, const Obj* function) {
-  return state.callees[require_function(function)->function];
+  return *state.callees[require_function(function)->function].own;
 }
 
 void require_count(const lang::Callee& callee, std::size_t arguments) {

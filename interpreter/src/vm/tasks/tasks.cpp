@@ -7,6 +7,7 @@
 #include "armlet/interpreter/virtual_time.hpp"
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/recordings.hpp"
 
 namespace armlet::lang {
@@ -36,16 +37,25 @@ bool is_quiet(const Task& task) {
 Exit Scheduler::run(std::uint32_t function) {
   state_.running = &state_.main;
   if (!state_.enter(function, nullptr)) return Exit::kFailed;
-  Exit exit = interpret(state_, state_.main).exit;
+  Exit exit = finished(interpret(state_, state_.main).exit);
   while (exit == Exit::kPaused) {
-    exit = run_instant();
+    exit = finished(run_instant());
     if (exit == Exit::kPaused) exit = advance();
   }
-  while (exit == Exit::kDone && state_.main.top > state_.main.frames)
-    leave_frame(state_, state_.main);
-  tree_.abandon(state_.main);
+  if (state_.newest->is_entry) {
+    tree_.rest();
+  } else {
+    tree_.abandon(state_.main);
+  }
   tree_.report_skipped();
   return exit;
+}
+
+// kPaused instead of kDone: an entry has come to the end of its text, and waits for what runs.
+Exit Scheduler::finished(Exit exit) {
+  if (exit != Exit::kDone) return exit;
+  while (state_.main.top > state_.main.frames) leave_frame(state_, state_.main);
+  return !state_.newest->is_entry || end_entry(state_) ? Exit::kDone : Exit::kPaused;
 }
 
 Exit Scheduler::run_instant() {
@@ -145,7 +155,8 @@ Exit Scheduler::resume(Task& task) {
       fault = std::move(branch);
   }
   const std::size_t ending = std::exchange(task.ending, kNoRegion);
-  if (ending != kNoRegion) tree_.close_regions(task, ending);
+  const bool is_end_of_entry = &task == &state_.main && ending == 0 && state_.newest->is_entry;
+  if (ending != kNoRegion && !is_end_of_entry) tree_.close_regions(task, ending);
   Slot nowhere{.i = 0};
   bool failed = fault != nullptr;
   if (failed) {

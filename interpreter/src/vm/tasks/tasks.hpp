@@ -20,6 +20,7 @@ class Scheduler {
  private:
   // Everything that happens at the present instant. kPaused: all tasks wait for a later one.
   Exit run_instant();
+  Exit finished(Exit exit);
   void evaluate_conditions();
   void evaluate(Task& task);
   void evaluate(Watch& watch);
