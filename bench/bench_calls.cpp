@@ -94,7 +94,7 @@ void time_armlet(const Engine& engine, std::vector<double> (&times)[kKinds]) {
   options.output = [&](std::string_view text) { printed += text; };
   if (compilation.program == nullptr) std::abort();
   Vm vm(compilation.program, std::move(options));
-  if (vm.run().status != RunStatus::kDone) std::abort();
+  if (vm.run().status != Progress::kDone) std::abort();
   const char* at = printed.c_str();
   for (auto& kind : times) {
     char* end = nullptr;

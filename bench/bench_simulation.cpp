@@ -33,7 +33,7 @@ Simulated simulate(const Engine& engine, const std::string& text, bool run) {
   Session session(engine, {});
   const bool compiled = session.compile(text, "pick_and_place.rbt");
   if (compiled && !run) return {};
-  if (!compiled || session.run().status != RunStatus::kDone) {
+  if (!compiled || session.run().status != Progress::kDone) {
     std::fprintf(stderr, "The program does not run; try `armlet run`.\n");
     std::exit(1);
   }

@@ -18,6 +18,14 @@ struct KdlJoint {
   double lower = 0.0, upper = 0.0;
 };
 
+// The rigid body behind a joint, in the frame behind Tx(a) Rx(alpha): mass, centre, and inertia about
+// the centre by xx, yy, zz, xy, xz, yz.
+struct KdlBody {
+  double mass = 0.0;
+  std::array<double, 3> com{};
+  std::array<double, 6> inertia{};
+};
+
 // An arm in Orocos KDL. It is compiled apart from Armlet, which lays out Eigen's types without the
 // alignment that the installed KDL library expects. Inputs are handed over before the clock runs.
 class [[gnu::visibility("default")]] KdlArm {

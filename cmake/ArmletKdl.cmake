@@ -17,7 +17,7 @@ endif()
 
 # A shared library with hidden symbols, apart from our targets: the same functions of Eigen exist on both sides, with types
 # laid out differently, and a linker that sees both would take either.
-add_library(kdl_arm SHARED EXCLUDE_FROM_ALL kdl_arm.cpp)
+add_library(kdl_arm SHARED EXCLUDE_FROM_ALL kdl_arm.cpp kdl_dynamics.cpp)
 armlet_compile_options(kdl_arm)
 target_link_libraries(kdl_arm PRIVATE ${kdl} Eigen3::Eigen)
 if(NOT ARMLET_KDL_SOURCE)  # whatever our flags, its Eigen types are aligned as in the installed one

@@ -1,19 +1,36 @@
 # What the runtime needs besides its sources.
 
+# Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions. That of WebAssembly
+# is a C++ library and nothing else.
+if(EMSCRIPTEN)
+  set(platform src/core/bare/)
+  set(urdf_read urdf_none)
+else()
+  set(platform src/core/posix/ ample_stack)
+  set(urdf_read urdf_read)
+endif()
+
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
 function(armlet_compile_wide_kernels)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    foreach(kernels batch/batch closed_form/closed)
-      set_source_files_properties(src/kinematics/${kernels}_avx2.cpp PROPERTIES
+    foreach(kernels kinematics/batch/batch kinematics/closed_form/closed dynamics/batch/dynamics)
+      set_source_files_properties(src/${kernels}_avx2.cpp PROPERTIES
         COMPILE_OPTIONS -mavx2 SKIP_PRECOMPILE_HEADERS ON)
-      set_source_files_properties(src/kinematics/${kernels}_avx512.cpp PROPERTIES
+      set_source_files_properties(src/${kernels}_avx512.cpp PROPERTIES
         COMPILE_OPTIONS "-mavx512f;-mavx512dq" SKIP_PRECOMPILE_HEADERS ON)
+    endforeach()
+  else()  # other processors have no such registers
+    foreach(kernels batch/batch_avx2 batch/batch_avx512 closed_form/closed_avx2 closed_form/closed_avx512)
+      set_source_files_properties(src/kinematics/${kernels}.cpp PROPERTIES HEADER_FILE_ONLY ON)
     endforeach()
   endif()
 endfunction()
 
 # Only the headers are needed here; the library is loaded when the first robot description is read.
 function(armlet_use_urdf)
+  if(urdf_read STREQUAL "urdf_none")
+    return()
+  endif()
   find_path(ARMLET_URDFDOM_HEADERS urdf_model/model.h PATH_SUFFIXES urdfdom_headers REQUIRED)
   find_library(ARMLET_URDFDOM_MODEL urdfdom_model REQUIRED)
   mark_as_advanced(ARMLET_URDFDOM_HEADERS ARMLET_URDFDOM_MODEL)

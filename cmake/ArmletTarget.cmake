@@ -29,7 +29,7 @@ function(armlet_compile_options target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wno-missing-field-initializers
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>"
-    -ffp-contract=off -falign-functions=64 $<$<BOOL:${ARMLET_WERROR}>:-Werror>)
+    -ffp-contract=off -falign-functions=64 $<$<BOOL:${ARMLET_WERROR}>:-Werror> ${ARMLET_COMPILE_OPTIONS})
   armlet_sanitize(${target})
 endfunction()
 

@@ -98,7 +98,7 @@ endfunction()
 
 # What the sources must be like, what the documents say, and input that nobody would mean.
 function(armlet_add_source_tests)
-  foreach(source layers messages names sizes words)
+  foreach(source layers messages names sizes structure words)
     add_test(NAME source.${source} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${source}.py)
   endforeach()
   add_test(NAME source.citations COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_citations.py)
@@ -122,4 +122,14 @@ function(armlet_add_deletions)
   add_executable(token_deletions EXCLUDE_FROM_ALL support/token_deletions.cpp support/deletions.cpp)
   armlet_compile_options(token_deletions)
   target_link_libraries(token_deletions PRIVATE armlet::stdlib fmt::fmt)
+endfunction()
+
+# The platform of WebAssembly compiled for this machine, in place of this machine's; and the module itself, if there is one.
+function(armlet_add_wasm_tests)
+  armlet_add_unit_tests(bare armlet::core ${PROJECT_SOURCE_DIR}/runtime/src)
+  target_sources(test_bare PRIVATE ${PROJECT_SOURCE_DIR}/runtime/src/core/bare/files.cpp
+                                   ${PROJECT_SOURCE_DIR}/runtime/src/core/bare/platform.cpp)
+  add_test(NAME wasm.programs COMMAND ${PROJECT_SOURCE_DIR}/tests/wasm/run.sh
+           $<TARGET_FILE:armlet> $<TARGET_FILE:write_programs> 200)
+  set_tests_properties(wasm.programs PROPERTIES SKIP_RETURN_CODE 77)
 endfunction()

@@ -9,11 +9,12 @@ ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^g
 step format
 ours '*.cpp' '*.hpp' '*.h' | xargs -r clang-format --dry-run --Werror
 
-step layers, messages, names, sizes and words
+step layers, messages, names, sizes, structure and words
 python3 tools/check_layers.py
 python3 tools/check_messages.py
 python3 tools/check_names.py
 python3 tools/check_sizes.py
+python3 tools/check_structure.py
 python3 tools/check_words.py
 
 if command -v antlr4 >/dev/null; then
@@ -34,6 +35,9 @@ step one definition of everything: linked as a whole
 ./dev build odr armlet test_interpreter
 step build with the other compiler
 ./dev build clang
+
+step programs in WebAssembly as natively
+./dev wasm
 
 if command -v clang-tidy >/dev/null; then
   step clang-tidy on what has changed since the last commit

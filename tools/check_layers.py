@@ -34,7 +34,18 @@ FENCES = {
     "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax/"]),
     "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
+    "the system": (r"^(sys/.*|(dirent|dlfcn|fcntl|poll|pthread|sched|signal|termios|time|ucontext|unistd)\.h"
+                   r"|csignal|ctime|fstream|future|semaphore|thread|emscripten.*)$",
+                   ["runtime/src/core/posix/", "runtime/src/core/bare/", "apps/", "tests/", "bench/", "examples/"]),
+    "vector intrinsics": (r"^([a-z]*mmintrin|immintrin|x86intrin|arm_neon|wasm_simd128)\.h$", []),
 }
+
+# The libraries ask core/platform.hpp and core/files.hpp for these, so that they run wherever these do.
+PLATFORM = re.compile(r"std::(thread|jthread|this_thread)\b|\b(steady|system|high_resolution)_clock\b"
+                      r"|\b(fs|filesystem)::(exists|is_\w+|status|canonical|weakly_canonical|absolute|current_path"
+                      r"|create_\w+|remove\w*|rename|copy\w*|file_size|\w*directory_iterator)\b")
+PORTABLE = ("runtime/", "interpreter/", "stdlib/")
+PLATFORMS = ("runtime/src/core/posix/", "runtime/src/core/bare/")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
@@ -71,11 +82,14 @@ def faults_in_line(path, header):
         yield f"a host program includes installed headers only, not {header}"
     for name, (pattern, folders) in FENCES.items():
         if re.search(pattern, header) and not any(str(path).startswith(f) for f in folders):
-            yield f"{name} may only be included in {' and '.join(folders)}"
+            yield f"{name} may only be included in {' and '.join(folders) or 'no source'}"
 
 
 def faults_in_file(path, text):
+    is_portable = str(path).startswith(PORTABLE) and not str(path).startswith(PLATFORMS)
     for number, line in enumerate(text.splitlines(), 1):
+        if is_portable and (asked := PLATFORM.search(line.split("//")[0])):
+            yield f"{path}:{number}: {asked.group(0)} is a matter of the platform: armlet/core/platform.hpp, armlet/core/files.hpp"
         match = INCLUDE.match(line)
         if match:
             for fault in faults_in_line(path, match.group(1)):

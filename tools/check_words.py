@@ -19,9 +19,7 @@ MESSAGES = "interpreter/include/armlet/interpreter/messages/"
 
 # Beginnings of paths, and why every word may stand there.
 EXCEPTIONS = {
-    "interpreter/src/habits/": "what users of other robot languages write",
-    "interpreter/src/check/names/suggest.cpp": "names of other robot languages, and what is meant by them",
-    "interpreter/src/check/names/unknown_names.cpp": "types of other robot languages, and what is meant by them",
+    "interpreter/src/habits/": "statements of other robot languages: patterns of whole lines, tried only where a text has mistakes",
 }
 
 

@@ -40,7 +40,7 @@ void run_one(Session& session, std::size_t index, const std::string& name, bool 
              Count& count) {
   const RunResult result = session.run_test(index);
   ++count.tests;
-  const bool passed = result.status == RunStatus::kDone;
+  const bool passed = result.status == Progress::kDone;
   if (!passed) ++count.failed;
   if (!json) print_out(fmt::format("  {}  {}\n", passed ? "ok  " : "FAIL", name));
   if (result.error) show(*result.error, session.sources(), json);

@@ -155,10 +155,10 @@ class Figures {
   std::string path_;
 };
 
-void show_summary(const Session& session, const std::string& trace, RunStatus status) {
+void show_summary(const Session& session, const std::string& trace, Progress status) {
   const Host& host = *session.host();
-  const char* how = status == RunStatus::kDone        ? "finished"
-                    : status == RunStatus::kCancelled ? "stopped by the user"
+  const char* how = status == Progress::kDone        ? "finished"
+                    : status == Progress::kCancelled ? "stopped by the user"
                                                       : "ended by an error";
   progress(fmt::format("{} at t = {}, {} move{}", how, seconds(to_seconds(host.now_ns())),
                        host.move_count(), host.move_count() == 1 ? "" : "s"));
@@ -215,7 +215,7 @@ int run(const RunOptions& options) {
   }
   // What a program does after Ctrl-C can fail too, for example by its steps: the user has stopped
   // it all the same.
-  if (interrupted() && result.status == RunStatus::kFailed) result.status = RunStatus::kCancelled;
+  if (interrupted() && result.status == Progress::kFailed) result.status = Progress::kCancelled;
   if (result.error && output_is_read()) show(*result.error, session.sources(), json);
   if (options.plots) draw_figures(session);
   const bool written = finish_output();
@@ -226,8 +226,8 @@ int run(const RunOptions& options) {
     show_summary(session, traced ? options.trace : std::string(), result.status);
     figures.show(options.plots);
   }
-  if (result.status == RunStatus::kCancelled) return kStopped;
-  return result.status == RunStatus::kDone && written && traced && pictured ? kDone : kFailed;
+  if (result.status == Progress::kCancelled) return kStopped;
+  return result.status == Progress::kDone && written && traced && pictured ? kDone : kFailed;
 }
 
 }  // namespace armlet::cli

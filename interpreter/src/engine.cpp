@@ -88,6 +88,11 @@ Engine& Engine::add_messages(std::span<const CatalogEntry> rows) {
   return *this;
 }
 
+Engine& Engine::add_foreign_names(std::span<const ForeignName> rows) {
+  registry_->add_foreign_names(rows);
+  return *this;
+}
+
 const MessageTables& Engine::messages() const { return registry_->messages(); }
 
 Engine& Engine::add_planned(std::span<const std::string_view> names) {
@@ -136,14 +141,14 @@ std::vector<std::string> Program::test_names() const {
 }
 
 bool Program::mentions(std::string_view function) const {
-  return std::binary_search(compiled_->mentioned.begin(), compiled_->mentioned.end(), function);
+  return std::ranges::binary_search(compiled_->names.functions, function);
 }
 
-bool Program::uses_world() const { return compiled_->uses_world; }
+bool Program::uses_world() const { return compiled_->names.of_world; }
 
 std::vector<std::string> Program::declared_names(std::string_view type) const {
-  const auto found = compiled_->declared_names.find(type);
-  return found == compiled_->declared_names.end() ? std::vector<std::string>() : found->second;
+  const auto found = compiled_->names.declared.find(type);
+  return found == compiled_->names.declared.end() ? std::vector<std::string>() : found->second;
 }
 
 bool Program::is_entry() const { return compiled_->is_entry; }

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/define_type.hpp"
+#include "armlet/interpreter/resource.hpp"
+#include "reference/foreign_names.hpp"
+#include "syntax/tokens/foreign_words.hpp"
+#include "syntax/tokens/marks.hpp"
 #include "syntax/tokens/words.hpp"
 #include "types/typed_signature.hpp"
 
@@ -23,7 +28,25 @@ bool is_written(std::string_view name) {
 
 }  // namespace
 
-Registry::Registry() { describe_errors(); }
+Registry::Registry() {
+  describe_errors();
+  add_foreign_names(kForeignNames);
+  for (const ForeignWord& word : kForeignWords) {
+    if (word.alone) foreign_[{ForeignKind::kName, word.found}] = {word.found, word.meant};
+  }
+}
+
+void Registry::add_foreign_names(std::span<const ForeignName> rows) {
+  for (const ForeignName& row : rows) {
+    if (!foreign_.try_emplace({row.kind, row.foreign}, row).second)
+      throw ArgumentError("What `" + std::string(row.foreign) + "` stands for is known already.");
+  }
+}
+
+const ForeignName* Registry::foreign(std::string_view word, ForeignKind kind) const {
+  const auto found = foreign_.find({kind, word});
+  return found == foreign_.end() ? nullptr : &found->second;
+}
 
 void Registry::describe_errors() {
   std::string fields = "message: string, kind: string, line: int, ";
@@ -84,6 +107,17 @@ const NativeConstant* Registry::constant(std::string_view name) const {
 
 // A type of the host may be written with a capital letter if the library makes its values by a
 // function of that name, as the classic subset does.
+std::string Registry::what_takes_time() const {
+  std::vector<std::string_view> acts;
+  for (const auto& [name, type] : types_) {
+    if (type->resource != nullptr) acts.push_back(type->resource->act);
+  }
+  std::string out = "wait";
+  for (std::size_t i = 0; i < acts.size(); ++i)
+    out.append(i + 1 < acts.size() ? ", " : " or ").append(acts[i]);
+  return out;
+}
+
 const HostType* Registry::type(std::string_view name) const {
   const bool is_classic = !name.empty() && name[0] >= 'A' && name[0] <= 'Z' &&
                           !types_.contains(name) && functions_.contains(name);
@@ -165,10 +199,7 @@ std::string_view written_name(std::string_view name, std::string_view type) {
 }
 
 bool is_operator_row(std::string_view name) {
-  static constexpr std::string_view kSigns[] = {"+", "-",  "*",  "/",  "%",
-                                                "^", ".*", "./", ".^", "\\"};
-  return name.starts_with("operator") &&
-         std::ranges::find(kSigns, name.substr(8)) != std::ranges::end(kSigns);
+  return name.starts_with("operator") && is_arithmetic(find_mark(name.substr(8)));
 }
 
 }  // namespace

@@ -12,8 +12,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "armlet/interpreter/foreign_name.hpp"
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/object.hpp"
@@ -52,6 +54,11 @@ class Registry {
   void add_messages(std::span<const CatalogEntry> rows) { messages_.add(rows); }
   [[nodiscard]] const MessageTables& messages() const { return messages_; }
   void add_chapter(const Chapter& chapter) { chapters_.push_back(chapter); }
+  // throws  ArgumentError for a word that is known already.
+  void add_foreign_names(std::span<const ForeignName> rows);
+  // What a word of another language is called here; null if it is not known.
+  [[nodiscard]] const ForeignName* foreign(std::string_view word,
+                                           ForeignKind kind = ForeignKind::kName) const;
   // A name of the language reference that nothing stands behind yet.
   void add_planned(std::string_view name) { planned_.insert(name); }
 
@@ -65,6 +72,8 @@ class Registry {
   [[nodiscard]] const std::map<std::string, const HostType*, std::less<>>& types() const {
     return types_;
   }
+  // What takes time, as part of a sentence in the words of the host: "wait or move".
+  [[nodiscard]] std::string what_takes_time() const;
   [[nodiscard]] const std::map<std::string, std::string, std::less<>>& records() const {
     return records_;
   }
@@ -92,6 +101,7 @@ class Registry {
   std::map<std::string, const HostType*, std::less<>> types_;
   std::map<std::string, std::string, std::less<>> records_;
   MessageTables messages_;
+  std::map<std::pair<ForeignKind, std::string_view>, ForeignName> foreign_;
   std::set<std::string_view> planned_;
   std::vector<Chapter> chapters_;
   std::deque<NativeFunction> defined_;

@@ -77,7 +77,7 @@ std::string printed_by(const armlet::Engine& engine, const char* text) {
   if (!compilation.program) return "rejected";
   std::string printed;
   armlet::Vm vm(compilation.program, {.output = [&](std::string_view part) { printed += part; }});
-  return vm.run().status == armlet::RunStatus::kDone ? printed : "failed";
+  return vm.run().status == armlet::Progress::kDone ? printed : "failed";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   fuzz::demand(good, "a generated program passes the checker");
   const RunResult result = session.run();
-  fuzz::demand(result.status != RunStatus::kCancelled,
+  fuzz::demand(result.status != Progress::kCancelled,
                "a program that does not wait is not stopped");
   return 0;
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kTests = 3;
 
 void finish(const RunResult& result, const Session& session) {
-  fuzz::demand((result.status == RunStatus::kDone) != result.error.has_value(),
+  fuzz::demand((result.status == Progress::kDone) != result.error.has_value(),
                "what does not end well has a message, and only that");
   if (result.error) {
     fuzz::demand(!render_text(*result.error, session.sources()).empty(), "a message has a text");

@@ -27,7 +27,8 @@ std::shared_ptr<const Program> compiled_again(const Program& first, lang::LowerO
   to->facts = std::move(from.facts);
   to->constants = std::move(from.constants);
   to->module = from.module;
-  to->mentioned = std::move(from.mentioned);
+  to->names = std::move(from.names);
+  to->what_takes_time = from.what_takes_time;
   if (lang::lower(*to, options)) return nullptr;
   return std::make_shared<const Program>(std::move(to));
 }

@@ -43,7 +43,7 @@ std::int64_t Evaluator::nanoseconds(double seconds, const Type& type, Span where
 void Evaluator::refuse_to_pause(Span where) const {
   if (host_calls_ == 0) return;
   const std::string written = text(where);
-  fail("R0632", where, {written.size() <= 40 ? "`" + written + "`" : "this"});
+  fail("R0632", where, {written.size() <= 40 ? "`" + written + "`" : "this", "wait or move"});
 }
 
 void Evaluator::wait(const WaitStmt& s) {

@@ -46,8 +46,8 @@ void finish(Shared& shared, CompiledProgram& into) {
   module.globals = into.arena->copy(shared.top_level.number_globals());
   module.global_count = static_cast<std::uint32_t>(module.globals.size());
   module.unset = into.arena->copy(shared.structs.unset());
-  into.mentioned.assign(shared.mentions.all().begin(), shared.mentions.all().end());
-  into.declared_names = shared.blocks.all();
+  into.names.functions.assign(shared.mentions.all().begin(), shared.mentions.all().end());
+  into.names.declared = shared.blocks.all();
 }
 
 // The bodies that could wait, and those of functions that nobody calls.

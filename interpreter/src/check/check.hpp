@@ -28,7 +28,7 @@ struct FileTree {
   std::vector<Import> imports{};
 };
 
-// Fills into.module, types, arena, facts and mentioned. Messages go to `sink`; the tree may be
+// Fills into.module, types, arena, facts and names. Messages go to `sink`; the tree may be
 // compiled only if there were no errors.
 //
 // files  imported ones before those that import them, the main file last; they and their arena may

@@ -68,6 +68,7 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
                       ? std::make_unique<CompiledProgram>(options.after)
                       : std::make_unique<CompiledProgram>();
   result.sources = compiled->sources;
+  compiled->what_takes_time = registry.what_takes_time();
   compiled->sources->add(std::move(name), std::move(text));
   try {
     CompileOptions once = options;

@@ -4,26 +4,13 @@
 #include <utility>
 
 #include "format/layout.hpp"
+#include "syntax/tokens/marks.hpp"
 
 namespace armlet::lang {
-namespace {
-
-// Operators of one chain: 1 + 2 - 3. Zero: no operator whose chain is broken over lines.
-int chain_level(std::string_view op) {
-  if (op == "*" || op == "/" || op == "%" || op == "\\" || op == ".*" || op == "./") return 6;
-  if (op == "+" || op == "-") return 5;
-  if (op == "<" || op == "<=" || op == ">" || op == ">=") return 4;
-  if (op == "==" || op == "!=") return 3;
-  if (op == "&&") return 2;
-  if (op == "||") return 1;
-  return 0;
-}
-
-}  // namespace
 
 Doc Layout::expression(const ShapeNode& node, Lead lead) {
   if (node.parts.size() == 3 && node.parts[1].rule == Rule::kToken) {
-    if (chain_level(text_of(node.parts[1].token)) > 0) return chain(node, lead);
+    if (find_mark(text_of(node.parts[1].token)).chain > 0) return chain(node, lead);
     if (is(node.parts[1], "until")) return choice(node, lead);
   }
   if (node.parts.size() == 5 && is(node.parts[1], "?")) return choice(node, lead);
@@ -35,7 +22,7 @@ Doc Layout::chain(const ShapeNode& node, Lead lead) {
   const auto level_of = [&](const ShapeNode& at) {
     const bool is_binary =
         at.rule == Rule::kExpr && at.parts.size() == 3 && at.parts[1].rule == Rule::kToken;
-    return is_binary ? chain_level(text_of(at.parts[1].token)) : 0;
+    return is_binary ? find_mark(text_of(at.parts[1].token)).chain : 0;
   };
   const int level = level_of(node);
   std::vector<const ShapeNode*> links;  // the last one first

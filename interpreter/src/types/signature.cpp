@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include "types/basic_types.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -235,11 +237,7 @@ class SignatureReader {
   }
 
   const Type* named(std::string_view name) {
-    if (name == "int" || name == "long") return types_.integer();
-    if (name == "double" || name == "float") return types_.real();
-    if (name == "bool" || name == "boolean") return types_.boolean();
-    if (name == "string" || name == "String") return types_.text();
-    if (name == "matrix" || name == "Matrix") return types_.matrix();
+    if (const Type* type = basic_type(types_, name)) return type;
     if (name == "void") return types_.void_type();
     // A library that has its own `force` record would shadow the dimension, so dimensions come
     // first.

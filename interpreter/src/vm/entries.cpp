@@ -17,7 +17,8 @@ Before::Before(VmState& state)
       layouts_(state.own_layouts.size()),
       host_data_(state.main.host_data),
       random_(state.main.random),
-      parallels_(state.main.parallels) {
+      parallels_(state.main.parallels),
+      steps_(state.steps.total) {
   for (std::uint32_t i = 0; i < state.globals.size(); ++i) {
     const GlobalInfo& info = state.global_info[i];
     if (info.variable == nullptr || info.variable->fixed) continue;

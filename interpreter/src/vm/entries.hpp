@@ -39,6 +39,8 @@ class Before {
   void note(std::uint32_t number, const Callee& replaced) {
     replaced_.push_back({number, replaced});
   }
+  // All that had been counted.
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
   // Gives everything back.
   void restore();
 
@@ -62,6 +64,7 @@ class Before {
   std::shared_ptr<const void> host_data_;
   Random random_;
   std::uint64_t parallels_;
+  std::uint64_t steps_;
 };
 
 // Adds the code of a program; its texts are made by make_texts. before: null if it is no entry.

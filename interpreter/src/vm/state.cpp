@@ -8,6 +8,7 @@
 #include "vm/failures/failures.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/recordings.hpp"
+#include "vm/tasks/tasks.hpp"
 
 namespace armlet::lang {
 
@@ -22,7 +23,10 @@ void StepMeter::settle() {
 
 bool StepMeter::refill() {
   settle();
-  chunk = left = static_cast<std::int64_t>(std::min(kChunk, limit - std::min(limit, since_pause)));
+  std::uint64_t most = std::min(kChunk, limit - std::min(limit, since_pause));
+  // What cannot be paused goes on beyond the end of the slice.
+  if (total < slice_end) most = std::min(most, slice_end - total);
+  chunk = left = static_cast<std::int64_t>(most);
   return chunk > 0;
 }
 
@@ -68,6 +72,12 @@ void VmState::make_error_layout() {
   error_layout = layout.get();
   own_layouts.push_back(std::move(layout));
   own_references.push_back(std::move(references));
+}
+
+void VmState::reopen() {
+  is_leaving = false;
+  steps.paused();
+  steps.limit = options.limits.steps;
 }
 
 void VmState::clear() {

@@ -1,8 +1,10 @@
 #pragma once
 // Everything a running Vm consists of, and the operations on it that several parts share.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -39,16 +41,28 @@ using FaultPtr = std::shared_ptr<Fault>;
 struct StepMeter {
   static constexpr std::uint64_t kChunk = 4096;
 
-  std::int64_t left = 0;          // of the running chunk; below 0 it is used up
-  std::int64_t chunk = 0;         // size of the running chunk
-  std::uint64_t total = 0;        // before the running chunk
-  std::uint64_t since_pause = 0;  // likewise
-  std::uint64_t limit = 0;        // between two pauses
+  std::int64_t left = 0;               // of the running chunk; below 0 it is used up
+  std::int64_t chunk = 0;              // size of the running chunk
+  std::uint64_t total = 0;             // before the running chunk
+  std::uint64_t since_pause = 0;       // likewise
+  std::uint64_t limit = 0;             // between two pauses
+  std::uint64_t slice_end = kEndless;  // the total at which the run returns to the host
+
+  static constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 
   // Books the running chunk.
   void settle();
   // Starts a new chunk; false if the limit is reached.
   [[nodiscard]] bool refill();
+  // Whether the host has to be asked before the next step; books the running chunk.
+  [[nodiscard]] bool slice_is_over() {
+    settle();
+    return total >= slice_end;
+  }
+  void begin_slice(std::uint64_t steps) {
+    settle();
+    slice_end = steps < kEndless - total ? total + steps : kEndless;
+  }
   void paused() {
     settle();
     since_pause = 0;
@@ -56,6 +70,7 @@ struct StepMeter {
 };
 
 class Recordings;
+class Scheduler;
 
 // Counts what kernels of the library do as steps.
 class KernelWork final : public Supervisor {
@@ -120,9 +135,9 @@ struct VmState {
   std::unique_ptr<Waiting> pending;        // left by a native function that pauses
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
-  bool has_run = false;
+  std::unique_ptr<Scheduler> scheduler;    // of the run; null before it
   std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were
-  const void* thread = nullptr;  // that runs the program (this_thread); null: none does
+  std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
   std::uint64_t output_left;
 
   // The program whose code the running task is at; the newest one where there is none.
@@ -130,6 +145,8 @@ struct VmState {
     const CompiledProgram* at = running->top->callee->program;
     return at != nullptr ? *at : *newest;
   }
+  // After the end of a run: functions of the program can be called with all that the limits allow.
+  void reopen();
   // Releases the program's variables and whatever else the run left.
   void clear();
   [[nodiscard]] const RecordLayout& layout_of(const Type* record);

@@ -1,4 +1,4 @@
-#include <cassert>
+#include <limits>
 #include <utility>
 
 #include "armlet/core/ample_stack.hpp"
@@ -8,10 +8,13 @@
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/tasks/tasks.hpp"
+#include "vm/turn.hpp"
 
 namespace armlet {
 
 namespace {
+
+constexpr std::int64_t kEndless = std::numeric_limits<std::int64_t>::max();
 
 // A clock without a world.
 class Clock final : public Timeline {
@@ -29,66 +32,28 @@ class Clock final : public Timeline {
 
 constexpr std::size_t kMostShown = 2000;  // bytes of a value; the rest is left out
 
-// A Vm runs once: its variables are those of that run.
-RunResult refuse_second_run() {
+RunResult ended(lang::VmState& state, lang::Exit exit) {
   RunResult result;
-  result.status = RunStatus::kFailed;
-  result.error =
-      make_diagnostic("R0626", {}, {"this Vm has run already; make a new one to run again"});
-  return result;
-}
-
-// The program belongs to this thread while it runs.
-class OnThisThread {
- public:
-  explicit OnThisThread(lang::VmState& state) : state_(state) {
-    state_.thread = lang::this_thread();
-  }
-  ~OnThisThread() { state_.thread = nullptr; }
-  OnThisThread(const OnThisThread&) = delete;
-  OnThisThread& operator=(const OnThisThread&) = delete;
-
- private:
-  lang::VmState& state_;
-};
-
-RunResult finish_run(lang::VmState& state, lang::Exit exit, std::uint64_t steps_before) {
-  RunResult result;
-  state.steps.settle();
-  result.steps = state.steps.total - steps_before;
-  if (exit != lang::Exit::kDone) {
-    result.status = state.fault->cancelled ? RunStatus::kCancelled : RunStatus::kFailed;
+  if (exit == lang::Exit::kFailed) {
+    result.status = state.fault->cancelled ? Progress::kCancelled : Progress::kFailed;
     result.error = std::move(state.fault->diagnostic);
-  }
-  if (state.newest->is_entry) {
-    lang::finish_entry(state, exit == lang::Exit::kDone);
     state.fault.reset();
-    state.is_leaving = false;
-  } else {
-    state.clear();
-    assert(state.heap.used() == 0 && "every object was released");
   }
+  state.reopen();
   return result;
 }
 
-// Functions of the library call the program, which calls functions of the library, and so on.
-RunResult start(lang::VmState& state, std::uint32_t function) {
-  RunResult result;
-  const OnThisThread here(state);
-  const std::uint64_t steps_before = state.steps.total;
-  on_ample_stack([&] {
-    const Supervised kernels(&state.kernels);
-    lang::Exit exit = lang::Exit::kFailed;
-    try {
-      lang::Scheduler scheduler(state);
-      if (lang::make_texts(state)) exit = scheduler.run(function);
-    } catch (...) {  // of the host, where no instruction of the program is to blame
-      lang::raise_thrown(state, state.main);
-      exit = lang::Exit::kFailed;
+lang::Exit run_slice(lang::VmState& state, std::uint32_t function, std::int64_t until_ns) {
+  try {
+    if (state.scheduler == nullptr) {
+      state.scheduler = std::make_unique<lang::Scheduler>(state, function);
+      if (!lang::make_texts(state)) return lang::Exit::kFailed;
     }
-    result = finish_run(state, exit, steps_before);
-  });
-  return result;
+    return state.scheduler->go_on(until_ns);
+  } catch (...) {  // of the host, where no instruction of the program is to blame
+    lang::raise_thrown(state, state.main);
+    return lang::Exit::kFailed;
+  }
 }
 
 }  // namespace
@@ -115,32 +80,65 @@ Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
 
 Vm::~Vm() = default;
 
-RunResult Vm::run() {
-  if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  if (!program_->is_entry()) return start(*state_, 0);
-  if (state_->before == nullptr) state_->before = std::make_unique<lang::Before>(*state_);
-  state_->tree.wake_watches();
-  RunResult result = start(*state_, 0);
-  if (result.status == RunStatus::kDone) done_ = program_;
-  program_ = done_ != nullptr ? done_ : program_;
+// Functions of the library call the program, which calls functions of the library, and so on: a
+// slice has an ample stack.
+Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
+  lang::VmState& state = *state_;
+  if (budget.steps == 0)
+    throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
+  const lang::Turn turn(state);
+  if (result_.status != Progress::kPaused)
+    throw ArgumentError("This Vm has run to its end; make a new one to run again.");
+  const bool is_entry = program_->is_entry();
+  if (is_entry && state.scheduler == nullptr) {
+    if (state.before == nullptr) state.before = std::make_unique<lang::Before>(state);
+    state.tree.wake_watches();
+  }
+  on_ample_stack([&] {
+    const Supervised kernels(&state.kernels);
+    state.steps.begin_slice(budget.steps);
+    const lang::Exit exit = run_slice(state, function, budget.until_ns.value_or(kEndless));
+    state.steps.begin_slice(Budget::kNoLimit);
+    const std::uint64_t steps = state.steps.total - (is_entry ? state.before->steps() : 0);
+    if (exit != lang::Exit::kSliced) result_ = ended(state, exit);
+    if (is_entry && exit != lang::Exit::kSliced) finish_entry();
+    result_.steps = steps;
+  });
+  return result_.status;
+}
+
+void Vm::finish_entry() {
+  const bool done = result_.status == Progress::kDone;
+  lang::finish_entry(*state_, done);
+  if (done) {
+    done_ = program_;
+  } else if (done_ != nullptr) {
+    program_ = done_;
+  }
   state_->newest = &program_->compiled();
-  return result;
+}
+
+Progress Vm::run(const Budget& budget) { return go_on(0, budget); }
+
+RunResult Vm::run() {
+  run(Budget{});
+  return result_;
 }
 
 void Vm::begin(std::shared_ptr<const Program> entry) {
   entry = require_program(std::move(entry));
-  if (state_->thread != nullptr)
-    throw ArgumentError("A new entry can begin only when the one before has ended.");
-  if (!state_->has_run) throw ArgumentError("The entry before has not run; run it first.");
+  const lang::Turn turn(*state_);
+  if (result_.status == Progress::kPaused)
+    throw ArgumentError("A new entry can begin only when the one before has run to its end.");
   if (!entry->is_entry() || !program_->is_entry())
     throw ArgumentError(
         "Only entries can follow each other: compile both with CompileOptions::is_entry.");
   if (entry->after() != done_)
     throw ArgumentError(
-        "This entry was compiled behind another one than the newest that has run here: give that "
-        "one "
-        "as CompileOptions::after.");
-  state_->has_run = false;
+        "This entry was compiled behind another one than the newest that has run here: give "
+        "Vm::newest_entry() as CompileOptions::after.");
+  result_ = {};
+  state_->scheduler.reset();
   state_->before = std::make_unique<lang::Before>(*state_);
   lang::load(*state_, entry->compiled(), state_->before.get());
   program_ = std::move(entry);
@@ -167,8 +165,10 @@ RunResult Vm::run_test(std::size_t index) {
     throw ArgumentError("test " + std::to_string(index) + " does not exist; the program has " +
                         std::to_string(program.module.tests.size()) + " tests.");
   }
-  if (std::exchange(state_->has_run, true)) return refuse_second_run();
-  return start(*state_, program.module.tests[index].function->index);
+  if (state_->scheduler != nullptr)
+    throw ArgumentError("This Vm runs something already; make a new one to run a test.");
+  go_on(program.module.tests[index].function->index, Budget{});
+  return result_;
 }
 
 namespace {

@@ -26,31 +26,54 @@ struct GroupBlock {
 };
 
 // Fewer configurations than a group.
-template <class V, class What>
-[[gnu::noinline]] static void few_configurations(const BatchArm& arm, const double* q,
-                                                 std::size_t count, double* out) {
+template <class V, class Write>
+[[gnu::always_inline]] inline void few_configurations(const BatchArm& arm, const double* q,
+                                                      std::size_t count, const Write& write) {
   const FewBlocks<V> blocks = {arm, q, count};
   const FewSines<V> sines(blocks);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    What::write(FewBlock<V>{blocks, sines, b}, out + blocks.start(b));
+    write(FewBlock<V>{blocks, sines, b}, blocks.start(b));
   }
 }
 
-// All configurations, a group of blocks at a time: a BatchKernel. What::write(block, out) writes
-// the entries of the configurations of a block, entry e at out + e * block.count().
-template <class V, class What>
-void batch_kernel(const BatchArm& arm, const double* q, std::size_t count, double* out) {
-  constexpr std::size_t kLanes = kLanesOf<V>;
-  if (count <= (kGroupBlocks - 1) * kLanes) return few_configurations<V, What>(arm, q, count, out);
+// All configurations, a group of blocks at a time: write(block, k) works on the configurations of a
+// block, of which k is the first.
+template <class V, class Write>
+[[gnu::always_inline]] inline void all_configurations(const BatchArm& arm, const double* q,
+                                                      std::size_t count, const Write& write) {
   const BatchLanes<V> lanes(arm);
-  for (std::size_t begin = 0; begin < count; begin += kGroupBlocks * kLanes) {
+  for (std::size_t begin = 0; begin < count; begin += kGroupBlocks * kLanesOf<V>) {
     const BatchGroup<V> group = {arm, lanes, q, count, begin};
     const BatchSines<V> sines(group);
-    for (std::size_t b = 0; b < kGroupBlocks && begin + b * kLanes < count; ++b) {
+    for (std::size_t b = 0; b < kGroupBlocks && begin + b * kLanesOf<V> < count; ++b) {
       const std::size_t k = group.start(b);
-      What::write(GroupBlock<V>{group, sines, b, k}, out + k);
+      write(GroupBlock<V>{group, sines, b, k}, k);
     }
   }
+}
+
+template <class V>
+[[gnu::always_inline]] inline bool are_few(std::size_t count) {
+  return count <= (kGroupBlocks - 1) * kLanesOf<V>;
+}
+
+// A BatchKernel. What::write(block, out) writes the entries of the configurations of a block, entry
+// e at out + e * block.count().
+template <class V, class What>
+[[gnu::noinline]] static void few_entries(const BatchArm& arm, const double* q, std::size_t count,
+                                          double* out) {
+  few_configurations<V>(
+      arm, q, count, [&](const auto& block, std::size_t k) __attribute__((always_inline)) {
+        What::write(block, out + k);
+      });
+}
+template <class V, class What>
+void batch_kernel(const BatchArm& arm, const double* q, std::size_t count, double* out) {
+  if (are_few<V>(count)) return few_entries<V, What>(arm, q, count, out);
+  all_configurations<V>(
+      arm, q, count, [&](const auto& block, std::size_t k) __attribute__((always_inline)) {
+        What::write(block, out + k);
+      });
 }
 
 }  // namespace armlet

@@ -30,7 +30,7 @@ template <class V>
                    A6 = 6.66107313738753120669e-02, A7 = -5.83357013379057348645e-02,
                    A8 = 4.97687799461593236017e-02, A9 = -3.65315727442169155270e-02,
                    A10 = 1.62858201153657823623e-02;
-  constexpr long kSignBit = static_cast<long>(1UL << 63);
+  constexpr auto kSignBit = static_cast<std::int64_t>(std::uint64_t{1} << 63U);
   const Bits sign = Bits{} + kSignBit;
   const V ax = V(Bits(x) & ~sign);
   const V ay = V(Bits(y) & ~sign);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "det_polynomials.hpp"
 
 // Sines and cosines of several numbers side by side. Every operation on a vector is the same
@@ -18,7 +20,7 @@ using LaneBits = decltype(V{} < V{});
 // The same without sign: nothing overflows.
 template <class V>
 struct PlainBits {
-  typedef unsigned long type __attribute__((vector_size(sizeof(V))));
+  typedef std::uint64_t type __attribute__((vector_size(sizeof(V))));
 };
 
 template <class V>
@@ -70,7 +72,7 @@ struct LaneCheck {
   }
 
   static constexpr double kNearestSquare = 0x1p-108;
-  static constexpr long kFarthestCount = 1 << 7;
+  static constexpr std::int64_t kFarthestCount = 1 << 7;
 };
 
 // Sine and cosine of the rest of an angle, put where its right angles (the lowest bits of
@@ -79,8 +81,8 @@ struct LaneCheck {
 template <class V>
 [[gnu::always_inline]] inline LaneSinCos<V> in_quadrant(V rest_sine, V rest_cosine, V shifted) {
   using Bits = typename PlainBits<V>::type;
-  constexpr unsigned long kSignBit = 1UL << 63;
-  constexpr unsigned long kLowerBit = 1UL << 62;
+  constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63U;
+  constexpr std::uint64_t kLowerBit = std::uint64_t{1} << 62U;
   const Bits sine = Bits(rest_sine);
   const Bits cosine = Bits(rest_cosine);
   const Bits quadrant = Bits(shifted);
@@ -108,7 +110,7 @@ template <class V>
   constexpr double kShift = kRoundingMagic + LaneCheck<Lanes>::kFarthestCount;
   const V shifted = angle * kTwoOverPi + kShift;
   const auto [hi, lo] = subtract_right_angles(angle, V(shifted - kShift));
-  check.add(hi * hi, LaneBits<V>(shifted) ^ __builtin_bit_cast(long, kRoundingMagic));
+  check.add(hi * hi, LaneBits<V>(shifted) ^ __builtin_bit_cast(std::int64_t, kRoundingMagic));
   return in_quadrant(sin_kernel(hi, lo), cos_kernel(hi, lo), shifted);
 }
 

@@ -2,7 +2,6 @@
 // brings four more shared libraries, which no other program should wait for.
 
 #include <console_bridge/console.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <urdf_model/model.h>
 
@@ -15,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/core/platform.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/urdf.hpp"
 #include "urdf_faults.hpp"
@@ -53,12 +53,10 @@ struct Library {
 const Library& library() {
   static const Library loaded = [] {
     Library found;
-    void* handle = dlopen(ARMLET_URDFDOM_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
+    const LoadedLibrary urdfdom(ARMLET_URDFDOM_LIBRARY);
     const auto find = [&](auto& function, const char* symbol) {
-      if (handle != nullptr) {
-        function =
-            reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(handle, symbol));
-      }
+      using Function = std::remove_reference_t<decltype(function)>;
+      function = reinterpret_cast<Function>(urdfdom.find(symbol));
       if (function == nullptr) found.missing = ARMLET_URDFDOM_LIBRARY;
     };
     find(found.parse, "_ZN4urdf9parseURDFERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE");

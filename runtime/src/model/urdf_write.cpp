@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "armlet/core/files.hpp"
 #include "armlet/core/xml.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/urdf.hpp"
@@ -170,18 +171,17 @@ std::string write_urdf(const Mechanism& m) {
 std::string find_mesh(const std::string& urdf_folder, const std::string& top,
                       const std::string& name) {
   namespace fs = std::filesystem;
-  std::error_code problem;
-  const fs::path limit = top.empty() ? fs::path() : fs::weakly_canonical(top, problem);
+  const fs::path limit = top.empty() ? fs::path() : fs::path(real_path(top));
   const auto exists = [&](const fs::path& path) -> std::string {
-    const fs::path real = fs::weakly_canonical(path, problem);
+    const fs::path real = real_path(path.string());
     if (!limit.empty()) {
       const fs::path below = real.lexically_relative(limit);
       if (below.empty() || *below.begin() == "..") return {};
     }
-    return fs::is_regular_file(real, problem) ? real.string() : std::string();
+    return is_file(real.string()) ? real.string() : std::string();
   };
   constexpr std::string_view kPackage = "package://", kFile = "file://";
-  const fs::path folder = fs::weakly_canonical(urdf_folder.empty() ? "." : urdf_folder, problem);
+  const fs::path folder = real_path(urdf_folder.empty() ? "." : urdf_folder);
   if (name.starts_with(kFile)) return exists(folder / name.substr(kFile.size()));
   if (!name.starts_with(kPackage)) return exists(folder / name);
   const std::string inside = name.substr(kPackage.size());

@@ -78,6 +78,21 @@ std::string inertia_fault(const Eigen::Matrix3d& inertia, InertiaCheck check) {
   return {};
 }
 
+// A joint sticks at least as firmly as it slides.
+std::string stribeck_fault(const Friction& friction) {
+  if (friction.stribeck_speed == 0.0) {
+    if (friction.static_torque == 0.0) return {};
+    return fmt::format("has the static friction {} without a Stribeck speed above zero",
+                       friction.static_torque);
+  }
+  const double coulomb = std::max(friction.coulomb_plus, -friction.coulomb_minus);
+  if (friction.static_torque >= coulomb) return {};
+  return fmt::format(
+      "has the static friction {} below its Coulomb friction {}; a joint sticks at least as firmly "
+      "as it slides",
+      friction.static_torque, coulomb);
+}
+
 }  // namespace
 
 std::string link_fault(const Link& link, InertiaCheck check) {
@@ -87,7 +102,9 @@ std::string link_fault(const Link& link, InertiaCheck check) {
       {"gear", link.gear},
       {"viscous friction", link.friction.viscous},
       {"positive Coulomb friction", link.friction.coulomb_plus},
-      {"negative Coulomb friction", link.friction.coulomb_minus}};
+      {"negative Coulomb friction", link.friction.coulomb_minus},
+      {"static friction", link.friction.static_torque},
+      {"Stribeck speed", link.friction.stribeck_speed}};
   for (const auto& [name, value] : numbers) {
     if (!std::isfinite(value)) {
       return fmt::format("has {} = {}; expected a finite number", name, format_number(value, 6));
@@ -100,7 +117,9 @@ std::string link_fault(const Link& link, InertiaCheck check) {
       {"mass", link.mass},
       {"motorInertia", link.motor_inertia},
       {"viscous friction", link.friction.viscous},
-      {"positive Coulomb friction", link.friction.coulomb_plus}};
+      {"positive Coulomb friction", link.friction.coulomb_plus},
+      {"static friction", link.friction.static_torque},
+      {"Stribeck speed", link.friction.stribeck_speed}};
   for (const auto& [name, value] : not_negative) {
     if (value < 0.0) {
       return fmt::format("has {} = {}; it must be zero or more", name, value);
@@ -110,6 +129,7 @@ std::string link_fault(const Link& link, InertiaCheck check) {
     return fmt::format("has the Coulomb friction {} for negative speed; it must be zero or less",
                        link.friction.coulomb_minus);
   }
+  if (const std::string fault = stribeck_fault(link.friction); !fault.empty()) return fault;
   return inertia_fault(link.inertia, check);
 }
 

@@ -8,6 +8,8 @@ namespace armlet {
 
 // Cube root of a number >= 0 with the same bits on every machine, to within one or two units in the
 // last place.
+//
+// source  the iteration of E. Halley, Philosophical Transactions 18, 1694.
 inline double cube_root(double x) {
   if (!(x > 0.0) || std::isinf(x)) return x;
   // A third of the exponent is within 6 %; Halley's method triples the digits three times.

@@ -7,6 +7,8 @@ namespace {
 
 // Newton's method kept inside [lo, hi], where the derivative of this order changes sign and is
 // monotone; halving takes over where a step would leave the interval.
+//
+// source  W. H. Press et al., Numerical Recipes, 3rd ed., 2007, section 9.4.
 double root_between(const Segment& piece, int order, double lo, double hi) {
   const bool rising = piece.value(lo, order) < 0.0;
   constexpr int kMostSteps = 200;  // far more than halving alone would take

@@ -61,6 +61,9 @@ const Segment& piece_at(const JointPath& path, double t) {
 
 // Bounds of the derivative of this order over the whole piece: the smallest and the largest of its
 // Bernstein coefficients. Exact where it is of degree 1 at most.
+//
+// source  G. Farin, Curves and Surfaces for CAGD, 2002, chapter 5 (the convex hull, and other
+// bases).
 struct Bounds {
   double lower, upper;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "armlet/interpreter/later.hpp"
+#include "messages/foreign_names.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -104,6 +105,7 @@ void install(Engine& engine) {
   engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_record("OdeSolution", "t: time[], y: matrix");
   engine.add_messages(bind::kLibraryMessages);
+  engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");
   engine.add_planned(kPlanned);
   for (const bind::Chapter& chapter : bind::chapters())

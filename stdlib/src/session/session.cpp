@@ -1,10 +1,11 @@
 #include "armlet/stdlib/session.hpp"
 
-#include <thread>
+#include <algorithm>
 #include <utility>
 
 #include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
+#include "armlet/core/platform.hpp"
 #include "armlet/interpreter/world_names.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
@@ -12,24 +13,25 @@
 namespace armlet {
 namespace {
 
-// One run at a time; what somebody wished of it ends with it, however it ends.
-class OneRun {
+// One slice at a time; what somebody wished of a run ends with it, however it ends.
+class OneSlice {
  public:
-  OneRun(std::atomic<bool>& is_running, std::atomic<bool>& cancelled)
-      : is_running_(is_running), cancelled_(cancelled) {
+  OneSlice(std::atomic<bool>& is_running, std::atomic<bool>& cancelled, const bool& is_under_way)
+      : is_running_(is_running), cancelled_(cancelled), is_under_way_(is_under_way) {
     if (is_running_.exchange(true))
       throw ArgumentError("The session runs already; use another one.");
   }
-  ~OneRun() {
-    cancelled_.store(false);
+  ~OneSlice() {
+    if (!is_under_way_) cancelled_.store(false);
     is_running_.store(false);
   }
-  OneRun(const OneRun&) = delete;
-  OneRun& operator=(const OneRun&) = delete;
+  OneSlice(const OneSlice&) = delete;
+  OneSlice& operator=(const OneSlice&) = delete;
 
  private:
   std::atomic<bool>& is_running_;
   std::atomic<bool>& cancelled_;
+  const bool& is_under_way_;
 };
 
 // Whatever was wished of a compilation that ends with no program has come true with its end.
@@ -62,7 +64,7 @@ class InReach {
   }
   ~InReach() {
     running_.store(before_);
-    while (cancelling_.load() != 0) std::this_thread::yield();
+    while (cancelling_.load() != 0) yield_thread();
     if (before_ != nullptr && cancelled_.load()) before_->cancel();
   }
   InReach(const InReach&) = delete;
@@ -74,25 +76,6 @@ class InReach {
   const std::atomic<bool>& cancelled_;
   Vm* const before_;
 };
-
-// The cell tells the backend until this goes.
-class Listening {
- public:
-  Listening(Cell& cell, Backend* backend) : cell_(cell) { cell_.set_backend(backend); }
-  ~Listening() { cell_.set_backend(nullptr); }
-  Listening(const Listening&) = delete;
-  Listening& operator=(const Listening&) = delete;
-
- private:
-  Cell& cell_;
-};
-
-// A program may end while a robot still slows down after a velocity command.
-void come_to_rest(Host& host) {
-  while (const auto next = host.cell().next_event()) {
-    if (!host.advance_to(*next)) return;
-  }
-}
 
 // Whether names of objects may be checked: the text, or a file that it imports, calls one of the
 // functions that take them.
@@ -112,7 +95,13 @@ bool may_name_objects(std::string_view text) {
 
 Session::Session(const Engine& engine, SessionOptions options)
     : engine_(engine), options_(std::move(options)) {}
-Session::~Session() = default;
+Session::~Session() {
+  try {
+    give_up();
+  } catch (...) {  // of a backend; there is nobody to tell
+    is_under_way_ = false;
+  }
+}
 
 std::unique_ptr<Host> Session::make_host(bool with_world) {
   HostOptions host_options;
@@ -148,7 +137,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   Vm vm(compiled.program, std::move(vm_options));
   const InReach in_reach(vm, running_, cancelling_, cancelled_);
   RunResult result = vm.run();
-  if (result.status == RunStatus::kDone) return true;
+  if (result.status == Progress::kDone) return true;
   if (result.error) problems.push_back({*std::move(result.error), compiled.sources});
   return false;
 }
@@ -184,6 +173,8 @@ bool Session::compile(std::string text, std::string name) {
     throw ArgumentError("A session cannot compile while its program runs; use another one.");
   can_run_ = false;
   problems_.clear();
+  give_up();
+  vm_.reset();
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
@@ -203,18 +194,15 @@ bool Session::compile(std::string text, std::string name) {
   return can_run_;
 }
 
-RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
-  if (!can_run_) {
-    throw ArgumentError(
-        "There is no program to run: compile() was not called, or has found mistakes.");
-  }
-  const OneRun one_run(is_running_, cancelled_);
+void Session::begin_run() {
+  give_up();
+  vm_.reset();
   host_ = make_host(true);
   const Program& program = *compilation_.program;
   if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
-  FanOut fan_out(options_.backends);
+  fan_out_ = std::make_unique<FanOut>(options_.backends);
   Cell& cell = host_->cell();
-  const Listening listening(cell, options_.backends.empty() ? nullptr : &fan_out);
+  if (!options_.backends.empty()) cell.set_backend(fan_out_.get());
   cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
                            !program.mentions("release"));
 
@@ -227,20 +215,71 @@ RunResult Session::run_with(const std::function<RunResult(Vm&)>& start) {
     return options_.output ? options_.output(text) : std::string();
   };
   vm_options.advice = options_.advice;
-  Vm vm(compilation_.program, std::move(vm_options));
-  const InReach in_reach(vm, running_, cancelling_, cancelled_);
-  RunResult result = start(vm);
-  if (result.status == RunStatus::kDone) come_to_rest(*host_);
+  vm_ = std::make_unique<Vm>(compilation_.program, std::move(vm_options));
+  result_ = vm_->result();
+  is_under_way_ = true;
+}
+
+// A program may end while a robot still slows down after a velocity command. Whether all stand.
+bool Session::come_to_rest(const Budget& budget) {
+  while (const auto next = host_->cell().next_event()) {
+    const std::int64_t until = std::min(*next, budget.until_ns.value_or(*next));
+    if (until <= host_->now_ns() && until < *next) return false;
+    if (!host_->advance_to(until)) break;
+  }
+  return true;
+}
+
+void Session::end_run() {
+  is_under_way_ = false;
+  Cell& cell = host_->cell();
   for (const Figure& figure : host_->figures()) cell.figure(figure);
   cell.end();
-  return result;
+  cell.set_backend(nullptr);
+}
+
+void Session::give_up() {
+  if (is_under_way_) end_run();
+}
+
+Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go) {
+  if (!can_run_) {
+    throw ArgumentError(
+        "There is no program to run: compile() was not called, or has found mistakes.");
+  }
+  const OneSlice one_slice(is_running_, cancelled_, is_under_way_);
+  try {
+    if (!is_under_way_) begin_run();
+    const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
+    if (vm_->result().status == Progress::kPaused) go(*vm_);
+    result_ = vm_->result();
+    if (result_.status == Progress::kPaused) return Progress::kPaused;
+    if (result_.status == Progress::kDone && !come_to_rest(budget))
+      return result_.status = Progress::kPaused;
+    end_run();
+  } catch (...) {
+    is_under_way_ = false;
+    if (host_ != nullptr) host_->cell().set_backend(nullptr);
+    throw;
+  }
+  return result_.status;
+}
+
+Progress Session::run(const Budget& budget) {
+  if (budget.steps == 0)
+    throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
+  return go_on(budget, [&budget](Vm& vm) { vm.run(budget); });
 }
 
 RunResult Session::run() {
-  return run_with([](Vm& vm) { return vm.run(); });
+  run(Budget{});
+  return result_;
 }
+
 RunResult Session::run_test(std::size_t index) {
-  return run_with([index](Vm& vm) { return vm.run_test(index); });
+  if (!is_running_.load()) give_up();
+  go_on({}, [index](Vm& vm) { static_cast<void>(vm.run_test(index)); });
+  return result_;
 }
 
 }  // namespace armlet

@@ -97,7 +97,7 @@ class RandomProgram {
   const Ty* storable();  // also lists and structs
   [[nodiscard]] bool comparable(const Ty* type) const;
 
-  // ---- the whole (random_program.cpp)
+  // ---- the whole (program.cpp)
   void declare_types();
   void declare_struct();
   void declare_globals();
@@ -110,30 +110,30 @@ class RandomProgram {
   std::string constant(const Ty* type);
   void line(const std::string& text) { out_ += text + "\n"; }
 
-  // ---- loops over doubles (random_kernel.cpp)
+  // ---- loops over doubles (kernel.cpp)
   void declare_kernel();
   void kernel_loop();
   void kernel_statement();
   void kernel_fields();
   std::string kernel_term(int depth, const std::string& index);
 
-  // ---- elements and characters as operands, loops of one statement (random_operands.cpp)
+  // ---- elements and characters as operands, loops of one statement (operands.cpp)
   void declare_operands();
   void operand_statement();
   void operand_loop();
   std::string operand_relation();
   std::string operand_test();
 
-  // ---- values that change their owner (random_handing.cpp)
+  // ---- values that change their owner (handing.cpp)
   void declare_handing();
   void handing_statement();
   std::string handing_call();
 
-  // ---- elements that are not set yet (random_unset.cpp)
+  // ---- elements that are not set yet (unset.cpp)
   void declare_unset();
   void unset_statement();
 
-  // ---- loops over lists that are changed (random_table.cpp)
+  // ---- loops over lists that are changed (table.cpp)
   void declare_table();
   void table_loop();
   void table_statement();
@@ -142,7 +142,7 @@ class RandomProgram {
   std::string table_int();
   std::string table_real();
 
-  // ---- maps (random_map.cpp)
+  // ---- maps (map.cpp)
   const Ty* map_of(const Ty* key, const Ty* element);
   const Ty* some_map();
   std::string plain_key(const Ty* key, std::size_t i);
@@ -159,7 +159,7 @@ class RandomProgram {
   const Var* find(const Ty* type, bool to_change = false);
   const Var* find_list(bool to_change);
 
-  // ---- expressions of exactly the type (random_expression.cpp)
+  // ---- expressions of exactly the type (expression.cpp)
   std::string expr(const Ty* type, int depth);
   std::string loose(const Ty* type, int depth);  // or one that converts to it by itself
   std::string leaf(const Ty* type);
@@ -188,7 +188,7 @@ class RandomProgram {
   std::string index_of(const std::string& list, int depth);
   std::string arguments(const Function& function, int depth);
 
-  // ---- statements (random_statement.cpp, random_control.cpp)
+  // ---- statements (statement.cpp, control.cpp)
   void statement();
   void body(int count);
   void simple();
@@ -214,7 +214,7 @@ class RandomProgram {
   void leaving();
   void loop_body(const std::string& counter);
   void returning();
-  // random_tasks.cpp
+  // tasks.cpp
   void concurrent();
   void branches();
   void watching();

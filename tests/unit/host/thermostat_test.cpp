@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/define_type.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/interpreter/resource.hpp"
 #include "armlet/interpreter/world_names.hpp"
@@ -275,6 +275,14 @@ TEST_CASE("failures have the host's rows, and say what had begun") {
           "parallel {\n  warm(time: 100s)\n  wait until temperature() > 90.0, timeout: 5s\n}")
           .told,
       "the heater of a is at line 3, still heating");
+}
+
+TEST_CASE("what takes time where none can pass is said with the verb of the host") {
+  const std::string late = "fn late() -> bool { warm(time: 1s)\n return true }\n";
+  const std::string heater = "heater a { power: 1.0 }\n";
+  has(run(heater + late + "wait until late()").told, "E0505: a condition cannot wait or heat");
+  has(run(heater + late + "record r every (1s) { x: late() }").told,
+      "E0505: what `record` samples cannot wait or heat");
 }
 
 TEST_CASE("names of the house are checked against its description") {

@@ -100,7 +100,7 @@ inline constexpr NativeFunction kTestFunctions[] = {
 };
 
 struct Outcome {
-  RunStatus status = RunStatus::kDone;
+  Progress status = Progress::kDone;
   std::string output;
   std::optional<Diagnostic> error;
   std::vector<Diagnostic> advice;
@@ -143,7 +143,7 @@ inline Outcome run(const std::string& text, RunLimits limits = {}) {
 // What a program that must succeed writes.
 inline std::string output_of(const std::string& text) {
   const Outcome outcome = run(text);
-  CHECK_MESSAGE(outcome.status == RunStatus::kDone, outcome.code() << ": " << outcome.message());
+  CHECK_MESSAGE(outcome.status == Progress::kDone, outcome.code() << ": " << outcome.message());
   return outcome.output;
 }
 

@@ -53,6 +53,7 @@ Run run(const std::shared_ptr<const Program>& program, std::uint64_t first, std:
   Run run;
   run.result = vm.run();
   run.allocations = vm.state().heap.attempts();
+  vm.state().clear();
   run.left = vm.state().heap.used();
   return run;
 }
@@ -87,7 +88,7 @@ TEST_CASE("any allocation of any program may fail: a clean error, nothing left b
         const Run attempt = run(program, n, count);
         INFO(path.string() << ", allocation " << n << " of " << all);
         REQUIRE(attempt.left == 0);
-        const bool is_clean = attempt.result.status == RunStatus::kDone ||
+        const bool is_clean = attempt.result.status == Progress::kDone ||
                               (attempt.result.error && !attempt.result.error->message.empty());
         REQUIRE(is_clean);
         if (attempt.result.error && attempt.result.error->code == "R0628") ++failed;

@@ -159,7 +159,7 @@ TEST_CASE("a table is saved with a heading and one line for each row") {
       "wait(0.5s)\n"
       "run.save(\"run.csv\")\n",
       "p.rbt"));
-  REQUIRE(session.run().status == RunStatus::kDone);
+  REQUIRE(session.run().status == Progress::kDone);
   CHECK(content(folder.path() / "run.csv") ==
         "t,half,n,ok,text,q1,q2,q3,q4,v1,v2\n"
         "0,0,0,false,\"a,b\",0,0,0.05,0,1.5,0\n"
@@ -176,7 +176,7 @@ TEST_CASE("a move that is halted fails with the kind Halted once the robot stand
                      "print(e.kind, e.robot, moving(), joints()[0] > 0.5, joints()[0] < 1.5)\n}\n" +
                      "print(moveJ(home(), time: 1s).reached)\n",
                  result);
-  CHECK(result.status == RunStatus::kDone);
+  CHECK(result.status == Progress::kDone);
   CHECK(printed == "Halted scara false true true\ntrue\n");
   run_halted(start + move, result);
   REQUIRE(result.error);

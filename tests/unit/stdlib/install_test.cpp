@@ -4,8 +4,11 @@
 
 #include <string>
 
+#include "armlet/interpreter/reference.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "armlet/trajectory/planner.hpp"
 #include "library.hpp"
+#include "messages/foreign_names.hpp"
 #include "session/bind.hpp"
 
 using namespace armlet;
@@ -43,7 +46,7 @@ void check_example(const NativeFunction& function) {
       function.name == "urdf")
     return;
   const RunResult result = session.run();
-  CHECK(result.status == RunStatus::kDone);
+  CHECK(result.status == Progress::kDone);
   if (result.error) FAIL_CHECK(result.error->message);
 }
 
@@ -65,5 +68,23 @@ TEST_CASE("every function that people see has one line of help and an example th
       CHECK(function.example.find('\n') == std::string_view::npos);
       check_example(function);
     }
+  }
+}
+
+TEST_CASE("what another language calls a name of the library stands for one that there is") {
+  for (const ForeignName& row : bind::kForeignNames) {
+    CAPTURE(row.foreign);
+    CHECK((!row.here.empty() || !row.note.empty()));
+    if (row.kind != ForeignKind::kName || row.here.empty()) continue;
+    CHECK_FALSE(help_page(library_engine(), row.here).empty());
+  }
+}
+
+TEST_CASE("the help of moveSpline names the planners that lay a curve through poses") {
+  const std::string page = help_page(library_engine(), "moveSpline");
+  for (const PlannerRow& row : planner_rows()) {
+    CAPTURE(row.name);
+    CHECK((page.find('"' + std::string(row.name) + '"') != std::string::npos) ==
+          row.in_space.has_value());
   }
 }

@@ -114,6 +114,7 @@ Run run(const std::shared_ptr<const Program>& program, std::uint64_t cancel_at) 
   Run run;
   run.result = vm.run();
   run.seen = watch;
+  vm.state().clear();
   run.left = vm.state().heap.used();
   return run;
 }
@@ -344,7 +345,7 @@ TEST_CASE("every function of the library counts its work and hears the wish to c
     const Run whole = run(program, UINT64_MAX);
     REQUIRE(whole.left == 0);
     if (!kSanitized) CHECK(whole.seen.longest < kMostGap);
-    if (each.is_large && whole.result.status == RunStatus::kDone) {
+    if (each.is_large && whole.result.status == Progress::kDone) {
       ++large;
       CHECK(whole.seen.steps * kWorkPerStep >= kItems / 4);
     }
@@ -352,7 +353,7 @@ TEST_CASE("every function of the library counts its work and hears the wish to c
     const Run stopped = run(program, 1 + (whole.seen.looks - 1) / 2);
     ++cancelled;
     REQUIRE(stopped.left == 0);
-    CHECK(stopped.result.status == RunStatus::kCancelled);
+    CHECK(stopped.result.status == Progress::kCancelled);
   }
   CHECK(large > 100);
   CHECK(cancelled > 30);

@@ -75,7 +75,7 @@ Figures heard_of(const std::string& program, const fs::path& folder = {}) {
   REQUIRE(session.compile(program, "figures.rbt"));
   const RunResult result = session.run();
   if (result.error) MESSAGE(result.error->message);
-  REQUIRE(result.status == RunStatus::kDone);
+  REQUIRE(result.status == Progress::kDone);
   CHECK(backend.ended_after == backend.figures.size());
   return backend;
 }

@@ -81,7 +81,7 @@ TEST_CASE("the examples of what is part of the language run") {
     CAPTURE(text);
     Session session(library_engine(), SessionOptions{});
     REQUIRE(session.compile(text, "example.rbt"));
-    CHECK(session.run().status == RunStatus::kDone);
+    CHECK(session.run().status == Progress::kDone);
   }
 }
 

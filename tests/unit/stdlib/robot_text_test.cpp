@@ -21,7 +21,7 @@ std::shared_ptr<const Robot> read_back(const std::string& block) {
   for (const Problem& problem : session.problems()) MESSAGE(problem.diagnostic.message);
   REQUIRE(good);
   const RunResult result = session.run();
-  REQUIRE(result.status == RunStatus::kDone);
+  REQUIRE(result.status == Progress::kDone);
   return session.host()->cell().robot(0).model;
 }
 

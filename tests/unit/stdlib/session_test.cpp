@@ -42,7 +42,7 @@ std::string trace_of(const std::string& program,
   made.backends = {backend.get()};
   Session session(library_engine(), std::move(made));
   REQUIRE(session.compile(program, "classic.rbt"));
-  REQUIRE(session.run().status == RunStatus::kDone);
+  REQUIRE(session.run().status == Progress::kDone);
   return out.str();
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a classic program really carries the cube from its place to the other
   Session session(library_engine(), at_the_table());
   REQUIRE(session.compile(kClassic, "classic.rbt"));
   const RunResult result = session.run();
-  REQUIRE(result.status == RunStatus::kDone);
+  REQUIRE(result.status == Progress::kDone);
   const Object& cube = session.host()->cell().world().at("cube");
   // Forward kinematics of the SCARA by hand: 0.4 (cos, sin)(-45 deg) + 0.3 (cos, sin)(1.2 rad - 45
   // deg).
@@ -76,7 +76,7 @@ TEST_CASE("a failed move leaves everything where it was") {
                       "try { moveL(xyz(3m, 0m, 0m), time: 1s) } catch (e) { print(e.kind) }\n"
                       "assert(joints() == before)\nassert(now() == 0s)\n",
                       "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
 }
 
 TEST_CASE("a world given by the user is used, and its mistakes are reported in its own text") {
@@ -84,7 +84,7 @@ TEST_CASE("a world given by the user is used, and its mistakes are reported in i
   made.world = WorldText{"lab", "object ball { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }"};
   Session session(library_engine(), std::move(made));
   REQUIRE(session.compile("assert(poseOf(object(\"ball\")).x == 300mm)", "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK_FALSE(session.compile("insertObj(\"cube\")", "p.rbt"));
   REQUIRE_FALSE(session.problems().empty());
   CHECK(session.problems().front().diagnostic.code == "E0203");
@@ -120,7 +120,7 @@ TEST_CASE("a program's own objects take the place of those of the default world"
       session.compile("object cube { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }\n"
                       "insertObj(\"cylinder\")\nassert(poseOf(cube).z == 300mm)\n",
                       "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK(session.host()->cell().world().find("cylinder") != nullptr);
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("without any world insertObj makes a stand-in and says so") {
   made.advice = [&](const Diagnostic& d) { advice += d.code == "W0712" ? 1 : 0; };
   Session session(library_engine(), std::move(made));
   REQUIRE(session.compile("insertObj(\"thing\")\nassert(getNumberObj() == 1)\n", "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK(advice == 1);
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("cancelling from another thread stops an endless program") {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     session.cancel();
   });
-  CHECK(session.run().status == RunStatus::kCancelled);
+  CHECK(session.run().status == Progress::kCancelled);
 }
 
 TEST_CASE("no motion goes beyond the end that the host gives virtual time") {
@@ -169,8 +169,8 @@ TEST_CASE("each test runs in a fresh world at time 0") {
       "test \"two\" { assert(now() == 0s); assert(getNumberObj() == 0) }\n"
       "test \"three\" { assert(1 == 2) }\n",
       "p.rbt"));
-  CHECK(session.run_test(0).status == RunStatus::kDone);
-  CHECK(session.run_test(1).status == RunStatus::kDone);
+  CHECK(session.run_test(0).status == Progress::kDone);
+  CHECK(session.run_test(1).status == Progress::kDone);
   const RunResult failed = session.run_test(2);
   REQUIRE(failed.error);
   CHECK(failed.error->code == "R0608");
@@ -184,7 +184,7 @@ TEST_CASE("a planner of the host can be named by programs") {
       session.compile("moveJ(posJ(60deg, 30deg, 0mm, 0deg), time: 2s, traj: \"House\")\n"
                       "assert(planners().last == \"House\")",
                       "house.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK_FALSE(session.compile("moveJ(home(), traj: \"Hose\")", "typo.rbt"));
   CHECK(session.problems().front().diagnostic.fix->text == "did you mean \"House\"?");
 }
@@ -195,7 +195,7 @@ TEST_CASE("a robot that slows down when the program ends comes to rest in the tr
   made.backends = {&recorder};
   Session session(library_engine(), std::move(made));
   REQUIRE(session.compile("speedJ([0.5, 0.0, 0.0, 0.0], during: 300ms)", "rolls.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK_FALSE(session.host()->cell().is_moving(0));
   CHECK(session.host()->cell().robot(0).qd.norm() == 0.0);
   CHECK(session.host()->now_ns() > 300'000'000);
@@ -209,11 +209,11 @@ TEST_CASE("a session without a program that can run says so") {
   CHECK_FALSE(session.compile("let = 3", "p.rbt"));
   CHECK_THROWS_AS((void)session.run(), ArgumentError);
   REQUIRE(session.compile(" ", "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   REQUIRE(session.compile("print(1)", "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK_THROWS_AS((void)session.run_test(0), ArgumentError);
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   // The program is well, its world is not.
   SessionOptions broken = at_the_table();
   broken.world = WorldText{"lab", "object ball { shape: sphere(15); at: xyz(300mm, 0mm, 300mm) }"};
@@ -226,8 +226,8 @@ TEST_CASE("a wish to cancel ends with the run that it stops, and one that comes 
   Session session(library_engine(), at_the_table());
   REQUIRE(session.compile("wait(1s)\nmoveJ(home())", "p.rbt"));
   session.cancel();
-  CHECK(session.run().status == RunStatus::kCancelled);
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kCancelled);
+  CHECK(session.run().status == Progress::kDone);
 }
 
 TEST_CASE("a wish to cancel stops compiling, and is over with it") {
@@ -238,7 +238,7 @@ TEST_CASE("a wish to cancel stops compiling, and is over with it") {
   CHECK(session.problems()[0].diagnostic.code == "R0629");
   CHECK_THROWS_AS((void)session.run(), ArgumentError);
   REQUIRE(session.compile("print(1)", "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   // Nothing is left of it after a text that is refused before any of it is read.
   session.cancel();
   CHECK_FALSE(session.compile(" ", "p.rbt"));
@@ -275,11 +275,11 @@ TEST_CASE("what functions of the host throw is a failure, and the session runs a
       "try { moveJ(home() + [0.1, 0, 0, 0], time: 1s) } catch (e) { print(e.kind) }\n"
       "moveJ(home(), time: 1s)\nprint(now() == 2s)\n",
       "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK(printed == "Host\ntrue\n");
   session.cancel();
-  CHECK(session.run().status == RunStatus::kCancelled);
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kCancelled);
+  CHECK(session.run().status == Progress::kDone);
 }
 
 TEST_CASE("a backend that throws fails the program, and leaves nothing that points to it") {
@@ -297,7 +297,7 @@ TEST_CASE("a backend that throws fails the program, and leaves nothing that poin
   bool thrown = false;
   try {
     const RunResult result = session.run();
-    CHECK(result.status != RunStatus::kDone);
+    CHECK(result.status != Progress::kDone);
   } catch (const std::runtime_error&) {
     thrown = true;  // outside the program
   }
@@ -322,7 +322,7 @@ TEST_CASE("a session runs one program at a time") {
   Session session(library_engine(), std::move(made));
   itself = &session;
   REQUIRE(session.compile("moveJ(home() + [0.1, 0, 0, 0], time: 1s)", "p.rbt"));
-  CHECK(session.run().status == RunStatus::kDone);
+  CHECK(session.run().status == Progress::kDone);
   CHECK(said == "The session runs already; use another one.");
 }
 
@@ -342,7 +342,7 @@ TEST_CASE("the library is installed once, and its functions fail where there is 
     CAPTURE(call);
     Vm vm(compiled.program, {});
     const RunResult result = vm.run();
-    if (result.status == RunStatus::kDone) continue;
+    if (result.status == Progress::kDone) continue;
     REQUIRE(result.error);
     CHECK_FALSE(result.error->message.empty());
   }

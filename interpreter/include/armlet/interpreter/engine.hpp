@@ -18,8 +18,10 @@
 
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/foreign_name.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/output.hpp"
+#include "armlet/interpreter/run.hpp"
 #include "armlet/interpreter/source.hpp"
 
 namespace armlet {
@@ -148,6 +150,11 @@ class Engine {
   // throws  ArgumentError as MessageTables::add.
   Engine& add_messages(std::span<const CatalogEntry> rows);
   [[nodiscard]] const MessageTables& messages() const;
+  // What other languages call names of the library, for messages about unknown names. The texts
+  // outlive the engine.
+  //
+  // throws  ArgumentError for a word that is known already.
+  Engine& add_foreign_names(std::span<const ForeignName> rows);
   // Names that are reserved for what is not there yet: a program that uses one is told so. They
   // must outlive the engine.
   Engine& add_planned(std::span<const std::string_view> names);
@@ -163,32 +170,12 @@ class Engine {
   std::shared_ptr<lang::Registry> registry_;  // programs keep it too
 };
 
-// Virtual time ends a hundred years of 365.25 days after the start, ns; a host may let it end
-// earlier.
-inline constexpr std::int64_t kEndOfTime_ns = 100LL * 36525 * 86400 * 10'000'000;
-
-struct RunLimits {
-  std::uint64_t steps = 100'000'000;  // calls and backward jumps (ruling 9)
-  std::uint64_t heap_bytes = 1ULL << 30U;
-  std::uint32_t call_depth = 10'000;
-  std::uint64_t output_bytes = 1ULL << 30U;
-  std::int64_t time_ns = kEndOfTime_ns;  // the virtual time at which a run ends (ruling 48)
-};
-
 struct VmOptions {
   RunLimits limits;
   Timeline* timeline = nullptr;                   // null: a clock without a world
   void* host = nullptr;                           // what native functions find with Vm::host
   Output output;                                  // what `print` writes
   std::function<void(const Diagnostic&)> advice;  // advice given while running
-};
-
-enum class RunStatus : std::uint8_t { kDone, kFailed, kCancelled };
-
-struct RunResult {
-  RunStatus status = RunStatus::kDone;
-  std::optional<Diagnostic> error;  // kFailed
-  std::uint64_t steps = 0;
 };
 
 // What a prompt shows after an entry: `let p = ...` as "p = (300, 120, 20) mm ...  posC", an
@@ -206,7 +193,16 @@ class Vm {
   Vm(const Vm&) = delete;
   Vm& operator=(const Vm&) = delete;
 
-  // Runs the program's text from the start. A Vm runs once; make a new one to run again.
+  // Runs the program's text, from the start or from where it paused, until it has ended or the
+  // budget is used. It pauses before calls, at passes of loops and where virtual time passes, never
+  // inside a function of the host that calls the program. A Vm runs its program once; make a new
+  // one to run it again. What the program leaves, its variables and functions, stays until the Vm
+  // goes.
+  //
+  // throws  ArgumentError for a budget of no steps, when the run has ended, and while it runs: in
+  //         another thread, or in the function of the host that calls this. All stays as it was.
+  Progress run(const Budget& budget);
+  // The same without a budget.
   [[nodiscard]] RunResult run();
   // Runs top-level declarations' initialisers that test `index` needs, then its body.
   [[nodiscard]] RunResult run_test(std::size_t index);
@@ -223,6 +219,8 @@ class Vm {
   [[nodiscard]] const std::shared_ptr<const Program>& newest_entry() const { return done_; }
   // The value of its last statement; nothing: it has none, or a semicolon follows.
   [[nodiscard]] std::optional<EntryValue> shown() const;
+  // How far the run has come; kPaused before its start.
+  [[nodiscard]] const RunResult& result() const { return result_; }
   // May be called from any thread or a signal handler: the program stops at its next pause point or
   // step check.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
@@ -249,12 +247,16 @@ class Vm {
   [[nodiscard]] lang::VmState& state() { return *state_; }
 
  private:
+  Progress go_on(std::uint32_t function, const Budget& budget);
+  void finish_entry();
+
   std::shared_ptr<const Program> program_;
   std::shared_ptr<const Program> done_;  // the newest entry that has run to its end
   VmOptions options_;
   std::unique_ptr<Timeline> own_timeline_;
   Timeline* timeline_;
   std::unique_ptr<lang::VmState> state_;
+  RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
   std::atomic<bool> cancelled_{false};
   friend struct lang::VmState;
 };

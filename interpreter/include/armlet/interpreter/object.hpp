@@ -38,7 +38,8 @@ inline constexpr std::int64_t kAbsentBits = static_cast<std::int64_t>(0xFFF8'A85
 
 enum class ObjKind : std::uint8_t { kText, kList, kMap, kRecord, kMatrix, kClosure, kBox, kHost };
 
-struct Obj {
+// Slots may lie behind any header, also where addresses have four bytes.
+struct alignas(Slot) Obj {
   std::uint32_t refs;
   ObjKind kind;
   std::uint8_t flags;

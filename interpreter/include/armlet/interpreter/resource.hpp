@@ -15,7 +15,7 @@ namespace armlet {
 // Parts of sentences, for a resource whose type is called "motor".
 struct ResourceWords {
   std::string_view plural;      // "motors"
-  std::string_view act;         // "run": which one should run?
+  std::string_view act;         // "run": which one should run? A condition cannot wait or run
   std::string_view acts;        // "the runs": put the runs inside with (motor: m) { ... }
   std::string_view act_on_one;  // "run a motor": an imported file may not run a motor by itself
   std::string_view busy;        // "is running already": `m` is running already

@@ -3,11 +3,9 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
-#include <thread>
 
+#include "armlet/core/platform.hpp"
 #include "armlet/interpreter/engine.hpp"
 
 namespace armlet {
@@ -19,9 +17,6 @@ class Watchdog {
   Watchdog(Vm& vm, std::chrono::nanoseconds time);
   // Sets a flag instead, such as CompileOptions::cancelled.
   Watchdog(std::atomic<bool>& flag, std::chrono::nanoseconds time);
-  ~Watchdog();
-  Watchdog(const Watchdog&) = delete;
-  Watchdog& operator=(const Watchdog&) = delete;
 
   // Whether the time passed.
   [[nodiscard]] bool has_barked() const { return has_barked_.load(); }
@@ -29,11 +24,8 @@ class Watchdog {
  private:
   Watchdog(std::function<void()> bark, std::chrono::nanoseconds time);
 
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool end_ = false;
   std::atomic<bool> has_barked_{false};
-  std::thread thread_;
+  Alarm alarm_;
 };
 
 }  // namespace armlet

@@ -88,7 +88,9 @@ void check_callbacks(Checker& checker) {
   for (const Postponed::Callback& callback : checker.shared.postponed.callbacks()) {
     if (!checker.shared.uses.may_pause(checker.shared.uses.of(callback.function))) continue;
     checker.messages.begin_statement();
-    checker.report(make_diagnostic("E0520", callback.span, {std::string(callback.called_by)}));
+    checker.report(
+        make_diagnostic("E0520", callback.span,
+                        {std::string(callback.called_by), checker.registry.what_takes_time()}));
   }
 }
 

@@ -90,7 +90,7 @@ class Call final : public CheckCall {
   }
   void* host() const override { return checker_.options.host; }
   const WorldNames* world() const override { return checker_.options.world.get(); }
-  void use_world() override { checker_.into.uses_world = true; }
+  void use_world() override { checker_.into.names.of_world = true; }
 
   void set_result_fact(std::shared_ptr<const Fact> fact) override {
     call_.fact = fact.get();

@@ -90,7 +90,8 @@ void report_unknown_setting(Checker& checker, std::string_view name, const Signa
       make_diagnostic("E0207", at.name_span, {std::string(name), std::string(at.name)});
   if (settings.empty()) settings.assign(names.begin(), names.end());
   if (!settings.empty()) out.why = std::string(name) + " accepts " + joined(settings);
-  std::string_view meant = foreign_setting(at.name);
+  const ForeignName* foreign = checker.registry.foreign(at.name, ForeignKind::kSetting);
+  std::string_view meant = foreign != nullptr ? foreign->here : "";
   if (std::ranges::find(names, meant) == names.end()) {
     meant = suggest(at.name, std::span<const std::string_view>(names)).value_or("");
   }

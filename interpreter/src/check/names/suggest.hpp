@@ -23,19 +23,4 @@ struct Candidate {
 [[nodiscard]] std::optional<std::string_view> suggest(std::string_view name,
                                                       std::span<const std::string_view> candidates);
 
-// What a word of another language is called here.
-struct ForeignName {
-  std::string_view foreign;
-  std::string_view here;  // text that can stand in its place; empty if there is no such thing
-  std::string_view note;  // one sentence, may be empty
-};
-
-// null if the word is not known.
-[[nodiscard]] const ForeignName* foreign_name(std::string_view word);
-[[nodiscard]] std::span<const ForeignName> foreign_names();
-
-// The setting that other languages call `word`: velocity is speed, zone is blend. Empty if not
-// known.
-[[nodiscard]] std::string_view foreign_setting(std::string_view word);
-
 }  // namespace armlet::lang

@@ -15,31 +15,6 @@
 namespace armlet::lang {
 namespace {
 
-struct Meant {
-  std::string_view found;
-  std::string_view here;
-};
-
-constexpr auto kTypes = std::to_array<Meant>({
-    {"Double", "double"},      {"Float", "double"},   {"real", "double"},
-    {"number", "double"},      {"Number", "double"},  {"decimal", "double"},
-    {"Integer", "int"},        {"Int", "int"},        {"integer", "int"},
-    {"Long", "int"},           {"short", "int"},      {"byte", "int"},
-    {"unsigned", "int"},       {"size_t", "int"},     {"int32_t", "int"},
-    {"int64_t", "int"},        {"Boolean", "bool"},   {"Bool", "bool"},
-    {"str", "string"},         {"char", "string"},    {"Str", "string"},
-    {"text", "string"},        {"list", "double[]"},  {"vector", "double[]"},
-    {"ArrayList", "double[]"}, {"array", "double[]"}, {"Point", "posC"},
-    {"Pose", "posC"},          {"pose", "posC"},      {"Robot", "robot"},
-    {"Exception", "error"},    {"Error", "error"},    {"Object", "object"},
-});
-
-template <std::size_t N>
-std::string_view lookup(const std::array<Meant, N>& table, std::string_view word) {
-  const auto found = std::ranges::find(table, word, &Meant::found);
-  return found == table.end() ? std::string_view() : found->here;
-}
-
 // Whether a name can be a new one beside another: vy beside vx, p2 beside p1.
 bool is_name_of_its_own(std::string_view name, std::string_view other) {
   constexpr std::size_t kShort = 2;
@@ -57,7 +32,7 @@ void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& 
                       Span statement) {
   const std::string_view name = root.as<ast::NameExpr>().name;
   if (!checker.messages.is_news(name)) return;
-  if (checker.names.find_variable(name) != nullptr || foreign_name(name) != nullptr ||
+  if (checker.names.find_variable(name) != nullptr || checker.registry.foreign(name) != nullptr ||
       checker.registry.is_planned(name)) {
     checker.messages.forget(name);
     unknown_name(checker, name, root.span);
@@ -95,7 +70,7 @@ void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& 
 hir::Expr* foreign_method(Checker& checker, const ast::CallExpr& call,
                           const ast::MemberExpr& member, std::string_view full) {
   std::string better;
-  if (const ForeignName* foreign = foreign_name(full)) better = foreign->here;
+  if (const ForeignName* foreign = checker.registry.foreign(full)) better = foreign->here;
   constexpr std::array<std::string_view, 5> kModules = {"math", "np", "numpy", "cmath", "std"};
   const std::string_view group = full.substr(0, full.find('.'));
   const bool is_module = std::ranges::find(kModules, group) != kModules.end();
@@ -189,9 +164,9 @@ std::string_view empty_value(const Type& type) {
   return type.is(Kind::kReal) ? "0.0" : std::string_view();
 }
 
-// MoveL p10, v1000, z50, tool0;  reads like a declaration of four variables.
+// go p10, v1000, z50, tool0;  reads like a declaration of four variables.
 static bool refuse_call_without_parentheses(Checker& checker, std::string_view name, Span span) {
-  const ForeignName* foreign = foreign_name(name);
+  const ForeignName* foreign = checker.registry.foreign(name);
   const std::string function(foreign != nullptr ? foreign->here : name);
   if (checker.registry.functions(function).empty()) return false;
   const std::string_view text = (*checker.into.sources)[span.source].text().substr(span.end);
@@ -213,7 +188,10 @@ static bool refuse_call_without_parentheses(Checker& checker, std::string_view n
 bool refuse_foreign_type(Checker& checker, std::string_view name, Span span) {
   std::string_view here = meant_by(name, &ForeignWord::declares);
   const bool is_declaration = !here.empty();
-  if (!is_declaration) here = lookup(kTypes, name);
+  if (here.empty()) here = type_meant_by(name);
+  if (const ForeignName* type = checker.registry.foreign(name, ForeignKind::kType);
+      here.empty() && type != nullptr)
+    here = type->here;
   if (here.empty()) return refuse_call_without_parentheses(checker, name, span);
   const std::string better(here);
   Diagnostic diagnostic = is_declaration
@@ -320,7 +298,7 @@ hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span, cons
   }
   if (checker.registry.is_planned(name)) return not_available(checker, span, in_backticks(name));
   Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
-  if (const ForeignName* foreign = foreign_name(name)) {
+  if (const ForeignName* foreign = checker.registry.foreign(name)) {
     diagnostic.why = foreign->note;
     if (!foreign->here.empty()) {
       diagnostic.fix = Fix{.text = "write " + std::string(foreign->here),

@@ -86,9 +86,10 @@ hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
 }  // namespace
 
 void report_pause(Checker& checker, const hir::Function& condition, Span span) {
-  Diagnostic diagnostic = make_diagnostic("E0505", span);
+  const std::string takes_time = checker.registry.what_takes_time();
+  Diagnostic diagnostic = make_diagnostic("E0505", span, {takes_time});
   if (condition.name.starts_with(kSampleName))
-    diagnostic.message = "what `record` samples cannot wait or move";
+    diagnostic.message = "what `record` samples cannot " + takes_time;
   checker.report(std::move(diagnostic));
 }
 

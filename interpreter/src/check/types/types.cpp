@@ -6,15 +6,12 @@
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/types/maps.hpp"
+#include "types/basic_types.hpp"
 
 namespace armlet::lang {
 
 const Type* type_called(Checker& checker, std::string_view name) {
-  if (name == "int" || name == "long") return checker.types.integer();
-  if (name == "double" || name == "float") return checker.types.real();
-  if (name == "bool" || name == "boolean") return checker.types.boolean();
-  if (name == "string" || name == "String") return checker.types.text();
-  if (name == "matrix" || name == "Matrix") return checker.types.matrix();
+  if (const Type* basic = basic_type(checker.types, name)) return basic;
   if (const Type* found = checker.names.find_type(name)) return found;
   if (const HostType* host = checker.registry.type(name)) return checker.types.host(host);
   if (const auto dim = dimension_named(name)) return checker.types.quantity(*dim);
@@ -42,8 +39,8 @@ const Type* resolve_named(Checker& checker, const ast::TypeExpr& type) {
     checker.report(make_diagnostic("E0216", type.span, {name}));
     return checker.types.any();
   }
-  std::vector<std::string_view> names = {"int",    "double", "bool", "string",
-                                         "matrix", "table",  "void"};
+  std::vector<std::string_view> names = {"table", "void"};
+  for (const BasicType& basic : kBasicTypes) names.push_back(basic.name);
   std::ranges::copy(dimension_names(), std::back_inserter(names));
   for (const auto& [known, unused] : checker.names.types()) names.push_back(known);
   for (const KeptName* kept : checker.names.all_earlier())

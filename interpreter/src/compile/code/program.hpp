@@ -115,6 +115,13 @@ struct ShownValue {
   bool is_hidden = false;                   // a semicolon follows
 };
 
+// Names in the text that the host asks for.
+struct UsedNames {
+  std::vector<std::string> functions;                                     // of the library, sorted
+  std::map<std::string, std::vector<std::string>, std::less<>> declared;  // by type
+  bool of_world = false;  // one of the world that is not among the declared
+};
+
 struct KeptNames;
 
 struct CompiledProgram {
@@ -140,9 +147,8 @@ struct CompiledProgram {
   std::vector<const hir::AssertThrowsStmt*> expects;
   std::vector<const hir::WaitUntilStmt*> waits;
   UnsetElements unset;
-  std::vector<std::string> mentioned;  // library functions named in the text, sorted
-  std::map<std::string, std::vector<std::string>, std::less<>> declared_names;  // by type
-  bool uses_world = false;                  // a name that is not among these
+  UsedNames names;
+  std::string what_takes_time;              // in the words of the host: "wait or move"
   const MessageTables* messages = nullptr;  // of the engine, which outlives the program
 
   // ---- entries of sessions

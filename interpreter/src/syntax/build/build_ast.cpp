@@ -53,9 +53,8 @@ ast::Stmt* AstBuilder::statement(RbtParser::StmtContext* ctx) {
       return var_decl(static_cast<RbtParser::VarDeclContext*>(rule));
     case RbtParser::RuleBlockDecl:
       return block_decl(static_cast<RbtParser::BlockDeclContext*>(rule));
-    default:
-      return top_declaration(ctx);
   }
+  return top_declaration(ctx);
 }
 
 ast::Stmt* AstBuilder::plain_block(RbtParser::BlockContext* ctx) {
@@ -112,9 +111,8 @@ ast::Stmt* AstBuilder::closed(RbtParser::ClosedStmtContext* ctx) {
     case RbtParser::RETRY:
     case RbtParser::RETURN:
       return jump(ctx);
-    default:
-      return expr_stmt(static_cast<RbtParser::ExprStmtContext*>(ctx->children.front()));
   }
+  return expr_stmt(static_cast<RbtParser::ExprStmtContext*>(ctx->children.front()));
 }
 
 ast::Stmt* AstBuilder::jump(RbtParser::ClosedStmtContext* ctx) {
@@ -132,8 +130,6 @@ ast::Stmt* AstBuilder::jump(RbtParser::ClosedStmtContext* ctx) {
     case RbtParser::RETRY:
       refuse_unless(place_.in_catch, "a `catch` block");
       return fresh<ast::JumpStmt>(ast::StmtKind::kRetry, word);
-    default:
-      break;
   }
   refuse_unless(place_.in_function, "a function");
   auto* out = fresh<ast::ReturnStmt>(ast::StmtKind::kReturn, span_of(ctx));
@@ -184,13 +180,8 @@ ast::Stmt* AstBuilder::assignment(RbtParser::ExprStmtContext* ctx) {
   auto* out = fresh<ast::AssignStmt>(ast::StmtKind::kAssign, span_of(ctx));
   std::vector<ast::Expr*> values = {expression(ctx->expression(0))};
   if (RbtParser::CompoundOpContext* op = ctx->compoundOp()) {
-    const std::size_t type = op->start->getType();
     out->compound = true;
-    out->op = type == RbtParser::PLUSEQ    ? ast::BinaryOp::kAdd
-              : type == RbtParser::MINUSEQ ? ast::BinaryOp::kSub
-              : type == RbtParser::STAREQ  ? ast::BinaryOp::kMul
-              : type == RbtParser::SLASHEQ ? ast::BinaryOp::kDiv
-                                           : ast::BinaryOp::kMod;
+    out->op = *mark_of(op->start->getType()).operation;
     out->op_span = token_span(op->start);
     values.push_back(expression(ctx->expression(1)));
   } else {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "syntax/build/build_ast.hpp"
+#include "syntax/tokens/marks.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -14,47 +15,6 @@ ast::Expr base(ast::ExprKind kind, Span span) { return {.kind = kind, .span = sp
 
 RbtParser::ExprContext* left_operand(RbtParser::ExprContext* ctx) {
   return dynamic_cast<RbtParser::ExprContext*>(ctx->children.front());
-}
-
-ast::BinaryOp binary_op(std::size_t type) {
-  switch (type) {
-    case RbtParser::PLUS:
-      return ast::BinaryOp::kAdd;
-    case RbtParser::MINUS:
-      return ast::BinaryOp::kSub;
-    case RbtParser::STAR:
-      return ast::BinaryOp::kMul;
-    case RbtParser::SLASH:
-      return ast::BinaryOp::kDiv;
-    case RbtParser::PERCENT:
-      return ast::BinaryOp::kMod;
-    case RbtParser::BSLASH:
-      return ast::BinaryOp::kLeftDiv;
-    case RbtParser::DOTSTAR:
-      return ast::BinaryOp::kElemMul;
-    case RbtParser::DOTSLASH:
-      return ast::BinaryOp::kElemDiv;
-    case RbtParser::CARET:
-      return ast::BinaryOp::kPow;
-    case RbtParser::DOTCARET:
-      return ast::BinaryOp::kElemPow;
-    case RbtParser::LT:
-      return ast::BinaryOp::kLess;
-    case RbtParser::LE:
-      return ast::BinaryOp::kLessEq;
-    case RbtParser::GT:
-      return ast::BinaryOp::kGreater;
-    case RbtParser::GE:
-      return ast::BinaryOp::kGreaterEq;
-    case RbtParser::EQ:
-      return ast::BinaryOp::kEq;
-    case RbtParser::NE:
-      return ast::BinaryOp::kNe;
-    case RbtParser::ANDAND:
-      return ast::BinaryOp::kAnd;
-    default:
-      return ast::BinaryOp::kOr;
-  }
 }
 
 }  // namespace
@@ -139,7 +99,8 @@ ast::Expr* AstBuilder::extend(ast::Expr* left, RbtParser::ExprContext* ctx) {
     return in_.arena.make<ast::CondExpr>(base(ast::ExprKind::kCond, span), left, right, no);
   }
   return in_.arena.make<ast::BinaryExpr>(base(ast::ExprKind::kBinary, span),
-                                         binary_op(op->getType()), left, right, token_span(op));
+                                         *mark_of(op->getType()).operation, left, right,
+                                         token_span(op));
 }
 
 ast::Expr* AstBuilder::index(ast::Expr* object, RbtParser::ExprContext* ctx) {
@@ -192,9 +153,8 @@ ast::Expr* AstBuilder::primary(RbtParser::PrimaryContext* ctx) {
       return in_.arena.make<ast::CallExpr>(base(ast::ExprKind::kCall, span), callee,
                                            args(ctx->args()), span_of(ctx->args()));
     }
-    default:
-      return literal(static_cast<RbtParser::LiteralContext*>(ctx->children.front()));
   }
+  return literal(static_cast<RbtParser::LiteralContext*>(ctx->children.front()));
 }
 
 ast::Expr* AstBuilder::lambda(RbtParser::LambdaContext* ctx) {

@@ -83,10 +83,9 @@ ast::Expr* AstBuilder::literal(RbtParser::LiteralContext* ctx) {
     case RbtParser::STRING:
       return in_.arena.make<ast::TextExpr>(base(ast::ExprKind::kText, span),
                                            decoded({span.begin + 1, span.end - 1, span.source}));
-    default:
-      return in_.arena.make<ast::BoolExpr>(base(ast::ExprKind::kBool, span),
-                                           ctx->start->getType() == RbtParser::TRUE);
   }
+  return in_.arena.make<ast::BoolExpr>(base(ast::ExprKind::kBool, span),
+                                       ctx->start->getType() == RbtParser::TRUE);
 }
 
 ast::Expr* AstBuilder::whole_number(Span span) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "syntax/mistakes/failure_site.hpp"
+#include "syntax/tokens/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -93,19 +94,8 @@ constexpr std::array<std::string_view, 9> kMapTypes = {
     "Dict", "map",     "unordered_map", "SortedDictionary"};
 
 std::string type_here(const std::string& name) {
-  struct Type {
-    std::string_view there;
-    std::string_view here;
-  };
-  constexpr auto kTypes = std::to_array<Type>({{"String", "string"},
-                                               {"str", "string"},
-                                               {"Integer", "int"},
-                                               {"Long", "int"},
-                                               {"Double", "double"},
-                                               {"Float", "double"},
-                                               {"Boolean", "bool"}});
-  const auto known = std::ranges::find(kTypes, name, &Type::there);
-  return known == kTypes.end() ? name : std::string(known->here);
+  const std::string_view meant = name == "String" ? "string" : type_meant_by(name);
+  return meant.empty() ? name : std::string(meant);
 }
 
 bool is_type_word(std::uint16_t type) { return is_name(type) || is_primitive_type(type); }

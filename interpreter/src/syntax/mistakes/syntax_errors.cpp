@@ -17,17 +17,11 @@ std::string with_article(const std::string& word) {
          quoted(word);
 }
 
-bool is_binary_operator(std::uint16_t type) {
-  return (type >= RbtLexer::EQ && type <= RbtLexer::OROR) ||
-         (type >= RbtLexer::DOTSTAR && type <= RbtLexer::CARET) || type == RbtLexer::DOT ||
-         type == RbtLexer::QMARK;
-}
-
 // if d > 0.45 { ... }   and   if (a) && (b) { ... }
 Answer bare_condition(const FailureSite& site) {
   std::size_t word = site.at - 1;
   if (site.at > site.statement && site.before() == RbtLexer::RPAREN &&
-      is_binary_operator(site.type(site.at))) {
+      is_between_values(mark_of(site.type(site.at)))) {
     const std::size_t open = site.opener_of(site.at - 1);
     if (open == site.statement) return std::nullopt;
     word = open - 1;
@@ -194,10 +188,9 @@ Answer assignment_as_value(const FailureSite& site) {
 
 // fn(x) => n += x
 Answer assignment_as_result(const FailureSite& site) {
-  const std::uint16_t mark = site.type(site.at);
-  const bool stores =
-      mark == RbtLexer::ASSIGN || (mark >= RbtLexer::PLUSEQ && mark <= RbtLexer::PERCENTEQ);
-  if (!stores || site.at == 0 || !FailureSite::ends_value(site.before())) return std::nullopt;
+  if (!mark_of(site.type(site.at)).assigns || site.at == 0 ||
+      !FailureSite::ends_value(site.before()))
+    return std::nullopt;
   const std::size_t first = site.value_start(site.at - 1);
   if (first <= site.statement || site.type(first - 1) != RbtLexer::FATARROW) return std::nullopt;
   const std::optional<std::size_t> open = site.opener(first);
@@ -295,25 +288,8 @@ Answer missing_separator(const FailureSite& site) {
 
 // What must come behind a token; empty if it is complete.
 std::string_view wanted_after(std::uint16_t type) {
-  if (const std::string_view wants = word_of(type).wants; !wants.empty()) return wants;
-  switch (type) {
-    case RbtLexer::DOT:
-      return "a name";
-    case RbtLexer::ARROW:
-      return "a type";
-    case RbtLexer::COLON:
-    case RbtLexer::COMMA:
-    case RbtLexer::ASSIGN:
-    case RbtLexer::FATARROW:
-    case RbtLexer::LPAREN:
-    case RbtLexer::LBRACK:
-    case RbtLexer::NOT:
-      return "a value";
-    default:
-      return (type >= RbtLexer::PLUSEQ && type <= RbtLexer::PERCENTEQ) || is_binary_operator(type)
-                 ? "a value"
-                 : std::string_view();
-  }
+  const std::string_view wants = word_of(type).wants;
+  return wants.empty() ? mark_of(type).wants : wants;
 }
 
 // let x =

@@ -47,6 +47,32 @@ inline constexpr ForeignWord kForeignWords[] = {
 };
 // clang-format on
 
+// Types of other languages.
+struct ForeignType {
+  std::string_view found;
+  std::string_view meant;
+};
+inline constexpr ForeignType kForeignTypes[] = {
+    {"Double", "double"},      {"Float", "double"},   {"real", "double"},
+    {"number", "double"},      {"Number", "double"},  {"decimal", "double"},
+    {"Integer", "int"},        {"Int", "int"},        {"integer", "int"},
+    {"Long", "int"},           {"short", "int"},      {"byte", "int"},
+    {"unsigned", "int"},       {"size_t", "int"},     {"int32_t", "int"},
+    {"int64_t", "int"},        {"Boolean", "bool"},   {"Bool", "bool"},
+    {"str", "string"},         {"char", "string"},    {"Str", "string"},
+    {"text", "string"},        {"list", "double[]"},  {"vector", "double[]"},
+    {"ArrayList", "double[]"}, {"array", "double[]"}, {"Exception", "error"},
+    {"Error", "error"},
+};
+
+// The type that a word stands for; empty if it is none of them.
+[[nodiscard]] constexpr std::string_view type_meant_by(std::string_view word) {
+  for (const ForeignType& row : kForeignTypes) {
+    if (row.found == word) return row.meant;
+  }
+  return {};
+}
+
 // What a word stands for in such a place; empty if it is no such word.
 [[nodiscard]] constexpr std::string_view meant_by(std::string_view word, bool ForeignWord::*place) {
   for (const ForeignWord& row : kForeignWords) {

@@ -152,19 +152,15 @@ class Reader {
 
  private:
   void take(std::uint16_t type, Span span) {
-    switch (type) {
-      case RbtLexer::WS:
-        return;
-      case RbtLexer::NL:
-        line_break_ = true;
-        line_failed_ = false;
-        return;
-      case RbtLexer::LINE_COMMENT:
-      case RbtLexer::BLOCK_COMMENT:
-        out_.comments.push_back(span);
-        return;
-      default:
-        break;
+    if (type == RbtLexer::WS) return;
+    if (type == RbtLexer::NL) {
+      line_break_ = true;
+      line_failed_ = false;
+      return;
+    }
+    if (type == RbtLexer::LINE_COMMENT || type == RbtLexer::BLOCK_COMMENT) {
+      out_.comments.push_back(span);
+      return;
     }
     const Token token{
         .begin = span.begin, .end = span.end, .type = type, .line_break_before = line_break_};

@@ -18,25 +18,7 @@ struct Level {
 
 // Tokens with which a line goes on with the statement of the line above.
 bool continues_statement(std::uint16_t type) {
-  switch (type) {
-    case RbtLexer::DOT:
-    case RbtLexer::COMMA:
-    case RbtLexer::COLON:
-    case RbtLexer::SEMI:
-    case RbtLexer::QMARK:
-    case RbtLexer::RPAREN:
-    case RbtLexer::RBRACK:
-    case RbtLexer::LPAREN:
-    case RbtLexer::LBRACK:
-    case RbtLexer::ARROW:
-    case RbtLexer::FATARROW:
-    case RbtLexer::ASSIGN:
-      return true;
-    default:
-      return word_of(type).goes_on || (type >= RbtLexer::PLUSEQ && type <= RbtLexer::PERCENTEQ) ||
-             (type >= RbtLexer::EQ && type <= RbtLexer::OROR) ||
-             (type >= RbtLexer::DOTSTAR && type <= RbtLexer::CARET);
-  }
+  return word_of(type).goes_on || mark_of(type).goes_on;
 }
 
 class Filter {

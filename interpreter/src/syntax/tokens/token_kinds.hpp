@@ -3,10 +3,14 @@
 
 #include <RbtLexer.h>
 
+#include "syntax/tokens/marks.hpp"
 #include "syntax/tokens/token.hpp"
 #include "syntax/tokens/words.hpp"
 
 namespace armlet::lang {
+
+static_assert(RbtLexer::LET == 1 && RbtLexer::AS + 1 == kWordTokens);
+static_assert(RbtLexer::LBRACE == kFirstMark && RbtLexer::CARET + 1 == kBehindMarks);
 
 [[nodiscard]] inline bool is_name(std::uint16_t type) {
   return type == RbtLexer::ID || word_of(type).kind == WordKind::kSoft;
@@ -46,8 +50,7 @@ namespace armlet::lang {
 
 // Whether a statement may end after it (section 3.1, token A).
 [[nodiscard]] inline bool can_end_statement(std::uint16_t type) {
-  return type == RbtLexer::ID || word_of(type).ends || is_literal(type) || is_closer(type) ||
-         type == RbtLexer::INC || type == RbtLexer::DEC;
+  return type == RbtLexer::ID || word_of(type).ends || mark_of(type).ends || is_literal(type);
 }
 
 }  // namespace armlet::lang

@@ -1,14 +1,15 @@
 #include "syntax/tree/ast.hpp"
 
-#include <array>
+#include <algorithm>
+
+#include "syntax/tokens/marks.hpp"
 
 namespace armlet::lang::ast {
 
 std::string_view operator_text(BinaryOp op) {
-  constexpr std::array<std::string_view, 18> kTexts = {
-      "+",  "-", "*",  "/", "%",  "\\", ".*", "./", "^",
-      ".^", "<", "<=", ">", ">=", "==", "!=", "&&", "||"};
-  return kTexts[static_cast<std::size_t>(op)];
+  return std::ranges::find_if(
+             kMarkRows, [&](const Mark& mark) { return mark.operation == op && !mark.assigns; })
+      ->text;
 }
 
 }  // namespace armlet::lang::ast

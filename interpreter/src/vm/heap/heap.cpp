@@ -29,15 +29,16 @@ std::size_t matrix_bytes(const MatrixObj& m) {
 }
 
 // A dead object needs its count and `extra` no more: they hold the address of the next dead one.
-// Blocks are 16-aligned, so 48 bits reach 52-bit addresses.
+// Where these have eight bytes blocks are 16-aligned, so 48 bits reach 52-bit addresses.
+constexpr unsigned kUnusedBits = sizeof(void*) == 8 ? 4 : 0;
 void link_dead(Obj* object, Obj* next) {
-  const auto bits = reinterpret_cast<std::uintptr_t>(next) >> 4U;
+  const auto bits = std::uint64_t{reinterpret_cast<std::uintptr_t>(next)} >> kUnusedBits;
   object->refs = static_cast<std::uint32_t>(bits);
   object->extra = static_cast<std::uint16_t>(bits >> 32U);
 }
 Obj* linked_dead(const Obj* object) {
-  const auto bits = (static_cast<std::uintptr_t>(object->extra) << 32U) | object->refs;
-  return reinterpret_cast<Obj*>(bits << 4U);
+  const auto bits = (std::uint64_t{object->extra} << 32U) | object->refs;
+  return reinterpret_cast<Obj*>(static_cast<std::uintptr_t>(bits << kUnusedBits));
 }
 
 }  // namespace

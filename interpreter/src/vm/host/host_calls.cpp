@@ -117,12 +117,12 @@ namespace {
 
 // The machine, when its program may be called here and now.
 lang::VmState& require_running(lang::VmState& state) {
-  if (state.thread == lang::this_thread()) [[likely]]
+  const void* thread = state.thread.load(std::memory_order_relaxed);
+  if (thread == lang::this_thread()) [[likely]]
     return state;
   throw ArgumentError(
-      state.thread == nullptr
-          ? "Functions of a program can be called only while it runs."
-          : "Functions of a program can be called only by the thread that runs it.");
+      thread == nullptr ? "Functions of a program can be called only while it runs."
+                        : "Functions of a program can be called only by the thread that runs it.");
 }
 
 const ClosureObj* require_function(const Obj* function) {

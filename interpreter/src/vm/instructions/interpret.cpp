@@ -88,13 +88,17 @@ inline void clear(Slot* slots, unsigned count) {
 // A build that counts no steps shows what counting costs (bench/CMakeLists.txt).
 #ifdef ARMLET_UNCOUNTED
 #define STEP() static_cast<void>(0)
+#define STEP_OF_NEXT_WORD() static_cast<void>(0)
 #else
-#define STEP()                                 \
-  do {                                         \
-    if (--state.steps.left < 0) [[unlikely]] { \
-      SAVE();                                  \
-      if (!count_slowly(state)) goto failed;   \
-    }                                          \
+#define STEP()                               \
+  do {                                       \
+    if (--state.steps.left < 0) [[unlikely]] \
+      goto no_steps;                         \
+  } while (false)
+#define STEP_OF_NEXT_WORD()                  \
+  do {                                       \
+    if (--state.steps.left < 0) [[unlikely]] \
+      goto no_steps_of_next_word;            \
   } while (false)
 #endif
 // Nothing takes `last` from before here. Saying so behind calls keeps it in a register of the
@@ -127,7 +131,7 @@ inline void clear(Slot* slots, unsigned count) {
     GO;                                          \
   }
 
-Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc) {
+Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc, double last) {
   static const void* const labels[] = {
 #define OP(name, ...) &&L_##name,
 #define VARIANT(name, ...) &&L_##name,
@@ -136,9 +140,9 @@ Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr
 #undef OP
   };
   Heap& heap = state.heap;
-  // The double computed last. Instructions that need it take it from here rather than from its
-  // register, which lies in memory: getting it back from there takes longer than the arithmetic.
-  double last = 0.0;
+  // `last` is the double computed last. Instructions that need it take it from here rather than
+  // from its register, which lies in memory: getting it back from there takes longer than the
+  // arithmetic.
   GO;
 
 #include "vm/instructions/ops_data.inc"
@@ -153,13 +157,29 @@ failed:
   pc = frame->pc;
   FORGET();
   GO;
+
+#ifndef ARMLET_UNCOUNTED
+// Behind a comparison comes a LOOP, which does the rest alone.
+no_steps_of_next_word:
+  ++pc;
+// The instruction is executed again, with steps to count or in the next slice.
+no_steps:
+  SAVE();
+  if (may_pause(state)) {
+    frame->pc = pc;
+    return {Exit::kSliced, last};
+  }
+  if (!count_slowly(state)) goto failed;
+  ++state.steps.left;
+  GO;
+#endif
 }
 
 // What native functions own goes with the exception, and the frames were saved before the call.
-Left interpret(VmState& state, Task& task) {
+Left interpret(VmState& state, Task& task, double last) {
   while (true) {
     try {
-      return interpret(state, task, task.top, task.top->base, task.top->pc);
+      return interpret(state, task, task.top, task.top->base, task.top->pc, last);
     } catch (...) {
       raise_thrown(state, task);
     }

@@ -409,6 +409,11 @@ bool op_expecterr(VmState& state, Slot* base, const Instr* pc) {
   return raise_expectation(state, *state.code().expects[pc->a], thrown, kind);
 }
 
+bool may_pause(VmState& state) {
+  state.steps.left = 0;  // it was counted below
+  return state.host_calls == 0 && state.steps.slice_is_over();
+}
+
 bool count_slowly(VmState& state) {
   state.steps.left = 0;  // it was counted below
   if (state.take_cancellation()) return raise_cancelled(state);

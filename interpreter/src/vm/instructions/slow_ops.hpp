@@ -44,6 +44,9 @@ bool append_slowly(VmState& state, Slot& place, const TextObj& tail);
 bool count_characters(VmState& state, TextObj& text);
 // The running chunk of steps is used up: looks at the limit and at the wish to cancel.
 bool count_slowly(VmState& state);
+// Whether the slice is over, at a place where the run may return to the host: not inside a call of
+// the program by the host.
+[[nodiscard]] bool may_pause(VmState& state);
 // Makes room for a frame of `callee` at `frame` with its slots at `window`. False: calls are nested
 // too deep or the heap is full, and the failure is set.
 bool make_room(VmState& state, Task& task, const Frame* frame, Slot* window, const Callee& callee);

@@ -1,9 +1,6 @@
 #include "vm/tasks/task.hpp"
 
-#include <sys/mman.h>
-
 #include <algorithm>
-#include <new>
 
 #include "vm/heap/heap.hpp"
 #include "vm/instructions/interpret.hpp"
@@ -30,14 +27,6 @@ T* grown_end(T* begin, T* end, const T* limit, const T* needed) {
 constexpr Callee kHost{.code = kReturnToHost};
 
 }  // namespace
-
-AddressSpace::AddressSpace(std::size_t bytes) : begin_(nullptr), bytes_(bytes) {
-  begin_ = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE,
-                -1, 0);
-  if (begin_ == MAP_FAILED) throw std::bad_alloc();
-}
-
-AddressSpace::~AddressSpace() { munmap(begin_, bytes_); }
 
 // Besides the calls there are the bottom, the host's frame, and the program itself.
 Task::Task(std::uint32_t call_depth, std::size_t slots)
@@ -71,10 +60,7 @@ void Task::shrink(Heap& heap) {
   if (charged == 0) return;
   heap.discharge(charged);
   charged = 0;
-  for (const AddressSpace* space : {&slot_space, &frame_space}) {
-    auto* begin = static_cast<std::byte*>(space->begin());
-    madvise(begin + kFirstBytes, space->bytes() - kFirstBytes, MADV_DONTNEED);
-  }
+  for (ReservedMemory* space : {&slot_space, &frame_space}) space->give_back(kFirstBytes);
   slots_end = std::min(slots_limit, static_cast<Slot*>(slot_space.begin()) + kFirstSlots);
   frames_end = std::min(frames_limit, frames + kFirstFrames);
 }

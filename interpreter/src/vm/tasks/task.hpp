@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "armlet/core/platform.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "compile/code/program.hpp"
@@ -40,24 +41,6 @@ struct Frame {
   [[nodiscard]] std::uint32_t at() const {
     return static_cast<std::uint32_t>(pc - callee->code) - 1;
   }
-};
-
-// Address space whose pages get memory when they are first touched, so that addresses in it never
-// change.
-class AddressSpace {
- public:
-  // Throws std::bad_alloc if the system has no addresses left.
-  explicit AddressSpace(std::size_t bytes);
-  ~AddressSpace();
-  AddressSpace(const AddressSpace&) = delete;
-  AddressSpace& operator=(const AddressSpace&) = delete;
-
-  [[nodiscard]] void* begin() const { return begin_; }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
-
- private:
-  void* begin_;
-  std::size_t bytes_;
 };
 
 struct Fault;
@@ -100,8 +83,8 @@ struct Task {
   // slots       of all frames together, besides the one on top.
   Task(std::uint32_t call_depth, std::size_t slots);
 
-  AddressSpace slot_space;
-  AddressSpace frame_space;
+  ReservedMemory slot_space;
+  ReservedMemory frame_space;
   Slot* slots_end;  // a frame that starts before it fits; what lies before it has been counted
   Frame* frames;    // frames[0] belongs to the host
   Frame* frames_end;

@@ -34,20 +34,43 @@ bool is_quiet(const Task& task) {
 
 }  // namespace
 
-Exit Scheduler::run(std::uint32_t function) {
+Exit Scheduler::go_on(std::int64_t until_ns) {
+  until_ns_ = until_ns;
+  Exit exit = Exit::kPaused;
+  while (exit == Exit::kPaused) exit = do_stage();
+  if (exit != Exit::kSliced) end();
+  return exit;
+}
+
+Exit Scheduler::do_stage() {
+  switch (stage_) {
+    case Stage::kBegin:
+      return begin_program();
+    case Stage::kProgram:
+      return run_program();
+    case Stage::kInstant:
+      begin_instant();
+      return Exit::kPaused;
+    case Stage::kRound:
+      begin_round();
+      return Exit::kPaused;
+    case Stage::kTasks:
+      return run_tasks() ? finish_round() : Exit::kSliced;
+    case Stage::kTime:
+      return pass_time();
+  }
+  return Exit::kFailed;
+}
+
+Exit Scheduler::begin_program() {
+  stage_ = Stage::kProgram;
   state_.running = &state_.main;
-  if (!state_.enter(function, nullptr)) return Exit::kFailed;
-  Exit exit = finished(interpret(state_, state_.main).exit);
-  while (exit == Exit::kPaused) {
-    exit = finished(run_instant());
-    if (exit == Exit::kPaused) exit = advance();
-  }
-  if (state_.newest->is_entry) {
-    tree_.rest();
-  } else {
-    tree_.abandon(state_.main);
-  }
-  tree_.report_skipped();
+  return state_.enter(function_, nullptr) ? Exit::kPaused : Exit::kFailed;
+}
+
+Exit Scheduler::run_program() {
+  const Exit exit = finished(interpret_on(state_.main));
+  if (exit == Exit::kPaused) stage_ = Stage::kInstant;
   return exit;
 }
 
@@ -58,23 +81,44 @@ Exit Scheduler::finished(Exit exit) {
   return !state_.newest->is_entry || end_entry(state_) ? Exit::kDone : Exit::kPaused;
 }
 
-Exit Scheduler::run_instant() {
+void Scheduler::end() {
+  if (state_.newest->is_entry) {
+    tree_.rest();
+  } else {
+    tree_.abandon(state_.main);
+  }
+  tree_.sweep();
+  tree_.report_skipped();
+  state_.running = &state_.main;
+}
+
+void Scheduler::begin_instant() {
   if (state_.recordings != nullptr) {
     state_.recordings->take_due(
         [this](Task& task) { tree_.interrupt(task, std::move(state_.fault)); });
   }
-  int rounds = 0;
-  for (int quiet = 0, failures = 0;;) {
-    evaluate_conditions();
-    const Pass pass = run_tasks();
-    tree_.sweep();
-    if (pass.exit != Exit::kPaused || !pass.progress) return pass.exit;
-    if (pass.changed) ++rounds;
-    if (rounds < kMostRounds && ++quiet < kMostQuietRounds) continue;
-    if (++failures > 2) return abandon();
-    fail_everywhere({"R0620", {std::to_string(std::max(rounds, quiet))}}, {});
-    rounds = quiet = 0;
-  }
+  rounds_ = quiet_ = failures_ = 0;
+  stage_ = Stage::kRound;
+}
+
+void Scheduler::begin_round() {
+  evaluate_conditions();
+  pass_ = {};
+  stage_ = Stage::kTasks;
+}
+
+Exit Scheduler::finish_round() {
+  tree_.sweep();
+  const Exit exit = finished(pass_.exit);
+  if (exit != Exit::kPaused) return exit;
+  stage_ = pass_.progress ? Stage::kRound : Stage::kTime;
+  if (!pass_.progress) return Exit::kPaused;
+  if (pass_.changed) ++rounds_;
+  if (rounds_ < kMostRounds && ++quiet_ < kMostQuietRounds) return Exit::kPaused;
+  if (++failures_ > 2) return abandon();
+  fail_everywhere({"R0620", {std::to_string(std::max(rounds_, quiet_))}}, {});
+  rounds_ = quiet_ = 0;
+  return Exit::kPaused;
 }
 
 void Scheduler::evaluate_conditions() {
@@ -110,25 +154,36 @@ void Scheduler::evaluate(Watch& watch) {
 }
 
 // In the order of creation. Those that begin meanwhile come last.
-Scheduler::Pass Scheduler::run_tasks() {
-  Pass pass;
-  std::size_t next = 0;  // 0: the program
+bool Scheduler::run_tasks() {
   do {
-    for (; next <= tree_.all().size(); ++next) {
-      Task& task = next == 0 ? state_.main : *tree_.all()[next - 1];
-      if (!may_continue(task)) continue;
-      pass.progress = true;
-      pass.changed = pass.changed || !is_quiet(task);
-      const Exit exit = task.is_ready ? begin(task) : resume(task);
+    for (; pass_.next <= tree_.all().size(); ++pass_.next) {
+      Task& task = pass_.next == 0 ? state_.main : *tree_.all()[pass_.next - 1];
+      if (!pass_.inside && !may_continue(task)) continue;
+      const Exit exit = run(task);
+      pass_.inside = exit == Exit::kSliced;
+      if (pass_.inside) return false;
       if (exit == Exit::kPaused) continue;
-      if (next == 0) {
-        pass.exit = exit;
-        return pass;
+      if (pass_.next == 0) {
+        pass_.exit = exit;
+        return true;
       }
       tree_.end(task, exit == Exit::kFailed ? std::move(state_.fault) : nullptr);
     }
   } while (tree_.start_beats());
-  return pass;
+  return true;
+}
+
+Exit Scheduler::run(Task& task) {
+  if (pass_.inside) return interpret_on(task);
+  pass_.progress = true;
+  pass_.changed = pass_.changed || !is_quiet(task);
+  return task.is_ready ? begin(task) : resume(task);
+}
+
+Exit Scheduler::interpret_on(Task& task) {
+  const Left left = interpret(state_, task, last_);
+  last_ = left.result;
+  return left.exit;
 }
 
 Exit Scheduler::begin(Task& task) {
@@ -138,7 +193,7 @@ Exit Scheduler::begin(Task& task) {
   state_.steps.paused();
   auto* closure = static_cast<ClosureObj*>(task.entry);
   if (!state_.enter(closure->function, closure)) return Exit::kFailed;
-  return interpret(state_, task).exit;
+  return interpret_on(task);
 }
 
 Exit Scheduler::resume(Task& task) {
@@ -166,7 +221,7 @@ Exit Scheduler::resume(Task& task) {
     failed = !finish(*waiting, result);
   }
   if (failed && !unwind(state_, task)) return Exit::kFailed;
-  return interpret(state_, task).exit;
+  return interpret_on(task);
 }
 
 bool Scheduler::finish(Waiting& waiting, Slot& result) {
@@ -203,33 +258,57 @@ std::int64_t Scheduler::next_instant() const {
   return next;
 }
 
-// The world moves on as a whole: what it computes is not stopped half way. The host may move on by
-// less than asked for; then it is asked again.
+// The world moves on as a whole: what it computes is not stopped half way.
 bool Scheduler::advance_to(std::int64_t t_ns) {
   const Supervised nobody(nullptr);
   return state_.vm.timeline().advance_to(t_ns);
 }
 
-Exit Scheduler::advance() {
-  if (state_.take_cancellation()) return stop();
+std::optional<std::int64_t> Scheduler::choose_instant() {
   const std::int64_t next = next_instant();
   if (next == kNever) {
     fail_everywhere(Headline("R0621"), waited_for());
-    return Exit::kPaused;
+    return std::nullopt;
   }
   if (next > state_.options.limits.time_ns) {
     const std::string left = quantity_text(time_left(state_.vm), dims::kTime);
     fail_everywhere({"R0636", {"what the program waits for", left}}, waited_for());
+    return std::nullopt;
+  }
+  return next;
+}
+
+// The host may move on by less than asked for, and a slice may end between two instants: nothing
+// happens there, and the rest is asked for later.
+Exit Scheduler::pass_time() {
+  const auto leave_for = [this](Stage stage) {
+    target_ns_.reset();
+    stage_ = stage;
+  };
+  if (state_.take_cancellation()) {
+    leave_for(Stage::kInstant);
+    return stop();
+  }
+  if (!target_ns_) target_ns_ = choose_instant();
+  if (!target_ns_) {
+    stage_ = Stage::kInstant;
     return Exit::kPaused;
   }
+  const Timeline& timeline = state_.vm.timeline();
+  if (state_.steps.slice_is_over() || timeline.now_ns() >= until_ns_) return Exit::kSliced;
   try {
-    if (advance_to(next)) return Exit::kPaused;
+    if (advance_to(std::min(*target_ns_, until_ns_))) {
+      if (timeline.now_ns() >= *target_ns_) leave_for(Stage::kInstant);
+      return Exit::kPaused;
+    }
   } catch (...) {
+    leave_for(Stage::kInstant);
     if (state_.is_leaving) return abandon();
     raise_thrown(state_, state_.main);
     tree_.interrupt(state_.main, std::move(state_.fault));
     return Exit::kPaused;
   }
+  leave_for(Stage::kInstant);
   return state_.is_leaving ? abandon() : stop();
 }
 

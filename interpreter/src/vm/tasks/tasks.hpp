@@ -3,6 +3,7 @@
 // the next.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,17 +11,38 @@
 
 namespace armlet::lang {
 
+// Runs a function without arguments as the main task. It keeps how far it has come, nothing lies on
+// the stack of the host, so a run can be left and gone on with.
 class Scheduler {
  public:
-  explicit Scheduler(VmState& state) : state_(state), tree_(state.tree) {}
+  Scheduler(VmState& state, std::uint32_t function)
+      : state_(state), tree_(state.tree), function_(function) {}
 
-  // Runs a function without arguments as the main task until it has ended or failed (state.fault).
-  [[nodiscard]] Exit run(std::uint32_t function);
+  // Until the main task has ended or failed (state.fault), or the slice is over (kSliced): the
+  // steps of the meter are used, or all has happened up to the virtual time `until_ns`.
+  [[nodiscard]] Exit go_on(std::int64_t until_ns);
 
  private:
-  // Everything that happens at the present instant. kPaused: all tasks wait for a later one.
-  Exit run_instant();
+  // What comes next. The rounds of one instant repeat until every task waits for a later one.
+  enum class Stage : std::uint8_t {
+    kBegin,    // nothing has happened
+    kProgram,  // the program up to its first wait
+    kInstant,  // what comes once at an instant
+    kRound,    // conditions
+    kTasks,    // tasks that may continue, one after the other
+    kTime,     // on to the next instant
+  };
+
+  // kPaused: another stage comes.
+  Exit do_stage();
+  Exit begin_program();
+  Exit run_program();
+  void begin_instant();
+  void begin_round();
+  Exit finish_round();
   Exit finished(Exit exit);
+  void end();
+
   void evaluate_conditions();
   void evaluate(Task& task);
   void evaluate(Watch& watch);
@@ -29,13 +51,21 @@ class Scheduler {
     Exit exit = Exit::kPaused;  // of the program itself
     bool progress = false;
     bool changed = false;  // apart from tasks that began, or ended
+    std::size_t next = 0;  // 0: the program
+    bool inside = false;   // the slice ended while that task ran
   };
-  Pass run_tasks();
+  // False: the slice is over.
+  bool run_tasks();
+  Exit run(Task& task);
+  Exit interpret_on(Task& task);
   Exit resume(Task& task);
   Exit begin(Task& task);
+
   // The next instant at which something can happen; kNever if there is none.
   [[nodiscard]] std::int64_t next_instant() const;
-  Exit advance();
+  // Nothing: the instant goes on, because something has failed.
+  std::optional<std::int64_t> choose_instant();
+  Exit pass_time();
   // False: the failure is set.
   bool finish(Waiting& waiting, Slot& result);
   // False: the host wants the program to stop.
@@ -47,7 +77,16 @@ class Scheduler {
 
   VmState& state_;
   TaskTree& tree_;
+  const std::uint32_t function_;
+  Stage stage_ = Stage::kBegin;
+  double last_ = 0.0;          // the double computed last by the task that the slice has cut
+  std::int64_t until_ns_ = 0;  // of the slice
   std::int64_t resumed_ns_ = 0;
+  Pass pass_;
+  int rounds_ = 0;  // of this instant that changed something
+  int quiet_ = 0;   // of this instant
+  int failures_ = 0;
+  std::optional<std::int64_t> target_ns_;  // the instant that time passes to
 };
 
 }  // namespace armlet::lang

@@ -107,7 +107,8 @@ bool raise_may_not_pause(VmState& state) {
   const CodeSpan* at = code_span(state);
   const std::string text = at == nullptr ? "" : std::string(state.newest->sources->slice(at->span));
   const bool is_short = !text.empty() && text.size() <= 40;
-  return raise(state, "R0632", {is_short ? "`" + text + "`" : "this"});
+  return raise(state, "R0632",
+               {is_short ? "`" + text + "`" : "this", state.newest->what_takes_time});
 }
 
 bool op_wait(VmState& state, Slot* base, const Instr* pc) {

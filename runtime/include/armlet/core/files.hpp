@@ -88,6 +88,10 @@ class Folder {
 [[nodiscard]] Result<std::string> read_all(int file, std::size_t most);
 // Whether both names stand for one file that exists.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
+// The path from the root, without links, . and .. as far as it exists.
+[[nodiscard]] std::string real_path(const std::string& path);
+// Whether a regular file has this path, links being followed.
+[[nodiscard]] bool is_file(const std::string& path);
 
 // Takes away what unfinished files of this process have left beside their names. For signal
 // handlers that end the process.

@@ -8,9 +8,6 @@
 
 namespace armlet {
 
-// Joint values as an argument: any vector, or a column of a matrix, without a copy.
-using JointsIn = const Eigen::Ref<const Eigen::VectorXd>&;
-
 // Pose of the tool point in the world: T_world_base A_1(q_1) ... A_n(q_n) T_flange_tool.
 //
 // q       n joint values, rad or m; limits are not checked.

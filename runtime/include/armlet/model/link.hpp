@@ -5,12 +5,22 @@
 
 namespace armlet {
 
-// Friction seen at the motor's shaft. The joint feels
-// f(qd) = gear^2 viscous qd + |gear| (coulomb_plus if qd > 0, coulomb_minus if qd < 0, else 0).
+// Friction seen at the motor's shaft, which turns at w = gear qd. The joint feels
+//
+//   f(qd) = gear^2 viscous qd + |gear| t(w) for the torque of dry friction
+//   t(w) = coulomb_plus + (static_torque - coulomb_plus) exp(-(w / stribeck_speed)^2), qd > 0,
+//   t(w) = coulomb_minus - (static_torque + coulomb_minus) exp(-(w / stribeck_speed)^2), qd < 0,
+//
+// and 0 for qd = 0. Without a Stribeck speed t is coulomb_plus or coulomb_minus.
+//
+// source  R. Stribeck, Die wesentlichen Eigenschaften der Gleit- und Rollenlager, 1902, in the form
+//         of B. Armstrong-Helouvry, P. Dupont, C. Canudas de Wit, Automatica 30(7), 1994.
 struct Friction {
-  double viscous = 0.0;        // N m s/rad, >= 0
-  double coulomb_plus = 0.0;   // N m, >= 0
-  double coulomb_minus = 0.0;  // N m, <= 0
+  double viscous = 0.0;         // N m s/rad, >= 0
+  double coulomb_plus = 0.0;    // N m, >= 0
+  double coulomb_minus = 0.0;   // N m, <= 0
+  double static_torque = 0.0;   // N m, at least that of Coulomb if there is a Stribeck speed
+  double stribeck_speed = 0.0;  // rad/s at the motor, > 0; 0: none
 };
 
 // The rigid body moved by a joint and the motor that moves it. Positions are in the link's own DH

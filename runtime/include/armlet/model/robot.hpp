@@ -15,6 +15,9 @@
 
 namespace armlet {
 
+// Joint values as an argument: any vector, or a column of a matrix, without a copy.
+using JointsIn = const Eigen::Ref<const Eigen::VectorXd>&;
+
 // How strictly link inertias are judged. Identified arms of the literature are published with
 // effective inertias that no rigid body has; they are kept as they are.
 enum class InertiaCheck { kRigidBody, kPublished };

@@ -18,7 +18,7 @@ struct SpeedAlongPath {
 
   [[nodiscard]] double duration() const;
   // When a position is reached, s.
-  [[nodiscard]] double time_at(double place) const;
+  [[nodiscard]] double time_at(double position) const;
   // When each position is reached.
   [[nodiscard]] std::vector<double> times() const;
 };

@@ -12,6 +12,12 @@ struct BatchKernels {
   BatchKernel* poses;
   BatchKernel* jacobians;
 };
+#if defined(__x86_64__)
 extern const BatchKernels kBaselineBatch, kAvx2Batch, kAvx512Batch;
+#else  // other processors are never asked for the wider ones (is_supported)
+extern const BatchKernels kBaselineBatch;
+inline const BatchKernels& kAvx2Batch = kBaselineBatch;
+inline const BatchKernels& kAvx512Batch = kBaselineBatch;
+#endif
 
 }  // namespace armlet

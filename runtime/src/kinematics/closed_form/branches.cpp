@@ -5,7 +5,7 @@ namespace {
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-// An elbow of which a link or the way to the target has no length: nothing says how it turns.
+// An elbow of which a link or the line to the target has no length: nothing says how it turns.
 Elbow elbow_without_length(const Links& links, double X, double Y, const Angle& x1,
                            const Angle& x2) {
   const auto& [lx, ly, mx, my] = links;
@@ -42,7 +42,8 @@ Elbow solve_elbow(const Links& links, double X, double Y, const Angle& x1_if_fre
   if (shortest < kNoLength) {
     return elbow_without_length(links, X, Y, x1_if_free, x2_if_free);
   }
-  // (1 - c)(1 + c) as a product of lengths keeps all digits where the arm is stretched or folded.
+  // Heron's formula: (1 - c)(1 + c) as a product of lengths keeps all digits where the arm is
+  // stretched or folded.
   const double h2 = std::fmax(0.0, (size - R) * (size + R) * (R - (l - m)) * (R + (l - m)));
   const double scale = 1.0 / (2.0 * l * m);
   const double c = std::fmax(-1.0, std::fmin(1.0, (R * R - l * l - m * m) * scale));

@@ -17,7 +17,7 @@ inline constexpr int kShoulderBit = 4;
 inline constexpr int kElbowBit = 2;
 inline constexpr int kWristBit = 1;
 
-// One configuration: a turn or a height per joint, in the terms of CanonicalRows.
+// One configuration: an angle or a height per joint, in the terms of CanonicalRows.
 struct Branch {
   std::array<Angle, kMaxJoints> phi{};
   std::array<double, kMaxJoints> height{};
@@ -43,8 +43,10 @@ struct Branches {
 // so it may be generous.
 inline constexpr double kClosedSlack = 1e-6;
 
-// Turns x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if
+// Angles x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if
 // every angle will do.
+//
+// source  J. J. Craig, Introduction to Robotics, 2005, appendix C.
 struct AnglePair {
   int count = 0;
   std::array<Angle, 2> x{};
@@ -71,8 +73,8 @@ inline AnglePair circle_meets_plane(double A, double B, double C) {
   return out;
 }
 
-// The turn that takes the direction (x, y) to the direction (u, v); whole is false where either has
-// no length.
+// The rotation that takes the direction (x, y) to the direction (u, v); whole is false where either
+// has no length.
 inline Angle angle_from_to(double x, double y, double u, double v, bool& whole) {
   const double c = x * u + y * v;
   const double s = x * v - y * u;
@@ -81,7 +83,7 @@ inline Angle angle_from_to(double x, double y, double u, double v, bool& whole) 
   return whole ? Angle{c / r, s / r} : Angle{};
 }
 
-// The turns as they are, or the present one where every angle will do; free becomes true then.
+// The angles as they are, or the present one where every angle will do; free becomes true then.
 inline AnglePair or_present(const AnglePair& turns, const Angle& present, bool& free) {
   if (turns.count >= 0) return turns;
   free = true;
@@ -91,13 +93,16 @@ inline AnglePair or_present(const AnglePair& turns, const Angle& present, bool& 
 // Shorter than this, m, a line has no direction and a point lies on an axis.
 inline constexpr double kNoLength = 1e-9;
 
-// Nearer than this, m, to where a turn does not matter, it is known so badly that a formula which
+// Nearer than this, m, to where an angle does not matter, it is known so badly that a formula which
 // finds nothing has not shown that there is nothing.
 inline constexpr double kNearAxis = 1e-6;
 
 // Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows. Folded back onto the
 // first axis, the arm may rotate about it as it likes (free), and a link without length may be
-// turned about its own end: these turns are taken as given.
+// turned about its own end: these angles are taken as given.
+//
+// source  the law of cosines: B. Siciliano et al., Robotics, 2009, section 2.12.1 (three links in a
+//         plane).
 struct Elbow {
   int count = 0;
   bool free = false;
@@ -112,6 +117,8 @@ Elbow solve_elbow(const Links& links, double X, double Y, const Angle& x1_if_fre
 
 // Rz(x1) Rx(alpha) Rz(x2) Rx(beta) Rz(x3) = M: both solutions. Where x1 and x3 rotate about one
 // line, x1 is taken as given.
+//
+// source  Siciliano et al. 2009, section 2.12.5 (spherical wrist), here with any link twists.
 struct Euler {
   int count = 0;
   bool singular = false;

@@ -35,22 +35,23 @@ CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
   const auto x = [&](std::size_t i) { return twist_and_length(chain, i); };
   rows.before = (chain.T_world_base * x(0)).inverse(Eigen::Isometry);
   rows.after = (x(n) * chain.T_flange_tool).inverse(Eigen::Isometry);
-  const double way = reversed ? -1.0 : 1.0;
-  double sign = way;  // of the z axis, relative to the chain's own
+  const double direction = reversed ? -1.0 : 1.0;
+  double sign = direction;  // of the z axis, relative to the chain's own
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = reversed ? n - 1 - i : i;
     if (i > 0) {
       const std::size_t k = reversed ? n - i : i;
-      Angle alpha{chain.cos_alpha[k], way * chain.sin_alpha[k]};
-      if (sign != way) alpha = {-alpha.c, -alpha.s};  // what is left of half a revolution about x
+      Angle alpha{chain.cos_alpha[k], direction * chain.sin_alpha[k]};
+      if (sign != direction)
+        alpha = {-alpha.c, -alpha.s};  // what is left of half a revolution about x
       if (std::abs(alpha.s) < kSame) {
-        sign = alpha.c > 0.0 ? way : -way;
+        sign = alpha.c > 0.0 ? direction : -direction;
         alpha = Angle{};
       } else {
-        sign = way;
+        sign = direction;
       }
       rows.alpha[i] = alpha;
-      rows.a[i] = snapped(way * chain.a[k]);
+      rows.a[i] = snapped(direction * chain.a[k]);
     }
     rows.revolute[i] = chain.revolute[j];
     rows.sign[i] = sign;
@@ -58,12 +59,12 @@ CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
       rows.offset[i] = chain.theta[j];
       rows.h[i] = snapped(sign * chain.d[j]);
     } else {
-      const det::SinCos turn = det::sincos(sign * chain.theta[j]);
+      const det::SinCos theta = det::sincos(sign * chain.theta[j]);
       rows.offset[i] = chain.d[j];
-      rows.phi[i] = {turn.cos, turn.sin};
+      rows.phi[i] = {theta.cos, theta.sin};
     }
   }
-  rows.flipped = sign != way;
+  rows.flipped = sign != direction;
   const Eigen::Isometry3d T_last_tool = x(n) * chain.T_flange_tool;
   if (!reversed) rows.tool_point = T_last_tool.translation();
   if (rows.flipped) rows.tool_point.tail<2>() *= -1.0;

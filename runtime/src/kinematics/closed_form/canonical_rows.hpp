@@ -32,7 +32,7 @@ struct CanonicalRows {
   std::array<double, kMaxJoints> sign{};    // +1 or -1
   std::array<double, kMaxJoints> offset{};  // theta of a revolute joint, d of a prismatic one
   std::array<double, kMaxJoints> h{};       // constant height along z of a revolute joint
-  std::array<Angle, kMaxJoints> phi{};      // constant turn of a prismatic joint
+  std::array<Angle, kMaxJoints> phi{};      // constant rotation of a prismatic joint
   std::array<double, kMaxJoints>
       a{};  // a[i] and alpha[i] stand before joint i; those of 0 are taken off
   std::array<Angle, kMaxJoints> alpha{};

@@ -12,30 +12,40 @@ inline constexpr unsigned kSixJoints = 6;
 // The families that have kernels (ClosedFormKind).
 enum class LaneFamily : unsigned char { kSphericalParallel, kSphericalMeeting, kThreeParallel };
 
-// The turn between two axes.
+// The angle between two axes.
 struct PlainAngle {
   double c, s;
 };
 
+// Two links in a plane, the first along x.
+struct PlanarLinks {
+  double l, m_l;             // first link; length of the second with the sign of the first
+  PlainAngle m_back;         // the direction of the second rotated back, with that sign
+  double scale;              // 1/(2 |l| |m|); infinite without such links
+  double sum2, difference2;  // squares of the sum and the difference of their lengths
+};
+
+// Axes 1 and 2 meet: A cos x3 + B sin x3 = distance^2 - fixed.
+struct MeetingAxes {
+  double A, B, fixed;
+};
+
 // An arm of six revolute joints as its kernel reads it: the numbers of CanonicalRows and what
-// follows from them alone. Lengths of two links in a plane, l along x and m: 1/(2 |l| |m|), squares
-// of their sum and difference.
+// follows from them alone.
 struct ClosedArm {
   LaneFamily family;
   PlainAngle alpha[kSixJoints];  // before each joint
   double a[kSixJoints], h[kSixJoints];
-  double point[3];    // where the last axes meet, behind joint 3 or 4
-  double height;      // of that point along the parallel axes
-  double l, m_l;      // first link; length of the second with the sign of the first
-  PlainAngle m_back;  // the direction of the second rotated back, with that sign
-  double scale, sum2, difference2;
-  double slack;        // how much below zero a squared sine may be by rounding
-  double A, B, fixed;  // axes 1 and 2 meet: A cos x3 + B sin x3 = distance^2 - fixed
-  double inverse_ss;   // of the sines of the wrist's turns
-  bool right_wrist;    // they are right angles
-  bool reversed;       // joint i is joint 5 - i of the arm
+  double point[3];  // where the last axes meet, behind joint 3 or 4
+  double height;    // of that point along the parallel axes
+  PlanarLinks links;
+  MeetingAxes meeting;
+  double slack;       // how much below zero a squared sine may be by rounding
+  double inverse_ss;  // of the sines of the wrist's link twists
+  bool right_wrist;   // they are right angles
+  bool reversed;      // joint i is joint 5 - i of the arm
   double sign[kSixJoints], offset[kSixJoints];
-  double walk_sign[kSixJoints];  // from turns of the rows to those of the walk
+  double walk_sign[kSixJoints];  // from angles of the rows to those of the walk
   BatchArm walk;                 // for forward kinematics
 };
 
@@ -45,7 +55,7 @@ struct ClosedGoal {
   double base[12];  // from the arm's base
 };
 
-// All solutions in lanes; way k is the sum of kShoulderBit, kElbowBit and kWristBit.
+// All solutions in lanes; solution k is the sum of kShoulderBit, kElbowBit and kWristBit.
 //
 // miss2  the square of the error of each solution, m^2 + rad^2, found by forward kinematics; NaN
 //        where there is no such solution.
@@ -58,7 +68,12 @@ struct alignas(64) ClosedLanes {
 //          axis) that it needs the functions with branches.
 using ClosedKernel = bool(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& out);
 extern ClosedKernel* const kBaselineClosed;
+#if defined(__x86_64__)
 extern ClosedKernel* const kAvx2Closed;
 extern ClosedKernel* const kAvx512Closed;
+#else  // other processors are never asked for these (is_supported)
+inline ClosedKernel* const& kAvx2Closed = kBaselineClosed;
+inline ClosedKernel* const& kAvx512Closed = kBaselineClosed;
+#endif
 
 }  // namespace armlet

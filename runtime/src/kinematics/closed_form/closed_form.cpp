@@ -11,7 +11,7 @@
 namespace armlet {
 namespace {
 
-// All joints turn, but for joint `except`.
+// All joints are revolute, but for joint `except`.
 bool all_revolute(const CanonicalRows& rows, std::size_t except = kMaxJoints) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
     if (!rows.revolute[i] && i != except) return false;
@@ -68,7 +68,7 @@ ClosedFormKind recognised(const CanonicalRows& rows) {
   }
 }
 
-// The two solutions of each part of the arm, in words: first way, second way.
+// The two solutions of each part of the arm, in words: the first, the second.
 struct PartNames {
   std::string_view shoulder, elbow, wrist;
 };
@@ -176,10 +176,10 @@ std::string ClosedForm::branch_name(int branch) const {
   const bool in_plane = rows_->parallel(2) && kind_ != ClosedFormKind::kPlane &&
                         kind_ != ClosedFormKind::kScara && up != 0.0;
   std::string text;
-  const auto add = [&text](std::string_view part, std::string_view way) {
+  const auto add = [&text](std::string_view part, std::string_view value) {
     if (part.empty()) return;
     if (!text.empty()) text += ", ";
-    text.append(part).append(" ").append(way);
+    text.append(part).append(" ").append(value);
   };
   // Read backwards, the shoulder is solved last.
   const std::string_view shoulder = reversed_ ? names.wrist : names.shoulder;

@@ -10,7 +10,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Three joints with parallel axes from `first` on: an elbow, and what is left of the sum of their
-// turns.
+// angles.
 void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, const Angle& sum) {
   const std::size_t i = static_cast<std::size_t>(which);
   branch.phi[first] = elbow.x1[i];
@@ -18,7 +18,7 @@ void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, cons
   branch.phi[first + 2] = inverse(elbow.x1[i] * elbow.x2[i]) * sum;
 }
 
-// Joint 3 where axes 1 and 2 meet: its turn, or its height, from the distance of the position to
+// Joint 3 where axes 1 and 2 meet: its angle, or its height, from the distance of the position to
 // their common point.
 struct Third {
   int count = 0;
@@ -154,7 +154,7 @@ void reach_position(const CanonicalRows& rows, const Vector3d& u, const Vector3d
     out.leave_open(2, elbow.open2);
     for (int j = 0; j < elbow.count; ++j) {
       Branch& branch = out.add(near);
-      branch.phi[0] = view.turn;
+      branch.phi[0] = view.theta;
       branch.phi[1] = elbow.x1[static_cast<std::size_t>(j)];
       branch.phi[2] = elbow.x2[static_cast<std::size_t>(j)];
       branch.bits += kShoulderBit * i + kElbowBit * j;
@@ -189,7 +189,7 @@ void solve_wrist(const CanonicalRows& rows, const Matrix3d& M, const Branch& nea
 }
 
 // The point where the last three axes meet depends on the first three joints only; what is left of
-// the orientation is the turn of the wrist.
+// the orientation is the rotation of the wrist.
 void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                            Branches& out) {
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
@@ -214,20 +214,20 @@ void solve_three_parallel(const CanonicalRows& rows, const Isometry3d& G, const 
   const Angle near_sum = near.phi[1] * near.phi[2] * near.phi[3];
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
-    const Matrix3d M = rotated_back(view.turn, rows.alpha[1], Matrix3d(G.linear()));
+    const Matrix3d M = rotated_back(view.theta, rows.alpha[1], Matrix3d(G.linear()));
     const Euler wrist = solve_euler(M, rows.alpha[4], rows.alpha[5], near_sum);
     out.free = out.free || wrist.singular;
-    out.leave_open(3, wrist.open);  // the sum of the turns 1 to 3
+    out.leave_open(3, wrist.open);  // the sum of the angles 1 to 3
     for (int j = 0; j < wrist.count; ++j) {
       const std::size_t k = static_cast<std::size_t>(j);
       const Angle sum = wrist.x1[k];
-      const Vector3d hand = rotated(sum, last);
-      const Elbow elbow = solve_elbow({rows.a[2], 0.0, rows.a[3], 0.0}, view.X - hand.x(),
-                                      view.Y - hand.y(), near.phi[1], near.phi[2]);
+      const Vector3d last_link = rotated(sum, last);
+      const Elbow elbow = solve_elbow({rows.a[2], 0.0, rows.a[3], 0.0}, view.X - last_link.x(),
+                                      view.Y - last_link.y(), near.phi[1], near.phi[2]);
       out.free = out.free || elbow.free;
       for (int e = 0; e < elbow.count; ++e) {
         Branch& branch = out.add(near);
-        branch.phi[0] = view.turn;
+        branch.phi[0] = view.theta;
         bend(branch, 1, elbow, e, sum);
         branch.bits = kShoulderBit * i + kWristBit * j + kElbowBit * e;
         branch.phi[4] = wrist.x2[k];
@@ -256,7 +256,7 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
   if (!open) out.open = 0;
   for (int i = 0; i < count; ++i) {
     const PlaneView& view = views[static_cast<std::size_t>(i)];
-    const Matrix3d M = rotated_back(view.turn, rows.alpha[1], Matrix3d(G.linear()));
+    const Matrix3d M = rotated_back(view.theta, rows.alpha[1], Matrix3d(G.linear()));
     bool whole = true;
     const double s = rows.alpha[4].s;
     const Angle sum = angle_from_to(0.0, -s, M(0, 2), M(1, 2), whole);
@@ -268,7 +268,7 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
     out.free = out.free || elbow.free;
     for (int e = 0; e < elbow.count; ++e) {
       Branch& branch = out.add(near);
-      branch.phi[0] = view.turn;
+      branch.phi[0] = view.theta;
       bend(branch, 1, elbow, e, sum);
       branch.bits = kShoulderBit * i + kElbowBit * e;
       branch.phi[4] = twist;
@@ -349,7 +349,7 @@ bool reference_frame(const Vector3d& k, Matrix3d& out) {
   return frame_about(k, std::abs(k.x()) < 0.9999 ? Vector3d::UnitX() : Vector3d::UnitY(), out);
 }
 
-// From the shoulder to the wrist, in the frame of joint 3, for a turn of the elbow.
+// From the shoulder to the wrist, in the frame of joint 3, for an angle of the elbow.
 Vector3d shoulder_to_wrist(const CanonicalRows& rows, const Angle& x4) {
   Vector3d t = rotated(x4, placed(rows, 4, Vector3d(0, 0, rows.h[4])));
   t.z() += rows.h[3];

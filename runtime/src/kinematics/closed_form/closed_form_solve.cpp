@@ -1,6 +1,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "armlet/kinematics/closed_form.hpp"
 #include "armlet/math/angles.hpp"
@@ -66,8 +67,8 @@ Branch branch_of(const CanonicalRows& rows, const double* q) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
     const double x = rows.sign[i] * (q[joint_of(rows, i)] + rows.offset[i]);
     if (rows.revolute[i]) {
-      const det::SinCos turn = det::sincos_inline(x);
-      out.phi[i] = {turn.cos, turn.sin};
+      const det::SinCos angle = det::sincos_inline(x);
+      out.phi[i] = {angle.cos, angle.sin};
     } else {
       out.phi[i] = rows.phi[i];
       out.height[i] = x;
@@ -136,20 +137,20 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
   return least <= tolerance;
 }
 
-// The ways that the lanes found; each was checked by forward kinematics.
+// The solutions that the lanes found; each was checked by forward kinematics.
 int ClosedForm::take_lanes(const Eigen::Isometry3d& goal, double tolerance,
                            const ClosedSolution& start, const ClosedLanes& lanes, unsigned wanted,
                            ClosedSolutions& solutions) const {
   const double verified = std::fmin(kVerified, tolerance);
   const std::size_t first = hold_ == Hold::kFirst ? 1 : 0;
-  for (std::size_t way = 0; way < kSolutions; ++way) {
-    if (!(lanes.miss2[way] <= kImproved * kImproved) || (wanted >> way & 1U) == 0) continue;
+  for (std::size_t k = 0; k < kSolutions; ++k) {
+    if (!(lanes.miss2[k] <= kImproved * kImproved) || (wanted >> k & 1U) == 0) continue;
     ClosedSolution& solution = solutions.at[static_cast<std::size_t>(solutions.count)];
     if (hold_ != Hold::kNone) solution = start;
-    for (std::size_t i = 0; i < kSixJoints; ++i) solution.q[first + i] = lanes.q[i][way];
+    for (std::size_t i = 0; i < kSixJoints; ++i) solution.q[first + i] = lanes.q[i][k];
     solution.n = chain_.n;
-    solution.branch = static_cast<int>(way);
-    if (lanes.miss2[way] <= verified * verified || accept(goal, tolerance, solution))
+    solution.branch = static_cast<int>(k);
+    if (lanes.miss2[k] <= verified * verified || accept(goal, tolerance, solution))
       ++solutions.count;
   }
   return solutions.count;
@@ -158,9 +159,9 @@ int ClosedForm::take_lanes(const Eigen::Isometry3d& goal, double tolerance,
 Eigen::Isometry3d ClosedForm::without_held(const Eigen::Isometry3d& T_world_tool,
                                            double held) const {
   const std::size_t i = static_cast<std::size_t>(held_joint());
-  const det::SinCos turn = det::sincos(held * chain_.q_to_theta[i]);
+  const det::SinCos angle = det::sincos(held * chain_.q_to_theta[i]);
   Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
-  back.linear() << turn.cos, turn.sin, 0, -turn.sin, turn.cos, 0, 0, 0, 1;
+  back.linear() << angle.cos, angle.sin, 0, -angle.sin, angle.cos, 0, 0, 0, 1;
   back.translation().z() = -held * chain_.q_to_d[i];
   const Eigen::Isometry3d inverse = T_beside_held_.inverse(Eigen::Isometry);
   if (hold_ == Hold::kFirst) return T_beside_held_ * back * inverse * T_world_tool;
@@ -204,8 +205,7 @@ int ClosedForm::solve(const Eigen::Isometry3d& T_world_tool, JointsIn q_near,
     const auto same = [&](const ClosedSolution& other) { return is_same(chain_, solution, other); };
     if (std::none_of(solutions.begin(), solutions.end(), same)) ++solutions.count;
   }
-  std::ranges::sort(solutions.at.begin(), solutions.at.begin() + solutions.count, {},
-                    &ClosedSolution::branch);
+  std::ranges::sort(std::span(solutions.at).first(solutions.count), {}, &ClosedSolution::branch);
   return solutions.count;
 }
 

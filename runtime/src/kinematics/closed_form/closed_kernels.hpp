@@ -14,11 +14,11 @@ template <class V>
 struct WalkAngles {
   V sine[kSixJoints], cosine[kSixJoints];
 
-  [[gnu::always_inline]] explicit WalkAngles(const SolutionLanes<V>& ways) {
+  [[gnu::always_inline]] explicit WalkAngles(const SolutionLanes<V>& solutions) {
     for (unsigned i = 0; i < kSixJoints; ++i) {
-      const unsigned joint = ways.arm.reversed ? kSixJoints - 1 - i : i;
-      sine[joint] = ways.x[i].s * ways.arm.walk_sign[i];
-      cosine[joint] = ways.x[i].c;
+      const unsigned joint = solutions.arm.reversed ? kSixJoints - 1 - i : i;
+      sine[joint] = solutions.x[i].s * solutions.arm.walk_sign[i];
+      cosine[joint] = solutions.x[i].c;
     }
   }
 };
@@ -64,26 +64,26 @@ template <class V>
     step_in(walk, i, turns.sine[i], turns.cosine[i], t);
     if (walk.has_d[i]) p.z += walk.d[i];
   }
-  const V place = square_of(p, goal + 9);
+  const V position = square_of(p, goal + 9);
   const V axes = square_of(t.of[0], goal) + square_of(t.of[1], goal + 3);
-  return place > axes ? place : axes;
+  return position > axes ? position : axes;
 }
 
 template <class V>
-[[gnu::always_inline]] inline void store_joints(const SolutionLanes<V>& ways, unsigned way,
+[[gnu::always_inline]] inline void store_joints(const SolutionLanes<V>& solutions, unsigned k,
                                                 ClosedLanes& out) {
   constexpr double kPi = 3.14159265358979323846;
-  const ClosedArm& arm = ways.arm;
+  const ClosedArm& arm = solutions.arm;
   const V none = {};
   for (unsigned i = 0; i < kSixJoints; ++i) {
-    const V q = arm.sign[i] * det::atan2_lanes(ways.x[i].s, ways.x[i].c) - arm.offset[i];
+    const V q = arm.sign[i] * det::atan2_lanes(solutions.x[i].s, solutions.x[i].c) - arm.offset[i];
     const V down = det::choose<V>(q > none + kPi, none - 2.0 * kPi, none);
     const V around = det::choose<V>(q <= none - kPi, none + 2.0 * kPi, down);
-    store_lanes(out.q[arm.reversed ? kSixJoints - 1 - i : i] + way, q + around);
+    store_lanes(out.q[arm.reversed ? kSixJoints - 1 - i : i] + k, q + around);
   }
 }
 
-// The signs of way k.
+// The signs of solution k.
 constexpr double kShoulderSign[kSolutions] = {1, 1, 1, 1, -1, -1, -1, -1};
 constexpr double kElbowSign[kSolutions] = {1, 1, -1, -1, 1, 1, -1, -1};
 constexpr double kWristSign[kSolutions] = {1, -1, 1, -1, 1, -1, 1, -1};
@@ -98,18 +98,18 @@ bool closed_kernel(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& ou
   if (!first.exists()) return false;
   constexpr unsigned kLanes = sizeof(V) / sizeof(double);
   det::LaneBits<V> touching = {};
-  for (unsigned way = 0; way < kSolutions; way += kLanes) {
-    SolutionLanes<V> ways{arm, goal.rows, load_lanes<V>(kShoulderSign + way),
-                          load_lanes<V>(kElbowSign + way), load_lanes<V>(kWristSign + way)};
+  for (unsigned k = 0; k < kSolutions; k += kLanes) {
+    SolutionLanes<V> solutions{arm, goal.rows, load_lanes<V>(kShoulderSign + k),
+                               load_lanes<V>(kElbowSign + k), load_lanes<V>(kWristSign + k)};
     if (arm.family == LaneFamily::kSphericalParallel)
-      spherical_parallel(ways, first);
+      spherical_parallel(solutions, first);
     else if (arm.family == LaneFamily::kSphericalMeeting)
-      spherical_meeting(ways, first);
+      spherical_meeting(solutions, first);
     else
-      three_parallel(ways, first);
-    touching |= ways.touching;
-    store_lanes(out.miss2 + way, miss2_of(arm, goal.base, WalkAngles<V>(ways)));
-    store_joints(ways, way, out);
+      three_parallel(solutions, first);
+    touching |= solutions.touching;
+    store_lanes(out.miss2 + k, miss2_of(arm, goal.base, WalkAngles<V>(solutions)));
+    store_joints(solutions, k, out);
   }
   auto any = touching[0];
   for (unsigned lane = 1; lane < kLanes; ++lane) any |= touching[lane];

@@ -44,7 +44,7 @@ std::unique_ptr<LaneForm> LaneForm::make(ClosedFormKind kind, const CanonicalRow
     return nullptr;
   const auto form = [&](LaneFamily family) {
     auto lanes = std::unique_ptr<LaneForm>(new LaneForm(family, rows, chain));
-    return std::isfinite(lanes->arm_.scale) ? std::move(lanes) : nullptr;
+    return std::isfinite(lanes->arm_.links.scale) ? std::move(lanes) : nullptr;
   };
   switch (kind) {
     case ClosedFormKind::kSphericalParallel:
@@ -87,26 +87,27 @@ void LaneForm::prepare_links() {
     const double a = arm_.a[2];
     const double h = arm_.h[1];
     const PlainAngle& alpha = arm_.alpha[2];
-    arm_.A = 2.0 * (a * point[0] + h * alpha.s * point[1]);
-    arm_.B = 2.0 * (h * alpha.s * point[0] - a * point[1]);
-    arm_.fixed =
+    arm_.meeting.A = 2.0 * (a * point[0] + h * alpha.s * point[1]);
+    arm_.meeting.B = 2.0 * (h * alpha.s * point[0] - a * point[1]);
+    arm_.meeting.fixed =
         a * a + point[0] * point[0] + point[1] * point[1] + z * z + h * h + 2.0 * h * alpha.c * z;
-    arm_.scale = std::hypot(arm_.A, arm_.B) > kNoLink ? 1.0 : INFINITY;
+    arm_.links.scale = std::hypot(arm_.meeting.A, arm_.meeting.B) > kNoLink ? 1.0 : INFINITY;
     return;
   }
   const double l = arm_.a[2];
   const double mx = three ? arm_.a[3] : point[0];
   const double my = three ? 0.0 : point[1];
   const double m = std::sqrt(mx * mx + my * my);
-  const double way = l < 0.0 ? -1.0 : 1.0;
+  const double sign = l < 0.0 ? -1.0 : 1.0;
   const double size = std::abs(l) + m;
-  arm_.l = l;
-  arm_.m_l = m * way;
-  arm_.scale = std::abs(l) > kNoLink && m > kNoLink ? 1.0 / (2.0 * std::abs(l) * m) : INFINITY;
-  arm_.m_back = {way * mx / m, -way * my / m};
-  arm_.sum2 = size * size;
-  arm_.difference2 = (std::abs(l) - m) * (std::abs(l) - m);
-  arm_.slack = kRounding * 2.0 * arm_.sum2 * arm_.scale;
+  arm_.links.l = l;
+  arm_.links.m_l = m * sign;
+  arm_.links.scale =
+      std::abs(l) > kNoLink && m > kNoLink ? 1.0 / (2.0 * std::abs(l) * m) : INFINITY;
+  arm_.links.m_back = {sign * mx / m, -sign * my / m};
+  arm_.links.sum2 = size * size;
+  arm_.links.difference2 = (std::abs(l) - m) * (std::abs(l) - m);
+  arm_.slack = kRounding * 2.0 * arm_.links.sum2 * arm_.links.scale;
 }
 
 bool LaneForm::solve(const Eigen::Isometry3d& T_world_tool, ClosedLanes& out,

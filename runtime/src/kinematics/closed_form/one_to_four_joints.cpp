@@ -33,14 +33,14 @@ void number_branches(Branches& out) {
   for (int i = 0; i < out.count; ++i) out.at[static_cast<std::size_t>(i)].bits = i;
 }
 
-// The next way.
+// The next solution.
 Branch& add(Branches& out, const Branch& branch) {
   Branch& added = out.add(branch);
   added.bits = out.count - 1;
   return added;
 }
 
-// Both ways of an elbow about parallel axes 1 and 2, each with the turns of the rest.
+// Both solutions of an elbow about parallel axes 1 and 2, each with the angles of the rest.
 void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Angle* sum = nullptr) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(elbow.count); ++i) {
     branch.phi[0] = elbow.x1[i];
@@ -97,7 +97,7 @@ void position_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3
   }
 }
 
-// A value that depends on the turn of joint 3: v0 + v1 cos x3 + v2 sin x3.
+// A value that depends on the angle of joint 3: v0 + v1 cos x3 + v2 sin x3.
 using Wave = Vector3d;
 
 // The point w after joint 3, seen from joint 2 with its height: the square of its distance from
@@ -122,7 +122,7 @@ double value_at(const Matrix3d& Q, const Angle& x) {
   return v.dot(Q * v);
 }
 
-// The turns at which v^T Q v = 0, v = (1, cos x, sin x): the zeros of a quartic in tan(x/2), which
+// The angles at which v^T Q v = 0, v = (1, cos x, sin x): the zeros of a quartic in tan(x/2), which
 // is measured from where it is far from infinite. Where two of them nearly meet the position
 // between them is listed too, in case rounding has taken them away.
 //
@@ -219,8 +219,8 @@ void position_by_three(const CanonicalRows& rows, const Vector3d& u, const Vecto
 }
 
 // The first n joints bring the point w, fixed after the last of them, to the position u.
-void place(const CanonicalRows& rows, int n, const Vector3d& u, const Vector3d& w,
-           const Branch& near, Branches& out) {
+void solve_position(const CanonicalRows& rows, int n, const Vector3d& u, const Vector3d& w,
+                    const Branch& near, Branches& out) {
   if (n == 1) return position_by_one(u, w, near, out);
   if (n == 2) return position_by_two(rows, u, lifted(w, rows.h[1]), near, out);
   position_by_three(rows, u, w, near, out);
@@ -256,16 +256,16 @@ void rotation_about_a_point(const CanonicalRows& rows, const Isometry3d& G, cons
   }
 }
 
-// Axes 1, 2 and 3 parallel, the fourth not: its direction gives the sum of their turns, the rest is
-// an elbow.
+// Axes 1, 2 and 3 parallel, the fourth not: its direction gives the sum of their angles, the rest
+// is an elbow.
 void bend_in_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                    Branches& out) {
   const Vector3d z = G.linear().col(2);
   bool whole = true;
   const Angle sum = angle_from_to(0.0, -rows.alpha[3].s, z.x(), z.y(), whole);
-  const Vector3d hand = G.translation() - rows.h[3] * z - rotated(sum, {rows.a[3], 0, 0});
+  const Vector3d wrist = G.translation() - rows.h[3] * z - rotated(sum, {rows.a[3], 0, 0});
   const Elbow elbow =
-      solve_elbow({rows.a[1], 0.0, rows.a[2], 0.0}, hand.x(), hand.y(), near.phi[0], near.phi[1]);
+      solve_elbow({rows.a[1], 0.0, rows.a[2], 0.0}, wrist.x(), wrist.y(), near.phi[0], near.phi[1]);
   add_elbow(elbow, near, out, &sum);
 }
 
@@ -288,7 +288,7 @@ bool has_double_axis(const CanonicalRows& rows, int n) {
   return false;
 }
 
-// The turn of one joint that is left.
+// The angle of one joint that is left.
 Angle last_angle(const Matrix3d& M) {
   bool whole = true;
   return angle_from_to(1.0, 0.0, M(0, 0), M(1, 0), whole);
@@ -316,7 +316,7 @@ ClosedFormKind recognised_few(const CanonicalRows& rows) {
 
 void solve_few_position(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                         Branches& out) {
-  place(rows, rows.n, G * rows.tool_point, rows.tool_point, near, out);
+  solve_position(rows, rows.n, G * rows.tool_point, rows.tool_point, near, out);
 }
 
 void solve_few_pose(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
@@ -332,7 +332,7 @@ void solve_few_pose(const CanonicalRows& rows, const Isometry3d& G, const Branch
   } else {
     const double height = height_on_axis(rows);
     const Vector3d u = G.translation() + (height - rows.h[last]) * G.linear().col(2);
-    place(rows, rows.n - 1, u, placed(rows, last, Vector3d(0, 0, height)), near, out);
+    solve_position(rows, rows.n - 1, u, placed(rows, last, Vector3d(0, 0, height)), near, out);
   }
   for (int i = 0; i < out.count; ++i) {
     Branch& branch = out.at[static_cast<std::size_t>(i)];
@@ -347,9 +347,9 @@ ClosedFormKind recognised_wrist(const CanonicalRows& rows) {
   for (int i = 0; i < rows.n; ++i) {
     if (!rows.revolute[static_cast<std::size_t>(i)]) return ClosedFormKind::kNone;
   }
-  const bool places = !has_double_axis(rows, 3) && !three_parallel(rows) &&
-                      !meet_in_a_point(rows) && !on_axis(placed(rows, 3, {0, 0, rows.h[3]}));
-  if (!places || !rows.meet(4)) return ClosedFormKind::kNone;
+  const bool solvable = !has_double_axis(rows, 3) && !three_parallel(rows) &&
+                        !meet_in_a_point(rows) && !on_axis(placed(rows, 3, {0, 0, rows.h[3]}));
+  if (!solvable || !rows.meet(4)) return ClosedFormKind::kNone;
   if (rows.n == 5) return ClosedFormKind::kMeetingWrist;
   return rows.meet(5) && rows.h[4] == 0.0 ? ClosedFormKind::kSphericalWrist : ClosedFormKind::kNone;
 }

@@ -10,12 +10,12 @@ namespace armlet {
 // axes, four that meet in a point.
 ClosedFormKind recognised_few(const CanonicalRows& rows);
 
-// The turns that bring the tool point to the position of a goal: one to three joints.
+// The joint angles that bring the tool point to the position of a goal: one to three joints.
 void solve_few_position(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
                         Branches& out);
 
-// The turns that bring the tool to a pose: a point on the last axis is placed by the joints before
-// it, and the last one turns what is left.
+// The joint angles that bring the tool to a pose: a point on the last axis is placed by the joints
+// before it, and the last one turns what is left.
 void solve_few_pose(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
                     Branches& out);
 

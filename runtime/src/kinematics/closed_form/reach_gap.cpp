@@ -27,7 +27,7 @@ struct Reading {
   int link(int row) const { return rows.reversed ? joint(row + 1) : joint(row); }
 };
 
-// Of several ways to go, the gap of the one that misses least; nothing if one does not miss.
+// Of several solutions, the gap of the one that misses least; nothing if one does not miss.
 class LeastGap {
  public:
   void add(const ReachGap& gap) {
@@ -105,8 +105,8 @@ ReachGap gap_of_parallel(const Reading& arm, const Vector3d& u, const Vector3d& 
   const Passing pass = passing(rows, u, rows.h[1] + rows.h[2] + w.z());
   if (misses_axis(arm, pass, gap)) return gap;
   LeastGap least;
-  for (const Vector2d& place : pass.in_plane)
-    least.add(elbow_gap(arm, 1, std::abs(rows.a[2]), w.head<2>().norm(), place.norm(), gap));
+  for (const Vector2d& position : pass.in_plane)
+    least.add(elbow_gap(arm, 1, std::abs(rows.a[2]), w.head<2>().norm(), position.norm(), gap));
   return least.least();
 }
 
@@ -160,10 +160,10 @@ Spread spread_of_rotation(const CanonicalRows& rows, const Vector3d& w, double d
 
 // The same with axes 1 and 2 that meet. With the right distance, the position may still lie too far
 // along axis 1: axis 2 carries a circle of points, which gets to some heights only.
-ReachGap gap_of_meeting(const Reading& arm, const Vector3d& place, const Vector3d& w,
+ReachGap gap_of_meeting(const Reading& arm, const Vector3d& position, const Vector3d& w,
                         ReachGap gap) {
   const CanonicalRows& rows = arm.rows;
-  const Vector3d u = place - Vector3d(0, 0, rows.h[0]);
+  const Vector3d u = position - Vector3d(0, 0, rows.h[0]);
   const double distance = u.norm();
   const Spread spread =
       rows.revolute[2] ? spread_of_rotation(rows, w, distance) : spread_of_slide(rows, w, distance);
@@ -222,9 +222,10 @@ ReachGap gap_of_three_parallel(const Reading& arm, const Isometry3d& G) {
     if (wrist.singular) return {};
     for (int j = 0; j < wrist.count; ++j) {
       const Angle& sum = wrist.x1[static_cast<std::size_t>(j)];
-      const Vector2d hand(sum.c * last.x() - sum.s * last.y(), sum.s * last.x() + sum.c * last.y());
+      const Vector2d wrist_point(sum.c * last.x() - sum.s * last.y(),
+                                 sum.s * last.x() + sum.c * last.y());
       least.add(elbow_gap(arm, 1, std::abs(rows.a[2]), std::abs(rows.a[3]),
-                          (pass.in_plane[i] - hand).norm(), gap));
+                          (pass.in_plane[i] - wrist_point).norm(), gap));
     }
   }
   return least.least();
@@ -241,8 +242,8 @@ ReachGap gap_of_planar_arm(const Reading& arm, const Isometry3d& G) {
   if (misses_axis(arm, pass, gap)) return gap;
   if (rows.a[4] != 0.0) return {};
   LeastGap least;
-  for (const Vector2d& place : pass.in_plane)
-    least.add(elbow_gap(arm, 1, std::abs(rows.a[2]), std::abs(rows.a[3]), place.norm(), gap));
+  for (const Vector2d& position : pass.in_plane)
+    least.add(elbow_gap(arm, 1, std::abs(rows.a[2]), std::abs(rows.a[3]), position.norm(), gap));
   return least.least();
 }
 

@@ -32,14 +32,15 @@ template <class V>
   return {x.c * v.x + x.s * v.y, alpha.c * vy + alpha.s * v.z, alpha.c * v.z - alpha.s * vy};
 }
 
-// What a kernel keeps while it works on one vector of ways.
+// What a kernel keeps while it works on one vector of solutions. The formulas are those of
+// branches.hpp and closed_form_families.cpp.
 template <class V>
 struct SolutionLanes {
   using Bits = det::LaneBits<V>;
 
   const ClosedArm& arm;
   const double* G;               // ClosedGoal::rows
-  V shoulder, elbow, wrist;      // the signs, +1 for the first way
+  V shoulder, elbow, wrist;      // the signs, +1 for the first solution
   Angles<V> x[kSixJoints] = {};  // in the order of the rows
   Bits touching = {};            // solutions that nearly coincide with others
 
@@ -56,18 +57,20 @@ struct SolutionLanes {
   // Two links in a plane that reach (X, Y): joints `first` and the next one.
   [[gnu::always_inline]] void bend(unsigned first, V X, V Y) {
     const V R2 = X * X + Y * Y;
-    const V s2 = (arm.sum2 - R2) * (R2 - arm.difference2) * (arm.scale * arm.scale);
+    const V s2 =
+        (arm.links.sum2 - R2) * (R2 - arm.links.difference2) * (arm.links.scale * arm.links.scale);
     note(s2, arm.slack);
-    const V c = (R2 - 0.5 * (arm.sum2 + arm.difference2)) * arm.scale;
+    const V c = (R2 - 0.5 * (arm.links.sum2 + arm.links.difference2)) * arm.links.scale;
     const V s = elbow * root(s2);
-    const V px = arm.l + arm.m_l * c;
-    const V py = arm.m_l * s;
+    const V px = arm.links.l + arm.links.m_l * c;
+    const V py = arm.links.m_l * s;
     const V one = 1.0 / R2;
     x[first] = {(X * px + Y * py) * one, (Y * px - X * py) * one};
-    x[first + 1] = {c * arm.m_back.c - s * arm.m_back.s, s * arm.m_back.c + c * arm.m_back.s};
+    x[first + 1] = {c * arm.links.m_back.c - s * arm.links.m_back.s,
+                    s * arm.links.m_back.c + c * arm.links.m_back.s};
   }
 
-  // What is left of a wrist's orientation M: its first turn is returned, the others belong to the
+  // What is left of a wrist's orientation M: its first angle is returned, the others belong to the
   // last two joints. M by columns.
   [[gnu::always_inline]] Angles<V> solve_wrist(const Parts<V>* M) {
     const PlainAngle& alpha = arm.alpha[4];
@@ -90,7 +93,8 @@ struct SolutionLanes {
   }
 };
 
-// The first choice, which all solutions share but for its sign: one joint's turn is middle +- half.
+// The first choice, which all solutions share but for its sign: one joint's angle is middle +-
+// half.
 struct FirstChoice {
   PlainAngle middle, half;
   double x, y, z;      // the position to reach, from where it rotates about axis 1
@@ -135,12 +139,12 @@ struct FirstChoice {
 
   // Axes 1 and 2 meet: joint 3 brings the position to its distance from their common point.
   [[gnu::always_inline]] void from_distance(const ClosedArm& arm, double distance2) {
-    const double C = distance2 - arm.fixed;
-    const double r2 = arm.A * arm.A + arm.B * arm.B;
+    const double C = distance2 - arm.meeting.fixed;
+    const double r2 = arm.meeting.A * arm.meeting.A + arm.meeting.B * arm.meeting.B;
     const double h2 = r2 - C * C;
     const double h = root_of(h2);
-    middle = {arm.A * C / r2, arm.B * C / r2};
-    half = {-(arm.B * h) / r2, arm.A * h / r2};
+    middle = {arm.meeting.A * C / r2, arm.meeting.B * C / r2};
+    half = {-(arm.meeting.B * h) / r2, arm.meeting.A * h / r2};
     sine2 = h2 / r2;
   }
 };

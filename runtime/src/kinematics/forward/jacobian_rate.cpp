@@ -39,7 +39,8 @@ void check_inputs(const Robot& robot, JointsIn q, JointsIn qd) {
 Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd) {
   check_inputs(robot, q, qd);
   const Axes axes(robot, q);
-  // Motion of the link before each axis: angular velocity, its derivative, acceleration of p.
+  // Motion of the link before each axis: angular velocity, its derivative, acceleration of p; the
+  // outward recursion of Luh, Walker and Paul (1980), with qdd = 0.
   Eigen::Vector3d w = Eigen::Vector3d::Zero();
   Eigen::Vector3d wd = Eigen::Vector3d::Zero();
   Eigen::Vector3d a = Eigen::Vector3d::Zero();

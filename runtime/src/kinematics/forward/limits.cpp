@@ -39,7 +39,7 @@ Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q) {
 double wrapped_within(double angle, double near, double lower, double upper) {
   constexpr double kRevolution = 2.0 * kPi;
   if (!(std::abs(angle - near) <= kPi)) angle = nearest_copy_of_angle(angle, near);
-  // Whole turns back into the range, from whichever side it lies.
+  // Whole revolutions back into the range, from whichever side it lies.
   if (angle > upper) angle -= kRevolution * std::ceil((angle - upper) / kRevolution);
   if (angle < lower) angle += kRevolution * std::ceil((lower - angle) / kRevolution);
   if (angle > upper) {  // no copy lies within: the one just above or the one just below

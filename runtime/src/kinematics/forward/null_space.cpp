@@ -111,23 +111,23 @@ VectorXd improve_posture(const Robot& robot, JointsIn q_start, const PostureGoal
     std::vector<bool> held(static_cast<std::size_t>(robot.n()), false);
     MatrixXd J = task_jacobian(robot, q, rows);
     VectorXd gradient = posture_gradient(robot, q, goal);
-    VectorXd way;
+    VectorXd direction;
     for (bool again = true; again;) {
       again = false;
-      way = projector(J) * gradient;
+      direction = projector(J) * gradient;
       for (int i = 0; i < robot.n(); ++i) {
-        const bool outwards = (way[i] > 0.0 && q[i] >= robot.upper()[i] - kDrift) ||
-                              (way[i] < 0.0 && q[i] <= robot.lower()[i] + kDrift);
+        const bool outwards = (direction[i] > 0.0 && q[i] >= robot.upper()[i] - kDrift) ||
+                              (direction[i] < 0.0 && q[i] <= robot.lower()[i] + kDrift);
         if (!outwards || held[static_cast<std::size_t>(i)]) continue;
         held[static_cast<std::size_t>(i)] = again = true;
         J.col(i).setZero();
         gradient[i] = 0.0;
       }
     }
-    const double largest = way.cwiseAbs().maxCoeff();
+    const double largest = direction.cwiseAbs().maxCoeff();
     if (largest < 1e-9) break;
     const VectorXd next =
-        kept_in_place(robot, T_world_tool, q + way * (length / largest), held, rows);
+        kept_in_place(robot, T_world_tool, q + direction * (length / largest), held, rows);
     const double next_value = next.size() > 0 ? posture_value(robot, next, goal) : -INFINITY;
     if (next_value > value) {
       q = next;

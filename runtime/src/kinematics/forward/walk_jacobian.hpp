@@ -21,6 +21,8 @@ namespace armlet {
 }
 
 // Axis and origin of each joint are kept on the way out; one cross product each finishes them.
+//
+// source  Siciliano et al., Robotics, 2009, equation 3.30.
 template <int N, template <int> class SinesOf = JointSines>
 [[gnu::always_inline]] inline WalkFrame walk_jacobian(const WalkPlan& plan, const double* q,
                                                       double* J) {

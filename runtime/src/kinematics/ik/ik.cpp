@@ -121,8 +121,9 @@ void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   if (change <= kSameChoice) return;
   if (options.respect_limits && !within_limits(robot, options.seed, 0.0)) return;
   const bool counts_position = (goal.weights.head<3>().array() == 1.0).all();
-  const Eigen::Vector3d place = forward(robot, options.seed).translation();
-  if (counts_position && (place - goal.p).norm() > 2.0 * goal.position_tolerance + kThere) return;
+  const Eigen::Vector3d position = forward(robot, options.seed).translation();
+  if (counts_position && (position - goal.p).norm() > 2.0 * goal.position_tolerance + kThere)
+    return;
   const IkError error = IkSolver(robot, goal).error_of(to_array(options.seed));
   const double exact = std::max(error.position, error.rotation);
   if (!(exact <= kThere || (change > kFar && goal.is_met(error)))) return;
@@ -189,8 +190,8 @@ Eigen::VectorXd rotate_least(const Robot& robot, const IkGoal& keep, const Eigen
 // one that changes it least. Starting at the seed comes first because it changes the joints least.
 bool position_into(const Robot& robot, const IkGoal& keep, const IkOptions& options,
                    IkResult& result) {
-  const IkGoal place = keep.without_orientation();
-  const IkSearch search = search_ik(robot, place, options, kNearestWanted, kNearestStarts);
+  const IkGoal position_goal = keep.without_orientation();
+  const IkSearch search = search_ik(robot, position_goal, options, kNearestWanted, kNearestStarts);
   result.iterations += search.iterations;
   result.starts += search.starts;
   if (search.solutions.empty()) {
@@ -208,28 +209,28 @@ bool position_into(const Robot& robot, const IkGoal& keep, const IkOptions& opti
     if (error.position > options.position_tolerance || error.rotation >= smallest - kSameRotation)
       continue;
     smallest = error.rotation;
-    take_solution(robot, place, q, result);
+    take_solution(robot, position_goal, q, result);
   }
   return smallest < INFINITY;
 }
 
-// The same for an arm whose formula gives the few ways to reach a position.
+// The same for an arm whose formula gives the few solutions for a position.
 FormulaAnswer position_by_formula(const Robot& robot, const IkGoal& keep, const IkOptions& options,
                                   IkResult& result) {
-  const IkGoal place = keep.without_orientation();
+  const IkGoal position_goal = keep.without_orientation();
   if (options.choice != IkChoice::kNearest || options.posture ||
-      !closed_form(robot).position_only() || !formula_applies(robot, place, options))
+      !closed_form(robot).position_only() || !formula_applies(robot, position_goal, options))
     return FormulaAnswer::kSilent;
   std::vector<FormulaSolution> solutions;
-  const FormulaAnswer answer = solve_by_formula(robot, place, options, solutions);
+  const FormulaAnswer answer = solve_by_formula(robot, position_goal, options, solutions);
   if (answer == FormulaAnswer::kNone) result.q = options.seed;
   if (answer != FormulaAnswer::kAll) return answer;
-  IkSolver turning(robot, keep);
-  const auto turn = [&](const FormulaSolution& s) { return turning.error_of(s.q).rotation; };
-  const double least = turn(*std::ranges::min_element(solutions, {}, turn));
+  IkSolver solver(robot, keep);
+  const auto error_of = [&](const FormulaSolution& s) { return solver.error_of(s.q).rotation; };
+  const double least = error_of(*std::ranges::min_element(solutions, {}, error_of));
   std::erase_if(solutions,
-                [&](const FormulaSolution& s) { return turn(s) > least + kSameRotation; });
-  take_branch(robot, place, nearest_branch(robot, options.seed, solutions), result);
+                [&](const FormulaSolution& s) { return error_of(s) > least + kSameRotation; });
+  take_branch(robot, position_goal, nearest_branch(robot, options.seed, solutions), result);
   return answer;
 }
 
@@ -376,10 +377,10 @@ std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isome
   if (options.seed.size() == 0) options.seed = robot.home();
   if (check_question(robot, T_world_tool, options) != IkStatus::kOk) return {};
   IkGoal goal = make_goal(robot, T_world_tool, options);
-  const bool place = options.task == IkTask::kPositionFirst;
-  if (place && closed_form(robot).position_only()) goal = goal.without_orientation();
+  const bool position_first = options.task == IkTask::kPositionFirst;
+  if (position_first && closed_form(robot).position_only()) goal = goal.without_orientation();
   std::vector<Eigen::VectorXd> all = all_solutions(robot, goal, options, count);
-  if (!all.empty() || !place) return all;
+  if (!all.empty() || !position_first) return all;
   // The orientation cannot be kept: all solutions with the orientation that is nearest to it.
   options.diagnose = false;
   const IkResult turned = solve_ik(robot, T_world_tool, options);

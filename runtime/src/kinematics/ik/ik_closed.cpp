@@ -12,7 +12,7 @@
 namespace armlet {
 namespace {
 
-constexpr int kArmAngles = 36;  // of a turn, tried for an arm of seven joints
+constexpr int kArmAngles = 36;  // of a revolution, tried for an arm of seven joints
 constexpr double kArmStep = 2.0 * kPi / kArmAngles;
 
 // How far a joint may lie beyond its limit by rounding, next to a singularity; it is put back and

@@ -85,10 +85,10 @@ std::vector<JointArray> nearest_samples(const Robot& robot, const Eigen::Vector3
 }
 
 // Of all valleys the deepest: each is followed a little, and the best few to their end.
-Nearest nearest_position(const Robot& robot, const IkGoal& place, std::vector<JointArray> starts) {
-  for (const JointArray& q : nearest_samples(robot, place.p)) starts.push_back(q);
+Nearest nearest_position(const Robot& robot, const IkGoal& goal, std::vector<JointArray> starts) {
+  for (const JointArray& q : nearest_samples(robot, goal.p)) starts.push_back(q);
   for (int k = 1; k <= kSpreadStarts; ++k) starts.push_back(halton_start(robot, k));
-  IkSolver solver(robot, place);
+  IkSolver solver(robot, goal);
   std::vector<Nearest> valleys;
   for (JointArray& q : starts) {
     solver.minimise_in_box(q, kSampleSteps);
@@ -98,7 +98,7 @@ Nearest nearest_position(const Robot& robot, const IkGoal& place, std::vector<Jo
   std::ranges::stable_sort(valleys, {}, distance);
   std::vector<JointArray> best;
   for (std::size_t k = 0; k < std::min(valleys.size(), kDeepest); ++k) best.push_back(valleys[k].q);
-  return nearest(robot, place, best, 0, [](const IkError& e) { return e.position; });
+  return nearest(robot, goal, best, 0, [](const IkError& e) { return e.position; });
 }
 
 // The light weight traded a little of the position for orientation.
@@ -165,8 +165,9 @@ bool counts_rotation(const IkGoal& goal) { return !goal.weights.tail<3>().isZero
 // What the geometry of the arm rules out.
 ReachGap gap_of(const Robot& robot, const IkGoal& goal, const IkOptions& options) {
   const bool all = (goal.weights.array() == 1.0).all();
-  const bool place = (goal.weights.head<3>().array() == 1.0).all() && !counts_rotation(goal);
-  if (options.method != IkMethod::kAuto || (!all && !place)) return {};
+  const bool position_only =
+      (goal.weights.head<3>().array() == 1.0).all() && !counts_rotation(goal);
+  if (options.method != IkMethod::kAuto || (!all && !position_only)) return {};
   return closed_form(robot).gap(make_pose(goal.R, goal.p), all);
 }
 

@@ -116,12 +116,12 @@ double IkSolver::iterate(const JointArray& q, bool in_box) {
 
 // The same rows in other axes.
 void IkSolver::rotate_rows(const Eigen::Matrix3d& R) {
-  const auto turn = [&R](std::array<double, 6>& rows) {
+  const auto rotate = [&R](std::array<double, 6>& rows) {
     Eigen::Map<Vector6d> twist(rows.data());
     twist = rotate_twist(R, twist);
   };
-  turn(at_.error);
-  for (std::size_t i = 0; i < n_; ++i) turn(at_.J[i]);
+  rotate(at_.error);
+  for (std::size_t i = 0; i < n_; ++i) rotate(at_.J[i]);
 }
 
 // Leaves out rows that do not count and weighs the others.
@@ -180,11 +180,11 @@ IkSolver::Step IkSolver::step_in_box(const JointArray& q, double damping) const 
   Frozen frozen{};
   bool any = false;
   // Freezes joints on a bound that they would be moved across.
-  const auto freeze = [&](const double* way) {
+  const auto freeze = [&](const double* direction) {
     bool more = false;
     for (std::size_t i = 0; i < n_; ++i) {
       const bool leaves =
-          (q[i] <= lower_[i] && way[i] < 0.0) || (q[i] >= upper_[i] && way[i] > 0.0);
+          (q[i] <= lower_[i] && direction[i] < 0.0) || (q[i] >= upper_[i] && direction[i] > 0.0);
       if (!frozen[i] && leaves) more = any = frozen[i] = true;
     }
     return more;

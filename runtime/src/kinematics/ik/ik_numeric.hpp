@@ -26,11 +26,11 @@ struct IkGoal {
   double position_tolerance = 1e-6;
   double rotation_tolerance = 1e-6;
 
-  // The same place with any orientation.
+  // The same position with any orientation.
   IkGoal without_orientation() const {
-    IkGoal place = *this;
-    place.weights.tail<3>().setZero();
-    return place;
+    IkGoal position_only = *this;
+    position_only.weights.tail<3>().setZero();
+    return position_only;
   }
   bool is_met(const IkError& error) const {
     return error.position <= position_tolerance && error.rotation <= rotation_tolerance;
@@ -114,7 +114,7 @@ class IkSolver {
 
 // Element `index` of a low-discrepancy sequence spread over the joints' ranges (Halton, 1960);
 // ranges of revolute joints count as one revolution at most. Index 0 is the middle. Without limits
-// turning joints take a whole turn, sliding ones the arm's length more on either side.
+// revolute joints take a whole revolution, prismatic ones the arm's length more on either side.
 JointArray halton_start(const Robot& robot, int index, bool inside_limits = true);
 // Element `index` of the sequence for a joint, between 0 and 1.
 double halton_share(int joint, int index);

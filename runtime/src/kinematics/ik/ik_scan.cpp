@@ -9,7 +9,7 @@
 namespace armlet {
 namespace {
 
-constexpr int kSamples = 90;  // of a turn
+constexpr int kSamples = 90;  // of a revolution
 constexpr double kStep = 2.0 * kPi / kSamples;
 constexpr double kNarrow = 1e-9;    // rad; pieces are not halved below it
 constexpr double kEdge = 1e-10;     // nor those at whose other end the branch does not exist
@@ -36,7 +36,7 @@ struct Sample {
 };
 using Samples = std::array<Sample, kMaxBranches>;
 
-// A branch between two values, and how far each joint may bend away from the straight way.
+// A branch between two values, and how far each joint may bend away from the straight line.
 struct Piece {
   std::size_t branch = 0;
   Sample left, right;
@@ -48,8 +48,8 @@ struct Best {
   FormulaSolution solution;
 };
 
-// Samples a turn, and halves the pieces between samples for as long as the joints at their ends
-// leave room for something nearer.
+// Samples a revolution, and halves the pieces between samples for as long as the joints at their
+// ends leave room for something nearer.
 class Scan {
  public:
   Scan(const Robot& robot, const IkGoal& goal, const IkOptions& options, int joint,
@@ -143,20 +143,20 @@ class Scan {
     return width > kNearEdge ? kRevolution : kAtEdge * std::sqrt(width / kNearEdge);
   }
 
-  double way(std::size_t i, double from, double to) const {
+  double difference(std::size_t i, double from, double to) const {
     return robot_.is_revolute(static_cast<int>(i)) ? angle_difference(to, from) : to - from;
   }
 
   unsigned differing(const JointArray& a, const JointArray& b) const {
     unsigned bits = 0;
     for (std::size_t i = 0; i < n_; ++i) {
-      if (std::abs(way(i, a[i], b[i])) > kNarrow) bits |= 1U << i;
+      if (std::abs(difference(i, a[i], b[i])) > kNarrow) bits |= 1U << i;
     }
     return bits;
   }
 
   double second_difference(std::size_t i, const Sample& a, const Sample& b, const Sample& c) const {
-    return std::abs(way(i, b.q[i], c.q[i]) - way(i, a.q[i], b.q[i]));
+    return std::abs(difference(i, b.q[i], c.q[i]) - difference(i, a.q[i], b.q[i]));
   }
 
   Piece between_samples(int step, std::size_t b) const {
@@ -173,7 +173,7 @@ class Scan {
         continue;
       }
       // Without neighbours the joints may bend as far as they go.
-      const double all = std::abs(way(i, piece.left.q[i], piece.right.q[i]));
+      const double all = std::abs(difference(i, piece.left.q[i], piece.right.q[i]));
       bend = before.exists ? second_difference(i, before, piece.left, piece.right) : all;
       bend =
           std::max(bend, after.exists ? second_difference(i, piece.left, piece.right, after) : all);
@@ -191,7 +191,7 @@ class Scan {
     double bound = 0.0;
     for (std::size_t i = 0; i < n_; ++i) {
       if (((piece.left.loose | piece.right.loose) >> i & 1U) != 0) continue;
-      const double other = whole ? end.q[i] + way(i, end.q[i], piece.right.q[i]) : end.q[i];
+      const double other = whole ? end.q[i] + difference(i, end.q[i], piece.right.q[i]) : end.q[i];
       bound = std::max(bound,
                        change_within(robot_, options_, i, std::min(end.q[i], other) - piece.bend[i],
                                      std::max(end.q[i], other) + piece.bend[i]));
@@ -216,7 +216,8 @@ class Scan {
           whole && sample.exists ? second_difference(i, piece.left, sample, piece.right) : 0.0;
       for (Piece& half : halves) {
         const bool whole_half = half.left.exists && half.right.exists;
-        const double all = whole_half ? std::abs(way(i, half.left.q[i], half.right.q[i])) : 0.0;
+        const double all =
+            whole_half ? std::abs(difference(i, half.left.q[i], half.right.q[i])) : 0.0;
         if (!whole_half)
           half.bend[i] = bend_at_edge(half);
         else if (!whole)

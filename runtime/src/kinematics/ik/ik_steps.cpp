@@ -39,7 +39,8 @@ template <int N>
   }
 }
 
-// L D L^T, two columns at a time, of which the second is kept times the pivot of the first: its own
+// L D L^T (G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013, section 4.1.2), two
+// columns at a time, of which the second is kept times the pivot of the first: its own
 // pivot need not wait for a division, so that both divisions run side by side. A pivot that is
 // nothing but rounding belongs to a joint that the others stand in for, of a redundant or singular
 // arm: it stays where it is. Divided by, such a pivot would make the next ones grow without bound.
@@ -139,6 +140,9 @@ void step_kernel(int joints, const NormalEquations& normal, double damping, doub
 }
 
 // Adds one axis to twice the cosine of the rotation error, and to its cross products.
+//
+// source  J. Y. S. Luh, M. W. Walker, R. P. C. Paul, Resolved-acceleration control of mechanical
+//         manipulators, IEEE TAC 25(3), 1980: the error of an orientation from its three axes.
 [[gnu::always_inline]] inline double add_axis(const WalkAxis& axis, const double* goal, Lanes& w_xy,
                                               double& w_z) {
   const Lanes goal_xy = load_pair(goal);

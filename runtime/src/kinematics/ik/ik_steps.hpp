@@ -19,7 +19,7 @@ using StepKernel = void(int n, const NormalEquations& normal, double damping, do
 // What one iteration works out at a configuration.
 struct alignas(64) IkIterate {
   std::array<std::array<double, 6>, kMaxJoints> J;
-  std::array<double, 6> error;  // place, then rotation; weighed
+  std::array<double, 6> error;  // position, then rotation; weighed
   NormalEquations normal;
   double energy;              // half the squared error
   double position, rotation;  // sizes of the errors that count, m and rad

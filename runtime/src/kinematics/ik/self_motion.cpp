@@ -76,16 +76,19 @@ inline double SelfMotions::difference(std::size_t i, double a, double b) const {
 
 // One step along the curve, and back onto it; `along` becomes the direction of the chord. Where two
 // curves cross: straight on.
+//
+// source  E. L. Allgower, K. Georg, Numerical Continuation Methods, 1990, chapter 2 (predictor and
+//         corrector).
 bool SelfMotions::step(const JointArray& from, JointArray& along, double length, JointArray& to) {
   for (std::size_t i = 0; i < n_; ++i) to[i] = from[i] + length * along[i];
   const JointArray aimed = to;
   if (!solver_.correct(to, kFirstCorrection)) return false;
   double astray = 0.0, square = 0.0, ahead = 0.0;
   for (std::size_t i = 0; i < n_; ++i) {
-    const double way = to[i] - from[i];
+    const double difference = to[i] - from[i];
     astray += (to[i] - aimed[i]) * (to[i] - aimed[i]);
-    square += way * way;
-    ahead += way * along[i];
+    square += difference * difference;
+    ahead += difference * along[i];
   }
   const double size = std::sqrt(square);
   if (astray > kTraceAstray * kTraceAstray * length * length || ahead < kBendCosine * size)

@@ -15,7 +15,7 @@ constexpr double kBending = 0.7;        // how far joints bend, of the second di
 constexpr int kMaxLooks = 400;
 constexpr int kRefinements = 10;
 
-// A part of the curve, and how far each joint may bend away from the straight way.
+// A part of the curve, and how far each joint may bend away from the straight line.
 struct Arc {
   JointArray left, right, bend;
 };

@@ -121,17 +121,17 @@ JerkProfile from_motion(const AxisState& from, double to, const AxisLimits& limi
   const double jerks[3] = {ramp.jerk, 0.0, -ramp.jerk};
   const double lengths[3] = {ramp.rise, ramp.hold, ramp.fall};
   AxisState state = s;
-  double place = stop_position(s, A, J);
+  double position = stop_position(s, A, J);
   for (int k = 0;; ++k) {
     const AxisState next = after(state, jerks[k], lengths[k]);
     const double reached = k == 2 ? past : stop_position(next, A, J);
     if (reached < 0.0 && k < 2) {
       state = next;
-      place = reached;
+      position = reached;
       continue;
     }
     const auto stops_at = [&](double t) { return stop_position(after(state, jerks[k], t), A, J); };
-    const double t = zero_between(stops_at, 0.0, place, lengths[k], reached, rounding(s.q));
+    const double t = zero_between(stops_at, 0.0, position, lengths[k], reached, rounding(s.q));
     add_broken_ramp(profile, s, ramp, {k, t}, sign, limits);
     return profile;
   }

@@ -20,10 +20,10 @@ AxisState modified_sine(double x) {
   constexpr double kSlow = kQuick / 3.0;
   constexpr double kPeak = 4.0 * kPi * kPi / (kPi + 4.0);
   const bool in_between = x > 0.125 && x < 0.875;
-  const double turn = in_between ? kSlow : kQuick;
+  const double frequency = in_between ? kSlow : kQuick;
   const auto [sine, cosine] = det::sincos(in_between ? kSlow * x + kPi / 3.0 : kQuick * x);
   const double lead = x <= 0.125 ? 0.0 : in_between ? 2.0 / kPi : 4.0 / kPi;
-  const double ratio = kQuick / turn;  // of the periods
+  const double ratio = kQuick / frequency;  // of the periods
   return {.q = kPeak / kQuick * (x + lead - ratio * ratio * sine / kQuick),
           .v = kPeak / kQuick * (1.0 - ratio * cosine),
           .a = kPeak * sine};

@@ -22,11 +22,11 @@ std::vector<double> SpeedAlongPath::times() const {
 
 double SpeedAlongPath::duration() const { return times().back(); }
 
-double SpeedAlongPath::time_at(double place) const {
+double SpeedAlongPath::time_at(double position) const {
   double T = 0.0;
-  for (std::size_t k = 0; k + 1 < s.size() && s[k] < place; ++k) {
+  for (std::size_t k = 0; k + 1 < s.size() && s[k] < position; ++k) {
     const double v0 = std::sqrt(squared[k]);
-    const double step = std::min(place, s[k + 1]) - s[k];
+    const double step = std::min(position, s[k + 1]) - s[k];
     const double part = step / (s[k + 1] - s[k]);
     const double v1 = std::sqrt(squared[k] + part * (squared[k + 1] - squared[k]));
     T += 2.0 * step / (v0 + v1);

@@ -1,4 +1,5 @@
-// Splines of degree 4 and 5, and the paths of lift-off, travel and set-down.
+// Splines of degree 4 and 5, and the paths of lift-off, travel and set-down; their sources are
+// named in spline.hpp (de Boor 1963; Fu, Gonzalez, Lee 1987).
 
 #include <fmt/format.h>
 

@@ -17,7 +17,7 @@ class PathWarp {
       : length_(length), start_(start), end_(end), whole_(length + 0.5 * (start + end)) {}
 
   // s and its derivatives by u.
-  struct Place {
+  struct Along {
     double s, first, second, third;
   };
 
@@ -25,10 +25,10 @@ class PathWarp {
   [[nodiscard]] double start() const { return start_; }
   [[nodiscard]] double end() const { return end_; }
 
-  [[nodiscard]] Place at(double u) const {
+  [[nodiscard]] Along at(double u) const {
     if (u < start_) return ramp(u, start_);
     if (u > whole_ - end_) {
-      const Place back = ramp(whole_ - u, end_);
+      const Along back = ramp(whole_ - u, end_);
       return {length_ - back.s, back.first, -back.second, back.third};
     }
     return {u - 0.5 * start_, 1.0, 0.0, 0.0};
@@ -43,7 +43,7 @@ class PathWarp {
 
  private:
   // w (x^3 - x^4 / 2) with x = u / w.
-  static Place ramp(double u, double w) {
+  static Along ramp(double u, double w) {
     const double x = std::max(u, 0.0) / w;
     return {w * x * x * x * (1.0 - 0.5 * x), x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / w,
             6.0 * (1.0 - 2.0 * x) / (w * w)};

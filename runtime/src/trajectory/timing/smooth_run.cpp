@@ -44,7 +44,7 @@ Rates rates_of(const Segment& piece, double s) {
 }
 
 // The same by u, where s is a function of it.
-Rates by_u(const Rates& r, const PathWarp::Place& p) {
+Rates by_u(const Rates& r, const PathWarp::Along& p) {
   return {r.value, r.first * p.first, r.second * p.first * p.first + r.first * p.second,
           r.third * p.first * p.first * p.first + 3.0 * r.second * p.first * p.second +
               r.first * p.third};
@@ -263,7 +263,7 @@ class Run {
     std::size_t next = 0;  // of the pieces
     for (std::size_t cell = 0; cell < spline_.cells(); ++cell) {
       std::vector<std::pair<double, double>> parts = {{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}};
-      const double from = spline_.place(cell, 0.0), to = spline_.place(cell, 1.0);
+      const double from = spline_.at(cell, 0.0), to = spline_.at(cell, 1.0);
       for (; next + 1 < u_.size() && u_[next + 1] <= to; ++next) {
         const double part = (0.5 * (u_[next] + u_[next + 1]) - from) / (to - from);
         if (part != 0.5) parts.emplace_back(part, 0.0);
@@ -275,8 +275,8 @@ class Run {
 
   void add_point(std::size_t cell, double part, double weight, Cursor& cursor) {
     // A hair inside of the cell, where the path has a knot at its border.
-    const double inside = spline_.place(cell, std::clamp(part, 1e-6, 1.0 - 1e-6));
-    const PathWarp::Place place = warp_.at(spline_.place(cell, part));
+    const double inside = spline_.at(cell, std::clamp(part, 1e-6, 1.0 - 1e-6));
+    const PathWarp::Along along = warp_.at(spline_.at(cell, part));
     const double s = warp_.at(inside).s;
     while (cursor.motion + 2 < u_.size() && warp_.at(u_[cursor.motion + 1]).s <= s) ++cursor.motion;
     SpeedSpline::Point& point = spline_.add_point(cell, part, weight);
@@ -284,14 +284,14 @@ class Run {
       const std::span<const Segment> pieces = path_.joint(static_cast<int>(i)).segments;
       if (pieces.empty()) continue;
       cursor.path[i] = piece_at(pieces, cursor.path[i], s);
-      Rates rates = rates_of(pieces[cursor.path[i]], place.s);
+      Rates rates = rates_of(pieces[cursor.path[i]], along.s);
       rates.third = third_[cursor.motion * limits_.size() + i];
-      add_joint(cell, point, by_u(rates, place), limits_[i]);
+      add_joint(cell, point, by_u(rates, along), limits_[i]);
     }
     if (!travel_.empty()) cursor.travel = piece_at(travel_, cursor.travel, s);
-    const Rates way =
-        travel_.empty() ? Rates{place.s, 1.0, 0.0, 0.0} : rates_of(travel_[cursor.travel], place.s);
-    add_zones(cell, point, by_u(way, place));
+    const Rates rates =
+        travel_.empty() ? Rates{along.s, 1.0, 0.0, 0.0} : rates_of(travel_[cursor.travel], along.s);
+    add_zones(cell, point, by_u(rates, along));
   }
 
   void add_joint(std::size_t cell, SpeedSpline::Point& point, const Rates& r, const AxisLimits& l) {
@@ -311,17 +311,18 @@ class Run {
   }
 
   [[nodiscard]] bool is_in(std::size_t cell, const SpeedZone& zone) const {
-    const double middle = warp_.at(spline_.place(cell, 0.5)).s;
+    const double middle = warp_.at(spline_.at(cell, 0.5)).s;
     return middle > zone.from && middle < zone.to;
   }
 
-  void add_zones(std::size_t cell, SpeedSpline::Point& point, const Rates& way) {
+  void add_zones(std::size_t cell, SpeedSpline::Point& point, const Rates& rates) {
     for (const SpeedZone& zone : zones_) {
       if (!is_in(cell, zone)) continue;
-      if (std::isfinite(zone.speed)) limit_speed(point, way.first * tight_[cell].speed, zone.speed);
+      if (std::isfinite(zone.speed))
+        limit_speed(point, rates.first * tight_[cell].speed, zone.speed);
       if (!std::isfinite(zone.acceleration)) continue;
       const double A = zone.acceleration / tight_[cell].acceleration;
-      spline_.add_row({.ya = 0.5 * way.first / A, .yb = way.second / A});
+      spline_.add_row({.ya = 0.5 * rates.first / A, .yb = rates.second / A});
     }
   }
 
@@ -355,9 +356,9 @@ class Run {
     std::size_t piece = 0;
     AxisState before;
     for (std::size_t k = 0; k < u_.size(); ++k) {
-      const PathWarp::Place place = warp_.at(u_[k]);
-      piece = piece_at(path.segments, piece, place.s);
-      const Rates r = by_u(rates_of(path.segments[piece], place.s), place);
+      const PathWarp::Along along = warp_.at(u_[k]);
+      piece = piece_at(path.segments, piece, along.s);
+      const Rates r = by_u(rates_of(path.segments[piece], along.s), along);
       const bool ends = k == 0 || k + 1 == u_.size();
       const AxisState now{
           .q = k + 1 == u_.size() ? path.q_end : r.value,
@@ -426,12 +427,12 @@ class Run {
 
 }  // namespace
 
-double TimedRun::time_at(double place) const {
-  const auto after = std::ranges::upper_bound(s, place);
+double TimedRun::time_at(double position) const {
+  const auto after = std::ranges::upper_bound(s, position);
   if (after == s.begin()) return 0.0;
   if (after == s.end()) return t.back();
   const auto k = static_cast<std::size_t>(after - s.begin());
-  return t[k - 1] + (t[k] - t[k - 1]) * (place - s[k - 1]) / (s[k] - s[k - 1]);
+  return t[k - 1] + (t[k] - t[k - 1]) * (position - s[k - 1]) / (s[k] - s[k - 1]);
 }
 
 TimedRun TimedRun::stretched(double factor) const {

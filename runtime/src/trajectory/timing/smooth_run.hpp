@@ -13,7 +13,7 @@ struct TimedRun {
   Trajectory motion{};
   std::vector<double> s{}, t{};  // ascending, from 0 to the length and to the duration
 
-  [[nodiscard]] double time_at(double place) const;
+  [[nodiscard]] double time_at(double position) const;
   [[nodiscard]] TimedRun stretched(double factor) const;
 };
 

@@ -30,7 +30,7 @@ double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
 
 SpeedSpline::SpeedSpline(std::vector<double> knots) : knots_(std::move(knots)) {}
 
-double SpeedSpline::place(std::size_t cell, double part) const {
+double SpeedSpline::at(std::size_t cell, double part) const {
   return part == 1.0 ? knots_[cell + 1] : knots_[cell] + part * (knots_[cell + 1] - knots_[cell]);
 }
 
@@ -59,7 +59,7 @@ void SpeedSpline::clear_points() {
 }
 
 SpeedSpline::Point& SpeedSpline::add_point(std::size_t cell, double part, double weight) {
-  const Basis b = basis(cell, place(cell, part));
+  const Basis b = basis(cell, at(cell, part));
   points_.push_back({.cell = cell,
                      .value = b.value,
                      .rate = b.rate,
@@ -248,8 +248,9 @@ std::vector<double> SpeedSpline::newton_step() const {
   return d;
 }
 
-// One step of Newton's method, shortened until it keeps the limits and does not lead beyond the
-// lowest point by much. Gives the squared decrement before it.
+// One step of Newton's method (S. Boyd, L. Vandenberghe, Convex Optimization, 2004, sections 9.5
+// and 11.3), shortened until it keeps the limits and does not lead beyond the lowest point by much.
+// Gives the squared decrement before it.
 double SpeedSpline::step(double mu) {
   const std::vector<double> d = newton_step();
   const auto slope = [&] {

@@ -38,7 +38,7 @@ class SpeedSpline {
 
   [[nodiscard]] std::size_t cells() const { return knots_.size() - 1; }
   // A part of a cell, 0 to 1.
-  [[nodiscard]] double place(std::size_t cell, double part) const;
+  [[nodiscard]] double at(std::size_t cell, double part) const;
   // The cell in which u is, begun with one before.
   [[nodiscard]] std::size_t cell_at(double u, std::size_t cell) const;
 

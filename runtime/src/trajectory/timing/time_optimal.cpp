@@ -15,7 +15,7 @@ constexpr double kNoSlope = 1e-12;  // |q'| below it: the joint does not restric
 constexpr double kSameKnot = 1e-9;  // as in Trajectory::knots
 constexpr double kIdle = 0.02;      // of all limits, that an interval may leave without parts,
 constexpr double kMostParts = 6.0;  // of which it gets so many at most
-constexpr int kRounds = 8;          // how often what is exceeded between places is made slower
+constexpr int kRounds = 8;          // how often what is exceeded between positions is made slower
 constexpr double kWellKept = 1e-3;  // what may be exceeded before the whole is made slower
 
 void check_path(const Trajectory& path, std::span<const AxisLimits> limits, int intervals) {
@@ -38,15 +38,15 @@ void check_path(const Trajectory& path, std::span<const AxisLimits> limits, int 
 }
 
 // The piece that begins at a position or goes on behind it; knots of different joints that differ
-// by rounding are one place. `piece` is one before.
+// by rounding are one position. `piece` is one before.
 std::size_t piece_behind(std::span<const Segment> pieces, std::size_t piece, double s) {
   while (piece + 1 < pieces.size() && pieces[piece + 1].start <= s + kSameKnot) ++piece;
   return piece;
 }
 
 // Positions along the path: its knots, where zones begin and end, and enough in between.
-std::vector<double> places(const Trajectory& path, std::span<const SpeedZone> zones,
-                           int intervals) {
+std::vector<double> positions(const Trajectory& path, std::span<const SpeedZone> zones,
+                              int intervals) {
   std::vector<double> knots = path.knots();
   for (const SpeedZone& zone : zones) {
     for (const double border : {zone.from, zone.to}) {
@@ -93,9 +93,9 @@ Slopes slopes_at(const Segment& p, double s) {
 
 class Grid {
  public:
-  Grid(const Course& course, std::vector<double> places)
+  Grid(const Course& course, std::vector<double> positions)
       : course_(course),
-        s_(std::move(places)),
+        s_(std::move(positions)),
         limits_(course.limits),
         zones_(course.zones),
         n_(course.limits.size()) {
@@ -171,7 +171,7 @@ class Grid {
     return least * least;
   }
 
-  // What holds between place k and the next: the limits at k, and those at k + 1 with the speed
+  // What holds between position k and the next: the limits at k, and those at k + 1 with the speed
   // reached there.
   const Strips& between(std::size_t k) {
     checkpoint(40 * n_);
@@ -281,7 +281,7 @@ class Grid {
   std::span<const AxisLimits> limits_;
   std::span<const SpeedZone> zones_;
   std::size_t n_;
-  std::vector<double> first_, second_;  // by place, then by joint
+  std::vector<double> first_, second_;  // by position, then by joint
   std::vector<double> travel_first_, travel_second_;
   std::vector<Over> over_;     // by interval
   std::vector<double> bound_;  // squared speed
@@ -378,7 +378,7 @@ SpeedAlongPath fastest_on(Grid& grid) {
 }
 
 // Where the grid is too coarse for limits to be reached everywhere, as the fastest run does, it
-// gets more places.
+// gets more positions.
 std::vector<double> finer(const Grid& grid, const SpeedAlongPath& run) {
   const std::vector<double> idle = grid.idle(run.squared);
   std::vector<double> s = {0.0};
@@ -398,7 +398,7 @@ SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits>
                              std::span<const Segment> travel) {
   const Course course{path, limits, zones, travel};
   check_course(course, intervals);
-  Grid grid(course, places(path, zones, intervals));
+  Grid grid(course, positions(path, zones, intervals));
   return fastest_on(grid);
 }
 
@@ -439,7 +439,7 @@ FastestRun fastest_run(const Trajectory& path, std::span<const AxisLimits> limit
                        std::span<const SpeedZone> zones, std::span<const Segment> travel) {
   const Course course{path, limits, zones, travel};
   check_course(course, intervals);
-  Grid coarse(course, places(path, zones, intervals));
+  Grid coarse(course, positions(path, zones, intervals));
   Grid grid(course, finer(coarse, fastest_on(coarse)));
   SpeedAlongPath speed = fastest_on(grid);
   for (int k = 0; k < kRounds && grid.tighten(speed.squared) > 1.0 + kWellKept; ++k)

@@ -137,7 +137,7 @@ class PathPlanner {
     return false;
   }
 
-  // Full pieces from place to place; places where nothing moves are left out.
+  // Full pieces from pose to pose; poses where nothing moves are left out.
   bool lay_legs() {
     Eigen::Isometry3d T = forward(robot_, move_.q0);
     for (std::size_t k = 0; k < move_.points.size(); ++k) {
@@ -167,7 +167,7 @@ class PathPlanner {
     return move_.points[static_cast<std::size_t>(leg.point)].blend;
   }
 
-  // From the leg on up to the next place where the tool stops.
+  // From the leg on up to the next pose where the tool stops.
   std::vector<Part> parts_from(std::size_t first) {
     std::vector<Part> parts;
     for (std::size_t k = first;; ++k) {
@@ -275,12 +275,12 @@ class PathPlanner {
   static void place_part(Stretch& stretch, const Part& part, const JoinedPath& whole,
                          std::size_t k) {
     for (const SpeedZone& zone : part.zones) {
-      const double from = whole.place(k, zone.from), to = whole.place(k, zone.to);
+      const double from = whole.position(k, zone.from), to = whole.position(k, zone.to);
       if (to > from) add_zone(stretch.zones, from, to, zone.speed, zone.acceleration);
     }
     stretch.corners += static_cast<int>(part.legs.size());
     if (!part.is_joint_line()) {
-      for (const double end : part.ends) stretch.ends.push_back(whole.place(k, end));
+      for (const double end : part.ends) stretch.ends.push_back(whole.position(k, end));
       return;
     }
     const Leg& leg = part.legs.back();

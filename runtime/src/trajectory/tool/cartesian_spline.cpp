@@ -46,18 +46,18 @@ std::vector<Segment> pieces_of(SplineKind kind, const std::vector<double>& t,
 // The poses that are passed, the first being where the tool is, each with its share of the time.
 struct Knots {
   std::vector<Eigen::Isometry3d> poses{};
-  std::vector<int> places{};    // of the move that they are
+  std::vector<int> indices{};   // of the move that they are
   std::vector<double> times{};  // from 0 to 1
 };
 
 Knots knots_of(const Robot& robot, const SplineMove& move) {
-  Knots knots{.poses = {forward(robot, move.q0)}, .places = {-1}, .times = {0.0}};
+  Knots knots{.poses = {forward(robot, move.q0)}, .indices = {-1}, .times = {0.0}};
   for (std::size_t k = 0; k < move.poses.size(); ++k) {
     const CurvePiece leg = straight_piece(knots.poses.back(), move.poses[k]);
     const double length = move.task == IkTask::kPositionFirst ? leg.travel() : leg.length;
     if (length <= kNoLength) continue;
     knots.poses.push_back(move.poses[k]);
-    knots.places.push_back(static_cast<int>(k));
+    knots.indices.push_back(static_cast<int>(k));
     knots.times.push_back(knots.times.back() + length);
   }
   const double whole = knots.times.back();
@@ -69,13 +69,14 @@ Knots knots_of(const Robot& robot, const SplineMove& move) {
 CurveSpline spline_through(const Knots& knots, SplineKind kind) {
   CurveSpline curve{.T_start = knots.poses[0]};
   std::array<std::vector<double>, 6> x;
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
   for (const Eigen::Isometry3d& T : knots.poses) {
-    const Eigen::Vector3d place = T.translation() - curve.T_start.translation();
-    turn = without_jump(rotation_log(curve.T_start.linear().transpose() * T.linear()), turn);
+    const Eigen::Vector3d position = T.translation() - curve.T_start.translation();
+    rotation =
+        without_jump(rotation_log(curve.T_start.linear().transpose() * T.linear()), rotation);
     for (int i = 0; i < 3; ++i) {
-      x[static_cast<std::size_t>(i)].push_back(place[i]);
-      x[static_cast<std::size_t>(i + 3)].push_back(turn[i]);
+      x[static_cast<std::size_t>(i)].push_back(position[i]);
+      x[static_cast<std::size_t>(i + 3)].push_back(rotation[i]);
     }
   }
   for (std::size_t i = 0; i < 6; ++i) curve.x[i] = pieces_of(kind, knots.times, x[i]);
@@ -97,7 +98,7 @@ void blame(PathPlan& plan, const Knots& knots, LineFault fault) {
   const double leg = knots.times[k] - knots.times[k - 1];
   fault.fraction = std::clamp((fault.fraction - knots.times[k - 1]) / leg, 0.0, 1.0);
   plan.fault = std::move(fault);
-  plan.point = knots.places[k];
+  plan.point = knots.indices[k];
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ PathPlan plan_cartesian_spline(const Robot& robot, const SplineMove& move) {
   plan.missed = plan.times;
   for (std::size_t k = 1; k < knots.times.size(); ++k) {
     const double t = knots.times[k] * plan.motion.trajectory->duration();
-    std::fill(plan.times.begin() + knots.places[k], plan.times.end(), t);
+    std::fill(plan.times.begin() + knots.indices[k], plan.times.end(), t);
   }
   return plan;
 }

@@ -18,13 +18,13 @@ namespace {
 
 constexpr int kSteps = 512;
 constexpr int kCells = 96;                        // the pieces of a speed that is limited in jerk
-constexpr double kRotationLengthOfDamping = 0.2;  // m, what a turn by one radian counts for
+constexpr double kRotationLengthOfDamping = 0.2;  // m, what a rotation by one radian counts for
 constexpr double kCatchUp = 2.0;                  // largest step, as a multiple of the usual one
 constexpr double kShortest = 1e-9;                // s, resolution of the clock
 constexpr double kGain = 0.05;                    // of what was left behind, per step
 constexpr double kSettled = 0.01;                 // of a usual step: what a correction is made for
 constexpr double kStill = 1e-7;                   // rad or m, per step: it comes no closer
-constexpr int kPerInterval = 4;  // places between two steps at which the deviation is looked at
+constexpr int kPerInterval = 4;  // samples between two steps at which the deviation is looked at
 
 // The error of the tool, and the Jacobian of what of it counts: all, or the position.
 struct Offset {
@@ -68,16 +68,16 @@ void step_towards(const Robot& robot, const Eigen::Isometry3d& T_world_tool, IkT
   }
 }
 
-// `way`: the joints, its parameter in metres of the line and further.
-void measure(const Robot& robot, const Trajectory& way, const CurvePiece& line, IkTask task,
+// `path`: the joints, its parameter in metres of the line and further.
+void measure(const Robot& robot, const Trajectory& path, const CurvePiece& line, IkTask task,
              DampedLine& plan) {
   Eigen::VectorXd q(robot.n());
-  const int places =
-      static_cast<int>(std::lround(way.duration() / line.length * kSteps)) * kPerInterval;
-  for (int k = 0; k <= places; ++k) {
-    const double s = way.duration() * k / places;
+  const int samples =
+      static_cast<int>(std::lround(path.duration() / line.length * kSteps)) * kPerInterval;
+  for (int k = 0; k <= samples; ++k) {
+    const double s = path.duration() * k / samples;
     const double x = std::min(s / line.length, 1.0);
-    for (int i = 0; i < robot.n(); ++i) q[i] = way.value(i, s);
+    for (int i = 0; i < robot.n(); ++i) q[i] = path.value(i, s);
     const Vector6d error = pose_error(forward(robot, q), line.at(x));
     if (error.head<3>().norm() > plan.deviation) {
       plan.deviation = error.head<3>().norm();
@@ -104,23 +104,23 @@ std::vector<SpeedZone> zones_of(const Robot& robot, const LineMove& move,
   zones[0].speed = *move.tool_speed;
   Eigen::Vector3d before = forward(robot, joints[0]).translation();
   for (std::size_t k = 1; k < joints.size(); ++k) {
-    const Eigen::Vector3d place = forward(robot, joints[k]).translation();
-    const double further = (place - before).norm() / (s[k] - s[k - 1]);
-    before = place;
+    const Eigen::Vector3d position = forward(robot, joints[k]).translation();
+    const double further = (position - before).norm() / (s[k] - s[k - 1]);
+    before = position;
     if (further > 1.0)
       zones.push_back({.from = s[k - 1], .to = s[k], .speed = *move.tool_speed / further});
   }
   return zones;
 }
 
-// The least time along the joints' way, its parameter in metres. Where joints all but jump, limited
-// jerk would take many times as long; then accelerations do.
+// The least time along the joints' path, its parameter in metres. Where joints all but jump,
+// limited jerk would take many times as long; then accelerations do.
 struct LeastTime {
   Trajectory motion{};
   Jerk jerk = Jerk::kLimited;
 };
 
-LeastTime fastest_on(const Robot& robot, const LineMove& move, const Trajectory& way,
+LeastTime fastest_on(const Robot& robot, const LineMove& move, const Trajectory& path,
                      std::span<const SpeedZone> zones) {
   std::vector<AxisLimits> limits = axis_limits(robot);
   const double share = move.time || move.tool_speed ? 1.0 : move.speed;
@@ -129,16 +129,16 @@ LeastTime fastest_on(const Robot& robot, const LineMove& move, const Trajectory&
     l.acceleration *= share * share;
     l.jerk *= share * share * share;
   }
-  const SpeedAlongPath speed = fastest_along(way, limits, kSteps, zones);
-  TimedRun smooth = smooth_run(way, limits, speed, kCells, zones);
+  const SpeedAlongPath speed = fastest_along(path, limits, kSteps, zones);
+  TimedRun smooth = smooth_run(path, limits, speed, kCells, zones);
   if (!smooth.s.empty()) return {std::move(smooth.motion)};
-  return {time_optimal(way, limits, kSteps, zones), Jerk::kFree};
+  return {time_optimal(path, limits, kSteps, zones), Jerk::kFree};
 }
 
-// The motion along the joints' way in the least time or in the one that is asked for.
-MotionPlan run(const Robot& robot, const LineMove& move, const Trajectory& way,
+// The motion along the joints' path in the least time or in the one that is asked for.
+MotionPlan run(const Robot& robot, const LineMove& move, const Trajectory& path,
                std::span<const SpeedZone> zones) {
-  const auto [fastest, jerk] = fastest_on(robot, move, way, zones);
+  const auto [fastest, jerk] = fastest_on(robot, move, path, zones);
   const double least = fastest.duration();
   if (!move.time) return verify(robot, fastest, true, jerk);
   const bool too_fast = *move.time < least * (1.0 - 1e-9);
@@ -195,9 +195,9 @@ DampedLine follow(const Robot& robot, const LineMove& move, const CurvePiece& li
     for (std::size_t k = 0; k < joints.size(); ++k) values[k] = joints[k][i];
     paths.push_back({.segments = natural_spline(x, values), .q_end = values.back()});
   }
-  const Trajectory way(std::move(paths), x.back());
-  measure(robot, way, line, move.task, plan);
-  plan.motion = run(robot, move, way, zones_of(robot, move, joints, x));
+  const Trajectory path(std::move(paths), x.back());
+  measure(robot, path, line, move.task, plan);
+  plan.motion = run(robot, move, path, zones_of(robot, move, joints, x));
   return plan;
 }
 

@@ -12,7 +12,7 @@
 namespace armlet {
 namespace {
 
-constexpr double kRotationLength = 0.2;  // m, what a turn of a joint by one radian counts for
+constexpr double kRotationLength = 0.2;  // m, what the rotation of a joint by one radian counts for
 constexpr double kRotationPerPiece = 2.0 * std::numbers::pi / 180.0;
 constexpr double kSlidePerPiece = 0.02;  // m
 constexpr int kFewestPieces = 16;
@@ -43,8 +43,8 @@ Trajectory line_in_pieces(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, 
 std::vector<Segment> corner_pieces(const AxisState& from, const AxisState& to, double length) {
   const double h = length / 3.0;
   const double rise = (to.q - from.q - length * from.v) / (h * h) - 4.0 / 3.0 * from.a - to.a / 6.0;
-  const double turn = (to.v - from.v) / h - 0.5 * (from.a + to.a);
-  const std::array<double, 4> a = {from.a, rise - turn, 2.0 * turn - rise, to.a};
+  const double bend = (to.v - from.v) / h - 0.5 * (from.a + to.a);
+  const std::array<double, 4> a = {from.a, rise - bend, 2.0 * bend - rise, to.a};
   std::vector<Segment> pieces;
   double q = from.q, v = from.v;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -94,20 +94,20 @@ double travelled(const std::vector<Segment>& travel, double distance) {
 }  // namespace
 
 Trajectory joint_line(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1) {
-  double turn = 0.0, slide = 0.0;
+  double rotation = 0.0, slide = 0.0;
   for (int i = 0; i < robot.n(); ++i) {
-    double& most = robot.is_revolute(i) ? turn : slide;
+    double& most = robot.is_revolute(i) ? rotation : slide;
     most = std::max(most, std::abs(q1[i] - q0[i]));
   }
-  if (turn == 0.0 && slide == 0.0) return Trajectory::at_rest(q0, 0.0);
-  const double wanted = std::ceil(std::max(turn / kRotationPerPiece, slide / kSlidePerPiece));
+  if (rotation == 0.0 && slide == 0.0) return Trajectory::at_rest(q0, 0.0);
+  const double wanted = std::ceil(std::max(rotation / kRotationPerPiece, slide / kSlidePerPiece));
   const int pieces = std::max(kFewestPieces, static_cast<int>(wanted));
   const Segment last = tool_travel(robot, line_in_pieces(q0, q1, 1.0, pieces)).back();
   const double travel = last.value(last.duration);
-  return line_in_pieces(q0, q1, std::max({travel, kRotationLength * turn, slide}), pieces);
+  return line_in_pieces(q0, q1, std::max({travel, kRotationLength * rotation, slide}), pieces);
 }
 
-double JoinedPath::place(std::size_t part, double s) const {
+double JoinedPath::position(std::size_t part, double s) const {
   const double cut = part > 0 ? corner[part - 1] : 0.0;
   return std::clamp(from[part] + s - cut, from[part], to[part]);
 }

@@ -10,7 +10,7 @@
 namespace armlet {
 
 // All joints from q0 to q1 in one proportion, as a function of the length s of the path: what the
-// tool point travels, m, or what the turns of the joints count for if that is more. No duration if
+// tool point travels, m, or what the angles of the joints count for if that is more. No duration if
 // q0 is q1.
 Trajectory joint_line(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);
 
@@ -25,7 +25,7 @@ struct JoinedPath {
   std::vector<double> from{}, to{}, corner{};
 
   // Where on the whole a position on a part is; within the part's own stretch.
-  [[nodiscard]] double place(std::size_t part, double s) const;
+  [[nodiscard]] double position(std::size_t part, double s) const;
 };
 
 // Joins the parts; each starts where the one before it ends. A corner is a cubic

@@ -46,7 +46,7 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 
 // Radians per metre of the curve, for a joint at its limit; tried one after another.
 constexpr std::array<double, 2> kAway = {12.0, 48.0};
-constexpr double kRotationLengthOfDamping = 0.2;  // m, what a turn by one radian counts for
+constexpr double kRotationLengthOfDamping = 0.2;  // m, what a rotation by one radian counts for
 
 // Where the joints of an arm with more of them than it needs had better go: away from their limits,
 // the more the closer they are, per metre of the curve.
@@ -120,11 +120,12 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
 
 // The same for a position: of the joints that have the tool there, those that turn it least from
 // what it was at the solution before. Each step has the error of the position taken away to first
-// order, by what turns least: a least squares problem with equality constraints.
-std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vector3d& place,
+// order, by what turns least: a least squares problem with equality constraints (Golub, Van Loan,
+// Matrix Computations, 4th ed., 2013, section 6.2).
+std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vector3d& position,
                                                               const Eigen::VectorXd& seed) const {
   Eigen::Isometry3d T_world_wished = forward(robot_, seed);
-  T_world_wished.translation() = place;
+  T_world_wished.translation() = position;
   Eigen::VectorXd q = seed;
   Jacobian J;
   bool settled = false;

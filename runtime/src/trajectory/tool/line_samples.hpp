@@ -37,7 +37,7 @@ class LineSamples {
   [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
   [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
                                                      const Eigen::VectorXd& seed) const;
-  [[nodiscard]] std::optional<Eigen::VectorXd> slide_to_position(const Eigen::Vector3d& place,
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide_to_position(const Eigen::Vector3d& position,
                                                                  const Eigen::VectorXd& seed) const;
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;

@@ -13,7 +13,7 @@
 namespace armlet {
 namespace {
 
-constexpr double kRotationLength = 0.2;  // m, what a turn in place by one radian counts for
+constexpr double kRotationLength = 0.2;  // m, what a rotation in place by one radian counts for
 
 }  // namespace
 
@@ -58,19 +58,19 @@ namespace {
 
 CurveState state_at(const CurvePiece& piece, double fraction, double anchor) {
   CurveState state{Vector6d::Zero(), Vector6d::Zero(), Vector6d::Zero()};
-  const Eigen::Vector3d place = piece.at(fraction).translation();
-  state.x.head<3>() = place - piece.at(anchor).translation();
-  // The axis of the turn is the same seen from all orientations on the way.
-  const Eigen::Vector3d turn =
+  const Eigen::Vector3d position = piece.at(fraction).translation();
+  state.x.head<3>() = position - piece.at(anchor).translation();
+  // The axis of the rotation is the same seen from all orientations of the arc.
+  const Eigen::Vector3d rotation =
       rotation_log(piece.T_start.linear().transpose() * piece.T_end.linear());
-  state.x.tail<3>() = (fraction - anchor) * turn;
-  state.slope.tail<3>() = turn / piece.length;
+  state.x.tail<3>() = (fraction - anchor) * rotation;
+  state.slope.tail<3>() = rotation / piece.length;
   if (piece.is_round()) {
     const Arc& arc = piece.arc;
     const auto [s, c] = det::sincos(arc.sweep * fraction);
     const double rate = arc.sweep / piece.length;
     state.slope.head<3>() = arc.radius * rate * (c * arc.f - s * arc.e);
-    state.curvature.head<3>() = -rate * rate * (place - arc.centre);
+    state.curvature.head<3>() = -rate * rate * (position - arc.centre);
   } else {
     state.slope.head<3>() =
         (piece.T_end.translation() - piece.T_start.translation()) / piece.length;

@@ -34,7 +34,7 @@ struct CurveState {
 
 // A stretch of a curve, straight or on a circle; the orientation turns evenly about one axis.
 //
-// length    m; for turns in place, what their angle counts for.
+// length    m; for rotations in place, what their angle counts for.
 // from, to  the part of it that is used, as fractions.
 struct CurvePiece {
   Eigen::Isometry3d T_start = Eigen::Isometry3d::Identity();
@@ -45,11 +45,11 @@ struct CurvePiece {
   double to = 1.0;
 
   [[nodiscard]] bool is_round() const { return arc.radius > 0.0; }
-  // What the tool point travels, m, other than what turns count for.
+  // What the tool point travels, m, other than what rotations count for.
   [[nodiscard]] double travel() const;
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
   // Relative to the pose at the start (fraction 0) or at the end (1): positions in the world's
-  // axes, turns in those of that pose.
+  // axes, rotations in those of that pose.
   [[nodiscard]] CurveState state_from_start(double fraction) const;
   [[nodiscard]] CurveState state_from_end(double fraction) const;
 };
@@ -63,7 +63,7 @@ CurvePiece arc_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometry3d& 
 std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eigen::Vector3d& p_via,
                                      const Eigen::Isometry3d& T_end);
 
-// The way round a corner: quintics from one state to another, both relative to the corner. Between
+// The path round a corner: quintics from one state to another, both relative to the corner. Between
 // straight pieces these are P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)).
 struct CurveCorner {
   Eigen::Isometry3d T_corner = Eigen::Isometry3d::Identity();

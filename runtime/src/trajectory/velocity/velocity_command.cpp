@@ -44,14 +44,14 @@ Step step_on(const ToolCommand& command, double t, const VectorXd& q, const Vect
   const VectorXd k4 = slope(1.0 / 3.0, (k1 + 4.0 * k2 - k3) / 12.0);
   const VectorXd k5 = slope(0.5, (-k1 + 18.0 * k2 - 3.0 * k3 - 6.0 * k4) / 16.0);
   const VectorXd k6 = slope(0.5, (9.0 * k2 - 3.0 * k3 - 6.0 * k4 + 4.0 * k5) / 8.0);
-  const VectorXd way7 = (9.0 * k1 - 36.0 * k2 + 63.0 * k3 + 72.0 * k4 - 64.0 * k6) / 44.0;
-  const VectorXd k7 = slope(1.0, way7);
-  const VectorXd way = (11.0 * (k1 + k7) + 81.0 * (k3 + k4) - 32.0 * (k5 + k6)) / 120.0;
-  Step next{.q = q + h * way};
+  const VectorXd mean7 = (9.0 * k1 - 36.0 * k2 + 63.0 * k3 + 72.0 * k4 - 64.0 * k6) / 44.0;
+  const VectorXd k7 = slope(1.0, mean7);
+  const VectorXd mean = (11.0 * (k1 + k7) + 81.0 * (k3 + k4) - 32.0 * (k5 + k6)) / 120.0;
+  Step next{.q = q + h * mean};
   next.rates = command.at(t + h, next.q);
   const VectorXd simpson = (k1 + 4.0 * k5 + next.rates.qd) / 6.0;
-  const double apart = (way7 - way).norm();
-  if (apart > 0.0) next.doubt = (k7 - next.rates.qd).norm() / apart * (way - simpson).norm();
+  const double apart = (mean7 - mean).norm();
+  if (apart > 0.0) next.doubt = (k7 - next.rates.qd).norm() / apart * (mean - simpson).norm();
   return next;
 }
 

@@ -66,9 +66,9 @@ class VelocityPieces {
   void gain(Eigen::Index i, double v, double a, double T) {
     const double dv = v - qd_[i] - T * qdd_[i], da = T * (a - qdd_[i]);
     const double c3 = (dv - da / 3.0) / (T * T), c4 = (da - 2.0 * dv) / (4.0 * T * T * T);
-    const double way = T * (qd_[i] + T * (0.5 * qdd_[i] + T * (c3 + T * c4)));
+    const double travel = T * (qd_[i] + T * (0.5 * qdd_[i] + T * (c3 + T * c4)));
     add(i, {.duration = T, .degree = 4, .c = {q_[i], qd_[i], 0.5 * qdd_[i], c3, c4}});
-    set(i, {.q = q_[i] + way, .v = v, .a = a});
+    set(i, {.q = q_[i] + travel, .v = v, .a = a});
   }
 
   [[nodiscard]] Trajectory made() && {

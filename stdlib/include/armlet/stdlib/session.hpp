@@ -16,6 +16,8 @@
 
 namespace armlet {
 
+class FanOut;
+
 // A program that declares objects, such as worlds/table.rbt.
 struct WorldText {
   std::string name;
@@ -61,13 +63,25 @@ class Session {
   // throws  ArgumentError before the first compile().
   [[nodiscard]] const SourceSet& sources() const;
 
-  // Runs the program, or one of its tests, in a fresh cell at time 0.
+  // Runs the program in a fresh cell at time 0, or goes on with a run that has paused, until it has
+  // ended or the budget is used (see Vm::run). When a program is done its robots come to rest,
+  // which is part of the run. A run that has ended begins again.
   //
-  // throws  ArgumentError unless the last compile() has said that it can run, or if the session
-  // runs
-  //         already; what backends and other functions of the host throw outside the program.
+  // throws  ArgumentError unless the last compile() has said that it can run, for a budget of no
+  //         steps, or if the session runs in another thread or in the function that calls this; all
+  //         stays as it was then. What backends and other functions of the host throw outside the
+  //         program ends the run.
+  Progress run(const Budget& budget);
+  // The same without a budget.
   [[nodiscard]] RunResult run();
+  // Runs one of the program's tests in a fresh cell; a run that has paused is given up.
   [[nodiscard]] RunResult run_test(std::size_t index);
+
+  // How far the run has come; kPaused before the first.
+  [[nodiscard]] const RunResult& result() const { return result_; }
+  // The machine of the run, or of the last one: what it left can be read and called. Null before
+  // the first run, and after a compile().
+  [[nodiscard]] Vm* vm() { return vm_.get(); }
 
   // The cell of the last run, as it was left.
   [[nodiscard]] const Host* host() const { return host_.get(); }
@@ -81,13 +95,21 @@ class Session {
   [[nodiscard]] std::unique_ptr<Host> make_host(bool with_world);
   bool fill_world(Host& host, const WorldText& world, std::vector<Problem>& problems);
   void describe_world();
-  [[nodiscard]] RunResult run_with(const std::function<RunResult(Vm&)>& start);
+  void begin_run();
+  Progress go_on(const Budget& budget, const std::function<void(Vm&)>& go);
+  bool come_to_rest(const Budget& budget);
+  void end_run();
+  void give_up();
 
   const Engine& engine_;
   SessionOptions options_;
   Compilation compilation_;
   std::vector<Problem> problems_;
   std::unique_ptr<Host> host_;
+  std::unique_ptr<FanOut> fan_out_;
+  std::unique_ptr<Vm> vm_;
+  RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
+  bool is_under_way_ = false;  // a run has begun and not ended
   // What the world holds, which is one for all programs, and the messages of its text.
   std::shared_ptr<const WorldNames> world_names_;
   std::vector<Problem> world_problems_;

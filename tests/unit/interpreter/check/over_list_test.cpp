@@ -104,7 +104,7 @@ TEST_CASE("the limit of steps is exact inside a loop") {
       REQUIRE(short_run.result.error.has_value());
       CHECK(short_run.result.error->code == "R0622");
     }
-    CHECK(run(c.text, true, {.steps = steps}).result.status == RunStatus::kDone);
+    CHECK(run(c.text, true, {.steps = steps}).result.status == Progress::kDone);
   }
 }
 

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
-#include <set>
 #include <string>
 #include <vector>
+
+#include "armlet/core/error.hpp"
+#include "reference/foreign_names.hpp"
+#include "registry.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -46,37 +49,35 @@ TEST_CASE("among equally near names the first is taken") {
 }
 
 TEST_CASE("words of other languages have their counterpart") {
-  CHECK(foreign_name("MoveAbsJ")->here == "moveJ");
-  CHECK(foreign_name("PTP")->here == "moveJ");
-  CHECK(foreign_name("LIN")->here == "moveL");
-  CHECK(foreign_name("movej")->here == "moveJ");
-  CHECK(foreign_name("movel")->here == "moveL");
-  CHECK(foreign_name("sleep")->here == "wait");
-  CHECK(foreign_name("println")->here == "print");
-  CHECK(foreign_name("and")->here == "&&");
-  CHECK(foreign_name("or")->here == "||");
-  CHECK(foreign_name("not")->here == "!");
-  CHECK(foreign_name("def")->here == "fn");
-  CHECK(foreign_name("function")->here == "fn");
-  CHECK(foreign_name("moveJ") == nullptr);
+  const Registry registry;
+  CHECK(registry.foreign("sleep")->here == "wait");
+  CHECK(registry.foreign("println")->here == "print");
+  CHECK(registry.foreign("and")->here == "&&");
+  CHECK(registry.foreign("not")->here == "!");
+  CHECK(registry.foreign("def")->here == "fn");
+  CHECK(registry.foreign("charAt")->here.empty());
+  CHECK(registry.foreign("print") == nullptr);
+  CHECK(registry.foreign("sleep", ForeignKind::kSetting) == nullptr);
+}
+
+TEST_CASE("a host adds rows, each word of a kind once") {
+  static constexpr ForeignName kRows[] = {{"heatUp", "warm"},
+                                          {"power", "watts", "", ForeignKind::kSetting}};
+  Registry registry;
+  registry.add_foreign_names(kRows);
+  CHECK(registry.foreign("heatUp")->here == "warm");
+  CHECK(registry.foreign("power") == nullptr);
+  CHECK(registry.foreign("power", ForeignKind::kSetting)->here == "watts");
+  CHECK_THROWS_AS(registry.add_foreign_names(kRows), ArgumentError);
+  static constexpr ForeignName kTaken[] = {{"and", "&"}};
+  CHECK_THROWS_AS(registry.add_foreign_names(kTaken), ArgumentError);
 }
 
 TEST_CASE("a foreign word has a counterpart or a reason") {
-  for (const ForeignName& name : foreign_names()) {
+  for (const ForeignName& name : kForeignNames) {
     CAPTURE(name.foreign);
     CHECK((!name.here.empty() || !name.note.empty()));
   }
-}
-
-TEST_CASE("every foreign name stands in the table once") {
-  std::set<std::string_view> seen;
-  for (const ForeignName& name : foreign_names()) CHECK(seen.insert(name.foreign).second);
-}
-
-TEST_CASE("settings of other languages have their counterpart") {
-  CHECK(foreign_setting("velocity") == "speed");
-  CHECK(foreign_setting("zone") == "blend");
-  CHECK(foreign_setting("speed").empty());
 }
 
 }  // namespace armlet::lang

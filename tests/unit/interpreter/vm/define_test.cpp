@@ -189,7 +189,7 @@ TEST_CASE("functions that keep values of their own are kept by the engine and it
     VmOptions options;
     options.output = [&](std::string_view part) { printed += part; };
     Vm vm(compilation.program, std::move(options));
-    CHECK(vm.run().status == RunStatus::kDone);
+    CHECK(vm.run().status == Progress::kDone);
   }
   CHECK(printed == "6.0 1 2 3.0\n");
   CHECK(*log == std::vector<double>{5.0, 6.0});

@@ -35,7 +35,7 @@ TEST_CASE("a text becomes a program that several machines can run") {
     VmOptions options;
     options.output = [&](std::string_view text) { out += text; };
     Vm vm(compilation.program, std::move(options));
-    CHECK(vm.run().status == RunStatus::kDone);
+    CHECK(vm.run().status == Progress::kDone);
     CHECK(out == "2\n");
   }
 }

@@ -278,7 +278,7 @@ TEST_CASE("functions of a program are called by its own thread, while it runs") 
   const Slot one[] = {slot_of(1.0)};
   const std::string idle = "Functions of a program can be called only while it runs.";
   CHECK(thrown_by_calling(vm, nullptr, one) == idle);
-  CHECK(vm.run().status == RunStatus::kDone);
+  CHECK(vm.run().status == Progress::kDone);
   CHECK(its_vm == &vm);
   CHECK(thrown_by_calling(vm, kept, one) == idle);
 }

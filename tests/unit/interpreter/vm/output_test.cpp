@@ -45,7 +45,7 @@ TEST_CASE("an output is made of what gives nothing, or a reason") {
 TEST_CASE("a program that prints to a full device fails and says why") {
   Device device{12};
   const RunResult result = print_to(device, "print(\"12345\")\nprint(\"12345\")\nprint(\"12345\")");
-  REQUIRE(result.status == RunStatus::kFailed);
+  REQUIRE(result.status == Progress::kFailed);
   CHECK(result.error->code == "R0626");
   CHECK(result.error->message.find("No space left on device") != std::string::npos);
   CHECK(device.written == "12345\n12345\n");
@@ -56,7 +56,7 @@ TEST_CASE("a full device can be caught as an error of the host") {
   const RunResult result = print_to(
       device,
       "var kind = \"\"\ntry { print(\"1234567\") } catch (e) { kind = e.kind }\nprint(kind)");
-  CHECK(result.status == RunStatus::kDone);
+  CHECK(result.status == Progress::kDone);
   CHECK(device.written == "Host\n");
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("the limit of output ends the program and says so") {
   Device device{1'000'000};
   const RunResult result =
       print_to(device, "while (true) { print(\"grüße\") }", {.output_bytes = 100});
-  REQUIRE(result.status == RunStatus::kFailed);
+  REQUIRE(result.status == Progress::kFailed);
   CHECK(result.error->code == "R0626");
   CHECK(result.error->message == "the program printed more than 100 bytes");
   // What fits is there, and ends with a whole character.
@@ -84,6 +84,6 @@ TEST_CASE("a long text is written in pieces, and can be stopped between them") {
   const std::string text = "var s = \"0123456789\"\nfor (i in range(20)) { s += s }\nprint(s)";
   Vm vm(lang::compiled(text.c_str()), std::move(options));
   running = &vm;
-  CHECK(vm.run().status == RunStatus::kCancelled);
+  CHECK(vm.run().status == Progress::kCancelled);
   CHECK(written.size() < 4'000'000);
 }

@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "armlet/core/error.hpp"
 #include "vm/state.hpp"
 #include "vm_fixture.hpp"
 
@@ -104,7 +105,7 @@ TEST_CASE("calls without end name the function and its way") {
 
 TEST_CASE("10000 nested calls are allowed, one more is not") {
   const std::string text = "fn f(n: int) -> int { if (n < 2) return n\n return f(n - 1) }\n";
-  CHECK(run(text + "print(f(10000))").status == RunStatus::kDone);
+  CHECK(run(text + "print(f(10000))").status == Progress::kDone);
   CHECK(run(text + "print(f(10001))").code() == "R0624");
 }
 
@@ -154,7 +155,7 @@ TEST_CASE("assertions show the values of their parts") {
   CHECK(outcome.message() == "the assertion is false: a + bb[0] == bb[1]");
   CHECK(outcome.error->why.find("sums") != std::string::npos);
   CHECK(outcome.error->why.find(" = ") != std::string::npos);
-  CHECK(run("assertThrows(fn() => sqrt(-1.0), kind: \"MathDomain\")").status == RunStatus::kDone);
+  CHECK(run("assertThrows(fn() => sqrt(-1.0), kind: \"MathDomain\")").status == Progress::kDone);
   CHECK(run("assertThrows(fn() => sqrt(4.0))").error->mark.label == "nothing was thrown");
   CHECK(run("assertThrows(fn() => sqrt(-1.0), kind: \"Busy\")").error->mark.label ==
         "the kind is \"MathDomain\"");
@@ -197,7 +198,7 @@ TEST_CASE("the step limit is exact and finally still runs") {
   const std::string text =
       "fn f() { }\ntry { f()\n f()\n f() } catch (e) { print(\"caught\") } finally { "
       "print(\"end\") }";
-  CHECK(run(text, {.steps = 3}).status == RunStatus::kDone);
+  CHECK(run(text, {.steps = 3}).status == Progress::kDone);
   const Outcome outcome = run(text, {.steps = 2});
   CHECK(outcome.code() == "R0622");
   CHECK(outcome.output == "end\n");
@@ -206,7 +207,7 @@ TEST_CASE("the step limit is exact and finally still runs") {
 }
 
 TEST_CASE("a pause begins a new count of steps") {
-  CHECK(run("for (i in range(100)) { wait(1ms) }", {.steps = 2}).status == RunStatus::kDone);
+  CHECK(run("for (i in range(100)) { wait(1ms) }", {.steps = 2}).status == Progress::kDone);
 }
 
 TEST_CASE("the heap limit is an error, and what was full is released") {
@@ -227,13 +228,14 @@ TEST_CASE("any allocation may fail without a leak") {
     Vm vm(program, {});
     vm.state().heap.refuse_from(n);
     (void)vm.run();
+    vm.state().clear();
     CHECK(vm.state().heap.used() == 0);
   }
 }
 
 TEST_CASE("cancelling unwinds through finally") {
   const Outcome outcome = run("try { cancelNow()\n while (true) { } } finally { print(\"home\") }");
-  CHECK(outcome.status == RunStatus::kCancelled);
+  CHECK(outcome.status == Progress::kCancelled);
   CHECK(outcome.output == "home\n");
 }
 
@@ -245,14 +247,16 @@ TEST_CASE("another thread can cancel") {
   std::thread other([&] { vm.cancel(); });
   const RunResult result = vm.run();
   other.join();
-  CHECK(result.status == RunStatus::kCancelled);
+  CHECK(result.status == Progress::kCancelled);
 }
 
 TEST_CASE("a Vm runs once") {
   const auto program = compiled("print(1)");
   Vm vm(program, {});
-  CHECK(vm.run().status == RunStatus::kDone);
-  CHECK(vm.run().status == RunStatus::kFailed);
+  CHECK(vm.run().status == Progress::kDone);
+  CHECK_THROWS_WITH_AS(static_cast<void>(vm.run()),
+                       "This Vm has run to its end; make a new one to run again.", ArgumentError);
+  CHECK(vm.result().status == Progress::kDone);
 }
 
 // ---- time -----------------------------------------------------------------------------------
@@ -310,7 +314,7 @@ TEST_CASE("a test sees the declarations, and nothing else of the program runs") 
       "test \"second\" { assert(n == 4) }");
   const Outcome first = outcome_of(program, {}, 0);
   CHECK(first.output == "4\n");
-  CHECK(first.status == RunStatus::kDone);
+  CHECK(first.status == Progress::kDone);
   CHECK(outcome_of(program, {}, 1).code() == "R0608");
   CHECK(outcome_of(program).output == "main\n");
 }

@@ -14,7 +14,7 @@ using namespace armlet::lang;
 namespace {
 
 struct Guarded {
-  RunStatus status;
+  Progress status;
   bool barked;
   std::string output;
 };
@@ -36,7 +36,7 @@ Guarded run_guarded(const std::string& text, std::chrono::nanoseconds time) {
 TEST_CASE("a program that takes too long is cancelled, and its finally blocks run") {
   const Guarded endless = run_guarded("try { while (true) { } } finally { print(\"home\") }",
                                       std::chrono::milliseconds(20));
-  CHECK(endless.status == RunStatus::kCancelled);
+  CHECK(endless.status == Progress::kCancelled);
   CHECK(endless.barked);
   CHECK(endless.output == "home\n");
 }
@@ -156,7 +156,7 @@ TEST_CASE("laying out ends soon after it is cancelled") {
 
 TEST_CASE("a program that ends in time sees nothing of the limit") {
   const Guarded quick = run_guarded("print(1)", std::chrono::hours(1));
-  CHECK(quick.status == RunStatus::kDone);
+  CHECK(quick.status == Progress::kDone);
   CHECK_FALSE(quick.barked);
   CHECK(quick.output == "1\n");
 }

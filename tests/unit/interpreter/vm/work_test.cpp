@@ -105,7 +105,7 @@ TEST_CASE("a text is found where the C++ library finds it") {
 TEST_CASE("equality of values that share their parts takes as long as they have parts") {
   const Outcome outcome =
       run(std::string(kLinks) + "print(n == m)\nprint(n == n)", {.steps = 2000});
-  CHECK(outcome.status == RunStatus::kDone);
+  CHECK(outcome.status == Progress::kDone);
   CHECK(outcome.output == "true\ntrue\n");
 }
 

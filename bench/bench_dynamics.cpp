@@ -1,0 +1,215 @@
+// Inverse dynamics, gravity, inertia matrix and forward dynamics against Orocos KDL: the same arms,
+// the same random motions, the same compiler and flags. Inputs change from call to call, results
+// are consumed, and the figures are medians over rounds in which both sides take turns. Motors and
+// friction are left out of the arms, because KDL has none.
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "armlet/core/random.hpp"
+#include "armlet/dynamics/batch.hpp"
+#include "armlet/dynamics/forward_dynamics.hpp"
+#include "armlet/dynamics/inverse_dynamics.hpp"
+#include "armlet/model/catalog.hpp"
+#include "bench.hpp"
+#include "kdl_dynamics.hpp"
+#include "kdl_peer.hpp"
+
+namespace armlet::bench {
+namespace {
+
+constexpr int kMotions = 1000;
+constexpr int kRounds = 41;
+
+struct NamedSet {
+  InstructionSet set;
+  const char* name;
+};
+constexpr NamedSet kSets[] = {{InstructionSet::kBaseline, "SSE2"},
+                              {InstructionSet::kAvx2, "AVX2"},
+                              {InstructionSet::kAvx512, "AVX-512"}};
+
+Robot without_motors(const Robot& robot) {
+  RobotSpec spec = robot.spec();
+  for (Link& link : spec.links) {
+    link.motor_inertia = 0.0;
+    link.friction = {};
+  }
+  return Robot(spec);
+}
+
+struct Motions {
+  std::vector<Eigen::VectorXd> q, qd, qdd, tau;
+
+  explicit Motions(const Robot& robot) {
+    Random random(1);
+    const auto draw = [&](const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
+      Eigen::VectorXd values(robot.n());
+      for (int i = 0; i < robot.n(); ++i) values[i] = random.uniform(low[i], high[i]);
+      return values;
+    };
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(robot.n());
+    for (int k = 0; k < kMotions; ++k) {
+      q.push_back(draw(robot.lower(), robot.upper()));
+      qd.push_back(draw(-2.0 * one, 2.0 * one));
+      qdd.push_back(draw(-5.0 * one, 5.0 * one));
+      tau.push_back(draw(-20.0 * one, 20.0 * one));
+    }
+  }
+};
+
+// The frame of a body in KDL lies behind X_{i+1} of the chain, which is the link's of the standard
+// convention.
+std::vector<KdlBody> bodies_of(const Robot& robot) {
+  const Chain& chain = robot.chain();
+  std::vector<KdlBody> bodies;
+  for (int i = 0; i < robot.n(); ++i) {
+    const Link& link = robot.link(i);
+    Eigen::Vector3d com = link.com;
+    Eigen::Matrix3d I = link.inertia;
+    if (!chain.standard) {
+      const std::size_t x = static_cast<std::size_t>(i) + 1;
+      Eigen::Matrix3d R;
+      R << 1, 0, 0, 0, chain.cos_alpha[x], chain.sin_alpha[x], 0, -chain.sin_alpha[x],
+          chain.cos_alpha[x];
+      com = R * (com - Eigen::Vector3d(chain.a[x], 0, 0));
+      I = R * I * R.transpose();
+    }
+    bodies.push_back({link.mass,
+                      {com.x(), com.y(), com.z()},
+                      {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}});
+  }
+  return bodies;
+}
+
+KdlDynamics peer_of(const Robot& robot) {
+  const Chain& chain = robot.chain();
+  std::vector<KdlJoint> joints;
+  const auto alpha = [&](std::size_t i) {
+    return std::atan2(chain.sin_alpha[i], chain.cos_alpha[i]);
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(chain.n); ++i) {
+    joints.push_back({chain.revolute[i], chain.theta[i], chain.d[i], chain.a[i + 1], alpha(i + 1)});
+  }
+  const double* B = robot.walk_plan().base.data();
+  const Eigen::Vector3d g = Eigen::Map<const Eigen::Matrix3d>(B).transpose() * robot.gravity();
+  return KdlDynamics(joints, bodies_of(robot), {g.x(), g.y(), g.z()});
+}
+
+double difference(const double* ours, const std::vector<double>& theirs) {
+  double worst = 0.0, scale = 1.0;
+  for (std::size_t i = 0; i < theirs.size(); ++i) {
+    worst = std::max(worst, std::abs(ours[i] - theirs[i]));
+    scale = std::max(scale, std::abs(theirs[i]));
+  }
+  return worst / scale;
+}
+
+void check_agreement(const Robot& robot, const Motions& m, KdlDynamics& peer) {
+  double worst[4] = {};
+  for (int k = 0; k < kMotions; ++k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    peer.inverse(k);
+    worst[0] = std::max(
+        worst[0],
+        difference(inverse_dynamics(robot, m.q[i], m.qd[i], m.qdd[i]).data(), peer.last_forces()));
+    peer.gravity(k);
+    worst[1] =
+        std::max(worst[1], difference(gravity_forces(robot, m.q[i]).data(), peer.last_forces()));
+    peer.mass(k);
+    worst[2] = std::max(worst[2], difference(mass_matrix(robot, m.q[i]).data(), peer.last_mass()));
+    peer.forward(k);
+    worst[3] = std::max(
+        worst[3],
+        difference(forward_dynamics(robot, m.q[i], m.qd[i], m.tau[i]).data(), peer.last_forces()));
+  }
+  std::printf("%-10s largest differences: inverse %.0e, gravity %.0e, mass %.0e, forward %.0e\n",
+              robot.name().c_str(), worst[0], worst[1], worst[2], worst[3]);
+}
+
+void bench_batch(const Robot& robot, const Motions& m) {
+  const std::size_t n = static_cast<std::size_t>(robot.n());
+  std::vector<double> q(n * kMotions), qd(q), qdd(q), tau(q);
+  for (std::size_t k = 0; k < kMotions; ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const Eigen::Index row = static_cast<Eigen::Index>(i);
+      q[i * kMotions + k] = m.q[k][row];
+      qd[i * kMotions + k] = m.qd[k][row];
+      qdd[i * kMotions + k] = m.qdd[k][row];
+    }
+  }
+  const auto single = [&](int k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    return inverse_dynamics(robot, m.q[i], m.qd[i], m.qdd[i])[0];
+  };
+  for (const auto& [set, name] : kSets) {
+    if (!is_supported(set)) continue;
+    const auto all = [&](int k) {
+      inverse_dynamics_batch(robot, q, qd, qdd, tau, set);
+      return tau[static_cast<std::size_t>(k)];
+    };
+    Times times = compare({1, kMotions}, all, single, kRounds);
+    times.ours /= kMotions;
+    print_row("", (std::string("inverse, ") + name).c_str(), times,
+              set == InstructionSet::kAvx2     ? "own; at least 4"
+              : set == InstructionSet::kAvx512 ? "own; at least 7"
+                                               : "own");
+  }
+}
+
+void bench_arm(const Robot& robot) {
+  const Motions m(robot);
+  KdlDynamics peer = peer_of(robot);
+  for (int k = 0; k < kMotions; ++k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    peer.add_motion(m.q[i].data(), m.qd[i].data(), m.qdd[i].data(), m.tau[i].data());
+  }
+  check_agreement(robot, m, peer);
+  const auto at = [](const std::vector<Eigen::VectorXd>& list, int k) -> const Eigen::VectorXd& {
+    return list[static_cast<std::size_t>(k)];
+  };
+  const auto row = [](const char* what, const auto& ours, const auto& theirs, const char* target) {
+    print_row("", what, compare(kMotions, ours, theirs, kRounds), target);
+  };
+  row(
+      "inverse dynamics",
+      [&](int k) { return inverse_dynamics(robot, at(m.q, k), at(m.qd, k), at(m.qdd, k))[0]; },
+      [&](int k) { return peer.inverse(k); }, "at least 9");
+  row(
+      "gravity", [&](int k) { return gravity_forces(robot, at(m.q, k))[0]; },
+      [&](int k) { return peer.gravity(k); }, "at least 18");
+  row(
+      "mass matrix", [&](int k) { return mass_matrix(robot, at(m.q, k))(0, 0); },
+      [&](int k) { return peer.mass(k); }, "at least 11");
+  row(
+      "forward dynamics",
+      [&](int k) { return forward_dynamics(robot, at(m.q, k), at(m.qd, k), at(m.tau, k))[0]; },
+      [&](int k) { return peer.forward(k); }, "at least 8");
+  bench_batch(robot, m);
+}
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
+}  // namespace
+}  // namespace armlet::bench
+
+// bench_dynamics [ROBOT...]
+int main(int count, char** arguments) {
+  std::printf("%s, g++ %s, %s, %s\n", armlet::bench::processor().c_str(), __VERSION__,
+              ARMLET_BENCH_FLAGS, ARMLET_BENCH_KDL);
+  std::printf("%-10s %-24s %10s %10s %9s\n", "ns/call", "", "armlet", "KDL", "");
+  std::vector<std::string> names(arguments + 1, arguments + count);
+  if (names.empty()) names = {"puma560", "ur5", "panda", "scara"};
+  for (const std::string& name : names) {
+    const auto robot = armlet::make_robot(name);
+    if (robot) armlet::bench::bench_arm(armlet::bench::without_motors(*robot));
+  }
+}

@@ -1,0 +1,40 @@
+# What the WebAssembly build has instead of Debian's packages of libraries: the sources of the same packages, which
+# tools/wasm_sources.sh has put into ARMLET_WASM_SOURCES. Defines the targets fmt::fmt, nlohmann_json::nlohmann_json,
+# Eigen3::Eigen and antlr4_static as the packages do.
+set(ARMLET_WASM_SOURCES ${PROJECT_SOURCE_DIR}/build/wasm-sources CACHE PATH "Where tools/wasm_sources.sh has put the sources")
+set(here ${CMAKE_CURRENT_LIST_DIR}/wasm)
+set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
+
+foreach(part fmt antlr4 include/Eigen include/nlohmann include/utf8.h)
+  if(NOT EXISTS ${ARMLET_WASM_SOURCES}/${part})
+    message(FATAL_ERROR "${ARMLET_WASM_SOURCES}/${part} is missing; tools/wasm_sources.sh ${ARMLET_WASM_SOURCES} fetches it")
+  endif()
+endforeach()
+
+# In front of every source of ours: what emscripten's C++ library lacks.
+set(ARMLET_COMPILE_OPTIONS "SHELL:-include ${here}/missing_cxx20.hpp")
+
+foreach(headers Eigen3::Eigen nlohmann_json::nlohmann_json)
+  string(REGEX REPLACE ".*:" "armlet_wasm_" target ${headers})
+  add_library(${target} INTERFACE)
+  add_library(${headers} ALIAS ${target})
+  target_include_directories(${target} SYSTEM INTERFACE ${ARMLET_WASM_SOURCES}/include)
+endforeach()
+
+add_library(armlet_wasm_fmt STATIC ${ARMLET_WASM_SOURCES}/fmt/src/format.cc ${here}/missing_charconv.cpp)
+add_library(fmt::fmt ALIAS armlet_wasm_fmt)
+target_include_directories(armlet_wasm_fmt SYSTEM PUBLIC ${ARMLET_WASM_SOURCES}/fmt/include)
+target_compile_features(armlet_wasm_fmt PUBLIC cxx_std_20)
+target_compile_options(armlet_wasm_fmt PRIVATE ${ARMLET_COMPILE_OPTIONS})
+
+set(antlr4-runtime_VERSION 4.9)
+set(ANTLR4_INCLUDE_DIR ${ARMLET_WASM_SOURCES}/antlr4/runtime/src)
+file(GLOB_RECURSE sources ${ANTLR4_INCLUDE_DIR}/*.cpp)
+add_library(antlr4_static STATIC ${sources})
+set_target_properties(antlr4_static PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+# Its constructor from text is declared in one way for C++14 and in two for C++17.
+set_source_files_properties(${ANTLR4_INCLUDE_DIR}/ANTLRInputStream.cpp PROPERTIES
+  COMPILE_OPTIONS -std=c++14 SKIP_UNITY_BUILD_INCLUSION ON)
+target_compile_options(antlr4_static PRIVATE -w)
+target_compile_features(antlr4_static PRIVATE cxx_std_17)
+target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${ARMLET_WASM_SOURCES}/include)

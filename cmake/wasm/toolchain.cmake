@@ -1,0 +1,9 @@
+# The toolchain file of emscripten, wherever its compiler is, and what has to be different for it here.
+find_program(ARMLET_EMCC emcc REQUIRED)
+file(REAL_PATH ${ARMLET_EMCC} emscripten)
+cmake_path(GET emscripten PARENT_PATH emscripten)
+include(${emscripten}/cmake/Modules/Platform/Emscripten.cmake)
+# Exceptions of WebAssembly itself; those by way of JavaScript make everything slower.
+set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions")
+# Packages of headers are those of the system.
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)

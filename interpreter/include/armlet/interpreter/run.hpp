@@ -1,0 +1,47 @@
+// How a program runs: its limits, how far it may go at a time, and how it has ended.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "armlet/interpreter/diagnostic.hpp"
+
+namespace armlet {
+
+// Virtual time ends a hundred years of 365.25 days after the start, ns; a host may let it end
+// earlier.
+inline constexpr std::int64_t kEndOfTime_ns = 100LL * 36525 * 86400 * 10'000'000;
+
+struct RunLimits {
+  std::uint64_t steps = 100'000'000;  // calls and backward jumps (ruling 9)
+  std::uint64_t heap_bytes = 1ULL << 30U;
+  std::uint32_t call_depth = 10'000;
+  std::uint64_t output_bytes = 1ULL << 30U;
+  std::int64_t time_ns = kEndOfTime_ns;  // the virtual time at which a run ends (ruling 48)
+};
+
+// How far a run may go before it returns to the host, which can let it go on later. Where it pauses
+// changes nothing of what the program does.
+//
+// until_ns  a virtual time: everything that happens up to and including it happens. The world is
+//           brought to it too.
+// steps     of the program, as RunLimits counts them. Work that cannot be interrupted, such as a
+//           function of the host or a condition, is finished, so a run may take some more.
+struct Budget {
+  static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+  std::optional<std::int64_t> until_ns{};
+  std::uint64_t steps = kNoLimit;
+};
+
+// kPaused  the budget is used; the run can go on.
+enum class Progress : std::uint8_t { kDone, kFailed, kCancelled, kPaused };
+
+struct RunResult {
+  Progress status = Progress::kDone;
+  std::optional<Diagnostic> error;  // kFailed, kCancelled
+  std::uint64_t steps = 0;          // so far
+};
+
+}  // namespace armlet

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "batch_table.hpp"
+#include "chain/batch_blocks.hpp"
+#include "dynamics/newton_euler.hpp"
+
+// Inverse dynamics of many motions, one per lane. Compiled once per instruction set, in sources
+// that include nothing else; the bits are the same.
+namespace armlet {
+
+// The motions of a block, with the signs of the plan.
+template <class V>
+struct BlockMotion {
+  const MotionBatch& batch;
+  std::size_t k;
+
+  [[gnu::always_inline]] V plain(const double* values, int i) const {
+    return load_lanes<V>(values + static_cast<std::size_t>(i) * batch.count + k);
+  }
+  [[gnu::always_inline]] V of(const double* values, int i) const {
+    return all_lanes<V>(batch.plan.links[i].sign) * plain(values, i);
+  }
+  [[gnu::always_inline]] V q(int i) const { return of(batch.q, i); }
+  [[gnu::always_inline]] V qd(int i) const { return of(batch.qd, i); }
+  [[gnu::always_inline]] V qdd(int i) const { return of(batch.qdd, i); }
+};
+
+template <class V, class Block>
+struct BlockSinesByNumber {
+  const Block& block;
+  [[gnu::always_inline]] V sine(int i) const { return block.sine(static_cast<std::size_t>(i)); }
+  [[gnu::always_inline]] V cosine(int i) const { return block.cosine(static_cast<std::size_t>(i)); }
+};
+
+template <class V>
+[[gnu::always_inline]] inline V lane_friction(const PlanLink& link, V qd) {
+  const V zero = V{};
+  const V plus = qd > zero ? all_lanes<V>(link.coulomb_plus) : zero;
+  const V dry = qd < zero ? all_lanes<V>(link.coulomb_minus) : plus;
+  return all_lanes<V>(link.viscous) * qd + dry;
+}
+
+template <class V, bool kSlides>
+struct InverseBlock {
+  const MotionBatch& batch;
+  double* tau;
+
+  template <class Block>
+  [[gnu::always_inline]] void operator()(const Block& block, std::size_t k) const {
+    const BlockMotion<V> motion = {batch, k};
+    const DynamicsPlan& plan = batch.plan;
+    newton_euler<V, 0, kSlides, true>(
+        plan, BlockSinesByNumber<V, Block>{block}, motion,
+        plan.base_acceleration, [&](int i, V force) __attribute__((always_inline)) {
+          const PlanLink& link = plan.links[i];
+          V sum = all_lanes<V>(link.sign) * force +
+                  all_lanes<V>(link.motor_inertia) * motion.plain(batch.qdd, i);
+          if (plan.friction == FrictionKind::kCoulomb) {
+            sum = sum + lane_friction(link, motion.plain(batch.qd, i));
+          }
+          store_lanes(tau + static_cast<std::size_t>(i) * batch.count + k, sum);
+        });
+  }
+};
+
+template <class V, bool kSlides>
+[[gnu::noinline]] static void inverse_few(const MotionBatch& batch, double* tau) {
+  few_configurations<V>(batch.arm, batch.q, batch.count, InverseBlock<V, kSlides>{batch, tau});
+}
+
+template <class V, bool kSlides>
+[[gnu::noinline]] static void inverse_many(const MotionBatch& batch, double* tau) {
+  all_configurations<V>(batch.arm, batch.q, batch.count, InverseBlock<V, kSlides>{batch, tau});
+}
+
+template <class V>
+void inverse_batch_kernel(const MotionBatch& batch, double* tau) {
+  if (are_few<V>(batch.count)) {
+    return batch.plan.any_slides ? inverse_few<V, true>(batch, tau)
+                                 : inverse_few<V, false>(batch, tau);
+  }
+  return batch.plan.any_slides ? inverse_many<V, true>(batch, tau)
+                               : inverse_many<V, false>(batch, tau);
+}
+
+template <class V>
+inline constexpr DynamicsBatchKernels kDynamicsKernels = {kLanesOf<V>, inverse_batch_kernel<V>};
+
+}  // namespace armlet

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "chain/batch_arm.hpp"
+#include "dynamics/dynamics_plan.hpp"
+
+// The kernels for batches of each instruction set; plain data, like batch_arm.hpp.
+namespace armlet {
+
+struct MotionBatch {
+  const BatchArm& arm;
+  const DynamicsPlan& plan;
+  const double *q, *qd, *qdd;
+  std::size_t count;
+};
+
+// Writes the joint forces of all motions, friction included unless the plan has that of Stribeck;
+// `count` is at least the number of lanes.
+using MotionKernel = void(const MotionBatch& batch, double* tau);
+
+struct DynamicsBatchKernels {
+  std::size_t lanes;
+  MotionKernel* inverse;
+};
+extern const DynamicsBatchKernels kBaselineDynamics, kAvx2Dynamics, kAvx512Dynamics;
+
+}  // namespace armlet

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/dynamics/batch.hpp"
+#include "batch_table.hpp"
+#include "chain/batch_plan.hpp"
+#include "dynamics/checks.hpp"
+#include "dynamics/friction.hpp"
+
+namespace armlet {
+namespace {
+
+// Fewer motions than lanes are a matter for a narrower set: the bits are the same.
+const DynamicsBatchKernels& kernels_for(InstructionSet set, std::size_t count) {
+  if (set == InstructionSet::kAvx512 && count >= kAvx512Dynamics.lanes) return kAvx512Dynamics;
+  if (set >= InstructionSet::kAvx2 && count >= kAvx2Dynamics.lanes) return kAvx2Dynamics;
+  return kBaselineDynamics;
+}
+
+// The baseline has two lanes, of which a single motion fills one.
+void one_motion(const Robot& robot, const DynamicsPlan& plan, const MotionBatch& batch,
+                double* tau) {
+  kernel_for(kInverseKernels, plan)(
+      {robot.walk_plan(), plan, batch.q, batch.qd, batch.qdd, plan.base_acceleration}, tau);
+  if (plan.friction == FrictionKind::kCoulomb) add_friction(plan, batch.qd, tau);
+}
+
+void add_stribeck(const DynamicsPlan& plan, const MotionBatch& batch, double* tau) {
+  for (std::size_t i = 0; i < plan.n; ++i) {
+    for (std::size_t at = i * batch.count; at < (i + 1) * batch.count; ++at) {
+      tau[at] += joint_friction(plan.links[i], batch.qd[at]);
+    }
+  }
+}
+
+void check_result(const Robot& robot, std::span<const double> tau, std::size_t count) {
+  if (all_finite(tau.data(), static_cast<Eigen::Index>(tau.size()))) return;
+  std::size_t at = 0;
+  while (std::isfinite(tau[at])) ++at;
+  throw ArgumentError(fmt::format(
+      "The force of joint {} of robot `{}` in motion {} is not finite; expected finite values and "
+      "rates of ordinary size.",
+      at / count + 1, robot.name(), at % count + 1));
+}
+
+}  // namespace
+
+void inverse_dynamics_batch(const Robot& robot, std::span<const double> q,
+                            std::span<const double> qd, std::span<const double> qdd,
+                            std::span<double> tau, InstructionSet set) {
+  check_supported(set);
+  const std::size_t n = static_cast<std::size_t>(robot.n());
+  const std::size_t count = q.size() / n;
+  if (count * n != q.size()) {
+    throw ArgumentError(
+        fmt::format("`q` has {} elements; expected a multiple of the {} joints.", q.size(), n));
+  }
+  const Eigen::Index expected = static_cast<Eigen::Index>(q.size());
+  check_size("qd", static_cast<Eigen::Index>(qd.size()), expected);
+  check_size("qdd", static_cast<Eigen::Index>(qdd.size()), expected);
+  check_size("tau", static_cast<Eigen::Index>(tau.size()), expected);
+  if (count == 0) return;
+  const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
+  const BatchArm arm = batch_arm(robot.walk_plan());
+  const MotionBatch batch = {arm, plan, q.data(), qd.data(), qdd.data(), count};
+  if (count == 1) {
+    one_motion(robot, plan, batch, tau.data());
+  } else {
+    kernels_for(set, count).inverse(batch, tau.data());
+  }
+  if (plan.friction == FrictionKind::kStribeck) add_stribeck(plan, batch, tau.data());
+  check_result(robot, tau, count);
+}
+
+}  // namespace armlet

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+
+// An arm as the recursions of dynamics read it; nothing but plain data, because sources for larger
+// instruction sets include it.
+namespace armlet {
+
+inline constexpr std::size_t kPlanJoints = 12;
+
+// One joint and the link that it moves, seen from frame i of the WalkPlan (after Z_i), whose z axis
+// is the joint's.
+//
+// Mass that lies on the axis of a revolute joint may be counted to the link before without
+// changing any torque. It is: the mass, the z component of the first moment and the zz entry of the
+// second moment of such a link are zero, and seven numbers are left of ten. Links of sliding joints
+// keep all ten.
+struct PlanLink {
+  double sin_alpha, cos_alpha, a;  // X_i before joint i > 0
+  double d;                        // Z_i, without the joint's value
+  double sign;                     // of the joint's value in Z_i, 1 or -1
+
+  double mass;
+  double h[3];                          // first moment, the integral of r dm: x, y, z
+  double Sxx, Sxy, Sxz, Syy, Syz, Szz;  // second moment, the integral of r r' dm
+
+  double mass_beyond;  // of this link and all behind it, regrouped as above
+  // First moment for gravity, together with what is always at the same place in this frame: the
+  // masses beyond the next joint.
+  double gravity_h[3];
+
+  double motor_inertia;                          // G^2 J, at the joint
+  double viscous, coulomb_plus, coulomb_minus;   // at the joint
+  double static_extra_plus, static_extra_minus;  // static minus Coulomb friction
+  double stribeck_rate;                          // 1 / the joint's speed of Stribeck, or 0
+
+  unsigned char twist;  // LinkTwist of X_i
+  bool has_a, has_d, slides;
+};
+
+enum class FrictionKind : unsigned char { kNone, kCoulomb, kStribeck };
+
+struct DynamicsPlan {
+  std::size_t n;
+  double base_acceleration[3];  // minus gravity, in the axes of B of the WalkPlan
+  bool any_slides;
+  FrictionKind friction;
+  PlanLink links[kPlanJoints];
+};
+
+}  // namespace armlet

@@ -1,0 +1,32 @@
+#include "armlet/dynamics/energy.hpp"
+
+#include "armlet/dynamics/forward_dynamics.hpp"
+#include "checks.hpp"
+#include "spatial_arm.hpp"
+
+namespace armlet {
+
+double kinetic_energy(const Robot& robot, JointsIn q, JointsIn qd) {
+  check_joint_values("qd", qd, robot);
+  const double energy = 0.5 * qd.dot(mass_matrix(robot, q) * qd);
+  check_finite("kinetic energy", energy);
+  return energy;
+}
+
+double potential_energy(const Robot& robot, JointsIn q) {
+  check_joint_values("q", q, robot);
+  const SpatialArm arm(robot, q);
+  const std::array<double, 12>& base = robot.walk_plan().base;
+  const Eigen::Vector3d origin(base[9], base[10], base[11]);
+  double energy = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    const Moments link = moments_of_link(robot, i);
+    const Eigen::Isometry3d& frame = arm.frame[static_cast<std::size_t>(i)];
+    energy -= robot.gravity().dot(link.mass * (origin + frame.translation()) +
+                                  frame.linear() * link.h);
+  }
+  check_finite("potential energy", energy);
+  return energy;
+}
+
+}  // namespace armlet

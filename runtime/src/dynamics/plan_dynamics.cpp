@@ -1,0 +1,145 @@
+#include "plan_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace armlet {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// X_i of the chain for i > 0, or of the plan, whose twists differ.
+template <class Numbers>
+Isometry3d x_step(const Numbers& numbers, std::size_t i) {
+  Isometry3d X = Isometry3d::Identity();
+  X.linear() << 1.0, 0.0, 0.0, 0.0, numbers.cos_alpha[i], -numbers.sin_alpha[i], 0.0,
+      numbers.sin_alpha[i], numbers.cos_alpha[i];
+  X.translation().x() = numbers.a[i];
+  return X;
+}
+
+void put_geometry(const WalkPlan& walk, std::size_t i, PlanLink& link) {
+  link.sin_alpha = walk.sin_alpha[i];
+  link.cos_alpha = walk.cos_alpha[i];
+  link.a = walk.a[i];
+  link.d = walk.d[i];
+  link.slides = walk.q_to_theta[i] == 0.0;
+  link.sign = link.slides ? walk.q_to_d[i] : walk.q_to_theta[i];
+  link.twist = static_cast<unsigned char>(walk.twist[i]);
+  link.has_a = walk.has_a[i];
+  link.has_d = walk.has_d[i];
+}
+
+void put_moments(const Moments& body, PlanLink& link) {
+  link.mass = body.mass;
+  for (int r = 0; r < 3; ++r) link.h[r] = body.h[r];
+  link.Sxx = body.S(0, 0);
+  link.Sxy = body.S(0, 1);
+  link.Sxz = body.S(0, 2);
+  link.Syy = body.S(1, 1);
+  link.Syz = body.S(1, 2);
+  link.Szz = body.S(2, 2);
+}
+
+// Takes what may lie on the axis of a revolute joint away from its link.
+Moments take_axis(Moments& body) {
+  Moments axis;
+  axis.mass = body.mass;
+  axis.h.z() = body.h.z();
+  axis.S(2, 2) = body.S(2, 2);
+  body.mass = body.h.z() = body.S(2, 2) = 0.0;
+  return axis;
+}
+
+FrictionKind put_motor(const Link& from, PlanLink& link) {
+  const double gear = std::abs(from.gear), squared = gear * gear;
+  const Friction& friction = from.friction;
+  link.motor_inertia = squared * from.motor_inertia;
+  link.viscous = squared * friction.viscous;
+  link.coulomb_plus = gear * friction.coulomb_plus;
+  link.coulomb_minus = gear * friction.coulomb_minus;
+  const bool stribeck = friction.stribeck_speed > 0.0;
+  if (stribeck) {
+    link.static_extra_plus = gear * friction.static_torque - link.coulomb_plus;
+    link.static_extra_minus = -gear * friction.static_torque - link.coulomb_minus;
+    link.stribeck_rate = gear / friction.stribeck_speed;
+    return FrictionKind::kStribeck;
+  }
+  const bool any = link.viscous != 0.0 || link.coulomb_plus != 0.0 || link.coulomb_minus != 0.0;
+  return any ? FrictionKind::kCoulomb : FrictionKind::kNone;
+}
+
+// What is always at the same place in frame i - 1 of the masses beyond joint i.
+Vector3d fixed_moment(const PlanLink& link) {
+  const Vector3d along_axis(0.0, -link.sin_alpha, link.cos_alpha);
+  return link.mass_beyond * (Vector3d(link.a, 0.0, 0.0) + link.d * along_axis);
+}
+
+}  // namespace
+
+Moments Moments::operator+(const Moments& other) const {
+  return {mass + other.mass, h + other.h, S + other.S};
+}
+
+Moments Moments::seen_from(const Isometry3d& T_to_from) const {
+  const Matrix3d R = T_to_from.linear();
+  const Vector3d p = T_to_from.translation();
+  const Vector3d turned = R * h;
+  const Matrix3d cross = turned * p.transpose();
+  const Matrix3d second =
+      R * S * R.transpose() + cross + cross.transpose() + mass * p * p.transpose();
+  return {mass, turned + mass * p, 0.5 * (second + second.transpose())};
+}
+
+Moments moments_of_link(const Robot& robot, int i) {
+  const Chain& chain = robot.chain();
+  const Link& link = robot.link(i);
+  const Matrix3d inertia = 0.5 * (link.inertia + link.inertia.transpose());
+  const Matrix3d about_centre = 0.5 * inertia.trace() * Matrix3d::Identity() - inertia;
+  const Moments body = {link.mass, link.mass * link.com,
+                        about_centre + link.mass * link.com * link.com.transpose()};
+  const std::size_t k = static_cast<std::size_t>(i);
+  Isometry3d T_joint_link = Isometry3d::Identity();
+  if (chain.standard) T_joint_link = x_step(chain, k + 1);
+  const double flip = robot.walk_plan().flip[k];
+  T_joint_link.matrix().middleRows<2>(1) *= flip;
+  return body.seen_from(T_joint_link);
+}
+
+RobotDynamics::RobotDynamics(const Robot& robot) {
+  const WalkPlan& walk = robot.walk_plan();
+  const std::size_t n = static_cast<std::size_t>(robot.n());
+  plan.n = n;
+  Matrix3d R_world_base;
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) R_world_base(r, c) = walk.base[static_cast<std::size_t>(3 * c + r)];
+  }
+  const Vector3d acceleration = -(R_world_base.transpose() * robot.gravity());
+  for (int r = 0; r < 3; ++r) plan.base_acceleration[r] = acceleration[r];
+
+  Moments from_behind;
+  Vector3d fixed_behind = Vector3d::Zero();
+  double mass_beyond = 0.0;
+  for (std::size_t i = n; i-- > 0;) {
+    PlanLink& link = plan.links[i];
+    put_geometry(walk, i, link);
+    plan.any_slides = plan.any_slides || link.slides;
+    plan.friction = std::max(plan.friction, put_motor(robot.link(static_cast<int>(i)), link));
+    Moments body = moments_of_link(robot, static_cast<int>(i)) + from_behind;
+    from_behind = Moments();
+    if (!link.slides) {
+      Isometry3d to_parent = x_step(walk, i);
+      to_parent.translate(Vector3d(0.0, 0.0, link.d));
+      from_behind = take_axis(body).seen_from(to_parent);
+    }
+    put_moments(body, link);
+    mass_beyond += body.mass;
+    link.mass_beyond = mass_beyond;
+    for (int r = 0; r < 3; ++r) link.gravity_h[r] = body.h[r] + fixed_behind[r];
+    fixed_behind = fixed_moment(link);
+  }
+}
+
+}  // namespace armlet

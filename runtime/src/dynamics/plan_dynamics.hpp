@@ -1,0 +1,29 @@
+#pragma once
+
+#include "armlet/model/robot.hpp"
+#include "dynamics_plan.hpp"
+
+namespace armlet {
+
+// The plan of a robot: robot.derived<RobotDynamics>().plan.
+struct RobotDynamics {
+  explicit RobotDynamics(const Robot& robot);
+
+  DynamicsPlan plan{};
+};
+
+// The mass of a body with its first and second moments about the origin of a frame.
+struct Moments {
+  double mass = 0.0;
+  Eigen::Vector3d h = Eigen::Vector3d::Zero();  // integral of r dm
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();  // integral of r r' dm
+
+  Moments operator+(const Moments& other) const;
+  // Seen from another frame.
+  Moments seen_from(const Eigen::Isometry3d& T_to_from) const;
+};
+
+// Of a link, in the frame after Z_i of the robot's WalkPlan.
+Moments moments_of_link(const Robot& robot, int i);
+
+}  // namespace armlet

@@ -1,0 +1,15 @@
+// In place of urdf_read.cpp where urdfdom cannot be had.
+
+#include "armlet/model/urdf.hpp"
+
+namespace armlet {
+
+Result<Mechanism> read_urdf(std::string_view, const UrdfOptions&) {
+  return Error{
+      "urdf",
+      "robot descriptions are read by the library urdfdom, which this build of Armlet does "
+      "not have; the armlet command has it, and rows of Denavit-Hartenberg parameters need "
+      "no library"};
+}
+
+}  // namespace armlet
