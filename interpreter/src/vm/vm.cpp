@@ -137,7 +137,7 @@ void Vm::begin(std::shared_ptr<const Program> entry) {
     throw ArgumentError(
         "This entry was compiled behind another one than the newest that has run here: give "
         "Vm::newest_entry() as CompileOptions::after.");
-  result_ = {};
+  result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
   state_->scheduler.reset();
   state_->before = std::make_unique<lang::Before>(*state_);
   lang::load(*state_, entry->compiled(), state_->before.get());
