@@ -178,7 +178,7 @@ struct VmOptions {
   std::function<void(const Diagnostic&)> advice;  // advice given while running
 };
 
-// What a prompt shows after an entry: `let p = ...` as "p = (300, 120, 20) mm ...  posC", an
+// What a prompt shows after an entry: `let w = 80mm` as "w = 80 mm  length", an
 // expression as "100 mm  length".
 struct EntryValue {
   std::string name;  // that the entry declares; empty: the value of an expression, kept as `ans`

@@ -193,7 +193,7 @@ class Keeper {
     }
   }
 
-  // Calls without their robot find the robots of all entries, each by its newest declaration.
+  // Calls that leave such a value out find those of all entries, each by its newest declaration.
   void keep_ambient() {
     std::vector<KeptAmbient> all;
     bool changed = false;

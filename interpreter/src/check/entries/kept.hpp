@@ -72,7 +72,7 @@ struct KeptFile {
   void set(KeptName name);
 };
 
-// A variable that calls may leave out, such as a robot.
+// A variable that calls may leave out, since the host says so of its type.
 struct KeptAmbient {
   std::string_view type;
   std::string_view name;

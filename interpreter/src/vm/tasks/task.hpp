@@ -57,7 +57,7 @@ struct Watch {
   Obj* body = nullptr;       // owned
   std::uint64_t order = 0;   // of arming; 0: no longer armed
   bool was_true = false;
-  bool has_failed = false;  // an entry of a session that comes later does not arm it again
+  bool has_failed = false;  // an entry of a session that comes later leaves it at rest
   std::int64_t period_ns = 0;
   std::int64_t next_ns = 0;               // the next beat that has not been begun or skipped
   Task* running = nullptr;                // the body, while it runs

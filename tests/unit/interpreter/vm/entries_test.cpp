@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "vm/state.hpp"
@@ -146,4 +147,35 @@ TEST_CASE("a text is complete when its brackets are closed and its last line end
   CHECK_FALSE(is_complete("fn f() {"));
   CHECK_FALSE(is_complete("let x = [1,"));
   CHECK_FALSE(is_complete("let x = 1 +"));
+}
+
+TEST_CASE("a session of 10,000 entries works, and uses the numbers of its variables again") {
+  const Engine engine;
+  Entries enter(engine);
+  enter("var n = 0");
+  for (int i = 1; i < 9998; ++i) enter("n = n + 1; let last = n;");
+  CHECK(enter("last") == "9997  int");
+  CHECK(enter("n + ans") == "19994  int");
+  CHECK(enter.vm().state().globals.size() < 10);
+  CHECK(enter.vm().state().units.empty());
+}
+
+TEST_CASE("an entry follows the newest one that has run to its end, in one machine") {
+  const Engine engine;
+  Entries enter(engine);
+  enter("var n = 1");
+  const std::shared_ptr<const Program> first = enter.newest();
+  enter("n = 2");
+  CompileOptions options;
+  options.is_entry = true;
+  options.after = first;
+  const Compilation old = engine.compile("n = 3", "[x]", options);
+  CHECK_THROWS_AS(enter.vm().begin(old.program), ArgumentError);
+  CHECK_THROWS_AS(enter.vm().begin(nullptr), ArgumentError);
+  const Compilation alone = engine.compile("let n = 3", "file", {});
+  CHECK_THROWS_AS(enter.vm().begin(alone.program), ArgumentError);
+  CompileOptions behind_file;
+  behind_file.after = alone.program;
+  CHECK_THROWS_AS((void)engine.compile("n", "[x]", behind_file), ArgumentError);
+  CHECK(enter("n") == "2  int");
 }
