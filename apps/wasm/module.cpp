@@ -66,7 +66,9 @@ class Seat {
     if (!(time >= 0.0) || !(steps >= 1.0))
       throw ArgumentError("A slice has no negative time and at least 1 step.");
     Budget budget;
-    const double now_ns = static_cast<double>(this->now_ns());
+    const bool goes_on =
+        session_->vm() != nullptr && session_->result().status == Progress::kPaused;
+    const double now_ns = goes_on ? static_cast<double>(this->now_ns()) : 0.0;
     budget.until_ns = static_cast<std::int64_t>(
         std::min(now_ns + 1e9 * time, static_cast<double>(kEndOfTime_ns)));
     budget.steps = static_cast<std::uint64_t>(std::min(steps, 1e15));

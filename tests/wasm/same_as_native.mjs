@@ -7,8 +7,8 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { Answer, What, loadArmlet } from './armlet_module.mjs';
 
-const exitStatus = { [Answer.done]: 0, [Answer.failed]: 1 };
-const rejected = 2;
+const exitStatus = { [Answer.done]: 0, [Answer.failed]: 70 };
+const rejected = 65;
 
 const [command, script, ...rest] = process.argv.slice(2);
 let steps = 100_000_000;

@@ -23,8 +23,7 @@ Matrix6d force_cross_matrix(const Vector6d& force) {
 // Coriolis matrix whose choice makes it that of Christoffel.
 Matrix6d coriolis_factor(const Matrix6d& inertia, const Vector6d& v) {
   const Matrix6d cross = spatial_cross_matrix(v);
-  return 0.5 * (-cross.transpose() * inertia - inertia * cross +
-                force_cross_matrix(inertia * v));
+  return 0.5 * (-cross.transpose() * inertia - inertia * cross + force_cross_matrix(inertia * v));
 }
 
 double friction_slope(const PlanLink& link, double qd) {
@@ -39,8 +38,9 @@ struct MovingArm {
   SpatialArm arm;
   std::size_t n;
   std::array<Vector6d, kMaxJoints> axis_rate;  // v x S of the joint, seen from its own link
-  std::array<Vector6d, kMaxJoints> parent_rate, parent_acceleration;  // Psi' and Psi'' of the source
-  std::array<Vector6d, kMaxJoints> force;      // of a link and all behind it
+  std::array<Vector6d, kMaxJoints> parent_rate,
+      parent_acceleration;                 // Psi' and Psi'' of the source
+  std::array<Vector6d, kMaxJoints> force;  // of a link and all behind it
   std::array<Matrix6d, kMaxJoints> inertia, factor;
 
   MovingArm(const Robot& robot, JointsIn q, JointsIn qd, const double* qdd)

@@ -22,8 +22,8 @@ double potential_energy(const Robot& robot, JointsIn q) {
   for (int i = 0; i < robot.n(); ++i) {
     const Moments link = moments_of_link(robot, i);
     const Eigen::Isometry3d& frame = arm.frame[static_cast<std::size_t>(i)];
-    energy -= robot.gravity().dot(link.mass * (origin + frame.translation()) +
-                                  frame.linear() * link.h);
+    energy -=
+        robot.gravity().dot(link.mass * (origin + frame.translation()) + frame.linear() * link.h);
   }
   check_finite("potential energy", energy);
   return energy;

@@ -20,6 +20,13 @@ Isometry3d x_step(const Numbers& numbers, std::size_t i) {
   return X;
 }
 
+// Of a mass with its centre and its inertia about the centre.
+Moments moments_of(double mass, const Vector3d& com, const Matrix3d& inertia) {
+  const Matrix3d even = 0.5 * (inertia + inertia.transpose());
+  const Matrix3d about_centre = 0.5 * even.trace() * Matrix3d::Identity() - even;
+  return {mass, mass * com, about_centre + mass * com * com.transpose()};
+}
+
 void put_geometry(const WalkPlan& walk, std::size_t i, PlanLink& link) {
   link.sin_alpha = walk.sin_alpha[i];
   link.cos_alpha = walk.cos_alpha[i];
@@ -96,10 +103,12 @@ Moments Moments::seen_from(const Isometry3d& T_to_from) const {
 Moments moments_of_link(const Robot& robot, int i) {
   const Chain& chain = robot.chain();
   const Link& link = robot.link(i);
-  const Matrix3d inertia = 0.5 * (link.inertia + link.inertia.transpose());
-  const Matrix3d about_centre = 0.5 * inertia.trace() * Matrix3d::Identity() - inertia;
-  const Moments body = {link.mass, link.mass * link.com,
-                        about_centre + link.mass * link.com * link.com.transpose()};
+  Moments body = moments_of(link.mass, link.com, link.inertia);
+  // The flange is the frame of the last link in both conventions.
+  if (i + 1 == robot.n()) {
+    const Payload& payload = robot.payload();
+    body = body + moments_of(payload.mass, payload.com, payload.inertia);
+  }
   const std::size_t k = static_cast<std::size_t>(i);
   Isometry3d T_joint_link = Isometry3d::Identity();
   if (chain.standard) T_joint_link = x_step(chain, k + 1);

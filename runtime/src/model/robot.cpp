@@ -93,6 +93,7 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
   check_pose(spec_.name + ".base", spec_.T_world_base);
   check_pose(spec_.name + ".tool", spec_.T_flange_tool);
   check_finite(spec_.name + ".gravity", spec_.gravity);
+  check_payload(spec_);
 
   lower_ = gather(spec_.joints, &Joint::lower);
   upper_ = gather(spec_.joints, &Joint::upper);
@@ -149,6 +150,22 @@ Robot Robot::with_tool_point(const Eigen::Isometry3d& T_flange_tool) const {
 Robot Robot::with_home(const Eigen::VectorXd& home) const {
   RobotSpec spec = spec_;
   spec.home = home;
+  return changed(std::move(spec));
+}
+
+Robot Robot::with_payload(const Payload& payload) const {
+  RobotSpec spec = spec_;
+  spec.payload = payload;
+  return changed(std::move(spec));
+}
+
+Robot Robot::with_link(int i, const Link& link) const {
+  if (i < 0 || i >= n()) {
+    throw ArgumentError(
+        fmt::format("There is no link {} in robot `{}`; expected 1 to {}.", i + 1, name(), n()));
+  }
+  RobotSpec spec = spec_;
+  spec.links[static_cast<std::size_t>(i)] = link;
   return changed(std::move(spec));
 }
 

@@ -157,6 +157,16 @@ void check_links(const RobotSpec& spec) {
   }
 }
 
+void check_payload(const RobotSpec& spec) {
+  Link body;
+  body.mass = spec.payload.mass;
+  body.com = spec.payload.com;
+  body.inertia = spec.payload.inertia;
+  const std::string fault = link_fault(body, InertiaCheck::kRigidBody);
+  if (fault.empty()) return;
+  throw ArgumentError(fmt::format("The payload of robot `{}` {}.", spec.name, fault));
+}
+
 void check_home(const RobotSpec& spec) {
   check_size(spec.name + ".home", spec.home.size(), static_cast<Eigen::Index>(spec.joints.size()));
   check_finite(spec.name + ".home", spec.home);

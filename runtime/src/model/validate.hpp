@@ -9,6 +9,7 @@ namespace armlet {
 // All throw ArgumentError with a sentence that names the joint or link, counted from 1.
 void check_joints(const RobotSpec& spec);
 void check_links(const RobotSpec& spec);  // one link per joint
+void check_payload(const RobotSpec& spec);
 void check_home(const RobotSpec& spec);
 
 // What is wrong with the mass, the inertia or the motor of a link, as the end of a sentence that

@@ -23,8 +23,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 using Number = std::optional<double>;
-using Numbers = std::optional<std::span<const double>>;
-using Rows = std::optional<std::span<const Slot>>;  // of numbers
 using Text = std::optional<std::string_view>;
 
 // ---- rows: joint revolute(...), joint prismatic(...)
@@ -57,37 +55,10 @@ Answer<void> read_vector3(Vm& vm, Numbers values, int parameter, std::string_vie
   return {};
 }
 
-Answer<void> read_inertia(Vm& vm, Rows rows, Link& link) {
-  if (!rows) return {};
-  bool square = rows->size() == 3;
-  for (std::size_t i = 0; square && i < 3; ++i) square = reals_value((*rows)[i]).size() == 3;
-  if (!square) return failure(vm, "R0613", "an inertia has 3 rows of 3 values", kInertia);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) link.inertia(i, j) = reals_value((*rows)[i])[j];
-  }
-  return {};
-}
-
-Answer<void> read_friction(Vm& vm, Numbers given, Link& link) {
-  if (!given) return {};
-  const auto f = *given;
-  if (f.size() != 1 && f.size() != 3) {
-    return failure(vm, "R0613",
-                   fmt::format("friction is [B] or [B, Tc+, Tc-], not {} values", f.size()),
-                   kFriction);
-  }
-  link.friction.viscous = f[0];
-  if (f.size() == 3) {
-    link.friction.coulomb_plus = f[1];
-    link.friction.coulomb_minus = f[2];
-  }
-  return {};
-}
-
 template <JointKind kKind>
 Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alpha, Numbers limits,
                            Number max_speed, Number max_accel, Number max_jerk, Number max_effort,
-                           double mass, Numbers com, Rows inertia, Numbers friction,
+                           double mass, Numbers com, NumberRows inertia, Numbers friction,
                            double motor_inertia, double gear, Text mesh) {
   JointRow row{.joint = joint_without_limits(kKind), .link = {}};
   Joint& joint = row.joint;
@@ -100,9 +71,9 @@ Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alph
   row.link.motor_inertia = motor_inertia;
   row.link.gear = gear;
   if (mesh) row.link.mesh = *mesh;
-  if (!read_limits(vm, limits, joint) ||
-      !read_vector3(vm, com, kCom, "the centre of mass", row.link.com) ||
-      !read_inertia(vm, inertia, row.link) || !read_friction(vm, friction, row.link)) {
+  if (!read_limits(vm, limits, joint) || !read_com(vm, com, kCom, row.link) ||
+      !read_inertia(vm, inertia, kInertia, row.link) ||
+      !read_friction(vm, friction, kFriction, row.link)) {
     return Failed{};
   }
   return row;
@@ -112,6 +83,43 @@ Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alph
 // ----------------------------------------------------------------------------------------------------
 
 }  // namespace
+
+Answer<void> read_com(Vm& vm, Numbers values, int parameter, Link& link) {
+  return read_vector3(vm, values, parameter, "the centre of mass", link.com);
+}
+
+Answer<void> read_inertia(Vm& vm, NumberRows rows, int parameter, Link& link) {
+  if (!rows) return {};
+  bool square = rows->size() == 3;
+  for (std::size_t i = 0; square && i < 3; ++i) square = reals_value((*rows)[i]).size() == 3;
+  if (!square) return failure(vm, "R0613", "an inertia has 3 rows of 3 values", parameter);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) link.inertia(i, j) = reals_value((*rows)[i])[j];
+  }
+  return {};
+}
+
+Answer<void> read_friction(Vm& vm, Numbers given, int parameter, Link& link) {
+  if (!given) return {};
+  const auto f = *given;
+  if (f.size() != 1 && f.size() != 3 && f.size() != 5) {
+    return failure(
+        vm, "R0613",
+        fmt::format("friction is [B], [B, Tc+, Tc-] or [B, Tc+, Tc-, Ts, vs], not {} values",
+                    f.size()),
+        parameter);
+  }
+  link.friction = {.viscous = f[0]};
+  if (f.size() >= 3) {
+    link.friction.coulomb_plus = f[1];
+    link.friction.coulomb_minus = f[2];
+  }
+  if (f.size() == 5) {
+    link.friction.static_torque = f[3];
+    link.friction.stribeck_speed = f[4];
+  }
+  return {};
+}
 
 Answer<RobotRef> add_robot(Vm& vm, Robot robot) {
   Result<int> id = Host::of(vm).add_robot(std::make_shared<const Robot>(std::move(robot)));

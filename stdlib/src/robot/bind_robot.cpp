@@ -8,6 +8,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
+#include "robot/models.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "values/eigen_results.hpp"
@@ -54,20 +55,11 @@ std::vector<PosJ> limits(Vm& vm, const RobotRef& r) {
 // ---- changing a robot
 // ------------------------------------------------------------------------------------------
 
-Answer<void> set_model(Vm& vm, const RobotRef& r, Robot model) try {
-  if (!check_idle(vm, r.id)) return Failed{};
-  Host::of(vm).cell().set_model(r.id, std::make_shared<const Robot>(std::move(model)));
-  return {};
-} catch (const ArgumentError& error) {
-  return failure_of(vm, row("R0630"), error);
-}
 Answer<void> set_tool(Vm& vm, const RobotRef& r, const PosC& tcp) {
-  return set_model(vm, r, model_of(vm, r).with_tool_point(tcp.T));
+  return exchange_model(vm, r, [&](const Robot& robot) { return robot.with_tool_point(tcp.T); });
 }
-Answer<void> set_home(Vm& vm, const RobotRef& r, const PosJ& q) try {
-  return set_model(vm, r, model_of(vm, r).with_home(q.vector()));
-} catch (const ArgumentError& error) {
-  return failure_of(vm, row("R0630"), error, 1);
+Answer<void> set_home(Vm& vm, const RobotRef& r, const PosJ& q) {
+  return exchange_model(vm, r, [&](const Robot& robot) { return robot.with_home(q.vector()); });
 }
 
 // ---- kinematics

@@ -4,6 +4,10 @@
 #include <string_view>
 
 #include "armlet/model/robot.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
+#include "motion/moves.hpp"
+#include "session/bind.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
@@ -17,5 +21,22 @@ Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
 
 // throws  ArgumentError for another word than "standard" or "modified".
 DhConvention convention_of(std::string_view word);
+
+// Exchanges what a robot is; R0630 if `make` throws, and a failure while the robot moves.
+template <class Make>
+Answer<void> exchange_model(Vm& vm, const RobotRef& r, const Make& make) try {
+  if (!check_idle(vm, r.id)) return Failed{};
+  Host::of(vm).cell().set_model(r.id, std::make_shared<const Robot>(make(model_of(vm, r))));
+  return {};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0630"), error, 1);
+}
+
+// The numbers of a joint row that describe its link, where they are given.
+using Numbers = std::optional<std::span<const double>>;
+using NumberRows = std::optional<std::span<const Slot>>;
+Answer<void> read_com(Vm& vm, Numbers values, int parameter, Link& link);
+Answer<void> read_inertia(Vm& vm, NumberRows rows, int parameter, Link& link);
+Answer<void> read_friction(Vm& vm, Numbers values, int parameter, Link& link);
 
 }  // namespace armlet::bind

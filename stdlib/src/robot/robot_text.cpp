@@ -77,7 +77,10 @@ void add_link(std::vector<std::string>& parts, const Link& link) {
   if (!link.com.isZero(0.0)) add("com", vector_text(link.com, "m"));
   if (!link.inertia.isZero(0.0)) add("inertia", inertia_text(link.inertia));
   const Friction& f = link.friction;
-  if (f.coulomb_plus != 0.0 || f.coulomb_minus != 0.0) {
+  if (f.stribeck_speed != 0.0) {
+    add("friction", list({real(f.viscous), real(f.coulomb_plus), real(f.coulomb_minus),
+                          real(f.static_torque), real(f.stribeck_speed)}));
+  } else if (f.coulomb_plus != 0.0 || f.coulomb_minus != 0.0) {
     add("friction", list({real(f.viscous), real(f.coulomb_plus), real(f.coulomb_minus)}));
   } else if (f.viscous != 0.0) {
     add("friction", list({real(f.viscous)}));

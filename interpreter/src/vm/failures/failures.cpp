@@ -217,8 +217,10 @@ std::string thrown_words() {
     throw;
   } catch (const Stopped&) {
     return {};
+#ifdef __GLIBCXX__  // the thread is being ended
   } catch (const abi::__forced_unwind&) {
     throw;
+#endif
   } catch (const std::bad_alloc&) {
     return "there is not enough memory";
   } catch (const std::exception& error) {

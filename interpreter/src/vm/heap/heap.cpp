@@ -209,6 +209,7 @@ ListObj* Heap::make_list(std::uint64_t size, bool references, bool zero) {
 }
 
 MapObj* Heap::new_map(std::uint8_t flags, std::uint32_t capacity) {
+  if (capacity > kMaxCount) return nullptr;
   auto* map = begin_object<MapObj>(take(sizeof(MapObj)), ObjKind::kMap);
   if (map == nullptr) return nullptr;
   map->flags = flags;

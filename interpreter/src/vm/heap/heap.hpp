@@ -187,8 +187,9 @@ class Heap {
   std::vector<std::uint32_t> free_marks_;  // entries without a table
 };
 
-// Elements and bytes that an object holds at most.
-inline constexpr std::uint64_t kMaxCount = 0xFFFFFFFEULL;
+// Elements and bytes that an object holds at most. Where addresses have four bytes, so few that the
+// size of their block, 32 bytes for each at most, has no more.
+inline constexpr std::uint64_t kMaxCount = sizeof(void*) == 8 ? 0xFFFF'FFFEULL : 0x03FF'FFFEULL;
 [[nodiscard]] constexpr std::size_t text_bytes(std::uint64_t capacity) {
   return sizeof(TextObj) + capacity;
 }

@@ -35,4 +35,14 @@ struct Link {
   std::string mesh;  // file of the shape; empty: none
 };
 
+// A rigid body fixed to the flange, besides the last link: what a hand holds.
+//
+// com      its centre of mass seen from the flange, m.
+// inertia  about its centre of mass along the axes of the flange, kg m^2; zero: a point.
+struct Payload {
+  double mass = 0.0;  // kg
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+};
+
 }  // namespace armlet

@@ -33,6 +33,7 @@ struct RobotSpec {
   Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();  // the tool point
   Tool tool;                                                        // the hand
+  Payload payload;                                                  // what it holds
   Eigen::Vector3d gravity{0.0, 0.0, -9.81};  // acceleration in world axes, m/s^2
   Eigen::VectorXd home;                      // empty: zero, or the nearest value within the limits
 };
@@ -55,6 +56,7 @@ class Robot {
   const Eigen::Isometry3d& T_world_base() const { return spec_.T_world_base; }
   const Eigen::Isometry3d& T_flange_tool() const { return spec_.T_flange_tool; }
   const Tool& tool() const { return spec_.tool; }
+  const Payload& payload() const { return spec_.payload; }
   const Eigen::Vector3d& gravity() const { return spec_.gravity; }
   const Eigen::VectorXd& home() const { return spec_.home; }
 
@@ -101,6 +103,12 @@ class Robot {
   Robot with_tool(const Tool& tool) const;
   Robot with_tool_point(const Eigen::Isometry3d& T_flange_tool) const;
   Robot with_home(const Eigen::VectorXd& home) const;
+  // Another payload; the one before is gone.
+  // throws  ArgumentError for a negative mass and an inertia that no body has.
+  Robot with_payload(const Payload& payload) const;
+  // Another link i, 0 <= i < n: masses, motor and friction.
+  // throws  ArgumentError that names the link for what no body has, and for a number without link.
+  Robot with_link(int i, const Link& link) const;
   // Limits of all joints, n numbers each, rad or m. A home position outside of them moves to the
   // nearest value inside.
   //

@@ -1,0 +1,253 @@
+// Forces and accelerations of robots (language reference, 19.4; rulings 30 and 64).
+
+#include <fmt/format.h>
+
+#include "armlet/dynamics/coriolis.hpp"
+#include "armlet/dynamics/energy.hpp"
+#include "armlet/dynamics/forward_dynamics.hpp"
+#include "armlet/dynamics/inverse_dynamics.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
+#include "robot/models.hpp"
+#include "robot/rules.hpp"
+#include "session/bind.hpp"
+#include "values/eigen_results.hpp"
+#include "values/give.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// law() with its ArgumentError as R0640.
+template <class Result, class Law>
+Answer<Result> dynamics_of(Vm& vm, const Law& law) try {
+  return Answer<Result>(law());
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0640"), error);
+}
+
+// ---- forces and accelerations
+
+template <class Q>
+Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList accels,
+                            std::optional<JointList> load) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto qd = joint_argument(vm, robot, rates, 2);
+  if (!qd) return Failed{};
+  const auto qdd = joint_argument(vm, robot, accels, 3);
+  if (!qdd) return Failed{};
+  Vector6d wrench = Vector6d::Zero();
+  if (load) {
+    if (load->size() != 6) {
+      return failure(
+          vm, "R0613",
+          fmt::format("a load has 6 values, three forces and three moments, not {}", load->size()),
+          4);
+    }
+    wrench = rotate_twist(robot.T_world_base().linear(),
+                          Vector6d(Eigen::Map<const Vector6d>(load->data())));
+  }
+  return dynamics_of<JointVector>(vm, [&] {
+    return load ? inverse_dynamics(robot, *q, *qd, *qdd, wrench)
+                : inverse_dynamics(robot, *q, *qd, *qdd);
+  });
+}
+
+template <class Q>
+Answer<JointVector> forward(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList tau) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto qd = joint_argument(vm, robot, rates, 2);
+  if (!qd) return Failed{};
+  const auto forces = joint_argument(vm, robot, tau, 3);
+  if (!forces) return Failed{};
+  return dynamics_of<JointVector>(vm, [&] { return forward_dynamics(robot, *q, *qd, *forces); });
+}
+
+template <class Result, class Q, class Law>
+Answer<Result> of_position(Vm& vm, const RobotRef& r, Q values, const Law& law) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  return dynamics_of<Result>(vm, [&] { return law(robot, *q); });
+}
+
+template <class Q>
+Answer<JointMatrix> mass_of(Vm& vm, const RobotRef& r, Q values) {
+  return of_position<JointMatrix>(vm, r, values, mass_matrix);
+}
+template <class Q>
+Answer<JointVector> gravity_of(Vm& vm, const RobotRef& r, Q values) {
+  return of_position<JointVector>(vm, r, values, gravity_forces);
+}
+template <class Q>
+Answer<JointVector> friction_of(Vm& vm, const RobotRef& r, Q rates) {
+  return of_position<JointVector>(vm, r, rates, friction_forces);
+}
+template <class Q>
+Answer<double> potential_of(Vm& vm, const RobotRef& r, Q values) {
+  return of_position<double>(vm, r, values, potential_energy);
+}
+
+template <class Result, class Q, class Law>
+Answer<Result> of_motion(Vm& vm, const RobotRef& r, Q values, JointList rates, const Law& law) {
+  const Robot& robot = model_of(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto qd = joint_argument(vm, robot, rates, 2);
+  if (!qd) return Failed{};
+  return dynamics_of<Result>(vm, [&] { return law(robot, *q, *qd); });
+}
+
+template <class Q>
+Answer<JointMatrix> coriolis_of(Vm& vm, const RobotRef& r, Q values, JointList rates) {
+  return of_motion<JointMatrix>(vm, r, values, rates, coriolis_matrix);
+}
+template <class Q>
+Answer<double> kinetic_of(Vm& vm, const RobotRef& r, Q values, JointList rates) {
+  return of_motion<double>(vm, r, values, rates, kinetic_energy);
+}
+
+// ---- what the arm carries
+
+// The payload together with the object in the hand.
+Payload whole_payload(const Cell& cell, int id) {
+  const CellRobot& robot = cell.robot(id);
+  const Payload payload = robot.model->payload();
+  if (robot.held.empty()) return payload;
+  const Object& object = *cell.world().find(robot.held);
+  const Isometry3d T_flange_obj = cell.T_world_flange(id).inverse() * object.T_world_obj;
+  Payload whole;
+  whole.mass = payload.mass + object.mass;
+  if (whole.mass == 0.0) return whole;
+  whole.com = (payload.mass * payload.com + object.mass * T_flange_obj.translation()) / whole.mass;
+  const auto about = [&](const Matrix3d& inertia, double mass, const Vector3d& com) -> Matrix3d {
+    const Vector3d r = com - whole.com;
+    return inertia + mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+  };
+  const Matrix3d R = T_flange_obj.linear();
+  const Matrix3d held = R * inertia(object) * R.transpose();
+  whole.inertia = about(payload.inertia, payload.mass, payload.com) +
+                  about(held, object.mass, T_flange_obj.translation());
+  return whole;
+}
+
+Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
+  const CellRobot& state = state_of(vm, r);
+  return dynamics_of<JointVector>(vm, [&] {
+    if (state.held.empty()) return inverse_dynamics(*state.model, state.q, state.qd, state.qdd);
+    const Robot loaded = state.model->with_payload(whole_payload(Host::of(vm).cell(), r.id));
+    return inverse_dynamics(loaded, state.q, state.qd, state.qdd);
+  });
+}
+
+Answer<void> set_payload(Vm& vm, const RobotRef& r, double mass, const PosC* at) {
+  return exchange_model(vm, r, [&](const Robot& robot) {
+    Payload payload;
+    payload.mass = mass;
+    if (at != nullptr) payload.com = at->T.translation();
+    return robot.with_payload(payload);
+  });
+}
+
+Answer<void> set_link(Vm& vm, const RobotRef& r, std::int64_t joint, std::optional<double> mass,
+                      Numbers com, NumberRows inertia, Numbers friction) {
+  const Robot& robot = model_of(vm, r);
+  if (joint < 1 || joint > robot.n())
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, robot.n()), 1);
+  const int i = static_cast<int>(joint) - 1;
+  Link link = robot.link(i);
+  if (mass) link.mass = *mass;
+  if (!read_com(vm, com, 3, link) || !read_inertia(vm, inertia, 4, link) ||
+      !read_friction(vm, friction, 5, link)) {
+    return Failed{};
+  }
+  return exchange_model(vm, r, [&](const Robot& now) { return now.with_link(i, link); });
+}
+
+constexpr std::string_view kInverse =
+    "What the motors give for this motion, at the joints, in N m and N: inertia, Coriolis forces, "
+    "gravity and friction. load: what the surroundings exert on the tool point, three forces in N "
+    "and three moments in N m along the axes of the base.";
+constexpr std::string_view kForward =
+    "The accelerations that these joint forces cause, rad/s^2 and m/s^2.";
+constexpr std::string_view kMass =
+    "The inertia matrix, with the inertia of the motors behind their gears.";
+constexpr std::string_view kCoriolis =
+    "The matrix of Christoffel symbols: times qd it gives Coriolis and centrifugal forces.";
+constexpr std::string_view kGravity = "The joint forces that hold the arm still, N m and N.";
+constexpr std::string_view kFriction = "The joint forces that friction takes at these speeds.";
+constexpr std::string_view kKinetic = "The energy of the motion, with that of the motors.";
+constexpr std::string_view kPotential =
+    "The energy in the field of gravity; that of a mass at the origin of the world is zero.";
+
+constexpr NativeFunction kDynamicsFunctions[] = {
+    def<inverse<Joints>>(
+        "invDyn(r: robot, q: posJ, qd: double[], qdd: double[], load: double[]?) -> double[]",
+        kInverse, "invDyn(joints(), jointSpeeds(), jointAccels())"),
+    def<inverse<JointList>>(
+        "invDyn(r: robot, q: double[], qd: double[], qdd: double[], load: double[]?) -> double[]",
+        kInverse, "invDyn([0.0, 0.5, 0.1, 0.0], jointSpeeds(), jointAccels())",
+        {.check = check_joint_list<1>}),
+    def<forward<Joints>>("fwdDyn(r: robot, q: posJ, qd: double[], tau: double[]) -> double[]",
+                         kForward,
+                         "robots.puma560().fwdDyn(posJ(0deg, 45deg, 180deg, 0deg, 45deg, "
+                         "0deg), zeros(6), zeros(6))"),
+    def<forward<JointList>>(
+        "fwdDyn(r: robot, q: double[], qd: double[], tau: double[]) -> double[]", kForward,
+        "robots.puma560().fwdDyn(zeros(6), zeros(6), zeros(6))", {.check = check_joint_list<1>}),
+    def<mass_of<Joints>>("massMatrix(r: robot, q: posJ) -> matrix", kMass, "massMatrix(joints())"),
+    def<mass_of<JointList>>("massMatrix(r: robot, q: double[]) -> matrix", kMass,
+                            "massMatrix([0.0, 0.5, 0.1, 0.0])", {.check = check_joint_list<1>}),
+    def<coriolis_of<Joints>>("coriolis(r: robot, q: posJ, qd: double[]) -> matrix", kCoriolis,
+                             "coriolis(joints(), [1.0, 1.0, 0.1, 1.0])"),
+    def<coriolis_of<JointList>>("coriolis(r: robot, q: double[], qd: double[]) -> matrix",
+                                kCoriolis, "coriolis([0.0, 0.5, 0.1, 0.0], [1.0, 1.0, 0.1, 1.0])",
+                                {.check = check_joint_list<1>}),
+    def<gravity_of<Joints>>("gravity(r: robot, q: posJ) -> double[]", kGravity,
+                            "gravity(joints())"),
+    def<gravity_of<JointList>>("gravity(r: robot, q: double[]) -> double[]", kGravity,
+                               "gravity([0.0, 0.5, 0.1, 0.0])", {.check = check_joint_list<1>}),
+    def<friction_of<Joints>>("friction(r: robot, qd: posJ) -> double[]", kFriction,
+                             "friction(joints())"),
+    def<friction_of<JointList>>("friction(r: robot, qd: double[]) -> double[]", kFriction,
+                                "friction(jointSpeeds())"),
+    def<kinetic_of<Joints>>("kineticEnergy(r: robot, q: posJ, qd: double[]) -> energy", kKinetic,
+                            "kineticEnergy(joints(), jointSpeeds())"),
+    def<kinetic_of<JointList>>("kineticEnergy(r: robot, q: double[], qd: double[]) -> energy",
+                               kKinetic, "kineticEnergy([0.0, 0.5, 0.1, 0.0], jointSpeeds())",
+                               {.check = check_joint_list<1>}),
+    def<potential_of<Joints>>("potentialEnergy(r: robot, q: posJ) -> energy", kPotential,
+                              "potentialEnergy(joints())"),
+    def<potential_of<JointList>>("potentialEnergy(r: robot, q: double[]) -> energy", kPotential,
+                                 "potentialEnergy([0.0, 0.5, 0.1, 0.0])",
+                                 {.check = check_joint_list<1>}),
+    def<torques>("torques(r: robot) -> double[]",
+                 "What the motors give now, N m and N: the motion with the payload and with the "
+                 "object in the hand.",
+                 "torques()"),
+    def<set_payload>(
+        "setPayload(r: robot, m: mass, at: posC?)",
+        "A mass at a point seen from the flange, which the last link carries from now on instead "
+        "of the one before; at: the flange, if it is left out.",
+        "setPayload(2kg, at: xyz(z: 40mm))", {.commands = true}),
+    def<set_link>(
+        "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: double[][]?, "
+        "friction: double[]?)",
+        "Changes the link behind a joint, counted from 1; what is left out stays. friction: "
+        "[B, Tc+, Tc-, Ts, vs], or the first one or three of them.",
+        "setLink(joint: 2, mass: 3kg)", {.commands = true}),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> dynamics_functions() { return kDynamicsFunctions; }
+
+}  // namespace armlet::bind
