@@ -89,13 +89,6 @@ std::vector<std::string> texts_of(const RunOptions& options, const SourceSet& so
 
 std::string seconds(double s) { return fmt::format("{:.2f} s", s); }
 
-void show_move(const MoveReport& move) {
-  const double end = move.start + move.duration;
-  progress(fmt::format("[t = {}] {} {} {}{}, hand at {}", seconds(end), move.robot, move.function,
-                       seconds(move.duration), move.stopped ? " (stopped)" : "",
-                       format_point_mm(move.T_world_tool.translation())));
-}
-
 // Sleeps until wall-clock time has caught up with virtual time, in short pieces so that Ctrl-C is
 // heard. Ctrl-C asks the program once to stop; coming to rest then costs no time.
 std::function<bool(std::int64_t)> real_time() {

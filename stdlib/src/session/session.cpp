@@ -107,8 +107,12 @@ std::unique_ptr<Host> Session::make_host(bool with_world) {
   HostOptions host_options;
   host_options.robot = options_.robot;
   host_options.planners = options_.planners;
-  host_options.on_move = options_.on_move;
-  host_options.pace = options_.pace;
+  host_options.on_move = [this](const MoveReport& move) {
+    if (options_.on_move && !is_silent_) options_.on_move(move);
+  };
+  host_options.pace = [this](std::int64_t t_ns) {
+    return !options_.pace || is_silent_ || options_.pace(t_ns);
+  };
   host_options.folder = options_.folder;
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
@@ -171,14 +175,21 @@ void Session::cancel() noexcept {
 bool Session::compile(std::string text, std::string name) {
   if (is_running_.load())
     throw ArgumentError("A session cannot compile while its program runs; use another one.");
-  can_run_ = false;
-  problems_.clear();
   give_up();
   vm_.reset();
+  entries_.clear();
+  undone_.clear();
+  is_entry_ = false;
+  return compile_as(std::move(text), std::move(name), {});
+}
+
+bool Session::compile_as(std::string text, std::string name, const CompileOptions& way) {
+  can_run_ = false;
+  problems_.clear();
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  CompileOptions compile_options;
+  CompileOptions compile_options = way;
   compile_options.limits = options_.parse_limits;
   compile_options.host = host.get();
   compile_options.world = world_names_;
@@ -196,28 +207,43 @@ bool Session::compile(std::string text, std::string name) {
 
 void Session::begin_run() {
   give_up();
+  begin_cell();
+  is_under_way_ = true;
+}
+
+// A new cell, and a machine for the program in it.
+void Session::begin_cell() {
   vm_.reset();
   host_ = make_host(true);
-  const Program& program = *compilation_.program;
-  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
+  take_world();
   fan_out_ = std::make_unique<FanOut>(options_.backends);
-  Cell& cell = host_->cell();
-  if (!options_.backends.empty()) cell.set_backend(fan_out_.get());
-  cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
-                           !program.mentions("release"));
+  if (!is_silent_) listen();
 
   VmOptions vm_options;
   vm_options.limits = options_.limits;
   vm_options.timeline = host_.get();
   vm_options.host = host_.get();
-  vm_options.output = [this, &cell](std::string_view text) {
+  vm_options.output = [this, &cell = host_->cell()](std::string_view text) {
     cell.note(NoteKind::kOutput, text);
-    return options_.output ? options_.output(text) : std::string();
+    return options_.output && !is_silent_ ? options_.output(text) : std::string();
   };
-  vm_options.advice = options_.advice;
+  vm_options.advice = [this](const Diagnostic& advice) {
+    if (options_.advice && !is_silent_) options_.advice(advice);
+  };
   vm_ = std::make_unique<Vm>(compilation_.program, std::move(vm_options));
   result_ = vm_->result();
-  is_under_way_ = true;
+}
+
+void Session::listen() {
+  if (!options_.backends.empty()) host_->cell().set_backend(fan_out_.get());
+}
+
+// The program that is about to run may name objects, and pick them by contact.
+void Session::take_world() {
+  const Program& program = *compilation_.program;
+  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
+  host_->cell().set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
+                                    !program.mentions("release"));
 }
 
 // A program may end while a robot still slows down after a velocity command. Whether all stand.
@@ -249,14 +275,14 @@ Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go
   }
   const OneSlice one_slice(is_running_, cancelled_, is_under_way_);
   try {
-    if (!is_under_way_) begin_run();
+    if (!is_under_way_) is_entry_ ? begin_entry() : begin_run();
     const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
     if (vm_->result().status == Progress::kPaused) go(*vm_);
     result_ = vm_->result();
     if (result_.status == Progress::kPaused) return Progress::kPaused;
     if (result_.status == Progress::kDone && !come_to_rest(budget))
       return result_.status = Progress::kPaused;
-    end_run();
+    is_entry_ ? end_entry() : end_run();
   } catch (...) {
     is_under_way_ = false;
     if (host_ != nullptr) host_->cell().set_backend(nullptr);

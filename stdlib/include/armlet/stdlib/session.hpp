@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,16 @@ struct Problem {
   std::shared_ptr<const SourceSet> sources;
 };
 
+// A text of a session that has run to its end.
+struct Entry {
+  std::shared_ptr<const Program> program;
+  std::string name;
+  std::string text;
+  std::int64_t begin_ns = 0;  // the virtual time at its start
+  std::int64_t end_ns = 0;
+  std::size_t moves = 0;  // motions that ended in it
+};
+
 class Session {
  public:
   Session(const Engine& engine, SessionOptions options);
@@ -77,6 +88,23 @@ class Session {
   // Runs one of the program's tests in a fresh cell; a run that has paused is given up.
   [[nodiscard]] RunResult run_test(std::size_t index);
 
+  // ---- entries: texts that are submitted one after the other, as at a prompt (docs/embedding.md)
+  // Checks a text in the scope of the entries before it; run() then runs it in the cell as they left
+  // it. One that does not compile changes nothing. One that fails or is cancelled while it runs
+  // leaves names, world, robots and clock as they were before it. compile() ends this.
+  bool submit(std::string text, std::string name);
+  // The value of the entry that has run last; nothing: it has none, or a semicolon follows it.
+  [[nodiscard]] std::optional<EntryValue> shown() const;
+  // The entries that have run to their end and were not undone, oldest first.
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  // Goes back to where the first of the last `count` entries began, by running those before it once
+  // more in a new cell, without output and backends. Gives how many were undone.
+  //
+  // throws  ArgumentError while an entry is under way.
+  std::size_t undo(std::size_t count = 1);
+  // Runs entries again that were undone last, the same way; a new entry forgets them.
+  std::size_t redo(std::size_t count = 1);
+
   // How far the run has come; kPaused before the first.
   [[nodiscard]] const RunResult& result() const { return result_; }
   // The machine of the run, or of the last one: what it left can be read and called. Null before
@@ -95,7 +123,15 @@ class Session {
   [[nodiscard]] std::unique_ptr<Host> make_host(bool with_world);
   bool fill_world(Host& host, const WorldText& world, std::vector<Problem>& problems);
   void describe_world();
+  bool compile_as(std::string text, std::string name, const CompileOptions& way);
   void begin_run();
+  void begin_cell();
+  void begin_entry();
+  void end_entry();
+  // Takes the entries anew from the start in a new cell, and nobody hears of it.
+  void run_again(std::span<const Entry> entries);
+  void listen();
+  void take_world();
   Progress go_on(const Budget& budget, const std::function<void(Vm&)>& go);
   bool come_to_rest(const Budget& budget);
   void end_run();
@@ -110,6 +146,11 @@ class Session {
   std::unique_ptr<Vm> vm_;
   RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
   bool is_under_way_ = false;  // a run has begun and not ended
+  bool is_entry_ = false;      // what was compiled last was submitted
+  bool is_silent_ = false;     // what runs has been heard before
+  Entry entry_{};              // under way, or about to run
+  std::vector<Entry> entries_;
+  std::vector<Entry> undone_;  // newest first
   // What the world holds, which is one for all programs, and the messages of its text.
   std::shared_ptr<const WorldNames> world_names_;
   std::vector<Problem> world_problems_;
