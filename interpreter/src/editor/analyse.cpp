@@ -69,6 +69,8 @@ std::unique_ptr<const Analysis::Facts> analyse_text(std::shared_ptr<const Regist
   auto facts = std::make_unique<Analysis::Facts>();
   facts->registry = std::move(registry);
   facts->options = options;
+  facts->options.is_entry = false;
+  facts->options.after = nullptr;
   facts->compiled.sources = std::make_shared<SourceSet>();
   facts->compiled.sources->add(name, text);
   DiagnosticSink sink(options.limits.errors);
