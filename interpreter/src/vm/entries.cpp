@@ -83,6 +83,7 @@ void load(VmState& state, const CompiledProgram& program, Before* before) {
   }
   for (const hir::Variable* variable : program.module.globals) add_global(state, *variable);
   state.newest = &program;
+  state.host_access.all_are_set = false;
   state.units.push_back(std::move(unit));
 }
 
@@ -110,6 +111,7 @@ void drop_newest(VmState& state) {
 // Nothing of an entry that failed stays, and of one without functions nothing but its variables:
 // the session does not grow by it.
 void finish_entry(VmState& state, bool done) {
+  state.host_access.all_are_set = false;
   state.recordings.reset();
   state.large_copies.clear();
   if (!done) {

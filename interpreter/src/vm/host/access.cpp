@@ -22,8 +22,8 @@ namespace {
 }
 
 bool is_of_main_file(const CompiledProgram& program, const hir::Function& function) {
-  return function.span.source == program.sources->first() && !function.name.empty() && !function.is_condition &&
-         !function.is_task && function.captures.empty();
+  return function.span.source == program.sources->first() && !function.name.empty() &&
+         !function.is_condition && !function.is_task && function.captures.empty();
 }
 
 std::string line_of(const VmState& state, const hir::Variable& variable) {
@@ -134,8 +134,9 @@ void require_values_of_globals(VmState& state) {
   if (state.host_access.all_are_set) return;
   require_begun(state);
   for (const hir::Variable* variable : open_globals(state)) require_set(state, *variable);
-  const LoadedCode& newest = *state.units.back();
-  state.host_access.all_are_set = newest.texts.size() == newest.program->texts.size();
+  const LoadedCode* newest = state.units.empty() ? nullptr : state.units.back().get();
+  state.host_access.all_are_set =
+      newest == nullptr || newest->texts.size() == newest->program->texts.size();
   if (!state.host_access.all_are_set)
     throw ArgumentError("The program could not begin, so its functions cannot be called.");
 }
