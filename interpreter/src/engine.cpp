@@ -103,8 +103,11 @@ Engine& Engine::add_planned(std::span<const std::string_view> names) {
   return *this;
 }
 
-bool is_complete(std::string_view text) {
-  return lang::is_complete(Source("entry", std::string(text)));
+bool is_complete(std::string_view text, std::string_view next_line) {
+  const std::string entry(text);
+  if (!lang::is_complete(Source("entry", entry))) return false;
+  return next_line.empty() || !lang::goes_on(Source("entry", entry + '\n' + std::string(next_line)),
+                                             static_cast<std::uint32_t>(entry.size()));
 }
 
 Compilation Engine::compile(std::string text, std::string name,
@@ -148,8 +151,7 @@ std::string Compilation::text() const {
 // ---- Program
 // ------------------------------------------------------------------------------------------------------
 
-Program::Program(std::unique_ptr<Code> compiled)
-    : compiled_(std::move(compiled)) {}
+Program::Program(std::unique_ptr<Code> compiled) : compiled_(std::move(compiled)) {}
 Program::~Program() = default;
 
 const SourceSet& Program::sources() const { return *compiled_->sources; }
@@ -184,19 +186,14 @@ const Type* Program::library_record(std::string_view name) const {
 
 namespace lang {
 
-CompiledProgram::CompiledProgram()
-    : sources(std::make_shared<SourceSet>()),
-      arena(std::make_unique<Arena>()),
-      types(std::make_unique<TypePool>()) {}
-
-CompiledProgram::CompiledProgram(std::shared_ptr<const Program> before)
-    : sources(std::make_shared<SourceSet>(before != nullptr ? before->compiled().sources
-                                                            : std::shared_ptr<const SourceSet>())),
-      arena(std::make_unique<Arena>()),
-      types(before != nullptr ? std::make_unique<TypePool>(before->compiled().types.get())
-                              : std::make_unique<TypePool>()),
-      is_entry(true),
-      after(std::move(before)) {}
+CompiledProgram::CompiledProgram(const CompileOptions& options)
+    : is_entry(options.is_entry || options.after != nullptr), after(options.after) {
+  const CompiledProgram* const before = after != nullptr ? &after->compiled() : nullptr;
+  sources = std::make_shared<SourceSet>(before != nullptr ? before->sources : nullptr);
+  arena = std::make_unique<Arena>();
+  types = before != nullptr ? std::make_unique<TypePool>(before->types.get())
+                            : std::make_unique<TypePool>();
+}
 
 // One after the other: each would end the one before it, as deep as the session is long.
 CompiledProgram::~CompiledProgram() {

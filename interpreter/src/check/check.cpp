@@ -102,7 +102,7 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   for (Checker& file : checkers) refuse_active_statements(file);
   report_later(main);
   if (!sink.has_errors()) finish_usage(main);
-  if (options.open) shared.top_level.open(into.sources->first());
+  if (options.open || into.is_entry) shared.top_level.open(into.sources->first());
   run_imports_first(main);
   finish(shared, into);
   if (into.is_entry && !sink.has_errors()) keep_names(main);

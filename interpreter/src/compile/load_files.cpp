@@ -74,7 +74,8 @@ class Loader {
     file.program.body = tree_.copy(parsed.statements);
     // What a text imports that cannot be read is known to editors, but not told about.
     DiagnosticSink* const before = sink_;
-    const bool is_mended = main_file_ != nullptr && source.id() == sources_.first() && !main_file_->is_readable;
+    const bool is_mended =
+        main_file_ != nullptr && source.id() == sources_.first() && !main_file_->is_readable;
     if (is_mended) {
       file.program.body = tree_.copy(main_file_->statements);
       sink_ = &quiet_;

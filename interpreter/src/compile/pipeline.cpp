@@ -33,7 +33,7 @@ std::shared_ptr<const Program> build(const Registry& registry,
     return nullptr;
   }
   if (compiled->keeps_syntax) compiled->syntax = std::move(tree);
-  compiled->types->close();
+  if (compiled->is_entry) compiled->types->close();
   return std::make_shared<const Program>(std::move(compiled));
 }
 
@@ -61,9 +61,7 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
                          const CompileOptions& options, LowerOptions lowering) {
   Compilation result;
   DiagnosticSink sink(options.limits.errors);
-  auto compiled = options.is_entry || options.after != nullptr
-                      ? std::make_unique<Program::Code>(options.after)
-                      : std::make_unique<Program::Code>();
+  auto compiled = std::make_unique<Program::Code>(options);
   result.sources = compiled->sources;
   compiled->what_takes_time = registry.what_takes_time();
   compiled->sources->add(std::move(name), std::move(text));

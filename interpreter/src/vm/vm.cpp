@@ -139,6 +139,7 @@ void Vm::begin(std::shared_ptr<const Program> entry) {
         "Vm::newest_entry() as CompileOptions::after.");
   result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
   state_->scheduler.reset();
+  state_->output_left = options_.limits.output_bytes;
   state_->before = std::make_unique<lang::Before>(*state_);
   lang::load(*state_, entry->compiled(), state_->before.get());
   program_ = std::move(entry);

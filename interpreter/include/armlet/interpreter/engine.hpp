@@ -111,7 +111,10 @@ class Program {
 
 // Whether a prompt should take the text as an entry, or wait for more lines: brackets are open, or
 // the last line goes on. The same rule ends statements in files.
-[[nodiscard]] bool is_complete(std::string_view text);
+//
+// next_line  the line behind it, where that is known already, as in a pipe: it may go on with the
+//            statement, as `else` and `.x` do.
+[[nodiscard]] bool is_complete(std::string_view text, std::string_view next_line = {});
 
 struct Compilation {
   std::shared_ptr<const Program> program;    // null if there were errors

@@ -121,9 +121,9 @@ struct UsedNames {
 struct KeptNames;
 
 struct CompiledProgram {
-  CompiledProgram();
-  // An entry of a session; after: the one before it, or null.
-  explicit CompiledProgram(std::shared_ptr<const Program> after);
+  CompiledProgram() : CompiledProgram(CompileOptions{}) {}
+  // Of a text that is compiled so: an entry of a session goes on from the one before it.
+  explicit CompiledProgram(const CompileOptions& options);
 
   std::shared_ptr<SourceSet> sources;
   std::unique_ptr<Arena> arena;  // hir

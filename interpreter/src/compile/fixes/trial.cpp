@@ -41,10 +41,7 @@ struct Outcome {
 Outcome messages_about(const Source& file, const Registry& registry, const Source& main,
                        const CompileOptions& options) {
   DiagnosticSink sink(2 * options.limits.errors);
-  const bool is_entry = options.is_entry || options.after != nullptr;
-  const auto made = is_entry ? std::make_unique<CompiledProgram>(options.after)
-                             : std::make_unique<CompiledProgram>();
-  CompiledProgram& program = *made;
+  CompiledProgram program(options);
   SourceSet& sources = *program.sources;
   const Source& first = main.id() == file.id() ? file : main;
   sources.add(first.name(), std::string(first.text()));

@@ -147,6 +147,25 @@ TEST_CASE("a text is complete when its brackets are closed and its last line end
   CHECK_FALSE(is_complete("fn f() {"));
   CHECK_FALSE(is_complete("let x = [1,"));
   CHECK_FALSE(is_complete("let x = 1 +"));
+  // The body comes below.
+  for (const char* head :
+       {"if (a > 1)", "while (true)", "fn f(x: int) -> int", "void go()", "struct P",
+        "double mean(double[] a)", "do { n = 1 }", "test \"t\"", "every (1s)"})
+    CHECK_FALSE_MESSAGE(is_complete(head), head);
+  for (const char* whole :
+       {"double x", "double[] q = {1, 2}", "fn f(x) => 2 * x", "f(1)", "struct P { }",
+        "do { n = 1 } while (n < 1)", "n++", "return", "// nothing", "x)"})
+    CHECK_MESSAGE(is_complete(whole), whole);
+  // The line behind it may belong to it.
+  CHECK_FALSE(is_complete("if (a) { }", "else { }"));
+  CHECK_FALSE(is_complete("try { f() }", "catch (e) { }"));
+  CHECK_FALSE(is_complete("xs", "  .map(f)"));
+  CHECK_FALSE(is_complete("let x = 1", "+ 2"));
+  CHECK(is_complete("let x = 1;", "+ 2"));
+  CHECK(is_complete("let x = 1", "let y = 2"));
+  CHECK(is_complete("if (a) { }", "if (b) {"));
+  CHECK(is_complete("f(1)", "// else"));
+  CHECK(is_complete("f(1)", "\"open"));
 }
 
 TEST_CASE("a session of 10,000 entries works, and uses the numbers of its variables again") {
