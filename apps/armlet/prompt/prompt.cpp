@@ -63,7 +63,8 @@ SessionOptions Prompt::listened(SessionOptions options) {
   options.pace = [this](std::int64_t t_ns) {
     show_live(t_ns);
     pace_.wait_for(t_ns);
-    return true;  // Ctrl-C has cancelled the session
+    // Ctrl-C asks once to stop; coming to rest then costs no time.
+    return !interrupted() || std::exchange(was_told_, true);
   };
   if (interactive_) {
     options.on_move = [this](const MoveReport& move) {
@@ -183,6 +184,7 @@ bool Prompt::run_entry(const std::string& text, const std::string& name, bool sh
   const bool compiles = session_.submit(text, name);
   show(session_.problems(), false);
   if (!compiles) return false;
+  was_told_ = false;
   pace_.begin(session_.host() != nullptr ? session_.host()->now_ns() : 0);
   {
     const Interruptible guard(session_);

@@ -76,6 +76,7 @@ class Prompt {
   bool interactive_;
   bool has_live_;               // a line under a motion can be shown
   bool has_live_line_ = false;  // it stands there now
+  bool was_told_ = false;       // of Ctrl-C: what runs
   bool is_done_ = false;
   bool any_failed_ = false;
   int count_ = 0;              // of entries that were typed
