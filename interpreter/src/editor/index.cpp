@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "check/entries/kept.hpp"
 #include "check/names/imports.hpp"
 #include "editor/facts.hpp"
 #include "syntax/tree/ast_walk.hpp"
@@ -31,12 +32,13 @@ class Indexer {
 
   void run() {
     for (const FileTree& file : facts_.files) {
-      main_ = file.program.span.source == 0;
+      main_ = file.program.span.source == facts_.main_source();
       if (main_) scopes_.push_back(file.program.span);
       for (const FileTree::Import& import : file.imports) add_import(*import.statement);
       for (const ast::Stmt* stmt : file.program.body) walk(*stmt);
     }
     add_variables();
+    add_earlier();
     finish_symbols();
     add_references();
     add_natives();
@@ -216,7 +218,7 @@ class Indexer {
         out.doc = known->doc;
         out.is_typed = !known->has_hint;
       }
-      if (out.declared.source == 0 && out.declared.begin < out.declared.end)
+      if (out.declared.source == facts_.main_source() && out.declared.begin < out.declared.end)
         see(out, innermost.at(out.declared.begin), from);
       facts_.symbols.push_back(out);
     }
@@ -228,8 +230,52 @@ class Indexer {
     const bool is_closed = span.end > 0 && span.end <= text.size() && text[span.end - 1] == '}';
     const bool is_top = span == facts_.files.back().program.span;
     symbol.of_file = is_top;
-    symbol.visible = {from, is_closed && !is_top ? span.end - 1 : span.end, 0};
+    symbol.visible = {from, is_closed && !is_top ? span.end - 1 : span.end, facts_.main_source()};
     symbol.scope = span.end - span.begin;
+  }
+
+  // ---- entries of a session before this one
+  void add_earlier() {
+    if (facts_.options.after == nullptr) return;
+    const KeptFile& kept = facts_.options.after->compiled().kept->main();
+    kept.names.for_each([&](const KeptFile::Bucket& bucket) {
+      for (const KeptName& name : bucket) add_earlier(name);
+    });
+  }
+
+  // It can be seen everywhere, behind all that the text itself declares.
+  void add_earlier(const KeptName& kept) {
+    const Span text = facts_.files.back().program.span;
+    Symbol out{.name = kept.name, .declared = kept.declared, .is_typed = true, .of_file = true};
+    out.visible = {0, std::max(text.end, 1U), text.source};
+    out.scope = text.end + 1;
+    if (kept.variable != nullptr) out.type = kept.variable->type;
+    if (kept.import != nullptr) out.kind = NameKind::kModule;
+    if (kept.function != nullptr) {
+      const ast::FunctionStmt& node = *kept.function->node;
+      const std::uint32_t end =
+          node.body != nullptr ? node.body->span.begin : node.value->span.begin;
+      out.kind = NameKind::kFunction;
+      out.header = without_tail(slice(node.span.begin, end, node.span.source));
+      out.doc = node.doc;
+      out.function = &node;
+    }
+    if (kept.type != nullptr) add_type(kept, out);
+    facts_.symbols.push_back(out);
+  }
+
+  void add_type(const KeptName& kept, Symbol& out) const {
+    if (kept.type->is(Kind::kEnum)) {
+      out.kind = NameKind::kEnum;
+      out.values = kept.type;
+      return;
+    }
+    const KeptType* known =
+        facts_.options.after->compiled().kept->types.find(key_of(kept.type->record));
+    out.kind = NameKind::kStruct;
+    if (known == nullptr) return;
+    out.structure = known->node;
+    out.header = head(*known->node, known->node->name, 0);
   }
 
   void finish_symbols() {
@@ -279,7 +325,7 @@ class Indexer {
 
   void add_natives() {
     for (Learnt::NativeUse use : facts_.learnt.natives()) {
-      if (use.name.source != 0) continue;
+      if (use.name.source != facts_.main_source()) continue;
       std::string_view name = use.function->name;
       name.remove_prefix(name.rfind('.') + 1);
       std::string parameter;
@@ -304,7 +350,8 @@ class Indexer {
     for (const Learnt::Value& value : facts_.learnt.values()) {
       const auto [known, is_new] = facts_.type_of.try_emplace(value.written, value.type);
       if (!is_new && known->second->is(Kind::kAny)) known->second = value.type;
-      if (is_new && value.written->span.source == 0 && !value.written->span.empty())
+      if (is_new && value.written->span.source == facts_.main_source() &&
+          !value.written->span.empty())
         facts_.values.push_back({value.written->span, nullptr, value.written});
     }
     for (TypedSpan& value : facts_.values) value.type = facts_.type_of[value.written];
