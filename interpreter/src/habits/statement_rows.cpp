@@ -13,7 +13,6 @@ constexpr std::string_view kOneValue = "a function gives one value, which may be
 constexpr std::string_view kWholeFile = "a function is known in its whole file";
 constexpr std::string_view kNoMain = "a .rbt file runs from its first line";
 constexpr std::string_view kFromZero = "indexes stand in square brackets and count from 0";
-constexpr std::string_view kNoTypes = "the type of every value is known before the program runs";
 constexpr std::string_view kNamedSignals = "signals have names";
 constexpr std::string_view kJointSpeed =
     "without a setting the joints move as fast as they can; speed: 0.5 is half of that, time: 2s a "
