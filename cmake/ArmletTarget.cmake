@@ -25,10 +25,12 @@ function(armlet_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   # -Wno-...: g++ 12 sees overflows inside its own std::string (gcc.gnu.org/PR105329, PR105651).
+  # -Wno-pass-failed: clang says so where it does not unroll a loop that we would like to be unrolled.
   # Same bits on every machine: no fused multiply-add. Kernels start on a cache line.
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wno-missing-field-initializers
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>"
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed>
     -ffp-contract=off -falign-functions=64 $<$<BOOL:${ARMLET_WERROR}>:-Werror> ${ARMLET_COMPILE_OPTIONS})
   armlet_sanitize(${target})
 endfunction()
