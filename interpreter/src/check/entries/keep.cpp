@@ -139,13 +139,13 @@ class Keeper {
                                    ? static_cast<const void*>(type->record)
                                    : static_cast<const void*>(type->enumeration);
       kept_->types.set(key_of(info), {declared != nullptr ? declared->node : nullptr, &into});
-      main_.into.keeps_syntax = true;
+      main_.into.entry.keeps_syntax = true;
     }
     for (const auto& [name, function] : file.names.functions()) {
       KeptName kept{.name = name, .declared = function.node->name.span};
       kept.function = kept_form(function, into);
       set(std::move(kept));
-      main_.into.keeps_syntax = true;
+      main_.into.entry.keeps_syntax = true;
     }
     for (const TopLevel::Entry& entry : shared_.top_level.entries()) {
       const hir::Variable& variable = *entry.variable;
@@ -337,6 +337,6 @@ bool replaces_functions(const Checker& main) {
          });
 }
 
-void keep_names(Checker& main) { main.into.kept = Keeper(main).run(); }
+void keep_names(Checker& main) { main.into.entry.kept = Keeper(main).run(); }
 
 }  // namespace armlet::lang
