@@ -120,6 +120,8 @@ struct Facts {
   [[nodiscard]] const Learnt::NativeUse* native_at(std::uint32_t at) const;
   // The symbol declared there; null: none.
   [[nodiscard]] const Symbol* declared_at(Span name) const;
+  // Of by_symbol, those of one of `symbols`.
+  [[nodiscard]] std::span<const Reference> uses_of(const Symbol& symbol) const;
   // All that can be seen at a byte of the main text, innermost first; hidden ones are left out.
   [[nodiscard]] std::vector<const Symbol*> visible_at(std::uint32_t at) const;
   [[nodiscard]] const Symbol* visible_at(std::uint32_t at, std::string_view name) const;

@@ -200,11 +200,8 @@ std::optional<Span> Analysis::definition(std::uint32_t at) const {
 std::vector<Span> Analysis::references(std::uint32_t at) const {
   const lang::Symbol* symbol = lang::symbol_at(*facts_, facts_->place(at));
   if (symbol == nullptr) return {};
-  const auto index = static_cast<std::uint32_t>(symbol - facts_->symbols.data());
-  const auto uses =
-      std::ranges::equal_range(facts_->by_symbol, index, {}, &lang::Reference::symbol);
   std::vector<Span> out;
-  for (const lang::Reference& use : uses) out.push_back(use.name);
+  for (const lang::Reference& use : facts_->uses_of(*symbol)) out.push_back(use.name);
   return out;
 }
 

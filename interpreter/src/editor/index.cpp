@@ -15,6 +15,13 @@ constexpr std::size_t kLongestHeader = 160;  // bytes of a struct or enum that i
 
 auto position(Span span) { return std::tuple(span.source, span.begin); }
 
+// Of equal neighbours the first stays. (clang 14 cannot read std::ranges::unique of g++ 12.)
+template <typename T, typename Part>
+void keep_first(std::vector<T>& list, Part T::*part) {
+  const auto same = [part](const T& a, const T& b) { return a.*part == b.*part; };
+  list.erase(std::unique(list.begin(), list.end(), same), list.end());
+}
+
 // `text` without what stands between it and a body: blanks, `=>`, opening parentheses.
 std::string_view without_tail(std::string_view text) {
   const auto trim = [&](std::string_view what) {
@@ -287,8 +294,7 @@ class Indexer {
       return std::tuple(position(a.declared), !is_known(a)) <
              std::tuple(position(b.declared), !is_known(b));
     });
-    const auto same = std::ranges::unique(facts_.symbols, {}, &Symbol::declared);
-    facts_.symbols.erase(same.begin(), same.end());
+    keep_first(facts_.symbols, &Symbol::declared);
   }
 
   // ---- names
@@ -317,8 +323,7 @@ class Indexer {
     }
     std::ranges::stable_sort(facts_.references, {},
                              [](const Reference& r) { return position(r.name); });
-    const auto same = std::ranges::unique(facts_.references, {}, &Reference::name);
-    facts_.references.erase(same.begin(), same.end());
+    keep_first(facts_.references, &Reference::name);
     facts_.by_symbol = facts_.references;
     std::ranges::stable_sort(facts_.by_symbol, {}, &Reference::symbol);
   }
@@ -340,8 +345,7 @@ class Indexer {
       facts_.natives.push_back(use);
     }
     std::ranges::stable_sort(facts_.natives, {}, [](const auto& n) { return position(n.name); });
-    const auto same = std::ranges::unique(facts_.natives, {}, &Learnt::NativeUse::name);
-    facts_.natives.erase(same.begin(), same.end());
+    keep_first(facts_.natives, &Learnt::NativeUse::name);
   }
 
   // ---- values

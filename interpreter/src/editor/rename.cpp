@@ -60,10 +60,8 @@ Renaming renamed(const Facts& facts, std::uint32_t at, std::string_view name) {
     const int line = facts.compiled.sources->position(other->declared).line;
     return refuse(quoted + " is declared already, on line " + std::to_string(line));
   }
-  const auto index = static_cast<std::uint32_t>(symbol - facts.symbols.data());
   Renaming out;
-  for (const Reference& use :
-       std::ranges::equal_range(facts.by_symbol, index, {}, &Reference::symbol))
+  for (const Reference& use : facts.uses_of(*symbol))
     out.edits.push_back({use.name, std::string(name)});
   return out;
 }
