@@ -75,6 +75,21 @@ def check_files():
         check("what was saved runs", (run.returncode, run.stdout) == (0, "2\n"), run)
 
 
+def check_examples():
+    """A program that comes line by line prints what it prints as a file."""
+    folder = Path(__file__).resolve().parent.parent / "examples"
+    compared = 0
+    for path in sorted(folder.glob("*.rbt")):
+        text = path.read_text()
+        if re.search(r"^record\b", text, re.M):
+            continue  # it records what is behind it in its own text
+        whole = subprocess.run([ARMLET, "run", "--quiet", path.name], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+        lines = piped(text, folder=folder)
+        check(f"{path.name} line by line", lines.stdout == whole.stdout and (lines.returncode == 0) == (whole.returncode == 0), lines)
+        compared += 1
+    check("there are examples", compared > 20, compared)
+
+
 class Terminal:
     """A prompt in a terminal of its own."""
 
@@ -156,6 +171,7 @@ def check_terminal(home):
     terminal.expect(r"t = 1\.00 s", "the last line printed only")
     terminal.type("\x1b[A\x1b[A\n")
     terminal.expect(r"\n1 s", "the arrow key fetches an earlier line")
+    terminal.expect(r"rbt> ", "the prompt after that")
     check("Ctrl-D ends with 0", terminal.end() == 0)
 
     again = Terminal(home)
@@ -176,5 +192,6 @@ check_pipe()
 check_classic()
 check_commands()
 check_files()
+check_examples()
 with tempfile.TemporaryDirectory() as home_folder:
     check_terminal(home_folder)

@@ -173,8 +173,8 @@ std::vector<std::string> Program::declared_names(std::string_view type) const {
   return found == compiled_->names.declared.end() ? std::vector<std::string>() : found->second;
 }
 
-bool Program::is_entry() const { return compiled_->is_entry; }
-const std::shared_ptr<const Program>& Program::after() const { return compiled_->after; }
+bool Program::is_entry() const { return compiled_->entry.is_one; }
+const std::shared_ptr<const Program>& Program::after() const { return compiled_->entry.after; }
 
 std::string Program::disassemble() const { return lang::disassemble(*compiled_); }
 const Type* Program::library_record(std::string_view name) const {
@@ -187,8 +187,9 @@ const Type* Program::library_record(std::string_view name) const {
 namespace lang {
 
 CompiledProgram::CompiledProgram(const CompileOptions& options)
-    : is_entry(options.is_entry || options.after != nullptr), after(options.after) {
-  const CompiledProgram* const before = after != nullptr ? &after->compiled() : nullptr;
+    : entry{.is_one = options.is_entry || options.after != nullptr, .after = options.after} {
+  const CompiledProgram* const before =
+      options.after != nullptr ? &options.after->compiled() : nullptr;
   sources = std::make_shared<SourceSet>(before != nullptr ? before->sources : nullptr);
   arena = std::make_unique<Arena>();
   types = before != nullptr ? std::make_unique<TypePool>(before->types.get())
@@ -197,9 +198,9 @@ CompiledProgram::CompiledProgram(const CompileOptions& options)
 
 // One after the other: each would end the one before it, as deep as the session is long.
 CompiledProgram::~CompiledProgram() {
-  std::shared_ptr<const Program> last = std::move(after);
+  std::shared_ptr<const Program> last = std::move(entry.after);
   while (last != nullptr && last.use_count() == 1)
-    last = std::exchange(last->compiled().after, nullptr);
+    last = std::exchange(last->compiled().entry.after, nullptr);
 }
 
 }  // namespace lang

@@ -2,10 +2,13 @@
 // sooner without it.
 
 #include <histedit.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <utility>
@@ -27,6 +30,7 @@ struct EditLibrary {
   decltype(&::el_set) set = find<decltype(&::el_set)>("el_set");
   decltype(&::el_get) get = find<decltype(&::el_get)>("el_get");
   decltype(&::el_gets) gets = find<decltype(&::el_gets)>("el_gets");
+  decltype(&::el_resize) resize = find<decltype(&::el_resize)>("el_resize");
   decltype(&::el_line) line = find<decltype(&::el_line)>("el_line");
   decltype(&::el_insertstr) insert = find<decltype(&::el_insertstr)>("el_insertstr");
   decltype(&::el_deletestr) remove = find<decltype(&::el_deletestr)>("el_deletestr");
@@ -36,8 +40,9 @@ struct EditLibrary {
 
   [[nodiscard]] bool is_whole() const {
     return init != nullptr && end != nullptr && set != nullptr && get != nullptr &&
-           gets != nullptr && line != nullptr && insert != nullptr && remove != nullptr &&
-           history_init != nullptr && history_end != nullptr && history != nullptr;
+           gets != nullptr && resize != nullptr && line != nullptr && insert != nullptr &&
+           remove != nullptr && history_init != nullptr && history_end != nullptr &&
+           history != nullptr;
   }
 
  private:
@@ -101,6 +106,7 @@ class EditedLines final : public LineSource {
     edit_.set(line_, EL_PROMPT, &EditedLines::shown_prompt);
     edit_.set(line_, EL_EDITOR, "emacs");
     edit_.set(line_, EL_SIGNAL, 0);
+    edit_.set(line_, EL_GETCFN, &EditedLines::next_character);
     edit_.set(line_, EL_HIST, edit_.history, history_);
     edit_.set(line_, EL_ADDFN, "armlet-complete", "complete the word", &EditedLines::on_tab);
     edit_.set(line_, EL_BIND, "^I", "armlet-complete", nullptr);
@@ -115,6 +121,7 @@ class EditedLines final : public LineSource {
 
   std::optional<std::string> next(std::string_view prompt) override {
     prompt_ = prompt;
+    edit_.resize(line_);
     int count = 0;
     const char* text = edit_.gets(line_, &count);
     if (interrupted()) {
@@ -140,6 +147,7 @@ class EditedLines final : public LineSource {
  private:
   static EditedLines& of(EditLine* line);
   static char* shown_prompt(EditLine* line);
+  static int next_character(EditLine* line, wchar_t* character);
   static unsigned char on_tab(EditLine* line, int key);
   unsigned char complete();
 
@@ -159,6 +167,39 @@ EditedLines& EditedLines::of(EditLine* line) {
 }
 char* EditedLines::shown_prompt(EditLine* line) { return of(line).prompt_.data(); }
 unsigned char EditedLines::on_tab(EditLine* line, int /*key*/) { return of(line).complete(); }
+
+// A byte of the keyboard. Nothing: the input has ended, or Ctrl-C was pressed, wherever in here.
+std::optional<unsigned char> next_byte() {
+  sigset_t interrupts;
+  sigset_t before;
+  sigemptyset(&interrupts);
+  sigaddset(&interrupts, SIGINT);
+  sigprocmask(SIG_BLOCK, &interrupts, &before);
+  pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+  while (!interrupted() && ppoll(&input, 1, nullptr, &before) < 0 && errno == EINTR) {
+  }
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  unsigned char byte = 0;
+  if (interrupted() || read(STDIN_FILENO, &byte, 1) != 1) return std::nullopt;
+  return byte;
+}
+
+// UTF-8; what is none comes as a question mark.
+int EditedLines::next_character(EditLine* /*line*/, wchar_t* character) {
+  const auto first = next_byte();
+  if (!first) return interrupted() ? -1 : 0;
+  const int more = *first < 0xC0U ? 0 : *first < 0xE0U ? 1 : *first < 0xF0U ? 2 : 3;
+  unsigned code = more == 0 ? *first : *first & (0x3FU >> static_cast<unsigned>(more));
+  bool is_right = *first < 0x80U || more > 0;
+  for (int i = 0; i < more; ++i) {
+    const auto next = next_byte();
+    if (!next) return interrupted() ? -1 : 0;
+    is_right = is_right && (*next & 0xC0U) == 0x80U;
+    code = code << 6U | (*next & 0x3FU);
+  }
+  *character = is_right ? static_cast<wchar_t>(code) : L'?';
+  return 1;
+}
 
 unsigned char EditedLines::complete() {
   const LineInfo* info = edit_.line(line_);

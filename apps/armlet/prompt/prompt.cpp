@@ -295,7 +295,7 @@ bool can_edit_lines() {
 int prompt(const ProgramOptions& options) {
   Setup setup = make_setup(options, "");
   if (setup.exit != kDone) return setup.exit;
-  const bool interactive = isatty(STDIN_FILENO) != 0;
+  const bool interactive = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
   std::optional<StayOnInterrupt> stay;
   if (interactive) stay.emplace();
   Prompt session(std::move(setup.session), options.robot, interactive);

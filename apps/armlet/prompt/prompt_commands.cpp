@@ -55,9 +55,9 @@ bool show_errors(const Analysis& analysis) {
 
 bool show_type(Prompt& prompt, std::string_view expression) {
   if (show_errors(*prompt.session().analyse(std::string(expression), ":type"))) return false;
-  const auto analysis = prompt.session().analyse(fmt::format("let it = {}", expression), "line");
+  const auto analysis = prompt.session().analyse(fmt::format("let it = {}", expression), ":type");
   const std::vector<InlayHint> hints = analysis->inlay_hints();
-  if (hints.empty()) return refuse("that gives no value");
+  if (hints.size() != 1 || !analysis->diagnostics().empty()) return refuse("that is no value");
   say(hints.front().text.substr(2));
   return true;
 }

@@ -21,7 +21,7 @@ void check_top_level(Checker& checker) {
   checker.scopes.open_block();
   const ast::Seq<ast::Stmt*> written = checker.file.program.body;
   // A recording takes all statements behind it.
-  const bool shows = checker.into.is_entry && is_main_file(checker) && !written.empty() &&
+  const bool shows = checker.into.entry.is_one && is_main_file(checker) && !written.empty() &&
                      std::ranges::none_of(written, [](const ast::Stmt* stmt) {
                        return stmt->kind == ast::StmtKind::kRecord;
                      });
@@ -71,12 +71,13 @@ void check_functions(Checker& checker) {
 
 bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
                    const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt) {
-  const KeptNames* before = into.after != nullptr ? into.after->compiled().kept.get() : nullptr;
+  const KeptNames* before =
+      into.entry.after != nullptr ? into.entry.after->compiled().entry.kept.get() : nullptr;
   if (before == nullptr) registry.declare_records(*into.types);
   into.messages = &registry.messages();
   Shared shared(into, registry, before, sink);
   shared.learnt = learnt;
-  if (into.is_entry) shared.top_level.keep_all();
+  if (into.entry.is_one) shared.top_level.keep_all();
   std::deque<Checker> checkers;
   for (const FileTree& file : files)
     shared.files.push_back(&checkers.emplace_back(file, shared, into, registry, options, sink));
@@ -102,10 +103,10 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   for (Checker& file : checkers) refuse_active_statements(file);
   report_later(main);
   if (!sink.has_errors()) finish_usage(main);
-  if (options.open || into.is_entry) shared.top_level.open(into.sources->first());
+  if (options.open || into.entry.is_one) shared.top_level.open(into.sources->first());
   run_imports_first(main);
   finish(shared, into);
-  if (into.is_entry && !sink.has_errors()) keep_names(main);
+  if (into.entry.is_one && !sink.has_errors()) keep_names(main);
   return !sink.has_errors();
 }
 

@@ -46,7 +46,7 @@ class Loader {
         tree_(tree),
         options_(options),
         sink_(&sink),
-        kept_(options.after != nullptr ? options.after->compiled().kept.get() : nullptr),
+        kept_(options.after != nullptr ? options.after->compiled().entry.kept.get() : nullptr),
         main_file_(main_file),
         before_(before) {}
 

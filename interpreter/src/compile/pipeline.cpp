@@ -32,8 +32,8 @@ std::shared_ptr<const Program> build(const Registry& registry,
     sink.report(std::move(*too_large));
     return nullptr;
   }
-  if (compiled->keeps_syntax) compiled->syntax = std::move(tree);
-  if (compiled->is_entry) compiled->types->close();
+  if (compiled->entry.keeps_syntax) compiled->entry.syntax = std::move(tree);
+  if (compiled->entry.is_one) compiled->types->close();
   return std::make_shared<const Program>(std::move(compiled));
 }
 

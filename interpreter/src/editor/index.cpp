@@ -244,7 +244,7 @@ class Indexer {
   // ---- entries of a session before this one
   void add_earlier() {
     if (facts_.options.after == nullptr) return;
-    const KeptFile& kept = facts_.options.after->compiled().kept->main();
+    const KeptFile& kept = facts_.options.after->compiled().entry.kept->main();
     kept.names.for_each([&](const KeptFile::Bucket& bucket) {
       for (const KeptName& name : bucket) add_earlier(name);
     });
@@ -278,7 +278,7 @@ class Indexer {
       return;
     }
     const KeptType* known =
-        facts_.options.after->compiled().kept->types.find(key_of(kept.type->record));
+        facts_.options.after->compiled().entry.kept->types.find(key_of(kept.type->record));
     out.kind = NameKind::kStruct;
     if (known == nullptr) return;
     out.structure = known->node;

@@ -1,6 +1,7 @@
 #include "armlet/interpreter/type.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "armlet/interpreter/object.hpp"
@@ -148,20 +149,20 @@ std::string type_phrase(const Type* type) {
 }
 
 // What the pools of the entries before a program have made.
-struct lang::EarlierTypes {
+struct TypePool::Earlier {
   using Bucket = std::vector<const Type*>;
 
-  PersistentMap<Bucket> interned;      // by hash_of
-  PersistentMap<Bucket> tables;        // by hash_of_fields of their rows
-  PersistentMap<Bucket> made_records;  // by name
+  lang::PersistentMap<Bucket> interned;      // by hash_of
+  lang::PersistentMap<Bucket> tables;        // by hash_of_fields of their rows
+  lang::PersistentMap<Bucket> made_records;  // by name
 
-  static void add(PersistentMap<Bucket>& map, std::uint64_t key, const Type* type) {
+  static void add(lang::PersistentMap<Bucket>& map, std::uint64_t key, const Type* type) {
     const Bucket* known = map.find(key);
     Bucket longer = known != nullptr ? *known : Bucket();
     longer.push_back(type);
     map.set(key, std::move(longer));
   }
-  static const Bucket& find(const PersistentMap<Bucket>& map, std::uint64_t key) {
+  static const Bucket& find(const lang::PersistentMap<Bucket>& map, std::uint64_t key) {
     static const Bucket none;
     const Bucket* known = map.find(key);
     return known != nullptr ? *known : none;
@@ -191,13 +192,13 @@ void TypePool::name_basic_types() {
 
 void TypePool::close() {
   if (earlier_ != nullptr && interned_.empty() && tables_.empty() && made_records_.empty()) return;
-  auto all = earlier_ != nullptr ? std::make_shared<lang::EarlierTypes>(*earlier_)
-                                 : std::make_shared<lang::EarlierTypes>();
-  for (const auto& [hash, type] : interned_) lang::EarlierTypes::add(all->interned, hash, type);
+  auto all =
+      earlier_ != nullptr ? std::make_shared<Earlier>(*earlier_) : std::make_shared<Earlier>();
+  for (const auto& [hash, type] : interned_) Earlier::add(all->interned, hash, type);
   for (const auto& [columns, table] : tables_)
-    lang::EarlierTypes::add(all->tables, hash_of_fields(table->record->row->record->fields), table);
+    Earlier::add(all->tables, hash_of_fields(table->record->row->record->fields), table);
   for (const Type* record : made_records_)
-    lang::EarlierTypes::add(all->made_records, lang::key_of(record->record->name), record);
+    Earlier::add(all->made_records, lang::key_of(record->record->name), record);
   earlier_ = std::move(all);
 }
 
@@ -227,7 +228,7 @@ const Type* TypePool::new_record(std::string name) {
 
 const Type* TypePool::table(std::vector<RecordField> row) {
   if (earlier_ != nullptr) {
-    for (const Type* table : lang::EarlierTypes::find(earlier_->tables, hash_of_fields(row))) {
+    for (const Type* table : Earlier::find(earlier_->tables, hash_of_fields(row))) {
       if (have_same_fields(table->record->row->record->fields, row)) return table;
     }
   }
@@ -255,7 +256,7 @@ const Type* TypePool::new_table(std::vector<RecordField> row) {
 const Type* TypePool::open_table() {
   const Type* table = new_record("table");
   table->record->row = new_record("row");
-  tables_of_[table->record].push_back(&types_[types_.size() - 2]);
+  tables_of_[table->record].push_back(&*std::prev(types_.end(), 2));
   return table;
 }
 
@@ -289,7 +290,7 @@ const Type* TypePool::record_of(std::string_view name, std::vector<RecordField> 
     return known->record->name == name && have_same_fields(known->record->fields, fields);
   };
   if (earlier_ != nullptr) {
-    const auto& known = lang::EarlierTypes::find(earlier_->made_records, lang::key_of(name));
+    const auto& known = Earlier::find(earlier_->made_records, lang::key_of(name));
     if (const auto at = std::ranges::find_if(known, is_same); at != known.end()) return *at;
   }
   if (const auto at = std::ranges::find_if(made_records_, is_same); at != made_records_.end())
@@ -313,7 +314,7 @@ void TypePool::register_library_record(const Type* record) {
 
 const Type* TypePool::find(std::size_t hash, const Type& type) const {
   if (earlier_ != nullptr) {
-    for (const Type* known : lang::EarlierTypes::find(earlier_->interned, hash)) {
+    for (const Type* known : Earlier::find(earlier_->interned, hash)) {
       if (same(*known, type)) return known;
     }
   }

@@ -146,7 +146,7 @@ void Vm::begin(std::shared_ptr<const Program> entry) {
 }
 
 std::optional<EntryValue> Vm::shown() const {
-  const lang::ShownValue* shown = done_ == nullptr ? nullptr : &done_->compiled().shown;
+  const lang::ShownValue* shown = done_ == nullptr ? nullptr : &done_->compiled().entry.shown;
   if (shown == nullptr || shown->variable == nullptr || shown->is_hidden) return std::nullopt;
   const lang::hir::Variable& variable = *shown->variable;
   EntryValue value;

@@ -253,6 +253,7 @@ void Session::begin_cell(const std::shared_ptr<const Program>& program) {
   vm_.reset();
   host_ = make_host(true);
   host_->set_replaying(is_silent_);
+  names_objects_ = decides_picking_ = false;
   take_world(*program);
   fan_out_ = std::make_unique<FanOut>(options_.backends);
   if (!is_silent_) listen();
@@ -280,8 +281,9 @@ void Session::listen() {
 // The program that is about to run may name objects, and pick them by contact.
 void Session::take_world(const Program& program) {
   if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
-  host_->cell().set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
-                                    !program.mentions("release"));
+  names_objects_ = names_objects_ || program.mentions("insertObj");
+  decides_picking_ = decides_picking_ || program.mentions("grasp") || program.mentions("release");
+  host_->cell().set_contact_picking(names_objects_ && !decides_picking_);
 }
 
 // A program may end while a robot still slows down after a velocity command. Whether all stand.

@@ -163,6 +163,20 @@ TEST_CASE("the same lines in one text come to the same bits") {
   CHECK(a.world().at("cube").T_world_obj.matrix() == b.world().at("cube").T_world_obj.matrix());
 }
 
+TEST_CASE("a classic program carries an object when it is entered line by line") {
+  Typed enter;
+  for (const char* line :
+       {"insertObj(\"cube\");", "double[] pick = {0.61, 0.94, 0.11, -0.33};",
+        "moveJ('Syn', posJ([0.61, 0.94, 0.02, -0.33]), 2.0);", "moveJ('Syn', new posJ(pick), 1.0);",
+        "moveJ('Syn', posJ([0.61, 0.94, 0.02, -0.33]), 1.0);"})
+    enter(line);
+  CHECK(enter.session.host()->cell().robot(0).held == "cube");
+  enter("release()");
+  CHECK(enter.session.host()->cell().robot(0).held.empty());
+  enter.session.undo(1);
+  CHECK(enter.session.host()->cell().robot(0).held == "cube");
+}
+
 TEST_CASE("what runs once more is not heard, and writes no files") {
   const auto folder = std::filesystem::temp_directory_path() / "armlet_entries_test";
   std::filesystem::create_directories(folder);

@@ -21,6 +21,7 @@
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/foreign_name.hpp"
+#include "armlet/interpreter/host/compile_options.hpp"
 #include "armlet/interpreter/host/memory.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "armlet/interpreter/output.hpp"
@@ -34,51 +35,8 @@ class TypeDefinition;
 class Analysis;
 class MessageTables;
 class Value;
-struct WorldNames;
 template <class Signature>
 class ProgramFunction;
-
-struct ParseLimits {
-  std::uint32_t bytes = 16U << 20U;
-  std::uint32_t tokens = 4'000'000;
-  std::uint32_t nesting = 200;
-  int errors = 10;
-};
-
-class Program;
-
-// What a host answers to `import "path"`.
-struct ImportedText {
-  std::string name;                 // of the file in messages; one file has one name
-  std::optional<std::string> text;  // nothing: there is no such file, or it is not to be read
-  std::string why;                  // with no text: the reason, if there is more to say
-  std::vector<std::string> others;  // with no text: the paths that exist, for "did you mean"
-};
-// `path` is what the program says, `from` the name of the file that says it.
-using ModuleLoader = std::function<ImportedText(const std::string& path, const std::string& from)>;
-
-struct CompileOptions {
-  ParseLimits limits;
-  void* host = nullptr;  // handed to check rules
-  // What rules may know of the world by name (world_names.hpp); null: nothing.
-  std::shared_ptr<const WorldNames> world{};
-  ModuleLoader load;  // nothing can be imported without it
-  // For editors: the texts that a parameter of a library function may hold, as far as the host
-  // knows them, such as names of things in its world. Null: none.
-  std::function<std::vector<std::string>(const NativeFunction&, std::string_view parameter)> texts;
-  // The host can read and set the program's variables by name. Where nobody asks for them, those
-  // that only the top level uses lie in registers.
-  bool open = true;
-  // The text is an entry of a session: its names stay for entries behind it, and the value of an
-  // expression at its end is kept as `ans`.
-  bool is_entry = false;
-  // The newest entry of the session, in whose scope the text is compiled; it implies is_entry.
-  // Null: the text is the first one.
-  std::shared_ptr<const Program> after{};
-  // Set to true by the host, from any thread: compiling ends soon, without a program and with the
-  // message R0629 alone.
-  const std::atomic<bool>* cancelled = nullptr;
-};
 
 // A checked program. Shared by all who run it.
 class Program {

@@ -3,7 +3,7 @@
 // compared by address.
 
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <map>
 #include <memory>
 #include <string>
@@ -85,10 +85,6 @@ struct Type {
 // "a" or "an" for a word of the language.
 [[nodiscard]] std::string_view article(std::string_view word);
 
-namespace lang {
-struct EarlierTypes;
-}
-
 // Owns and interns the types of one program. That of an entry of a session has the types of the
 // entries before it too, which must outlive it.
 class TypePool {
@@ -136,14 +132,14 @@ class TypePool {
   const Type* new_table(std::vector<RecordField> row);
   void name_basic_types();
 
-  std::shared_ptr<const lang::EarlierTypes>
-      earlier_;  // of the entries before; null: there are none
-  std::deque<Type> types_;
+  struct Earlier;
+  std::shared_ptr<const Earlier> earlier_;  // of the entries before; null: there are none
+  std::list<Type> types_;
   std::unordered_multimap<std::size_t, const Type*> interned_;  // by what they are
   std::map<Columns, const Type*> tables_;                       // by the fields of their rows
   std::unordered_map<const RecordInfo*, std::vector<Type*>> tables_of_;  // open ones, and joined
-  std::deque<RecordInfo> records_;
-  std::deque<EnumInfo> enums_;
+  std::list<RecordInfo> records_;
+  std::list<EnumInfo> enums_;
   std::shared_ptr<const std::vector<const Type*>> library_records_;
   std::vector<const Type*> made_records_;  // by record_of
   const Type *any_, *void_, *bool_, *int_, *real_, *text_, *matrix_;

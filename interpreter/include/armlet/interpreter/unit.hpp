@@ -90,6 +90,6 @@ struct DisplayUnit {
   std::string name;
   double factor = 1.0;
 };
-[[nodiscard]] DisplayUnit display_unit(Dim dim, double si_value);
+[[nodiscard]] DisplayUnit display_unit(Dim dim, double si);
 
 }  // namespace armlet

@@ -43,9 +43,10 @@ class Keeper {
     number_globals();
     number_functions();
     for (Checker* file : shared_.files) {
-      file->kept_file = &kept_->files.emplace_back();
+      file->kept_file = kept_->files.emplace_back(std::make_unique<KeptFile>()).get();
     }
-    for (std::size_t i = 0; i < shared_.files.size(); ++i) keep(*shared_.files[i], kept_->files[i]);
+    for (std::size_t i = 0; i < shared_.files.size(); ++i)
+      keep(*shared_.files[i], *kept_->files[i]);
     keep_grown();
     keep_ambient();
     keep_blocks();
@@ -127,7 +128,7 @@ class Keeper {
       set(std::move(kept));
     }
     for (const FileTree::Import& import : file.file.imports) {
-      const KeptFile* from = import.file >= 0 ? &kept_->files[import.file] : import.kept;
+      const KeptFile* from = import.file >= 0 ? kept_->files[import.file].get() : import.kept;
       if (from != nullptr) into.imports.push_back({path_of(*import.statement), from});
     }
     for (const auto& [name, type] : file.names.types()) {
@@ -139,13 +140,13 @@ class Keeper {
                                    ? static_cast<const void*>(type->record)
                                    : static_cast<const void*>(type->enumeration);
       kept_->types.set(key_of(info), {declared != nullptr ? declared->node : nullptr, &into});
-      main_.into.keeps_syntax = true;
+      main_.into.entry.keeps_syntax = true;
     }
     for (const auto& [name, function] : file.names.functions()) {
       KeptName kept{.name = name, .declared = function.node->name.span};
       kept.function = kept_form(function, into);
       set(std::move(kept));
-      main_.into.keeps_syntax = true;
+      main_.into.entry.keeps_syntax = true;
     }
     for (const TopLevel::Entry& entry : shared_.top_level.entries()) {
       const hir::Variable& variable = *entry.variable;
@@ -184,7 +185,7 @@ class Keeper {
   // Functions of earlier entries have new forms now.
   void keep_grown() {
     for (const Earlier::Grown& grown : shared_.earlier.grown()) {
-      KeptFile& file = kept_->files.back();
+      KeptFile& file = *kept_->files.back();
       const KeptName* known = file.find(grown.from->node->name.text);
       if (known == nullptr || known->function != grown.from) continue;
       KeptName kept = *known;
@@ -241,7 +242,7 @@ class Keeper {
       for (const hir::Function* called : use.calls) add_user(use_key(*called), function->name);
     }
     // Forms that calls of later entries will ask for, and defaults, mention what their texts say.
-    const KeptFile& file = kept_->files.back();
+    const KeptFile& file = *kept_->files.back();
     for (const auto& [name, function] : main_.names.functions())
       note_words(file, function.node->span, name);
     for (const auto& [name, type] : main_.names.types())
@@ -259,7 +260,7 @@ class Keeper {
   // Whether it goes on running: a function that later entries can call, or an armed block.
   [[nodiscard]] bool lives_on(std::string_view user) const {
     if (user.starts_with("when ") || user.starts_with("every ")) return true;
-    const KeptName* kept = kept_->files.back().find(user);
+    const KeptName* kept = kept_->files.back()->find(user);
     return kept != nullptr && kept->function != nullptr && !declared_.contains(user);
   }
 
@@ -294,7 +295,7 @@ class Keeper {
     }
     const std::string name(old.name);
     Diagnostic advice =
-        make_diagnostic("W0719", kept_->files.back().find(name)->declared, {name, who});
+        make_diagnostic("W0719", kept_->files.back()->find(name)->declared, {name, who});
     advice.related.push_back({old.declared, "the earlier one"});
     const std::string again = "declare " + in_backticks(*users.begin()) + " again too";
     advice.fix =
@@ -337,6 +338,6 @@ bool replaces_functions(const Checker& main) {
          });
 }
 
-void keep_names(Checker& main) { main.into.kept = Keeper(main).run(); }
+void keep_names(Checker& main) { main.into.entry.kept = Keeper(main).run(); }
 
 }  // namespace armlet::lang

@@ -6,7 +6,6 @@
 // entry. What it refers to belongs to the programs before it, which a program keeps alive.
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -80,7 +79,7 @@ struct KeptAmbient {
 };
 
 struct KeptNames {
-  std::deque<KeptFile> files;                            // of this entry; the main one last
+  std::vector<std::unique_ptr<KeptFile>> files;          // of this entry; the main one last
   PersistentMap<KeptType> types;                         // by the address of the record or enum
   PersistentMap<std::vector<const KeptFile*>> imported;  // by name of the file
   std::shared_ptr<const std::vector<KeptAmbient>> ambient;
@@ -91,7 +90,7 @@ struct KeptNames {
   std::uint32_t globals = 0;
   std::vector<std::uint32_t> free_globals;  // numbers below that which are free again
 
-  [[nodiscard]] const KeptFile& main() const { return files.back(); }
+  [[nodiscard]] const KeptFile& main() const { return *files.back(); }
 };
 
 [[nodiscard]] inline std::uint64_t use_key(const hir::Variable& global) { return global.index; }

@@ -28,7 +28,8 @@ hir::Stmt* keep_answer(Checker& checker, const ast::Stmt& stmt, hir::Expr* value
   answer->init = value;
   auto* init = checker.make<hir::InitStmt>(hir::StmtKind::kInit, stmt.span, answer, value);
   checker.shared.top_level.add(answer, init, std::move(used));
-  checker.into.shown = {answer, false, has_semicolon(checker, value->span.end, stmt.span.source)};
+  checker.into.entry.shown = {answer, false,
+                              has_semicolon(checker, value->span.end, stmt.span.source)};
   return init;
 }
 
@@ -37,8 +38,9 @@ void show_declared(Checker& checker, const ast::VarStmt& stmt) {
   const ast::Declarator& declarator = stmt.declarators[0];
   for (const TopLevel::Entry& entry : checker.shared.top_level.entries()) {
     if (entry.variable->declared == declarator.name.span)
-      checker.into.shown = {entry.variable, true,
-                            has_semicolon(checker, declarator.init->span.end, stmt.span.source)};
+      checker.into.entry.shown = {
+          entry.variable, true,
+          has_semicolon(checker, declarator.init->span.end, stmt.span.source)};
   }
 }
 

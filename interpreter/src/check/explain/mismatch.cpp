@@ -107,6 +107,13 @@ bool is_made_from(Checker& checker, const Type* wanted, const Type* value) {
 
 }  // namespace
 
+// A session can declare a name again.
+std::string namesakes(const Type* one, const Type* other) {
+  const std::string name = type_name(one);
+  if (one == other || name != type_name(other)) return {};
+  return "`" + name + "` was declared again, and a value keeps the type that it was made with";
+}
+
 hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& target) {
   const Type* have = value.type;
   const Type* want = target.type;
@@ -140,6 +147,7 @@ hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& targ
   } else if (is_handed_over(target)) {
     Diagnostic diagnostic = make_diagnostic(
         "E0313", value.span, {std::string(target.function), type_phrase(want), type_phrase(have)});
+    diagnostic.why = namesakes(want, have);
     if (want->is(Kind::kHost) && is_made_from(checker, want, have)) {
       const std::string made =
           std::string(want->host->name) + '(' + checker.text_of(value.span) + ')';
@@ -149,6 +157,7 @@ hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& targ
   } else {
     Diagnostic diagnostic =
         make_diagnostic("E0315", value.span, {type_phrase(want), type_phrase(have)});
+    diagnostic.why = namesakes(want, have);
     if (want->is(Kind::kMatrix)) diagnostic.fix = matrix_from_list_fix(checker, value);
     checker.report(std::move(diagnostic));
   }

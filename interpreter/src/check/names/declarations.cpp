@@ -246,7 +246,7 @@ void look_ahead(Checker& checker, const ast::Block& program) {
   std::set<std::string_view> changed = sights.changed;
   // Later entries may change what this one does not.
   for (const ast::Stmt* stmt : program.body) {
-    if (!checker.into.is_entry || stmt->kind != ast::StmtKind::kVar) continue;
+    if (!checker.into.entry.is_one || stmt->kind != ast::StmtKind::kVar) continue;
     const auto& declaration = stmt->as<ast::VarStmt>();
     for (const ast::Declarator& at : declaration.declarators)
       if (!declaration.fixed) changed.insert(at.name.text);

@@ -245,9 +245,11 @@ hir::Expr* check_list(Checker& checker, const ast::Expr& expr, ast::Seq<ast::Exp
     if (wanted != nullptr) continue;
     element = widest == nullptr ? values[0]->type : common_type(checker, *widest, *values.back());
     if (element == nullptr) {
-      checker.report(
+      Diagnostic diagnostic =
           make_diagnostic("E0330", values.back()->span,
-                          {type_phrase(widest->type), type_phrase(values.back()->type)}));
+                          {type_phrase(widest->type), type_phrase(values.back()->type)});
+      diagnostic.why = namesakes(widest->type, values.back()->type);
+      checker.report(std::move(diagnostic));
       return checker.failed(expr.span);
     }
     if (widest == nullptr || element != widest->type) widest = values.back();

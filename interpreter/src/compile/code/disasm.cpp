@@ -40,7 +40,7 @@ std::string operands_text(const Instr& instr, std::size_t pc) {
 
 // Of entries only the own functions have a name here.
 std::string function_name(const CompiledProgram& program, std::uint32_t number) {
-  if (!program.is_entry) return program.functions[number].name;
+  if (!program.entry.is_one) return program.functions[number].name;
   const auto found = std::ranges::find_if(
       program.functions, [&](const FunctionCode& code) { return code.function->index == number; });
   return found == program.functions.end() ? std::string() : found->name;

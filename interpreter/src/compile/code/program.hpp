@@ -104,6 +104,13 @@ struct AssertInfo {
   std::vector<std::uint16_t> registers;  // of the shown parts
 };
 
+// Statements that instructions refer to by number.
+struct NotedStatements {
+  std::vector<AssertInfo> asserts{};
+  std::vector<const hir::AssertThrowsStmt*> expects{};
+  std::vector<const hir::WaitUntilStmt*> waits{};
+};
+
 // The last statement of an entry, if it has a value to be shown.
 struct ShownValue {
   const hir::Variable* variable = nullptr;  // which has the value; null: there is none
@@ -119,6 +126,16 @@ struct UsedNames {
 };
 
 struct KeptNames;
+
+// What an entry of a session has besides.
+struct EntryParts {
+  bool is_one = false;
+  mutable std::shared_ptr<const Program> after;  // the entry before; null: there is none
+  std::unique_ptr<Arena> syntax;  // of functions and structs, which later calls check
+  bool keeps_syntax = false;
+  std::unique_ptr<const KeptNames> kept;
+  ShownValue shown;
+};
 
 struct CompiledProgram {
   CompiledProgram() : CompiledProgram(CompileOptions{}) {}
@@ -139,21 +156,12 @@ struct CompiledProgram {
   std::vector<RecordLayout> layouts;
   std::vector<std::vector<std::uint16_t>> layout_references;
   std::vector<Format> formats;
-  std::vector<AssertInfo> asserts;
-  std::vector<const hir::AssertThrowsStmt*> expects;
-  std::vector<const hir::WaitUntilStmt*> waits;
+  NotedStatements noted;
   UnsetElements unset;
   UsedNames names;
   std::string what_takes_time;              // in the words of the host: "wait or move"
   const MessageTables* messages = nullptr;  // of the engine, which outlives the program
-
-  // ---- entries of sessions
-  bool is_entry = false;
-  mutable std::shared_ptr<const Program> after;  // the entry before; null: there is none
-  std::unique_ptr<Arena> syntax;  // of functions and structs, which later calls check
-  bool keeps_syntax = false;
-  std::unique_ptr<const KeptNames> kept;
-  ShownValue shown;
+  EntryParts entry;
 
   CompiledProgram(const CompiledProgram&) = delete;
   CompiledProgram& operator=(const CompiledProgram&) = delete;

@@ -55,15 +55,15 @@ std::uint32_t Tables::format(const Format& format) {
 }
 
 std::uint32_t Tables::add_assert(const hir::AssertStmt& statement) {
-  return append(program_.asserts, AssertInfo{&statement, {}}, "assertions");
+  return append(program_.noted.asserts, AssertInfo{&statement, {}}, "assertions");
 }
 
 std::uint32_t Tables::add_expect(const hir::AssertThrowsStmt& statement) {
-  return append(program_.expects, &statement, "assertions");
+  return append(program_.noted.expects, &statement, "assertions");
 }
 
 std::uint32_t Tables::add_wait(const hir::WaitUntilStmt& statement) {
-  return append(program_.waits, &statement, "waits");
+  return append(program_.noted.waits, &statement, "waits");
 }
 
 void Tables::finish() {

@@ -79,7 +79,8 @@ void choose_plain_calls(CompiledProgram& program) {
   for (FunctionCode& function : program.functions) {
     for (Instr& instr : function.code) {
       // What replaces the function of an entry may be less plain.
-      if (instr.op == OpCode::CALL && !program.is_entry && is_plain(program.functions[instr.b])) {
+      if (instr.op == OpCode::CALL && !program.entry.is_one &&
+          is_plain(program.functions[instr.b])) {
         instr.op = OpCode::CALLPLAIN;
       }
       const bool just_computed = instr.op == OpCode::RET_A;
@@ -101,10 +102,10 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
   if (std::ranges::any_of(module.globals, too_many)) {
     throw TooLarge{module.main->span, "variables of the program", UINT16_MAX};
   }
-  program.unset = program.is_entry ? UnsetElements::anything() : UnsetElements(module.unset);
+  program.unset = program.entry.is_one ? UnsetElements::anything() : UnsetElements(module.unset);
   Tables tables(program);
   // Functions of an entry can be replaced, so they do not stand in place of their calls.
-  if (options.optimise && !program.is_entry) tables.inline_calls(inlined_functions(module));
+  if (options.optimise && !program.entry.is_one) tables.inline_calls(inlined_functions(module));
   if (options.optimise) mark_adopted_parameters(module);
   std::size_t instructions = 0;
   program.functions.reserve(module.functions.size());

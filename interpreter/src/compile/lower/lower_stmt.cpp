@@ -79,7 +79,8 @@ void statement(Lowering& in, const Stmt& s) {
 void block(Lowering& in, const Block& b) {
   const Emitter::Mark mark = in.code.mark();
   // What an entry watches at its top level is watched while later entries run, too.
-  const bool lives_on = in.tables.program().is_entry && in.is_program() && &b == in.function.body;
+  const bool lives_on =
+      in.tables.program().entry.is_one && in.is_program() && &b == in.function.body;
   if (!lives_on && std::ranges::any_of(b.body, starts_watching)) {
     watched_block(in, b.body);
   } else {

@@ -52,7 +52,7 @@ static const ClosureReferences& references_of(const ClosureObj& closure, std::ui
 }
 
 Heap::~Heap() {
-  for (std::byte* chunk : chunks_) return_block(chunk, kChunk);
+  for (std::size_t i = 0; i < chunks_.size(); ++i) return_block(chunks_[i], size_of_chunk(i));
 }
 
 void* Heap::take_slowly(std::size_t units) {
@@ -112,11 +112,12 @@ void* Heap::carve(std::size_t units) {
   if (static_cast<std::size_t>(chunk_end_ - chunk_at_) < bytes) {
     // Nothing is lost when that throws.
     if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 1);
-    auto* chunk = static_cast<std::byte*>(reserve(kChunk));
+    const std::size_t size = size_of_chunk(chunks_.size());
+    auto* chunk = static_cast<std::byte*>(reserve(size));
     if (chunk == nullptr) return nullptr;
     chunks_.push_back(chunk);
     chunk_at_ = chunk;
-    chunk_end_ = chunk + kChunk;
+    chunk_end_ = chunk + size;
   }
   void* block = chunk_at_;
   chunk_at_ += bytes;

@@ -3,9 +3,10 @@
 // What the heap has from the system stays within 1 % and one chunk of that limit, also when free
 // blocks of one size are of no use for another.
 //
-// Small blocks come from free lists, one per size; large ones from the system or from the host. Destroying an object
-// never recurses: dead objects wait in a list threaded through their own headers. Of many only some
-// are freed at once, the others when the next ones die or memory is needed.
+// Small blocks come from free lists, one per size; large ones from the system or from the host.
+// Destroying an object never recurses: dead objects wait in a list threaded through their own
+// headers. Of many only some are freed at once, the others when the next ones die or memory is
+// needed.
 
 #include <cstddef>
 #include <cstdint>
@@ -153,6 +154,8 @@ class Heap {
   static constexpr std::uint64_t kReserve = 64 * 1024;
   static constexpr std::size_t kReclaimed = 1024;  // dead objects that are freed in one go
 
+  // Of chunk number i, from 4 kB on: what does little takes little.
+  static std::size_t size_of_chunk(std::size_t i) { return i < 4 ? kChunk >> (4 - i) : kChunk; }
   static std::size_t units_of(std::size_t bytes) { return (bytes + kUnit - 1) / kUnit; }
   // While allocations are counted for a test, the fast way is shut.
   void close_gate() { gate_ = refuse_from_ != 0 ? 0 : limit_; }

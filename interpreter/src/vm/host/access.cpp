@@ -53,12 +53,12 @@ std::vector<std::string_view> names_of(const Things& things) {
 // Those of the main file; in a session each by its newest declaration, whichever entry has it.
 std::vector<const hir::Function*> open_functions(const CompiledProgram& program) {
   std::vector<const hir::Function*> out;
-  if (program.kept == nullptr) {
+  if (program.entry.kept == nullptr) {
     for (const hir::Function* function : program.module.functions)
       if (is_of_main_file(program, *function)) out.push_back(function);
     return out;
   }
-  program.kept->main().names.for_each([&](const KeptFile::Bucket& bucket) {
+  program.entry.kept->main().names.for_each([&](const KeptFile::Bucket& bucket) {
     for (const KeptName& kept : bucket) {
       if (kept.function == nullptr) continue;
       for (const KeptInstance& form : kept.function->instances) out.push_back(form.function);
@@ -72,13 +72,13 @@ std::vector<const hir::Function*> open_functions(const CompiledProgram& program)
 std::vector<const hir::Variable*> open_globals(const VmState& state) {
   std::vector<const hir::Variable*> out;
   const CompiledProgram& program = *state.newest;
-  if (program.kept == nullptr) {
+  if (program.entry.kept == nullptr) {
     for (const hir::Variable* variable : program.module.globals)
       if (variable->is_open) out.push_back(variable);
     std::ranges::reverse(out);
     return out;
   }
-  program.kept->main().names.for_each([&](const KeptFile::Bucket& bucket) {
+  program.entry.kept->main().names.for_each([&](const KeptFile::Bucket& bucket) {
     for (const KeptName& kept : bucket)
       if (kept.variable != nullptr) out.push_back(kept.variable);
   });
@@ -89,7 +89,7 @@ std::vector<const hir::Variable*> open_globals(const VmState& state) {
 }
 
 const hir::Variable& require_global(const VmState& state, std::string_view name) {
-  if (const KeptNames* kept = state.newest->kept.get()) {
+  if (const KeptNames* kept = state.newest->entry.kept.get()) {
     const KeptName* known = kept->main().find(name);
     if (known != nullptr && known->variable != nullptr) {
       require_set(state, *known->variable);

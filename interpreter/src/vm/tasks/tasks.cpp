@@ -78,11 +78,11 @@ Exit Scheduler::run_program() {
 Exit Scheduler::finished(Exit exit) {
   if (exit != Exit::kDone) return exit;
   while (state_.main.top > state_.main.frames) leave_frame(state_, state_.main);
-  return !state_.newest->is_entry || end_entry(state_) ? Exit::kDone : Exit::kPaused;
+  return !state_.newest->entry.is_one || end_entry(state_) ? Exit::kDone : Exit::kPaused;
 }
 
 void Scheduler::end() {
-  if (state_.newest->is_entry) {
+  if (state_.newest->entry.is_one) {
     tree_.rest();
   } else {
     tree_.abandon(state_.main);
@@ -210,7 +210,7 @@ Exit Scheduler::resume(Task& task) {
       fault = std::move(branch);
   }
   const std::size_t ending = std::exchange(task.ending, kNoRegion);
-  const bool is_end_of_entry = &task == &state_.main && ending == 0 && state_.newest->is_entry;
+  const bool is_end_of_entry = &task == &state_.main && ending == 0 && state_.newest->entry.is_one;
   if (ending != kNoRegion && !is_end_of_entry) tree_.close_regions(task, ending);
   Slot nowhere{.i = 0};
   bool failed = fault != nullptr;

@@ -168,12 +168,14 @@ class Session {
   std::unique_ptr<FanOut> fan_out_;
   std::unique_ptr<Vm> vm_;
   RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
-  bool is_under_way_ = false;  // a run has begun and not ended
-  bool is_entry_ = false;      // what was compiled last was submitted
-  bool is_silent_ = false;     // what runs has been heard before
-  Entry entry_{};              // under way, or about to run
-  std::vector<Entry> log_;     // entries that have run to their end
-  std::size_t done_ = 0;       // of these; the others were undone
+  bool is_under_way_ = false;     // a run has begun and not ended
+  bool is_entry_ = false;         // what was compiled last was submitted
+  bool is_silent_ = false;        // what runs has been heard before
+  Entry entry_{};                 // under way, or about to run
+  std::vector<Entry> log_;        // entries that have run to their end
+  std::size_t done_ = 0;          // of these; the others were undone
+  bool names_objects_ = false;    // by insertObj, in what has run in the cell
+  bool decides_picking_ = false;  // by grasp or release
   // What the world holds, which is one for all programs, and the messages of its text.
   std::shared_ptr<const WorldNames> world_names_;
   std::vector<Problem> world_problems_;

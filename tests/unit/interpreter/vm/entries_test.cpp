@@ -29,6 +29,7 @@ class Entries {
     options.after = newest_;
     const Compilation made = engine_.compile(text, "[" + std::to_string(++count_) + "]", options);
     for (const Diagnostic& d : made.diagnostics) {
+      why_ = d.why;
       if (d.severity == Severity::kError) return d.code + ": " + d.message;
       advice_ += d.code + ": " + d.message;
     }
@@ -49,6 +50,8 @@ class Entries {
   }
 
   [[nodiscard]] const std::string& advice() const { return advice_; }
+  // Of the last message.
+  [[nodiscard]] const std::string& why() const { return why_; }
   [[nodiscard]] Vm& vm() { return *vm_; }
   [[nodiscard]] const std::shared_ptr<const Program>& newest() const { return newest_; }
 
@@ -58,6 +61,7 @@ class Entries {
   std::unique_ptr<Vm> vm_;
   std::string printed_;
   std::string advice_;
+  std::string why_;
   int count_ = 0;
 };
 
@@ -112,6 +116,29 @@ TEST_CASE("a name may be declared again") {
   CHECK(enter("speed") == "9  int");
   CHECK(enter("let f = 5") == "f = 5  int");
   CHECK(enter("f") == "5  int");
+}
+
+TEST_CASE("values of a struct that was declared again keep their type") {
+  const Engine engine;
+  Entries enter(engine);
+  enter("struct Part { w: int }");
+  enter("let a = Part(w: 2)\nfn show(p: Part) -> int { return p.w }");
+  enter("struct Part { w: int, n: int }");
+  CHECK(enter("show(a)") == "2  int");
+  CHECK(enter("a.w") == "2  int");
+  CHECK(enter("Part(w: 3, n: 4).n") == "4  int");
+  CHECK(enter("let c: Part = a").starts_with("E0315"));
+  CHECK(enter.why() ==
+        "`Part` was declared again, and a value keeps the type that it was made with");
+  CHECK(enter("show(Part(w: 3, n: 4))").starts_with("E0313"));
+  CHECK(enter("[a, Part(w: 3, n: 4)]").starts_with("E0330"));
+  CHECK(enter.why().find("declared again") != std::string::npos);
+  enter("enum Side { left, right }");
+  enter("let s = Side.left");
+  enter("enum Side { up, down }");
+  CHECK(enter("let r: Side = s").starts_with("E0315"));
+  CHECK(enter.why().find("declared again") != std::string::npos);
+  CHECK(enter("s") == "Side.left  Side");
 }
 
 TEST_CASE("what does not compile or fails changes nothing") {
