@@ -30,11 +30,14 @@ struct CellOptions {
 // A robot of the cell: what it is and the state it is in.
 //
 // motion    what it executes; nothing while it stands still.
+// loaded    the model with the payload and with what its hand carries: the arm of dynamics. It is
+//           `model` itself while nothing with a mass is carried.
 // held      name of the object its hand is closed on; empty if none.
 // p_picked  where that object was when it was picked up, in the world.
 struct CellRobot {
   std::string name;
   std::shared_ptr<const Robot> model;  // shared with catalogues and planners; it never changes
+  std::shared_ptr<const Robot> loaded{};
   Eigen::VectorXd q, qd, qdd;          // rad or m and their derivatives
   std::optional<Motion> motion{};
   int motion_id = -1;
@@ -207,6 +210,8 @@ class Cell {
   CellRobot& state(int index);
   int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
   void bring_to_now();
+  // Brings `loaded` of all robots up to date after a change of what hands carry.
+  void weigh_loads();
   // motion  that the robot executes or has just ended; -1: it stands without one.
   void publish(int index, int motion = -1);
   void publish_object(std::string_view name);
