@@ -85,6 +85,9 @@ class OdeIntegrator {
   OdeOutcome advance(const OdeRate& rate, double t, double h, std::span<double> y,
                      std::optional<double> horizon = {});
 
+  // The rate function is another one from now on: nothing that is known of the last step holds.
+  void restart() { step_.is_known = knows_first_ = false; }
+
   // How often the rate function has been called.
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
