@@ -83,7 +83,7 @@ void Cell::set_model(int index, std::shared_ptr<const Robot> model) {
   if (model == nullptr) throw ArgumentError("A robot of the cell needs a model.");
   CellRobot& changed = state(index);
   check_size("model", model->n(), changed.model->n());
-  if (changed.motion) {
+  if (changed.motion && changed.forces.size() == 0) {
     throw ArgumentError(fmt::format("\"{}\" is moving; it cannot be exchanged now.", changed.name));
   }
   changed.model = std::move(model);

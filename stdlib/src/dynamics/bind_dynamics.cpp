@@ -118,12 +118,25 @@ Answer<double> kinetic_of(Vm& vm, const RobotRef& r, Q values, JointList rates) 
 
 Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
   const CellRobot& state = state_of(vm, r);
+  if (state.forces.size() != 0) return JointVector(state.forces);
   return dynamics_of<JointVector>(
       vm, [&] { return inverse_dynamics(*state.loaded, state.q, state.qd, state.qdd); });
 }
 
+// As exchange_model, also of an arm that moves under torques.
+template <class Make>
+Answer<void> exchange_masses(Vm& vm, const RobotRef& r, const Make& make) {
+  if (state_of(vm, r).forces.size() == 0) return exchange_model(vm, r, make);
+  try {
+    Host::of(vm).cell().set_model(r.id, std::make_shared<const Robot>(make(model_of(vm, r))));
+    return {};
+  } catch (const ArgumentError& error) {
+    return failure_of(vm, row("R0630"), error, 1);
+  }
+}
+
 Answer<void> set_payload(Vm& vm, const RobotRef& r, double mass, const PosC* at) {
-  return exchange_model(vm, r, [&](const Robot& robot) {
+  return exchange_masses(vm, r, [&](const Robot& robot) {
     Payload payload;
     payload.mass = mass;
     if (at != nullptr) payload.com = at->T.translation();
@@ -143,7 +156,7 @@ Answer<void> set_link(Vm& vm, const RobotRef& r, std::int64_t joint, std::option
       !read_friction(vm, friction, 5, link)) {
     return Failed{};
   }
-  return exchange_model(vm, r, [&](const Robot& now) { return now.with_link(i, link); });
+  return exchange_masses(vm, r, [&](const Robot& now) { return now.with_link(i, link); });
 }
 
 constexpr std::string_view kInverse =

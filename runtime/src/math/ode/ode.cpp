@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "ode_vectors.hpp"
 
 namespace armlet {
