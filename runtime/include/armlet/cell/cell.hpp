@@ -111,7 +111,8 @@ class Cell {
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
 
   // Exchanges what a robot is, for example its tool point; what it holds stays where it is.
-  // throws  ArgumentError while it moves, but for a motion under forces, whose next piece is that of
+  // throws  ArgumentError while it moves, but for a motion under forces, whose next piece is that
+  // of
   //         the new model; or if the number of joints differs.
   void set_model(int robot, std::shared_ptr<const Robot> model);
 
