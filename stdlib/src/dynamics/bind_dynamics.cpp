@@ -114,6 +114,30 @@ Answer<double> kinetic_of(Vm& vm, const RobotRef& r, Q values, JointList rates) 
   return of_motion<double>(vm, r, values, rates, kinetic_energy);
 }
 
+// ---- as the arm moves now
+
+template <class Result, class Law>
+Answer<Result> now(Vm& vm, const RobotRef& r, const Law& law) {
+  const CellRobot& state = state_of(vm, r);
+  return dynamics_of<Result>(vm, [&] { return law(*state.loaded, state); });
+}
+
+Answer<JointMatrix> mass_now(Vm& vm, const RobotRef& r) {
+  return now<JointMatrix>(vm, r, [](const Robot& robot, const CellRobot& state) {
+    return mass_matrix(robot, state.q);
+  });
+}
+Answer<JointMatrix> coriolis_now(Vm& vm, const RobotRef& r) {
+  return now<JointMatrix>(vm, r, [](const Robot& robot, const CellRobot& state) {
+    return coriolis_matrix(robot, state.q, state.qd);
+  });
+}
+Answer<JointVector> gravity_now(Vm& vm, const RobotRef& r) {
+  return now<JointVector>(vm, r, [](const Robot& robot, const CellRobot& state) {
+    return gravity_forces(robot, state.q);
+  });
+}
+
 // ---- what the arm carries
 
 Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
@@ -215,6 +239,15 @@ constexpr NativeFunction kDynamicsFunctions[] = {
     def<potential_of<JointList>>("potentialEnergy(r: robot, q: double[]) -> energy", kPotential,
                                  "potentialEnergy([0.0, 0.5, 0.1, 0.0])",
                                  {.check = check_joint_list<1>}),
+    def<mass_now>("massMatrix(r: robot) -> matrix",
+                  "The inertia matrix where the arm is now, with what its hand holds.",
+                  "massMatrix()"),
+    def<coriolis_now>("coriolis(r: robot) -> matrix",
+                      "The matrix of Christoffel symbols where the arm is now, at its speeds.",
+                      "coriolis()"),
+    def<gravity_now>("gravity(r: robot) -> double[]",
+                     "The joint forces that hold the arm still where it is now, N m and N.",
+                     "gravity()"),
     def<torques>("torques(r: robot) -> double[]",
                  "What the motors give now, N m and N: the motion with the payload and with the "
                  "object in the hand.",

@@ -7,6 +7,7 @@
 #include "armlet/dynamics/batch.hpp"
 #include "armlet/dynamics/forward_dynamics.hpp"
 #include "armlet/dynamics/inverse_dynamics.hpp"
+#include "armlet/dynamics/simulation.hpp"
 #include "random_mass.hpp"
 
 namespace {
@@ -46,5 +47,27 @@ TEST_CASE("forces and accelerations of arms of 1 to 12 joints allocate nothing")
                  forward_dynamics(robot, q, qd, qdd).sum();
     CHECK(allocations == before);
     CHECK(sum == sum);
+  }
+}
+
+TEST_CASE("simulation allocates nothing, whatever its joints run against") {
+  Random random(10);
+  for (int n = 1; n <= 6; ++n) {
+    CAPTURE(n);
+    RobotSpec spec = random_heavy_arm(random, n).spec();
+    for (Link& link : spec.links) link.friction = {1e-4, 0.02, -0.03, 0.05, 0.1};
+    for (Joint& joint : spec.joints) {
+      joint.lower = -0.5;
+      joint.upper = 0.5;
+    }
+    ArmSimulation arm(std::make_shared<const Robot>(spec), VectorXd::Zero(n),
+                      random_rates(random, n), {.restitution = 0.3});
+    const VectorXd tau = random_rates(random, n);
+    REQUIRE(arm.advance(tau, 0.0).status == SimulationStatus::kDone);
+    const long before = allocations;
+    const SimulationOutcome outcome = arm.advance(tau, 1.0);
+    CHECK(allocations == before);
+    CHECK(outcome.status == SimulationStatus::kDone);
+    CHECK(arm.event_count() > 0);
   }
 }
