@@ -12,6 +12,7 @@
 #include "armlet/dynamics/batch.hpp"
 #include "armlet/dynamics/forward_dynamics.hpp"
 #include "armlet/dynamics/inverse_dynamics.hpp"
+#include "armlet/dynamics/simulation.hpp"
 #include "armlet/model/catalog.hpp"
 #include "bench.hpp"
 #include "kdl_dynamics.hpp"
@@ -190,6 +191,21 @@ void bench_arm(const Robot& robot) {
   bench_batch(robot, m);
 }
 
+// One second of simulation with torques held for 1 ms and steps as long, with motors and friction.
+void bench_second(const std::shared_ptr<const Robot>& robot) {
+  std::vector<double> times;
+  for (int round = 0; round < kRounds; ++round) {
+    ArmSimulation arm(robot, robot->home(), Eigen::VectorXd::Constant(robot->n(), 0.1));
+    const auto hold = [&](int) {
+      (void)arm.advance(gravity_forces(*robot, arm.q()), 1e-3);
+      return arm.q()[0];
+    };
+    times.push_back(1e-3 * nanoseconds_per_call(1000, hold));
+  }
+  std::printf("%-10s %-24s %10.2f ms; at most 3 ms for a Puma 560\n", "", "one second, rk4",
+              median(times));
+}
+
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -210,6 +226,8 @@ int main(int count, char** arguments) {
   if (names.empty()) names = {"puma560", "ur5", "panda", "scara"};
   for (const std::string& name : names) {
     const auto robot = armlet::make_robot(name);
-    if (robot) armlet::bench::bench_arm(armlet::bench::without_motors(*robot));
+    if (!robot) continue;
+    armlet::bench::bench_arm(armlet::bench::without_motors(*robot));
+    armlet::bench::bench_second(robot);
   }
 }

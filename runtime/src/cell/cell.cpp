@@ -7,6 +7,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "cell/carried_load.hpp"
 #include "cell/descriptions.hpp"
 
 namespace armlet {
@@ -44,8 +45,12 @@ int Cell::add_robot(std::shared_ptr<const Robot> model, std::string name) {
   }
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model->n());
   const Eigen::VectorXd home = model->home();
-  robots_.push_back(
-      {.name = std::move(name), .model = std::move(model), .q = home, .qd = zero, .qdd = zero});
+  robots_.push_back({.name = std::move(name),
+                     .model = model,
+                     .loaded = std::move(model),
+                     .q = home,
+                     .qd = zero,
+                     .qdd = zero});
   published_ns_.push_back(-1);
   const int index = robot_count() - 1;
   if (listening()) {
@@ -78,10 +83,11 @@ void Cell::set_model(int index, std::shared_ptr<const Robot> model) {
   if (model == nullptr) throw ArgumentError("A robot of the cell needs a model.");
   CellRobot& changed = state(index);
   check_size("model", model->n(), changed.model->n());
-  if (changed.motion) {
+  if (changed.motion && changed.forces.size() == 0) {
     throw ArgumentError(fmt::format("\"{}\" is moving; it cannot be exchanged now.", changed.name));
   }
   changed.model = std::move(model);
+  weigh_loads();
   if (listening())
     tell(RobotChanged{.t_ns = now_ns(), .index = index, .robot = robot_info(changed)});
 }
@@ -116,6 +122,7 @@ Vector6d Cell::contact_wrench(int index) const {
 
 void Cell::insert(Object object) {
   const Object& inserted = world_.insert(std::move(object));
+  weigh_loads();
   if (listening()) tell(ObjectAdded{.t_ns = now_ns(), .object = object_info(inserted)});
 }
 
@@ -137,6 +144,7 @@ std::vector<Fall> Cell::remove(std::string_view name) {
   refuse_held(removed, "removed");
   std::vector<Fall> falls = world_.remove(removed);
   std::erase(task_objects_, removed);
+  weigh_loads();
   publish_event(ObjectChange::kRemoved, removed, -1);
   publish_falls(falls);
   return falls;
@@ -145,6 +153,7 @@ std::vector<Fall> Cell::remove(std::string_view name) {
 std::vector<Fall> Cell::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
   refuse_held(name, "put elsewhere");
   std::vector<Fall> falls = world_.set_pose(name, T_world_obj);
+  weigh_loads();
   publish_object(name);
   publish_falls(falls);
   return falls;
@@ -166,6 +175,7 @@ void Cell::take(int index, std::string_view name) {
   arm.held = object.name;
   arm.p_picked = object.T_world_obj.translation();
   world_.attach(object.name, index, T_world_flange(index));
+  weigh_loads();
   publish_event(ObjectChange::kAttached, object.name, index);
 }
 
@@ -179,13 +189,25 @@ Drop Cell::let_go(int index) {
     if (world_.attachment(name)->carrier == index) {
       world_.attach(name, other, T_world_flange(other));
     }
+    weigh_loads();
     return {};
   }
   const std::vector<std::string> above = world_.stacked_on(name);
   const Drop drop = world_.drop(name);
+  weigh_loads();
   publish_object(name);
   for (const std::string& each : above) publish_object(each);
   return drop;
+}
+
+void Cell::weigh_loads() {
+  for (int i = 0; i < robot_count(); ++i) {
+    CellRobot& arm = state(i);
+    const Payload carried = arm.held.empty() ? Payload{} : carried_load(world_, i);
+    arm.loaded = carried.mass == 0.0 ? arm.model
+                                     : std::make_shared<const Robot>(arm.model->with_payload(
+                                           together(arm.model->payload(), carried)));
+  }
 }
 
 void Cell::note(NoteKind kind, std::string_view text) {

@@ -7,6 +7,7 @@
 #include "armlet/cell/cell.hpp"
 #include "armlet/core/error.hpp"
 #include "cell/contact_picking.hpp"
+#include "cell/way_to_rest.hpp"
 
 namespace armlet {
 
@@ -70,9 +71,47 @@ int Cell::drive(int index, Trajectory trajectory, std::optional<std::int64_t> he
   return execute(index, std::move(trajectory), held_ns);
 }
 
+int Cell::push(int index, Trajectory piece, const Eigen::VectorXd& forces) {
+  check_start(robot(index), piece);
+  check_size("forces", forces.size(), robot(index).model->n());
+  CellRobot& arm = state(index);
+  if (arm.forces.size() == 0) {
+    if (arm.motion) throw ArgumentError(fmt::format("\"{}\" is moving already.", arm.name));
+    const int motion = execute(index, std::move(piece), std::nullopt);
+    arm.forces = forces;
+    return motion;
+  }
+  arm.forces = forces;
+  arm.motion.emplace(std::move(piece), now_ns());
+  arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
+  reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
+  return arm.motion_id;
+}
+
+void Cell::settle(int index) {
+  if (robot(index).forces.size() != 0) begin_rest(index, false);
+}
+
+void Cell::begin_rest(int index, bool stopped) {
+  CellRobot& arm = state(index);
+  arm.forces.resize(0);
+  Trajectory rest = way_to_rest(*arm.model, arm.q, arm.qd, arm.qdd);
+  if (stopped) {
+    arm.motion = Motion::stopping(std::move(rest), now_ns());
+  } else {
+    arm.motion.emplace(std::move(rest), now_ns());
+  }
+  reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
+  end_due_motions();  // it may have stood
+}
+
 void Cell::stop(int index) {
   CellRobot& arm = state(index);
   if (!arm.motion) return;
+  if (arm.forces.size() != 0) {
+    begin_rest(index, true);
+    return;
+  }
   arm.motion->stop(now_ns(), arm.model->max_accel(), arm.model->max_jerk());
   reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
   end_due_motions();  // it may have stood
@@ -93,7 +132,8 @@ const MotionReport& Cell::report(int motion) const {
 std::optional<std::int64_t> Cell::next_event() const {
   std::optional<std::int64_t> next;
   for (const CellRobot& each : robots_) {
-    if (each.motion) next = std::min(next.value_or(each.motion->end_ns()), each.motion->end_ns());
+    if (each.motion && each.forces.size() == 0)
+      next = std::min(next.value_or(each.motion->end_ns()), each.motion->end_ns());
   }
   return next;
 }
@@ -115,13 +155,17 @@ void Cell::advance_to(std::int64_t t_ns) {
     const auto event = next_event();
     std::int64_t next = std::min(t_ns, event.value_or(t_ns));
     const std::int64_t sample = next_multiple(options_.sample_period_ns);
-    if (event && listening()) next = std::min(next, sample);
+    const bool moves =
+        std::ranges::any_of(robots_, [](const CellRobot& each) { return each.motion.has_value(); });
+    if (moves && listening()) next = std::min(next, sample);
     const bool due = next == sample;
     clock_.advance_to(next);
     bring_to_now();
     for (int i = 0; due && i < robot_count(); ++i) {
       // A motion that ends at this instant is reported at rest, by end_motion.
-      if (robot(i).motion && robot(i).motion->end_ns() > next) publish(i, robot(i).motion_id);
+      const CellRobot& arm = robot(i);
+      const bool goes_on = arm.motion && (arm.motion->end_ns() > next || arm.forces.size() != 0);
+      if (goes_on) publish(i, arm.motion_id);
     }
     end_due_motions();
   }
@@ -140,7 +184,9 @@ void Cell::bring_to_now() {
 
 void Cell::end_due_motions() {
   for (int i = 0; i < robot_count(); ++i) {
-    if (robot(i).motion && robot(i).motion->end_ns() <= now_ns()) end_motion(i);
+    const CellRobot& arm = robot(i);
+    // What moves under forces goes on with another piece.
+    if (arm.motion && arm.forces.size() == 0 && arm.motion->end_ns() <= now_ns()) end_motion(i);
   }
 }
 

@@ -26,6 +26,12 @@ Motion::Motion(Trajectory trajectory, std::int64_t start_ns)
       end_ns_(start_ns + to_ns(trajectory_.duration())),
       u_end_(trajectory_.duration()) {}
 
+Motion Motion::stopping(Trajectory trajectory, std::int64_t start_ns) {
+  Motion motion(std::move(trajectory), start_ns);
+  motion.stop_ns_ = start_ns;
+  return motion;
+}
+
 bool Motion::stands_at(double u) const {
   for (int i = 0; i < trajectory_.n(); ++i) {
     if (trajectory_.value(i, u, 1) != 0.0) return false;

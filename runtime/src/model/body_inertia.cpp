@@ -52,6 +52,18 @@ void add_body(Link& link, const Link& body) {
   link.mass = mass;
 }
 
+Payload together(const Payload& a, const Payload& b) {
+  Link sum, other;
+  sum.mass = a.mass;
+  sum.com = a.com;
+  sum.inertia = a.inertia;
+  other.mass = b.mass;
+  other.com = b.com;
+  other.inertia = b.inertia;
+  add_body(sum, other);
+  return {.mass = sum.mass, .com = sum.com, .inertia = sum.inertia};
+}
+
 void copy_motor(Link& to, const Link& from) {
   to.motor_inertia = from.motor_inertia;
   to.gear = from.gear;

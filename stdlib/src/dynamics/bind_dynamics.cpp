@@ -18,10 +18,6 @@
 namespace armlet::bind {
 namespace {
 
-using Eigen::Isometry3d;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
 // law() with its ArgumentError as R0640.
 template <class Result, class Law>
 Answer<Result> dynamics_of(Vm& vm, const Law& law) try {
@@ -30,12 +26,15 @@ Answer<Result> dynamics_of(Vm& vm, const Law& law) try {
   return failure_of(vm, row("R0640"), error);
 }
 
+// The arm with what its hand carries.
+const Robot& loaded_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).loaded; }
+
 // ---- forces and accelerations
 
 template <class Q>
 Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList accels,
                             std::optional<JointList> load) {
-  const Robot& robot = model_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
   const auto qd = joint_argument(vm, robot, rates, 2);
@@ -61,7 +60,7 @@ Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates
 
 template <class Q>
 Answer<JointVector> forward(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList tau) {
-  const Robot& robot = model_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
   const auto qd = joint_argument(vm, robot, rates, 2);
@@ -73,7 +72,7 @@ Answer<JointVector> forward(Vm& vm, const RobotRef& r, Q values, JointList rates
 
 template <class Result, class Q, class Law>
 Answer<Result> of_position(Vm& vm, const RobotRef& r, Q values, const Law& law) {
-  const Robot& robot = model_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
   return dynamics_of<Result>(vm, [&] { return law(robot, *q); });
@@ -98,7 +97,7 @@ Answer<double> potential_of(Vm& vm, const RobotRef& r, Q values) {
 
 template <class Result, class Q, class Law>
 Answer<Result> of_motion(Vm& vm, const RobotRef& r, Q values, JointList rates, const Law& law) {
-  const Robot& robot = model_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
   const auto qd = joint_argument(vm, robot, rates, 2);
@@ -115,41 +114,53 @@ Answer<double> kinetic_of(Vm& vm, const RobotRef& r, Q values, JointList rates) 
   return of_motion<double>(vm, r, values, rates, kinetic_energy);
 }
 
-// ---- what the arm carries
+// ---- as the arm moves now
 
-// The payload together with the object in the hand.
-Payload whole_payload(const Cell& cell, int id) {
-  const CellRobot& robot = cell.robot(id);
-  const Payload payload = robot.model->payload();
-  if (robot.held.empty()) return payload;
-  const Object& object = *cell.world().find(robot.held);
-  const Isometry3d T_flange_obj = cell.T_world_flange(id).inverse() * object.T_world_obj;
-  Payload whole;
-  whole.mass = payload.mass + object.mass;
-  if (whole.mass == 0.0) return whole;
-  whole.com = (payload.mass * payload.com + object.mass * T_flange_obj.translation()) / whole.mass;
-  const auto about = [&](const Matrix3d& inertia, double mass, const Vector3d& com) -> Matrix3d {
-    const Vector3d r = com - whole.com;
-    return inertia + mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
-  };
-  const Matrix3d R = T_flange_obj.linear();
-  const Matrix3d held = R * inertia(object) * R.transpose();
-  whole.inertia = about(payload.inertia, payload.mass, payload.com) +
-                  about(held, object.mass, T_flange_obj.translation());
-  return whole;
+template <class Result, class Law>
+Answer<Result> now(Vm& vm, const RobotRef& r, const Law& law) {
+  const CellRobot& state = state_of(vm, r);
+  return dynamics_of<Result>(vm, [&] { return law(*state.loaded, state); });
 }
 
-Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
-  const CellRobot& state = state_of(vm, r);
-  return dynamics_of<JointVector>(vm, [&] {
-    if (state.held.empty()) return inverse_dynamics(*state.model, state.q, state.qd, state.qdd);
-    const Robot loaded = state.model->with_payload(whole_payload(Host::of(vm).cell(), r.id));
-    return inverse_dynamics(loaded, state.q, state.qd, state.qdd);
+Answer<JointMatrix> mass_now(Vm& vm, const RobotRef& r) {
+  return now<JointMatrix>(vm, r, [](const Robot& robot, const CellRobot& state) {
+    return mass_matrix(robot, state.q);
+  });
+}
+Answer<JointMatrix> coriolis_now(Vm& vm, const RobotRef& r) {
+  return now<JointMatrix>(vm, r, [](const Robot& robot, const CellRobot& state) {
+    return coriolis_matrix(robot, state.q, state.qd);
+  });
+}
+Answer<JointVector> gravity_now(Vm& vm, const RobotRef& r) {
+  return now<JointVector>(vm, r, [](const Robot& robot, const CellRobot& state) {
+    return gravity_forces(robot, state.q);
   });
 }
 
+// ---- what the arm carries
+
+Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
+  const CellRobot& state = state_of(vm, r);
+  if (state.forces.size() != 0) return JointVector(state.forces);
+  return dynamics_of<JointVector>(
+      vm, [&] { return inverse_dynamics(*state.loaded, state.q, state.qd, state.qdd); });
+}
+
+// As exchange_model, also of an arm that moves under torques.
+template <class Make>
+Answer<void> exchange_masses(Vm& vm, const RobotRef& r, const Make& make) {
+  if (state_of(vm, r).forces.size() == 0) return exchange_model(vm, r, make);
+  try {
+    Host::of(vm).cell().set_model(r.id, std::make_shared<const Robot>(make(model_of(vm, r))));
+    return {};
+  } catch (const ArgumentError& error) {
+    return failure_of(vm, row("R0630"), error, 1);
+  }
+}
+
 Answer<void> set_payload(Vm& vm, const RobotRef& r, double mass, const PosC* at) {
-  return exchange_model(vm, r, [&](const Robot& robot) {
+  return exchange_masses(vm, r, [&](const Robot& robot) {
     Payload payload;
     payload.mass = mass;
     if (at != nullptr) payload.com = at->T.translation();
@@ -169,12 +180,13 @@ Answer<void> set_link(Vm& vm, const RobotRef& r, std::int64_t joint, std::option
       !read_friction(vm, friction, 5, link)) {
     return Failed{};
   }
-  return exchange_model(vm, r, [&](const Robot& now) { return now.with_link(i, link); });
+  return exchange_masses(vm, r, [&](const Robot& now) { return now.with_link(i, link); });
 }
 
 constexpr std::string_view kInverse =
     "What the motors give for this motion, at the joints, in N m and N: inertia, Coriolis forces, "
-    "gravity and friction. load: what the surroundings exert on the tool point, three forces in N "
+    "gravity and friction, also of the payload and of what the hand holds. load: what the "
+    "surroundings exert on the tool point, three forces in N "
     "and three moments in N m along the axes of the base.";
 constexpr std::string_view kForward =
     "The accelerations that these joint forces cause, rad/s^2 and m/s^2.";
@@ -227,6 +239,15 @@ constexpr NativeFunction kDynamicsFunctions[] = {
     def<potential_of<JointList>>("potentialEnergy(r: robot, q: double[]) -> energy", kPotential,
                                  "potentialEnergy([0.0, 0.5, 0.1, 0.0])",
                                  {.check = check_joint_list<1>}),
+    def<mass_now>("massMatrix(r: robot) -> matrix",
+                  "The inertia matrix where the arm is now, with what its hand holds.",
+                  "massMatrix()"),
+    def<coriolis_now>("coriolis(r: robot) -> matrix",
+                      "The matrix of Christoffel symbols where the arm is now, at its speeds.",
+                      "coriolis()"),
+    def<gravity_now>("gravity(r: robot) -> double[]",
+                     "The joint forces that hold the arm still where it is now, N m and N.",
+                     "gravity()"),
     def<torques>("torques(r: robot) -> double[]",
                  "What the motors give now, N m and N: the motion with the payload and with the "
                  "object in the hand.",

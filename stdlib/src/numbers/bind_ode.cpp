@@ -86,13 +86,20 @@ class Rate {
   ListObj* state_ = nullptr;
 };
 
-Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance) {
+Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std::size_t half) {
   switch (outcome.status) {
     case OdeStatus::kNotFinite:
       return failure(vm, "R0612",
                      fmt::format("element {} of the state is not finite at t = {:.6g} s",
                                  outcome.element, outcome.t),
                      kRate, {}, "use a shorter step, or method: \"rkf45\"");
+    case OdeStatus::kNotRates:
+      return failure(vm, "R0609",
+                     fmt::format("this method takes a state [q; v], and the rate of element {} is "
+                                 "not element {} of the state",
+                                 outcome.element, outcome.element + half),
+                     kRate, "\"symplectic\" and \"verlet\" integrate positions and their speeds",
+                     "give f(t, y) as the speeds, then the accelerations, or use \"rk4\"");
     case OdeStatus::kStepTooSmall:
       return failure(vm, "R0609",
                      fmt::format("ode cannot go on at t = {:.6g} s: no step is short enough for a "
@@ -128,8 +135,11 @@ Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots) 
   return sorted;
 }
 
-// The instants from step to step.
-Answer<std::vector<double>> times_of(Vm& vm, const Stretch& stretch) {
+// The instants from step to step, and those among them that no step goes across.
+struct Instants {
+  std::vector<double> times, knots;
+};
+Answer<Instants> times_of(Vm& vm, const Stretch& stretch) {
   constexpr double kSameTime = 1e-12;  // relative
   const double apart = kSameTime * std::max(std::abs(stretch.t0), std::abs(stretch.t1));
   const auto given = sorted_knots(vm, stretch.knots);
@@ -147,7 +157,8 @@ Answer<std::vector<double>> times_of(Vm& vm, const Stretch& stretch) {
         kStepSize, {}, "use a longer step");
   }
   if (!charge_work(vm, static_cast<std::uint64_t>(8.0 * steps))) return Failed{};
-  return step_times(knots, stretch.step);
+  std::vector<double> times = step_times(knots, stretch.step);
+  return Instants{std::move(times), std::move(knots)};
 }
 
 // A solution with room for the state at `rows` instants; null: it failed.
@@ -165,9 +176,9 @@ RecordObj* new_solution(Vm& vm, std::uint32_t rows, std::uint32_t columns) {
 
 // The state at every instant, a row each.
 Answer<RecordObj*> integrate(Vm& vm, FunctionValue f, std::span<const double> start,
-                             std::span<const double> instants, OdeIntegrator& integrator,
+                             const Instants& instants, OdeIntegrator& integrator,
                              double tolerance) {
-  const auto rows = static_cast<std::uint32_t>(instants.size());
+  const auto rows = static_cast<std::uint32_t>(instants.times.size());
   RecordObj* solution = new_solution(vm, rows, static_cast<std::uint32_t>(start.size()));
   if (solution == nullptr) return Failed{};
   auto* times = static_cast<ListObj*>(solution->fields()[0].o);
@@ -177,8 +188,9 @@ Answer<RecordObj*> integrate(Vm& vm, FunctionValue f, std::span<const double> st
     return static_cast<bool>(rate(t, y, out));
   };
   std::vector<double> y(start.begin(), start.end());
+  auto knot = instants.knots.begin();
   for (std::uint32_t row = 0;; ++row) {
-    const double t = instants[row];
+    const double t = instants.times[row];
     times->data[row].d = t;
     if (!charge_work(vm, 2 * y.size())) {
       release(vm, solution);
@@ -186,10 +198,12 @@ Answer<RecordObj*> integrate(Vm& vm, FunctionValue f, std::span<const double> st
     }
     std::ranges::copy(y, states->data() + std::size_t{row} * y.size());
     if (row + 1 == rows) return solution;
-    const OdeOutcome outcome = integrator.advance(call, t, instants[row + 1] - t, y);
+    while (*knot <= t) ++knot;
+    const double h = instants.times[row + 1] - t;
+    const OdeOutcome outcome = integrator.advance(call, t, h, y, std::max(*knot, t + h));
     if (outcome.status == OdeStatus::kDone) continue;
     release(vm, solution);
-    return cannot_integrate(vm, outcome, tolerance);
+    return cannot_integrate(vm, outcome, tolerance, y.size() / 2);
   }
 }
 
@@ -215,6 +229,12 @@ Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, d
                        std::optional<std::span<const double>> knots) {
   const auto method = method_called(vm, method_name);
   if (!method || !check_start(vm, start)) return Failed{};
+  const bool splits = *method == OdeMethod::kSymplectic || *method == OdeMethod::kVerlet;
+  if (splits && start.size() % 2 != 0) {
+    return failure(vm, "R0613", fmt::format("a state [q; v] cannot have {} elements", start.size()),
+                   kStart,
+                   fmt::format("\"{}\" integrates positions and as many speeds", method_name));
+  }
   if (!(tolerance > 0.0 && std::isfinite(tolerance)))
     return domain_failure(vm, "ode with a tolerance", tolerance, "be greater than 0", {},
                           kTolerance);
@@ -222,7 +242,7 @@ Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, d
   if (!check_times(vm, stretch)) return Failed{};
   const auto instants = times_of(vm, stretch);
   if (!instants) return Failed{};
-  constexpr std::uint64_t kStages = 10;  // of the state, and copies of it
+  constexpr std::uint64_t kStages = 18;  // of the state, and copies of it
   const Scratch scratch(vm, kStages * start.size() * sizeof(double));
   if (!scratch.granted()) return Failed{};
   OdeIntegrator integrator(static_cast<int>(start.size()), *method, tolerance);
@@ -232,15 +252,17 @@ Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, d
 constexpr NativeFunction kOdeFunctions[] = {
     def<ode>(
         "ode(f: fn(double, double[]) -> double[], y0: double[], t0: time, t1: time, step: time, "
-        "method: "
-        "string = \"rk4\", tol: double = 1e-8, knots: time[]?) -> OdeSolution",
+        "method: string = \"rk4\", tol: double = 1e-8, knots: time[]?) -> OdeSolution",
         "Integrates y' = f(t, y) from y0: t holds the start and the end of every step, y one row "
         "for "
-        "each. Methods: \"euler\", \"euler-richardson\", \"rk4\", and \"rkf45\", which divides the "
-        "steps until the error stays below tol. All steps are equal and none is longer than step; "
-        "with "
-        "knots, times where f is not smooth, they are so from knot to knot, and none goes across "
-        "one.",
+        "each. Methods: \"euler\", \"euler-richardson\", \"rk4\"; \"rkf45\", which divides the "
+        "steps "
+        "until the error stays below tol; \"dopri5\", which chooses its steps and gives rows in "
+        "between by a polynomial; \"symplectic\" and \"verlet\" for a state of positions, then "
+        "speeds. "
+        "All steps are equal and none is longer than step; with knots, times where f is not "
+        "smooth, "
+        "they are so from knot to knot, and none goes across one.",
         "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last"),
 };
 

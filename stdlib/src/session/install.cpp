@@ -21,7 +21,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"simulate", "mesh", "lab",
+constexpr std::string_view kPlanned[] = {"mesh", "lab",
                                          // settings of with
                                          "with.collisions"};
 
@@ -59,6 +59,9 @@ std::span<const Chapter> chapters() {
        .is_mathematics = true},
       {.title = "Robots: dynamics",
        .functions = dynamics_functions(),
+       .is_mathematics = true},
+      {.title = "Robots: simulation",
+       .functions = simulation_functions(),
        .is_mathematics = true},
       {.title = "Robots: motion", .functions = motion_functions()},
       {.title = "Robots: velocity commands", .functions = velocity_functions()},
@@ -107,6 +110,12 @@ void install(Engine& engine) {
   engine.add_record("Blob", "x: double, y: double, area: double");
   engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_record("OdeSolution", "t: time[], y: matrix");
+  engine.add_record("JointEvent", "t: time, kind: string, joint: int, speed: double");
+  engine.add_record("Simulation",
+                    "t: time[], q: matrix, qd: matrix, tau: matrix, events: JointEvent[], drift: "
+                    "energy");
+  engine.add_record("TorqueRun",
+                    "reached: bool, stopped: bool, time: time, events: JointEvent[], drift: energy");
   engine.add_messages(bind::kLibraryMessages);
   engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");

@@ -65,3 +65,16 @@ TEST_CASE("a wrench at the tool changes the torques of 14 arms as in other libra
           1e-9);
   });
 }
+
+// A point mass, given in the frame of the last link.
+TEST_CASE("a payload changes the torques of 14 arms as in other libraries") {
+  for_each_dynamic_sample(
+      [](const Robot& robot, const Json& sample, const auto& q, const auto& qd) {
+        const Json& loaded = sample.at("payload");
+        const Robot carrying =
+            robot.with_payload({.mass = loaded.at("m"), .com = vector_of(loaded.at("p"))});
+        const Eigen::VectorXd qdd = vector_of(sample.at("qdd"));
+        CHECK(relative_error(inverse_dynamics(carrying, q, qd, qdd), vector_of(loaded.at("tau"))) <
+              1e-9);
+      });
+}

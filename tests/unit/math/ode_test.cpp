@@ -15,11 +15,13 @@ using namespace armlet;
 
 namespace {
 
-constexpr std::array<OdeMethod, 4> kMethods = {OdeMethod::kEuler, OdeMethod::kEulerRichardson,
-                                               OdeMethod::kRungeKutta4, OdeMethod::kFehlberg45};
-constexpr std::array<int, 4> kOrders = {1, 2, 4, 5};
+// For any equation; those for a state [q; v] have tests of their own.
+constexpr std::array<OdeMethod, 5> kMethods = {OdeMethod::kEuler, OdeMethod::kEulerRichardson,
+                                               OdeMethod::kRungeKutta4, OdeMethod::kFehlberg45,
+                                               OdeMethod::kDormandPrince45};
+constexpr std::array<int, 5> kOrders = {1, 2, 4, 5, 5};
 
-// So loose that kFehlberg45 takes one step for each call.
+// So loose that methods which choose their steps take one for each call.
 constexpr double kAnything = 1e12;
 
 using State = std::span<const double>;
@@ -55,10 +57,13 @@ OdeOutcome run(OdeIntegrator& integrator, const OdeRate& rate, double t0, double
 }  // namespace
 
 TEST_CASE("methods are found by their names") {
-  REQUIRE(ode_method_names().size() == 4);
-  for (std::size_t i = 0; i < kMethods.size(); ++i)
-    CHECK(ode_method(ode_method_names()[i]) == kMethods[i]);
-  CHECK(ode_method_names()[1] == "euler-richardson");
+  REQUIRE(ode_method_names().size() == 7);
+  for (std::size_t i = 0; i < ode_method_names().size(); ++i)
+    CHECK(ode_method(ode_method_names()[i]) == static_cast<OdeMethod>(i));
+  CHECK(ode_method("euler-richardson") == OdeMethod::kEulerRichardson);
+  CHECK(ode_method("rkf45") == OdeMethod::kFehlberg45);
+  CHECK(ode_method("dopri5") == OdeMethod::kDormandPrince45);
+  CHECK(ode_method("verlet") == OdeMethod::kVerlet);
   CHECK_FALSE(ode_method("rk5").has_value());
 }
 

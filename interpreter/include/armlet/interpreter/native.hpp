@@ -98,6 +98,10 @@ class Waiting {
   // Stops under control (a guard came true, or the task is cancelled); is_over becomes true at
   // due_ns.
   virtual void stop() = 0;
+  // Something to do on the way, at an instant that due_ns named; work() does it as the task that
+  // waits. Returns false if it fails: the failure is set in the Vm.
+  [[nodiscard]] virtual bool has_work() const { return false; }
+  virtual bool work(Vm&) { return true; }
   // Called once when over: leaves the result in `result` and returns kDone, or fails.
   virtual Signal finish(Vm& vm, Slot& result) = 0;
   // What the task waits for, for reports about stuck programs: "run of left".

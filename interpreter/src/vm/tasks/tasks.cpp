@@ -23,7 +23,7 @@ constexpr std::int64_t kPatience_ns = 3600LL * 1'000'000'000LL;
 
 bool may_continue(const Task& task) {
   if (task.has_ended) return false;
-  return task.is_ready || task.waiting->is_over();
+  return task.is_ready || task.waiting->is_over() || task.waiting->has_work();
 }
 
 // What it does next is no more than the text says: it begins, or those that it started have ended.
@@ -177,7 +177,22 @@ Exit Scheduler::run(Task& task) {
   if (pass_.inside) return interpret_on(task);
   pass_.progress = true;
   pass_.changed = pass_.changed || !is_quiet(task);
-  return task.is_ready ? begin(task) : resume(task);
+  if (task.is_ready) return begin(task);
+  return task.waiting->is_over() ? resume(task) : work(task);
+}
+
+// The task goes on waiting.
+Exit Scheduler::work(Task& task) {
+  state_.running = &task;
+  state_.steps.paused();
+  bool done = false;
+  try {
+    done = task.waiting->work(state_.vm) || require_failure(state_);
+  } catch (...) {
+    raise_thrown(state_, task);
+  }
+  if (!done) tree_.interrupt(task, std::move(state_.fault));
+  return Exit::kPaused;
 }
 
 Exit Scheduler::interpret_on(Task& task) {

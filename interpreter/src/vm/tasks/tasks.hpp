@@ -60,6 +60,7 @@ class Scheduler {
   Exit interpret_on(Task& task);
   Exit resume(Task& task);
   Exit begin(Task& task);
+  Exit work(Task& task);
 
   // The next instant at which something can happen; kNever if there is none.
   [[nodiscard]] std::int64_t next_instant() const;

@@ -30,14 +30,19 @@ struct CellOptions {
 // A robot of the cell: what it is and the state it is in.
 //
 // motion    what it executes; nothing while it stands still.
+// loaded    the model with the payload and with what its hand carries: the arm of dynamics. It is
+//           `model` itself while nothing with a mass is carried.
+// forces    what the motors give while the robot moves under forces; empty otherwise.
 // held      name of the object its hand is closed on; empty if none.
 // p_picked  where that object was when it was picked up, in the world.
 struct CellRobot {
   std::string name;
   std::shared_ptr<const Robot> model;  // shared with catalogues and planners; it never changes
-  Eigen::VectorXd q, qd, qdd;          // rad or m and their derivatives
+  std::shared_ptr<const Robot> loaded{};
+  Eigen::VectorXd q, qd, qdd;  // rad or m and their derivatives
   std::optional<Motion> motion{};
   int motion_id = -1;
+  Eigen::VectorXd forces{};
   std::string held{};
   Eigen::Vector3d p_picked = Eigen::Vector3d::Zero();
 };
@@ -106,7 +111,9 @@ class Cell {
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
 
   // Exchanges what a robot is, for example its tool point; what it holds stays where it is.
-  // throws  ArgumentError while it moves, or if the number of joints differs.
+  // throws  ArgumentError while it moves, but for a motion under forces, whose next piece is that
+  // of
+  //         the new model; or if the number of joints differs.
   void set_model(int robot, std::shared_ptr<const Robot> model);
 
   // Puts a robot into a position without moving it. Throws ArgumentError while it moves.
@@ -134,6 +141,17 @@ class Cell {
   // m)
   //          and speed (1e-6 per s) of the robot, or unless can_drive.
   int drive(int robot, Trajectory trajectory, std::optional<std::int64_t> held_ns = {});
+
+  // Moves a robot under forces, piece by piece: the motion that simulation found for the time until
+  // the next call, and what the motors give in it. The first call starts a motion of a robot that
+  // stands, every other one goes on with it, at the end of the piece before or earlier; settle()
+  // brings the robot to rest. Returns the number of the motion, which is the same for all pieces.
+  // throws  ArgumentError if the robot moves otherwise, or the piece does not start where it is.
+  int push(int robot, Trajectory piece, const Eigen::VectorXd& forces);
+
+  // Ends a motion under forces: brings the robot to rest as its limits allow, inside of the limits
+  // of its joints.
+  void settle(int robot);
 
   // Whether the robot stands, or slows down after a velocity command.
   [[nodiscard]] bool can_drive(int robot) const;
@@ -206,7 +224,10 @@ class Cell {
   };
   CellRobot& state(int index);
   int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
+  void begin_rest(int index, bool stopped);
   void bring_to_now();
+  // Brings `loaded` of all robots up to date after a change of what hands carry.
+  void weigh_loads();
   // motion  that the robot executes or has just ended; -1: it stands without one.
   void publish(int index, int motion = -1);
   void publish_object(std::string_view name);

@@ -18,6 +18,10 @@ class Motion {
  public:
   Motion(Trajectory trajectory, std::int64_t start_ns);
 
+  // A trajectory that brings the robot to rest before the end of another motion: it counts as
+  // stopped from the beginning.
+  static Motion stopping(Trajectory trajectory, std::int64_t start_ns);
+
   [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
   [[nodiscard]] std::int64_t start_ns() const { return start_ns_; }
 

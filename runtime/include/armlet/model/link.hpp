@@ -45,4 +45,7 @@ struct Payload {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
+// The rigid body made of both.
+Payload together(const Payload& a, const Payload& b);
+
 }  // namespace armlet

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+
+#include "armlet/dynamics/joint_arrays.hpp"
+#include "dynamics/checks.hpp"
+
+namespace armlet {
+
+// How each joint moves: it slides in one direction, whose dry friction it feels, or it stands, held
+// by friction or by the stop at a limit. Within a mode the equation of motion is smooth.
+class JointModes {
+ public:
+  struct Mode {
+    bool stands = false;
+    int slides = 0;   // 1 or -1; 0: no dry friction
+    int at_stop = 0;  // 1: at its upper limit, -1: at its lower
+  };
+
+  explicit JointModes(const Robot& robot) : robot_(&robot) {}
+
+  void set_robot(const Robot& robot) { robot_ = &robot; }
+  [[nodiscard]] const Mode& operator[](Eigen::Index i) const {
+    return modes_[static_cast<std::size_t>(i)];
+  }
+
+  // Writes the accelerations of the present modes. False: nothing resists joint bad_joint().
+  [[nodiscard]] bool accelerate(const double* q, const double* qd, const double* tau, double* qdd);
+  [[nodiscard]] int bad_joint() const { return bad_joint_; }
+
+  // What ends the mode of a joint: the smallest of these is below zero when one has ended.
+  [[nodiscard]] double margin(const double* q, const double* qd, const double* tau);
+  // The margin of one joint after margin() was called.
+  [[nodiscard]] double margin_of(Eigen::Index i, const double* q, const double* qd) const;
+
+  // Chooses the modes that go on from here; joints whose rate is zero may stand. False: nothing
+  // resists joint bad_joint().
+  [[nodiscard]] bool settle(const double* q, const double* qd, const double* tau);
+
+  // Changes the rates as an impact of joint i against its stop does. False as above.
+  [[nodiscard]] bool strike(Eigen::Index i, const double* q, double* qd, double restitution);
+
+  // The force of friction in joint i in its mode.
+  [[nodiscard]] double friction(Eigen::Index i, double qd) const;
+
+ private:
+  // The forces with which friction and stop can hold a joint, against the motor's.
+  struct Range {
+    double lowest, highest;
+  };
+  [[nodiscard]] const DynamicsPlan& plan() const { return robot_->derived<RobotDynamics>().plan; }
+  [[nodiscard]] Range range_of(Eigen::Index i) const;
+  [[nodiscard]] bool has_dry_friction(Eigen::Index i) const;
+  [[nodiscard]] bool may_stand(Eigen::Index i, double qd) const;
+  [[nodiscard]] bool is_wrong(Eigen::Index i, double qd, double qdd) const;
+  void flip(Eigen::Index i);
+  void look_at_stop(Eigen::Index i, double q);
+  template <class Moves>
+  [[nodiscard]] bool solve_part(const JointMatrix& M, const Moves& moves, const JointVector& b,
+                                JointVector& x);
+  // Accelerations with the joints that stand held, and with what; hold_ is of use for those.
+  [[nodiscard]] bool accelerate_held(const double* q, const double* qd, const double* tau,
+                                     double* qdd);
+
+  const Robot* robot_;
+  std::array<Mode, kMaxJoints> modes_{};
+  JointVector hold_;
+  bool any_stands_ = false;
+  int bad_joint_ = 0;
+};
+
+}  // namespace armlet

@@ -1,0 +1,323 @@
+// Robots under forces: without a clock, and on it (language reference, ruling 65).
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/kinematics/forward.hpp"
+#include "dynamics/torque_law.hpp"
+#include "messages/library_messages.hpp"
+#include "motion/moves.hpp"
+#include "session/time_left.hpp"
+#include "values/give.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// ---- without a clock
+
+// A Simulation with room for its rows.
+struct Rows {
+  RecordObj* record = nullptr;  // null: it failed
+  ListObj* t = nullptr;
+  MatrixObj *q = nullptr, *qd = nullptr, *tau = nullptr;
+
+  void put(std::uint32_t row, const ArmSimulation& arm, const JointVector& forces) {
+    t->data[row].d = arm.t();
+    const Eigen::Index n = forces.size();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const std::size_t at =
+          std::size_t{row} * static_cast<std::size_t>(n) + static_cast<std::size_t>(i);
+      q->data()[at] = arm.q()[i];
+      qd->data()[at] = arm.qd()[i];
+      tau->data()[at] = forces[i];
+    }
+  }
+};
+
+Rows new_rows(Vm& vm, std::uint32_t count, std::uint32_t joints) {
+  Rows rows{.record = new_record(vm, vm.program().library_record("Simulation"))};
+  if (rows.record == nullptr) return rows;
+  const std::span<Slot> fields(rows.record->fields(), 4);
+  fields[0].o = rows.t = new_list(vm, count, false);
+  if (rows.t != nullptr) fields[1].o = rows.q = new_matrix(vm, count, joints);
+  if (rows.q != nullptr) fields[2].o = rows.qd = new_matrix(vm, count, joints);
+  if (rows.qd != nullptr) fields[3].o = rows.tau = new_matrix(vm, count, joints);
+  if (rows.tau != nullptr) return rows;
+  release(vm, rows.record);
+  return {};
+}
+
+Answer<std::uint32_t> holds_of(Vm& vm, const SimulationCall& call) {
+  constexpr double kMost = 10'000'000;
+  constexpr double kRest = 1e-9;  // of a hold: a rest of rounding makes none of its own
+  const double holds = std::max(1.0, std::ceil(call.during / call.every - kRest));
+  if (holds <= kMost) return static_cast<std::uint32_t>(holds);
+  return failure(vm, "R0613",
+                 fmt::format("{} would ask for torques {:.15g} times; {:.15g} are the limit",
+                             call.function, holds, kMost),
+                 call.every_parameter, {}, "use a longer hold");
+}
+
+// From tick to tick, the torques of each held until the next.
+Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, const SimulationCall& call,
+                 const SimulationOptions& options, std::uint32_t holds, Rows& rows) {
+  for (std::uint32_t k = 0;; ++k) {
+    const auto tau = law(arm.robot(), arm.t(), arm.q(), arm.qd());
+    if (!tau) return Failed{};
+    rows.put(k, arm, *tau);
+    if (k == holds) return {};
+    const double next = k + 1 == holds ? call.during : (k + 1) * call.every;
+    const double steps = std::max(1.0, (next - arm.t()) / options.step);
+    if (!charge_steps(vm, static_cast<std::uint64_t>(20.0 * std::min(steps, 1e15))))
+      return Failed{};
+    const SimulationOutcome outcome = arm.advance(*tau, next - arm.t());
+    if (outcome.status != SimulationStatus::kDone)
+      return cannot_simulate(vm, arm, outcome, options);
+  }
+}
+
+Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double during,
+                            double every, const PosJ* from, std::optional<JointList> speeds,
+                            std::string_view method, std::optional<double> step,
+                            double restitution) {
+  const SimulationCall call{.function = "simulate",
+                            .during = during,
+                            .every = every,
+                            .method = method,
+                            .step = step,
+                            .restitution = restitution,
+                            .during_parameter = 2,
+                            .every_parameter = 3,
+                            .method_parameter = 6,
+                            .step_parameter = 7,
+                            .restitution_parameter = 8};
+  const auto options = simulation_options(vm, call);
+  if (!options) return Failed{};
+  const auto holds = holds_of(vm, call);
+  if (!holds) return Failed{};
+  const CellRobot& state = state_of(vm, r);
+  Eigen::VectorXd q = state.q, qd = state.qd;
+  if (from != nullptr) {
+    const auto given = joint_argument(vm, *state.model, *from, 4);
+    if (!given) return Failed{};
+    q = *given;
+    qd.setZero();
+  }
+  if (speeds) {
+    const auto given = joint_argument(vm, *state.model, *speeds, 5);
+    if (!given) return Failed{};
+    qd = *given;
+  }
+  try {
+    ArmSimulation arm(state.loaded, q, qd, *options);
+    Rows rows = new_rows(vm, *holds + 1, static_cast<std::uint32_t>(q.size()));
+    if (rows.record == nullptr) return Failed{};
+    TorqueLaw law(vm, tau);
+    const bool done = static_cast<bool>(run(vm, arm, law, call, *options, *holds, rows));
+    ListObj* const events = done ? joint_events(vm, arm) : nullptr;
+    rows.record->fields()[4].o = events;
+    rows.record->fields()[5] = slot_of(arm.energy_drift());
+    if (events != nullptr) {
+      tell_of_stops(vm, arm);
+      return rows.record;
+    }
+    release(vm, rows.record);
+    return Failed{};
+  } catch (const ArgumentError& error) {
+    return failure_of(vm, row("R0640"), error, 4);
+  }
+}
+
+// ---- on the clock
+
+// The cubic between both states; shorter times than the clock's are left out.
+void add_pieces(const std::vector<SimulationNode>& nodes, double begin,
+                std::vector<JointPath>& joints) {
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    const SimulationNode &from = nodes[k - 1], &to = nodes[k];
+    const double h = to.t - from.t;
+    if (!(h > 0.0)) continue;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const auto j = static_cast<Eigen::Index>(i);
+      const double rate = (to.q[j] - from.q[j]) / h;
+      Segment piece{.start = from.t - begin, .duration = h, .degree = 3};
+      piece.c[0] = from.q[j];
+      piece.c[1] = from.qd[j];
+      piece.c[2] = (3.0 * rate - 2.0 * from.qd[j] - to.qd[j]) / h;
+      piece.c[3] = (from.qd[j] + to.qd[j] - 2.0 * rate) / (h * h);
+      joints[i].segments.push_back(piece);
+    }
+  }
+}
+
+// The motion of a hold. It goes on for as long again as it began, so that at its end it moves.
+Trajectory motion_of(const std::vector<SimulationNode>& nodes, double hold) {
+  std::vector<JointPath> joints(static_cast<std::size_t>(nodes.front().q.size()));
+  const double begin = nodes.front().t;
+  add_pieces(nodes, begin, joints);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const Segment& last = joints[i].segments.back();
+    const SimulationNode& end = nodes.back();
+    Segment tail{.start = last.end(), .duration = hold, .degree = 2};
+    tail.c[0] = end.q[static_cast<Eigen::Index>(i)];
+    tail.c[1] = end.qd[static_cast<Eigen::Index>(i)];
+    tail.c[2] = 0.5 * last.value(last.duration, 2);
+    joints[i].q_end = tail.value(hold);
+    joints[i].segments.push_back(tail);
+  }
+  return Trajectory(std::move(joints), nodes.back().t - begin + hold);
+}
+
+class TorqueWaiting : public Waiting {
+ public:
+  TorqueWaiting(Vm& vm, const RobotRef& r, FunctionValue law, const SimulationCall& call,
+                const SimulationOptions& options)
+      : host_(Host::of(vm)),
+        robot_(r.id),
+        law_(vm, law),
+        options_(options),
+        every_ns_(std::max<std::int64_t>(to_ns(call.every), 1)),
+        begin_ns_(host_.now_ns()),
+        end_ns_(host_.now_ns() + to_ns(call.during)),
+        next_ns_(host_.now_ns()),
+        arm_(state().loaded, state().q, state().qd, options) {}
+
+  // Asks for torques, and moves on until it asks again.
+  Answer<void> hold(Vm& vm) {
+    arm_.set_robot(state().loaded);
+    const auto tau = law_(arm_.robot(), arm_.t(), arm_.q(), arm_.qd());
+    if (!tau) return Failed{};
+    next_ns_ = std::min(next_ns_ + every_ns_, end_ns_);
+    const double until = to_seconds(next_ns_ - begin_ns_);
+    const double seconds = until - arm_.t();
+    nodes_.clear();
+    const SimulationOutcome outcome = arm_.advance(*tau, seconds, &nodes_);
+    if (outcome.status != SimulationStatus::kDone)
+      return cannot_simulate(vm, arm_, outcome, options_);
+    motion_ = host_.cell().push(robot_, motion_of(nodes_, seconds), *tau);
+    return {};
+  }
+
+  [[nodiscard]] std::int64_t due_ns() const override {
+    return is_pushed() ? next_ns_ : report().end_ns;
+  }
+  [[nodiscard]] bool is_over() const override { return report().state != MotionState::kRunning; }
+  [[nodiscard]] bool has_work() const override { return is_pushed() && host_.now_ns() >= next_ns_; }
+  bool work(Vm& vm) override {
+    if (next_ns_ < end_ns_) return static_cast<bool>(hold(vm));
+    host_.cell().settle(robot_);
+    return true;
+  }
+  void stop() override {
+    if (!is_over()) host_.cell().stop(robot_);
+  }
+  Signal finish(Vm& vm, Slot& result) override {
+    const MotionReport& done = report();
+    const bool reached = done.state == MotionState::kReached;
+    host_.report_move({state().name, "torqueJ", to_seconds(done.start_ns),
+                       to_seconds(done.end_ns - done.start_ns), !reached,
+                       host_.cell().T_world_tool(robot_)});
+    if (done.halted) {
+      Failure f;
+      f.headline = Headline(row("R0618"));
+      f.resource = resource();
+      f.moved = done.end_ns > done.start_ns;
+      return fail(vm, std::move(f));
+    }
+    tell_of_stops(vm, arm_);
+    RecordObj* record = new_record(vm, vm.program().library_record("TorqueRun"));
+    ListObj* events = record != nullptr ? joint_events(vm, arm_) : nullptr;
+    if (events == nullptr) {
+      if (record != nullptr) release(vm, record);
+      return Signal::kFail;
+    }
+    record->fields()[0] = slot_of(reached);
+    record->fields()[1] = slot_of(!reached);
+    record->fields()[2] = slot_of(to_seconds(done.end_ns - done.start_ns));
+    record->fields()[3].o = events;
+    record->fields()[4] = slot_of(arm_.energy_drift());
+    result.o = record;
+    return Signal::kDone;
+  }
+  [[nodiscard]] std::string what() const override {
+    return fmt::format("torqueJ of {}", state().name);
+  }
+  [[nodiscard]] Resource resource() const override { return robot_called(state().name); }
+
+ private:
+  [[nodiscard]] const CellRobot& state() const { return host_.cell().robot(robot_); }
+  [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
+  [[nodiscard]] bool is_pushed() const { return !is_over() && state().forces.size() != 0; }
+
+  Host& host_;
+  int robot_;
+  TorqueLaw law_;
+  SimulationOptions options_;
+  std::int64_t every_ns_, begin_ns_, end_ns_, next_ns_;
+  ArmSimulation arm_;
+  std::vector<SimulationNode> nodes_;
+  int motion_ = -1;
+};
+
+Started torque_j(Vm& vm, const RobotRef& r, FunctionValue law, double during, double every,
+                 std::string_view method, std::optional<double> step, double restitution) {
+  const SimulationCall call{.function = "torqueJ",
+                            .during = during,
+                            .every = every,
+                            .method = method,
+                            .step = step,
+                            .restitution = restitution,
+                            .during_parameter = 2,
+                            .every_parameter = 3,
+                            .method_parameter = 4,
+                            .step_parameter = 5,
+                            .restitution_parameter = 6};
+  if (!check_idle(vm, r.id)) return Failed{};
+  const auto options = simulation_options(vm, call);
+  if (!options || !check_time_left(vm, "a motion", during, 2)) return Failed{};
+  try {
+    auto waiting = std::make_unique<TorqueWaiting>(vm, r, law, call, *options);
+    if (!waiting->hold(vm)) return Failed{};
+    return std::unique_ptr<Waiting>(std::move(waiting));
+  } catch (const ArgumentError& error) {
+    return failure_of(vm, row("R0640"), error, 1);
+  }
+}
+
+constexpr std::string_view kSimulateHelp =
+    "What the robot would do under these torques, without moving it: M(q) qdd + C qd + g + f = "
+    "tau, "
+    "with dry friction that holds and lets go, and stops at the limits of the joints. tau(t, q, "
+    "qd) "
+    "is asked at the start and every so often, and held in between. It starts where the robot is, "
+    "or from a position, at rest or with these speeds. t, q, qd and tau hold the start and the end "
+    "of every hold; events are the instants at which a joint ran against its stop (\"stop\"), came "
+    "to stand (\"stick\") or began to move (\"slip\"), the first thousand; drift is the error of "
+    "the energy. method and step are those of ode; restitution is the part of its speed with which "
+    "a joint leaves its stop.";
+constexpr std::string_view kTorqueHelp =
+    "Moves the arm by the torques of law(t, q, qd), t from the start, asked every so often and "
+    "held "
+    "in between; the rest as for simulate. Other tasks go on beside it, and until ends it. At its "
+    "end the arm is brought to rest under control.";
+
+constexpr NativeFunction kSimulationFunctions[] = {
+    def<simulate>(
+        "simulate(r: robot, tau: fn(double, double[], double[]) -> double[], during: time, hold: "
+        "time = 1ms, from: posJ?, speeds: double[]?, method: string = \"rk4\", step: time?, "
+        "restitution: double = 0.0) -> Simulation",
+        kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last"),
+    def<torque_j>(
+        "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, hold: "
+        "time = 1ms, method: string = \"rk4\", step: time?, restitution: double = 0.0) -> "
+        "TorqueRun",
+        kTorqueHelp, "robots.puma560().torqueJ(fn(t, q, qd) => zeros(6), during: 100ms)",
+        {.pauses = true}),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> simulation_functions() { return kSimulationFunctions; }
+
+}  // namespace armlet::bind
