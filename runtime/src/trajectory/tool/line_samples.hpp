@@ -35,10 +35,19 @@ class LineSamples {
 
   [[nodiscard]] double covered(double x) const;
   [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
+  // How joints that the curve leaves a choice go on. kEasily: away from limits, and slower the
+  // closer they are. kAtOnce: away from limits, but up to them. kBetween: as little as they must,
+  // from joints between two samples.
+  enum class Slide { kEasily, kAtOnce, kBetween };
+
   [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
-                                                     const Eigen::VectorXd& seed) const;
+                                                     const Eigen::VectorXd& seed, Slide how) const;
   [[nodiscard]] std::optional<Eigen::VectorXd> slide_to_position(const Eigen::Vector3d& position,
-                                                                 const Eigen::VectorXd& seed) const;
+                                                                 const Eigen::VectorXd& seed,
+                                                                 Slide how) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide_into(const Eigen::Isometry3d& T_world_tool,
+                                                          const Eigen::VectorXd& seed,
+                                                          Slide how) const;
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;
   bool follow_once();
