@@ -17,6 +17,8 @@ namespace {
 
 constexpr int kFirstIntervals = 16;
 constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
+constexpr int kEasyHalvings = 5;  // until joints that have a choice may turn off
+constexpr double kBend = 0.5;     // of the change allowed between samples
 constexpr double kRotationPerSample = 2.0 * std::numbers::pi / 180.0;
 constexpr double kSlidePerSample = 0.02;  // m
 // Between samples, m and rad; looked at halfway, so a little less than what is promised.
@@ -239,7 +241,31 @@ bool LineSamples::fail(const Sample& last, double x, IkResult ik) {
   return false;
 }
 
+// Whether the joints go on to x about as they came to the last sample.
+bool LineSamples::goes_on(double x, const Eigen::VectorXd& q) const {
+  if (samples_.size() < 2) return true;
+  const Sample &last = samples_.back(), &before = samples_[samples_.size() - 2];
+  const double share = (x - last.x) / (last.x - before.x);
+  return change(robot_, last.q + share * (last.q - before.q), q) <= kBend;
+}
+
+// A step of joints that have a choice, taken only if they neither turn off nor come to a limit at
+// once, which shorter steps avoid.
+bool LineSamples::extend_easily(double x) {
+  const Sample& last = samples_.back();
+  auto q = slide_into(pose_at(x), last.q, Slide::kEasily);
+  if (!q || change(robot_, last.q, *q) > 1.0 || !goes_on(x, *q)) return false;
+  samples_.push_back({x, *std::move(q)});
+  return true;
+}
+
 bool LineSamples::extend(double x, int halvings) {
+  const bool has_choice = robot_.n() > 6 || task_ == IkTask::kPositionFirst;
+  if (has_choice && halvings > kHalvings - kEasyHalvings) {
+    if (extend_easily(x)) return true;
+    const double middle = 0.5 * (samples_.back().x + x);
+    return extend(middle, halvings - 1) && extend(x, halvings - 1);
+  }
   const Sample last = samples_.back();
   IkResult ik = solve(x, last.q);
   if (ik.ok() && change(robot_, last.q, ik.q) <= 1.0) {

@@ -51,6 +51,8 @@ class LineSamples {
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;
   bool follow_once();
+  [[nodiscard]] bool goes_on(double x, const Eigen::VectorXd& q) const;
+  bool extend_easily(double x);
   bool extend(double x, int halvings);
   bool refine();
   [[nodiscard]] bool swings_out(const Trajectory& motion, const Sample& before,
