@@ -17,8 +17,9 @@ namespace {
 
 constexpr int kFirstIntervals = 16;
 constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
-constexpr int kEasyHalvings = 5;  // until joints that have a choice may turn off
+constexpr int kEasyHalvings = 6;  // until joints that have a choice may turn off
 constexpr double kBend = 0.5;     // of the change allowed between samples
+constexpr double kTurn = 0.2;     // rad, of the curve's direction from one step to the next
 constexpr double kRotationPerSample = 2.0 * std::numbers::pi / 180.0;
 constexpr double kSlidePerSample = 0.02;  // m
 // Between samples, m and rad; looked at halfway, so a little less than what is promised.
@@ -50,8 +51,8 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 // Radians per metre of the curve, for a joint at its limit; tried one after another.
 constexpr std::array<double, 2> kAway = {12.0, 48.0};
 // Per metre of the curve, of the way to its limit, that a joint with others to make up for it goes
-// on towards that.
-constexpr double kApproach = 50.0;
+// on towards that; tried one after another.
+constexpr std::array<double, 3> kApproach = {50.0, 200.0, 800.0};
 constexpr double kRotationLengthOfDamping = 0.2;  // m, what a rotation by one radian counts for
 
 // Where the joints of an arm with more of them than it needs had better go: away from their limits,
@@ -135,9 +136,9 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
     }
     // The shortest step, or for arms of fewer joints the one that comes nearest.
     if (robot_.n() > 6) {
-      if (k == 0 && how == Slide::kEasily) share = std::min(1.0, kApproach * distance_of(error));
+      if (k == 0) share = std::min(1.0, how.approach * distance_of(error));
       Eigen::VectorXd wished = Eigen::VectorXd::Zero(robot_.n());
-      if (k == 0 && how != Slide::kBetween)
+      if (k == 0 && how.away)
         wished = distance_of(error) * away_from_limits(robot_, seed, away_);
       const StepRoom room(robot_, seed, q, share);
       const auto step = least_step({.W = Eigen::MatrixXd::Identity(robot_.n(), robot_.n()),
@@ -166,9 +167,8 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vecto
                                                               const Eigen::VectorXd& seed,
                                                               Slide how) const {
   Eigen::Isometry3d T_world_wished = forward(robot_, seed);
-  double share = 1.0;
-  if (how == Slide::kEasily)
-    share = std::min(1.0, kApproach * (position - T_world_wished.translation()).norm());
+  const double share =
+      std::min(1.0, how.approach * (position - T_world_wished.translation()).norm());
   T_world_wished.translation() = position;
   Eigen::VectorXd q = seed;
   Jacobian J;
@@ -203,12 +203,23 @@ std::optional<Eigen::VectorXd> LineSamples::slide_into(const Eigen::Isometry3d& 
   return std::nullopt;
 }
 
+bool LineSamples::has_choice() const { return robot_.n() > 6 || task_ == IkTask::kPositionFirst; }
+
+std::optional<Eigen::VectorXd> LineSamples::slide_easily(const Eigen::Isometry3d& T_world_tool,
+                                                         const Eigen::VectorXd& seed) const {
+  for (const double approach : kApproach) {
+    auto q = slide_into(T_world_tool, seed, {.approach = approach, .away = true});
+    if (q || !has_choice()) return q;
+  }
+  return std::nullopt;
+}
+
 IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
   checkpoint(1000);
   const Eigen::Isometry3d T_world_tool = pose_at(x);
   if (respect_limits) {
-    auto q = slide_into(T_world_tool, seed, Slide::kEasily);
-    if (!q) q = slide_into(T_world_tool, seed, Slide::kAtOnce);
+    auto q = slide_easily(T_world_tool, seed);
+    if (!q && has_choice()) q = slide_into(T_world_tool, seed, {.away = true});
     if (q) return found(*std::move(q));
   }
   // Only the solution that the arm can slide into counts, so there is one start.
@@ -249,19 +260,30 @@ bool LineSamples::goes_on(double x, const Eigen::VectorXd& q) const {
   return change(robot_, last.q + share * (last.q - before.q), q) <= kBend;
 }
 
-// A step of joints that have a choice, taken only if they neither turn off nor come to a limit at
-// once, which shorter steps avoid.
+// Whether the curve goes on behind x about as it comes to x from the last sample.
+bool LineSamples::is_straight(double x) const {
+  const double h = x - samples_.back().x;
+  if (x + h > 1.0) return true;
+  const Eigen::Isometry3d T = pose_at(x);
+  Vector6d in = pose_error(pose_at(x - h), T), out = pose_error(T, pose_at(x + h));
+  in.tail<3>() *= kRotationLengthOfDamping;
+  out.tail<3>() *= kRotationLengthOfDamping;
+  return (out.normalized() - in.normalized()).norm() <= kTurn;
+}
+
+// A step of joints that have a choice, taken only if neither they nor the curve turn off and no
+// joint comes to its limit at once, which shorter steps avoid.
 bool LineSamples::extend_easily(double x) {
   const Sample& last = samples_.back();
-  auto q = slide_into(pose_at(x), last.q, Slide::kEasily);
+  if (!is_straight(x)) return false;
+  auto q = slide_easily(pose_at(x), last.q);
   if (!q || change(robot_, last.q, *q) > 1.0 || !goes_on(x, *q)) return false;
   samples_.push_back({x, *std::move(q)});
   return true;
 }
 
 bool LineSamples::extend(double x, int halvings) {
-  const bool has_choice = robot_.n() > 6 || task_ == IkTask::kPositionFirst;
-  if (has_choice && halvings > kHalvings - kEasyHalvings) {
+  if (has_choice() && halvings > kHalvings - kEasyHalvings) {
     if (extend_easily(x)) return true;
     const double middle = 0.5 * (samples_.back().x + x);
     return extend(middle, halvings - 1) && extend(x, halvings - 1);
@@ -331,7 +353,7 @@ bool LineSamples::refine() {
       if (strays(curve, x) || swings_out(curve, before, samples_[k])) {
         // Next to the curve of the joints, so that what the arm has to spare goes on as it went:
         // solved from the sample before, the joints would turn off between two that stay.
-        auto q = slide_into(pose_at(x), joints_of(curve, x), Slide::kBetween);
+        auto q = slide_into(pose_at(x), joints_of(curve, x), {});
         if (!q) {
           IkResult ik = solve(x, before.q);
           if (!ik.ok()) return fail(before, x, std::move(ik));

@@ -1,6 +1,7 @@
 // Positions on a curve solved to joints, as finely as the joints need it.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -35,10 +36,14 @@ class LineSamples {
 
   [[nodiscard]] double covered(double x) const;
   [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
-  // How joints that the curve leaves a choice go on. kEasily: away from limits, and slower the
-  // closer they are. kAtOnce: away from limits, but up to them. kBetween: as little as they must,
-  // from joints between two samples.
-  enum class Slide { kEasily, kAtOnce, kBetween };
+  // How joints that the curve leaves a choice go on.
+  //
+  // approach  per metre of the curve, of the way to its limit, that a joint may go towards that.
+  // away      whether they keep away from limits, or go as little as they must.
+  struct Slide {
+    double approach = INFINITY;
+    bool away = false;
+  };
 
   [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
                                                      const Eigen::VectorXd& seed, Slide how) const;
@@ -48,10 +53,14 @@ class LineSamples {
   [[nodiscard]] std::optional<Eigen::VectorXd> slide_into(const Eigen::Isometry3d& T_world_tool,
                                                           const Eigen::VectorXd& seed,
                                                           Slide how) const;
+  [[nodiscard]] bool has_choice() const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide_easily(const Eigen::Isometry3d& T_world_tool,
+                                                            const Eigen::VectorXd& seed) const;
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;
   bool follow_once();
   [[nodiscard]] bool goes_on(double x, const Eigen::VectorXd& q) const;
+  [[nodiscard]] bool is_straight(double x) const;
   bool extend_easily(double x);
   bool extend(double x, int halvings);
   bool refine();
