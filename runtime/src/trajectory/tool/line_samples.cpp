@@ -49,7 +49,7 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 }
 
 // Radians per metre of the curve, for a joint at its limit; tried one after another.
-constexpr std::array<double, 2> kAway = {12.0, 48.0};
+constexpr std::array<double, LineSamples::kWays> kAway = {12.0, 48.0, 3.0};
 // Per metre of the curve, of the way to its limit, that a joint with others to make up for it goes
 // on towards that; tried one after another.
 constexpr std::array<double, 3> kApproach = {50.0, 200.0, 800.0};
@@ -136,7 +136,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
     }
     // The shortest step, or for arms of fewer joints the one that comes nearest.
     if (robot_.n() > 6) {
-      if (k == 0) share = std::min(1.0, how.approach * distance_of(error));
+      if (k == 0) share = how.share_of(distance_of(error));
       Eigen::VectorXd wished = Eigen::VectorXd::Zero(robot_.n());
       if (k == 0 && how.away)
         wished = distance_of(error) * away_from_limits(robot_, seed, away_);
@@ -168,7 +168,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vecto
                                                               Slide how) const {
   Eigen::Isometry3d T_world_wished = forward(robot_, seed);
   const double share =
-      std::min(1.0, how.approach * (position - T_world_wished.translation()).norm());
+      how.share_of((position - T_world_wished.translation()).norm());
   T_world_wished.translation() = position;
   Eigen::VectorXd q = seed;
   Jacobian J;
@@ -298,12 +298,13 @@ bool LineSamples::extend(double x, int halvings) {
   return extend(0.5 * (last.x + x), halvings - 1) && extend(x, halvings - 1);
 }
 
-bool LineSamples::follow() {
-  for (const double away : kAway) {
-    away_ = away;
+int LineSamples::ways() const { return robot_.n() > 6 && task_ == IkTask::kPose ? kWays : 1; }
+
+bool LineSamples::follow(int way) {
+  for (; way < ways(); ++way) {
+    away_ = kAway[static_cast<std::size_t>(way)];
     samples_.resize(1);
     if (follow_once()) return true;
-    if (robot_.n() <= 6) return false;
   }
   return false;
 }

@@ -1,6 +1,7 @@
 // Positions on a curve solved to joints, as finely as the joints need it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -20,8 +21,13 @@ class LineSamples {
   LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve, IkTask task,
               CurveLaw law = CurveLaw::kQuintic);
 
-  // Samples the curve; false if it cannot be followed, then fault() says why.
-  bool follow();
+  // Of arms with a joint to spare: how strongly joints keep away from their limits.
+  static constexpr int kWays = 3;
+  [[nodiscard]] int ways() const;
+
+  // Samples the curve in the first way from `way` on that can follow it; false if none can, then
+  // fault() says why.
+  bool follow(int way = 0);
   [[nodiscard]] const LineFault& fault() const { return fault_; }
 
   // The joints as functions of x, through all samples: from rest to rest, or with the
@@ -43,6 +49,10 @@ class LineSamples {
   struct Slide {
     double approach = INFINITY;
     bool away = false;
+
+    [[nodiscard]] double share_of(double distance) const {
+      return std::isfinite(approach) ? std::min(1.0, approach * distance) : 1.0;
+    }
   };
 
   [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
