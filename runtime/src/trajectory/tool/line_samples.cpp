@@ -49,7 +49,7 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 }
 
 // Radians per metre of the curve, for a joint at its limit; tried one after another.
-constexpr std::array<double, LineSamples::kWays> kAway = {12.0, 48.0, 3.0};
+constexpr std::array<double, LineSamples::kWays> kAway = {12.0, 48.0, 24.0, 6.0};
 // Per metre of the curve, of the way to its limit, that a joint with others to make up for it goes
 // on towards that; tried one after another.
 constexpr std::array<double, 3> kApproach = {50.0, 200.0, 800.0};

@@ -22,7 +22,7 @@ class LineSamples {
               CurveLaw law = CurveLaw::kQuintic);
 
   // Of arms with a joint to spare: how strongly joints keep away from their limits.
-  static constexpr int kWays = 3;
+  static constexpr int kWays = 4;
   [[nodiscard]] int ways() const;
 
   // Samples the curve in the first way from `way` on that can follow it; false if none can, then
