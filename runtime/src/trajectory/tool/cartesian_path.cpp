@@ -22,6 +22,7 @@ constexpr int kIntervals = 200;          // of the grid on which the speeds are 
 constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
 constexpr int kCellsPerCorner = 32;      // and what each corner adds
 constexpr int kCornerChords = 64;        // for the length of a corner
+constexpr int kFiner = 4;  // times as many where the joints turn sharply
 constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
 constexpr double kNoLength = 1e-9;       // m
 
@@ -344,8 +345,11 @@ class PathPlanner {
     const std::vector<Segment> travel = travel_of(stretch);
     const SpeedAlongPath speed =
         fastest_along(stretch.path, limits_, kIntervals, stretch.zones, travel);
-    return smooth_run(stretch.path, limits_, speed, kCells + kCellsPerCorner * stretch.corners,
-                      stretch.zones, travel);
+    const int cells = kCells + kCellsPerCorner * stretch.corners;
+    TimedRun run = smooth_run(stretch.path, limits_, speed, cells, stretch.zones, travel);
+    if (run.s.empty())
+      run = smooth_run(stretch.path, limits_, speed, kFiner * cells, stretch.zones, travel);
+    return run;
   }
 
   TimedRun run_on(const Stretch& stretch) {
