@@ -13,8 +13,11 @@ namespace {
 
 constexpr int kCurveStarts = 6;     // of each row that is left out
 constexpr double kExact = 1e-12;    // m and rad
+constexpr int kExactly = 100;        // iterations
 constexpr double kApart = 2e-6;     // rad or m; solutions that are closer are one
-constexpr std::size_t kMostKnown = 24;
+// Of single solutions there are no more (D. Manocha, J. F. Canny, Efficient inverse kinematics for
+// general 6R manipulators, 1994): those beyond belong to whole curves.
+constexpr std::size_t kMostSingle = 16;
 constexpr double kSafeShare = 0.5;  // of the least singular value, that a change may be
 
 class BranchSearch {
@@ -28,11 +31,16 @@ class BranchSearch {
         solutions_(solutions) {}
 
   void run() {
+    const std::vector<Eigen::VectorXd> given = solutions_;
     std::vector<Eigen::VectorXd> inexact;
     for (const Eigen::VectorXd& solution : std::exchange(solutions_, {})) {
       JointArray q = to_array(solution);
-      if (!solver_.solve_free(q, options_.iterations) || !take_exact(q))
+      if (!solver_.solve_free(q, kExactly) || !take_exact(q))
         inexact.push_back(solution);
+    }
+    if (known_.size() > kMostSingle) {
+      solutions_ = given;
+      return;
     }
     for (Eigen::Index row = 0; row < 6; ++row) {
       if (goal_.weights[row] != 0.0) leave_out(row);
@@ -54,7 +62,7 @@ class BranchSearch {
     const Eigen::VectorXd found = to_vector(q, robot_.n());
     wrap_to_seed(robot_, options_, q);
     const bool inside = !options_.respect_limits || solver_.is_within_limits(q);
-    if (known_.size() >= kMostKnown || !is_new(robot_, known_, found, kApart)) return inside;
+    if (known_.size() > kMostSingle || !is_new(robot_, known_, found, kApart)) return inside;
     known_.push_back(found);
     if (inside) solutions_.push_back(to_vector(q, robot_.n()));
     return inside;
