@@ -11,13 +11,14 @@
 namespace armlet {
 namespace {
 
-constexpr int kCurveStarts = 6;     // of each row that is left out
-constexpr double kExact = 1e-12;    // m and rad
-constexpr int kExactly = 100;        // iterations
-constexpr double kApart = 2e-6;     // rad or m; solutions that are closer are one
+constexpr int kCurveStarts = 6;   // of each row that is left out
+constexpr double kExact = 1e-12;  // m and rad
+constexpr int kExactly = 100;     // iterations
+constexpr double kApart = 2e-6;   // rad or m; solutions that are closer are one
 // Of single solutions there are no more (D. Manocha, J. F. Canny, Efficient inverse kinematics for
-// general 6R manipulators, 1994): those beyond belong to whole curves.
+// general 6R manipulators, 1994).
 constexpr std::size_t kMostSingle = 16;
+constexpr double kAside = 0.02;     // rad or m
 constexpr double kSafeShare = 0.5;  // of the least singular value, that a change may be
 
 class BranchSearch {
@@ -31,22 +32,18 @@ class BranchSearch {
         solutions_(solutions) {}
 
   void run() {
-    const std::vector<Eigen::VectorXd> given = solutions_;
-    std::vector<Eigen::VectorXd> inexact;
+    const std::size_t given = solutions_.size();
+    std::vector<Eigen::VectorXd> others;  // those of whole curves, and what only nearly is one
     for (const Eigen::VectorXd& solution : std::exchange(solutions_, {})) {
       JointArray q = to_array(solution);
-      if (!solver_.solve_free(q, kExactly) || !take_exact(q))
-        inexact.push_back(solution);
-    }
-    if (known_.size() > kMostSingle) {
-      solutions_ = given;
-      return;
+      if (!solver_.solve_free(q, kExactly) || !take_exact(q)) others.push_back(solution);
     }
     for (Eigen::Index row = 0; row < 6; ++row) {
       if (goal_.weights[row] != 0.0) leave_out(row);
     }
-    for (const Eigen::VectorXd& solution : inexact) {
-      if (is_new(robot_, solutions_, solution)) solutions_.push_back(solution);
+    for (const Eigen::VectorXd& solution : others) {
+      if (solutions_.size() < given && is_new(robot_, solutions_, solution))
+        solutions_.push_back(solution);
     }
   }
 
@@ -57,12 +54,25 @@ class BranchSearch {
     return goal;
   }
 
-  // Adds a solution unless it is known. Returns whether it lies inside the limits.
+  // Whether the goal is met all along a direction. Two solutions all but one are idle there too,
+  // but the iterations lead back to them.
+  bool is_on_curve(const JointArray& q) {
+    const JointDirections idle = idle_directions(robot_, goal_, q, kIdleTool);
+    if (idle.cols() == 0) return false;
+    JointArray aside = q;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(robot_.n()); ++i)
+      aside[i] += kAside * idle(static_cast<Eigen::Index>(i), 0);
+    if (!solver_.solve_free(aside, kExactly)) return false;
+    return largest_change(to_vector(aside, robot_.n()), to_vector(q, robot_.n())) > 0.1 * kAside;
+  }
+
+  // Adds a single solution unless it is known. Returns whether it is one inside the limits.
   bool take_exact(JointArray q) {
+    if (is_on_curve(q)) return false;
     const Eigen::VectorXd found = to_vector(q, robot_.n());
     wrap_to_seed(robot_, options_, q);
     const bool inside = !options_.respect_limits || solver_.is_within_limits(q);
-    if (known_.size() > kMostSingle || !is_new(robot_, known_, found, kApart)) return inside;
+    if (known_.size() >= kMostSingle || !is_new(robot_, known_, found, kApart)) return inside;
     known_.push_back(found);
     if (inside) solutions_.push_back(to_vector(q, robot_.n()));
     return inside;

@@ -50,7 +50,6 @@ class SelfMotions {
   const std::vector<Curve>& curves() const { return curves_; }
 
  private:
-
   double difference(std::size_t i, double a, double b) const;
   double distance_to(const JointArray& a, const JointArray& b, const JointArray& q,
                      double& share) const;

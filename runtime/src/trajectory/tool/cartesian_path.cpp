@@ -22,7 +22,7 @@ constexpr int kIntervals = 200;          // of the grid on which the speeds are 
 constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
 constexpr int kCellsPerCorner = 32;      // and what each corner adds
 constexpr int kCornerChords = 64;        // for the length of a corner
-constexpr int kFiner = 4;  // times as many where the joints turn sharply
+constexpr int kFiner = 4;                // times as many where the joints turn sharply
 constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
 constexpr double kNoLength = 1e-9;       // m
 
@@ -401,7 +401,7 @@ class PathPlanner {
   const PathMove& move_;
   std::vector<AxisLimits> limits_;
   int way_ = 0, ways_ = 1;  // of arms with a joint to spare, see LineSamples
-  Jerk jerk_;  // of what is done: where limiting it would take very long, it is not
+  Jerk jerk_;               // of what is done: where limiting it would take very long, it is not
   std::vector<Leg> legs_;
   PathPlan plan_;
 };

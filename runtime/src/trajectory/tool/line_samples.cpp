@@ -16,7 +16,7 @@ namespace armlet {
 namespace {
 
 constexpr int kFirstIntervals = 16;
-constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
+constexpr int kHalvings = 8;      // 16 * 2^8 = 4096 intervals at most
 constexpr int kEasyHalvings = 6;  // until joints that have a choice may turn off
 constexpr double kBend = 0.5;     // of the change allowed between samples
 constexpr double kTurn = 0.2;     // rad, of the curve's direction from one step to the next
@@ -138,8 +138,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
     if (robot_.n() > 6) {
       if (k == 0) share = how.share_of(distance_of(error));
       Eigen::VectorXd wished = Eigen::VectorXd::Zero(robot_.n());
-      if (k == 0 && how.away)
-        wished = distance_of(error) * away_from_limits(robot_, seed, away_);
+      if (k == 0 && how.away) wished = distance_of(error) * away_from_limits(robot_, seed, away_);
       const StepRoom room(robot_, seed, q, share);
       const auto step = least_step({.W = Eigen::MatrixXd::Identity(robot_.n(), robot_.n()),
                                     .g = std::move(wished),
@@ -167,8 +166,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vecto
                                                               const Eigen::VectorXd& seed,
                                                               Slide how) const {
   Eigen::Isometry3d T_world_wished = forward(robot_, seed);
-  const double share =
-      how.share_of((position - T_world_wished.translation()).norm());
+  const double share = how.share_of((position - T_world_wished.translation()).norm());
   T_world_wished.translation() = position;
   Eigen::VectorXd q = seed;
   Jacobian J;
