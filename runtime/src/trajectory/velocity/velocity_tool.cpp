@@ -140,13 +140,14 @@ Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolComm
 //         well, not with the largest, by which no speed goes further than that command would have
 //         let it.
 std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& start,
-                                     const Vector6d& twist, const VectorXd& ref, bool slowly,
+                                     const Vector6d& twist, ToolLaw law, bool slowly,
                                      const Wanted& wanted) {
-  const bool to_rest = twist.isZero(0.0) && ref.size() == 0;
+  const bool to_rest = twist.isZero(0.0) && law.ref.size() == 0;
   std::vector<double> shares(std::begin(kShares), std::end(kShares));
   if (to_rest) shares.insert(shares.begin(), kAllButAll);
   for (const double share : shares) {
-    const ToolLaw law{.share = share, .turning = slowly ? share : shares[0], .ref = ref};
+    law.share = share;
+    law.turning = slowly ? share : shares[0];
     const Trial trial = try_take_up(robot, start, ToolCommand(robot, start, twist, law), wanted);
     if (trial == Trial::kGood) return law;
     if (trial == Trial::kBad) break;
@@ -159,12 +160,14 @@ std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& st
 std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
                                 const Vector6d& twist, const Wanted& wanted) {
   const bool turns = !accelerations_of(start).isZero(1e-9);
-  const VectorXd of_joints, of_tool = start.q;
   const bool calm = std::isfinite(wanted.calm);
-  for (const VectorXd& ref : {calm ? of_joints : of_tool, calm ? of_tool : of_joints}) {
+  const ToolLaw of_joints, of_tool{.ref = start.q}, crossing{.ref = start.q, .crosses = true};
+  std::vector<ToolLaw> laws = {calm ? of_joints : of_tool, calm ? of_tool : of_joints};
+  if (twist.isZero(0.0) && robot.n() >= 6) laws.push_back(crossing);
+  for (const ToolLaw& law : laws) {
     for (const bool slowly : {false, true}) {
       if (slowly && !turns) break;
-      if (auto law = largest_share(robot, start, twist, ref, slowly, wanted)) return law;
+      if (auto found = largest_share(robot, start, twist, law, slowly, wanted)) return found;
     }
   }
   return std::nullopt;
