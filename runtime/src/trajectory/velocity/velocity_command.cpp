@@ -17,6 +17,7 @@ constexpr double kFarthestStep = 2e-3;
 // Steps are halved, but for the smallest, while speeds are more uncertain than this, rad/s or m/s.
 constexpr double kSmallestStep = 1e-5;
 constexpr double kDoubt = 1e-8;
+constexpr double kShareOfIdle = 0.7;     // of the limits, where a singular position is crossed
 constexpr double kLacking = 1e-6;        // of the velocity asked for
 constexpr double kRankThreshold = 1e-9;  // of the largest pivot
 
@@ -203,7 +204,15 @@ ToolCommand::ToolCommand(const Robot& robot, const VelocityStart& from, const Ve
   const SquareFactors to_ref(from_ref);
   x = to_ref.solve(x);
   const VectorXd gain = accelerations_of(from) - bend(from.q, from.qd, x);
-  take_up_ = plan_take_up(x, to_ref.solve(gain), limits);
+  const VectorXd a = to_ref.solve(gain);
+  if (!law.crosses) {
+    take_up_ = plan_take_up(x, a, limits);
+    return;
+  }
+  // What joints do fast must not hold up what the tool does.
+  const VectorXd x_idle = idle_.dot(x) * idle_, a_idle = idle_.dot(a) * idle_;
+  take_up_ = sum_of(plan_take_up(x_idle, a_idle, limits.part(kShareOfIdle)),
+                    plan_take_up(x - x_idle, a - a_idle, limits.part(1.0 - kShareOfIdle)));
 }
 
 VelocityPlan ToolCommand::follow(double begin, double end, VelocityPieces& pieces,
