@@ -91,13 +91,6 @@ std::vector<std::string> texts_of(const RunOptions& options, const SourceSet& so
 
 std::string seconds(double s) { return fmt::format("{:.2f} s", s); }
 
-void show_move(const MoveReport& move) {
-  const double end = move.start + move.duration;
-  progress(fmt::format("[t = {}] {} {} {}{}, hand at {}", seconds(end), move.robot, move.function,
-                       seconds(move.duration), move.stopped ? " (stopped)" : "",
-                       format_point_mm(move.T_world_tool.translation())));
-}
-
 // Sleeps until wall-clock time has caught up with virtual time, in short pieces so that Ctrl-C is
 // heard. Ctrl-C asks the program once to stop; coming to rest then costs no time.
 std::function<bool(std::int64_t)> real_time() {
@@ -168,11 +161,7 @@ void show_summary(const Session& session, const std::string& trace, Progress sta
   for (std::size_t i = 0; i < world.size(); ++i) {
     const Object& object = world.object(i);
     if (object.fixed) continue;
-    std::string where = world.resting_on(object.name);
-    if (const auto& held = world.attachment(object.name); held && held->on.empty())
-      where = fmt::format("held by {}", host.cell().robot(held->carrier).name);
-    else if (!where.empty())
-      where = "on " + where;
+    const std::string where = place_text(host.cell(), object.name);
     progress(fmt::format("  {} at {}{}{}", object.name,
                          format_point_mm(object.T_world_obj.translation()),
                          where.empty() ? "" : ", ", where));

@@ -35,6 +35,7 @@ Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
   if (!folder.ok()) return refuse("the folder of the program cannot be opened");
   const Result<std::string> clean = folder->clean(name);
   if (!clean.ok()) return refusal(clean.error(), "write");
+  if (is_replaying_) return options_.folder / *clean;
   if (const auto error = folder->save(*clean, content)) return refusal(*error, "write");
   return options_.folder / *clean;
 }

@@ -109,8 +109,13 @@ std::unique_ptr<Host> Session::make_host(bool with_world) {
   HostOptions host_options;
   host_options.robot = options_.robot;
   host_options.planners = options_.planners;
-  host_options.on_move = options_.on_move;
-  host_options.pace = options_.pace;
+  if (options_.on_move) {
+    host_options.on_move = [this](const MoveReport& move) {
+      if (!is_silent_) options_.on_move(move);
+    };
+  }
+  if (options_.pace)
+    host_options.pace = [this](std::int64_t t_ns) { return is_silent_ || options_.pace(t_ns); };
   host_options.folder = options_.folder;
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
@@ -129,7 +134,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
   compile_options.open = false;
-  compile_options.cancelled = &cancelled_;
+  compile_options.cancelled = is_silent_ ? nullptr : &cancelled_;
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
   if (compiled.program == nullptr) return false;
@@ -138,7 +143,8 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   vm_options.timeline = &host;
   vm_options.host = &host;
   Vm vm(compiled.program, std::move(vm_options));
-  const InReach in_reach(vm, running_, cancelling_, cancelled_);
+  std::optional<InReach> in_reach;
+  if (!is_silent_) in_reach.emplace(vm, running_, cancelling_, cancelled_);
   RunResult result = vm.run();
   if (result.status == Progress::kDone) return true;
   if (result.error) problems.push_back({*std::move(result.error), compiled.sources});
@@ -171,8 +177,8 @@ void Session::cancel() noexcept {
   cancelling_.fetch_sub(1);
 }
 
-CompileOptions Session::compile_options(Host& host) const {
-  CompileOptions out;
+CompileOptions Session::compile_options(Host& host, CompileOptions how) const {
+  CompileOptions out = std::move(how);
   out.limits = options_.parse_limits;
   out.host = &host;
   out.world = world_names_;
@@ -190,7 +196,10 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
   const OneCompilation one_compilation(makes_program, cancelled_);
   describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  CompileOptions options = compile_options(*host);
+  CompileOptions how;
+  how.is_entry = is_entry_;
+  how.after = newest_program();
+  CompileOptions options = compile_options(*host, std::move(how));
   options.texts = editor_texts(host->planners().names(), world_names_);
   return engine_.analyse(std::move(text), std::move(name), options, before);
 }
@@ -198,14 +207,26 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
 bool Session::compile(std::string text, std::string name) {
   if (is_running_.load())
     throw ArgumentError("A session cannot compile while its program runs; use another one.");
+  forget_run();
+  log_.clear();
+  done_ = 0;
+  is_entry_ = false;
+  return compile_as(std::move(text), std::move(name), {});
+}
+
+void Session::forget_run() {
   can_run_ = false;
-  problems_.clear();
   give_up();
   vm_.reset();
+}
+
+bool Session::compile_as(std::string text, std::string name, const CompileOptions& how) {
+  can_run_ = false;
+  problems_.clear();
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options(*host));
+  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options(*host, how));
   const bool has_program = compilation_.program != nullptr;
   const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
   if (uses_world && !compilation_.cancelled) problems_ = world_problems_;
@@ -215,30 +236,52 @@ bool Session::compile(std::string text, std::string name) {
   return can_run_;
 }
 
+std::vector<std::string> Session::world_objects() {
+  describe_world();
+  return world_names_ != nullptr ? world_names_->things : std::vector<std::string>();
+}
+
 void Session::begin_run() {
   give_up();
+  begin_cell(compilation_.program);
+  result_ = vm_->result();
+  is_under_way_ = true;
+}
+
+// A new cell, and a machine for the program in it.
+void Session::begin_cell(const std::shared_ptr<const Program>& program) {
   vm_.reset();
   host_ = make_host(true);
-  const Program& program = *compilation_.program;
-  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
+  host_->set_replaying(is_silent_);
+  take_world(*program);
   fan_out_ = std::make_unique<FanOut>(options_.backends);
-  Cell& cell = host_->cell();
-  if (!options_.backends.empty()) cell.set_backend(fan_out_.get());
-  cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
-                           !program.mentions("release"));
+  if (!is_silent_) listen();
 
   VmOptions vm_options;
   vm_options.limits = options_.limits;
   vm_options.timeline = host_.get();
   vm_options.host = host_.get();
-  vm_options.output = [this, &cell](std::string_view text) {
+  vm_options.output = [this, &cell = host_->cell()](std::string_view text) {
     cell.note(NoteKind::kOutput, text);
-    return options_.output ? options_.output(text) : std::string();
+    return options_.output && !is_silent_ ? options_.output(text) : std::string();
   };
-  vm_options.advice = options_.advice;
-  vm_ = std::make_unique<Vm>(compilation_.program, std::move(vm_options));
-  result_ = vm_->result();
-  is_under_way_ = true;
+  if (options_.advice) {
+    vm_options.advice = [this](const Diagnostic& advice) {
+      if (!is_silent_) options_.advice(advice);
+    };
+  }
+  vm_ = std::make_unique<Vm>(program, std::move(vm_options));
+}
+
+void Session::listen() {
+  if (!options_.backends.empty()) host_->cell().set_backend(fan_out_.get());
+}
+
+// The program that is about to run may name objects, and pick them by contact.
+void Session::take_world(const Program& program) {
+  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
+  host_->cell().set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
+                                    !program.mentions("release"));
 }
 
 // A program may end while a robot still slows down after a velocity command. Whether all stand.
@@ -260,7 +303,7 @@ void Session::end_run() {
 }
 
 void Session::give_up() {
-  if (is_under_way_) end_run();
+  if (is_under_way_ || (is_entry_ && host_ != nullptr)) end_run();
 }
 
 Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go) {
@@ -270,17 +313,20 @@ Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go
   }
   const OneSlice one_slice(is_running_, cancelled_, is_under_way_);
   try {
-    if (!is_under_way_) begin_run();
-    const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
-    if (vm_->result().status == Progress::kPaused) go(*vm_);
-    result_ = vm_->result();
-    if (result_.status == Progress::kPaused) return Progress::kPaused;
-    if (result_.status == Progress::kDone && !come_to_rest(budget))
-      return result_.status = Progress::kPaused;
-    end_run();
+    if (!is_under_way_) is_entry_ ? begin_entry() : begin_run();
+    {
+      const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
+      if (vm_->result().status == Progress::kPaused) go(*vm_);
+      result_ = vm_->result();
+      if (result_.status == Progress::kPaused) return Progress::kPaused;
+      if (result_.status == Progress::kDone && !come_to_rest(budget))
+        return result_.status = Progress::kPaused;
+    }
+    is_entry_ ? end_entry() : end_run();
   } catch (...) {
     is_under_way_ = false;
     if (host_ != nullptr) host_->cell().set_backend(nullptr);
+    if (is_entry_) replay_to(done_, true);
     throw;
   }
   return result_.status;
@@ -298,6 +344,7 @@ RunResult Session::run() {
 }
 
 RunResult Session::run_test(std::size_t index) {
+  if (is_entry_) throw ArgumentError("Tests are run of a whole program: compile() it.");
   if (!is_running_.load()) give_up();
   go_on({}, [index](Vm& vm) { static_cast<void>(vm.run_test(index)); });
   return result_;

@@ -78,7 +78,9 @@ void statement(Lowering& in, const Stmt& s) {
 
 void block(Lowering& in, const Block& b) {
   const Emitter::Mark mark = in.code.mark();
-  if (std::ranges::any_of(b.body, starts_watching)) {
+  // What an entry watches at its top level is watched while later entries run, too.
+  const bool lives_on = in.tables.program().is_entry && in.is_program() && &b == in.function.body;
+  if (!lives_on && std::ranges::any_of(b.body, starts_watching)) {
     watched_block(in, b.body);
   } else {
     for (const Stmt* s : b.body) statement(in, *s);

@@ -136,9 +136,12 @@ class Host : public Timeline {
   // Writes a file of the program: `name` is relative to the folder that was granted and stays below
   // it, has an ending of its kind and leads through no link. A file that cannot be written to its
   // end leaves the one before as it was. Fails with the reason.
+  // What was saved while the host replays a run has been saved before, and is not written again.
   [[nodiscard]] Result<std::filesystem::path> save_file(const FileKind& kind,
                                                         const std::string& name,
                                                         std::string_view content) const;
+
+  void set_replaying(bool is_replaying) { is_replaying_ = is_replaying; }
 
   // The text of a file of the program, under the same rule. Fails with the reason.
   [[nodiscard]] Result<std::string> load_file(const std::string& name) const;
@@ -184,6 +187,7 @@ class Host : public Timeline {
   bool filling_ = false;
   bool contact_pick_reported_ = false;
   bool fall_reported_ = false;
+  bool is_replaying_ = false;
   int moves_ = 0;
 };
 
