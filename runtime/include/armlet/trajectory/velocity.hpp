@@ -20,10 +20,13 @@ namespace armlet {
 //          turned.
 // ref      position of the joints to which the law of the take-up refers; empty if it is in joint
 //          speeds.
+// crosses  whether the direction that the tool has all but lost at `ref` is left to the joints, to
+//          come to rest through a singular position.
 struct ToolLaw {
   double share = 1.0;
   double turning = 1.0;
   Eigen::VectorXd ref{};
+  bool crosses = false;
 };
 
 // Speeds of the tool point, m/s and rad/s, >= 0.

@@ -11,6 +11,7 @@
 #include "armlet/math/format_vector.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
+#include "ik_branches.hpp"
 #include "ik_closed.hpp"
 #include "ik_free.hpp"
 #include "ik_search.hpp"
@@ -159,6 +160,9 @@ bool find_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
   }
   if (nearest) {
     search_near(robot, goal, options, kNearStarts, search.solutions);
+    sort_by_nearness(robot, options.seed, search.solutions);
+    if (may_be_nearer(robot, goal, options, search.solutions.front()))
+      find_branches(robot, goal, options, search.solutions);
     bring_nearer(robot, goal, options, search.solutions);
   }
   take_solution(robot, goal, search.solutions.front(), result);
@@ -366,7 +370,10 @@ std::vector<Eigen::VectorXd> all_solutions(const Robot& robot, const IkGoal& goa
     }
   }
   IkSearch search = search_ik(robot, goal, options, count, options.starts);
+  find_branches(robot, goal, options, search.solutions);
   sort_by_nearness(robot, options.seed, search.solutions);
+  if (static_cast<int>(search.solutions.size()) > count)
+    search.solutions.resize(static_cast<std::size_t>(std::max(count, 0)));
   return search.solutions;
 }
 

@@ -9,40 +9,10 @@
 namespace armlet {
 namespace {
 
-constexpr double kSameSolution = 1e-4;      // rad or m
 constexpr double kRotationRounding = 1e-9;  // rad
 constexpr double kAround = 0.6;             // rad or m, in which starts around the seed lie
 constexpr int kFreeStarts = 8;  // of a search for one solution, without a second try each
 constexpr IkPace kFast{.largest_step = 2.0, .progress = 0.9, .stall = 5};
-
-bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
-            const Eigen::VectorXd& q) {
-  return std::none_of(solutions.begin(), solutions.end(), [&](const Eigen::VectorXd& other) {
-    for (int i = 0; i < robot.n(); ++i) {
-      const double change =
-          robot.is_revolute(i) ? angle_difference(q[i], other[i]) : q[i] - other[i];
-      if (std::abs(change) > kSameSolution) return false;
-    }
-    return true;
-  });
-}
-
-// Every revolute joint at the copy nearest to the seed, inside the limits if they count. Whole
-// turns away and back round, which must not put a joint on its limit beyond it.
-void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q) {
-  for (int i = 0; i < robot.n(); ++i) {
-    if (!robot.is_revolute(i)) continue;
-    double& value = q[static_cast<std::size_t>(i)];
-    if (!options.respect_limits) {
-      value = nearest_copy_of_angle(value, options.seed[i]);
-      continue;
-    }
-    const double lower = robot.lower()[i], upper = robot.upper()[i];
-    value = wrapped_within(value, options.seed[i], lower - 1e-9, upper + 1e-9);
-    const double inside = std::clamp(value, lower, upper);
-    if (std::abs(value - inside) < kRotationRounding) value = inside;
-  }
-}
 
 // One start: free first, because joints held at their limits block the way; then, if that ends
 // outside, from the nearest configuration inside.
@@ -79,6 +49,33 @@ int elbow_of(const Robot& robot) {
 
 double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2) {
   return (q_1 - q_2).cwiseAbs().maxCoeff();
+}
+
+bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
+            const Eigen::VectorXd& q, double same) {
+  return std::none_of(solutions.begin(), solutions.end(), [&](const Eigen::VectorXd& other) {
+    for (int i = 0; i < robot.n(); ++i) {
+      const double change =
+          robot.is_revolute(i) ? angle_difference(q[i], other[i]) : q[i] - other[i];
+      if (std::abs(change) > same) return false;
+    }
+    return true;
+  });
+}
+
+void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q) {
+  for (int i = 0; i < robot.n(); ++i) {
+    if (!robot.is_revolute(i)) continue;
+    double& value = q[static_cast<std::size_t>(i)];
+    if (!options.respect_limits) {
+      value = nearest_copy_of_angle(value, options.seed[i]);
+      continue;
+    }
+    const double lower = robot.lower()[i], upper = robot.upper()[i];
+    value = wrapped_within(value, options.seed[i], lower - 1e-9, upper + 1e-9);
+    const double inside = std::clamp(value, lower, upper);
+    if (std::abs(value - inside) < kRotationRounding) value = inside;
+  }
 }
 
 IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,

@@ -32,6 +32,17 @@ IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& opti
 void search_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, int starts,
                  std::vector<Eigen::VectorXd>& solutions);
 
+// Two solutions are one if no joint differs by more, rad or m.
+inline constexpr double kSameSolution = 1e-4;
+
+// Whether none of the solutions is q, revolute joints counting modulo a revolution.
+bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
+            const Eigen::VectorXd& q, double same = kSameSolution);
+
+// Every revolute joint at the copy nearest to the seed, inside the limits if they count. Whole
+// turns away and back round, which must not put a joint on its limit beyond it.
+void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q);
+
 // The largest change of one joint between two configurations.
 double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
 

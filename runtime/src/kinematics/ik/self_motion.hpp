@@ -45,9 +45,11 @@ class SelfMotions {
 
   bool empty() const { return curves_.empty(); }
 
- private:
+  // In the order in which they were found; points along each.
   using Curve = std::vector<JointArray>;
+  const std::vector<Curve>& curves() const { return curves_; }
 
+ private:
   double difference(std::size_t i, double a, double b) const;
   double distance_to(const JointArray& a, const JointArray& b, const JointArray& q,
                      double& share) const;

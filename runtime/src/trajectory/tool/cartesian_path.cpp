@@ -22,6 +22,7 @@ constexpr int kIntervals = 200;          // of the grid on which the speeds are 
 constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
 constexpr int kCellsPerCorner = 32;      // and what each corner adds
 constexpr int kCornerChords = 64;        // for the length of a corner
+constexpr int kFiner = 4;                // times as many where the joints turn sharply
 constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
 constexpr double kNoLength = 1e-9;       // m
 
@@ -83,6 +84,7 @@ struct Stretch {
   std::vector<double> ends{};  // of each leg
   int corners = 0;
   double travel = 0.0;
+  TimedRun smooth{};  // within all limits; empty where the joints all but jump
 };
 
 void add_zone(std::vector<SpeedZone>& zones, double from, double to, double speed, double accel) {
@@ -119,7 +121,7 @@ class PathPlanner {
     Eigen::VectorXd q = move_.q0;
     for (std::size_t first = 0; first < legs_.size();) {
       const std::vector<Part> parts = parts_from(first);
-      const auto stretch = lay(parts, q);
+      const auto stretch = lay_smooth(parts, q);
       if (!stretch) return std::move(plan_);
       const Trajectory motion = run(*stretch, first, whole ? whole->duration() : 0.0);
       first += stretch->ends.size();
@@ -210,7 +212,8 @@ class PathPlanner {
   std::optional<Trajectory> follow(const Part& part, const Eigen::VectorXd& q0) {
     if (part.is_joint_line()) return joint_line(robot_, q0, *part.legs.back().q_goal);
     LineSamples samples(robot_, q0, part.curve, move_.task, CurveLaw::kEven);
-    if (!samples.follow()) {
+    ways_ = std::max(ways_, samples.ways());
+    if (!samples.follow(way_)) {
       fail_on(part, samples.fault());
       return std::nullopt;
     }
@@ -224,6 +227,25 @@ class PathPlanner {
     const double r =
         at_end ? blend_at_end(robot_, path, blend) : blend_at_start(robot_, path, blend);
     return std::min(r, 0.5 * path.duration());
+  }
+
+  // Laid so that it has a smooth run, if there is a way to; empty where the curve cannot be
+  // followed.
+  std::optional<Stretch> lay_smooth(const std::vector<Part>& parts, const Eigen::VectorXd& q0) {
+    std::optional<Stretch> first;
+    PathPlan plan_of_first;
+    for (way_ = 0, ways_ = 1; way_ < ways_; ++way_) {
+      auto stretch = lay(parts, q0);
+      if (!stretch) break;
+      if (jerk_ == Jerk::kFree || !(stretch->path.duration() > 0.0)) return stretch;
+      stretch->smooth = smooth_run_on(*stretch);
+      if (!stretch->smooth.s.empty()) return stretch;
+      if (first) continue;
+      first = std::move(stretch);
+      plan_of_first = plan_;
+    }
+    if (first) plan_ = std::move(plan_of_first);
+    return first;
   }
 
   // Empty where the curve cannot be followed; the fault is set.
@@ -319,19 +341,27 @@ class PathPlanner {
     return std::move(run.motion);
   }
 
+  TimedRun smooth_run_on(const Stretch& stretch) const {
+    const std::vector<Segment> travel = travel_of(stretch);
+    const SpeedAlongPath speed =
+        fastest_along(stretch.path, limits_, kIntervals, stretch.zones, travel);
+    const int cells = kCells + kCellsPerCorner * stretch.corners;
+    TimedRun run = smooth_run(stretch.path, limits_, speed, cells, stretch.zones, travel);
+    if (run.s.empty())
+      run = smooth_run(stretch.path, limits_, speed, kFiner * cells, stretch.zones, travel);
+    return run;
+  }
+
   TimedRun run_on(const Stretch& stretch) {
-    const Trajectory& path = stretch.path;
-    std::vector<Segment> travel;
-    if (!stretch.zones.empty()) travel = tool_travel(robot_, path);
-    if (jerk_ == Jerk::kLimited) {
-      const SpeedAlongPath speed = fastest_along(path, limits_, kIntervals, stretch.zones, travel);
-      TimedRun run = smooth_run(path, limits_, speed, kCells + kCellsPerCorner * stretch.corners,
-                                stretch.zones, travel);
-      if (!run.s.empty()) return run;
-      jerk_ = Jerk::kFree;
-    }
-    FastestRun fastest = fastest_run(path, limits_, kIntervals, stretch.zones, travel);
+    if (!stretch.smooth.s.empty()) return stretch.smooth;
+    jerk_ = Jerk::kFree;
+    FastestRun fastest =
+        fastest_run(stretch.path, limits_, kIntervals, stretch.zones, travel_of(stretch));
     return {.motion = std::move(fastest.motion), .s = fastest.speed.s, .t = fastest.speed.times()};
+  }
+
+  [[nodiscard]] std::vector<Segment> travel_of(const Stretch& stretch) const {
+    return stretch.zones.empty() ? std::vector<Segment>() : tool_travel(robot_, stretch.path);
   }
 
   // A corner takes from both legs as much as it is long.
@@ -370,7 +400,8 @@ class PathPlanner {
   const Robot& robot_;
   const PathMove& move_;
   std::vector<AxisLimits> limits_;
-  Jerk jerk_;  // of what is done: where limiting it would take very long, it is not
+  int way_ = 0, ways_ = 1;  // of arms with a joint to spare, see LineSamples
+  Jerk jerk_;               // of what is done: where limiting it would take very long, it is not
   std::vector<Leg> legs_;
   PathPlan plan_;
 };

@@ -10,12 +10,16 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/spline.hpp"
 #include "math/solvers.hpp"
+#include "trajectory/tool/least_step.hpp"
 
 namespace armlet {
 namespace {
 
 constexpr int kFirstIntervals = 16;
-constexpr int kHalvings = 8;  // 16 * 2^8 = 4096 intervals at most
+constexpr int kHalvings = 8;      // 16 * 2^8 = 4096 intervals at most
+constexpr int kEasyHalvings = 6;  // until joints that have a choice may turn off
+constexpr double kBend = 0.5;     // of the change allowed between samples
+constexpr double kTurn = 0.2;     // rad, of the curve's direction from one step to the next
 constexpr double kRotationPerSample = 2.0 * std::numbers::pi / 180.0;
 constexpr double kSlidePerSample = 0.02;  // m
 // Between samples, m and rad; looked at halfway, so a little less than what is promised.
@@ -45,7 +49,10 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 }
 
 // Radians per metre of the curve, for a joint at its limit; tried one after another.
-constexpr std::array<double, 2> kAway = {12.0, 48.0};
+constexpr std::array<double, LineSamples::kWays> kAway = {12.0, 48.0, 24.0, 6.0};
+// Per metre of the curve, of the way to its limit, that a joint with others to make up for it goes
+// on towards that; tried one after another.
+constexpr std::array<double, 3> kApproach = {50.0, 200.0, 800.0};
 constexpr double kRotationLengthOfDamping = 0.2;  // m, what a rotation by one radian counts for
 
 // Where the joints of an arm with more of them than it needs had better go: away from their limits,
@@ -59,6 +66,19 @@ Eigen::VectorXd away_from_limits(const Robot& robot, const Eigen::VectorXd& q, d
     away[i] = -most * part * part * part;
   }
   return away;
+}
+
+IkResult found(Eigen::VectorXd q) {
+  IkResult result;
+  result.status = IkStatus::kOk;
+  result.q = std::move(q);
+  return result;
+}
+
+Eigen::VectorXd joints_of(const Trajectory& motion, double x) {
+  Eigen::VectorXd q(motion.n());
+  for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, x);
+  return q;
 }
 
 // The slope at the first of four points of a curve: that of the cubic through them.
@@ -86,12 +106,28 @@ double LineSamples::covered(double x) const {
 
 Eigen::Isometry3d LineSamples::pose_at(double x) const { return curve_.at(covered(x)); }
 
+// How far the joints of a step may go on from q, if the whole step begins at the seed: a part of
+// the way to their limits.
+struct StepRoom {
+  Eigen::VectorXd lower, upper;
+
+  StepRoom(const Robot& robot, const Eigen::VectorXd& seed, const Eigen::VectorXd& q, double share)
+      : lower(share * (robot.lower() - seed) + seed - q),
+        upper(share * (robot.upper() - seed) + seed - q) {}
+};
+
+// What a pose differs by, as a distance.
+double distance_of(const Vector6d& error) {
+  return error.head<3>().norm() + kRotationLengthOfDamping * error.tail<3>().norm();
+}
+
 // Newton's method from the solution before, which is near: the solution that the arm slides into.
 // Nothing where it does not settle at once, or only outside the limits.
 std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_world_tool,
-                                                  const Eigen::VectorXd& seed) const {
+                                                  const Eigen::VectorXd& seed, Slide how) const {
   Eigen::VectorXd q = seed;
   Jacobian J;
+  double share = 1.0;
   for (int k = 0; k < kSlideSteps; ++k) {
     const Vector6d error = pose_error(forward_and_jacobian(robot_, q, J), T_world_tool);
     if (error.head<3>().norm() <= kSampleTolerance && error.tail<3>().norm() <= kSampleTolerance) {
@@ -99,16 +135,21 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
       return std::nullopt;
     }
     // The shortest step, or for arms of fewer joints the one that comes nearest.
-    if (robot_.n() >= 6) {
+    if (robot_.n() > 6) {
+      if (k == 0) share = how.share_of(distance_of(error));
+      Eigen::VectorXd wished = Eigen::VectorXd::Zero(robot_.n());
+      if (k == 0 && how.away) wished = distance_of(error) * away_from_limits(robot_, seed, away_);
+      const StepRoom room(robot_, seed, q, share);
+      const auto step = least_step({.W = Eigen::MatrixXd::Identity(robot_.n(), robot_.n()),
+                                    .g = std::move(wished),
+                                    .A = J,
+                                    .b = error},
+                                   room.lower, room.upper);
+      if (!step) return std::nullopt;
+      q += *step;
+    } else if (robot_.n() == 6) {
       const Eigen::Matrix<double, 6, 6> square = J * J.transpose();
-      const SymmetricFactors<6> inverse(square);
-      q += J.transpose() * inverse.solve(error);
-      if (robot_.n() > 6 && k == 0) {
-        const Eigen::VectorXd away =
-            (error.head<3>().norm() + kRotationLengthOfDamping * error.tail<3>().norm()) *
-            away_from_limits(robot_, seed, away_);
-        q += away - J.transpose() * inverse.solve(J * away);
-      }
+      q += J.transpose() * SymmetricFactors<6>(square).solve(error);
     } else {
       const Eigen::MatrixXd square = J.transpose() * J;
       q += SymmetricFactors<Eigen::Dynamic>(square).solve(J.transpose() * error);
@@ -120,11 +161,12 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
 
 // The same for a position: of the joints that have the tool there, those that turn it least from
 // what it was at the solution before. Each step has the error of the position taken away to first
-// order, by what turns least: a least squares problem with equality constraints (Golub, Van Loan,
-// Matrix Computations, 4th ed., 2013, section 6.2).
+// order, by what turns least.
 std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vector3d& position,
-                                                              const Eigen::VectorXd& seed) const {
+                                                              const Eigen::VectorXd& seed,
+                                                              Slide how) const {
   Eigen::Isometry3d T_world_wished = forward(robot_, seed);
+  const double share = how.share_of((position - T_world_wished.translation()).norm());
   T_world_wished.translation() = position;
   Eigen::VectorXd q = seed;
   Jacobian J;
@@ -135,17 +177,37 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vecto
       if (limit_violations(robot_, q).empty()) return q;
       return std::nullopt;
     }
-    Eigen::MatrixXd turning = J.bottomRows<3>().transpose() * J.bottomRows<3>();
-    turning.diagonal().array() += kRotationShare;
-    const SymmetricFactors<Eigen::Dynamic> least(turning);
-    const Eigen::MatrixXd moving = least.solve_all(J.topRows<3>().transpose());
-    const Eigen::VectorXd back = least.solve(J.bottomRows<3>().transpose() * error.tail<3>());
-    const Eigen::Matrix3d square = J.topRows<3>() * moving;
-    const Eigen::VectorXd step =
-        back + moving * SymmetricFactors<3>(square).solve(error.head<3>() - J.topRows<3>() * back);
-    q += step;
+    StepTask task{.W = J.bottomRows<3>().transpose() * J.bottomRows<3>(),
+                  .g = J.bottomRows<3>().transpose() * error.tail<3>(),
+                  .A = J.topRows<3>(),
+                  .b = error.head<3>()};
+    task.W.diagonal().array() += kRotationShare;
+    const StepRoom room(robot_, seed, q, share);
+    const auto step = least_step(task, room.lower, room.upper);
+    if (!step) return std::nullopt;
+    q += *step;
     if (!q.allFinite() || change(robot_, seed, q) > kLargestSlide) return std::nullopt;
-    settled = step.cwiseAbs().maxCoeff() <= kSettled;
+    settled = step->cwiseAbs().maxCoeff() <= kSettled;
+  }
+  return std::nullopt;
+}
+
+std::optional<Eigen::VectorXd> LineSamples::slide_into(const Eigen::Isometry3d& T_world_tool,
+                                                       const Eigen::VectorXd& seed,
+                                                       Slide how) const {
+  if (task_ == IkTask::kPose) return slide(T_world_tool, seed, how);
+  if (task_ == IkTask::kPositionFirst)
+    return slide_to_position(T_world_tool.translation(), seed, how);
+  return std::nullopt;
+}
+
+bool LineSamples::has_choice() const { return robot_.n() > 6 || task_ == IkTask::kPositionFirst; }
+
+std::optional<Eigen::VectorXd> LineSamples::slide_easily(const Eigen::Isometry3d& T_world_tool,
+                                                         const Eigen::VectorXd& seed) const {
+  for (const double approach : kApproach) {
+    auto q = slide_into(T_world_tool, seed, {.approach = approach, .away = true});
+    if (q || !has_choice()) return q;
   }
   return std::nullopt;
 }
@@ -153,15 +215,10 @@ std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vecto
 IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_limits) const {
   checkpoint(1000);
   const Eigen::Isometry3d T_world_tool = pose_at(x);
-  if (respect_limits && (task_ == IkTask::kPose || task_ == IkTask::kPositionFirst)) {
-    auto q = task_ == IkTask::kPose ? slide(T_world_tool, seed)
-                                    : slide_to_position(T_world_tool.translation(), seed);
-    if (q) {
-      IkResult result;
-      result.status = IkStatus::kOk;
-      result.q = *std::move(q);
-      return result;
-    }
+  if (respect_limits) {
+    auto q = slide_easily(T_world_tool, seed);
+    if (!q && has_choice()) q = slide_into(T_world_tool, seed, {.away = true});
+    if (q) return found(*std::move(q));
   }
   // Only the solution that the arm can slide into counts, so there is one start.
   return solve_ik(robot_, T_world_tool,
@@ -193,7 +250,42 @@ bool LineSamples::fail(const Sample& last, double x, IkResult ik) {
   return false;
 }
 
+// Whether the joints go on to x about as they came to the last sample.
+bool LineSamples::goes_on(double x, const Eigen::VectorXd& q) const {
+  if (samples_.size() < 2) return true;
+  const Sample &last = samples_.back(), &before = samples_[samples_.size() - 2];
+  const double share = (x - last.x) / (last.x - before.x);
+  return change(robot_, last.q + share * (last.q - before.q), q) <= kBend;
+}
+
+// Whether the curve goes on behind x about as it comes to x from the last sample.
+bool LineSamples::is_straight(double x) const {
+  const double h = x - samples_.back().x;
+  if (x + h > 1.0) return true;
+  const Eigen::Isometry3d T = pose_at(x);
+  Vector6d in = pose_error(pose_at(x - h), T), out = pose_error(T, pose_at(x + h));
+  in.tail<3>() *= kRotationLengthOfDamping;
+  out.tail<3>() *= kRotationLengthOfDamping;
+  return (out.normalized() - in.normalized()).norm() <= kTurn;
+}
+
+// A step of joints that have a choice, taken only if neither they nor the curve turn off and no
+// joint comes to its limit at once, which shorter steps avoid.
+bool LineSamples::extend_easily(double x) {
+  const Sample& last = samples_.back();
+  if (!is_straight(x)) return false;
+  auto q = slide_easily(pose_at(x), last.q);
+  if (!q || change(robot_, last.q, *q) > 1.0 || !goes_on(x, *q)) return false;
+  samples_.push_back({x, *std::move(q)});
+  return true;
+}
+
 bool LineSamples::extend(double x, int halvings) {
+  if (has_choice() && halvings > kHalvings - kEasyHalvings) {
+    if (extend_easily(x)) return true;
+    const double middle = 0.5 * (samples_.back().x + x);
+    return extend(middle, halvings - 1) && extend(x, halvings - 1);
+  }
   const Sample last = samples_.back();
   IkResult ik = solve(x, last.q);
   if (ik.ok() && change(robot_, last.q, ik.q) <= 1.0) {
@@ -204,12 +296,13 @@ bool LineSamples::extend(double x, int halvings) {
   return extend(0.5 * (last.x + x), halvings - 1) && extend(x, halvings - 1);
 }
 
-bool LineSamples::follow() {
-  for (const double away : kAway) {
-    away_ = away;
+int LineSamples::ways() const { return robot_.n() > 6 && task_ == IkTask::kPose ? kWays : 1; }
+
+bool LineSamples::follow(int way) {
+  for (; way < ways(); ++way) {
+    away_ = kAway[static_cast<std::size_t>(way)];
     samples_.resize(1);
     if (follow_once()) return true;
-    if (robot_.n() <= 6) return false;
   }
   return false;
 }
@@ -237,9 +330,7 @@ bool LineSamples::swings_out(const Trajectory& motion, const Sample& before,
 }
 
 bool LineSamples::strays(const Trajectory& motion, double x) const {
-  Eigen::VectorXd q(robot_.n());
-  for (int i = 0; i < robot_.n(); ++i) q[i] = motion.value(i, x);
-  const Eigen::Isometry3d T_world_tool = forward(robot_, q);
+  const Eigen::Isometry3d T_world_tool = forward(robot_, joints_of(motion, x));
   const Eigen::Isometry3d T_world_line = pose_at(x);
   const double aside = (T_world_tool.translation() - T_world_line.translation()).norm();
   const double share = law_ == CurveLaw::kGiven ? kGivenDeviates : 1.0;
@@ -259,11 +350,16 @@ bool LineSamples::refine() {
       const Sample& before = samples_[k - 1];
       const double x = 0.5 * (before.x + samples_[k].x);
       if (strays(curve, x) || swings_out(curve, before, samples_[k])) {
-        IkResult ik = solve(x, before.q);
-        if (!ik.ok() || finer.size() >= kMostSamples) {
-          return fail(before, x, std::move(ik));
+        // Next to the curve of the joints, so that what the arm has to spare goes on as it went:
+        // solved from the sample before, the joints would turn off between two that stay.
+        auto q = slide_into(pose_at(x), joints_of(curve, x), {});
+        if (!q) {
+          IkResult ik = solve(x, before.q);
+          if (!ik.ok()) return fail(before, x, std::move(ik));
+          q = std::move(ik.q);
         }
-        finer.push_back({x, std::move(ik.q)});
+        if (finer.size() >= kMostSamples) return fail(before, x, found(*std::move(q)));
+        finer.push_back({x, *std::move(q)});
         straying = true;
       }
       finer.push_back(samples_[k]);

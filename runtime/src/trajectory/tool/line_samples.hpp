@@ -1,6 +1,8 @@
 // Positions on a curve solved to joints, as finely as the joints need it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -19,8 +21,13 @@ class LineSamples {
   LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve, IkTask task,
               CurveLaw law = CurveLaw::kQuintic);
 
-  // Samples the curve; false if it cannot be followed, then fault() says why.
-  bool follow();
+  // Of arms with a joint to spare: how strongly joints keep away from their limits.
+  static constexpr int kWays = 4;
+  [[nodiscard]] int ways() const;
+
+  // Samples the curve in the first way from `way` on that can follow it; false if none can, then
+  // fault() says why.
+  bool follow(int way = 0);
   [[nodiscard]] const LineFault& fault() const { return fault_; }
 
   // The joints as functions of x, through all samples: from rest to rest, or with the
@@ -35,13 +42,36 @@ class LineSamples {
 
   [[nodiscard]] double covered(double x) const;
   [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
+  // How joints that the curve leaves a choice go on.
+  //
+  // approach  per metre of the curve, of the way to its limit, that a joint may go towards that.
+  // away      whether they keep away from limits, or go as little as they must.
+  struct Slide {
+    double approach = INFINITY;
+    bool away = false;
+
+    [[nodiscard]] double share_of(double distance) const {
+      return std::isfinite(approach) ? std::min(1.0, approach * distance) : 1.0;
+    }
+  };
+
   [[nodiscard]] std::optional<Eigen::VectorXd> slide(const Eigen::Isometry3d& T_world_tool,
-                                                     const Eigen::VectorXd& seed) const;
+                                                     const Eigen::VectorXd& seed, Slide how) const;
   [[nodiscard]] std::optional<Eigen::VectorXd> slide_to_position(const Eigen::Vector3d& position,
-                                                                 const Eigen::VectorXd& seed) const;
+                                                                 const Eigen::VectorXd& seed,
+                                                                 Slide how) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide_into(const Eigen::Isometry3d& T_world_tool,
+                                                          const Eigen::VectorXd& seed,
+                                                          Slide how) const;
+  [[nodiscard]] bool has_choice() const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> slide_easily(const Eigen::Isometry3d& T_world_tool,
+                                                            const Eigen::VectorXd& seed) const;
   [[nodiscard]] IkResult solve(double x, const Eigen::VectorXd& seed,
                                bool respect_limits = true) const;
   bool follow_once();
+  [[nodiscard]] bool goes_on(double x, const Eigen::VectorXd& q) const;
+  [[nodiscard]] bool is_straight(double x) const;
+  bool extend_easily(double x);
   bool extend(double x, int halvings);
   bool refine();
   [[nodiscard]] bool swings_out(const Trajectory& motion, const Sample& before,

@@ -147,6 +147,31 @@ TakeUp plan_take_up(const VectorXd& x, const VectorXd& a, const TakeUpLimits& li
   return plan;
 }
 
+TakeUp sum_of(const TakeUp& first, const TakeUp& second) {
+  TakeUp sum{.x0 = first.x0 + second.x0, .a0 = first.a0 + second.a0};
+  const auto jerk_at = [](const TakeUp& each, double t) {
+    for (const TakeUpPiece& piece : each.pieces) {
+      if (t < piece.duration) return piece.jerk;
+      t -= piece.duration;
+    }
+    return VectorXd(VectorXd::Zero(each.x0.size()));
+  };
+  std::vector<double> knots;
+  for (const TakeUp* each : {&first, &second}) {
+    double t = 0.0;
+    for (const TakeUpPiece& piece : each->pieces) knots.push_back(t += piece.duration);
+  }
+  std::ranges::sort(knots);
+  double t = 0.0;
+  for (const double knot : knots) {
+    if (knot - t < kShortestStep) continue;
+    const double middle = 0.5 * (t + knot);
+    sum.pieces.push_back({knot - t, jerk_at(first, middle) + jerk_at(second, middle)});
+    t = knot;
+  }
+  return sum;
+}
+
 TakeUp::State TakeUp::at(double t) const {
   State state{x0, a0};
   for (const TakeUpPiece& piece : pieces) {

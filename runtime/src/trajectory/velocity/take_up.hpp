@@ -14,6 +14,10 @@ struct TakeUpLimits {
   Eigen::VectorXd acceleration;
   Eigen::VectorXd jerk;
   Eigen::VectorXd change;
+
+  [[nodiscard]] TakeUpLimits part(double share) const {
+    return {share * acceleration, share * jerk, share * change};
+  }
 };
 
 // Constant jerks of all joints for a while.
@@ -51,5 +55,8 @@ struct TakeUp {
 //   along the first side and arrives in a line through the last corner. So no speed, of a joint or
 //   of a tool that moves with the joints, exceeds the largest at the corners.
 TakeUp plan_take_up(const Eigen::VectorXd& x, const Eigen::VectorXd& a, const TakeUpLimits& limits);
+
+// Both at once: errors, accelerations and jerks are the sums.
+TakeUp sum_of(const TakeUp& first, const TakeUp& second);
 
 }  // namespace armlet

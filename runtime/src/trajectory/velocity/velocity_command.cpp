@@ -17,6 +17,7 @@ constexpr double kFarthestStep = 2e-3;
 // Steps are halved, but for the smallest, while speeds are more uncertain than this, rad/s or m/s.
 constexpr double kSmallestStep = 1e-5;
 constexpr double kDoubt = 1e-8;
+constexpr double kShareOfIdle = 0.7;     // of the limits, where a singular position is crossed
 constexpr double kLacking = 1e-6;        // of the velocity asked for
 constexpr double kRankThreshold = 1e-9;  // of the largest pivot
 
@@ -95,6 +96,19 @@ std::optional<LimitViolation> leaves_limits(const Robot& robot, const VectorXd& 
   return std::nullopt;
 }
 
+// The direction in which the joints move the tool least, by inverse iteration (Golub, Van Loan,
+// Matrix Computations, 4th ed., 2013, section 8.2.2).
+Vector6d lost_direction(const Jacobian& J) {
+  constexpr double kSlight = 1e-12;  // of the trace, which keeps the matrix regular
+  constexpr int kIterations = 12;
+  Eigen::Matrix<double, 6, 6> square = J * J.transpose();
+  square.diagonal().array() += kSlight * square.trace();
+  const SymmetricFactors<6> factors(square);
+  Vector6d u = Vector6d::Ones();
+  for (int k = 0; k < kIterations; ++k) u = factors.solve(u).normalized();
+  return u;
+}
+
 bool exceeds(const Robot& robot, const VelocityPieces& pieces, const FollowLimits& limits) {
   if ((pieces.qdd().array().abs() > limits.qdd.array()).any()) return true;
   return excess_of(jacobian(robot, pieces.q()) * pieces.qd(), limits.most) > limits.calm;
@@ -118,8 +132,18 @@ double excess_of(const Vector6d& twist, const ToolSpeeds& most) {
                   excess(kLever * twist.tail<3>().norm(), w, std::max(w, kSmall * v)));
 }
 
+// What the joint speeds have to do: move the tool, but for the direction that is crossed, in which
+// they keep what the error says.
+Jacobian ToolCommand::rows(const Jacobian& J) const {
+  Jacobian rows = J;
+  for (Eigen::Index i = 0; law_.crosses && i < J.cols(); ++i)
+    rows.col(i) += (idle_[i] - lost_.dot(J.col(i))) * lost_;
+  return rows;
+}
+
 // The joint speeds for the velocity `v` of the tool and the error x.
-VectorXd ToolCommand::speeds(const Jacobian& J, const Vector6d& v, const VectorXd& x) const {
+VectorXd ToolCommand::speeds(const Jacobian& J_tool, const Vector6d& v, const VectorXd& x) const {
+  const Jacobian J = rows(J_tool);
   const OrthogonalFactors solver(J, kRankThreshold);
   if (law_.ref.size() == 0) return solver.solve(v) + x;
   VectorXd qd = solver.solve(v + J_ref_ * x);
@@ -159,6 +183,12 @@ ToolCommand::ToolCommand(const Robot& robot, const VelocityStart& from, const Ve
   const VectorXd none = VectorXd::Zero(robot.n());
   if (law.ref.size() > 0) {
     J_ref_ = jacobian(robot, law.ref);
+    if (law.crosses) {
+      lost_ = lost_direction(J_ref_);
+      idle_ = J_ref_.transpose() * lost_;
+      idle_ /= idle_.norm();
+      J_ref_ = rows(J_ref_);
+    }
     at_ref_.emplace(J_ref_, kRankThreshold);
   }
   const TakeUpLimits limits{.acceleration = law.share * robot.max_accel(),
@@ -174,7 +204,15 @@ ToolCommand::ToolCommand(const Robot& robot, const VelocityStart& from, const Ve
   const SquareFactors to_ref(from_ref);
   x = to_ref.solve(x);
   const VectorXd gain = accelerations_of(from) - bend(from.q, from.qd, x);
-  take_up_ = plan_take_up(x, to_ref.solve(gain), limits);
+  const VectorXd a = to_ref.solve(gain);
+  if (!law.crosses) {
+    take_up_ = plan_take_up(x, a, limits);
+    return;
+  }
+  // What joints do fast must not hold up what the tool does.
+  const VectorXd x_idle = idle_.dot(x) * idle_, a_idle = idle_.dot(a) * idle_;
+  take_up_ = sum_of(plan_take_up(x_idle, a_idle, limits.part(kShareOfIdle)),
+                    plan_take_up(x - x_idle, a - a_idle, limits.part(1.0 - kShareOfIdle)));
 }
 
 VelocityPlan ToolCommand::follow(double begin, double end, VelocityPieces& pieces,

@@ -38,7 +38,9 @@ double excess_of(const Vector6d& twist, const ToolSpeeds& most);
 // The law is in joint speeds. Where that makes the tool itself too fast, because the joints turn
 // far meanwhile, it is in the speeds of the tool: written as joint speeds x at the position `ref`,
 // they are those which give the tool the velocity J(ref) x, and the part of x that does not move
-// it.
+// it. Where the arm comes to rest through a singular position, the direction of the tool that is
+// all but lost at `ref` is left to the joints: in the direction in which they turn fast for it,
+// their speed is that of x, so that it need not be brought to rest before the singular position.
 class ToolCommand {
  public:
   // Begins in the state of `from`, with its acceleration; the error dies out along `law`.
@@ -62,7 +64,8 @@ class ToolCommand {
                       const FollowLimits* limits = nullptr) const;
 
  private:
-  [[nodiscard]] Eigen::VectorXd speeds(const Jacobian& J, const Vector6d& v,
+  [[nodiscard]] Jacobian rows(const Jacobian& J) const;
+  [[nodiscard]] Eigen::VectorXd speeds(const Jacobian& J_tool, const Vector6d& v,
                                        const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd speeds(const Eigen::VectorXd& q, const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd bend(const Eigen::VectorXd& q, const Eigen::VectorXd& qd,
@@ -72,6 +75,8 @@ class ToolCommand {
   Vector6d twist_;
   ToolLaw law_;
   Eigen::VectorXd q_start_;
+  Vector6d lost_ = Vector6d::Zero();  // direction of the tool
+  Eigen::VectorXd idle_{};            // and the one of the joints that moves it there
   Jacobian J_ref_{};
   std::optional<OrthogonalFactors> at_ref_{};
   TakeUp take_up_{};

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/jacobian.hpp"
@@ -20,6 +21,8 @@ constexpr double kLackingAtStart = 1e-6;  // of the velocity asked for
 // for the joints turning under it. The first that suffices is taken.
 constexpr double kShares[] = {0.9, 0.75, 0.6, 0.45, 0.3, 0.2, 0.12, 0.07};
 constexpr double kLeastShare = kShares[std::size(kShares) - 1];
+// The same where no joint turns under the tool, because all of them only come to rest.
+constexpr double kAllButAll = 0.99;
 // Of the limits, while it is decided how to take up a velocity: planned again in the middle, the
 // polynomials differ a little.
 constexpr double kWithin = 0.995;
@@ -81,13 +84,31 @@ VelocityStart state_of(const VelocityPieces& pieces) {
 //
 // most, calm  speeds of the tool, and by which fraction it may exceed them.
 // ends        the joints keep to their limits on position and speed until the end.
+// stops       from everywhere on the way the joints can come to rest calmly.
 struct Wanted {
   ToolSpeeds most{};
   double calm = std::numeric_limits<double>::infinity();
   bool ends = false;
+  bool stops = false;
 };
 
+bool stops_calmly(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most);
+
 enum class Trial { kGood, kTooMuchForTheJoints, kBad };
+
+// Whether the joints can come to rest calmly from the quarters of a motion.
+bool stops_on(const Robot& robot, const Trajectory& motion, const ToolSpeeds& most) {
+  constexpr int kParts = 4;
+  VelocityStart state{.q = VectorXd(robot.n()),
+                      .qd = VectorXd(robot.n()),
+                      .qdd = VectorXd(robot.n()),
+                      .during = 1.0};
+  for (int part = kParts; part >= 1; --part) {
+    motion.sample(motion.duration() * part / kParts, state.q, state.qd, state.qdd);
+    if (!stops_calmly(robot, state, most)) return false;
+  }
+  return true;
+}
 
 // Follows a take-up to its end, however long the command holds.
 Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolCommand& command,
@@ -108,7 +129,8 @@ Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolComm
       return Trial::kTooMuchForTheJoints;
   }
   const bool ends = !followed.too_high && !followed.outside;
-  return ends || !wanted.ends ? Trial::kGood : Trial::kBad;
+  if (!ends && wanted.ends) return Trial::kBad;
+  return wanted.stops && !stops_on(robot, motion, wanted.most) ? Trial::kBad : Trial::kGood;
 }
 
 // The law with the largest share of the limits by which the joints keep to them, if it does what is
@@ -118,10 +140,14 @@ Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolComm
 //         well, not with the largest, by which no speed goes further than that command would have
 //         let it.
 std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& start,
-                                     const Vector6d& twist, const VectorXd& ref, bool slowly,
+                                     const Vector6d& twist, ToolLaw law, bool slowly,
                                      const Wanted& wanted) {
-  for (const double share : kShares) {
-    const ToolLaw law{.share = share, .turning = slowly ? share : kShares[0], .ref = ref};
+  const bool to_rest = twist.isZero(0.0) && law.ref.size() == 0;
+  std::vector<double> shares(std::begin(kShares), std::end(kShares));
+  if (to_rest) shares.insert(shares.begin(), kAllButAll);
+  for (const double share : shares) {
+    law.share = share;
+    law.turning = slowly ? share : shares[0];
     const Trial trial = try_take_up(robot, start, ToolCommand(robot, start, twist, law), wanted);
     if (trial == Trial::kGood) return law;
     if (trial == Trial::kBad) break;
@@ -134,20 +160,43 @@ std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& st
 std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
                                 const Vector6d& twist, const Wanted& wanted) {
   const bool turns = !accelerations_of(start).isZero(1e-9);
-  const VectorXd of_joints, of_tool = start.q;
   const bool calm = std::isfinite(wanted.calm);
-  for (const VectorXd& ref : {calm ? of_joints : of_tool, calm ? of_tool : of_joints}) {
+  const ToolLaw of_joints, of_tool{.ref = start.q}, crossing{.ref = start.q, .crosses = true};
+  std::vector<ToolLaw> laws = {calm ? of_joints : of_tool, calm ? of_tool : of_joints};
+  if (twist.isZero(0.0) && robot.n() >= 6) laws.push_back(crossing);
+  for (const ToolLaw& law : laws) {
     for (const bool slowly : {false, true}) {
       if (slowly && !turns) break;
-      if (auto law = largest_share(robot, start, twist, ref, slowly, wanted)) return law;
+      if (auto found = largest_share(robot, start, twist, law, slowly, wanted)) return found;
     }
   }
   return std::nullopt;
 }
 
+// A law by which the tool comes to rest calmly.
+std::optional<ToolLaw> calm_stop(const Robot& robot, const VelocityStart& start,
+                                 const ToolSpeeds& most) {
+  for (const double calm : {kCalmStop, kCalmBrake}) {
+    if (auto law = find_law(robot, start, Vector6d::Zero(), {most, calm, true})) return law;
+  }
+  return std::nullopt;
+}
+
+// Whether the joints do if each comes to rest as it can.
+bool rests_calmly(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most) {
+  VelocityPieces alone(start);
+  come_to_rest(robot, alone);
+  const Trajectory motion = std::move(alone).made();
+  return excess_of(robot, motion, 0.0, motion.duration(), most) <= kCalmStop;
+}
+
+bool stops_calmly(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most) {
+  return rests_calmly(robot, start, most) || calm_stop(robot, start, most);
+}
+
 // Slows down first, for as long as it takes until the velocity can be taken up.
 std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& start,
-                                      const Vector6d& twist, const ToolSpeeds& most) {
+                                      const Vector6d& twist, const ToolSpeeds& most, bool stops) {
   const Vector6d none = Vector6d::Zero();
   const auto brake = find_law(robot, start, none, {most, kCalmBrake, true});
   if (!brake) return std::nullopt;
@@ -159,9 +208,10 @@ std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& s
     VelocityPieces pieces(start);
     static_cast<void>(command.follow(0.0, time, pieces));
     const VelocityStart slower = state_of(pieces);
-    if (const auto law = find_law(robot, slower, twist, {most, kCalmBrake}))
+    if (const auto law = find_law(robot, slower, twist, {most, kCalmBrake, false, stops}))
       return ToolTakeUp{.law = *law, .brake_for = time, .brake = *brake};
   }
+  if (stops) return std::nullopt;
   const ToolLaw least{.share = kLeastShare, .turning = kLeastShare};
   return ToolTakeUp{.law = least, .brake_for = rest, .brake = *brake};
 }
@@ -169,8 +219,11 @@ std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& s
 // Decides how the velocity is taken up.
 ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
                   const ToolSpeeds& most) {
-  if (const auto law = find_law(robot, start, twist, {most, kCalm})) return {.law = *law};
-  if (auto slower = brake_first(robot, start, twist, most)) return *slower;
+  for (const bool stops : {true, false}) {
+    if (const auto law = find_law(robot, start, twist, {most, kCalm, false, stops}))
+      return {.law = *law};
+    if (auto slower = brake_first(robot, start, twist, most, stops)) return *slower;
+  }
   if (const auto law = find_law(robot, start, twist, {most})) return {.law = *law};
   return {.law = {.share = kLeastShare, .turning = kLeastShare}};
 }
@@ -179,15 +232,9 @@ ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d
 // if there is one.
 void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
   const VelocityStart start = state_of(pieces);
-  VelocityPieces alone(start);
-  come_to_rest(robot, alone);
-  const Trajectory motion = std::move(alone).made();
-  if (excess_of(robot, motion, 0.0, motion.duration(), most) > kCalmStop) {
-    const Vector6d none = Vector6d::Zero();
-    for (const double calm : {kCalmStop, kCalmBrake}) {
-      const auto law = find_law(robot, start, none, {most, calm, true});
-      if (!law) continue;
-      const ToolCommand command(robot, start, none, *law);
+  if (!rests_calmly(robot, start, most)) {
+    if (const auto law = calm_stop(robot, start, most)) {
+      const ToolCommand command(robot, start, Vector6d::Zero(), *law);
       static_cast<void>(command.follow(0.0, command.take_up().duration(), pieces));
       for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
       return;

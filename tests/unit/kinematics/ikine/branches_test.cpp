@@ -1,0 +1,162 @@
+// Of arms solved by iteration every single solution is found, next to singular positions too.
+#include <doctest/doctest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/closed_form.hpp"
+#include "armlet/kinematics/ik.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/angles.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/model/catalog.hpp"
+#include "kinematics/ik/ik_search.hpp"
+#include "random_arm.hpp"
+
+using namespace armlet;
+using Eigen::VectorXd;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kScale = 20;
+#else
+constexpr int kScale = 1;
+#endif
+
+// Six joints that neither meet nor are parallel; every other one has a slide.
+Robot general_arm(Random& random, bool slides) {
+  RobotSpec spec;
+  const std::uint64_t slide = slides ? random.below(6) : 6;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    Joint joint;
+    joint.dh = {0.0, random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4),
+                random.uniform(-1.8, 1.8)};
+    if (i == slide) joint.kind = JointKind::kPrismatic;
+    joint.lower = i == slide ? -0.5 : -random.uniform(2.0, 5.0);
+    joint.upper = i == slide ? 0.5 : random.uniform(2.0, 5.0);
+    spec.joints.push_back(joint);
+  }
+  return Robot(spec);
+}
+
+// The value of joint 5 at which the arm is singular, if there is one between its limits.
+std::optional<double> singular_value(const Robot& robot, VectorXd q) {
+  const auto determinant = [&](double value) {
+    q[4] = value;
+    const Jacobian J = jacobian(robot, q);
+    return Eigen::Matrix<double, 6, 6>(J).determinant();
+  };
+  double low = robot.lower()[4], high = low;
+  const double at_lower = determinant(low);
+  for (int k = 1; k <= 60; ++k) {
+    high = robot.lower()[4] + (robot.upper()[4] - robot.lower()[4]) * k / 60.0;
+    if (determinant(high) * at_lower < 0.0) break;
+    low = high;
+  }
+  if (determinant(high) * at_lower > 0.0) return std::nullopt;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (determinant(middle) * at_lower < 0.0 ? high : low) = middle;
+  }
+  return low;
+}
+
+bool contains(const Robot& robot, const std::vector<VectorXd>& list, const VectorXd& q) {
+  for (const VectorXd& other : list) {
+    double most = 0.0;
+    for (int i = 0; i < robot.n(); ++i) {
+      const double apart = q[i] - other[i];
+      most = std::max(most, std::abs(robot.is_revolute(i) ? wrap_angle(apart) : apart));
+    }
+    if (most < 1e-3) return true;
+  }
+  return false;
+}
+
+// Every solution that a thousand starts lead to, exactly.
+std::vector<VectorXd> by_many_starts(const Robot& robot, const Eigen::Isometry3d& goal,
+                                     IkOptions options) {
+  options.position_tolerance = options.rotation_tolerance = 1e-12;
+  options.iterations = 60;
+  options.starts = 1000;
+  return search_ik(robot, make_goal(robot, goal, options), options, 64, options.starts).solutions;
+}
+
+}  // namespace
+
+TEST_CASE("of general arms with six joints every solution is found") {
+  Random random(12);
+  int goals = 0;
+  for (int k = 0; k < (60 + kScale - 1) / kScale; ++k) {
+    CAPTURE(k);
+    const Robot robot = general_arm(random, k % 4 == 3);
+    REQUIRE_FALSE(closed_form(robot).exists());
+    VectorXd q = random_joints(robot, random);
+    const VectorXd seed = random_joints(robot, random);
+    if (k % 2 == 0) {
+      const auto singular = singular_value(robot, q);
+      if (!singular) continue;
+      q[4] = *singular + (k % 4 == 0 ? 1e-3 : 1e-4);
+    }
+    ++goals;
+    const Eigen::Isometry3d goal = forward(robot, q);
+    const IkOptions options{.seed = seed, .respect_limits = false};
+    const std::vector<VectorXd> all = solve_ik_all(robot, goal, options, 32);
+    CHECK(contains(robot, all, q));
+    for (const VectorXd& other : by_many_starts(robot, goal, options))
+      CHECK(contains(robot, all, other));
+    // Solutions of such a goal come in pairs that meet at singular ones.
+    if (k % 4 != 3) CHECK(all.size() % 2 == 0);
+    for (const VectorXd& solution : all) {
+      CHECK((forward(robot, solution).translation() - goal.translation()).norm() < 1e-6);
+      CHECK(angle_between(forward(robot, solution), goal) < 1e-6);
+    }
+    // Of those inside the limits the nearest one is taken.
+    double least = (clamp_to_limits(robot, q) - seed).cwiseAbs().maxCoeff();
+    for (const VectorXd& other : by_many_starts(robot, goal, {.seed = seed}))
+      least = std::min(least, (other - seed).cwiseAbs().maxCoeff());
+    const IkResult nearest = solve_ik(robot, goal, {.seed = seed});
+    REQUIRE(nearest.ok());
+    CHECK((nearest.q - seed).cwiseAbs().maxCoeff() <= least + 1e-6);
+  }
+  CHECK(goals >= 40 / kScale);
+}
+
+TEST_CASE("next to singular positions the iterations find what the formula finds") {
+  Random random(13);
+  for (const char* name : {"ur5", "puma560"}) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    int farther = 0, fewer = 0;
+    for (int k = 0; k < 200 / kScale; ++k) {
+      VectorXd q = random_joints(robot, random);
+      q[k % 2 == 0 ? 4 : 2] = std::pow(10.0, -random.uniform(2.0, 5.0));
+      VectorXd seed = q;
+      for (double& value : seed) value += random.uniform(-0.3, 0.3);
+      seed = clamp_to_limits(robot, k % 3 == 0 ? random_joints(robot, random) : seed);
+      const Eigen::Isometry3d goal = forward(robot, q);
+      const IkResult exact = solve_ik(robot, goal, {.seed = seed});
+      const IkResult found = solve_ik(robot, goal, {.seed = seed, .method = IkMethod::kNumeric});
+      REQUIRE(exact.ok());
+      REQUIRE(found.ok());
+      const Eigen::Isometry3d T = forward(robot, exact.q);
+      const bool uses_tolerance =
+          (T.translation() - goal.translation()).norm() > 1e-9 || angle_between(T, goal) > 1e-8;
+      if (uses_tolerance) continue;
+      const double change = (found.q - seed).cwiseAbs().maxCoeff();
+      farther += change > (exact.q - seed).cwiseAbs().maxCoeff() + 1e-6 ? 1 : 0;
+      if (k % 2 == 0) continue;
+      const IkOptions numeric{.seed = seed, .method = IkMethod::kNumeric, .respect_limits = false};
+      const auto all = solve_ik_all(robot, goal, numeric, 64);
+      for (const VectorXd& other :
+           solve_ik_all(robot, goal, {.seed = seed, .respect_limits = false}))
+        fewer += contains(robot, all, other) ? 0 : 1;
+    }
+    CHECK(farther == 0);
+    CHECK(fewer == 0);
+  }
+}
