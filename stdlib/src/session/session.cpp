@@ -7,10 +7,12 @@
 #include "armlet/core/error.hpp"
 #include "armlet/core/platform.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
+#include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/world_names.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "session/editor_texts.hpp"
+#include "session/journal.hpp"
 
 namespace armlet {
 namespace {
@@ -107,6 +109,7 @@ Session::~Session() {
 
 std::unique_ptr<Host> Session::make_host(bool with_world) {
   HostOptions host_options;
+  if (with_world) host_options.journal = journal_.get();
   host_options.robot = options_.robot;
   host_options.planners = options_.planners;
   host_options.on_move = options_.on_move;
@@ -196,16 +199,23 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
 }
 
 bool Session::compile(std::string text, std::string name) {
-  if (is_running_.load())
-    throw ArgumentError("A session cannot compile while its program runs; use another one.");
+  require_idle("compile");
+  repeated_.reset();
+  return compile_text(std::move(text), std::move(name));
+}
+
+bool Session::compile_text(std::string text, std::string name) {
   can_run_ = false;
   problems_.clear();
   give_up();
   vm_.reset();
+  journal_.reset();
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options(*host));
+  CompileOptions options = compile_options(*host);
+  options.load = load_imports();
+  compilation_ = engine_.compile(std::move(text), std::move(name), options);
   const bool has_program = compilation_.program != nullptr;
   const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
   if (uses_world && !compilation_.cancelled) problems_ = world_problems_;
@@ -218,12 +228,15 @@ bool Session::compile(std::string text, std::string name) {
 void Session::begin_run() {
   give_up();
   vm_.reset();
+  begin_journal();
   host_ = make_host(true);
   const Program& program = *compilation_.program;
   if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
-  fan_out_ = std::make_unique<FanOut>(options_.backends);
+  fan_out_ = std::make_unique<FanOut>(confidant_ == nullptr ? options_.backends
+                                                            : std::vector<Backend*>{confidant_});
+  fan_out_->set_muted(is_silent_ && confidant_ == nullptr);
   Cell& cell = host_->cell();
-  if (!options_.backends.empty()) cell.set_backend(fan_out_.get());
+  if (!options_.backends.empty() || confidant_ != nullptr) cell.set_backend(fan_out_.get());
   cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
                            !program.mentions("release"));
 
@@ -233,10 +246,14 @@ void Session::begin_run() {
   vm_options.host = host_.get();
   vm_options.output = [this, &cell](std::string_view text) {
     cell.note(NoteKind::kOutput, text);
-    return options_.output ? options_.output(text) : std::string();
+    return journal_->print(text,
+                           [&] { return options_.output ? options_.output(text) : std::string(); });
   };
-  vm_options.advice = options_.advice;
+  vm_options.advice = [this](const Diagnostic& advice) {
+    if (options_.advice && !is_silent_) options_.advice(advice);
+  };
   vm_ = std::make_unique<Vm>(compilation_.program, std::move(vm_options));
+  cancel_at(*vm_, journal_->entry().cancelled);
   result_ = vm_->result();
   is_under_way_ = true;
 }
@@ -263,7 +280,21 @@ void Session::give_up() {
   if (is_under_way_) end_run();
 }
 
-Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go) {
+// The program, and when it is done the robots that still move.
+Progress Session::run_slice(const Budget& budget) {
+  if (vm_->result().status == Progress::kPaused) vm_->run(budget);
+  return finish_slice(budget);
+}
+
+Progress Session::finish_slice(const Budget& budget) {
+  result_ = vm_->result();
+  if (result_.status == Progress::kDone && !come_to_rest(budget))
+    result_.status = Progress::kPaused;
+  note_progress();
+  return result_.status;
+}
+
+Progress Session::go_on(const std::function<void()>& go) {
   if (!can_run_) {
     throw ArgumentError(
         "There is no program to run: compile() was not called, or has found mistakes.");
@@ -272,12 +303,11 @@ Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go
   try {
     if (!is_under_way_) begin_run();
     const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
-    if (vm_->result().status == Progress::kPaused) go(*vm_);
-    result_ = vm_->result();
-    if (result_.status == Progress::kPaused) return Progress::kPaused;
-    if (result_.status == Progress::kDone && !come_to_rest(budget))
-      return result_.status = Progress::kPaused;
-    end_run();
+    go();
+    if (result_.status != Progress::kPaused) {
+      end_run();
+      apply_due_inputs();
+    }
   } catch (...) {
     is_under_way_ = false;
     if (host_ != nullptr) host_->cell().set_backend(nullptr);
@@ -289,7 +319,7 @@ Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go
 Progress Session::run(const Budget& budget) {
   if (budget.steps == 0)
     throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
-  return go_on(budget, [&budget](Vm& vm) { vm.run(budget); });
+  return go_on([&] { run_along(budget); });
 }
 
 RunResult Session::run() {
@@ -299,7 +329,10 @@ RunResult Session::run() {
 
 RunResult Session::run_test(std::size_t index) {
   if (!is_running_.load()) give_up();
-  go_on({}, [index](Vm& vm) { static_cast<void>(vm.run_test(index)); });
+  go_on([&] {
+    static_cast<void>(vm_->run_test(index));
+    finish_slice({});
+  });
   return result_;
 }
 

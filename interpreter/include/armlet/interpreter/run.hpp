@@ -35,6 +35,20 @@ struct Budget {
   std::uint64_t steps = kNoLimit;
 };
 
+// A point of a run. Compiled as it may be, a program comes to it in the same state.
+//
+// steps  that the program has taken; at one virtual time they tell points apart.
+struct Instant {
+  std::int64_t t_ns = 0;
+  std::uint64_t steps = 0;
+
+  bool operator==(const Instant&) const = default;
+  // Whether a run that has come to here has passed or stands at the other.
+  [[nodiscard]] bool has_reached(const Instant& other) const {
+    return t_ns >= other.t_ns && steps >= other.steps;
+  }
+};
+
 // kPaused  the budget is used; the run can go on.
 enum class Progress : std::uint8_t { kDone, kFailed, kCancelled, kPaused };
 

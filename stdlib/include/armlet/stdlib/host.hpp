@@ -23,6 +23,8 @@
 
 namespace armlet {
 
+class Journal;
+
 // One finished motion, for whoever shows progress.
 struct MoveReport {
   std::string robot;
@@ -82,6 +84,8 @@ struct HostOptions {
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
+  // Of the session that runs the program; null: what comes from outside is not kept.
+  Journal* journal = nullptr;
 };
 
 // What a function of the language writes: "a table" in a file that ends in one of these.
@@ -171,6 +175,11 @@ class Host : public Timeline {
 
  private:
   [[noreturn]] static void refuse_no_host();
+  [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
+                                                    std::string_view content) const;
+  [[nodiscard]] Result<std::string> read(const std::string& name) const;
+  [[nodiscard]] bool finds_mesh(const std::string& file, const std::string& mesh) const;
+  bool pace_to(std::int64_t t_ns);
 
   HostOptions options_;
   Cell cell_;
