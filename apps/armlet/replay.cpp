@@ -101,11 +101,15 @@ void show_signals(const Signals& signals) {
   }
 }
 
+void show_variable(std::string_view before, const SeenVariable& variable) {
+  print_out(fmt::format("{}{}: {}{}\n", before, variable.name, variable.type,
+                        variable.value.empty() ? ", not set" : " = " + variable.value));
+}
+
 void show_program(Session& session) {
   const SourceSet& sources = session.sources();
   for (const SeenVariable& each : seen_variables(*session.vm())) {
-    print_out(fmt::format("{}: {}{}\n", each.name, each.type,
-                          each.value.empty() ? ", not set" : " = " + each.value));
+    show_variable("", each);
   }
   for (const SeenTask& task : seen_tasks(*session.vm())) {
     std::string line = task.name.empty() ? "the program" : task.name;
@@ -113,6 +117,11 @@ void show_program(Session& session) {
       line += fmt::format(", line {}", sources.position(task.calls.front().at).line);
     if (!task.waits.empty()) line += ", waits for " + task.waits;
     print_out(line + "\n");
+    for (const SeenCall& call : task.calls) {
+      if (!call.function.empty() && &call != &task.calls.back())
+        print_out(fmt::format("  in {}\n", call.function));
+      for (const SeenVariable& each : call.variables) show_variable("    ", each);
+    }
   }
 }
 
@@ -166,7 +175,7 @@ int replay(const ReplayOptions& options) {
   RunMarks marks;
   const bool is_heard = !options.verify && !to_ns;
   if (options.verify) setup.backends = {&marks};
-  if (to_ns) setup.open = true;  // for the variables
+  if (to_ns) setup.open = setup.markers = true;  // for the variables
   const SourceSet* sources = nullptr;
   if (is_heard) {
     setup.output = [](std::string_view text) {

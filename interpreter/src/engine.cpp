@@ -103,7 +103,9 @@ Engine& Engine::add_planned(std::span<const std::string_view> names) {
 
 Compilation Engine::compile(std::string text, std::string name,
                             const CompileOptions& options) const {
-  Compilation made = lang::compile_text(*registry_, std::move(text), std::move(name), options);
+  const lang::LowerOptions lowering{.optimise = !options.markers, .markers = options.markers};
+  Compilation made =
+      lang::compile_text(*registry_, std::move(text), std::move(name), options, lowering);
   if (made.program == nullptr) return made;
   struct Kept {
     std::shared_ptr<const Program> program;

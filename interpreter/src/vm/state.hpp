@@ -14,6 +14,7 @@
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/instants.hpp"
+#include "armlet/interpreter/host/stepping.hpp"
 #include "vm/heap/heap.hpp"
 #include "vm/tasks/task.hpp"
 #include "vm/tasks/task_tree.hpp"
@@ -87,6 +88,15 @@ struct StepMeter {
 
 class Recordings;
 class Scheduler;
+
+// Statements that have begun, in programs with markers, and where the run pauses before one.
+struct Marks {
+  std::uint64_t begun = 0;
+  std::uint64_t pause_at = StepMeter::kEndless;  // so many have begun
+  std::vector<SourceLine> breakpoints;           // sorted
+  bool is_at_breakpoint = false;                 // the run has paused at one
+  const Task* paused = nullptr;                  // before its next instruction, a MARK
+};
 
 // Wishes to stop: where they were noticed, and where a run that is repeated has to notice them.
 struct Cancellations {
@@ -168,6 +178,7 @@ struct VmState {
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
   Cancellations cancellations;
+  Marks marks;
   std::unique_ptr<Scheduler> scheduler;  // of the run; null before it
   HostAccess host_access;
   std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were

@@ -80,7 +80,8 @@ TextChange Session::change(std::string text, std::int64_t t_ns) {
   const Compilation compiled = compilation_;
   const auto rehearse = [&](LoggedEntry run, Tape& tape) {
     confidant_ = &tape;
-    const bool is_there = take_again(std::move(run), t_ns);
+    const Instant end = run.end;
+    const bool is_there = take_again(std::move(run), [&] { run_again_to(t_ns, end); });
     confidant_ = nullptr;
     return is_there;
   };

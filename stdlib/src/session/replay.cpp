@@ -201,37 +201,47 @@ void Session::apply_due_inputs() {
     apply(*next);
 }
 
+static bool is_used(const Budget& left) { return left.steps == 0 || left.statements == 0; }
+
 void Session::run_along(const Budget& budget) {
-  const std::uint64_t first = instant().steps;
+  const std::uint64_t steps = instant().steps;
+  const std::uint64_t statements = statements_begun(*vm_);
   const auto left = [&] {
-    const std::uint64_t used = instant().steps - first;
     Budget rest = budget;
-    if (rest.steps != Budget::kNoLimit) rest.steps -= std::min(rest.steps, used);
+    const auto spend = [](std::uint64_t& part, std::uint64_t used) {
+      if (part != Budget::kNoLimit) part -= std::min(part, used);
+    };
+    spend(rest.steps, instant().steps - steps);
+    spend(rest.statements, statements_begun(*vm_) - statements);
     return rest;
   };
   for (const Input* next = journal_->next(); next != nullptr; next = journal_->next()) {
     const Instant at = next->at;
     if (budget.until_ns && *budget.until_ns < at.t_ns) break;
-    if (!instant().has_reached(at)) run_to(at, left());
-    if (result_.status != Progress::kPaused || left().steps == 0) return;
+    if (!instant().has_reached(at)) {
+      run_to(at, left);
+      if (is_at_breakpoint(*vm_)) return;
+    }
+    if (result_.status != Progress::kPaused || is_used(left())) return;
     // Another text may take other steps: then the time alone counts.
     if (instant().t_ns >= at.t_ns) apply(*next);
   }
-  if (left().steps != 0) run_slice(left());
+  if (!is_used(left())) run_slice(left());
 }
 
 // The nanosecond before comes first: the steps may have been taken long before the time.
-void Session::run_to(const Instant& at, Budget left) {
-  const std::uint64_t first = instant().steps;
+void Session::run_to(const Instant& at, const std::function<Budget()>& left) {
+  Budget budget = left();
   if (instant().t_ns < at.t_ns) {
-    left.until_ns = at.t_ns - 1;
-    if (run_slice(left) != Progress::kPaused) return;
-    if (left.steps != Budget::kNoLimit) left.steps -= std::min(left.steps, instant().steps - first);
-    if (left.steps == 0) return;
+    budget.until_ns = at.t_ns - 1;
+    if (run_slice(budget) != Progress::kPaused || is_at_breakpoint(*vm_)) return;
+    budget = left();
+    if (is_used(budget)) return;
   }
-  left.until_ns = at.t_ns;
-  if (at.steps > instant().steps) left.steps = std::min(left.steps, at.steps - instant().steps);
-  run_slice(left);
+  budget.until_ns = at.t_ns;
+  const std::uint64_t steps = instant().steps;
+  if (at.steps > steps) budget.steps = std::min(budget.steps, at.steps - steps);
+  run_slice(budget);
 }
 
 bool Session::replay(const SessionLog& log) {
@@ -272,7 +282,8 @@ bool Session::go_to(std::int64_t t_ns) {
   require_idle("go to another time");
   LoggedEntry run = known_run();
   require_time(t_ns, run.end);
-  return take_again(std::move(run), t_ns);
+  const Instant end = run.end;
+  return take_again(std::move(run), [this, t_ns, end] { run_again_to(t_ns, end); });
 }
 
 Session::Former Session::put_aside() {
@@ -299,14 +310,13 @@ void Session::bring_back(Former former) {
 }
 
 // While the run goes to its time, the one before is put aside.
-bool Session::take_again(LoggedEntry run, std::int64_t t_ns) {
+bool Session::take_again(LoggedEntry run, const std::function<void()>& go) {
   const std::vector<Cancellation> cancelled = run.cancelled;
-  const Instant end = run.end;
   Former former = put_aside();
   try {
     repeated_ = std::move(run);
     is_silent_ = true;
-    go_on([&] { run_again_to(t_ns, end); });
+    go_on(go);
   } catch (...) {
     bring_back(std::move(former));
     throw;
@@ -318,6 +328,7 @@ bool Session::take_again(LoggedEntry run, std::int64_t t_ns) {
   is_silent_ = false;
   journal_->set_silent(false);
   fan_out_->set_muted(false);
+  if (!breakpoints_.empty()) armlet::set_breakpoints(*vm_, breakpoints_);
   return true;
 }
 

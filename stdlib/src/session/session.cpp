@@ -181,6 +181,7 @@ CompileOptions Session::compile_options(Host& host) const {
   out.world = world_names_;
   out.load = options_.load;
   out.open = options_.open;
+  out.markers = options_.markers;
   out.cancelled = &cancelled_;
   return out;
 }
@@ -254,6 +255,7 @@ void Session::begin_run() {
   };
   vm_ = std::make_unique<Vm>(compilation_.program, std::move(vm_options));
   cancel_at(*vm_, journal_->entry().cancelled);
+  if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*vm_, breakpoints_);
   result_ = vm_->result();
   is_under_way_ = true;
 }
@@ -319,6 +321,10 @@ Progress Session::go_on(const std::function<void()>& go) {
 Progress Session::run(const Budget& budget) {
   if (budget.steps == 0)
     throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
+  if (budget.statements == 0)
+    throw ArgumentError("A budget of 0 statements lets nothing happen; give at least 1.");
+  if (budget.statements != Budget::kNoLimit && !options_.markers)
+    throw ArgumentError("A run by statements needs a program that was compiled with markers.");
   return go_on([&] { run_along(budget); });
 }
 

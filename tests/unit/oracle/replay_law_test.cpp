@@ -18,12 +18,12 @@ using namespace armlet::runs;
 namespace {
 
 // What a run shows of itself.
-struct Told {
+struct ToldRun {
   std::vector<std::uint64_t> events;
   std::string ending;
   std::uint64_t steps = 0;
   std::int64_t end_ns = 0;
-  bool operator==(const Told&) const = default;
+  bool operator==(const ToldRun&) const = default;
 };
 
 class Traveller {
@@ -41,7 +41,7 @@ class Traveller {
   [[nodiscard]] Session& session() { return *session_; }
 
   // To the end, in slices of so many steps.
-  Told run(std::uint64_t steps) {
+  ToldRun run(std::uint64_t steps) {
     while (session_->run({.until_ns = {}, .steps = steps}) == Progress::kPaused) {
     }
     const RunResult& result = session_->result();
@@ -58,7 +58,7 @@ class Traveller {
 
 // Runs, goes to random times and on, in slices of random sizes.
 void check_going(Traveller& subject, std::uint64_t seed, int times) {
-  const Told whole = subject.run(Budget::kNoLimit);
+  const ToldRun whole = subject.run(Budget::kNoLimit);
   Random random(seed);
   Session& session = subject.session();
   for (int i = 0; i < times; ++i) {
@@ -78,7 +78,7 @@ void check_going(Traveller& subject, std::uint64_t seed, int times) {
   CHECK(session.runs().empty());
 }
 
-void check_files(const char* folder, int times) {
+void check_going_in(const char* folder, int times) {
   const std::vector<fs::path> files = programs_below(folder);
   int ran = 0;
   for (const fs::path& file : files) {
@@ -99,7 +99,7 @@ void check_stopping(const std::string& text, std::uint64_t seed) {
   const std::uint64_t after = 1 + random.next() % 300;
   if (first.session().run({.until_ns = {}, .steps = after}) != Progress::kPaused) return;
   first.session().cancel();
-  const Told stopped = first.run(1 + random.next() % 5000);
+  const ToldRun stopped = first.run(1 + random.next() % 5000);
   const Result<std::string> bytes = write_log(first.session().log());
   REQUIRE(bytes.ok());
   const Result<SessionLog> log = read_log(*bytes);
@@ -112,10 +112,10 @@ void check_stopping(const std::string& text, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("examples go on the same from 50 random times") { check_files("examples", 50); }
+TEST_CASE("examples go on the same from 50 random times") { check_going_in("examples", 50); }
 
 TEST_CASE("scripts with tasks go on the same from 50 random times") {
-  check_files("tests/scripts/tasks", 50);
+  check_going_in("tests/scripts/tasks", 50);
 }
 
 TEST_CASE("2,000 random programs go on the same from random times, and stop the same again") {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const kProgram = R"(
+const char* const kReplayed = R"(
 var speed = 10mm/s
 var names = ["a"]
 fn add(name: string, count: int) -> int {
@@ -34,11 +34,11 @@ moveJ(home() + [0.2, 0, 0, 0], time: 0.5s)
 wait(1s)
 )";
 
-constexpr std::int64_t kMillisecond = 1'000'000;
+constexpr std::int64_t kReplayMs = 1'000'000;
 
 // A session, what it printed and the events that it told.
-struct Run {
-  explicit Run(const std::function<void(SessionOptions&)>& change = {}) {
+struct ReplayedRun {
+  explicit ReplayedRun(const std::function<void(SessionOptions&)>& change = {}) {
     SessionOptions options = at_the_table();
     options.open = true;
     options.backends = {&tape};
@@ -58,9 +58,9 @@ struct Run {
 };
 
 // A run to which its host does things at several times.
-void run_with_inputs(Run& run) {
+void run_with_inputs(ReplayedRun& run) {
   run->set_signal("gate", false);
-  REQUIRE(run->run({.until_ns = 250 * kMillisecond}) == Progress::kPaused);
+  REQUIRE(run->run({.until_ns = 250 * kReplayMs}) == Progress::kPaused);
   run->set("speed", Value(35.0, "mm/s"));
   REQUIRE(run->run({.until_ns = {}, .steps = 700}) == Progress::kPaused);
   const Result<Value> count = run->call("add", {Value("b"), Value(3)});
@@ -79,7 +79,7 @@ SessionLog through_file(const SessionLog& log) {
   return std::move(read).value();
 }
 
-std::string refused(const std::function<void()>& act) {
+std::string refusal_in_replay(const std::function<void()>& act) {
   try {
     act();
   } catch (const ArgumentError& error) {
@@ -91,13 +91,13 @@ std::string refused(const std::function<void()>& act) {
 }  // namespace
 
 TEST_CASE("a run with inputs of its host is the same again from its log") {
-  Run first;
-  REQUIRE(first->compile(kProgram, "p.rbt"));
+  ReplayedRun first;
+  REQUIRE(first->compile(kReplayed, "p.rbt"));
   run_with_inputs(first);
   const SessionLog log = through_file(first->log());
   CHECK(log.entry.inputs == first->log().entry.inputs);
   CHECK(log.entry.inputs.size() == 4);
-  Run second;
+  ReplayedRun second;
   REQUIRE(second->replay(log));
   CHECK(second->run().status == Progress::kDone);
   CHECK(second.printed == first.printed);
@@ -106,7 +106,7 @@ TEST_CASE("a run with inputs of its host is the same again from its log") {
   CHECK(write_log(second->log()).value() == write_log(log).value());
 
   // In slices of any size.
-  Run third;
+  ReplayedRun third;
   REQUIRE(third->replay(log));
   while (third->run({.until_ns = {}, .steps = 13}) == Progress::kPaused) {
   }
@@ -114,15 +114,15 @@ TEST_CASE("a run with inputs of its host is the same again from its log") {
 }
 
 TEST_CASE("going back shows what was, and going on does what was done") {
-  Run run;
-  REQUIRE(run->compile(kProgram, "p.rbt"));
+  ReplayedRun run;
+  REQUIRE(run->compile(kReplayed, "p.rbt"));
   run_with_inputs(run);
   const auto events = run.tape.hashes();
   const std::string printed = run.printed;
-  REQUIRE(run->go_to(200 * kMillisecond));
+  REQUIRE(run->go_to(200 * kReplayMs));
   CHECK(run.printed == printed);  // unheard
   CHECK(run->vm()->global("speed").in("mm/s") == 10.0);
-  REQUIRE(run->go_to(250 * kMillisecond));
+  REQUIRE(run->go_to(250 * kReplayMs));
   CHECK(run->vm()->global("speed").in("mm/s") == doctest::Approx(35.0));
   CHECK(run->run().status == Progress::kDone);
   CHECK(run.tape.hashes() == events);
@@ -130,12 +130,12 @@ TEST_CASE("going back shows what was, and going on does what was done") {
 }
 
 TEST_CASE("another input makes another run, and the first one is kept") {
-  Run run;
-  REQUIRE(run->compile(kProgram, "p.rbt"));
+  ReplayedRun run;
+  REQUIRE(run->compile(kReplayed, "p.rbt"));
   run_with_inputs(run);
   const auto events = run.tape.hashes();
   const std::string first = write_log(run->log()).value();
-  REQUIRE(run->go_to(150 * kMillisecond));
+  REQUIRE(run->go_to(150 * kReplayMs));
   run->set_signal("gate", true);
   CHECK(run->run().status == Progress::kDone);
   CHECK(run.tape.hashes() != events);
@@ -153,12 +153,12 @@ TEST_CASE("a run that its host has stopped stops at the same instant again") {
   const char* const text = "var n = 0\ntry { while (true) { n += 1 } } finally { print(n) }\n";
   for (const std::uint64_t steps : {1U, 100U, 4096U, 5000U, 100'003U}) {
     CAPTURE(steps);
-    Run first;
+    ReplayedRun first;
     REQUIRE(first->compile(text, "p.rbt"));
     CHECK(first->run({.until_ns = {}, .steps = steps}) == Progress::kPaused);
     first->cancel();
     CHECK(first->run().status == Progress::kCancelled);
-    Run second;
+    ReplayedRun second;
     REQUIRE(second->replay(through_file(first->log())));
     CHECK(second->run().status == Progress::kCancelled);
     CHECK(second.printed == first.printed);
@@ -170,13 +170,13 @@ TEST_CASE("a run whose host let no more time pass stops there again, and comes t
   for (const std::int64_t until : {0, 5, 111, 900}) {
     CAPTURE(until);
     int asked = 0;
-    Run first([&](SessionOptions& options) {
-      options.pace = [&](std::int64_t t_ns) { return t_ns < until * kMillisecond || ++asked > 1; };
+    ReplayedRun first([&](SessionOptions& options) {
+      options.pace = [&](std::int64_t t_ns) { return t_ns < until * kReplayMs || ++asked > 1; };
     });
     REQUIRE(first->compile(text, "p.rbt"));
     if (until == 111) first->cancel();  // both at once
     CHECK(first->run().status == Progress::kCancelled);
-    Run second;
+    ReplayedRun second;
     REQUIRE(second->replay(through_file(first->log())));
     CHECK(second->run().status == Progress::kCancelled);
     CHECK(second.tape.hashes() == first.tape.hashes());
@@ -194,7 +194,7 @@ try { savePlot("no/f.svg") } catch (e) { print(e.message) }
 wait(1s)
 savePlot("g.svg")
 )";
-  Run first([&](SessionOptions& options) { options.folder = folder; });
+  ReplayedRun first([&](SessionOptions& options) { options.folder = folder; });
   REQUIRE(first->compile(program, "p.rbt"));
   CHECK(first->run().status == Progress::kDone);
   CHECK(fs::exists(folder / "f.svg"));
@@ -202,27 +202,27 @@ savePlot("g.svg")
   CHECK(log.entry.replies.size() == 3);
   fs::remove_all(folder);
 
-  Run second;  // which may write nowhere
+  ReplayedRun second;  // which may write nowhere
   REQUIRE(second->replay(log));
   CHECK(second->run().status == Progress::kDone);
   CHECK(second.printed == first.printed);
   CHECK(second.tape.hashes() == first.tape.hashes());
 
   fs::create_directories(folder);
-  REQUIRE(first->go_to(500 * kMillisecond));
+  REQUIRE(first->go_to(500 * kReplayMs));
   CHECK(first->run().status == Progress::kDone);
   CHECK(fs::is_empty(folder));
   fs::remove_all(folder);
 }
 
-TEST_CASE("output that nobody took is refused at the same print again") {
+TEST_CASE("output that nobody took is refusal_in_replay at the same print again") {
   int pieces = 0;
-  Run first([&](SessionOptions& options) {
+  ReplayedRun first([&](SessionOptions& options) {
     options.output = [&](std::string_view) { return ++pieces == 3 ? "full" : std::string(); };
   });
   REQUIRE(first->compile("for (i in range(5)) { print(i); wait(1s) }\n", "p.rbt"));
   CHECK(first->run().status == Progress::kFailed);
-  Run second;
+  ReplayedRun second;
   REQUIRE(second->replay(through_file(first->log())));
   CHECK(second->run().status == Progress::kFailed);
   CHECK(second->result().error->message == first->result().error->message);
@@ -245,9 +245,9 @@ TEST_CASE("values of all kinds come through a log") {
   CHECK(write_log(log).error().message.find("belongs to the host") != std::string::npos);
 }
 
-TEST_CASE("a log that was cut short or changed is refused wherever that is") {
-  Run run;
-  REQUIRE(run->compile(kProgram, "p.rbt"));
+TEST_CASE("a log that was cut short or changed is refusal_in_replay wherever that is") {
+  ReplayedRun run;
+  REQUIRE(run->compile(kReplayed, "p.rbt"));
   run_with_inputs(run);
   const std::string bytes = write_log(run->log()).value();
   for (std::size_t size = 0; size < bytes.size(); ++size)
@@ -262,33 +262,35 @@ TEST_CASE("a log that was cut short or changed is refused wherever that is") {
   CHECK(read_log("print(1)").error().message.find("does not begin with") != std::string::npos);
 }
 
-TEST_CASE("what cannot be is refused, and the session stays as it was") {
-  Run run;
+TEST_CASE("what cannot be is refusal_in_replay, and the session stays as it was") {
+  ReplayedRun run;
   Session& session = *run;
-  CHECK(refused([&] { session.set("x", Value(1)); }) ==
+  CHECK(refusal_in_replay([&] { session.set("x", Value(1)); }) ==
         "A session cannot set a variable before its first run.");
-  CHECK(refused([&] { static_cast<void>(session.log()); }) ==
+  CHECK(refusal_in_replay([&] { static_cast<void>(session.log()); }) ==
         "A session has no sources before its first compile().");
-  REQUIRE(session.compile(kProgram, "p.rbt"));
-  CHECK(refused([&] { static_cast<void>(session.go_to(1)); }) ==
+  REQUIRE(session.compile(kReplayed, "p.rbt"));
+  CHECK(refusal_in_replay([&] { static_cast<void>(session.go_to(1)); }) ==
         "The run has come to t = 0 s; there is no t = 0.000000001 s to go to.");
-  CHECK(session.run({.until_ns = 120 * kMillisecond}) == Progress::kPaused);
+  CHECK(session.run({.until_ns = 120 * kReplayMs}) == Progress::kPaused);
   const std::string before = write_log(session.log()).value();
   const auto events = run.tape.hashes();
-  for (const std::int64_t t_ns : {std::int64_t{-1}, 121 * kMillisecond})
-    CHECK(refused([&] { static_cast<void>(session.go_to(t_ns)); }).starts_with("The run has come"));
-  CHECK(refused([&] { session.set("speeed", Value(1)); }).find("did you mean `speed`") !=
+  for (const std::int64_t t_ns : {std::int64_t{-1}, 121 * kReplayMs})
+    CHECK(refusal_in_replay([&] {
+            static_cast<void>(session.go_to(t_ns));
+          }).starts_with("The run has come"));
+  CHECK(refusal_in_replay([&] { session.set("speeed", Value(1)); }).find("did you mean `speed`") !=
         std::string::npos);
-  CHECK(refused([&] { session.set("speed", Value(1.0, "s")); }).find("takes a speed") !=
+  CHECK(refusal_in_replay([&] { session.set("speed", Value(1.0, "s")); }).find("takes a speed") !=
         std::string::npos);
-  CHECK(refused([&] { static_cast<void>(session.call("add", {Value(1)})); }) != "");
+  CHECK(refusal_in_replay([&] { static_cast<void>(session.call("add", {Value(1)})); }) != "");
   SessionLog other = session.log();
   other.robot = "puma560";
   CHECK(
-      refused([&] { session.replay(other); }) ==
+      refusal_in_replay([&] { session.replay(other); }) ==
       "This log cannot be replayed here: the robot of the log is \"puma560\", that of the session "
       "\"scara\".");
-  CHECK(refused([&] { session.run({.until_ns = {}, .steps = 0}); }) != "");
+  CHECK(refusal_in_replay([&] { session.run({.until_ns = {}, .steps = 0}); }) != "");
   CHECK(write_log(session.log()).value() == before);
   CHECK(run.tape.hashes() == events);
   session.set_signal("gate", true);
@@ -305,9 +307,9 @@ TEST_CASE("a session that runs takes nothing from its own output or from another
              [&] { static_cast<void>(session->go_to(0)); },
              [&] { static_cast<void>(session->log()); }, [&] { session->replay({}); },
              [&] { static_cast<void>(session->run()); }})
-      refusals.push_back(refused(act));
+      refusals.push_back(refusal_in_replay(act));
   };
-  Run run([&](SessionOptions& options) {
+  ReplayedRun run([&](SessionOptions& options) {
     options.output = [&](std::string_view) {
       try_all();
       std::thread(try_all).join();
@@ -322,21 +324,21 @@ TEST_CASE("a session that runs takes nothing from its own output or from another
 }
 
 TEST_CASE("a cancel while the session goes back gives up the going") {
-  Run run;
+  ReplayedRun run;
   REQUIRE(run->compile("var n = 0\nfor (i in range(2000000)) { n += 1 }\nwait(1s)\nprint(n)\n",
                        "p.rbt"));
-  CHECK(run->run({.until_ns = 500 * kMillisecond}) == Progress::kPaused);
+  CHECK(run->run({.until_ns = 500 * kReplayMs}) == Progress::kPaused);
   run->cancel();
-  CHECK_FALSE(run->go_to(100 * kMillisecond));
-  CHECK(run->host()->now_ns() == 500 * kMillisecond);
+  CHECK_FALSE(run->go_to(100 * kReplayMs));
+  CHECK(run->host()->now_ns() == 500 * kReplayMs);
   CHECK(run->run().status == Progress::kDone);
   CHECK(run.printed == "2000000\n");
 }
 
 TEST_CASE("what a paused run looks like") {
-  Run run;
-  REQUIRE(run->compile(kProgram, "p.rbt"));
-  CHECK(run->run({.until_ns = 50 * kMillisecond}) == Progress::kPaused);
+  ReplayedRun run;
+  REQUIRE(run->compile(kReplayed, "p.rbt"));
+  CHECK(run->run({.until_ns = 50 * kReplayMs}) == Progress::kPaused);
   const auto variables = seen_variables(*run->vm());
   REQUIRE(variables.size() == 2);
   CHECK(variables[0].name == "speed");
@@ -356,9 +358,9 @@ TEST_CASE("another text goes on where its run is the same, and is told where it 
     std::string changed = text;
     return changed.replace(changed.find(old), old.size(), now);
   };
-  Run run;
+  ReplayedRun run;
   REQUIRE(run->compile(text, "p.rbt"));
-  CHECK(run->run({.until_ns = 2500 * kMillisecond}) == Progress::kPaused);
+  CHECK(run->run({.until_ns = 2500 * kReplayMs}) == Progress::kPaused);
   const std::string before = write_log(run->log()).value();
 
   // What does not compile changes nothing.
@@ -367,37 +369,37 @@ TEST_CASE("another text goes on where its run is the same, and is told where it 
   CHECK(write_log(run->log()).value() == before);
 
   // A later line is another one: the run is the same so far.
-  CHECK(run->change(with("wait(2s)", "wait(3s)"), 2500 * kMillisecond).outcome ==
+  CHECK(run->change(with("wait(2s)", "wait(3s)"), 2500 * kReplayMs).outcome ==
         TextChange::Outcome::kSame);
-  CHECK(run->host()->now_ns() == 2500 * kMillisecond);
+  CHECK(run->host()->now_ns() == 2500 * kReplayMs);
   REQUIRE(run->runs().size() == 1);
   CHECK(write_log(run->runs()[0]).value() == before);
   run->set_signal("gate", true);
   CHECK(run->run().status == Progress::kDone);
-  CHECK(run->host()->now_ns() == 6000 * kMillisecond);
+  CHECK(run->host()->now_ns() == 6000 * kReplayMs);
   CHECK(run.printed == "1\n2\ntrue\n");
   CHECK(run.tape.gaps() == 0);
 
   // An earlier one is another one: it is told where, and the run is there all the same.
   const TextChange parts =
-      run->change(with("moveJ(h, time: 1s)", "moveJ(h, time: 1.5s)"), 2500 * kMillisecond);
+      run->change(with("moveJ(h, time: 1s)", "moveJ(h, time: 1.5s)"), 2500 * kReplayMs);
   CHECK(parts.outcome == TextChange::Outcome::kParts);
-  CHECK(parts.same_ns == 2000 * kMillisecond);
-  CHECK(parts.parts_ns == 2010 * kMillisecond);
+  CHECK(parts.same_ns == 2000 * kReplayMs);
+  CHECK(parts.parts_ns == 2010 * kReplayMs);
   CHECK(parts.line == 5);
-  CHECK(run->host()->now_ns() == 2500 * kMillisecond);
+  CHECK(run->host()->now_ns() == 2500 * kReplayMs);
   CHECK(run->run().status == Progress::kDone);
 
-  const TextChange first = run->change("print(3)\n", 1000 * kMillisecond);
+  const TextChange first = run->change("print(3)\n", 1000 * kReplayMs);
   CHECK(first.outcome == TextChange::Outcome::kParts);
 
   CHECK(run->result().status == Progress::kDone);
 }
 
 TEST_CASE("another text that never comes to the time can be stopped, and the run is as it was") {
-  Run run;
+  ReplayedRun run;
   REQUIRE(run->compile("wait(1s)\nprint(1)\n", "p.rbt"));
-  CHECK(run->run({.until_ns = 500 * kMillisecond}) == Progress::kPaused);
+  CHECK(run->run({.until_ns = 500 * kReplayMs}) == Progress::kPaused);
   std::thread stopper([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     run->cancel();
@@ -405,7 +407,7 @@ TEST_CASE("another text that never comes to the time can be stopped, and the run
   const TextChange change = run->change("var n = 0\nwhile (true) { n = (n + 1) % 7 }\n", 100);
   stopper.join();
   CHECK(change.outcome == TextChange::Outcome::kRefused);
-  CHECK(run->host()->now_ns() == 500 * kMillisecond);
+  CHECK(run->host()->now_ns() == 500 * kReplayMs);
   CHECK(run->run().status == Progress::kDone);
   CHECK(run.printed == "1\n");
 }

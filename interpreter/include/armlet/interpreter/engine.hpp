@@ -67,6 +67,7 @@ struct CompileOptions {
   // The host can read and set the program's variables by name. Where nobody asks for them, those
   // that only the top level uses lie in registers.
   bool open = true;
+  bool markers = false;  // for debuggers: run by statements (host/stepping.hpp), and more slowly
   // Set to true by the host, from any thread: compiling ends soon, without a program and with the
   // message R0629 alone.
   const std::atomic<bool>* cancelled = nullptr;
@@ -116,8 +117,7 @@ class Engine {
   Engine& operator=(Engine&&) noexcept;
 
   // The tables must outlive the engine. Signatures are read when first used; `check_signatures`
-  // reads all.
-  // `chapter` is where the reference lists them (reference.hpp).
+  // reads all. `chapter` is where the reference lists them (reference.hpp).
   Engine& add_functions(std::span<const NativeFunction> functions,
                         std::string_view chapter = "Functions of the host");
   // A function that `def` made (define.hpp); the engine and its programs keep it. The types in its

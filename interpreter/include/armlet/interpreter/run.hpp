@@ -28,11 +28,14 @@ struct RunLimits {
 //           brought to it too.
 // steps     of the program, as RunLimits counts them. Work that cannot be interrupted, such as a
 //           function of the host or a condition, is finished, so a run may take some more.
+// statements  that may begin, of all tasks together; for programs with markers
+//             (CompileOptions::markers).
 struct Budget {
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
   std::optional<std::int64_t> until_ns{};
   std::uint64_t steps = kNoLimit;
+  std::uint64_t statements = kNoLimit;
 };
 
 // A point of a run. Compiled as it may be, a program comes to it in the same state.

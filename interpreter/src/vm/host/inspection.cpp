@@ -25,17 +25,47 @@ void require_begun(const lang::VmState& state) {
     throw ArgumentError("The program has not run yet, so there is nothing to look at.");
 }
 
-SeenTask seen(const lang::Task& task) {
+// A reference that is null was given away where it was used last.
+SeenVariable seen(const lang::hir::Variable& variable, Slot value) {
+  const bool is_there = !variable.type->is_reference() || value.o != nullptr;
+  return {std::string(variable.name), type_name(variable.type),
+          is_there ? shown(value, *variable.type) : std::string(), variable.declared};
+}
+
+std::vector<SeenVariable> seen_variables(const lang::Frame& frame, Span at) {
+  std::vector<SeenVariable> out;
+  for (const lang::ScopedVariable& each : frame.callee->function->scopes) {
+    const Span& scope = each.scope;
+    if (scope.source != at.source || at.begin < scope.begin || at.begin >= scope.end) continue;
+    Slot value = frame.base[each.reg];
+    if (each.variable->storage == lang::hir::Storage::kBoxed) {
+      if (value.o == nullptr) continue;
+      value = static_cast<const BoxObj*>(value.o)->value;
+    }
+    out.push_back(seen(*each.variable, value));
+  }
+  return out;
+}
+
+// Of a task that has paused before a statement it is that one.
+Span place_of(const lang::VmState& state, const lang::Task& task, const lang::Frame& frame) {
+  lang::Frame at = frame;
+  if (&frame == task.top && state.marks.paused == &task) ++at.pc;
+  const lang::CodeSpan* span = lang::code_span(at);
+  return span == nullptr ? Span{} : span->span;
+}
+
+SeenTask seen(const lang::VmState& state, const lang::Task& task) {
   SeenTask out;
   out.name = lang::task_name(task);
   if (task.waiting != nullptr && !task.waits_for_its_tasks()) out.waits = task.waiting->what();
   for (const lang::Frame* frame = task.top; frame > task.frames; --frame) {
     if (frame->is_host()) continue;
-    const lang::CodeSpan* at = lang::code_span(*frame);
+    const Span here = place_of(state, task, *frame);
     const lang::hir::Function* function = frame->callee->function->function;
     const bool is_block = function != nullptr && function->is_task;
-    out.calls.push_back({is_block ? std::string() : frame->callee->function->name,
-                         at == nullptr ? Span{} : at->span});
+    out.calls.push_back({is_block ? std::string() : frame->callee->function->name, here,
+                         seen_variables(*frame, here)});
   }
   return out;
 }
@@ -63,16 +93,19 @@ std::vector<SeenTask> seen_tasks(Vm& vm) {
   require_begun(state);
   std::vector<SeenTask> out;
   if (vm.result().status != Progress::kPaused) return out;
-  out.push_back(seen(state.main));
+  out.push_back(seen(state, state.main));
   for (const auto& task : state.tree.all()) {
-    if (!task->has_ended) out.push_back(seen(*task));
+    if (!task->has_ended) out.push_back(seen(state, *task));
   }
   return out;
 }
 
 Span running_at(Vm& vm) {
-  const lang::CodeSpan* at = lang::code_span(vm.state());
-  return at == nullptr ? Span{} : at->span;
+  const lang::VmState& state = vm.state();
+  const lang::Task& task = *state.running;
+  const lang::Frame* frame = task.top;
+  while (frame > task.frames && frame->is_host()) --frame;
+  return frame->is_host() ? Span{} : place_of(state, task, *frame);
 }
 
 }  // namespace armlet

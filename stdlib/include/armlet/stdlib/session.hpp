@@ -12,6 +12,7 @@
 
 #include "armlet/backend/backend.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/session_log.hpp"
 
@@ -28,8 +29,9 @@ struct SessionOptions {
       default_world;             // used when a program names an object and no world is given
   std::filesystem::path folder;  // below which the program may write files; empty: none
   ParseLimits parse_limits;
-  bool open = false;  // see CompileOptions
-  ModuleLoader load;  // files that the program imports; none without it
+  bool open = false;     // see CompileOptions
+  bool markers = false;  // see CompileOptions
+  ModuleLoader load;     // files that the program imports; none without it
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
@@ -131,6 +133,19 @@ class Session {
   //
   // throws  ArgumentError as go_to.
   TextChange change(std::string text, std::int64_t t_ns);
+  // ---- by statements, in programs with markers (step.cpp); Budget::statements does the same
+  // Until another move has ended, or a breakpoint or the end has come.
+  Progress run_move();
+  // To where the statement that began last had not begun, as go_to goes.
+  //
+  // throws  ArgumentError before the first statement, and as go_to.
+  bool step_back();
+  // Where runs of this session pause from now on (interpreter/host/stepping.hpp).
+  //
+  // returns  the lines that were taken.
+  // throws   ArgumentError without a program with markers, and while the session runs.
+  std::vector<SourceLine> set_breakpoints(std::vector<SourceLine> lines);
+
   // The runs that were left for another one by going back, oldest first.
   [[nodiscard]] const std::vector<SessionLog>& runs() const { return runs_; }
 
@@ -158,10 +173,10 @@ class Session {
   void begin_journal();
   // Runs to each input of the run that this one repeats, and beyond, until the budget is used.
   void run_along(const Budget& budget);
-  void run_to(const Instant& at, Budget left);
+  void run_to(const Instant& at, const std::function<Budget()>& left);
   void run_again_to(std::int64_t t_ns, const Instant& end);
   static void require_time(std::int64_t t_ns, const Instant& end);
-  bool take_again(LoggedEntry run, std::int64_t t_ns);
+  bool take_again(LoggedEntry run, const std::function<void()>& go);
   [[nodiscard]] Former put_aside();
   void bring_back(Former former);
   void apply(const Input& input);
@@ -193,6 +208,7 @@ class Session {
   std::vector<LoggedImport> imports_;    // of what was compiled last
   std::vector<Input> early_inputs_;      // for the next run, from its start
   std::vector<SessionLog> runs_;
+  std::vector<SourceLine> breakpoints_;
   std::unique_ptr<Host> host_;
   std::unique_ptr<FanOut> fan_out_;
   std::unique_ptr<Vm> vm_;

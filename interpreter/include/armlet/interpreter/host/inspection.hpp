@@ -18,11 +18,13 @@ struct SeenVariable {
   Span declared{};
 };
 
-// A call under way: the function's name, empty for the program and the blocks of tasks, and the
-// statement or expression that it has come to.
+// A call under way: the function's name, empty for the program and the blocks of tasks, the
+// statement or expression that it has come to, and in a program with markers its variables that can
+// be seen there, the innermost scope last.
 struct SeenCall {
   std::string function;
   Span at{};
+  std::vector<SeenVariable> variables{};
 };
 
 // name   "branch 2 of parallel on line 9"; empty: the program itself.
