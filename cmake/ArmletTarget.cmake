@@ -4,7 +4,8 @@
 # UNITY is what armlet_group_sources needs.
 # armlet_add_layer(NAME USES LAYER... SOURCES ... UNITY ...) adds the layer NAME of the runtime, which may use the layers
 # named before it; ARMLET_LAYERS of the target armlet_layer_NAME are it and all that it uses, directly or not.
-# armlet_group_sources(TARGET GROUPS SALT) compiles the sources of TARGET as so many translation units if ARMLET_UNITY is on.
+# armlet_group_sources(TARGET GROUPS SALT [GROUPS SALT PATTERN]) compiles the sources of TARGET as so many translation units if
+# ARMLET_UNITY is on; sources that match PATTERN, which read headers that the others do not, are grouped by themselves.
 # armlet_compile_apart(SOURCE...) keeps sources out of these groups.
 # armlet_compile_options(TARGET) gives a target the flags that all of our own code is compiled with.
 
@@ -25,10 +26,12 @@ function(armlet_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   # -Wno-...: g++ 12 sees overflows inside its own std::string (gcc.gnu.org/PR105329, PR105651).
+  # -Wno-pass-failed: clang says so where it does not unroll a loop that we would like to be unrolled.
   # Same bits on every machine: no fused multiply-add. Kernels start on a cache line.
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wno-missing-field-initializers
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>"
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed>
     -ffp-contract=off -falign-functions=64 $<$<BOOL:${ARMLET_WERROR}>:-Werror> ${ARMLET_COMPILE_OPTIONS})
   armlet_sanitize(${target})
 endfunction()
@@ -96,6 +99,13 @@ function(armlet_add_layer name)
   set_target_properties(armlet_layer_${name} PROPERTIES ARMLET_LAYERS "${layers}")
 endfunction()
 
+function(armlet_group_of file groups salt)
+  string(MD5 hash "${salt}${file}")
+  string(SUBSTRING ${hash} 0 6 hash)
+  math(EXPR group "0x${hash} % ${groups}")
+  set(group ${group} PARENT_SCOPE)
+endfunction()
+
 # A source's group follows from its name alone, so a new source changes one group. Two sources of a group share their
 # anonymous namespace: where they use one name for two things, the compiler says so and one of them is renamed. SALT was
 # chosen so that the sources of that day did not meet (docs/decisions/0029).
@@ -104,11 +114,18 @@ function(armlet_group_sources target groups salt)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
+  set(pattern "^$")
+  if(ARGN)
+    list(GET ARGN 2 pattern)
+  endif()
   foreach(source IN LISTS sources)
     cmake_path(GET source FILENAME file)
-    string(MD5 hash "${salt}${file}")
-    string(SUBSTRING ${hash} 0 6 hash)
-    math(EXPR group "0x${hash} % ${groups}")
+    if(source MATCHES "${pattern}")
+      armlet_group_of(${file} ${ARGN})
+      set(group apart_${group})
+    else()
+      armlet_group_of(${file} ${groups} ${salt})
+    endif()
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

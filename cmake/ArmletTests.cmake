@@ -78,6 +78,8 @@ function(armlet_add_format_tests)
   add_test(NAME trace.numpy COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/numpy_command.py
            $<TARGET_FILE:armlet>)
   set_tests_properties(trace.numpy PROPERTIES SKIP_RETURN_CODE 77)
+  add_test(NAME prompt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/prompt_command.py
+           $<TARGET_FILE:armlet>)
   add_test(NAME robot.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/robot_command.py
            $<TARGET_FILE:armlet>)
 endfunction()

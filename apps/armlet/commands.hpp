@@ -66,6 +66,8 @@ struct RobotOptions {
   bool published = false;  // keep inertias that no rigid body has
 };
 
+// The prompt: lines from standard input, until they end.
+int prompt(const ProgramOptions& options);
 int run(const RunOptions& options);
 int replay(const ReplayOptions& options);
 int check(const ProgramOptions& options, const std::vector<std::string>& files);

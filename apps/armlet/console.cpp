@@ -8,10 +8,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "armlet/core/files.hpp"
 #include "armlet/interpreter/render.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "imports.hpp"
 
@@ -20,11 +22,17 @@ namespace {
 
 std::atomic<Session*> running{nullptr};
 std::atomic<bool> was_interrupted{false};
-int output_failure = 0;  // errno of the first one
+std::atomic<bool> stays{false};  // Ctrl-C stops what runs, and not the process
+int output_failure = 0;          // errno of the first one
 
 // The first one asks the program to stop, if there is one; otherwise nothing is worth waiting for.
-extern "C" void on_interrupt(int) {
+extern "C" void on_interrupt(int signal) {
   Session* session = running.load();
+  if (signal == SIGINT && stays.load()) {
+    was_interrupted.store(true);
+    if (session != nullptr) session->cancel();
+    return;
+  }
   if (was_interrupted.exchange(true) || session == nullptr) {
     remove_unfinished_files();
     _exit(kStopped);
@@ -162,5 +170,39 @@ Interruptible::~Interruptible() {
 }
 
 bool interrupted() { return was_interrupted; }
+void forget_interrupt() { was_interrupted = false; }
+
+StayOnInterrupt::StayOnInterrupt() { stays = true; }
+StayOnInterrupt::~StayOnInterrupt() { stays = false; }
+
+bool shows_status() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && terminal != nullptr && *terminal != '\0' &&
+         std::string_view(terminal) != "dumb";
+}
+
+void status_line(std::string_view text) { write_error(fmt::format("\r\033[K{}", text)); }
+
+void show_move(const MoveReport& move) {
+  progress(fmt::format("[t = {:.2f} s] {} {} {:.2f} s{}, hand at {}", move.start + move.duration,
+                       move.robot, move.function, move.duration, move.stopped ? " (stopped)" : "",
+                       format_point_mm(move.T_world_tool.translation())));
+}
+
+std::string place_text(const Cell& cell, std::string_view object) {
+  const std::string below = cell.world().resting_on(object);
+  if (const auto& held = cell.world().attachment(object); held && held->on.empty())
+    return fmt::format("held by {}", cell.robot(held->carrier).name);
+  return below.empty() ? below : "on " + below;
+}
+
+std::string joints_text(const CellRobot& robot) {
+  std::string out;
+  for (Eigen::Index i = 0; i < robot.q.size(); ++i) {
+    const Joint& joint = robot.model->joint(static_cast<int>(i));
+    out += (i == 0 ? "(" : ", ") + format_joint_value(joint.kind, robot.q[i]);
+  }
+  return out + ")";
+}
 
 }  // namespace armlet::cli

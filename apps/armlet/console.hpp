@@ -52,5 +52,27 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
 };
 bool interrupted();
+// The next Ctrl-C is the first one again.
+void forget_interrupt();
+
+// While one of these lives, Ctrl-C never ends the process.
+class StayOnInterrupt {
+ public:
+  StayOnInterrupt();
+  ~StayOnInterrupt();
+  StayOnInterrupt(const StayOnInterrupt&) = delete;
+  StayOnInterrupt& operator=(const StayOnInterrupt&) = delete;
+};
+
+// Whether standard error is a terminal that can show a line and take it away again.
+[[nodiscard]] bool shows_status();
+// A line of a terminal's standard error that the next one takes the place of; empty: none.
+void status_line(std::string_view text);
+// A motion that has ended, as a line of progress.
+void show_move(const MoveReport& move);
+// "held by scara", "on table"; empty if it is neither.
+std::string place_text(const Cell& cell, std::string_view object);
+// "(10 deg, 20 deg, 50 mm)"
+std::string joints_text(const CellRobot& robot);
 
 }  // namespace armlet::cli

@@ -66,6 +66,15 @@ struct Asked {
   bool lists = false;
 };
 
+void add_prompt_options(CLI::App& app, Asked& asked) {
+  app.add_option("--robot", asked.options.robot, "of the prompt: the robot (default: scara)")
+      ->type_name("NAME");
+  app.add_option("--world", asked.options.world,
+                 "of the prompt: a .rbt file that declares objects (default: a table with a cube "
+                 "and a cylinder)")
+      ->type_name("FILE");
+}
+
 void add_run_options(CLI::App& command, Asked& asked) {
   command.add_option("FILE", asked.run.file, "the program")->required();
   add_program_options(command, asked.run.program);
@@ -183,9 +192,9 @@ constexpr Command kCommands[] = {
 };
 
 int dispatch(int argc, char** argv) {
-  CLI::App app("Armlet: a small language for robot arms.");
+  CLI::App app("Armlet: a small language for robot arms. Without a command: the prompt.");
   app.set_version_flag("--version", "armlet " ARMLET_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.footer(
       "Examples:\n  armlet run examples/01_pick_and_place.rbt\n  armlet explain E0401\n  armlet "
       "robot puma560\n\n"
@@ -194,6 +203,8 @@ int dispatch(int argc, char** argv) {
 
   Asked asked;
   const Command* wanted = nullptr;
+  const bool prompts = argc < 2 || std::string_view(argv[1]).starts_with('-');
+  if (prompts) add_prompt_options(app, asked);
   for (const Command& command : kCommands) {
     CLI::App* known = app.add_subcommand(command.name, command.help);
     if (argc < 2 || command.name != std::string_view(argv[1])) continue;
@@ -206,7 +217,8 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }
-  return wanted == nullptr ? kUsage : wanted->run(asked);
+  if (wanted != nullptr) return wanted->run(asked);
+  return prompts ? prompt(asked.options) : kUsage;
 }
 
 // Ends without taking down the tables of the parser, which the system reclaims at once.

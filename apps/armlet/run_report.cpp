@@ -9,13 +9,6 @@ namespace armlet::cli {
 
 static std::string seconds(double s) { return fmt::format("{:.2f} s", s); }
 
-void show_move(const MoveReport& move) {
-  const double end = move.start + move.duration;
-  progress(fmt::format("[t = {}] {} {} {}{}, hand at {}", seconds(end), move.robot, move.function,
-                       seconds(move.duration), move.stopped ? " (stopped)" : "",
-                       format_point_mm(move.T_world_tool.translation())));
-}
-
 void show_summary(const Session& session, const std::string& trace, Progress status) {
   const Host& host = *session.host();
   const char* how = status == Progress::kDone        ? "finished"
@@ -27,11 +20,7 @@ void show_summary(const Session& session, const std::string& trace, Progress sta
   for (std::size_t i = 0; i < world.size(); ++i) {
     const Object& object = world.object(i);
     if (object.fixed) continue;
-    std::string where = world.resting_on(object.name);
-    if (const auto& held = world.attachment(object.name); held && held->on.empty())
-      where = fmt::format("held by {}", host.cell().robot(held->carrier).name);
-    else if (!where.empty())
-      where = "on " + where;
+    const std::string where = place_text(host.cell(), object.name);
     progress(fmt::format("  {} at {}{}{}", object.name,
                          format_point_mm(object.T_world_obj.translation()),
                          where.empty() ? "" : ", ", where));

@@ -1,5 +1,5 @@
 #pragma once
-// What is said of a run while it goes and at its end.
+// What is said of a run at its end.
 
 #include <string>
 
@@ -7,7 +7,6 @@
 
 namespace armlet::cli {
 
-void show_move(const MoveReport& move);
 // trace  where one was left; empty: nowhere.
 void show_summary(const Session& session, const std::string& trace, Progress status);
 

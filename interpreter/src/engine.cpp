@@ -7,11 +7,13 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/define_type.hpp"
 #include "armlet/interpreter/render.hpp"
+#include "check/entries/kept.hpp"
 #include "compile/code/program.hpp"
 #include "compile/pipeline.hpp"
 #include "editor/analyse.hpp"
 #include "editor/facts.hpp"
 #include "registry.hpp"
+#include "syntax/parse.hpp"
 
 namespace armlet {
 
@@ -101,8 +103,21 @@ Engine& Engine::add_planned(std::span<const std::string_view> names) {
   return *this;
 }
 
+bool is_complete(std::string_view text, std::string_view next_line) {
+  const std::string entry(text);
+  if (!lang::is_complete(Source("entry", entry))) return false;
+  return next_line.empty() || !lang::goes_on(Source("entry", entry + '\n' + std::string(next_line)),
+                                             static_cast<std::uint32_t>(entry.size()));
+}
+
 Compilation Engine::compile(std::string text, std::string name,
                             const CompileOptions& options) const {
+  if (options.after != nullptr && !options.after->is_entry())
+    throw ArgumentError(
+        "A text can be an entry only behind an entry: the one before was compiled without "
+        "CompileOptions::is_entry.");
+  if (options.after != nullptr && options.after->compiled().messages != &registry_->messages())
+    throw ArgumentError("An entry is compiled by the engine that compiled the one before it.");
   const lang::LowerOptions lowering{.optimise = !options.markers, .markers = options.markers};
   Compilation made =
       lang::compile_text(*registry_, std::move(text), std::move(name), options, lowering);
@@ -138,8 +153,7 @@ std::string Compilation::text() const {
 // ---- Program
 // ------------------------------------------------------------------------------------------------------
 
-Program::Program(std::unique_ptr<Code> compiled)
-    : compiled_(std::move(compiled)) {}
+Program::Program(std::unique_ptr<Code> compiled) : compiled_(std::move(compiled)) {}
 Program::~Program() = default;
 
 const SourceSet& Program::sources() const { return *compiled_->sources; }
@@ -161,11 +175,35 @@ std::vector<std::string> Program::declared_names(std::string_view type) const {
   return found == compiled_->names.declared.end() ? std::vector<std::string>() : found->second;
 }
 
+bool Program::is_entry() const { return compiled_->is_entry; }
+const std::shared_ptr<const Program>& Program::after() const { return compiled_->after; }
+
 std::string Program::disassemble() const { return lang::disassemble(*compiled_); }
 const Type* Program::library_record(std::string_view name) const {
   return compiled_->types->library_record(name);
 }
 
-lang::CompiledProgram::~CompiledProgram() = default;
+// ---- CompiledProgram
+// ----------------------------------------------------------------------------------------------
+
+namespace lang {
+
+CompiledProgram::CompiledProgram(const CompileOptions& options)
+    : is_entry(options.is_entry || options.after != nullptr), after(options.after) {
+  const CompiledProgram* const before = after != nullptr ? &after->compiled() : nullptr;
+  sources = std::make_shared<SourceSet>(before != nullptr ? before->sources : nullptr);
+  arena = std::make_unique<Arena>();
+  types = before != nullptr ? std::make_unique<TypePool>(before->types.get())
+                            : std::make_unique<TypePool>();
+}
+
+// One after the other: each would end the one before it, as deep as the session is long.
+CompiledProgram::~CompiledProgram() {
+  std::shared_ptr<const Program> last = std::move(after);
+  while (last != nullptr && last.use_count() == 1)
+    last = std::exchange(last->compiled().after, nullptr);
+}
+
+}  // namespace lang
 
 }  // namespace armlet

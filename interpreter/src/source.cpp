@@ -1,6 +1,7 @@
 #include "armlet/interpreter/source.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace armlet {
 
@@ -47,10 +48,33 @@ std::string_view Source::slice(Span span) const {
   return std::string_view(text_).substr(begin, std::min(span.end, size) - begin);
 }
 
+SourceSet::SourceSet(std::shared_ptr<const SourceSet> before) : before_(std::move(before)) {
+  if (before_ == nullptr) return;
+  first_ = static_cast<std::uint32_t>(before_->size());
+  depth_ = before_->depth_ + 1;
+  far_ = before_.get();
+  const SourceSet* near = before_->far_;
+  if (near != nullptr && near->far_ != nullptr &&
+      before_->depth_ - near->depth_ == near->depth_ - near->far_->depth_)
+    far_ = near->far_;
+}
+
+// One after the other: each would end the one before it, as deep as the session is long.
+SourceSet::~SourceSet() {
+  std::shared_ptr<const SourceSet> last = std::move(before_);
+  while (last != nullptr && last.use_count() == 1) last = std::exchange(last->before_, nullptr);
+}
+
 const Source& SourceSet::add(std::string name, std::string text) {
   sources_.push_back(std::make_unique<Source>(std::move(name), std::move(text),
-                                              static_cast<std::uint32_t>(sources_.size())));
+                                              static_cast<std::uint32_t>(size())));
   return *sources_.back();
+}
+
+const Source& SourceSet::operator[](std::uint32_t id) const {
+  const SourceSet* at = this;
+  while (id < at->first_) at = id < at->far_->first_ ? at->far_ : at->before_.get();
+  return *at->sources_[id - at->first_];
 }
 
 }  // namespace armlet

@@ -4,10 +4,13 @@
 
 #include "check/calls/functions.hpp"
 #include "check/checker.hpp"
+#include "check/entries/keep.hpp"
+#include "check/entries/shown.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/look_ahead.hpp"
 #include "check/scopes/usage.hpp"
+#include "check/statements/statements.hpp"
 
 namespace armlet::lang {
 
@@ -16,7 +19,19 @@ namespace {
 void check_top_level(Checker& checker) {
   std::vector<hir::Stmt*> body;
   checker.scopes.open_block();
-  checker.check_into(checker.file.program.body, body);
+  const ast::Seq<ast::Stmt*> written = checker.file.program.body;
+  // A recording takes all statements behind it.
+  const bool shows = checker.into.is_entry && is_main_file(checker) && !written.empty() &&
+                     std::ranges::none_of(written, [](const ast::Stmt* stmt) {
+                       return stmt->kind == ast::StmtKind::kRecord;
+                     });
+  checker.check_into(shows ? written.first(written.size() - 1) : written, body);
+  if (shows && checker.scopes.here().flow.reachable) {
+    checker.messages.begin_statement();
+    if (hir::Stmt* last = check_last(checker, *written.back())) append(*written.back(), last, body);
+  } else if (shows) {
+    checker.check_into(written.last(1), body);
+  }
   checker.scopes.main().function->body =
       checker.make<hir::Block>(hir::StmtKind::kBlock, checker.file.program.span, checker.seq(body));
 }
@@ -29,8 +44,8 @@ void finish(Shared& shared, CompiledProgram& into) {
   module.functions = into.arena->copy(shared.instances.functions());
   module.tests = into.arena->copy(main.postponed.tests());
   module.globals = into.arena->copy(shared.top_level.number_globals());
-  module.unset = into.arena->copy(shared.structs.unset());
   module.global_count = static_cast<std::uint32_t>(module.globals.size());
+  module.unset = into.arena->copy(shared.structs.unset());
   into.names.functions.assign(shared.mentions.all().begin(), shared.mentions.all().end());
   into.names.declared = shared.blocks.all();
 }
@@ -56,16 +71,20 @@ void check_functions(Checker& checker) {
 
 bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
                    const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt) {
-  if (into.arena == nullptr) into.arena = std::make_unique<Arena>();
-  if (into.types == nullptr) into.types = std::make_unique<TypePool>();
-  registry.declare_records(*into.types);
+  const KeptNames* before = into.after != nullptr ? into.after->compiled().kept.get() : nullptr;
+  if (before == nullptr) registry.declare_records(*into.types);
   into.messages = &registry.messages();
-  Shared shared(into, registry);
+  Shared shared(into, registry, before, sink);
   shared.learnt = learnt;
+  if (into.is_entry) shared.top_level.keep_all();
   std::deque<Checker> checkers;
   for (const FileTree& file : files)
     shared.files.push_back(&checkers.emplace_back(file, shared, into, registry, options, sink));
   Checker& main = checkers.back();
+  if (before != nullptr) {
+    main.follow(before->main());
+    shared.blocks.follow(before->blocks);
+  }
   const auto make_program = [&shared](Checker& file, std::string_view name) {
     hir::Function* const function = shared.instances.make_function(name, file.file.program.span);
     file.scopes.begin(function, shared.uses.of(function));
@@ -83,9 +102,10 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   for (Checker& file : checkers) refuse_active_statements(file);
   report_later(main);
   if (!sink.has_errors()) finish_usage(main);
-  if (options.open) shared.top_level.open();
+  if (options.open || into.is_entry) shared.top_level.open(into.sources->first());
   run_imports_first(main);
   finish(shared, into);
+  if (into.is_entry && !sink.has_errors()) keep_names(main);
   return !sink.has_errors();
 }
 

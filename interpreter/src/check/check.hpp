@@ -14,6 +14,7 @@
 namespace armlet::lang {
 
 class Learnt;
+struct KeptFile;
 
 // One file of a program, as written.
 struct FileTree {
@@ -21,6 +22,7 @@ struct FileTree {
   struct Import {
     const ast::ImportStmt* statement;
     int file;
+    const KeptFile* kept = nullptr;  // the file as an earlier entry has read it
   };
   ast::Block program{};
   bool ok = true;  // false: statements with mistakes are missing

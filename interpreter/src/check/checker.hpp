@@ -47,6 +47,12 @@ struct Checker {
   hir::Block* check_block(ast::Seq<ast::Stmt*> body, Span span);
   void check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out);
 
+  // Names that this file does not declare stand for what they stand for there.
+  void follow(const KeptFile& kept) {
+    names.follow(kept, shared.earlier);
+    scopes.follow(names, shared.earlier);
+  }
+
   // ---- messages
   void report(Diagnostic diagnostic) { messages.report(std::move(diagnostic)); }
   hir::Expr* failed(Span span);
@@ -81,6 +87,7 @@ struct Checker {
   Messages messages;
   Surroundings surroundings{};
   PostponedStatements postponed{};
+  const KeptFile* kept_file = nullptr;  // what later entries know it by
 };
 
 }  // namespace armlet::lang

@@ -5,6 +5,7 @@
 
 #include "check/calls/instances.hpp"
 #include "check/calls/signatures.hpp"
+#include "check/entries/earlier.hpp"
 #include "check/names/program_names.hpp"
 #include "check/scopes/top_level.hpp"
 #include "check/scopes/uses.hpp"
@@ -45,19 +46,25 @@ class Depth {
 };
 
 struct Shared {
-  Shared(const CompiledProgram& into, const Registry& registry)
-      : instances(*into.arena, *into.types),
+  // kept  of the entry before this one; null: there is none.
+  Shared(const CompiledProgram& into, const Registry& registry, const KeptNames* kept,
+         DiagnosticSink& messages)
+      : sink(messages),
+        earlier(*this, kept),
+        instances(*into.arena, *into.types),
         signatures(registry, *into.types),
         error_type(into.types->library_record("error")) {}
 
   Learnt* learnt = nullptr;       // what editors ask for; null: nobody does
+  DiagnosticSink& sink;
   std::vector<Checker*> files{};  // imported ones before those that import them
+  Earlier earlier;
   Depth depth{};
   Instances instances;
   Uses uses{};
   TopLevel top_level{};
   Postponed postponed{};
-  Structs structs{};
+  Structs structs{earlier};
   Defaults defaults{};
   Constants constants{};
   Signatures signatures;

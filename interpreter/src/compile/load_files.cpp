@@ -1,10 +1,13 @@
 #include "compile/load_files.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "check/entries/kept.hpp"
 #include "check/names/suggest.hpp"
+#include "compile/code/program.hpp"
 #include "syntax/parse.hpp"
 
 namespace armlet::lang {
@@ -15,16 +18,6 @@ constexpr std::size_t kMostFiles = 200;
 
 std::string without_folders(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
-}
-
-// import tools.grip means the file tools/grip.rbt.
-std::string path_of(const ast::ImportStmt& stmt) {
-  std::string path(stmt.path);
-  if (stmt.is_file) return path;
-  for (char& c : path) {
-    if (c == '.') c = '/';
-  }
-  return path + ".rbt";
 }
 
 // What programs of other languages import and what needs no import here.
@@ -53,13 +46,15 @@ class Loader {
         tree_(tree),
         options_(options),
         sink_(&sink),
+        kept_(options.after != nullptr ? options.after->compiled().kept.get() : nullptr),
         main_file_(main_file),
         before_(before) {}
 
   std::vector<FileTree> run() {
-    bytes_ = sources_[0].text().size();
-    numbers_[sources_[0].name()] = kBeingRead;
-    read(sources_[0]);
+    const Source& main = sources_[sources_.first()];
+    bytes_ = main.text().size();
+    numbers_[main.name()] = kBeingRead;
+    read(main);
     return std::move(files_);
   }
 
@@ -79,7 +74,8 @@ class Loader {
     file.program.body = tree_.copy(parsed.statements);
     // What a text imports that cannot be read is known to editors, but not told about.
     DiagnosticSink* const before = sink_;
-    const bool is_mended = main_file_ != nullptr && source.id() == 0 && !main_file_->is_readable;
+    const bool is_mended =
+        main_file_ != nullptr && source.id() == sources_.first() && !main_file_->is_readable;
     if (is_mended) {
       file.program.body = tree_.copy(main_file_->statements);
       sink_ = &quiet_;
@@ -88,6 +84,10 @@ class Loader {
       if (stmt->kind != ast::StmtKind::kImport) continue;
       const auto& import = stmt->as<ast::ImportStmt>();
       sink_->begin_statement();
+      if (const KeptFile* kept = unchanged(import, source)) {
+        file.imports.push_back({&import, -1, kept});
+        continue;
+      }
       path_.push_back({&source, &import});
       file.imports.push_back({&import, follow(source, import)});
       path_.pop_back();
@@ -98,11 +98,30 @@ class Loader {
   }
 
   Parsed parsed_of(const Source& source) {
-    if (main_file_ == nullptr || source.id() != 0)
+    if (main_file_ == nullptr || source.id() != sources_.first())
       return parse(source, tree_, *sink_, options_.limits, nullptr, options_.cancelled);
     *main_file_ =
         parse_and_mend(source, tree_, *sink_, options_.limits, options_.cancelled, before_);
     return main_file_->exact;
+  }
+
+  // The file as an earlier entry has read it; null: none did, or something has changed since.
+  const KeptFile* unchanged(const ast::ImportStmt& import, const Source& from) {
+    if (kept_ == nullptr || !options_.load) return nullptr;
+    const ImportedText found = options_.load(path_of(import), from.name());
+    const auto* known = found.text ? kept_->imported.find(key_of(found.name)) : nullptr;
+    if (known == nullptr) return nullptr;
+    const KeptFile& newest = *known->back();
+    return is_unchanged(newest, found) ? &newest : nullptr;
+  }
+
+  bool is_unchanged(const KeptFile& file, const ImportedText& found) {
+    const Source& source = sources_[file.span.source];
+    if (source.name() != found.name || source.text() != *found.text) return false;
+    return std::ranges::all_of(file.imports, [&](const KeptFile::KeptImport& import) {
+      const ImportedText inner = options_.load(import.path, source.name());
+      return inner.text && is_unchanged(*import.file, inner);
+    });
   }
 
   // The number of the imported file; -1 after a message.
@@ -126,7 +145,7 @@ class Loader {
     }
     if (!found.text) return refuse_missing(import, path, found);
     bytes_ += found.text->size();
-    const bool many = sources_.size() >= kMostFiles;
+    const bool many = sources_.size() - sources_.first() >= kMostFiles;
     if (many || bytes_ > options_.limits.bytes) {
       const std::string what =
           many ? "more than " + std::to_string(kMostFiles) + " files"
@@ -183,6 +202,7 @@ class Loader {
   const CompileOptions& options_;
   DiagnosticSink* sink_;
   DiagnosticSink quiet_{0};
+  const KeptNames* kept_;  // what the entry before this one has left; null: there is none
   Mended* main_file_;
   const ReadBefore* before_;
   std::vector<FileTree> files_;
@@ -193,6 +213,15 @@ class Loader {
 };
 
 }  // namespace
+
+std::string path_of(const ast::ImportStmt& stmt) {
+  std::string path(stmt.path);
+  if (stmt.is_file) return path;
+  for (char& c : path) {
+    if (c == '.') c = '/';
+  }
+  return path + ".rbt";
+}
 
 std::vector<FileTree> load_files(SourceSet& sources, Arena& tree, const CompileOptions& options,
                                  DiagnosticSink& sink, Mended* main_file,

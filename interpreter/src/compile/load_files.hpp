@@ -1,6 +1,7 @@
 #pragma once
 // The files of a program: the main one and all that it imports.
 
+#include <string>
 #include <vector>
 
 #include "armlet/interpreter/engine.hpp"
@@ -10,9 +11,13 @@
 
 namespace armlet::lang {
 
-// Reads and parses what the main file, which is sources[0], imports directly or through others.
-// Each file is read once, however often it is imported. A file that cannot be had and files that
-// import each other are told of in `sink`.
+// The path that an import names: import tools.grip means the file tools/grip.rbt.
+[[nodiscard]] std::string path_of(const ast::ImportStmt& stmt);
+
+// Reads and parses what the main file, which is sources[sources.first()], imports directly or
+// through others. Each file is read once, however often it is imported. A file that cannot be had
+// and files that import each other are told of in `sink`. A file that an earlier entry imported is
+// not read again if nothing has changed in it and in what it imports.
 //
 // main_file  given: filled with what parse_and_mend says of the main file, with `before`.
 // returns  the trees in `tree`, imported files before those that import them, the main file last.

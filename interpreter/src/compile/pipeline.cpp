@@ -8,6 +8,7 @@
 
 #include "armlet/core/ample_stack.hpp"
 #include "check/check.hpp"
+#include "check/entries/kept.hpp"
 #include "compile/cancelled.hpp"
 #include "compile/fixes/explained_habits.hpp"
 #include "compile/fixes/tried_fixes.hpp"
@@ -22,8 +23,8 @@ std::shared_ptr<const Program> build(const Registry& registry,
                                      std::unique_ptr<Program::Code> compiled,
                                      const CompileOptions& options, LowerOptions lowering,
                                      DiagnosticSink& sink) {
-  Arena tree;
-  const std::vector<FileTree> files = load_files(*compiled->sources, tree, options, sink);
+  auto tree = std::make_unique<Arena>();
+  const std::vector<FileTree> files = load_files(*compiled->sources, *tree, options, sink);
   // Checked even after mistakes of syntax: other mistakes are worth telling too.
   if (!check_program(files, *compiled, registry, options, sink) || !files.back().ok) return nullptr;
   lowering.cancelled = options.cancelled;
@@ -31,6 +32,8 @@ std::shared_ptr<const Program> build(const Registry& registry,
     sink.report(std::move(*too_large));
     return nullptr;
   }
+  if (compiled->keeps_syntax) compiled->syntax = std::move(tree);
+  if (compiled->is_entry) compiled->types->close();
   return std::make_shared<const Program>(std::move(compiled));
 }
 
@@ -58,8 +61,7 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
                          const CompileOptions& options, LowerOptions lowering) {
   Compilation result;
   DiagnosticSink sink(options.limits.errors);
-  auto compiled = std::make_unique<Program::Code>();
-  compiled->sources = std::make_shared<SourceSet>();
+  auto compiled = std::make_unique<Program::Code>(options);
   result.sources = compiled->sources;
   compiled->what_takes_time = registry.what_takes_time();
   compiled->sources->add(std::move(name), std::move(text));

@@ -36,7 +36,7 @@ void check_facts(Facts& facts, const Mended& read, DiagnosticSink& sink) {
     return;
   }
   if (read.is_readable) {
-    CompiledProgram exact;
+    CompiledProgram exact(facts.options);
     exact.sources = facts.compiled.sources;
     check(exact, sink, nullptr);
   }
@@ -48,7 +48,7 @@ void check_facts(Facts& facts, const Mended& read, DiagnosticSink& sink) {
 void analyse(Facts& facts, DiagnosticSink& sink, const Facts* before) {
   Mended main;
   std::optional<ReadBefore> known;
-  if (before != nullptr && !before->read.empty())
+  if (before != nullptr && !before->read.empty() && before->main_source() == facts.main_source())
     known.emplace(before->main().text(), before->read, facts.main().text());
   facts.files = load_files(*facts.compiled.sources, facts.tree, facts.options, sink, &main,
                            known ? &*known : nullptr);
@@ -66,19 +66,13 @@ std::unique_ptr<const Analysis::Facts> analyse_text(std::shared_ptr<const Regist
                                                     std::string text, std::string name,
                                                     const CompileOptions& options,
                                                     const Facts* before) {
-  auto facts = std::make_unique<Analysis::Facts>();
-  facts->registry = std::move(registry);
-  facts->options = options;
-  facts->compiled.sources = std::make_shared<SourceSet>();
-  facts->compiled.sources->add(name, text);
-  DiagnosticSink sink(options.limits.errors);
+  std::unique_ptr<Analysis::Facts> facts;
   const auto begin_again = [&] {
-    auto fresh = std::make_unique<Analysis::Facts>();
-    fresh->registry = facts->registry;
-    fresh->compiled.sources = std::make_shared<SourceSet>();
-    fresh->compiled.sources->add(name, text);
-    facts = std::move(fresh);
+    facts = std::make_unique<Analysis::Facts>(registry, options);
+    facts->compiled.sources->add(name, text);
   };
+  begin_again();
+  DiagnosticSink sink(options.limits.errors);
   try {
     on_ample_stack([&] { analyse(*facts, sink, before); });
     facts->diagnostics = as_guesses(sink.take_sorted());

@@ -233,8 +233,13 @@ class Completer {
     if (group.empty()) return;
     const Symbol* symbol = facts_.visible_at(cursor_.at, group);
     if (symbol != nullptr && symbol->kind == NameKind::kEnum) {
-      for (const ast::Name& value : symbol->enumeration->values)
-        add(std::string(value.text), NameKind::kEnumValue, group);
+      if (symbol->enumeration != nullptr) {
+        for (const ast::Name& value : symbol->enumeration->values)
+          add(std::string(value.text), NameKind::kEnumValue, group);
+      } else {
+        for (const std::string& value : symbol->values->enumeration->values)
+          add(value, NameKind::kEnumValue, group);
+      }
       return add("values", NameKind::kField);
     }
     if (symbol != nullptr && symbol->kind == NameKind::kModule) return add_module(*symbol);
@@ -273,7 +278,9 @@ class Completer {
       for (const FileTree::Import& import : file.imports) {
         const Span shown = import.statement->alias.text.empty() ? import.statement->path_span
                                                                 : import.statement->alias.span;
-        if (file.program.span.source != 0 || import.file < 0 || shown != module.declared) continue;
+        if (file.program.span.source != facts_.main_source() || import.file < 0 ||
+            shown != module.declared)
+          continue;
         const std::uint32_t source =
             facts_.files[static_cast<std::size_t>(import.file)].program.span.source;
         for (const Symbol& symbol : facts_.symbols) {
@@ -324,8 +331,9 @@ class Completer {
       const bool generic = symbol.function->params[0].type == nullptr;
       const bool fits = first != nullptr && first->type != nullptr &&
                         (first->type == &type || conversion_cost(&type, first->type) >= 0);
-      if (symbol.visible.source == 0 && (generic || fits)) add_symbol(symbol);
-      if (symbol.declared.source != 0 && fits && !symbol.name.starts_with('_')) add_symbol(symbol);
+      if (symbol.visible.source == facts_.main_source() && (generic || fits)) add_symbol(symbol);
+      if (symbol.declared.source != facts_.main_source() && fits && !symbol.name.starts_with('_'))
+        add_symbol(symbol);
     }
     for (const std::string_view name : facts_.registry->public_names()) {
       if (!is_plain(name)) continue;

@@ -43,22 +43,32 @@ namespace {
 
 // Of names in the order of the main text the one that holds the byte, else one that ends there.
 template <class Named>
-const Named* name_at(const std::vector<Named>& names, std::uint32_t at) {
-  auto behind = std::ranges::upper_bound(names, std::tuple(0U, at), {}, [](const Named& one) {
+const Named* name_at(const std::vector<Named>& names, std::uint32_t source, std::uint32_t at) {
+  auto behind = std::ranges::upper_bound(names, std::tuple(source, at), {}, [](const Named& one) {
     return std::tuple(one.name.source, one.name.begin);
   });
   if (behind == names.begin()) return nullptr;
   const Named& found = *(behind - 1);
-  if (found.name.source != 0) return nullptr;
+  if (found.name.source != source) return nullptr;
   if (at < found.name.end) return &found;
   return at == found.name.end ? &found : nullptr;
 }
 
 }  // namespace
 
-const Reference* Facts::reference_at(std::uint32_t at) const { return name_at(references, at); }
+std::span<const Reference> Facts::uses_of(const Symbol& symbol) const {
+  const auto index = static_cast<std::uint32_t>(&symbol - symbols.data());
+  const auto first = std::ranges::lower_bound(by_symbol, index, {}, &Reference::symbol);
+  return {first, std::ranges::upper_bound(first, by_symbol.end(), index, {}, &Reference::symbol)};
+}
 
-const Learnt::NativeUse* Facts::native_at(std::uint32_t at) const { return name_at(natives, at); }
+const Reference* Facts::reference_at(std::uint32_t at) const {
+  return name_at(references, main_source(), at);
+}
+
+const Learnt::NativeUse* Facts::native_at(std::uint32_t at) const {
+  return name_at(natives, main_source(), at);
+}
 
 const Symbol* Facts::declared_at(Span name) const {
   const auto key = [](const Symbol& s) { return std::tuple(s.declared.source, s.declared.begin); };
@@ -73,7 +83,7 @@ std::vector<const Symbol*> Facts::visible_at(std::uint32_t at) const {
   std::vector<const Symbol*> out;
   for (const Symbol& symbol : symbols) {
     const bool here = symbol.visible.begin <= at && at <= symbol.visible.end;
-    if (symbol.visible.source != 0 || symbol.visible.empty()) continue;
+    if (symbol.visible.source != main_source() || symbol.visible.empty()) continue;
     if (here || (symbol.of_file && in_function)) out.push_back(&symbol);
   }
   // Of one scope the last declared comes first: it is the nearest.

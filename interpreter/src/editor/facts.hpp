@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "armlet/interpreter/editor/analysis.hpp"
@@ -37,6 +38,7 @@ struct Symbol {
   const ast::FunctionStmt* function = nullptr;  // kFunction
   const ast::StructStmt* structure = nullptr;   // kStruct
   const ast::EnumStmt* enumeration = nullptr;   // kEnum
+  const Type* values = nullptr;                 // kEnum of an earlier entry: the type
   std::uint32_t scope = 0;                      // length of the scope that it belongs to
 };
 
@@ -80,13 +82,16 @@ struct Signed {
 };
 
 struct Facts {
-  std::shared_ptr<const Registry> registry{};
-  CompileOptions options{};
+  Facts(std::shared_ptr<const Registry> vocabulary, CompileOptions how)
+      : registry(std::move(vocabulary)), options(std::move(how)) {}
+
+  std::shared_ptr<const Registry> registry;
+  CompileOptions options;
   std::vector<Diagnostic> diagnostics{};
   bool cancelled = false;
 
-  CompiledProgram compiled{};  // sources, types, the typed tree
-  Arena tree{};                // of all files
+  CompiledProgram compiled{options};  // sources, types, the typed tree
+  Arena tree{};                       // of all files
   std::vector<FileTree> files{};
   Tokens tokens{};  // of the main text
   std::vector<Span> comments{};
@@ -105,7 +110,9 @@ struct Facts {
   std::vector<Span> functions{};  // of the main text: bodies that see all of its file
   std::unique_ptr<Signed> signed_{};
 
-  [[nodiscard]] const Source& main() const { return (*compiled.sources)[0]; }
+  [[nodiscard]] const Source& main() const { return (*compiled.sources)[main_source()]; }
+  // Its number: in a session, texts of earlier entries come before it.
+  [[nodiscard]] std::uint32_t main_source() const { return compiled.sources->first(); }
   // A position as the documentation of Analysis says.
   [[nodiscard]] std::uint32_t place(std::uint32_t at) const;
   // The name that stands at a byte of the main text, or ends there.
@@ -113,13 +120,15 @@ struct Facts {
   [[nodiscard]] const Learnt::NativeUse* native_at(std::uint32_t at) const;
   // The symbol declared there; null: none.
   [[nodiscard]] const Symbol* declared_at(Span name) const;
+  // Of by_symbol, those of one of `symbols`.
+  [[nodiscard]] std::span<const Reference> uses_of(const Symbol& symbol) const;
   // All that can be seen at a byte of the main text, innermost first; hidden ones are left out.
   [[nodiscard]] std::vector<const Symbol*> visible_at(std::uint32_t at) const;
   [[nodiscard]] const Symbol* visible_at(std::uint32_t at, std::string_view name) const;
   // The token that a byte is in, or that ends there; the index of the one behind it otherwise.
   [[nodiscard]] std::size_t token_behind(std::uint32_t at) const;
   [[nodiscard]] std::string_view text_of(const Token& token) const {
-    return main().slice({token.begin, token.end, 0});
+    return main().slice({token.begin, token.end, main_source()});
   }
   [[nodiscard]] bool in_comment(std::uint32_t at) const;
 };
@@ -133,5 +142,7 @@ void index_facts(Facts& facts);
 }  // namespace armlet::lang
 
 namespace armlet {
-struct Analysis::Facts : lang::Facts {};
+struct Analysis::Facts : lang::Facts {
+  using lang::Facts::Facts;
+};
 }  // namespace armlet

@@ -182,7 +182,7 @@ std::optional<Hover> Analysis::hover(std::uint32_t at) const {
   Span marked{};
   for (const Diagnostic& diagnostic : facts_->diagnostics) {
     const Span span = diagnostic.mark.span;
-    if (span.source != 0 || at < span.begin || at > span.end) continue;
+    if (span.source != facts_->main_source() || at < span.begin || at > span.end) continue;
     marked = span;
     messages.push_back(diagnostic.code + ": " + diagnostic.message);
   }
@@ -200,11 +200,8 @@ std::optional<Span> Analysis::definition(std::uint32_t at) const {
 std::vector<Span> Analysis::references(std::uint32_t at) const {
   const lang::Symbol* symbol = lang::symbol_at(*facts_, facts_->place(at));
   if (symbol == nullptr) return {};
-  const auto index = static_cast<std::uint32_t>(symbol - facts_->symbols.data());
-  const auto uses =
-      std::ranges::equal_range(facts_->by_symbol, index, {}, &lang::Reference::symbol);
   std::vector<Span> out;
-  for (const lang::Reference& use : uses) out.push_back(use.name);
+  for (const lang::Reference& use : facts_->uses_of(*symbol)) out.push_back(use.name);
   return out;
 }
 
@@ -212,7 +209,9 @@ std::vector<InlayHint> Analysis::inlay_hints() const {
   std::vector<InlayHint> out;
   for (const lang::Symbol& symbol : facts_->symbols) {
     const bool is_known = symbol.type != nullptr && !symbol.type->is(Kind::kAny);
-    if (symbol.kind != NameKind::kVariable || !is_known || symbol.declared.source != 0) continue;
+    if (symbol.kind != NameKind::kVariable || !is_known ||
+        symbol.declared.source != facts_->main_source())
+      continue;
     if (!symbol.is_typed) out.push_back({symbol.declared.end, ": " + type_name(symbol.type)});
   }
   return out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "check/entries/kept.hpp"
 #include "check/names/imports.hpp"
 #include "editor/facts.hpp"
 #include "syntax/tree/ast_walk.hpp"
@@ -13,6 +14,13 @@ namespace {
 constexpr std::size_t kLongestHeader = 160;  // bytes of a struct or enum that is shown whole
 
 auto position(Span span) { return std::tuple(span.source, span.begin); }
+
+// Of equal neighbours the first stays. (clang 14 cannot read std::ranges::unique of g++ 12.)
+template <typename T, typename Part>
+void keep_first(std::vector<T>& list, Part T::*part) {
+  const auto same = [part](const T& a, const T& b) { return a.*part == b.*part; };
+  list.erase(std::unique(list.begin(), list.end(), same), list.end());
+}
 
 // `text` without what stands between it and a body: blanks, `=>`, opening parentheses.
 std::string_view without_tail(std::string_view text) {
@@ -31,12 +39,13 @@ class Indexer {
 
   void run() {
     for (const FileTree& file : facts_.files) {
-      main_ = file.program.span.source == 0;
+      main_ = file.program.span.source == facts_.main_source();
       if (main_) scopes_.push_back(file.program.span);
       for (const FileTree::Import& import : file.imports) add_import(*import.statement);
       for (const ast::Stmt* stmt : file.program.body) walk(*stmt);
     }
     add_variables();
+    add_earlier();
     finish_symbols();
     add_references();
     add_natives();
@@ -216,7 +225,7 @@ class Indexer {
         out.doc = known->doc;
         out.is_typed = !known->has_hint;
       }
-      if (out.declared.source == 0 && out.declared.begin < out.declared.end)
+      if (out.declared.source == facts_.main_source() && out.declared.begin < out.declared.end)
         see(out, innermost.at(out.declared.begin), from);
       facts_.symbols.push_back(out);
     }
@@ -228,8 +237,52 @@ class Indexer {
     const bool is_closed = span.end > 0 && span.end <= text.size() && text[span.end - 1] == '}';
     const bool is_top = span == facts_.files.back().program.span;
     symbol.of_file = is_top;
-    symbol.visible = {from, is_closed && !is_top ? span.end - 1 : span.end, 0};
+    symbol.visible = {from, is_closed && !is_top ? span.end - 1 : span.end, facts_.main_source()};
     symbol.scope = span.end - span.begin;
+  }
+
+  // ---- entries of a session before this one
+  void add_earlier() {
+    if (facts_.options.after == nullptr) return;
+    const KeptFile& kept = facts_.options.after->compiled().kept->main();
+    kept.names.for_each([&](const KeptFile::Bucket& bucket) {
+      for (const KeptName& name : bucket) add_earlier(name);
+    });
+  }
+
+  // It can be seen everywhere, behind all that the text itself declares.
+  void add_earlier(const KeptName& kept) {
+    const Span text = facts_.files.back().program.span;
+    Symbol out{.name = kept.name, .declared = kept.declared, .is_typed = true, .of_file = true};
+    out.visible = {0, std::max(text.end, 1U), text.source};
+    out.scope = text.end + 1;
+    if (kept.variable != nullptr) out.type = kept.variable->type;
+    if (kept.import != nullptr) out.kind = NameKind::kModule;
+    if (kept.function != nullptr) {
+      const ast::FunctionStmt& node = *kept.function->node;
+      const std::uint32_t end =
+          node.body != nullptr ? node.body->span.begin : node.value->span.begin;
+      out.kind = NameKind::kFunction;
+      out.header = without_tail(slice(node.span.begin, end, node.span.source));
+      out.doc = node.doc;
+      out.function = &node;
+    }
+    if (kept.type != nullptr) add_type(kept, out);
+    facts_.symbols.push_back(out);
+  }
+
+  void add_type(const KeptName& kept, Symbol& out) const {
+    if (kept.type->is(Kind::kEnum)) {
+      out.kind = NameKind::kEnum;
+      out.values = kept.type;
+      return;
+    }
+    const KeptType* known =
+        facts_.options.after->compiled().kept->types.find(key_of(kept.type->record));
+    out.kind = NameKind::kStruct;
+    if (known == nullptr) return;
+    out.structure = known->node;
+    out.header = head(*known->node, known->node->name, 0);
   }
 
   void finish_symbols() {
@@ -241,8 +294,7 @@ class Indexer {
       return std::tuple(position(a.declared), !is_known(a)) <
              std::tuple(position(b.declared), !is_known(b));
     });
-    const auto same = std::ranges::unique(facts_.symbols, {}, &Symbol::declared);
-    facts_.symbols.erase(same.begin(), same.end());
+    keep_first(facts_.symbols, &Symbol::declared);
   }
 
   // ---- names
@@ -271,15 +323,14 @@ class Indexer {
     }
     std::ranges::stable_sort(facts_.references, {},
                              [](const Reference& r) { return position(r.name); });
-    const auto same = std::ranges::unique(facts_.references, {}, &Reference::name);
-    facts_.references.erase(same.begin(), same.end());
+    keep_first(facts_.references, &Reference::name);
     facts_.by_symbol = facts_.references;
     std::ranges::stable_sort(facts_.by_symbol, {}, &Reference::symbol);
   }
 
   void add_natives() {
     for (Learnt::NativeUse use : facts_.learnt.natives()) {
-      if (use.name.source != 0) continue;
+      if (use.name.source != facts_.main_source()) continue;
       std::string_view name = use.function->name;
       name.remove_prefix(name.rfind('.') + 1);
       std::string parameter;
@@ -294,8 +345,7 @@ class Indexer {
       facts_.natives.push_back(use);
     }
     std::ranges::stable_sort(facts_.natives, {}, [](const auto& n) { return position(n.name); });
-    const auto same = std::ranges::unique(facts_.natives, {}, &Learnt::NativeUse::name);
-    facts_.natives.erase(same.begin(), same.end());
+    keep_first(facts_.natives, &Learnt::NativeUse::name);
   }
 
   // ---- values
@@ -304,7 +354,8 @@ class Indexer {
     for (const Learnt::Value& value : facts_.learnt.values()) {
       const auto [known, is_new] = facts_.type_of.try_emplace(value.written, value.type);
       if (!is_new && known->second->is(Kind::kAny)) known->second = value.type;
-      if (is_new && value.written->span.source == 0 && !value.written->span.empty())
+      if (is_new && value.written->span.source == facts_.main_source() &&
+          !value.written->span.empty())
         facts_.values.push_back({value.written->span, nullptr, value.written});
     }
     for (TypedSpan& value : facts_.values) value.type = facts_.type_of[value.written];

@@ -45,6 +45,8 @@ Renaming refuse(std::string why) { return {.why = std::move(why)}; }
 Renaming renamed(const Facts& facts, std::uint32_t at, std::string_view name) {
   const Symbol* symbol = symbol_at(facts, at);
   if (symbol == nullptr) return refuse("nothing that the program declares stands here");
+  if (symbol->declared.source < facts.main_source())
+    return refuse("an earlier entry of the session declares it, and that has run");
   if (symbol->kind == NameKind::kModule)
     return refuse("a file is called by its import; write import ... as NAME");
   const std::string quoted = '`' + std::string(name) + '`';
@@ -58,10 +60,8 @@ Renaming renamed(const Facts& facts, std::uint32_t at, std::string_view name) {
     const int line = facts.compiled.sources->position(other->declared).line;
     return refuse(quoted + " is declared already, on line " + std::to_string(line));
   }
-  const auto index = static_cast<std::uint32_t>(symbol - facts.symbols.data());
   Renaming out;
-  for (const Reference& use :
-       std::ranges::equal_range(facts.by_symbol, index, {}, &Reference::symbol))
+  for (const Reference& use : facts.uses_of(*symbol))
     out.edits.push_back({use.name, std::string(name)});
   return out;
 }

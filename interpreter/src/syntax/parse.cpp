@@ -389,4 +389,12 @@ bool is_complete(const Source& source, const ParseLimits& limits) {
   return !lexed.ok || could_end_here(lexed.tokens);
 }
 
+bool goes_on(const Source& source, std::uint32_t byte, const ParseLimits& limits) {
+  const std::unique_lock lock = lock_parser(nullptr);
+  DiagnosticSink sink;
+  if (!check_text(source, sink, limits)) return false;
+  const Lexed lexed = lex(source, program_range(source), sink, limits);
+  return lexed.ok && !ends_before(lexed.tokens, byte);
+}
+
 }  // namespace armlet::lang

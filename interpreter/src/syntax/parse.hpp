@@ -47,5 +47,8 @@ struct Mended {
 // Whether the prompt should read the text now, or wait for more lines: a bracket is open, or the
 // last line goes on.
 [[nodiscard]] bool is_complete(const Source& source, const ParseLimits& limits = {});
+// Whether the statement that stands before the byte goes on behind it.
+[[nodiscard]] bool goes_on(const Source& source, std::uint32_t byte,
+                           const ParseLimits& limits = {});
 
 }  // namespace armlet::lang

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "armlet/interpreter/object.hpp"
+#include "types/persistent_map.hpp"
 
 namespace armlet {
 namespace {
@@ -53,6 +54,20 @@ bool same(const Type& a, const Type& b) {
   return a.kind == b.kind && a.dim == b.dim && a.element == b.element && a.key == b.key &&
          a.record == b.record && a.enumeration == b.enumeration && a.host == b.host &&
          a.parameters == b.parameters && a.result == b.result;
+}
+
+std::uint64_t hash_of_fields(const std::vector<RecordField>& fields) {
+  std::uint64_t hash = fields.size();
+  for (const RecordField& field : fields)
+    hash = ((hash ^ lang::key_of(field.name)) * 31 ^ lang::key_of(field.type)) *
+           0x9E37'79B9'7F4A'7C15ULL;
+  return hash;
+}
+
+bool have_same_fields(const std::vector<RecordField>& a, const std::vector<RecordField>& b) {
+  return std::ranges::equal(a, b, [](const RecordField& one, const RecordField& other) {
+    return one.name == other.name && one.type == other.type;
+  });
 }
 
 }  // namespace
@@ -132,14 +147,59 @@ std::string type_phrase(const Type* type) {
   return std::string(article(name)) + ' ' + name;
 }
 
-TypePool::TypePool()
-    : any_(intern({.kind = Kind::kAny})),
-      void_(intern({.kind = Kind::kVoid})),
-      bool_(intern({.kind = Kind::kBool})),
-      int_(intern({.kind = Kind::kInt})),
-      real_(intern({.kind = Kind::kReal})),
-      text_(intern({.kind = Kind::kText})),
-      matrix_(intern({.kind = Kind::kMatrix})) {}
+// What the pools of the entries before a program have made.
+struct lang::EarlierTypes {
+  using Bucket = std::vector<const Type*>;
+
+  PersistentMap<Bucket> interned;      // by hash_of
+  PersistentMap<Bucket> tables;        // by hash_of_fields of their rows
+  PersistentMap<Bucket> made_records;  // by name
+
+  static void add(PersistentMap<Bucket>& map, std::uint64_t key, const Type* type) {
+    const Bucket* known = map.find(key);
+    Bucket longer = known != nullptr ? *known : Bucket();
+    longer.push_back(type);
+    map.set(key, std::move(longer));
+  }
+  static const Bucket& find(const PersistentMap<Bucket>& map, std::uint64_t key) {
+    static const Bucket none;
+    const Bucket* known = map.find(key);
+    return known != nullptr ? *known : none;
+  }
+};
+
+TypePool::TypePool() : library_records_(std::make_shared<std::vector<const Type*>>()) {
+  name_basic_types();
+}
+
+TypePool::TypePool(const TypePool* before)
+    : earlier_(before->earlier_), library_records_(before->library_records_) {
+  name_basic_types();
+}
+
+TypePool::~TypePool() = default;
+
+void TypePool::name_basic_types() {
+  any_ = intern({.kind = Kind::kAny});
+  void_ = intern({.kind = Kind::kVoid});
+  bool_ = intern({.kind = Kind::kBool});
+  int_ = intern({.kind = Kind::kInt});
+  real_ = intern({.kind = Kind::kReal});
+  text_ = intern({.kind = Kind::kText});
+  matrix_ = intern({.kind = Kind::kMatrix});
+}
+
+void TypePool::close() {
+  if (earlier_ != nullptr && interned_.empty() && tables_.empty() && made_records_.empty()) return;
+  auto all = earlier_ != nullptr ? std::make_shared<lang::EarlierTypes>(*earlier_)
+                                 : std::make_shared<lang::EarlierTypes>();
+  for (const auto& [hash, type] : interned_) lang::EarlierTypes::add(all->interned, hash, type);
+  for (const auto& [columns, table] : tables_)
+    lang::EarlierTypes::add(all->tables, hash_of_fields(table->record->row->record->fields), table);
+  for (const Type* record : made_records_)
+    lang::EarlierTypes::add(all->made_records, lang::key_of(record->record->name), record);
+  earlier_ = std::move(all);
+}
 
 const Type* TypePool::quantity(Dim dim) { return intern({.kind = Kind::kReal, .dim = dim}); }
 
@@ -166,11 +226,20 @@ const Type* TypePool::new_record(std::string name) {
 }
 
 const Type* TypePool::table(std::vector<RecordField> row) {
+  if (earlier_ != nullptr) {
+    for (const Type* table : lang::EarlierTypes::find(earlier_->tables, hash_of_fields(row))) {
+      if (have_same_fields(table->record->row->record->fields, row)) return table;
+    }
+  }
   Columns columns;
   for (const RecordField& field : row) columns.emplace_back(field.name, field.type);
   const Type*& known = tables_[std::move(columns)];
-  if (known != nullptr) return known;
-  const Type* table = known = new_record("table");
+  if (known == nullptr) known = new_table(std::move(row));
+  return known;
+}
+
+const Type* TypePool::new_table(std::vector<RecordField> row) {
+  const Type* table = new_record("table");
   const Type* row_type = new_record("row");
   for (const RecordField& field : row) {
     const bool is_numbers = field.type->is(Kind::kList) && field.type->element->is_number();
@@ -216,14 +285,15 @@ const Type* TypePool::new_enum(std::string name, std::vector<std::string> values
 }
 
 const Type* TypePool::record_of(std::string_view name, std::vector<RecordField> fields) {
-  const auto same_field = [](const RecordField& a, const RecordField& b) {
-    return a.name == b.name && a.type == b.type;
+  const auto is_same = [&](const Type* known) {
+    return known->record->name == name && have_same_fields(known->record->fields, fields);
   };
-  for (const Type* known : made_records_) {
-    if (known->record->name == name &&
-        std::ranges::equal(known->record->fields, fields, same_field))
-      return known;
+  if (earlier_ != nullptr) {
+    const auto& known = lang::EarlierTypes::find(earlier_->made_records, lang::key_of(name));
+    if (const auto at = std::ranges::find_if(known, is_same); at != known.end()) return *at;
   }
+  if (const auto at = std::ranges::find_if(made_records_, is_same); at != made_records_.end())
+    return *at;
   made_records_.push_back(new_record(std::string(name)));
   made_records_.back()->record->fields = std::move(fields);
   return made_records_.back();
@@ -231,18 +301,32 @@ const Type* TypePool::record_of(std::string_view name, std::vector<RecordField> 
 
 const Type* TypePool::library_record(std::string_view name) const {
   const auto found = std::ranges::find_if(
-      library_records_, [name](const Type* type) { return type->record->name == name; });
-  return found == library_records_.end() ? nullptr : *found;
+      *library_records_, [name](const Type* type) { return type->record->name == name; });
+  return found == library_records_->end() ? nullptr : *found;
 }
 
-void TypePool::register_library_record(const Type* record) { library_records_.push_back(record); }
+void TypePool::register_library_record(const Type* record) {
+  auto longer = std::make_shared<std::vector<const Type*>>(*library_records_);
+  longer->push_back(record);
+  library_records_ = std::move(longer);
+}
 
-const Type* TypePool::intern(Type type) {
-  const std::size_t hash = hash_of(type);
+const Type* TypePool::find(std::size_t hash, const Type& type) const {
+  if (earlier_ != nullptr) {
+    for (const Type* known : lang::EarlierTypes::find(earlier_->interned, hash)) {
+      if (same(*known, type)) return known;
+    }
+  }
   const auto [first, last] = interned_.equal_range(hash);
   for (auto known = first; known != last; ++known) {
     if (same(*known->second, type)) return known->second;
   }
+  return nullptr;
+}
+
+const Type* TypePool::intern(Type type) {
+  const std::size_t hash = hash_of(type);
+  if (const Type* known = find(hash, type)) return known;
   const Type* made = &types_.emplace_back(std::move(type));
   interned_.emplace(hash, made);
   return made;

@@ -49,7 +49,12 @@ struct KindText {
 
 }  // namespace
 
-bool Value::Record::operator==(const Record&) const = default;
+// Both written out: clang 14 fails where a comparison that leads to itself is defaulted.
+bool Value::Record::operator==(const Record& other) const {
+  return type == other.type && fields == other.fields;
+}
+
+bool Value::operator==(const Value& other) const { return content_ == other.content_; }
 
 bool Value::Host::operator==(const Host& other) const {
   if (value == other.value) return true;

@@ -42,23 +42,15 @@ bool KernelWork::go_on(std::uint64_t operations) {
 
 VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm_options)
     : vm(owner),
-      program(compiled),
+      newest(&compiled),
       options(vm_options),
-      natives(compiled.natives.data()),
       heap(vm_options.limits.heap_bytes, vm_options.memory),
       kernels(owner),
       main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)),
       output_left(vm_options.limits.output_bytes) {
   steps.limit = options.limits.steps;
-  callees.reserve(program.functions.size());
-  for (const FunctionCode& f : program.functions) {
-    const auto references = static_cast<std::uint16_t>(f.references_end - f.references_begin);
-    callees.push_back({f.code.data(), &f, f.constants.data(), f.registers, f.references_begin,
-                       references, f.may_give_unset});
-  }
-  globals.assign(program.global_is_reference.size(), Slot{.i = 0});
-  global_is_set.assign(globals.size(), 0);
   running = &main;
+  load(*this, compiled, nullptr);
   make_error_layout();
 }
 
@@ -68,7 +60,7 @@ VmState::~VmState() {
 }
 
 void VmState::make_error_layout() {
-  const Type* type = program.types->library_record("error");
+  const Type* type = newest->types->library_record("error");
   if (type == nullptr) return;
   auto layout = std::make_unique<RecordLayout>();
   auto references = std::make_unique<std::vector<std::uint16_t>>();
@@ -81,16 +73,6 @@ void VmState::make_error_layout() {
   error_layout = layout.get();
   own_layouts.push_back(std::move(layout));
   own_references.push_back(std::move(references));
-}
-
-bool VmState::make_texts() {
-  texts.reserve(program.texts.size());
-  for (const std::string& text : program.texts) {
-    Obj* object = heap.new_text(text);
-    if (object == nullptr) return raise_out_of_memory(*this);
-    texts.push_back(slot_of(object));
-  }
-  return true;
 }
 
 void VmState::reopen() {
@@ -108,12 +90,15 @@ void VmState::clear() {
   }
   pending.reset();
   fault.reset();
+  before.reset();
   for (std::size_t i = 0; i < globals.size(); ++i) {
-    if (program.global_is_reference[i]) heap.release(globals[i].o);
+    if (global_info[i].is_reference()) heap.release(globals[i].o);
     globals[i].o = nullptr;
   }
-  for (const Slot text : texts) heap.release(text.o);
-  texts.clear();
+  for (const std::unique_ptr<LoadedCode>& unit : units) {
+    for (const Slot text : unit->texts) heap.release(text.o);
+    unit->texts.clear();
+  }
   for (Obj*& text : ascii) {
     heap.release(text);
     text = nullptr;
@@ -123,7 +108,7 @@ void VmState::clear() {
 
 const RecordLayout& VmState::layout_of(const Type* record) {
   if (error_layout != nullptr && record == error_layout->type) return *error_layout;
-  for (const RecordLayout& layout : program.layouts) {
+  for (const RecordLayout& layout : newest->layouts) {
     if (layout.type == record) return layout;
   }
   for (const auto& layout : own_layouts) {

@@ -15,6 +15,7 @@
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
+#include "vm/entries.hpp"
 #include "vm/heap/heap.hpp"
 #include "vm/tasks/task.hpp"
 #include "vm/tasks/task_tree.hpp"
@@ -150,19 +151,20 @@ struct VmState {
   static constexpr std::uint32_t kScratch = 4;  // slots behind a frame that native calls may use
 
   Vm& vm;
-  const CompiledProgram& program;
+  const CompiledProgram* newest;  // of the programs that have begun here
   const VmOptions& options;
-  const NativeFunction* const* natives;
   Heap heap;
   StepMeter steps;
   KernelWork kernels;
   std::function<void()> on_look;  // for tests: called at every look at the wish to cancel
 
-  std::vector<Callee> callees;
-  std::vector<Slot> globals;
+  std::vector<std::unique_ptr<LoadedCode>> units;  // programs whose code may still run
+  std::vector<Callee> callees;                     // by number of the function
+  std::vector<Slot> globals;                       // by number of the variable; so are the next two
   std::vector<std::uint8_t> global_is_set;
-  std::vector<Slot> texts;  // literals
-  Obj* ascii[128] = {};     // texts of one character, made when first needed
+  std::vector<GlobalInfo> global_info;
+  std::unique_ptr<Before> before;  // an entry is under way
+  Obj* ascii[128] = {};            // texts of one character, made when first needed
   std::vector<std::unique_ptr<RecordLayout>> own_layouts;  // of records that only the library makes
   std::vector<std::unique_ptr<std::vector<std::uint16_t>>> own_references;
   MissingRow missing_rows[kMissingRows] = {};  // only loops that call nothing have any
@@ -185,8 +187,11 @@ struct VmState {
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
   std::uint64_t output_left;
 
-  // Makes the objects of the program's literals. False: the heap is full.
-  [[nodiscard]] bool make_texts();
+  // The program whose code the running task is at; the newest one where there is none.
+  [[nodiscard]] const CompiledProgram& code() const {
+    const CompiledProgram* at = running->top->callee->program;
+    return at != nullptr ? *at : *newest;
+  }
   // After the end of a run: functions of the program can be called with all that the limits allow.
   void reopen();
   // Releases the program's variables and whatever else the run left.

@@ -5,6 +5,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/work.hpp"
+#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/tasks/tasks.hpp"
 #include "vm/turn.hpp"
@@ -29,6 +30,8 @@ class Clock final : public Timeline {
   std::int64_t now_ns_ = 0;
 };
 
+constexpr std::size_t kMostShown = 2000;  // bytes of a value; the rest is left out
+
 RunResult ended(lang::VmState& state, lang::Exit exit) {
   RunResult result;
   if (exit == lang::Exit::kFailed) {
@@ -44,7 +47,7 @@ lang::Exit run_slice(lang::VmState& state, std::uint32_t function, std::int64_t 
   try {
     if (state.scheduler == nullptr) {
       state.scheduler = std::make_unique<lang::Scheduler>(state, function);
-      if (!state.make_texts()) return lang::Exit::kFailed;
+      if (!lang::make_texts(state)) return lang::Exit::kFailed;
     }
     return state.scheduler->go_on(until_ns);
   } catch (...) {  // of the host, where no instruction of the program is to blame
@@ -90,6 +93,11 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   const lang::Turn turn(state);
   if (result_.status != Progress::kPaused)
     throw ArgumentError("This Vm has run to its end; make a new one to run again.");
+  const bool is_entry = program_->is_entry();
+  if (is_entry && state.scheduler == nullptr) {
+    if (state.before == nullptr) state.before = std::make_unique<lang::Before>(state);
+    state.tree.wake_watches();
+  }
   on_ample_stack([&] {
     const Supervised kernels(&state.kernels);
     state.steps.begin_slice(budget.steps);
@@ -97,11 +105,24 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
     state.marks.pause_at =
         budget.statements < Budget::kNoLimit - begun ? begun + budget.statements : Budget::kNoLimit;
     const lang::Exit exit = run_slice(state, function, budget.until_ns.value_or(kEndless));
-    if (exit != lang::Exit::kSliced) result_ = ended(state, exit);
     state.steps.begin_slice(Budget::kNoLimit);
-    result_.steps = state.steps.total;
+    const std::uint64_t steps = state.steps.total - (is_entry ? state.before->steps() : 0);
+    if (exit != lang::Exit::kSliced) result_ = ended(state, exit);
+    if (is_entry && exit != lang::Exit::kSliced) finish_entry();
+    result_.steps = steps;
   });
   return result_.status;
+}
+
+void Vm::finish_entry() {
+  const bool done = result_.status == Progress::kDone;
+  lang::finish_entry(*state_, done);
+  if (done) {
+    done_ = program_;
+  } else if (done_ != nullptr) {
+    program_ = done_;
+  }
+  state_->newest = &program_->compiled();
 }
 
 Progress Vm::run(const Budget& budget) { return go_on(0, budget); }
@@ -109,6 +130,41 @@ Progress Vm::run(const Budget& budget) { return go_on(0, budget); }
 RunResult Vm::run() {
   run(Budget{});
   return result_;
+}
+
+void Vm::begin(std::shared_ptr<const Program> entry) {
+  entry = require_program(std::move(entry));
+  const lang::Turn turn(*state_);
+  if (result_.status == Progress::kPaused)
+    throw ArgumentError("A new entry can begin only when the one before has run to its end.");
+  if (!entry->is_entry() || !program_->is_entry())
+    throw ArgumentError(
+        "Only entries can follow each other: compile both with CompileOptions::is_entry.");
+  if (entry->after() != done_)
+    throw ArgumentError(
+        "This entry was compiled behind another one than the newest that has run here: give "
+        "Vm::newest_entry() as CompileOptions::after.");
+  result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
+  state_->scheduler.reset();
+  state_->output_left = options_.limits.output_bytes;
+  state_->before = std::make_unique<lang::Before>(*state_);
+  lang::load(*state_, entry->compiled(), state_->before.get());
+  program_ = std::move(entry);
+}
+
+std::optional<EntryValue> Vm::shown() const {
+  const lang::ShownValue* shown = done_ == nullptr ? nullptr : &done_->compiled().shown;
+  if (shown == nullptr || shown->variable == nullptr || shown->is_hidden) return std::nullopt;
+  const lang::hir::Variable& variable = *shown->variable;
+  EntryValue value;
+  if (shown->is_declared) value.name = variable.name;
+  const Slot slot = state_->globals[variable.index];
+  value.text = lang::value_text(slot, *variable.type, kMostShown);
+  if (value.text.size() > kMostShown)
+    value.text = std::string(whole_characters(value.text, kMostShown)) + " ...";
+  if (variable.type->is(Kind::kText)) value.text = '"' + value.text + '"';
+  value.type = type_name(variable.type);
+  return value;
 }
 
 RunResult Vm::run_test(std::size_t index) {

@@ -52,7 +52,14 @@ class OrthogonalFactors {
 // R of A = Q R, min(rows, columns) rows; entries below the diagonal are zero.
 [[nodiscard]] Eigen::MatrixXd triangle_of(const Eigen::MatrixXd& A);
 
+// Eigenvalues in ascending order, and the eigenvectors of length 1 that belong to them as columns.
+struct SymmetricEigen {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
 // Of a symmetric matrix, of which the lower triangle is read.
+[[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 [[nodiscard]] double smallest_eigenvalue(const Eigen::MatrixXd& A);
 
 }  // namespace armlet

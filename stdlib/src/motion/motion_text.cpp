@@ -8,6 +8,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/model/joint.hpp"
+#include "armlet/stdlib/robot_text.hpp"
 #include "armlet/trajectory/part.hpp"
 #include "armlet/trajectory/verify.hpp"
 
@@ -138,3 +139,18 @@ std::string explain_motion(std::string_view what, const Robot& robot, const Traj
 }
 
 }  // namespace armlet::bind
+
+namespace armlet {
+
+std::string last_move_text(const Host& host, int robot) {
+  const CellRobot& of = host.cell().robot(robot);
+  const LastMotion* last = host.last_motion(robot);
+  if (last == nullptr) return of.name + " has not moved";
+  bool moving = false;  // it took over from a velocity command
+  for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
+  return bind::explain_motion(fmt::format("{} of {}", last->function, of.name), *of.model,
+                              last->motion, last->notes,
+                              moving ? Trajectory::Start::kMoving : Trajectory::Start::kAtRest);
+}
+
+}  // namespace armlet

@@ -8,7 +8,7 @@
 
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "session/journal.hpp"
+#include "replay/journal.hpp"
 
 namespace armlet {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "session/journal.hpp"
+#include "replay/journal.hpp"
 
 namespace armlet {
 namespace {

@@ -9,10 +9,10 @@
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/world_names.hpp"
+#include "replay/journal.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "session/editor_texts.hpp"
-#include "session/journal.hpp"
 
 namespace armlet {
 namespace {
@@ -132,7 +132,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
   compile_options.open = false;
-  compile_options.cancelled = &cancelled_;
+  compile_options.cancelled = is_silent_ ? nullptr : &cancelled_;
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
   if (compiled.program == nullptr) return false;
@@ -141,7 +141,8 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   vm_options.timeline = &host;
   vm_options.host = &host;
   Vm vm(compiled.program, std::move(vm_options));
-  const InReach in_reach(vm, running_, cancelling_, cancelled_);
+  std::optional<InReach> in_reach;
+  if (!is_silent_) in_reach.emplace(vm, running_, cancelling_, cancelled_);
   RunResult result = vm.run();
   if (result.status == Progress::kDone) return true;
   if (result.error) problems.push_back({*std::move(result.error), compiled.sources});
@@ -174,8 +175,8 @@ void Session::cancel() noexcept {
   cancelling_.fetch_sub(1);
 }
 
-CompileOptions Session::compile_options(Host& host) const {
-  CompileOptions out;
+CompileOptions Session::compile_options(Host& host, CompileOptions how) const {
+  CompileOptions out = std::move(how);
   out.limits = options_.parse_limits;
   out.host = &host;
   out.world = world_names_;
@@ -194,7 +195,10 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
   const OneCompilation one_compilation(makes_program, cancelled_);
   describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  CompileOptions options = compile_options(*host);
+  CompileOptions how;
+  how.is_entry = is_entry_;
+  how.after = newest_program();
+  CompileOptions options = compile_options(*host, std::move(how));
   options.texts = editor_texts(host->planners().names(), world_names_);
   return engine_.analyse(std::move(text), std::move(name), options, before);
 }
@@ -202,19 +206,31 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
 bool Session::compile(std::string text, std::string name) {
   require_idle("compile");
   repeated_.reset();
-  return compile_text(std::move(text), std::move(name));
+  return compile_program(std::move(text), std::move(name));
 }
 
-bool Session::compile_text(std::string text, std::string name) {
+bool Session::compile_program(std::string text, std::string name) {
+  forget_run();
+  log_.clear();
+  done_ = 0;
+  is_entry_ = false;
+  return compile_as(std::move(text), std::move(name), {});
+}
+
+void Session::forget_run() {
   can_run_ = false;
-  problems_.clear();
   give_up();
   vm_.reset();
   journal_.reset();
+}
+
+bool Session::compile_as(std::string text, std::string name, const CompileOptions& how) {
+  can_run_ = false;
+  problems_.clear();
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  CompileOptions options = compile_options(*host);
+  CompileOptions options = compile_options(*host, how);
   options.load = load_imports();
   compilation_ = engine_.compile(std::move(text), std::move(name), options);
   const bool has_program = compilation_.program != nullptr;
@@ -226,26 +242,35 @@ bool Session::compile_text(std::string text, std::string name) {
   return can_run_;
 }
 
+std::vector<std::string> Session::world_objects() {
+  describe_world();
+  return world_names_ != nullptr ? world_names_->things : std::vector<std::string>();
+}
+
 void Session::begin_run() {
   give_up();
+  begin_cell(compilation_.program);
+  result_ = vm_->result();
+  is_under_way_ = true;
+}
+
+// A new cell, and a machine for the program in it.
+void Session::begin_cell(const std::shared_ptr<const Program>& program) {
   vm_.reset();
   begin_journal();
   host_ = make_host(true);
-  const Program& program = *compilation_.program;
-  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
+  take_world(*program);
   fan_out_ = std::make_unique<FanOut>(confidant_ == nullptr ? options_.backends
                                                             : std::vector<Backend*>{confidant_});
   fan_out_->set_muted(is_silent_ && confidant_ == nullptr);
-  Cell& cell = host_->cell();
-  if (!options_.backends.empty() || confidant_ != nullptr) cell.set_backend(fan_out_.get());
-  cell.set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
-                           !program.mentions("release"));
+  // Of entries that run once more the next one begins to tell; a run counts on what it tells.
+  if (!is_silent_ || !is_entry_) listen();
 
   VmOptions vm_options;
   vm_options.limits = options_.limits;
   vm_options.timeline = host_.get();
   vm_options.host = host_.get();
-  vm_options.output = [this, &cell](std::string_view text) {
+  vm_options.output = [this, &cell = host_->cell()](std::string_view text) {
     cell.note(NoteKind::kOutput, text);
     return journal_->print(text,
                            [&] { return options_.output ? options_.output(text) : std::string(); });
@@ -253,11 +278,22 @@ void Session::begin_run() {
   vm_options.advice = [this](const Diagnostic& advice) {
     if (options_.advice && !is_silent_) options_.advice(advice);
   };
-  vm_ = std::make_unique<Vm>(compilation_.program, std::move(vm_options));
+  vm_ = std::make_unique<Vm>(program, std::move(vm_options));
   cancel_at(*vm_, journal_->entry().cancelled);
   if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*vm_, breakpoints_);
-  result_ = vm_->result();
-  is_under_way_ = true;
+}
+
+void Session::listen() {
+  fan_out_->set_muted(is_silent_ && confidant_ == nullptr);
+  if (!options_.backends.empty() || confidant_ != nullptr)
+    host_->cell().set_backend(fan_out_.get());
+}
+
+// The program that is about to run may name objects, and pick them by contact.
+void Session::take_world(const Program& program) {
+  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
+  host_->cell().set_contact_picking(program.mentions("insertObj") && !program.mentions("grasp") &&
+                                    !program.mentions("release"));
 }
 
 // A program may end while a robot still slows down after a velocity command. Whether all stand.
@@ -279,7 +315,7 @@ void Session::end_run() {
 }
 
 void Session::give_up() {
-  if (is_under_way_) end_run();
+  if (is_under_way_ || (is_entry_ && host_ != nullptr)) end_run();
 }
 
 // The program, and when it is done the robots that still move.
@@ -303,16 +339,22 @@ Progress Session::go_on(const std::function<void()>& go) {
   }
   const OneSlice one_slice(is_running_, cancelled_, is_under_way_);
   try {
-    if (!is_under_way_) begin_run();
-    const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
-    go();
-    if (result_.status != Progress::kPaused) {
+    if (!is_under_way_) is_entry_ ? begin_entry() : begin_run();
+    {
+      const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
+      go();
+    }
+    if (result_.status == Progress::kPaused) return Progress::kPaused;
+    if (is_entry_) {
+      end_entry();
+    } else {
       end_run();
       apply_due_inputs();
     }
   } catch (...) {
     is_under_way_ = false;
     if (host_ != nullptr) host_->cell().set_backend(nullptr);
+    if (is_entry_) replay_to(done_, true);
     throw;
   }
   return result_.status;
@@ -334,6 +376,7 @@ RunResult Session::run() {
 }
 
 RunResult Session::run_test(std::size_t index) {
+  if (is_entry_) throw ArgumentError("Tests are run of a whole program: compile() it.");
   if (!is_running_.load()) give_up();
   go_on([&] {
     static_cast<void>(vm_->run_test(index));

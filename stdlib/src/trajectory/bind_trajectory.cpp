@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "armlet/stdlib/host.hpp"
+#include "armlet/stdlib/robot_text.hpp"
 #include "messages/library_messages.hpp"
 #include "motion/motion_text.hpp"
 #include "robot/rules.hpp"
@@ -154,15 +155,7 @@ Answer<void> explain_trajectory(Vm& vm, const PlannedMotion& plan) {
 }
 
 Answer<void> explain_robot(Vm& vm, const RobotRef& r) {
-  const CellRobot& robot = state_of(vm, r);
-  const LastMotion* last = Host::of(vm).last_motion(r.id);
-  if (last == nullptr) return print_line(vm, fmt::format("{} has not moved", robot.name));
-  bool moving = false;  // it took over from a velocity command
-  for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
-  return print_line(
-      vm, explain_motion(fmt::format("{} of {}", last->function, robot.name), *robot.model,
-                         last->motion, last->notes,
-                         moving ? Trajectory::Start::kMoving : Trajectory::Start::kAtRest));
+  return print_line(vm, last_move_text(Host::of(vm), r.id));
 }
 
 constexpr std::string_view kMakeHelp =

@@ -144,7 +144,7 @@ TEST_CASE("variables of tasks are seen, with what they wait for") {
   CHECK(tasks[0].waits.empty());
   CHECK(tasks[1].name == "branch 1 of parallel on line 17");
   CHECK(tasks[1].waits == "a time");
-  CHECK(run.variables(2) == "here: length = 0.007 m");
+  CHECK(run.variables(2) == "here: length = 7 mm");
   const auto variables = seen_variables(*run->vm());
   CHECK(variables[0].value == "10");
 }

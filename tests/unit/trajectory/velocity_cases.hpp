@@ -3,12 +3,12 @@
 
 #include <doctest/doctest.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/decompose.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/trajectory/velocity.hpp"
 
@@ -76,7 +76,7 @@ inline Eigen::VectorXd good_position(const Robot& robot, Dice& dice) {
       q[i] = dice.from(0.7 * lower + 0.3 * upper, 0.3 * lower + 0.7 * upper);
     }
     const Eigen::MatrixXd J = jacobian(robot, q);
-    const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
+    const Eigen::VectorXd s = singular_values(J).s;
     const double least = s[std::min<Eigen::Index>(robot.n(), 6) - 1];
     if (least <= farthest) continue;
     farthest = least;

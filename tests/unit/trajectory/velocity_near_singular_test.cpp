@@ -2,13 +2,13 @@
 // slow.
 #include <doctest/doctest.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
 
 #include "armlet/kinematics/jacobian.hpp"
+#include "armlet/math/decompose.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/trajectory/velocity.hpp"
 #include "velocity_cases.hpp"
@@ -23,7 +23,7 @@ namespace {
 Eigen::VectorXd near_singular(const Robot& robot, double value, Dice& dice) {
   const auto value_at = [&](const Eigen::VectorXd& q) {
     const Eigen::MatrixXd J = jacobian(robot, q);
-    const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
+    const Eigen::VectorXd s = singular_values(J).s;
     return s[std::min<Eigen::Index>(robot.n(), 6) - 1];
   };
   Eigen::VectorXd q = good_position(robot, dice);

@@ -45,6 +45,8 @@ struct ParseLimits {
   int errors = 10;
 };
 
+class Program;
+
 // What a host answers to `import "path"`.
 struct ImportedText {
   std::string name;                 // of the file in messages; one file has one name
@@ -68,6 +70,12 @@ struct CompileOptions {
   // that only the top level uses lie in registers.
   bool open = true;
   bool markers = false;  // for debuggers: run by statements (host/stepping.hpp), and more slowly
+  // The text is an entry of a session: its names stay for entries behind it, and the value of an
+  // expression at its end is kept as `ans`.
+  bool is_entry = false;
+  // The newest entry of the session, in whose scope the text is compiled; it implies is_entry.
+  // Null: the text is the first one.
+  std::shared_ptr<const Program> after{};
   // Set to true by the host, from any thread: compiling ends soon, without a program and with the
   // message R0629 alone.
   const std::atomic<bool>* cancelled = nullptr;
@@ -90,6 +98,9 @@ class Program {
   // that its declarations of a type have, in their order.
   [[nodiscard]] bool uses_world() const;
   [[nodiscard]] std::vector<std::string> declared_names(std::string_view type) const;
+  // Whether it is an entry of a session, and the entry before it; null: it is the first.
+  [[nodiscard]] bool is_entry() const;
+  [[nodiscard]] const std::shared_ptr<const Program>& after() const;
   [[nodiscard]] std::string disassemble() const;
   // The type of a record of the library, such as Move, in this program.
   [[nodiscard]] const Type* library_record(std::string_view name) const;
@@ -98,6 +109,13 @@ class Program {
  private:
   std::unique_ptr<Code> compiled_;
 };
+
+// Whether a prompt should take the text as an entry, or wait for more lines: brackets are open, or
+// the last line goes on. The same rule ends statements in files.
+//
+// next_line  the line behind it, where that is known already, as in a pipe: it may go on with the
+//            statement, as `else` and `.x` do.
+[[nodiscard]] bool is_complete(std::string_view text, std::string_view next_line = {});
 
 struct Compilation {
   std::shared_ptr<const Program> program;    // null if there were errors
@@ -180,6 +198,14 @@ struct VmOptions {
   std::function<void(const Diagnostic&)> advice;  // advice given while running
 };
 
+// What a prompt shows after an entry: `let w = 80mm` as "w = 80 mm  length", an
+// expression as "100 mm  length".
+struct EntryValue {
+  std::string name;  // that the entry declares; empty: the value of an expression, kept as `ans`
+  std::string text;  // as `print` shows it, with its unit; texts in quotes; cut after 2,000 bytes
+  std::string type;
+};
+
 class Vm {
  public:
   explicit Vm(std::shared_ptr<const Program> program, VmOptions options = {});
@@ -200,6 +226,19 @@ class Vm {
   [[nodiscard]] RunResult run();
   // Runs top-level declarations' initialisers that test `index` needs, then its body.
   [[nodiscard]] RunResult run_test(std::size_t index);
+  // After an entry (CompileOptions::is_entry) has run, lets the next one begin: `run` runs it. Its
+  // variables, functions and armed `when` and `every` live on. An entry that fails leaves all
+  // variables as they were before it, and counts as if it had not been: the next one is compiled
+  // behind the same one as it.
+  //
+  // throws  ArgumentError if the entry was not compiled behind the newest one that has run to its
+  // end
+  //         here, or an entry is running.
+  void begin(std::shared_ptr<const Program> entry);
+  // The newest entry that has run to its end; null: none has.
+  [[nodiscard]] const std::shared_ptr<const Program>& newest_entry() const { return done_; }
+  // The value of its last statement; nothing: it has none, or a semicolon follows.
+  [[nodiscard]] std::optional<EntryValue> shown() const;
   // How far the run has come; kPaused before its start.
   [[nodiscard]] const RunResult& result() const { return result_; }
   // May be called from any thread or a signal handler: the program stops at its next pause point or
@@ -260,8 +299,10 @@ class Vm {
 
  private:
   Progress go_on(std::uint32_t function, const Budget& budget);
+  void finish_entry();
 
   std::shared_ptr<const Program> program_;
+  std::shared_ptr<const Program> done_;  // the newest entry that has run to its end
   VmOptions options_;
   std::unique_ptr<Timeline> own_timeline_;
   Timeline* timeline_;

@@ -52,21 +52,33 @@ class Source {
   std::vector<std::uint32_t> line_starts_;
 };
 
-// The sources of one program, by number: the main file first, then what it imports.
+// The sources of one program, by number: the main file first, then what it imports. Those of an
+// entry of a session are numbered behind those of the entries before it, which it knows too.
 class SourceSet {
  public:
+  explicit SourceSet(std::shared_ptr<const SourceSet> before = nullptr);
+  ~SourceSet();
+  SourceSet(const SourceSet&) = delete;
+  SourceSet& operator=(const SourceSet&) = delete;
+
   const Source& add(std::string name, std::string text);
-  [[nodiscard]] const Source& operator[](std::uint32_t id) const { return *sources_[id]; }
-  [[nodiscard]] std::size_t size() const { return sources_.size(); }
-  [[nodiscard]] std::string_view slice(Span span) const {
-    return sources_[span.source]->slice(span);
-  }
+  [[nodiscard]] const Source& operator[](std::uint32_t id) const;
+  // The number of the main file, and the first number that no source has.
+  [[nodiscard]] std::uint32_t first() const { return first_; }
+  [[nodiscard]] std::size_t size() const { return first_ + sources_.size(); }
+  [[nodiscard]] std::string_view slice(Span span) const { return (*this)[span.source].slice(span); }
   [[nodiscard]] Position position(Span span) const {
-    return sources_[span.source]->position(span.begin);
+    return (*this)[span.source].position(span.begin);
   }
 
  private:
   std::vector<std::unique_ptr<Source>> sources_;
+  std::uint32_t first_ = 0;
+  mutable std::shared_ptr<const SourceSet> before_;
+  // A set far before this one, so that any is found in a number of steps like the logarithm of
+  // theirs: Myers, "An applicative random-access stack", Information Processing Letters 17, 1983.
+  const SourceSet* far_ = nullptr;
+  std::uint32_t depth_ = 0;
 };
 
 }  // namespace armlet

@@ -85,10 +85,17 @@ struct Type {
 // "a" or "an" for a word of the language.
 [[nodiscard]] std::string_view article(std::string_view word);
 
-// Owns and interns the types of one program.
+namespace lang {
+struct EarlierTypes;
+}
+
+// Owns and interns the types of one program. That of an entry of a session has the types of the
+// entries before it too, which must outlive it.
 class TypePool {
  public:
   TypePool();
+  explicit TypePool(const TypePool* before);
+  ~TypePool();
   TypePool(const TypePool&) = delete;
   TypePool& operator=(const TypePool&) = delete;
 
@@ -119,18 +126,25 @@ class TypePool {
   // The library's records are one type per name.
   const Type* library_record(std::string_view name) const;
   void register_library_record(const Type* record);
+  // Nothing is added any more: entries behind this one find its types.
+  void close();
 
  private:
   using Columns = std::vector<std::pair<std::string, const Type*>>;
   const Type* intern(Type type);
+  [[nodiscard]] const Type* find(std::size_t hash, const Type& type) const;
+  const Type* new_table(std::vector<RecordField> row);
+  void name_basic_types();
 
+  std::shared_ptr<const lang::EarlierTypes>
+      earlier_;  // of the entries before; null: there are none
   std::deque<Type> types_;
   std::unordered_multimap<std::size_t, const Type*> interned_;  // by what they are
   std::map<Columns, const Type*> tables_;                       // by the fields of their rows
   std::unordered_map<const RecordInfo*, std::vector<Type*>> tables_of_;  // open ones, and joined
   std::deque<RecordInfo> records_;
   std::deque<EnumInfo> enums_;
-  std::vector<const Type*> library_records_;
+  std::shared_ptr<const std::vector<const Type*>> library_records_;
   std::vector<const Type*> made_records_;  // by record_of
   const Type *any_, *void_, *bool_, *int_, *real_, *text_, *matrix_;
 };

@@ -207,6 +207,26 @@ void note_pause(Checker& checker, Span span) {
 
 namespace {
 
+// Those of the entries before that have not been declared again.
+void add_earlier(Checker& checker, const HostType& type, Ambient& out, bool all) {
+  const KeptNames* kept = checker.shared.earlier.kept();
+  if (kept == nullptr) return;
+  Checker& main = *checker.shared.files.back();
+  for (const KeptAmbient& ambient : *kept->ambient) {
+    if (ambient.type != type.name || (!all && out.names.size() > 1)) continue;
+    Checker& file = ambient.file != nullptr ? checker.shared.earlier.file(*ambient.file) : main;
+    if (!file.names.declaration_of(ambient.name).empty() && &file == &main &&
+        file.names.find_variable(ambient.name) != nullptr)
+      continue;
+    FunctionContext* where = nullptr;
+    Local* local = file.scopes.find_top(ambient.name, where);
+    if (local == nullptr) continue;
+    out.local = local;
+    out.where = where;
+    out.names.push_back(ambient.name);
+  }
+}
+
 Ambient find_ambient(Checker& checker, const HostType& type, bool all) {
   Ambient out;
   for (FunctionContext* context = &checker.scopes.here(); context != nullptr;
@@ -248,6 +268,7 @@ Ambient find_ambient(Checker& checker, const HostType& type, bool all) {
     if (!all && found.size() > 1) break;
   }
   out.names = std::move(found);
+  add_earlier(checker, type, out, all);
   return out;
 }
 

@@ -74,12 +74,12 @@ bool is_free(Checker& checker, const ast::Name& name, const ast::Expr* value, Sp
     }
   }
   if (!found && checker.scopes.in_program()) {
-    if (const FunctionDecl* function = checker.names.find_function(name.text)) {
+    if (const FunctionDecl* function = checker.names.own_function(name.text)) {
       first = function->node->name.span;
       found = true;
     }
   }
-  if (const Import* import = found ? nullptr : checker.names.find_import(name.text)) {
+  if (const Import* import = found ? nullptr : checker.names.own_import(name.text)) {
     first = import->span;
     found = checker.scopes.in_program();
   }
@@ -92,8 +92,8 @@ bool is_free(Checker& checker, const ast::Name& name, const ast::Expr* value, Sp
   diagnostic.mark.label = "declared again";
   diagnostic.related.push_back({first, "first declared here"});
   diagnostic.fix = Fix{.text = "choose another name"};
-  if (value != nullptr && checker.names.find_function(name.text) == nullptr &&
-      checker.names.find_import(name.text) == nullptr) {
+  if (value != nullptr && checker.names.own_function(name.text) == nullptr &&
+      checker.names.own_import(name.text) == nullptr) {
     diagnostic.fix->text += ", or write " + std::string(name.text) + " = " +
                             checker.text_of(value->span) +
                             " if you want to change it (then declare it with var)";
@@ -243,7 +243,15 @@ const HostType* ambient_type(Checker& checker, const ast::TypeExpr* type, const 
 // Notes what the whole text shows before any of it is checked.
 void look_ahead(Checker& checker, const ast::Block& program) {
   const Sights sights = look_over(program);
-  checker.names.set_changed(sights.changed);
+  std::set<std::string_view> changed = sights.changed;
+  // Later entries may change what this one does not.
+  for (const ast::Stmt* stmt : program.body) {
+    if (!checker.into.is_entry || stmt->kind != ast::StmtKind::kVar) continue;
+    const auto& declaration = stmt->as<ast::VarStmt>();
+    for (const ast::Declarator& at : declaration.declarators)
+      if (!declaration.fixed) changed.insert(at.name.text);
+  }
+  checker.names.set_changed(std::move(changed));
   for (const std::string_view name : sights.mentioned) {
     if (!checker.registry.functions(name).empty()) checker.shared.mentions.add(name);
   }
@@ -340,8 +348,8 @@ void collect_functions(Checker& checker, const ast::Block& program) {
     if (stmt->kind != ast::StmtKind::kFunction) continue;
     const auto& node = stmt->as<ast::FunctionStmt>();
     checker.messages.begin_statement();
-    const FunctionDecl* first = checker.names.find_function(node.name.text);
-    const Import* import = checker.names.find_import(node.name.text);
+    const FunctionDecl* first = checker.names.own_function(node.name.text);
+    const Import* import = checker.names.own_import(node.name.text);
     if (first != nullptr || import != nullptr) {
       Diagnostic diagnostic =
           make_diagnostic("E0204", node.name.span, {std::string(node.name.text)});

@@ -121,7 +121,9 @@ void bind_imports(Checker& checker) {
       continue;
     }
     const Span shown = stmt.alias.text.empty() ? stmt.path_span : stmt.alias.span;
-    Checker* file = import.file < 0 ? nullptr : checker.shared.files[import.file];
+    Checker* file = import.file >= 0         ? checker.shared.files[import.file]
+                    : import.kept != nullptr ? &checker.shared.earlier.file(*import.kept)
+                                             : nullptr;
     const auto [first, fresh] =
         checker.names.add_import(checker.arena.copy(name), Import{shown, file});
     if (fresh) continue;
@@ -140,8 +142,9 @@ hir::Expr* imported_member(Checker& checker, const Import& from, const ast::Memb
   Checker& file = *from.file;
   const std::string import = checker.text_of(member.object->span);
   if (refuse_member(checker, file, import, member.member)) return checker.failed(member.span);
-  if (Local* local = file.scopes.main().find(name))
-    return read(checker, *local, file.scopes.main(), member.span);
+  FunctionContext* where = nullptr;
+  if (Local* local = file.scopes.find_top(name, where))
+    return read(checker, *local, *where, member.span);
   if (FunctionDecl* function = file.names.find_function(name))
     return function_value(checker, *function, expected, member.span);
   if (file.names.find_type(name) != nullptr)

@@ -9,8 +9,6 @@
 namespace armlet::lang {
 namespace {
 
-using namespace ast;
-
 class Lookout {
  public:
   explicit Lookout(Sights& sights) : sights_(sights) {}
@@ -38,40 +36,42 @@ class Lookout {
  private:
   void changes(const ast::Expr* place) {
     for (;;) {
-      if (place->kind == ExprKind::kMember) {
-        place = place->as<MemberExpr>().object;
-      } else if (place->kind == ExprKind::kIndex) {
-        place = place->as<IndexExpr>().object;
+      if (place->kind == ast::ExprKind::kMember) {
+        place = place->as<ast::MemberExpr>().object;
+      } else if (place->kind == ast::ExprKind::kIndex) {
+        place = place->as<ast::IndexExpr>().object;
       } else {
         break;
       }
     }
-    if (place->kind == ExprKind::kName) sights_.changed.insert(place->as<NameExpr>().name);
+    if (place->kind == ast::ExprKind::kName)
+      sights_.changed.insert(place->as<ast::NameExpr>().name);
   }
 
   void note(const ast::Expr& at) {
-    if (at.kind == ExprKind::kName) {
-      sights_.mentioned.insert(at.as<NameExpr>().name);
-    } else if (at.kind == ExprKind::kMember) {
-      sights_.mentioned.insert(at.as<MemberExpr>().member.text);
-    } else if (at.kind == ExprKind::kCall) {
-      const ast::Expr& callee = *at.as<CallExpr>().callee;
-      if (callee.kind != ExprKind::kMember) return;
-      const std::string_view name = callee.as<MemberExpr>().member.text;
+    if (at.kind == ast::ExprKind::kName) {
+      sights_.mentioned.insert(at.as<ast::NameExpr>().name);
+    } else if (at.kind == ast::ExprKind::kMember) {
+      sights_.mentioned.insert(at.as<ast::MemberExpr>().member.text);
+    } else if (at.kind == ast::ExprKind::kCall) {
+      const ast::Expr& callee = *at.as<ast::CallExpr>().callee;
+      if (callee.kind != ast::ExprKind::kMember) return;
+      const std::string_view name = callee.as<ast::MemberExpr>().member.text;
       const bool of_list = std::ranges::find(kListMutations, name, &ListMutation::name) !=
                            std::ranges::end(kListMutations);
-      if (of_list || name == "remove") changes(callee.as<MemberExpr>().object);  // m.remove(key)
+      if (of_list || name == "remove")
+        changes(callee.as<ast::MemberExpr>().object);  // m.remove(key)
     }
   }
 
   void note(const ast::Stmt& at) {
-    if (at.kind == StmtKind::kAssign) {
-      for (const ast::Expr* target : at.as<AssignStmt>().targets) changes(target);
-    } else if (at.kind == StmtKind::kStep) {
-      changes(at.as<StepStmt>().target);
-    } else if (at.kind == StmtKind::kVar) {
+    if (at.kind == ast::StmtKind::kAssign) {
+      for (const ast::Expr* target : at.as<ast::AssignStmt>().targets) changes(target);
+    } else if (at.kind == ast::StmtKind::kStep) {
+      changes(at.as<ast::StepStmt>().target);
+    } else if (at.kind == ast::StmtKind::kVar) {
       // Without a first value the first assignment is a change.
-      for (const Declarator& declarator : at.as<VarStmt>().declarators)
+      for (const ast::Declarator& declarator : at.as<ast::VarStmt>().declarators)
         if (declarator.init == nullptr) sights_.changed.insert(declarator.name.text);
     }
   }
@@ -83,9 +83,9 @@ class Lookout {
 
 // Whether a `return` below the statement belongs to another function or to a task.
 bool holds_other_returns(const ast::Stmt& at) {
-  return at.kind == StmtKind::kFunction || at.kind == StmtKind::kTest ||
-         at.kind == StmtKind::kParallel || at.kind == StmtKind::kWhen ||
-         at.kind == StmtKind::kEvery;
+  return at.kind == ast::StmtKind::kFunction || at.kind == ast::StmtKind::kTest ||
+         at.kind == ast::StmtKind::kParallel || at.kind == ast::StmtKind::kWhen ||
+         at.kind == ast::StmtKind::kEvery;
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ bool returns_a_value(const ast::Block& body) {
   while (!open.empty()) {
     const ast::Stmt& at = *open.back();
     open.pop_back();
-    if (at.kind == StmtKind::kReturn && at.as<ReturnStmt>().value != nullptr) return true;
+    if (at.kind == ast::StmtKind::kReturn && at.as<ast::ReturnStmt>().value != nullptr) return true;
     if (holds_other_returns(at)) continue;
     for_each_part(
         at, [](const ast::Expr&) {}, [&](const ast::Stmt& child) { open.push_back(&child); });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "check/entries/earlier.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -17,12 +19,47 @@ bool FunctionDecl::is_generic() const {
   return std::ranges::any_of(parameters, [](const Type* type) { return type == nullptr; });
 }
 
+void Names::follow(const KeptFile& kept, Earlier& earlier) {
+  kept_ = &kept;
+  earlier_ = &earlier;
+}
+
+const KeptName* Names::find_earlier(std::string_view name) const {
+  const bool hides = kept_ == nullptr || functions_.contains(name) || types_.contains(name) ||
+                     imports_.contains(name);
+  return hides ? nullptr : kept_->find(name);
+}
+
+std::vector<const KeptName*> Names::all_earlier() const {
+  std::vector<const KeptName*> out;
+  if (kept_ == nullptr) return out;
+  kept_->names.for_each([&](const KeptFile::Bucket& bucket) {
+    for (const KeptName& kept : bucket) {
+      if (find_earlier(kept.name) != nullptr) out.push_back(&kept);
+    }
+  });
+  std::ranges::sort(out, {}, [](const KeptName* kept) {
+    return std::pair(kept->declared.source, kept->declared.begin);
+  });
+  return out;
+}
+
 std::pair<const Import*, bool> Names::add_import(std::string_view name, const Import& import) {
   const auto [first, is_new] = imports_.try_emplace(name, import);
   return {&first->second, is_new};
 }
 
-const Import* Names::find_import(std::string_view name) const { return value_in(imports_, name); }
+const Import* Names::own_import(std::string_view name) const { return value_in(imports_, name); }
+
+const FunctionDecl* Names::own_function(std::string_view name) const {
+  return value_in(functions_, name);
+}
+
+const Import* Names::find_import(std::string_view name) const {
+  if (const Import* own = own_import(name)) return own;
+  const KeptName* kept = find_earlier(name);
+  return kept != nullptr && kept->import != nullptr ? &earlier_->import(*kept) : nullptr;
+}
 
 FunctionDecl& Names::add_function(const ast::FunctionStmt& node, Checker& file) {
   FunctionDecl& function = functions_[node.name.text];
@@ -31,10 +68,15 @@ FunctionDecl& Names::add_function(const ast::FunctionStmt& node, Checker& file) 
   return function;
 }
 
-FunctionDecl* Names::find_function(std::string_view name) { return value_in(functions_, name); }
+FunctionDecl* Names::find_function(std::string_view name) {
+  if (FunctionDecl* own = value_in(functions_, name)) return own;
+  const KeptName* kept = find_earlier(name);
+  return kept != nullptr && kept->function != nullptr ? &earlier_->function(kept->function)
+                                                      : nullptr;
+}
 
 const FunctionDecl* Names::find_function(std::string_view name) const {
-  return value_in(functions_, name);
+  return const_cast<Names*>(this)->find_function(name);
 }
 
 bool Names::add_type(const ast::Name& name, const Type* type) {
@@ -44,8 +86,9 @@ bool Names::add_type(const ast::Name& name, const Type* type) {
 }
 
 const Type* Names::find_type(std::string_view name) const {
-  const auto* type = value_in(types_, name);
-  return type == nullptr ? nullptr : *type;
+  if (const auto* own = value_in(types_, name)) return *own;
+  const KeptName* kept = find_earlier(name);
+  return kept != nullptr ? kept->type : nullptr;
 }
 
 bool Names::add_variable(const ast::Name& name) {
@@ -66,8 +109,9 @@ std::span<const std::string_view> Names::ambient(std::string_view type) const {
 Span Names::declaration_of(std::string_view name) const {
   if (const Span* variable = find_variable(name)) return *variable;
   if (const FunctionDecl* function = find_function(name)) return function->node->name.span;
-  const Span* type = value_in(type_spans_, name);
-  return type == nullptr ? Span{} : *type;
+  if (const Span* type = value_in(type_spans_, name)) return *type;
+  const KeptName* kept = find_earlier(name);
+  return kept == nullptr || kept->import != nullptr ? Span{} : kept->declared;
 }
 
 std::vector<std::string_view> Names::all() const {
@@ -75,6 +119,9 @@ std::vector<std::string_view> Names::all() const {
   for (const auto& [name, span] : variables_) out.push_back(name);
   for (const auto& [name, function] : functions_) out.push_back(name);
   for (const auto& [name, type] : types_) out.push_back(name);
+  for (const KeptName* kept : all_earlier()) {
+    if (kept->import == nullptr) out.push_back(kept->name);
+  }
   return out;
 }
 

@@ -12,11 +12,26 @@
 
 namespace armlet::lang {
 
+class Earlier;
+struct KeptFile;
+struct KeptName;
+
 class Names {
  public:
+  // From now on names that this file does not declare stand for what they stand for there.
+  void follow(const KeptFile& kept, Earlier& earlier);
+  // What a name stood for in the entries before; null: nothing, or this file declares a function, a
+  // type or an import of that name.
+  [[nodiscard]] const KeptName* find_earlier(std::string_view name) const;
+  // Everything that had a name there.
+  [[nodiscard]] std::vector<const KeptName*> all_earlier() const;
+
   // The import of that name, and whether it is this one: the first of a name stays.
   std::pair<const Import*, bool> add_import(std::string_view name, const Import& import);
   [[nodiscard]] const Import* find_import(std::string_view name) const;
+  // Of this file alone.
+  [[nodiscard]] const Import* own_import(std::string_view name) const;
+  [[nodiscard]] const FunctionDecl* own_function(std::string_view name) const;
   [[nodiscard]] const std::map<std::string_view, Import>& imports() const { return imports_; }
 
   // The name must be free among functions.
@@ -26,6 +41,10 @@ class Names {
   [[nodiscard]] std::map<std::string_view, FunctionDecl>& functions() { return functions_; }
   [[nodiscard]] const std::map<std::string_view, FunctionDecl>& functions() const {
     return functions_;
+  }
+
+  [[nodiscard]] const std::map<std::string_view, std::vector<std::string_view>>& ambient() const {
+    return ambient_;
   }
 
   // A struct or an enum; false if another one has the name.
@@ -58,6 +77,8 @@ class Names {
   std::map<std::string_view, Span> variables_;
   std::map<std::string_view, std::vector<std::string_view>> ambient_;  // by type
   std::set<std::string_view> changed_;
+  const KeptFile* kept_ = nullptr;
+  Earlier* earlier_ = nullptr;
 };
 
 }  // namespace armlet::lang

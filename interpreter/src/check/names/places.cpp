@@ -103,6 +103,10 @@ bool may_change(Checker& checker, Local& local, FunctionContext& where, Span sta
       diagnostic.related.push_back({local.keyword, local.how == Declared::kLet
                                                        ? "declared with let"
                                                        : "declared with final"});
+      if (local.keyword.source < checker.into.sources->first()) {  // that entry has run
+        diagnostic.fix = Fix{.text = "declare it again: var " + checker.text_of(statement)};
+        break;
+      }
       const std::string line = std::to_string(checker.line_of(local.variable->declared));
       diagnostic.fix =
           Fix{.text = local.how == Declared::kLet ? "declare it with var on line " + line

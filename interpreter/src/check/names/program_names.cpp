@@ -10,12 +10,17 @@ void BlockNames::add(const std::string& type, std::string_view name) {
 
 std::vector<std::string> BlockNames::of(std::string_view type) const {
   const auto found = types_.find(type);
-  return found == types_.end() ? std::vector<std::string>() : found->second.in_order;
+  std::vector<std::string> names =
+      before_ != nullptr ? before_->of(type) : std::vector<std::string>();
+  if (found != types_.end())
+    names.insert(names.end(), found->second.in_order.begin(), found->second.in_order.end());
+  return names;
 }
 
 bool BlockNames::has(std::string_view type, std::string_view name) const {
   const auto found = types_.find(type);
-  return found != types_.end() && found->second.all.contains(std::string(name));
+  if (found != types_.end() && found->second.all.contains(std::string(name))) return true;
+  return before_ != nullptr && before_->has(type, name);
 }
 
 std::map<std::string, std::vector<std::string>, std::less<>> BlockNames::all() const {

@@ -46,6 +46,8 @@ void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& 
     for (const Local& local : context->locals) variables.push_back(local.variable->name);
   }
   for (const Local& local : checker.scopes.main().locals) variables.push_back(local.variable->name);
+  for (const KeptName* kept : checker.names.all_earlier())
+    if (kept->variable != nullptr) variables.push_back(kept->name);
   Diagnostic diagnostic = make_diagnostic("E0201", root.span, {std::string(name)});
   diagnostic.fix = did_you_mean(checker, name, root.span, variables);
   const std::string text = checker.text_of(statement);
@@ -230,10 +232,15 @@ std::optional<Fix> did_you_mean(const Checker& checker, std::string_view name, S
     own.push_back({function, wanted});
     declared[function] = declaration.node->name.span;
   }
+  for (const KeptName* kept : checker.names.all_earlier()) {
+    if (kept->variable == nullptr && kept->function == nullptr) continue;
+    const auto [at, is_new] = declared.try_emplace(kept->name, kept->declared);
+    if (is_new)
+      own.push_back({kept->name, kept->variable != nullptr ? kept->variable->type : wanted});
+  }
   if (const auto found = suggest(name, std::span<const Candidate>(own), wanted)) {
-    const int line = checker.line_of(declared[found->name]);
-    return Fix{.text = "did you mean " + in_backticks(found->name) + ", declared on line " +
-                       std::to_string(line) + "?",
+    return Fix{.text = "did you mean " + in_backticks(found->name) + ", declared on " +
+                       line_phrase(checker, declared[found->name]) + "?",
                .edits = {{span, std::string(found->name)}},
                .confidence = Confidence::kMaybe};
   }

@@ -1,5 +1,8 @@
 #include "check/scopes/scopes.hpp"
 
+#include "check/entries/earlier.hpp"
+#include "check/names/names.hpp"
+
 namespace armlet::lang {
 
 void Scopes::begin(hir::Function* program, Use& use) {
@@ -8,6 +11,30 @@ void Scopes::begin(hir::Function* program, Use& use) {
 }
 
 Local* Scopes::find(std::string_view name, FunctionContext*& where) {
+  Local* local = find_here(name, where);
+  return local != nullptr ? local : find_earlier(name, where);
+}
+
+Local* Scopes::find_top(std::string_view name, FunctionContext*& where) {
+  where = &main_;
+  Local* local = main_.find(name);
+  return local != nullptr ? local : find_earlier(name, where);
+}
+
+// A variable that this file declares is meant in its functions wherever they stand; in the text
+// itself it counts from its declaration on.
+Local* Scopes::find_earlier(std::string_view name, FunctionContext*& where) {
+  if (names_ == nullptr) return nullptr;
+  const KeptName* kept = names_->find_earlier(name);
+  if (kept == nullptr || kept->variable == nullptr) return nullptr;
+  if ((only_top_level_ || !in_program()) && names_->find_variable(name) != nullptr) return nullptr;
+  where = &earlier_;
+  if (Local* known = earlier_.find(name)) return known;
+  earlier_.add({earlier_names_->variable(*kept), kept->how, kept->keyword, true});
+  return &earlier_.locals.back();
+}
+
+Local* Scopes::find_here(std::string_view name, FunctionContext*& where) {
   if (!only_top_level_) {
     for (where = here_; where != nullptr; where = where->outer) {
       if (Local* local = where->find(name)) return local;

@@ -9,6 +9,9 @@
 
 namespace armlet::lang {
 
+class Earlier;
+class Names;
+
 class Scopes {
  public:
   // A function, and where its uses are collected.
@@ -17,6 +20,11 @@ class Scopes {
     Use* use = nullptr;
   };
 
+  // Variables of the entries before are found by what the file's names say of them.
+  void follow(const Names& names, Earlier& earlier) {
+    names_ = &names;
+    earlier_names_ = &earlier;
+  }
   // `program` is the file's top level as a function; before anything is checked.
   void begin(hir::Function* program, Use& use);
 
@@ -50,6 +58,8 @@ class Scopes {
 
   // The variable of that name and the function that it belongs to; null if none can be seen.
   [[nodiscard]] Local* find(std::string_view name, FunctionContext*& where);
+  // The same for the top level alone, as other files see it.
+  [[nodiscard]] Local* find_top(std::string_view name, FunctionContext*& where);
   Local* add(hir::Variable* variable, Declared how, Span keyword);
   void open_block() { here_->blocks.push_back(here_->locals.size()); }
   // Of the innermost block; gives where its variables begin.
@@ -58,7 +68,13 @@ class Scopes {
   void forget(std::size_t first);
 
  private:
+  Local* find_here(std::string_view name, FunctionContext*& where);
+  Local* find_earlier(std::string_view name, FunctionContext*& where);
+
   FunctionContext main_;
+  FunctionContext earlier_;  // the variables of the entries before that were mentioned
+  const Names* names_ = nullptr;
+  Earlier* earlier_names_ = nullptr;
   FunctionContext* here_ = &main_;
   bool only_top_level_ = false;
   Use unused_{};

@@ -5,6 +5,7 @@
 namespace armlet::lang {
 
 void TopLevel::add(hir::Variable* variable, hir::InitStmt* init, Use use) {
+  if (keeps_all_) variable->storage = hir::Storage::kGlobal;
   entries_.push_back({variable, init});
   uses_[variable] = std::move(use);
 }
@@ -19,9 +20,9 @@ void TopLevel::make_global(hir::Variable& variable) {
   if (!uses_.contains(&variable)) inner_globals_.push_back(&variable);
 }
 
-void TopLevel::open() {
+void TopLevel::open(std::uint32_t main_source) {
   for (const auto& [variable, init] : entries_) {
-    if (variable->declared.source != 0 || variable->name.empty()) continue;
+    if (variable->declared.source != main_source || variable->name.empty()) continue;
     variable->storage = hir::Storage::kGlobal;
     variable->is_open = true;
   }

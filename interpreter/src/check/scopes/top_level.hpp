@@ -16,6 +16,9 @@ class TopLevel {
     hir::InitStmt* init;
   };
 
+  // An entry: all variables stay for the entries behind it.
+  void keep_all() { keeps_all_ = true; }
+
   // use: what its first value mentions.
   void add(hir::Variable* variable, hir::InitStmt* init, Use use);
   [[nodiscard]] std::size_t count() const { return entries_.size(); }
@@ -26,12 +29,13 @@ class TopLevel {
 
   // Functions use the variable, which may stand in a block of the top level too.
   void make_global(hir::Variable& variable);
-  // Shows those of the main file to the host.
-  void open();
+  // Shows those of the main file, which has this number, to the host.
+  void open(std::uint32_t main_source);
   // All global variables, numbered.
   [[nodiscard]] std::vector<hir::Variable*> number_globals() const;
 
  private:
+  bool keeps_all_ = false;
   std::vector<Entry> entries_;
   std::unordered_map<const hir::Variable*, Use> uses_;
   std::vector<hir::Variable*> inner_globals_;  // of blocks

@@ -4,6 +4,7 @@
 
 #include "check/calls/over_list.hpp"
 #include "check/checker.hpp"
+#include "check/entries/keep.hpp"
 #include "check/statements/paths.hpp"
 #include "check/statements/recordings.hpp"
 
@@ -44,8 +45,10 @@ void mark_unset_globals(Checker& checker) {
       open.insert(open.end(), use.calls.begin(), use.calls.end());
     }
   }
+  // Functions of earlier entries may call those that replace theirs at any time.
+  const bool any_time = replaces_functions(checker);
   for (const auto& [variable, init] : entries) {
-    if (init->value == nullptr && variable->storage == hir::Storage::kGlobal)
+    if ((init->value == nullptr || any_time) && variable->storage == hir::Storage::kGlobal)
       variable->maybe_unset = true;
   }
 }

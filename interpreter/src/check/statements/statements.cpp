@@ -275,6 +275,15 @@ hir::Stmt* check_if(Checker& checker, const ast::IfStmt& stmt) {
 
 }  // namespace
 
+bool is_value_statement(Checker& checker, const ast::ExprStmt& stmt) {
+  if (stmt.value->kind == ast::ExprKind::kLambda) return false;
+  if (stmt.value->kind != ast::ExprKind::kCall) return true;
+  const std::string name = dotted_name(checker, *stmt.value->as<ast::CallExpr>().callee);
+  if (name == "Thread.sleep") return false;
+  return (name != "assert" && name != "assertThrows") ||
+         checker.names.find_function(name) != nullptr;
+}
+
 hir::Stmt* return_value(Checker& checker, hir::Expr* value, Span span) {
   FunctionContext& context = checker.scopes.here();
   if (context.result_is_declared) {

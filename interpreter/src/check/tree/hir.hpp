@@ -175,10 +175,10 @@ struct Test {
 
 struct Module {
   Function* main = nullptr;  // the top level, in order; imports' initialisers first
-  Seq<Function*> functions;  // all, main included, numbered by index
+  Seq<Function*> functions;  // all, main included; in their order numbered by index, but in entries
   Seq<Test> tests;
   std::uint32_t global_count = 0;
-  Seq<Variable*> globals;  // numbered by index
+  Seq<Variable*> globals;  // those that the program declares; each has its number
   Seq<const Type*> unset;  // types of elements that `new T[n]` leaves without a value
 };
 

@@ -40,6 +40,7 @@ struct Variable {
   Storage storage = Storage::kLocal;
   bool fixed = false;  // let, final, parameters, loop variables
   bool is_parameter = false;
+  bool adopted = false;  // a parameter that its function adopts, so that callers may hand it over
   bool maybe_unset = false;    // a global that may be read too early: reads are checked (R0623)
   bool is_open = false;        // the host sees it by name, and may change a `var` between slices
   const Expr* init = nullptr;  // the initialiser, for messages

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "check/entries/earlier.hpp"
+
 namespace armlet::lang {
 namespace {
 
@@ -35,15 +37,23 @@ int index_in(const Names& names, std::string_view name, Name name_of, Places* ta
 
 void Structs::add(const StructDecl& structure) { structs_[structure.type->record] = structure; }
 
-const StructDecl* Structs::find(const Type* type) const {
+const StructDecl* Structs::find(const Type* type) {
   if (!type->is(Kind::kRecord)) return nullptr;
   const auto found = structs_.find(type->record);
-  return found == structs_.end() ? nullptr : &found->second;
+  if (found != structs_.end()) return &found->second;
+  const KeptType* kept = earlier_.type(type->record);
+  if (kept == nullptr) return nullptr;
+  add({kept->node, &earlier_.file(*kept->file), type});
+  return &structs_[type->record];
 }
 
 Checker* Structs::home(const Type* type) const {
   const auto found = homes_.find(type);
-  return found == homes_.end() ? nullptr : found->second;
+  if (found != homes_.end()) return found->second;
+  const KeptType* kept = type->is(Kind::kRecord) ? earlier_.type(type->record)
+                         : type->is(Kind::kEnum) ? earlier_.type(type->enumeration)
+                                                 : nullptr;
+  return kept != nullptr ? &earlier_.file(*kept->file) : nullptr;
 }
 
 int Structs::field_index(const RecordInfo& record, std::string_view name) {

@@ -11,11 +11,15 @@
 
 namespace armlet::lang {
 
+class Earlier;
+
 class Structs {
  public:
   void add(const StructDecl& structure);
+  explicit Structs(Earlier& earlier) : earlier_(earlier) {}
+
   // Null if the type is no struct of the program.
-  [[nodiscard]] const StructDecl* find(const Type* type) const;
+  [[nodiscard]] const StructDecl* find(const Type* type);
 
   // The file that declares a struct or an enum; null if it is another type.
   void set_home(const Type* type, Checker& file) { homes_[type] = &file; }
@@ -39,6 +43,7 @@ class Structs {
  private:
   using Places = std::unordered_map<std::string_view, int>;
 
+  Earlier& earlier_;
   std::map<const RecordInfo*, StructDecl> structs_;
   std::map<const Type*, Checker*> homes_;
   std::unordered_map<const void*, Places> places_;  // by record or enum with many names

@@ -54,6 +54,8 @@ const Type* resolve_named(Checker& checker, const ast::TypeExpr& type) {
   for (const BasicType& basic : kBasicTypes) names.push_back(basic.name);
   std::ranges::copy(dimension_names(), std::back_inserter(names));
   for (const auto& [known, unused] : checker.names.types()) names.push_back(known);
+  for (const KeptName* kept : checker.names.all_earlier())
+    if (kept->type != nullptr) names.push_back(kept->name);
   for (const auto& [known, unused] : checker.registry.types()) names.push_back(known);
   for (const auto& [known, unused] : checker.registry.records()) names.push_back(known);
   Diagnostic diagnostic = make_diagnostic("E0216", type.span, {name});

@@ -38,10 +38,18 @@ std::string operands_text(const Instr& instr, std::size_t pc) {
   return text;
 }
 
+// Of entries only the own functions have a name here.
+std::string function_name(const CompiledProgram& program, std::uint32_t number) {
+  if (!program.is_entry) return program.functions[number].name;
+  const auto found = std::ranges::find_if(
+      program.functions, [&](const FunctionCode& code) { return code.function->index == number; });
+  return found == program.functions.end() ? std::string() : found->name;
+}
+
 // What an index into a table stands for.
 std::string meaning(const CompiledProgram& program, const FunctionCode& function, char letter,
                     std::uint16_t index) {
-  if (letter == 'f') return program.functions[index].name;
+  if (letter == 'f') return function_name(program, index);
   if (letter == 'n') return std::string(program.natives[index]->name);
   if (letter == 'c') return fmt::format("{}", function.constants[index].d);
   if (letter == 't') return fmt::format("\"{}\"", program.texts[index]);
@@ -64,7 +72,7 @@ std::string line_text(const CompiledProgram& program, Span span) {
   const int line = source.position(span.begin).line;
   const std::string_view text = source.line(line);
   const std::size_t first = text.find_first_not_of(" \t");
-  const bool imported = span.source != 0;
+  const bool imported = span.source != program.sources->first();
   return fmt::format("  {}{}line {}: {}\n", imported ? source.name() : "", imported ? " " : "",
                      line, first == std::string_view::npos ? "" : text.substr(first));
 }

@@ -114,6 +114,13 @@ struct AssertInfo {
   std::vector<std::uint16_t> registers;  // of the shown parts
 };
 
+// The last statement of an entry, if it has a value to be shown.
+struct ShownValue {
+  const hir::Variable* variable = nullptr;  // which has the value; null: there is none
+  bool is_declared = false;                 // the statement declares it; otherwise it is `ans`
+  bool is_hidden = false;                   // a semicolon follows
+};
+
 // Names in the text that the host asks for.
 struct UsedNames {
   std::vector<std::string> functions;                                     // of the library, sorted
@@ -121,7 +128,13 @@ struct UsedNames {
   bool of_world = false;  // one of the world that is not among the declared
 };
 
+struct KeptNames;
+
 struct CompiledProgram {
+  CompiledProgram() : CompiledProgram(CompileOptions{}) {}
+  // Of a text that is compiled so: an entry of a session goes on from the one before it.
+  explicit CompiledProgram(const CompileOptions& options);
+
   std::shared_ptr<SourceSet> sources;
   std::unique_ptr<Arena> arena;  // hir
   std::unique_ptr<TypePool> types;
@@ -139,13 +152,19 @@ struct CompiledProgram {
   std::vector<AssertInfo> asserts;
   std::vector<const hir::AssertThrowsStmt*> expects;
   std::vector<const hir::WaitUntilStmt*> waits;
-  std::vector<bool> global_is_reference;
   UnsetElements unset;
   UsedNames names;
   std::string what_takes_time;              // in the words of the host: "wait or move"
   const MessageTables* messages = nullptr;  // of the engine, which outlives the program
 
-  CompiledProgram() = default;
+  // ---- entries of sessions
+  bool is_entry = false;
+  mutable std::shared_ptr<const Program> after;  // the entry before; null: there is none
+  std::unique_ptr<Arena> syntax;  // of functions and structs, which later calls check
+  bool keeps_syntax = false;
+  std::unique_ptr<const KeptNames> kept;
+  ShownValue shown;
+
   CompiledProgram(const CompiledProgram&) = delete;
   CompiledProgram& operator=(const CompiledProgram&) = delete;
   ~CompiledProgram();
@@ -155,4 +174,6 @@ struct CompiledProgram {
 
 }  // namespace armlet::lang
 
-struct armlet::Program::Code final : lang::CompiledProgram {};
+struct armlet::Program::Code final : lang::CompiledProgram {
+  using CompiledProgram::CompiledProgram;
+};

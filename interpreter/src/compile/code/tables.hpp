@@ -26,14 +26,6 @@ class Tables {
   [[nodiscard]] std::uint32_t add_expect(const hir::AssertThrowsStmt& statement);
   [[nodiscard]] std::uint32_t add_wait(const hir::WaitUntilStmt& statement);
 
-  // Parameters that their functions adopt: hand_over.hpp.
-  void adopt(std::unordered_set<const hir::Variable*> parameters) {
-    adopted_ = std::move(parameters);
-  }
-  [[nodiscard]] bool adopts(const hir::Variable& parameter) const {
-    return adopted_.contains(&parameter);
-  }
-
   // Functions whose bodies stand in place of their calls: inlining.hpp.
   void inline_calls(std::unordered_set<const hir::Function*> functions) {
     inlined_ = std::move(functions);
@@ -55,7 +47,6 @@ class Tables {
   std::map<std::string, std::uint32_t, std::less<>> texts_;
   std::map<const Type*, std::uint32_t> layouts_;
   std::map<FormatKey, std::uint32_t> formats_;
-  std::unordered_set<const hir::Variable*> adopted_;
   std::unordered_set<const hir::Function*> inlined_;
 };
 

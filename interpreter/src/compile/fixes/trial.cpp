@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "check/check.hpp"
+#include "check/entries/kept.hpp"
 #include "compile/load_files.hpp"
 
 namespace armlet::lang {
@@ -40,8 +41,7 @@ struct Outcome {
 Outcome messages_about(const Source& file, const Registry& registry, const Source& main,
                        const CompileOptions& options) {
   DiagnosticSink sink(2 * options.limits.errors);
-  CompiledProgram program;
-  program.sources = std::make_shared<SourceSet>();
+  CompiledProgram program(options);
   SourceSet& sources = *program.sources;
   const Source& first = main.id() == file.id() ? file : main;
   sources.add(first.name(), std::string(first.text()));
@@ -118,7 +118,7 @@ bool Trial::still_says(const Diagnostic& message) const {
 
 Trials::Trials(const Registry& registry, const SourceSet& sources, const CompileOptions& options)
     : registry_(registry), sources_(sources), options_(options) {
-  for (std::uint32_t i = 0; i < sources.size(); ++i) all_ += sources[i].text().size();
+  for (std::uint32_t i = sources.first(); i < sources.size(); ++i) all_ += sources[i].text().size();
 }
 
 Trials Trials::behind(const Trial& first) const {
@@ -131,10 +131,11 @@ Trials Trials::behind(const Trial& first) const {
 std::optional<Trial> Trials::with(std::vector<Edit> edits) {
   std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
   if (exhausted() || !fit_together(edits)) return std::nullopt;
+  if (edits[0].span.source < sources_.first()) return std::nullopt;  // what has run stays
   *read_ += all_;
   const Source& source = sources_[edits[0].span.source];
   const Source file(source.name(), with_edits(source.text(), edits), source.id());
-  Outcome left = messages_about(file, registry_, sources_[0], options_);
+  Outcome left = messages_about(file, registry_, sources_[sources_.first()], options_);
   return Trial(std::move(edits), std::move(left.sources), std::move(left.all));
 }
 

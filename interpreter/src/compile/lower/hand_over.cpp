@@ -1,6 +1,7 @@
 #include "compile/lower/hand_over.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "check/tree/walk.hpp"
 #include "compile/optimise/deaths.hpp"
@@ -12,13 +13,13 @@ using namespace hir;
 namespace {
 
 // A parameter that can change its owner.
-const Variable* passed_parameter(const Expr* e) {
+Variable* passed_parameter(const Expr* e) {
   while (e != nullptr && e->kind == ExprKind::kConvert &&
          e->as<ConvertExpr>().conversion == Conversion::kSame) {
     e = e->as<ConvertExpr>().operand;
   }
   if (e == nullptr || e->kind != ExprKind::kVariable) return nullptr;
-  const Variable* variable = e->as<VariableExpr>().variable;
+  Variable* variable = e->as<VariableExpr>().variable;
   const bool can = variable->is_parameter && variable->storage == Storage::kLocal &&
                    variable->type->is_reference() && !variable->type->is(Kind::kFunction);
   return can ? variable : nullptr;
@@ -27,7 +28,7 @@ const Variable* passed_parameter(const Expr* e) {
 // What the functions of a program do with their parameters.
 class Collector {
  public:
-  std::unordered_set<const Variable*> run(const Module& module) {
+  void run(const Module& module) {
     for (const Function* function : module.functions) {
       if (function->body != nullptr) statement(*function->body);
     }
@@ -35,15 +36,14 @@ class Collector {
     for (bool more = true; more;) {
       more = false;
       for (const Passed& passed : passed_) {
-        if (adopted_.contains(passed.to) && adopted_.insert(passed.parameter).second) more = true;
+        if (passed.to->adopted && !std::exchange(passed.parameter->adopted, true)) more = true;
       }
     }
-    return std::move(adopted_);
   }
 
  private:
   struct Passed {
-    const Variable* parameter;
+    Variable* parameter;
     const Variable* to;
   };
 
@@ -58,8 +58,7 @@ class Collector {
   }
 
   void assigned(const Expr* value) {
-    const Variable* parameter = passed_parameter(value);
-    if (parameter != nullptr) adopted_.insert(parameter);
+    if (Variable* parameter = passed_parameter(value)) parameter->adopted = true;
   }
 
   void expression(const Expr& expr) {
@@ -75,20 +74,17 @@ class Collector {
   void call(const CallExpr& e) {
     const std::size_t count = std::min(e.arguments.size(), e.function->parameters.size());
     for (std::size_t i = 0; i < count; ++i) {
-      const Variable* parameter = passed_parameter(e.arguments[i]);
+      Variable* parameter = passed_parameter(e.arguments[i]);
       if (parameter != nullptr) passed_.push_back({parameter, e.function->parameters[i]});
     }
   }
 
-  std::unordered_set<const Variable*> adopted_;
   std::vector<Passed> passed_;
 };
 
 }  // namespace
 
-std::unordered_set<const Variable*> adopted_parameters(const Module& module) {
-  return Collector().run(module);
-}
+void mark_adopted_parameters(const Module& module) { Collector().run(module); }
 
 Edits hand_over_last_uses(std::vector<WideInstr>& code, const CodeShape& shape) {
   Deaths deaths(code, shape, RegClass::kReference);

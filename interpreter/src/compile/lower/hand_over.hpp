@@ -9,10 +9,9 @@
 
 namespace armlet::lang {
 
-// The parameters that their functions assign to a variable of their own, or pass on to another
-// function that does. Such a function begins by adopting what the caller hands over.
-[[nodiscard]] std::unordered_set<const hir::Variable*> adopted_parameters(
-    const hir::Module& module);
+// Marks the parameters that their functions assign to a variable of their own, or pass on to
+// another function that does. Such a function begins by adopting what the caller hands over.
+void mark_adopted_parameters(const hir::Module& module);
 
 // Decides, now that all code is there, which uses are the last ones. MOVEREF with c = 1 becomes
 // TAKE where nothing reads its source again; GIVE becomes MOVE where something does.

@@ -2,6 +2,7 @@
 
 #include "compile/lower/lower.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -43,7 +44,7 @@ void start(Lowering& in, FunctionCode& into) {
   for (std::uint32_t i = 0; i < function.parameters.size(); ++i) {
     const Variable& parameter = *function.parameters[i];
     const Reg reg = in.code.parameter(i);
-    if (in.tables.adopts(parameter)) {
+    if (in.options.optimise && parameter.adopted) {
       in.homes.give(parameter, in.code.reference());
       in.code.emit(OpCode::ADOPT, in.homes.of(parameter), reg);
     } else if (parameter.storage == Storage::kLocal) {
@@ -84,7 +85,8 @@ void choose_plain_calls(CompiledProgram& program) {
   };
   for (FunctionCode& function : program.functions) {
     for (Instr& instr : function.code) {
-      if (instr.op == OpCode::CALL && is_plain(program.functions[instr.b])) {
+      // What replaces the function of an entry may be less plain.
+      if (instr.op == OpCode::CALL && !program.is_entry && is_plain(program.functions[instr.b])) {
         instr.op = OpCode::CALLPLAIN;
       }
       const bool just_computed = instr.op == OpCode::RET_A;
@@ -99,23 +101,23 @@ void choose_plain_calls(CompiledProgram& program) {
 
 void lower_all(CompiledProgram& program, LowerOptions options) {
   const Module& module = program.module;
-  if (module.functions.size() >= UINT16_MAX) {
+  const auto too_many = [](const auto* item) { return item->index >= UINT16_MAX; };
+  if (std::ranges::any_of(module.functions, too_many)) {
     throw TooLarge{module.main->span, "functions", UINT16_MAX - 1};
   }
-  if (module.global_count > UINT16_MAX) {
+  if (std::ranges::any_of(module.globals, too_many)) {
     throw TooLarge{module.main->span, "variables of the program", UINT16_MAX};
   }
-  program.unset = UnsetElements(module.unset);
+  program.unset = program.is_entry ? UnsetElements::anything() : UnsetElements(module.unset);
   Tables tables(program);
-  if (options.optimise) {
-    tables.inline_calls(inlined_functions(module));
-    tables.adopt(adopted_parameters(module));
-  }
+  // Functions of an entry can be replaced, so they do not stand in place of their calls.
+  if (options.optimise && !program.is_entry) tables.inline_calls(inlined_functions(module));
+  if (options.optimise) mark_adopted_parameters(module);
   std::size_t instructions = 0;
-  program.functions.resize(module.functions.size());
+  program.functions.reserve(module.functions.size());
   for (const Function* function : module.functions) {
     stop_if(options.cancelled);
-    FunctionCode& code = program.functions[function->index];
+    FunctionCode& code = program.functions.emplace_back();
     Lowering lowering(tables, *function, options);
     start(lowering, code);
     block(lowering, *function->body);
@@ -126,9 +128,6 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
     }
   }
   if (options.optimise) choose_plain_calls(program);
-  for (const Variable* global : module.globals) {
-    program.global_is_reference.push_back(global->type->is_reference());
-  }
   tables.finish();
 }
 

@@ -79,8 +79,7 @@ static bool handed_over(Lowering& in, const CallExpr& e, std::size_t argument, H
                         Reg& from) {
   const Expr& value = *e.arguments[argument];
   if (!in.options.optimise || !value.type->is_reference() ||
-      argument >= e.function->parameters.size() ||
-      !in.tables.adopts(*e.function->parameters[argument])) {
+      argument >= e.function->parameters.size() || !e.function->parameters[argument]->adopted) {
     return false;
   }
   if (value.kind == ExprKind::kVariable) {

@@ -47,7 +47,8 @@ void statement(Lowering& in, const Stmt& s) {
   stop_if(in.options.cancelled);
   in.code.at(s.span);
   if (!in.options.markers) return lower_statement(in, s);
-  const bool repeats = in.marked.begin == s.span.begin && in.marked.source == s.span.source;
+  const bool repeats =
+      !in.marked.empty() && in.marked.begin == s.span.begin && in.marked.source == s.span.source;
   if (is_written(s) && !repeats) {
     in.code.emit(OpCode::MARK);
     in.marked = s.span;
@@ -108,7 +109,9 @@ static void lower_statement(Lowering& in, const Stmt& s) {
 void block(Lowering& in, const Block& b) {
   const Emitter::Mark mark = in.code.mark();
   const std::size_t count = in.homes.count();
-  if (std::ranges::any_of(b.body, starts_watching)) {
+  // What an entry watches at its top level is watched while later entries run, too.
+  const bool lives_on = in.tables.program().is_entry && in.is_program() && &b == in.function.body;
+  if (!lives_on && std::ranges::any_of(b.body, starts_watching)) {
     watched_block(in, b.body);
   } else {
     for (const Stmt* s : b.body) statement(in, *s);

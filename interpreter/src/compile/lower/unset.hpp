@@ -20,8 +20,17 @@ class UnsetElements {
   // types  of the elements that the program leaves without a value.
   explicit UnsetElements(hir::Seq<const Type*> types = {}) : types_(types.begin(), types.end()) {}
 
+  // Of an entry: other entries may leave any elements without a value that have none by nature.
+  [[nodiscard]] static UnsetElements anything() {
+    UnsetElements out;
+    out.anything_ = true;
+    return out;
+  }
+
   // Whether an element of this type may be not set.
-  [[nodiscard]] bool is_element(const Type* type) const { return types_.contains(type); }
+  [[nodiscard]] bool is_element(const Type* type) const {
+    return anything_ ? !has_zero(*type) : types_.contains(type);
+  }
   // Whether a value of this type may hold, at any depth, an element that is not set. What was found
   // out for a type is known for all types in it too.
   [[nodiscard]] bool may_be_in(const Type* type);
@@ -32,6 +41,7 @@ class UnsetElements {
   }
 
  private:
+  bool anything_ = false;
   std::unordered_set<const Type*> types_;
   std::unordered_map<const Type*, bool> known_;
 };

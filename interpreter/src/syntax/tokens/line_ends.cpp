@@ -1,5 +1,7 @@
 #include "syntax/tokens/line_ends.hpp"
 
+#include <algorithm>
+
 #include "syntax/tokens/token_kinds.hpp"
 
 namespace armlet::lang {
@@ -37,7 +39,29 @@ class Filter {
     return std::move(out_);
   }
 
+  // Whether a statement has ended before the token, outside of all brackets.
+  bool ends_before(std::size_t index) {
+    for (std::size_t i = 0; i < index; ++i) {
+      if (i > 0 && ends_between(i - 1, i)) start_statement(i);
+      follow(i);
+    }
+    const Token& last = in_[index - 1];
+    if (last.type == RbtLexer::SEMI) return true;
+    const bool is_end = index + 1 == in_.size();
+    if (is_end && (after_do_block_ || awaits_brace(last))) return false;
+    return ends_between(index - 1, index);
+  }
+
  private:
+  // fn f(x: int) -> int, struct Part, double mean(double[] a): what is declared comes below.
+  bool awaits_brace(const Token& last) {
+    const std::size_t first = top().statement;
+    if (top().has_assignment || last.type == RbtLexer::RBRACE || first + 1 >= in_.size())
+      return false;
+    return word_of(in_[first].type).takes_brace ||
+           (last.type == RbtLexer::RPAREN && starts_with_type_and_name(first));
+  }
+
   Level& top() { return levels_.back(); }
 
   void insert_end(const Token& after) {
@@ -190,10 +214,14 @@ bool could_end_here(const Tokens& tokens) {
   for (const Token& token : tokens) {
     depth += is_opener(token.type) ? 1 : is_closer(token.type) ? -1 : 0;
   }
-  if (depth > 0) return false;
-  if (tokens.size() < 2) return true;
-  const Token& last = tokens[tokens.size() - 2];
-  return last.type == RbtLexer::SEMI || can_end_statement(last.type) || depth < 0;
+  if (depth != 0 || tokens.size() < 2) return depth <= 0;
+  return Filter(tokens).ends_before(tokens.size() - 1);
+}
+
+bool ends_before(const Tokens& tokens, std::uint32_t byte) {
+  const auto behind = std::ranges::lower_bound(tokens, byte, {}, &Token::begin);
+  const auto index = static_cast<std::size_t>(behind - tokens.begin());
+  return index == 0 || index >= tokens.size() || Filter(tokens).ends_before(index);
 }
 
 }  // namespace armlet::lang

@@ -10,8 +10,10 @@ namespace armlet::lang {
 // it.
 [[nodiscard]] Tokens insert_line_ends(const Tokens& tokens);
 
-// Whether the text could be a whole input for the prompt: every bracket is closed and the last
-// token can end a statement.
+// Whether the text could be a whole input for the prompt: every bracket is closed and a statement
+// ends at its end.
 [[nodiscard]] bool could_end_here(const Tokens& tokens);
+// Whether a statement ends before the first token at or behind the byte.
+[[nodiscard]] bool ends_before(const Tokens& tokens, std::uint32_t byte);
 
 }  // namespace armlet::lang

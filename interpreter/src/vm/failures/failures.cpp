@@ -71,7 +71,7 @@ std::vector<std::string> call_path(const VmState& state) {
   for (; frame != nullptr && frame > state.running->frames; --frame) {
     if (frame->is_host()) continue;
     for (const ExpandedCall* inner : expanded_calls(*frame)) {
-      calls.push_back(state.program.functions[inner->function].name + ", called on " +
+      calls.push_back(frame->callee->program->functions[inner->function].name + ", called on " +
                       line_name(state, inner->call));
     }
     if (frame->callee->function->name.empty()) continue;
@@ -141,13 +141,13 @@ const CodeSpan* code_span(const VmState& state) {
 }
 
 std::string source_text(const VmState& state, Span span) {
-  return span.empty() ? std::string() : std::string(state.program.sources->slice(span));
+  return span.empty() ? std::string() : std::string(state.newest->sources->slice(span));
 }
 
-int line_of(const VmState& state, Span span) { return state.program.sources->position(span).line; }
+int line_of(const VmState& state, Span span) { return state.newest->sources->position(span).line; }
 
 std::string line_name(const VmState& state, Span span) {
-  const SourceSet& sources = *state.program.sources;
+  const SourceSet& sources = *state.newest->sources;
   std::string out = "line " + std::to_string(line_of(state, span));
   if (sources.size() == 1) return out;
   const std::string& file = sources[span.source].name();
@@ -198,14 +198,14 @@ bool raise(VmState& state, const Failure& failure) {
 namespace {
 
 // "`grasp`", for the native function whose call the task is at.
-std::string native_name(const VmState& state, const Task& task) {
+std::string native_name(const Task& task) {
   const Frame* frame = innermost(task);
   if (frame == nullptr || frame->pc == frame->callee->code) return "a function of the host";
   const Instr& call = frame->pc[-1];
   const std::uint16_t operands[] = {call.a, call.b, call.c};
   for (std::size_t i = 0; i < 3; ++i) {
     if (operand_of(call.op, i) == 'n')
-      return '`' + std::string(state.natives[operands[i]]->name) + '`';
+      return '`' + std::string(frame->callee->program->natives[operands[i]]->name) + '`';
   }
   return "a function of the host";
 }
@@ -238,13 +238,12 @@ void raise_thrown(VmState& state, Task& task) {
   state.pending.reset();
   state.running = &task;
   if (!words.empty() || state.fault == nullptr)
-    raise(state, "R0626", {native_name(state, task) + " failed: " + words});
+    raise(state, "R0626", {native_name(task) + " failed: " + words});
 }
 
 bool require_failure(VmState& state) {
   if (state.fault != nullptr) return false;
-  return raise(state, "R0626",
-               {native_name(state, *state.running) + " failed and did not say why"});
+  return raise(state, "R0626", {native_name(*state.running) + " failed and did not say why"});
 }
 
 // "1024 MB", "100 bytes".

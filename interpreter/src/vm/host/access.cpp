@@ -1,10 +1,12 @@
 #include "vm/host/access.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <functional>
+#include <utility>
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/similar.hpp"
+#include "check/entries/kept.hpp"
 #include "vm/failures/failures.hpp"
 
 namespace armlet::lang {
@@ -19,9 +21,9 @@ namespace {
   throw ArgumentError(message.ends_with('?') ? message : message + '.');
 }
 
-bool is_of_main_file(const hir::Function& function) {
-  return function.span.source == 0 && !function.name.empty() && !function.is_condition &&
-         !function.is_task && function.captures.empty();
+bool is_of_main_file(const CompiledProgram& program, const hir::Function& function) {
+  return function.span.source == program.sources->first() && !function.name.empty() &&
+         !function.is_condition && !function.is_task && function.captures.empty();
 }
 
 std::string line_of(const VmState& state, const hir::Variable& variable) {
@@ -41,21 +43,64 @@ void require_set(const VmState& state, const hir::Variable& variable) {
                       line_of(state, variable) + ", where it is declared.");
 }
 
+template <class Things>
+std::vector<std::string_view> names_of(const Things& things) {
+  std::vector<std::string_view> names;
+  for (const auto* thing : things) names.push_back(thing->name);
+  return names;
+}
+
+// Those of the main file; in a session each by its newest declaration, whichever entry has it.
+std::vector<const hir::Function*> open_functions(const CompiledProgram& program) {
+  std::vector<const hir::Function*> out;
+  if (program.kept == nullptr) {
+    for (const hir::Function* function : program.module.functions)
+      if (is_of_main_file(program, *function)) out.push_back(function);
+    return out;
+  }
+  program.kept->main().names.for_each([&](const KeptFile::Bucket& bucket) {
+    for (const KeptName& kept : bucket) {
+      if (kept.function == nullptr) continue;
+      for (const KeptInstance& form : kept.function->instances) out.push_back(form.function);
+    }
+  });
+  return out;
+}
+
 }  // namespace
 
-const hir::Variable& require_global(const VmState& state, std::string_view name) {
-  const auto& globals = state.program.module.globals;
-  std::vector<std::string_view> names;
-  for (std::size_t i = globals.size(); i > 0; --i) {  // the newest first
-    const hir::Variable& variable = *globals[i - 1];
-    if (!variable.is_open) continue;
-    if (variable.name == name) {
-      require_set(state, variable);
-      return variable;
-    }
-    names.push_back(variable.name);
+std::vector<const hir::Variable*> open_globals(const VmState& state) {
+  std::vector<const hir::Variable*> out;
+  const CompiledProgram& program = *state.newest;
+  if (program.kept == nullptr) {
+    for (const hir::Variable* variable : program.module.globals)
+      if (variable->is_open) out.push_back(variable);
+    std::ranges::reverse(out);
+    return out;
   }
-  refuse_name("variable", name, names);
+  program.kept->main().names.for_each([&](const KeptFile::Bucket& bucket) {
+    for (const KeptName& kept : bucket)
+      if (kept.variable != nullptr) out.push_back(kept.variable);
+  });
+  std::ranges::sort(out, std::greater{}, [](const hir::Variable* variable) {
+    return std::pair(variable->declared.source, variable->declared.begin);
+  });
+  return out;
+}
+
+const hir::Variable& require_global(const VmState& state, std::string_view name) {
+  if (const KeptNames* kept = state.newest->kept.get()) {
+    const KeptName* known = kept->main().find(name);
+    if (known != nullptr && known->variable != nullptr) {
+      require_set(state, *known->variable);
+      return *known->variable;
+    }
+  }
+  const std::vector<const hir::Variable*> globals = open_globals(state);
+  const auto found = std::ranges::find(globals, name, &hir::Variable::name);
+  if (found == globals.end()) refuse_name("variable", name, names_of(globals));
+  require_set(state, **found);
+  return **found;
 }
 
 const hir::Variable& require_changeable(const VmState& state, std::string_view name) {
@@ -66,15 +111,11 @@ const hir::Variable& require_changeable(const VmState& state, std::string_view n
 }
 
 std::vector<const hir::Function*> require_functions(const VmState& state, std::string_view name) {
-  std::vector<const hir::Function*> found;
-  std::vector<std::string_view> names;
-  for (const hir::Function* function : state.program.module.functions) {
-    if (!is_of_main_file(*function)) continue;
-    if (function->name == name) found.push_back(function);
-    names.push_back(function->name);
-  }
-  if (found.empty()) refuse_name("function", name, names);
-  return found;
+  std::vector<const hir::Function*> functions = open_functions(*state.newest);
+  const std::vector<std::string_view> names = names_of(functions);
+  std::erase_if(functions, [&](const hir::Function* function) { return function->name != name; });
+  if (functions.empty()) refuse_name("function", name, names);
+  return functions;
 }
 
 std::string signature_of(const hir::Function& function) {
@@ -92,10 +133,10 @@ std::string signature_of(const hir::Function& function) {
 void require_values_of_globals(VmState& state) {
   if (state.host_access.all_are_set) return;
   require_begun(state);
-  for (const hir::Variable* variable : state.program.module.globals) {
-    if (variable->is_open) require_set(state, *variable);
-  }
-  state.host_access.all_are_set = state.texts.size() == state.program.texts.size();
+  for (const hir::Variable* variable : open_globals(state)) require_set(state, *variable);
+  const LoadedCode* newest = state.units.empty() ? nullptr : state.units.back().get();
+  state.host_access.all_are_set =
+      newest == nullptr || newest->texts.size() == newest->program->texts.size();
   if (!state.host_access.all_are_set)
     throw ArgumentError("The program could not begin, so its functions cannot be called.");
 }

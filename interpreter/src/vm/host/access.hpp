@@ -4,10 +4,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "vm/state.hpp"
 
 namespace armlet::lang {
+
+// The variables of the top level that the host may use, the newest first.
+[[nodiscard]] std::vector<const hir::Variable*> open_globals(const VmState& state);
 
 // The variable of the top level with this name, and its number in VmState::globals.
 //

@@ -24,7 +24,7 @@ inline void push_host(const Task& task, Frame* below, Slot* window) {
 
 // What the library is given it may read.
 [[nodiscard]] inline bool check_given(VmState& state, const Callee& callee, Slot result) {
-  if (check_result(state, result, *callee.function->function->result)) return true;
+  if (check_result(state, callee.program->unset, result, *callee.function->function->result)) return true;
   state.heap.release(result.o);
   return false;
 }

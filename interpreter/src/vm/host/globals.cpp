@@ -90,14 +90,6 @@ Slot slot_of_global(Vm& vm, std::string_view name, const ValueKind& kind) {
 
 namespace {
 
-std::vector<const lang::hir::Variable*> open_globals(const lang::VmState& state) {
-  std::vector<const lang::hir::Variable*> out;
-  for (const lang::hir::Variable* variable : state.program.module.globals) {
-    if (variable->is_open) out.push_back(variable);
-  }
-  return out;
-}
-
 // Why the value cannot go; empty if it has gone.
 std::string carry(lang::VmState& from, const lang::hir::Variable& old, lang::VmState& to,
                   const lang::hir::Variable& fresh) {
@@ -128,8 +120,10 @@ CarriedGlobals carry_globals(Vm& from, Vm& to) {
   const lang::Turn new_turn(new_state);
   lang::require_values_of_globals(old_state);
   lang::require_values_of_globals(new_state);
-  const auto olds = open_globals(old_state);
-  const auto news = open_globals(new_state);
+  auto olds = lang::open_globals(old_state);
+  auto news = lang::open_globals(new_state);
+  std::ranges::reverse(olds);  // in the order of the text
+  std::ranges::reverse(news);
   const auto named = [](const auto& among, std::string_view name) {
     const auto found = std::ranges::find(among, name, &lang::hir::Variable::name);
     return found == among.end() ? nullptr : *found;

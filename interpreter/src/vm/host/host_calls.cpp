@@ -42,7 +42,7 @@ bool make_room(VmState& state, Task& task, const Frame* frame, Slot* window, con
 bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
   Frame* below = running->top;
   Slot* window = window_above(*below);
-  const Callee& callee = callees[function];
+  const Callee& callee = *callees[function].own;
   if (!has_room(*running, below, window) &&
       !make_room(*this, *running, below + 2, window, callee)) {
     return false;
@@ -103,7 +103,7 @@ std::string function_name(const lang::Callee& callee) {
 }
 
 const lang::Callee& callee_of(const lang::VmState& state, const Obj* function) {
-  return state.callees[require_function(function)->function];
+  return *state.callees[require_function(function)->function].own;
 }
 
 void require_count(const lang::Callee& callee, std::size_t arguments) {

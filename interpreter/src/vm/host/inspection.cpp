@@ -1,10 +1,12 @@
 #include "armlet/interpreter/host/inspection.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "armlet/core/error.hpp"
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/host/access.hpp"
 #include "vm/tasks/tasks.hpp"
 #include "vm/turn.hpp"
 
@@ -77,13 +79,13 @@ std::vector<SeenVariable> seen_variables(Vm& vm) {
   const lang::Turn turn(vm.state());
   require_begun(state);
   std::vector<SeenVariable> out;
-  for (const lang::hir::Variable* variable : state.program.module.globals) {
-    if (!variable->is_open) continue;
+  for (const lang::hir::Variable* variable : lang::open_globals(state)) {
     const bool is_set = state.global_is_set[variable->index] != 0;
     out.push_back({std::string(variable->name), type_name(variable->type),
                    is_set ? shown(state.globals[variable->index], *variable->type) : std::string(),
                    variable->declared});
   }
+  std::ranges::reverse(out);  // the newest came first
   return out;
 }
 

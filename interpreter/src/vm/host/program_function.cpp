@@ -157,12 +157,21 @@ Slot* window_of(const lang::VmState& state) { return state.host_access.task->fra
   return run_elsewhere(state, callee, result);
 }
 
-const lang::Callee& callee_of(const void* callee) {
-  return *static_cast<const lang::Callee*>(callee);
+[[noreturn, gnu::cold]] void refuse_gone() {
+  throw ArgumentError(
+      "This function is gone: the entry of the session that declares it has failed.");
 }
 
-const lang::hir::Function& declared(const void* callee) {
-  return *callee_of(callee).function->function;
+[[gnu::always_inline]] inline const lang::Callee& callee_of(const lang::VmState& state,
+                                                            std::uint32_t function) {
+  const lang::Callee* callee = state.callees[function].own;
+  if (callee == nullptr) [[unlikely]]
+    refuse_gone();
+  return *callee;
+}
+
+const lang::hir::Function& declared(const lang::VmState& state, std::uint32_t function) {
+  return *callee_of(state, function).function->function;
 }
 
 }  // namespace
@@ -175,7 +184,7 @@ Result<ReadyFunction> ReadyFunction::find(Vm& vm, std::string_view name,
     const lang::Turn turn(state);
     const lang::hir::Function& function = require_function(state, name, {takes, gives});
     make_task(state);
-    return ReadyFunction(vm, &state.callees[function.index]);
+    return ReadyFunction(vm, function.index);
   } catch (const ArgumentError& error) {
     return Error{"function", error.what()};
   }
@@ -185,7 +194,7 @@ Outcome ReadyFunction::run(std::span<const Slot> arguments, Slot& result) const 
   lang::VmState& state = vm_->state();
   const lang::Turn turn(state);
   std::ranges::copy(arguments, window_of(state));
-  return run_in_turn(state, callee_of(callee_), result);
+  return run_in_turn(state, callee_of(state, function_), result);
 }
 
 // A window has room for three arguments, however few the function has.
@@ -196,7 +205,7 @@ Outcome ReadyFunction::run(Slot first, Slot second, Slot third, Slot& result) co
   window[0] = first;
   window[1] = second;
   window[2] = third;
-  return run_in_turn(state, callee_of(callee_), result);
+  return run_in_turn(state, callee_of(state, function_), result);
 }
 
 // ---- calls with objects
@@ -214,7 +223,7 @@ ReadyFunction::Call::~Call() {
 Outcome ReadyFunction::Call::run(std::span<const Slot> arguments, Slot& result) {
   lang::VmState& state = function_.vm().state();
   std::ranges::copy(arguments, window_of(state));
-  return run_in_turn(state, callee_of(function_.callee_), result);
+  return run_in_turn(state, callee_of(state, function_.function_), result);
 }
 
 void ReadyFunction::Call::keep(Obj* object) { kept_[count_++] = object; }
@@ -222,14 +231,15 @@ void ReadyFunction::Call::keep(Obj* object) { kept_[count_++] = object; }
 void ReadyFunction::Call::fail() { lang::keep_failure(function_.vm().state()); }
 
 void ReadyFunction::Call::pass_value(std::size_t parameter, const Value& value, Slot& slot) {
-  const lang::hir::Variable& variable = *declared(function_.callee_).parameters[parameter];
+  const lang::hir::Variable& variable =
+      *declared(function_.vm().state(), function_.function_).parameters[parameter];
   slot = lang::slot_of_value(function_.vm().state(), value, *variable.type,
                              '`' + std::string(variable.name) + '`');
   if (variable.type->is_reference()) keep(slot.o);
 }
 
 Value ReadyFunction::Call::take_value(Slot result) {
-  const lang::hir::Function& function = declared(function_.callee_);
+  const lang::hir::Function& function = declared(function_.vm().state(), function_.function_);
   if (function.result->is_reference()) keep(result.o);
   return lang::value_in(result, *function.result,
                         "The result of `" + std::string(function.name) + '`');

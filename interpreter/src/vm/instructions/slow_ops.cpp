@@ -121,7 +121,7 @@ bool raise_element(VmState& state, const ListObj& list, std::int64_t index) {
 }
 
 bool op_calld_again(VmState& state, Slot* base, const Instr* pc) {
-  const NativeFunction& native = *state.program.natives[pc->c];
+  const NativeFunction& native = *state.code().natives[pc->c];
   Slot* scratch = base + state.running->top->callee->registers;
   scratch[0] = base[pc->b];
   if (pc->op == OpCode::CALLD2 || pc->op == OpCode::CALLD3) scratch[1] = base[pc[1].a];
@@ -142,7 +142,7 @@ bool op_box(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_closure(VmState& state, Slot* base, const Instr* pc) {
-  const FunctionCode& function = state.program.functions[pc->c];
+  const FunctionCode& function = *state.callees[pc->c].function;
   ClosureObj* closure =
       state.heap.new_closure(pc->c, function.captures, &function.capture_references);
   if (closure == nullptr) return raise_out_of_memory(state);
@@ -223,7 +223,7 @@ bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_makerec(VmState& state, Slot* base, const Instr* pc) {
-  const RecordLayout& layout = state.program.layouts[pc->c];
+  const RecordLayout& layout = state.code().layouts[pc->c];
   RecordObj* record = state.heap.new_record(layout);
   if (record == nullptr) return raise_out_of_memory(state);
   const Slot* from = base + pc->b;
@@ -399,14 +399,14 @@ bool op_retry(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_assertfail(VmState& state, Slot* base, const Instr* pc) {
-  return raise_assertion(state, state.program.asserts[pc->a], static_cast<TextObj*>(base[pc->b].o),
+  return raise_assertion(state, state.code().asserts[pc->a], static_cast<TextObj*>(base[pc->b].o),
                          static_cast<TextObj*>(base[pc->c].o), base);
 }
 
 bool op_expecterr(VmState& state, Slot* base, const Instr* pc) {
   const auto* thrown = static_cast<RecordObj*>(base[pc->b].o);
   const auto* kind = static_cast<TextObj*>(base[pc->c].o);
-  return raise_expectation(state, *state.program.expects[pc->a], thrown, kind);
+  return raise_expectation(state, *state.code().expects[pc->a], thrown, kind);
 }
 
 bool may_pause(VmState& state) {
@@ -439,7 +439,7 @@ bool count_slowly(VmState& state) {
 }
 
 bool raise_unset(VmState& state, std::uint32_t global) {
-  const hir::Variable& variable = *state.program.module.globals[global];
+  const hir::Variable& variable = *state.global_info[global].variable;
   Diagnostic failure = start_failure(state, "R0623", {std::string(variable.name)});
   failure.related.push_back({variable.declared, "it is declared here"});
   return raise(state, std::move(failure));

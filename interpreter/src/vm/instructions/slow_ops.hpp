@@ -67,4 +67,8 @@ bool raise_unset(VmState& state, std::uint32_t global);
 // Time cannot pass inside a condition or a function that the library calls.
 bool raise_may_not_pause(VmState& state);
 
+// The text of an entry has come to its end: what it watches rests until the next one begins. False:
+// the main task has to wait for blocks of `when` and `every` that are running.
+[[nodiscard]] bool end_entry(VmState& state);
+
 }  // namespace armlet::lang

@@ -131,6 +131,16 @@ bool op_endwatch(VmState& state, Slot* base, const Instr* pc) {
   return end_watches(state, from);
 }
 
+bool end_entry(VmState& state) {
+  state.running = &state.main;
+  state.tree.stop_watching(state.main, 0);
+  if (!TaskTree::has_bodies(state.main, 0)) return true;
+  state.main.ending = 0;
+  state.main.waiting = std::make_unique<ChildrenEnd>(
+      state.main, "the blocks of `when` and `every` that are running");
+  return false;
+}
+
 // An error of a watch that has come as far as its block can be caught from here on.
 bool op_stopwatch(VmState& state, Slot* base, const Instr* pc) {
   const auto from = static_cast<std::size_t>(base[pc->a].i);

@@ -163,7 +163,7 @@ bool op_codeat(VmState& state, Slot* base, const Instr* pc) {
 
 bool op_totext(VmState& state, Slot* base, const Instr* pc) {
   TextMaker text(state.vm);
-  if (!write_value(state.vm, text, base[pc->b], state.program.formats[pc->c])) return false;
+  if (!write_value(state.vm, text, base[pc->b], state.code().formats[pc->c])) return false;
   set_reference(state, base[pc->a], text.take());
   return true;
 }

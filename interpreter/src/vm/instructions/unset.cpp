@@ -86,7 +86,9 @@ class Seen {
 // Looks for an element without a value, in the order in which values are written.
 class Search {
  public:
-  explicit Search(VmState& state) : state_(state), open_(state), seen_(state) {}
+  // unset  what may be without a value, of the program that made the check.
+  Search(VmState& state, const UnsetElements& unset)
+      : state_(state), unset_(unset), open_(state), seen_(state) {}
 
   // The path to the element if there is one: "[1].points[0]"; empty: there is none. deep: also
   // inside the elements of a list. False: the failure is set.
@@ -109,7 +111,7 @@ class Search {
   };
 
   [[nodiscard]] bool enter(Slot value, const Type& type) {
-    if (value.o == nullptr || !state_.program.unset.is_known_in(&type)) return true;
+    if (value.o == nullptr || !unset_.is_known_in(&type)) return true;
     bool is_new = true;
     if (value.o->refs > 1 && !seen_.add(value.o, is_new)) return false;
     return !is_new || open_.push({value.o, &type, 0});
@@ -124,7 +126,7 @@ class Search {
       return true;
     }
     if (!charge_work(state_.vm, 4)) return false;
-    const bool is_element = open.type->is(Kind::kList) && state_.program.unset.is_element(type);
+    const bool is_element = open.type->is(Kind::kList) && unset_.is_element(type);
     found_ = is_element && part.o == nullptr;
     return found_ || !deep_ || enter(part, *type);
   }
@@ -161,15 +163,17 @@ class Search {
   }
 
   VmState& state_;
+  const UnsetElements& unset_;
   Counted<Open> open_;
   Seen seen_;
   bool deep_ = true;
   bool found_ = false;
 };
 
-bool check_value(VmState& state, Slot value, const Type& type, bool deep) {
+bool check_value(VmState& state, const UnsetElements& unset, Slot value, const Type& type,
+                 bool deep) {
   std::string path;
-  if (!Search(state).run(value, type, deep, path)) return false;
+  if (!Search(state, unset).run(value, type, deep, path)) return false;
   if (path.empty()) return true;
   const CodeSpan* at = code_span(state);
   return raise_unset_value(state, (at == nullptr ? "..." : name_of(state, at->span)) + path);
@@ -199,11 +203,11 @@ bool raise_unset_element(VmState& state, std::int64_t index) {
 
 bool op_checkset(VmState& state, Slot* base, const Instr* pc) {
   const Type* type = state.running->top->callee->function->types[pc->b];
-  return check_value(state, base[pc->a], *type, pc->c == 0);
+  return check_value(state, state.code().unset, base[pc->a], *type, pc->c == 0);
 }
 
-bool check_result(VmState& state, Slot result, const Type& type) {
-  return check_value(state, result, type, true);
+bool check_result(VmState& state, const UnsetElements& unset, Slot result, const Type& type) {
+  return check_value(state, unset, result, type, true);
 }
 
 }  // namespace armlet::lang

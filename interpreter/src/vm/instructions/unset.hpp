@@ -11,6 +11,7 @@ SlowOp op_checkset;
 
 // Whether all that a result of the program holds has been set: what functions of the library get
 // from it. False: the failure is set.
-[[nodiscard]] bool check_result(VmState& state, Slot result, const Type& type);
+[[nodiscard]] bool check_result(VmState& state, const UnsetElements& unset, Slot result,
+                                const Type& type);
 
 }  // namespace armlet::lang

@@ -189,7 +189,7 @@ bool Recordings::take(Recording& recording) {
 }
 
 RecordObj* Recordings::start(ClosureObj* sample, std::int64_t period_ns) {
-  const Type* row = state_.program.functions[sample->function].function->result;
+  const Type* row = state_.callees[sample->function].function->function->result;
   const RecordLayout& layout = state_.layout_of(row->record->table);
   RecordObj* table = state_.heap.new_record(layout);
   if (table == nullptr) {

@@ -24,7 +24,7 @@ T* grown_end(T* begin, T* end, const T* limit, const T* needed) {
 }
 
 // What lies at the bottom of every task and below every call by the host.
-constexpr Callee kHost{kReturnToHost, nullptr, nullptr, 0, 0, 0, 0};
+constexpr Callee kHost{.code = kReturnToHost};
 
 }  // namespace
 

@@ -13,11 +13,17 @@
 
 namespace armlet::lang {
 
-// A function as the loop needs it: small, and all in one array.
+// A function as the loop needs it: one line of the cache, and all in one array by their numbers. A
+// number may get another function while frames of the old one are alive, so frames refer to `own`,
+// which stays as it is.
 struct Callee {
   const Instr* code;
   const FunctionCode* function;  // null: the host
   const Slot* constants;
+  const Slot* texts;                     // literals of its program
+  const NativeFunction* const* natives;  // of its program
+  const CompiledProgram* program;        // null: the host
+  const Callee* own;                     // this one, where it does not move
   std::uint16_t registers;
   std::uint16_t references_begin;  // the first reference register
   std::uint16_t references;        // how many there are
@@ -51,6 +57,7 @@ struct Watch {
   Obj* body = nullptr;       // owned
   std::uint64_t order = 0;   // of arming; 0: no longer armed
   bool was_true = false;
+  bool has_failed = false;  // an entry of a session that comes later leaves it at rest
   std::int64_t period_ns = 0;
   std::int64_t next_ns = 0;               // the next beat that has not been begun or skipped
   Task* running = nullptr;                // the body, while it runs

@@ -84,7 +84,7 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
   make_new(*task);
   task->entry = closure;
   retain_object(closure);
-  task->function = state_.program.functions[static_cast<ClosureObj*>(closure)->function].function;
+  task->function = state_.callees[static_cast<ClosureObj*>(closure)->function].function->function;
   task->parent = &parent;
   task->host_data = parent.host_data;
   task->depth = parent.depth + 1;
@@ -163,6 +163,16 @@ void TaskTree::kill(Task& task) {
 }
 
 void TaskTree::abandon(Task& task) {
+  end_at_once(task);
+  close_regions(task, 0);
+}
+
+void TaskTree::rest() {
+  end_at_once(state_.main);
+  close_regions(state_.main, 1);
+}
+
+void TaskTree::end_at_once(Task& task) {
   for (Task* branch : task.branches) {
     if (branch != nullptr) kill(*branch);
   }
@@ -172,7 +182,6 @@ void TaskTree::abandon(Task& task) {
     }
   }
   stop_watching(task, 0);
-  close_regions(task, 0);
   for (Obj* closure : task.nursery) state_.heap.release(closure);
   task.nursery.clear();
 }

@@ -56,7 +56,7 @@ class TaskTree {
   // Starts the body. False: the failure is set.
   [[nodiscard]] bool start(Watch& watch);
   // Raises a failure of a watch in the block that it belongs to.
-  void fail_block(const Watch& watch, const std::shared_ptr<Fault>& fault);
+  void fail_block(Watch& watch, const std::shared_ptr<Fault>& fault);
   // Starts the bodies whose beat has come; false if there are none.
   bool start_beats();
   // The watches of the regions from `from` on stop watching.
@@ -64,6 +64,13 @@ class TaskTree {
   void cancel_bodies(Task& owner, std::size_t from, Reach reach);
   [[nodiscard]] static bool has_bodies(const Task& owner, std::size_t from);
   void close_regions(Task& owner, std::size_t from);
+  // The watches of the program's own block, between the entries of a session: they rest, and are
+  // armed again in their order. One that has failed is not.
+  void wake_watches();
+  // Those from `first` on were armed by an entry that failed.
+  void forget_watches(std::size_t first);
+  // Whatever the program has started ends on the spot, but for those watches.
+  void rest();
   // Advice about beats that were skipped, in the order of the text.
   void report_skipped();
 
@@ -77,6 +84,7 @@ class TaskTree {
   void skip_beats(Watch& watch);
   void disarm(Watch& watch);
   void kill(Task& task);
+  void end_at_once(Task& task);
 
   VmState& state_;
   std::vector<std::unique_ptr<Task>> tasks_;

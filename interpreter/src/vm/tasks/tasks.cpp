@@ -7,6 +7,7 @@
 #include "armlet/interpreter/virtual_time.hpp"
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/recordings.hpp"
 
 namespace armlet::lang {
@@ -37,7 +38,7 @@ Exit Scheduler::go_on(std::int64_t until_ns) {
   until_ns_ = until_ns;
   Exit exit = Exit::kPaused;
   while (exit == Exit::kPaused) exit = do_stage();
-  if (exit != Exit::kSliced) end(exit);
+  if (exit != Exit::kSliced) end();
   return exit;
 }
 
@@ -68,15 +69,24 @@ Exit Scheduler::begin_program() {
 }
 
 Exit Scheduler::run_program() {
-  const Exit exit = interpret_on(state_.main);
+  const Exit exit = finished(interpret_on(state_.main));
   if (exit == Exit::kPaused) stage_ = Stage::kInstant;
   return exit;
 }
 
-void Scheduler::end(Exit exit) {
-  while (exit == Exit::kDone && state_.main.top > state_.main.frames)
-    leave_frame(state_, state_.main);
-  tree_.abandon(state_.main);
+// kPaused instead of kDone: an entry has come to the end of its text, and waits for what runs.
+Exit Scheduler::finished(Exit exit) {
+  if (exit != Exit::kDone) return exit;
+  while (state_.main.top > state_.main.frames) leave_frame(state_, state_.main);
+  return !state_.newest->is_entry || end_entry(state_) ? Exit::kDone : Exit::kPaused;
+}
+
+void Scheduler::end() {
+  if (state_.newest->is_entry) {
+    tree_.rest();
+  } else {
+    tree_.abandon(state_.main);
+  }
   tree_.sweep();
   tree_.report_skipped();
   state_.running = &state_.main;
@@ -99,7 +109,8 @@ void Scheduler::begin_round() {
 
 Exit Scheduler::finish_round() {
   tree_.sweep();
-  if (pass_.exit != Exit::kPaused) return pass_.exit;
+  const Exit exit = finished(pass_.exit);
+  if (exit != Exit::kPaused) return exit;
   stage_ = pass_.progress ? Stage::kRound : Stage::kTime;
   if (!pass_.progress) return Exit::kPaused;
   if (pass_.changed) ++rounds_;
@@ -199,7 +210,8 @@ Exit Scheduler::resume(Task& task) {
       fault = std::move(branch);
   }
   const std::size_t ending = std::exchange(task.ending, kNoRegion);
-  if (ending != kNoRegion) tree_.close_regions(task, ending);
+  const bool is_end_of_entry = &task == &state_.main && ending == 0 && state_.newest->is_entry;
+  if (ending != kNoRegion && !is_end_of_entry) tree_.close_regions(task, ending);
   Slot nowhere{.i = 0};
   bool failed = fault != nullptr;
   if (failed) {

@@ -40,7 +40,8 @@ class Scheduler {
   void begin_instant();
   void begin_round();
   Exit finish_round();
-  void end(Exit exit);
+  Exit finished(Exit exit);
+  void end();
 
   void evaluate_conditions();
   void evaluate(Task& task);

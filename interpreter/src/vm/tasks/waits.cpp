@@ -105,10 +105,10 @@ class WaitUntil final : public Waiting {
 
 bool raise_may_not_pause(VmState& state) {
   const CodeSpan* at = code_span(state);
-  const std::string text = at == nullptr ? "" : std::string(state.program.sources->slice(at->span));
+  const std::string text = at == nullptr ? "" : std::string(state.newest->sources->slice(at->span));
   const bool is_short = !text.empty() && text.size() <= 40;
   return raise(state, "R0632",
-               {is_short ? "`" + text + "`" : "this", state.program.what_takes_time});
+               {is_short ? "`" + text + "`" : "this", state.newest->what_takes_time});
 }
 
 bool op_wait(VmState& state, Slot* base, const Instr* pc) {
@@ -130,7 +130,7 @@ bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
       !check_time(state, {.what = "a timeout", .time = "the time to wait"}, timeout.d, ns))
     return false;
   const double seconds = limited ? timeout.d : 0.0;
-  state.pending = std::make_unique<WaitUntil>(state, *state.program.waits[pc->c], seconds, ns);
+  state.pending = std::make_unique<WaitUntil>(state, *state.code().waits[pc->c], seconds, ns);
   return true;
 }
 

@@ -52,8 +52,9 @@ bool TaskTree::start(Watch& watch) {
 
 // The error ends what the block does, up to the block itself. A block that has come to its end
 // waits for its tasks, so there it is raised as it is.
-void TaskTree::fail_block(const Watch& watch, const FaultPtr& fault) {
+void TaskTree::fail_block(Watch& watch, const FaultPtr& fault) {
   Task& owner = *watch.owner;
+  watch.has_failed = true;
   const bool is_ending = owner.ending != kNoRegion && watch.region >= owner.ending;
   auto raised = std::make_shared<Fault>(*fault);
   if (!raised->is_leaving) {
@@ -129,6 +130,27 @@ void TaskTree::close_regions(Task& owner, std::size_t from) {
   }
 }
 
+void TaskTree::wake_watches() {
+  std::vector<Region>& regions = state_.main.regions;
+  if (regions.empty()) regions.emplace_back();
+  for (const auto& watch : regions[0]) {
+    if (watch->has_failed) continue;
+    watch->order = ++last_order_;
+    armed_[watch->order] = {nullptr, watch.get()};
+  }
+}
+
+void TaskTree::forget_watches(std::size_t first) {
+  std::vector<Region>& regions = state_.main.regions;
+  while (!regions.empty() && regions[0].size() > first) {
+    Watch& watch = *regions[0].back();
+    disarm(watch);
+    state_.heap.release(watch.condition);
+    state_.heap.release(watch.body);
+    regions[0].pop_back();
+  }
+}
+
 void TaskTree::report_skipped() {
   for (const auto& [place, skips] : skips_) {
     if (!state_.options.advice) return;
@@ -136,6 +158,7 @@ void TaskTree::report_skipped() {
     state_.options.advice(
         make_diagnostic("W0706", skips.head, {std::to_string(skips.count) + beats}));
   }
+  skips_.clear();
 }
 
 }  // namespace armlet::lang

@@ -1,12 +1,12 @@
 #include "self_motion.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
+#include "math/solvers.hpp"
 #include "self_motion_search.hpp"
 
 namespace armlet {
@@ -242,14 +242,13 @@ double SelfMotions::regularity(const JointArray& q) const {
 // goal is met again, on the other side of the singularity, at s = -2 sigma / kappa.
 bool SelfMotions::mirror(const JointArray& q, JointArray& other) {
   const Jacobian J = counting_jacobian(robot_, goal_, q);
-  const Eigen::Matrix<double, 6, 6> A = J * J.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(A);
+  const SymmetricEigen eigen = symmetric_eigen(J * J.transpose());
   Eigen::Index least = 0;
-  while (least < 5 && !(eigen.eigenvalues()[least] > kIdleTool * kIdleTool)) ++least;
-  const double square = eigen.eigenvalues()[least];
+  while (least < 5 && !(eigen.values[least] > kIdleTool * kIdleTool)) ++least;
+  const double square = eigen.values[least];
   if (!(square > kIdleTool * kIdleTool)) return false;
   const double sigma = std::sqrt(square);
-  const Vector6d u = eigen.eigenvectors().col(least);
+  const Vector6d u = eigen.vectors.col(least);
   const VectorXd v = J.transpose() * u / sigma;
   JointArray near = q;
   for (std::size_t i = 0; i < n_; ++i) near[i] += kLookAhead * v[static_cast<Eigen::Index>(i)];

@@ -140,6 +140,7 @@ class Host : public Timeline {
   // Writes a file of the program: `name` is relative to the folder that was granted and stays below
   // it, has an ending of its kind and leads through no link. A file that cannot be written to its
   // end leaves the one before as it was. Fails with the reason.
+  // What is saved in a run that nobody hears of is not written (replay/journal.hpp).
   [[nodiscard]] Result<std::filesystem::path> save_file(const FileKind& kind,
                                                         const std::string& name,
                                                         std::string_view content) const;

@@ -8,6 +8,12 @@
 
 namespace armlet {
 
+class Host;
+
+// How the last move of a robot of the cell was planned: how long each joint turns or slides and how
+// fast, and what decides how fast it could be. Several lines without the last end of line.
+[[nodiscard]] std::string last_move_text(const Host& host, int robot);
+
 // The robot as a block of the language: `robot puma560 { joint revolute(...) ... }`. A program that
 // holds it makes the same robot: numbers that turn into the same bits, angles in degrees where they
 // are exact. A name that is none in the language is changed into one.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,17 @@ struct Problem {
   std::shared_ptr<const SourceSet> sources;
 };
 
+// A text of a session that has run to its end.
+struct Entry {
+  std::shared_ptr<const Program> program;
+  std::shared_ptr<const SourceSet> sources;
+  std::string name;
+  std::string text;
+  std::int64_t begin_ns = 0;  // the virtual time at its start
+  std::int64_t end_ns = 0;
+  std::size_t moves = 0;  // motions that ended in it
+};
+
 class Session {
  public:
   Session(const Engine& engine, SessionOptions options);
@@ -73,8 +85,9 @@ class Session {
   // R0629 is the only one.
   bool compile(std::string text, std::string name);
   // What the text means, also if it has mistakes (interpreter/editor/analysis.hpp), for the robot
-  // and the world of the session; the program that was compiled last stays. The world is always
-  // described for it. `before` is the analysis of a text that is much alike, or null.
+  // and the world of the session, and behind the entries that were submitted; the program that was
+  // compiled last stays. The world is always described for it. `before` is the analysis of a text
+  // that is much alike, or null.
   [[nodiscard]] std::shared_ptr<const Analysis> analyse(
       std::string text, std::string name, const std::shared_ptr<const Analysis>& before = nullptr);
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
@@ -96,6 +109,29 @@ class Session {
   // Runs one of the program's tests in a fresh cell; a run that has paused is given up.
   [[nodiscard]] RunResult run_test(std::size_t index);
 
+  // ---- entries: texts that are submitted one after the other, as at a prompt (docs/embedding.md)
+  // Checks a text in the scope of the entries before it; run() then runs it in the cell as they
+  // left it. One that does not compile changes nothing. One that fails or is cancelled while it
+  // runs leaves names, world, robots and clock as they were before it. compile() ends this.
+  //
+  // throws  ArgumentError while an entry is under way.
+  bool submit(std::string text, std::string name);
+  // The value of the entry that has run last; nothing: it has none, or a semicolon follows it.
+  [[nodiscard]] std::optional<EntryValue> shown() const;
+  // The entries that have run to their end and were not undone, oldest first.
+  [[nodiscard]] std::span<const Entry> entries() const { return {log_.data(), done_}; }
+  // Goes back to where the last but `count` entry had ended: in a new cell those that stay run once
+  // more, without output, backends and files that are written. Gives how many were undone. Where
+  // one of them fails now, since what it reads from outside has changed, those before it stay, and
+  // problems() says so.
+  //
+  // throws  ArgumentError while an entry is under way.
+  std::size_t undo(std::size_t count = 1);
+  // Runs entries again that were undone last, the same way; a new entry forgets them. Gives how
+  // many.
+  std::size_t redo(std::size_t count = 1);
+  // The names of the objects of the world that programs find.
+  [[nodiscard]] std::vector<std::string> world_objects();
   // ---- what the host does to a run (replay.cpp). It is kept in the log, which is not so for what
   // is done to vm() and its functions directly. All of it waits for the run to pause or end: it
   // throws ArgumentError while the session runs, and for what does not exist or has another type.
@@ -187,17 +223,32 @@ class Session {
   [[nodiscard]] SessionLog log_of(LoggedEntry entry) const;
 
   [[nodiscard]] std::unique_ptr<Host> make_host(bool with_world);
-  bool compile_text(std::string text, std::string name);
+  bool compile_program(std::string text, std::string name);
   bool fill_world(Host& host, const WorldText& world, std::vector<Problem>& problems);
   void describe_world();
+  bool compile_as(std::string text, std::string name, const CompileOptions& how);
+  void forget_run();
   void begin_run();
+  void begin_cell(const std::shared_ptr<const Program>& program);
+  void take_world(const Program& program);
+  void listen();
   Progress go_on(const std::function<void()>& go);
   Progress run_slice(const Budget& budget);
   Progress finish_slice(const Budget& budget);
   bool come_to_rest(const Budget& budget);
   void end_run();
   void give_up();
-  [[nodiscard]] CompileOptions compile_options(Host& host) const;
+  // ---- entries
+  void require_rest(std::string_view what) const;
+  [[nodiscard]] std::shared_ptr<const Program> newest_program() const;
+  void begin_program(const std::shared_ptr<const Program>& program);
+  void begin_entry();
+  void end_entry();
+  void take_result();
+  // All becomes as the first `count` entries of the log leave it: from what is there, or from the
+  // start. The one way of going to another place of a session.
+  void replay_to(std::size_t count, bool from_start);
+  [[nodiscard]] CompileOptions compile_options(Host& host, CompileOptions how) const;
 
   const Engine& engine_;
   SessionOptions options_;
@@ -214,8 +265,12 @@ class Session {
   std::unique_ptr<Vm> vm_;
   RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
   bool is_under_way_ = false;     // a run has begun and not ended
-  bool is_silent_ = false;        // nobody hears of what runs
-  Backend* confidant_ = nullptr;  // but for this one
+  bool is_entry_ = false;         // what was compiled last was submitted
+  bool is_silent_ = false;        // what runs has been heard before
+  Backend* confidant_ = nullptr;  // who hears of it nevertheless
+  Entry entry_{};                 // under way, or about to run
+  std::vector<Entry> log_;        // entries that have run to their end
+  std::size_t done_ = 0;          // of these; the others were undone
   // What the world holds, which is one for all programs, and the messages of its text.
   std::shared_ptr<const WorldNames> world_names_;
   std::vector<Problem> world_problems_;

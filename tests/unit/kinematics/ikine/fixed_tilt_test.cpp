@@ -51,9 +51,10 @@ Robot gantry() {
   // The third slide is vertical.
   const Robot lying(spec);
   const Vector3d axis = link_frame(lying, VectorXd::Zero(4), 2).linear().col(2);
+  const Vector3d normal = axis.cross(Vector3d::UnitZ());
+  const double angle = std::atan2(normal.norm(), axis.z());
   spec.T_world_base =
-      make_pose(Eigen::Quaterniond::FromTwoVectors(axis, Vector3d::UnitZ()).toRotationMatrix(),
-                Vector3d::Zero());
+      make_pose(Eigen::AngleAxisd(angle, normal.normalized()).toRotationMatrix(), Vector3d::Zero());
   return Robot(spec);
 }
 

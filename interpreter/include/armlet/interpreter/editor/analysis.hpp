@@ -91,7 +91,7 @@ class Analysis {
   Analysis(const Analysis&) = delete;
   Analysis& operator=(const Analysis&) = delete;
 
-  [[nodiscard]] const SourceSet& sources() const;  // the main text is number 0
+  [[nodiscard]] const SourceSet& sources() const;  // the main text is number first()
   // The messages of Engine::compile, but fixes are not tried out: they are all `maybe`.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
   [[nodiscard]] bool was_cancelled() const;  // then nothing is known of the text

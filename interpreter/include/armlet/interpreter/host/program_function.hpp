@@ -45,7 +45,7 @@ class ReadyFunction {
   // Calls the function; its result is left in `result`, and a reference belongs to the caller.
   //
   // throws  ArgumentError while the Vm runs: in another thread, or in the function of the host that
-  //         calls this.
+  //         calls this; and if the entry of a session that declares the function has failed.
   Outcome run(std::span<const Slot> arguments, Slot& result) const;
   // The same with at most three arguments, in registers; what is beyond the parameters is not read.
   Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
@@ -78,10 +78,10 @@ class ReadyFunction {
   [[nodiscard]] Vm& vm() const { return *vm_; }
 
  private:
-  ReadyFunction(Vm& vm, const void* callee) : vm_(&vm), callee_(callee) {}
+  ReadyFunction(Vm& vm, std::uint32_t function) : vm_(&vm), function_(function) {}
 
   Vm* vm_;
-  const void* callee_;  // of the machine
+  std::uint32_t function_;  // its number in the machine
 };
 
 namespace typed {

@@ -99,7 +99,7 @@ class Value {
   // "a length", "a list", "a record Pallet": for messages.
   [[nodiscard]] std::string kind() const;
 
-  bool operator==(const Value&) const = default;
+  bool operator==(const Value& other) const;
 
  private:
   [[noreturn]] void refuse(const std::string& wanted) const;

@@ -87,16 +87,20 @@ class KnownCode {
 
 // A code whose headline takes N arguments.
 template <std::size_t N>
-class MessageCode : public KnownCode {
+class MessageCode {
  public:
-  consteval MessageCode(const char* code) : KnownCode(code) {
+  consteval MessageCode(const char* code) : code_(code) {
     if (message_code::kRows[message_code::place_of(code)].arguments != N)
       message_code::refuse("the headline of this code takes another number of arguments");
   }
-  consteval MessageCode(const CatalogEntry& row) : KnownCode(row) {
+  consteval MessageCode(const CatalogEntry& row) : code_(row) {
     if (row.argument_count() != N)
       message_code::refuse("the headline of this code takes another number of arguments");
   }
+  [[nodiscard]] const CatalogEntry& row() const { return code_.row(); }
+
+ private:
+  KnownCode code_;
 };
 
 // As the parameter of a function template whose arguments decide N.

@@ -1,4 +1,4 @@
-#include "session/log_values.hpp"
+#include "replay/log_values.hpp"
 
 #include <fmt/format.h>
 

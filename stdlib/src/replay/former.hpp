@@ -5,7 +5,7 @@
 
 #include "armlet/backend/fan_out.hpp"
 #include "armlet/stdlib/session.hpp"
-#include "session/journal.hpp"
+#include "replay/journal.hpp"
 
 namespace armlet {
 

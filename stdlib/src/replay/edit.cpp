@@ -7,7 +7,7 @@
 #include "armlet/backend/run_hash.hpp"
 #include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/stdlib/session.hpp"
-#include "session/former.hpp"
+#include "replay/former.hpp"
 
 namespace armlet {
 namespace {

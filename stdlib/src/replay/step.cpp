@@ -6,7 +6,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/stdlib/session.hpp"
-#include "session/journal.hpp"
+#include "replay/journal.hpp"
 
 namespace armlet {
 

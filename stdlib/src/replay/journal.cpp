@@ -1,4 +1,4 @@
-#include "session/journal.hpp"
+#include "replay/journal.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,8 @@ Reply Journal::save(std::string_view name, std::string_view content,
 Reply Journal::load(const std::string& name, const std::function<Reply()>& outside) {
   return ask("load " + name, [&] {
     const auto found = unwritten_.find(name);
-    return found == unwritten_.end() ? outside() : Reply{.question = {}, .text = found->second};
+    return !silent_ || found == unwritten_.end() ? outside()
+                                                 : Reply{.question = {}, .text = found->second};
   });
 }
 

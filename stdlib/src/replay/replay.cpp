@@ -12,8 +12,8 @@
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/program_function.hpp"
 #include "armlet/stdlib/session.hpp"
-#include "session/former.hpp"
-#include "session/journal.hpp"
+#include "replay/former.hpp"
+#include "replay/journal.hpp"
 
 namespace armlet {
 namespace {
@@ -83,7 +83,7 @@ Instant Session::instant() const { return vm_ == nullptr ? Instant{} : instant_o
 void Session::set_signal(std::string_view name, SignalValue value) {
   require_idle("set a signal");
   Input input{.at = {}, .what = SetSignal{std::string(name), value}};
-  if (is_under_way_) {
+  if (is_under_way_ || (is_entry_ && host_ != nullptr)) {
     host_->cell().signals().set(name, value);
     keep(std::move(input));
   } else {
@@ -116,6 +116,10 @@ void Session::keep(Input input) {
 // ---- the log --------------------------------------------------------------------------------
 
 LoggedEntry Session::known_run() const {
+  if (is_entry_) {
+    throw ArgumentError(
+        "A session of entries has no log of a single run: undo() and redo() go back and forth.");
+  }
   if (journal_ != nullptr) return journal_->entry();
   if (repeated_) return *repeated_;
   const Source& source = sources()[0];
@@ -158,7 +162,7 @@ ModuleLoader Session::load_imports() {
 
 void Session::begin_journal() {
   const bool repeats = repeated_.has_value();
-  LoggedEntry entry = known_run();
+  LoggedEntry entry = is_entry_ ? LoggedEntry{} : known_run();
   if (!repeats) entry = {.name = entry.name, .text = entry.text, .imports = entry.imports};
   repeated_.reset();
   journal_ = std::make_unique<Journal>(std::move(entry));
@@ -173,7 +177,7 @@ void Session::note_progress() {
   std::optional<LoggedEntry> left = journal_->left_run();
   if (!left) return;
   cancel_at(*vm_, {});
-  if (!is_silent_) runs_.push_back(log_of(*std::move(left)));
+  if (!is_silent_ && !is_entry_) runs_.push_back(log_of(*std::move(left)));
 }
 
 // ---- a run once more ------------------------------------------------------------------------
@@ -251,7 +255,7 @@ bool Session::replay(const SessionLog& log) {
   give_up();
   journal_.reset();
   repeated_ = log.entry;
-  if (compile_text(log.entry.text, log.entry.name)) return true;
+  if (compile_program(log.entry.text, log.entry.name)) return true;
   repeated_.reset();
   return false;
 }

@@ -10,7 +10,7 @@
 #include "armlet/backend/event.hpp"
 #include "armlet/core/hash.hpp"
 #include "armlet/stdlib/session_log.hpp"
-#include "session/log_values.hpp"
+#include "replay/log_values.hpp"
 
 namespace armlet {
 namespace {

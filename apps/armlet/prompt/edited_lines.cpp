@@ -1,0 +1,189 @@
+// Lines edited with libedit, which is loaded when a terminal asks for it: other commands start
+// sooner without it.
+
+#include <histedit.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "armlet/core/platform.hpp"
+#include "console.hpp"
+#include "prompt/line_source.hpp"
+
+namespace armlet::cli {
+namespace {
+
+constexpr int kRemembered = 2000;       // entries of the history
+constexpr std::size_t kMostShown = 60;  // choices in a list
+
+struct EditLibrary {
+  LoadedLibrary library{"libedit.so.2"};
+  decltype(&::el_init) init = find<decltype(&::el_init)>("el_init");
+  decltype(&::el_end) end = find<decltype(&::el_end)>("el_end");
+  decltype(&::el_set) set = find<decltype(&::el_set)>("el_set");
+  decltype(&::el_get) get = find<decltype(&::el_get)>("el_get");
+  decltype(&::el_gets) gets = find<decltype(&::el_gets)>("el_gets");
+  decltype(&::el_line) line = find<decltype(&::el_line)>("el_line");
+  decltype(&::el_insertstr) insert = find<decltype(&::el_insertstr)>("el_insertstr");
+  decltype(&::el_deletestr) remove = find<decltype(&::el_deletestr)>("el_deletestr");
+  decltype(&::history_init) history_init = find<decltype(&::history_init)>("history_init");
+  decltype(&::history_end) history_end = find<decltype(&::history_end)>("history_end");
+  decltype(&::history) history = find<decltype(&::history)>("history");
+
+  [[nodiscard]] bool is_whole() const {
+    return init != nullptr && end != nullptr && set != nullptr && get != nullptr &&
+           gets != nullptr && line != nullptr && insert != nullptr && remove != nullptr &&
+           history_init != nullptr && history_end != nullptr && history != nullptr;
+  }
+
+ private:
+  template <class Function>
+  Function find(const char* name) const {
+    return reinterpret_cast<Function>(library.find(name));
+  }
+};
+
+// Loaded at the first call.
+const EditLibrary& edit_library() {
+  static const EditLibrary library;
+  return library;
+}
+
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+// What all the texts begin with.
+std::string common_start(const std::vector<std::string>& texts) {
+  std::string start = texts.front();
+  for (const std::string& text : texts) {
+    const auto [a, b] = std::ranges::mismatch(start, text);
+    start.erase(a, start.end());
+  }
+  while (!start.empty() && (static_cast<unsigned char>(start.back()) & 0xC0U) == 0x80U)
+    start.pop_back();
+  return start;
+}
+
+// In columns, as a terminal of 80 characters shows them.
+std::string list_of(const std::vector<std::string>& texts) {
+  std::size_t widest = 0;
+  for (const std::string& text : texts) widest = std::max(widest, characters(text));
+  const std::size_t columns = std::max<std::size_t>(1, 78 / (widest + 2));
+  std::string out;
+  for (std::size_t i = 0; i < std::min(texts.size(), kMostShown); ++i) {
+    out += texts[i];
+    const bool ends = i % columns == columns - 1 || i + 1 == std::min(texts.size(), kMostShown);
+    out += ends ? std::string("\n") : std::string(widest + 2 - characters(texts[i]), ' ');
+  }
+  if (texts.size() > kMostShown)
+    out += "... and " + std::to_string(texts.size() - kMostShown) + " more\n";
+  return out;
+}
+
+class EditedLines final : public LineSource {
+ public:
+  EditedLines(Completer complete, std::string history)
+      : complete_(std::move(complete)), file_(std::move(history)) {
+    // Lines are UTF-8, whatever the terminal's language is.
+    if (std::setlocale(LC_CTYPE, "C.UTF-8") == nullptr) std::setlocale(LC_CTYPE, "");
+    history_ = edit_.history_init();
+    edit_.history(history_, &event_, H_SETSIZE, kRemembered);
+    edit_.history(history_, &event_, H_SETUNIQUE, 1);
+    if (!file_.empty()) edit_.history(history_, &event_, H_LOAD, file_.c_str());
+    line_ = edit_.init("armlet", stdin, stdout, stderr);
+    edit_.set(line_, EL_CLIENTDATA, this);
+    edit_.set(line_, EL_PROMPT, &EditedLines::shown_prompt);
+    edit_.set(line_, EL_EDITOR, "emacs");
+    edit_.set(line_, EL_SIGNAL, 0);
+    edit_.set(line_, EL_HIST, edit_.history, history_);
+    edit_.set(line_, EL_ADDFN, "armlet-complete", "complete the word", &EditedLines::on_tab);
+    edit_.set(line_, EL_BIND, "^I", "armlet-complete", nullptr);
+    edit_.set(line_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+  }
+  ~EditedLines() override {
+    edit_.end(line_);
+    edit_.history_end(history_);
+  }
+  EditedLines(const EditedLines&) = delete;
+  EditedLines& operator=(const EditedLines&) = delete;
+
+  std::optional<std::string> next(std::string_view prompt) override {
+    prompt_ = prompt;
+    int count = 0;
+    const char* text = edit_.gets(line_, &count);
+    if (interrupted()) {
+      print_out("^C\n");
+      static_cast<void>(finish_output());
+      return std::nullopt;
+    }
+    if (text == nullptr || count <= 0) {
+      print_out("\n");
+      return std::nullopt;
+    }
+    std::string line(text, static_cast<std::size_t>(count));
+    while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
+    return line;
+  }
+
+  void remember(const std::string& text) override {
+    edit_.history(history_, &event_, H_ENTER, text.c_str());
+    // After each one: a session may end at any moment.
+    if (!file_.empty()) edit_.history(history_, &event_, H_SAVE, file_.c_str());
+  }
+
+ private:
+  static EditedLines& of(EditLine* line);
+  static char* shown_prompt(EditLine* line);
+  static unsigned char on_tab(EditLine* line, int key);
+  unsigned char complete();
+
+  const EditLibrary& edit_ = edit_library();
+  Completer complete_;
+  std::string file_;
+  std::string prompt_;
+  HistEvent event_{};
+  History* history_ = nullptr;
+  EditLine* line_ = nullptr;
+};
+
+EditedLines& EditedLines::of(EditLine* line) {
+  void* lines = nullptr;
+  edit_library().get(line, EL_CLIENTDATA, &lines);
+  return *static_cast<EditedLines*>(lines);
+}
+char* EditedLines::shown_prompt(EditLine* line) { return of(line).prompt_.data(); }
+unsigned char EditedLines::on_tab(EditLine* line, int /*key*/) { return of(line).complete(); }
+
+unsigned char EditedLines::complete() {
+  const LineInfo* info = edit_.line(line_);
+  const std::string_view before(info->buffer,
+                                static_cast<std::size_t>(info->cursor - info->buffer));
+  const Choices choices = complete_(before);
+  if (choices.texts.empty()) return CC_REFRESH_BEEP;
+  const std::string written(before.substr(before.size() - choices.word_bytes));
+  const std::string start = common_start(choices.texts);
+  if (start.size() > written.size() || (choices.texts.size() == 1 && start != written)) {
+    if (choices.word_bytes > 0) edit_.remove(line_, static_cast<int>(characters(written)));
+    edit_.insert(line_, start.c_str());
+    return CC_REFRESH;
+  }
+  if (choices.texts.size() == 1) return CC_REFRESH;
+  print_out("\n" + list_of(choices.texts));
+  static_cast<void>(finish_output());
+  return CC_REDISPLAY;
+}
+
+}  // namespace
+
+std::unique_ptr<LineSource> edited_lines(Completer complete, const std::string& history) {
+  if (!edit_library().is_whole()) return nullptr;
+  return std::make_unique<EditedLines>(std::move(complete), history);
+}
+
+}  // namespace armlet::cli

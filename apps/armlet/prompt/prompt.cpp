@@ -1,0 +1,311 @@
+// armlet: the prompt.
+
+#include "prompt/prompt.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+#include <unordered_set>
+#include <utility>
+
+#include "armlet/core/platform.hpp"
+#include "armlet/interpreter/editor/analysis.hpp"
+#include "armlet/math/format_vector.hpp"
+#include "armlet/stdlib/install.hpp"
+
+namespace armlet::cli {
+
+// ---- time ----------------------------------------------------------------------------------
+
+void Pace::begin(std::int64_t t_ns) {
+  t_ns_ = t_ns;
+  wall_ns_ = steady_time_ns();
+}
+
+void Pace::wait_for(std::int64_t t_ns) const {
+  if (factor_ <= 0.0) return;
+  const auto due =
+      wall_ns_ + static_cast<std::int64_t>(static_cast<double>(t_ns - t_ns_) / factor_);
+  while (!interrupted()) {
+    const std::int64_t left = due - steady_time_ns();
+    if (left <= 0) return;
+    std::this_thread::sleep_for(std::chrono::nanoseconds(std::min<std::int64_t>(left, 20'000'000)));
+  }
+}
+
+// ---- one session ------------------------------------------------------------------------------
+
+namespace {
+
+// Entries that are no part of the program are called so: the one at the start, and those of
+// commands.
+constexpr std::string_view kAside = "command";
+
+bool is_typed(const Entry& entry) { return entry.name != kAside; }
+
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos; }
+
+}  // namespace
+
+Prompt::Prompt(SessionOptions options, const std::string& robot, bool interactive)
+    : robot_(robot),
+      interactive_(interactive),
+      has_live_(interactive && shows_status()),
+      session_(library_engine(), listened(std::move(options))) {}
+
+// What the session tells is shown here.
+SessionOptions Prompt::listened(SessionOptions options) {
+  options.pace = [this](std::int64_t t_ns) {
+    show_live(t_ns);
+    pace_.wait_for(t_ns);
+    // Ctrl-C asks once to stop; coming to rest then costs no time.
+    return !interrupted() || std::exchange(was_told_, true);
+  };
+  if (interactive_) {
+    options.on_move = [this](const MoveReport& move) {
+      end_live();
+      show_move(move);
+    };
+  }
+  options.advice = [this](const Diagnostic& advice) {
+    end_live();
+    show(advice, session_.sources(), false);
+  };
+  options.output = [this, print = std::move(options.output)](std::string_view text) {
+    end_live();
+    return print(text);
+  };
+  return options;
+}
+
+void Prompt::start() { enter_aside(""); }
+
+std::string Prompt::time() const {
+  return fmt::format("t = {:.2f} s", static_cast<double>(host().now_ns()) * 1e-9);
+}
+
+std::string Prompt::program() const {
+  std::string out;
+  for (const Entry& entry : session_.entries()) {
+    if (!is_typed(entry)) continue;
+    out += entry.text;
+    if (!out.empty() && out.back() != '\n') out += '\n';
+  }
+  return out;
+}
+
+void Prompt::greet() {
+  std::string things;
+  for (const std::string& name : session_.world_objects())
+    things += (things.empty() ? "" : ", ") + name;
+  const Robot* model = host().default_robot_model();
+  progress(fmt::format("Armlet {}   robot {} ({} joints)   {}:help lists commands", ARMLET_VERSION,
+                       robot_, model != nullptr ? model->n() : 0,
+                       things.empty() ? std::string() : "world: " + things + "   "));
+}
+
+// The entry goes on as long as the same text in a file would. At a terminal nobody knows the line
+// behind it, and two empty lines end what cannot be completed.
+std::optional<std::string> Prompt::read(LineSource& lines) {
+  constexpr int kPatience_ms = 20;  // for an `else` that is being written into a pipe
+  before_.clear();
+  int blank = 0;
+  while (true) {
+    auto line = lines.next(before_.empty() ? "rbt> " : "...> ");
+    if (!line && interrupted() && interactive_)
+      return std::string();  // what was typed is forgotten
+    if (!line) return before_.empty() ? std::nullopt : std::optional(std::exchange(before_, {}));
+    if (before_.empty() && (is_blank(*line) || is_command(*line))) return line;
+    before_ += (before_.empty() ? "" : "\n") + *line;
+    blank = is_blank(*line) ? blank + 1 : 0;
+    if (!is_complete(before_) && !(interactive_ && blank == 2)) continue;
+    const auto next = lines.peek(before_.ends_with('}') ? kPatience_ms : 0);
+    if (next && !is_command(*next) && !is_complete(before_, *next)) continue;
+    return std::exchange(before_, {});
+  }
+}
+
+int Prompt::run(LineSource& lines) {
+  start();
+  if (interactive_) greet();
+  while (!is_done_) {
+    if (interactive_) forget_interrupt();
+    const std::optional<std::string> text = read(lines);
+    if (!text || !output_is_read()) break;
+    if (is_blank(*text)) continue;
+    lines.remember(*text);
+    if (interactive_) forget_interrupt();
+    const bool done = is_command(*text) ? run_command(*this, *text) : enter(*text);
+    any_failed_ = any_failed_ || !done;
+    if (interrupted() && !interactive_) return kStopped;
+  }
+  return finish_output() && (interactive_ || !any_failed_) ? kDone : kFailed;
+}
+
+bool Prompt::enter(const std::string& text, bool shows_value) {
+  return run_entry(text, fmt::format("[{}]", ++count_), shows_value);
+}
+
+std::vector<std::string> Prompt::undo(std::size_t count) {
+  const std::vector<Entry> before(session_.entries().begin(), session_.entries().end());
+  std::size_t first = before.size();
+  std::vector<std::string> undone;
+  for (std::size_t i = before.size(); i > 1 && undone.size() < count; --i) {
+    if (!is_typed(before[i - 1])) continue;
+    first = i - 1;
+    undone.insert(undone.begin(), before[first].text);
+  }
+  if (!undone.empty()) session_.undo(before.size() - first);
+  show(session_.problems(), false);
+  return undone;
+}
+
+std::vector<std::string> Prompt::redo(std::size_t count) {
+  std::vector<std::string> done;
+  while (done.size() < count && session_.redo(1) == 1) {
+    const Entry& newest = session_.entries().back();
+    if (is_typed(newest)) done.push_back(newest.text);
+  }
+  show(session_.problems(), false);
+  return done;
+}
+
+bool Prompt::enter_aside(const std::string& text) {
+  return run_entry(text, std::string(kAside), false);
+}
+
+bool Prompt::run_entry(const std::string& text, const std::string& name, bool shows_value) {
+  const std::size_t before = session_.entries().size();
+  const bool compiles = session_.submit(text, name);
+  show(session_.problems(), false);
+  if (!compiles) return false;
+  was_told_ = false;
+  pace_.begin(session_.host() != nullptr ? session_.host()->now_ns() : 0);
+  {
+    const Interruptible guard(session_);
+    static_cast<void>(session_.run());
+  }
+  end_live();
+  const RunResult& result = session_.result();
+  if (result.status == Progress::kDone) {
+    if (shows_value) show_value();
+    return true;
+  }
+  if (result.status == Progress::kCancelled) {
+    progress(fmt::format("stopped; {}, all as it was before this line", time()));
+  } else if (result.error && output_is_read()) {
+    show(*result.error, session_.sources(), false);
+  }
+  if (session_.entries().size() < before) show(session_.problems(), false);
+  return false;
+}
+
+void Prompt::show_value() {
+  const std::optional<EntryValue> value = session_.shown();
+  if (!value || !interactive_) return;
+  if (value->name.empty() && session_.entries().back().moves > 0 && value->type == "Move") return;
+  const std::string left = value->name.empty() ? value->text : value->name + " = " + value->text;
+  print_out(fmt::format("{:<52}  {}\n", left, value->type));
+  static_cast<void>(finish_output());
+}
+
+// ---- the line under a motion -------------------------------------------------------------------
+
+void Prompt::show_live(std::int64_t t_ns) {
+  constexpr std::int64_t kRefresh_ns = 50'000'000;
+  if (!has_live_) return;
+  const std::int64_t now = steady_time_ns();
+  if (now - shown_ns_ < kRefresh_ns) return;
+  shown_ns_ = now;
+  const Cell& cell = host().cell();
+  std::string line = fmt::format("t = {:.2f} s", static_cast<double>(t_ns) * 1e-9);
+  for (int i = 0; i < cell.robot_count(); ++i) {
+    if (!cell.is_moving(i)) continue;
+    line += fmt::format("   {} {}, hand at {}", cell.robot(i).name, joints_text(cell.robot(i)),
+                        format_point_mm(cell.T_world_tool(i).translation()));
+  }
+  status_line(line);
+  has_live_line_ = true;
+}
+
+void Prompt::end_live() {
+  if (std::exchange(has_live_line_, false)) status_line({});
+}
+
+// ---- completion
+// ----------------------------------------------------------------------------------
+
+Choices Prompt::complete(std::string_view before_cursor) {
+  std::string_view expression = before_cursor;
+  if (before_.empty() && is_command(before_cursor)) {
+    const CommandPart part = command_part(before_cursor);
+    if (!part.is_expression) return part.choices;
+    expression.remove_prefix(part.begin);
+  }
+  const std::string text = before_ + (before_.empty() ? "" : "\n") + std::string(expression);
+  const auto at = static_cast<std::uint32_t>(text.size());
+  const Completions found = session_.analyse(text, "line")->completion(at);
+  Choices choices;
+  choices.word_bytes = at - std::min(at, found.replaced.begin);
+  const std::string_view word = std::string_view(text).substr(at - choices.word_bytes);
+  std::unordered_set<std::string_view> met;
+  for (const Completion& item : found.items) {
+    if (item.text.starts_with(word) && met.insert(item.text).second)
+      choices.texts.push_back(item.text);
+  }
+  return choices;
+}
+
+// ---- the command
+// -----------------------------------------------------------------------------------
+
+namespace {
+
+// Below the folder that the system has for the state of programs; empty: there is none.
+std::string history_file() {
+  namespace fs = std::filesystem;
+  const char* state = std::getenv("XDG_STATE_HOME");
+  const char* home = std::getenv("HOME");
+  fs::path folder;
+  if (state != nullptr && *state == '/') {
+    folder = state;
+  } else if (home != nullptr && *home == '/') {
+    folder = fs::path(home) / ".local" / "state";
+  } else {
+    return {};
+  }
+  std::error_code failed;
+  fs::create_directories(folder / "armlet", failed);
+  return failed ? std::string() : (folder / "armlet" / "history").string();
+}
+
+bool can_edit_lines() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 && terminal != nullptr &&
+         *terminal != '\0' && std::string_view(terminal) != "dumb";
+}
+
+}  // namespace
+
+int prompt(const ProgramOptions& options) {
+  Setup setup = make_setup(options, "");
+  if (setup.exit != kDone) return setup.exit;
+  const bool interactive = isatty(STDIN_FILENO) != 0;
+  std::optional<StayOnInterrupt> stay;
+  if (interactive) stay.emplace();
+  Prompt session(std::move(setup.session), options.robot, interactive);
+  std::unique_ptr<LineSource> lines;
+  if (can_edit_lines()) {
+    lines = edited_lines([&](std::string_view before) { return session.complete(before); },
+                         history_file());
+  }
+  if (lines == nullptr) lines = plain_lines(interactive);
+  return session.run(*lines);
+}
+
+}  // namespace armlet::cli

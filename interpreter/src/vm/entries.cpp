@@ -1,0 +1,132 @@
+#include "vm/entries.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "check/entries/kept.hpp"
+#include "vm/failures/failures.hpp"
+#include "vm/state.hpp"
+#include "vm/tasks/recordings.hpp"
+
+namespace armlet::lang {
+
+// What is declared with let stays as it is, so only variables are looked at.
+Before::Before(VmState& state)
+    : state_(state),
+      watches_(state.main.regions.empty() ? 0 : state.main.regions[0].size()),
+      layouts_(state.own_layouts.size()),
+      host_data_(state.main.host_data),
+      random_(state.main.random),
+      parallels_(state.main.parallels),
+      steps_(state.steps.total) {
+  for (std::uint32_t i = 0; i < state.globals.size(); ++i) {
+    const GlobalInfo& info = state.global_info[i];
+    if (info.variable == nullptr || info.variable->fixed) continue;
+    variables_.push_back({i, info, state.global_is_set[i], state.globals[i]});
+    if (info.is_reference()) retain_object(state.globals[i].o);
+  }
+}
+
+Before::~Before() {
+  for (const Variable& variable : variables_) {
+    if (variable.info.is_reference()) state_.heap.release(variable.value.o);
+  }
+}
+
+void Before::restore() {
+  for (Variable& variable : variables_) {
+    std::swap(state_.globals[variable.number], variable.value);
+    state_.global_info[variable.number] = variable.info;
+    state_.global_is_set[variable.number] = variable.is_set;
+  }
+  for (const Replaced& replaced : replaced_) state_.callees[replaced.number] = replaced.callee;
+  state_.tree.forget_watches(watches_);
+  state_.heap.drain();
+  state_.own_layouts.resize(layouts_);
+  state_.own_references.resize(layouts_);
+  state_.main.host_data = host_data_;
+  state_.main.random = random_;
+  state_.main.parallels = parallels_;
+}
+
+namespace {
+
+void add_global(VmState& state, const hir::Variable& variable) {
+  const std::uint32_t number = variable.index;
+  if (number >= state.globals.size()) {
+    state.globals.resize(number + 1, Slot{.i = 0});
+    state.global_is_set.resize(number + 1, 0);
+    state.global_info.resize(number + 1);
+  }
+  if (state.global_info[number].is_reference()) state.heap.release(state.globals[number].o);
+  state.globals[number].i = 0;
+  state.global_is_set[number] = 0;
+  state.global_info[number].variable = &variable;
+}
+
+}  // namespace
+
+void load(VmState& state, const CompiledProgram& program, Before* before) {
+  auto unit = std::make_unique<LoadedCode>(LoadedCode{&program, {}, {}});
+  unit->texts.reserve(program.texts.size());
+  unit->callees.reserve(program.functions.size());
+  for (const FunctionCode& f : program.functions) {
+    const auto references = static_cast<std::uint16_t>(f.references_end - f.references_begin);
+    Callee& callee = unit->callees.emplace_back(
+        Callee{f.code.data(), &f, f.constants.data(), unit->texts.data(), program.natives.data(),
+               &program, nullptr, f.registers, f.references_begin, references, f.may_give_unset});
+    callee.own = &callee;
+    const std::uint32_t number = f.function->index;
+    if (number >= state.callees.size()) state.callees.resize(number + 1, Callee{});
+    if (before != nullptr) before->note(number, state.callees[number]);
+    state.callees[number] = callee;
+  }
+  for (const hir::Variable* variable : program.module.globals) add_global(state, *variable);
+  state.newest = &program;
+  state.host_access.all_are_set = false;
+  state.units.push_back(std::move(unit));
+}
+
+bool make_texts(VmState& state) {
+  LoadedCode& unit = *state.units.back();
+  for (const std::string& text : unit.program->texts) {
+    Obj* object = state.heap.new_text(text);
+    if (object == nullptr) return raise_out_of_memory(state);
+    unit.texts.push_back(slot_of(object));
+  }
+  return true;
+}
+
+namespace {
+
+void drop_newest(VmState& state) {
+  LoadedCode& unit = *state.units.back();
+  for (const Slot text : unit.texts) state.heap.release(text.o);
+  state.heap.drain();
+  state.units.pop_back();
+}
+
+}  // namespace
+
+// Nothing of an entry that failed stays, and of one without functions nothing but its variables:
+// the session does not grow by it.
+void finish_entry(VmState& state, bool done) {
+  state.host_access.all_are_set = false;
+  state.recordings.reset();
+  state.large_copies.clear();
+  if (!done) {
+    for (const hir::Variable* variable : state.newest->module.globals) {
+      GlobalInfo& info = state.global_info[variable->index];
+      if (info.is_reference()) state.heap.release(state.globals[variable->index].o);
+      state.globals[variable->index].i = 0;
+      info.variable = nullptr;
+    }
+    state.before->restore();
+  }
+  state.before.reset();
+  if (done && state.units.back()->callees.size() > 1) return;
+  drop_newest(state);
+  state.callees[0] = Callee{};
+}
+
+}  // namespace armlet::lang

@@ -1,0 +1,77 @@
+#pragma once
+// One machine runs the entries of a session one after the other. Each brings code and tables of its
+// own, found through its functions; what all share are the numbers of functions and variables.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "armlet/core/random.hpp"
+#include "vm/tasks/task.hpp"
+
+namespace armlet::lang {
+
+struct VmState;
+
+// The code of one program in one machine.
+struct LoadedCode {
+  const CompiledProgram* program;
+  std::vector<Callee> callees;  // of its functions, in their order; frames refer to them
+  std::vector<Slot> texts;      // literals
+};
+
+struct GlobalInfo {
+  const hir::Variable* variable = nullptr;  // declared last with this number; null: none was
+  [[nodiscard]] bool is_reference() const {
+    return variable != nullptr && variable->type->is_reference();
+  }
+};
+
+// What an entry may change, as it was when it began.
+class Before {
+ public:
+  explicit Before(VmState& state);
+  ~Before();
+  Before(const Before&) = delete;
+  Before& operator=(const Before&) = delete;
+
+  // The function that had a number which the entry takes.
+  void note(std::uint32_t number, const Callee& replaced) {
+    replaced_.push_back({number, replaced});
+  }
+  // All that had been counted.
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+  // Gives everything back.
+  void restore();
+
+ private:
+  struct Variable {
+    std::uint32_t number;
+    GlobalInfo info;
+    std::uint8_t is_set;
+    Slot value;  // counted, if it is a reference
+  };
+  struct Replaced {
+    std::uint32_t number;
+    Callee callee;
+  };
+
+  VmState& state_;
+  std::vector<Variable> variables_;
+  std::vector<Replaced> replaced_;
+  std::size_t watches_;
+  std::size_t layouts_;
+  std::shared_ptr<const void> host_data_;
+  Random random_;
+  std::uint64_t parallels_;
+  std::uint64_t steps_;
+};
+
+// Adds the code of a program; its texts are made by make_texts. before: null if it is no entry.
+void load(VmState& state, const CompiledProgram& program, Before* before);
+// Makes the objects of the literals of the newest unit. False: the heap is full, which is raised.
+[[nodiscard]] bool make_texts(VmState& state);
+// The newest entry is over.
+void finish_entry(VmState& state, bool done);
+
+}  // namespace armlet::lang

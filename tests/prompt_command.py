@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""The prompt, through a pipe and in a terminal: prompt_command.py ARMLET."""
+
+import os
+import pty
+import re
+import select
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ARMLET = str(Path(sys.argv[1]).resolve())
+PATIENCE = 60.0  # s, for a slow machine
+
+
+def check(what, holds, found=""):
+    if not holds:
+        sys.exit(f"{what}\n--- found:\n{found}")
+
+
+def piped(text, *arguments, folder=None):
+    return subprocess.run([ARMLET, *arguments], input=text, capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+
+
+def check_pipe():
+    done = piped("let a = 40mm\na * 2\nprint(a * 2)\nfn twice(x: double) -> double {\n  return 2 * x\n}\nprint(twice(3))\n")
+    check("a pipe gets what the program prints and nothing else", done.stdout == "80 mm\n6.0\n" and done.stderr == "", done)
+    check("status of a session without mistakes", done.returncode == 0, done)
+
+    done = piped("let a = 1\nlet b = nowhere + 1\nprint(a)\n")
+    check("a line that cannot be read changes nothing", done.stdout == "1\n" and "E02" in done.stderr, done)
+    check("a session with a mistake ends with 70", done.returncode == 70, done)
+
+    done = piped("var a = 1\na = 2; moveJ(posJ(10deg, 20deg, 50mm, 0deg), time: 1s); a = [1, 2][5]\nprint(a)\nprint(now())\n")
+    check("an error leaves names and clock as they were", done.stdout == "1\n0 s\n" and "R06" in done.stderr, done)
+
+
+def check_classic():
+    """The first program of the paper's style, line by line."""
+    done = piped("double[] q = {0.6, 0.9, 0.1, 0};\nposJ p = new posJ(q);\nmoveJ('Syn', p, 2.0);\nprint(joints());\n")
+    check("a program in the classic style", done.returncode == 0 and "posJ" in done.stdout or "deg" in done.stdout, done)
+
+
+def check_commands():
+    lines = [
+        "let p = xyz(300mm, 120mm, 200mm)", "moveJ(p, time: 2s)", "print(now())", ":undo 2", ":redo", "print(now())",
+        ":type p.x", ":units 90deg", ":where", ":nonsense", "?moveL", "??torque", ":explain E0401", ":undo x",
+    ]
+    done = piped("\n".join(lines) + "\n")
+    out = done.stdout
+    check("going back and forth", re.findall(r"^[0-9.]+ s$|^t = .*", out, re.M)[:4] ==
+          ["2 s", "t = 0.00 s, robots, objects and names as before", "t = 2.00 s, done again", "2 s"], done)
+    check("what was undone is named", "  moveJ(p, time: 2s)" in out, done)
+    check(":type", re.search(r"^length$", out, re.M), done)
+    check(":units", "90 deg" in out and "1.5707963" in out, done)
+    check(":where", "joints (" in out and "hand at" in out, done)
+    check("a command that does not exist", ":names" in done.stderr or ":help lists all" in done.stderr, done)
+    check("?name is the page of a name", "moveL(" in out and "straight" in out, done)
+    check("??word finds pages", "gravity" in out or "invDyn" in out or "torque" in out, done)
+    check(":explain", "E0401" in out, done)
+    check("a number of lines that is none", '"x" is not a number of lines' in done.stderr, done)
+
+
+def check_files():
+    with tempfile.TemporaryDirectory() as folder:
+        done = piped("let a = 2\nlet b = a + missing\nprint(a)\n:save kept.rbt\n:save kept.txt\n", folder=folder)
+        check("errors are left out of what is saved", Path(folder, "kept.rbt").read_text() == "let a = 2\nprint(a)\n", done)
+        check("only programs are saved", "a program is a .rbt file" in done.stderr, done)
+        done = piped(":load kept.rbt\nprint(a + 1)\n:load nothing.rbt\n", folder=folder)
+        check("a file is loaded as if it were typed", done.stdout.startswith("2\n3\n"), done)
+        run = subprocess.run([ARMLET, "run", "--quiet", "kept.rbt"], capture_output=True, text=True, cwd=folder, timeout=PATIENCE)
+        check("what was saved runs", (run.returncode, run.stdout) == (0, "2\n"), run)
+
+
+class Terminal:
+    """A prompt in a terminal of its own."""
+
+    def __init__(self, home, term="xterm"):
+        self.text = ""
+        self.pid, self.fd = pty.fork()
+        if self.pid == 0:
+            os.environ.update({"TERM": term, "HOME": home, "XDG_STATE_HOME": home})
+            os.execv(ARMLET, [ARMLET])
+
+    def type(self, keys):
+        os.write(self.fd, keys.encode())
+
+    def expect(self, pattern, what):
+        """Reads on until the pattern appears in what has not been matched yet."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            found = re.search(pattern, self.text, re.S)
+            if found:
+                self.text = self.text[found.end():]
+                return found
+            if select.select([self.fd], [], [], 0.2)[0]:
+                try:
+                    piece = os.read(self.fd, 65536).decode(errors="replace")
+                except OSError:
+                    piece = ""
+                if not piece:
+                    break
+                self.text += re.sub(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b[()][0-9A-Z]|[\x07\x08\x0e\x0f]", "", piece)
+        sys.exit(f"{what}: {pattern!r} did not appear\n--- found:\n{self.text}")
+
+    def end(self):
+        self.type("\x04")
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            try:
+                if select.select([self.fd], [], [], 0.05)[0]:
+                    os.read(self.fd, 65536)
+            except OSError:
+                pass
+            pid, status = os.waitpid(self.pid, os.WNOHANG)
+            if pid:
+                return os.waitstatus_to_exitcode(status)
+        os.kill(self.pid, signal.SIGKILL)
+        sys.exit("Ctrl-D did not end the prompt")
+
+
+def check_terminal(home):
+    terminal = Terminal(home)
+    terminal.expect(r"Armlet [0-9.]+ +robot scara \(4 joints\).*:help lists commands", "the greeting")
+    terminal.expect(r"rbt> ", "the prompt")
+    terminal.type("above(xyz(30cm, 10cm, 10cm), 8cm).z\n")
+    terminal.expect(r"180 mm +length", "the value of an expression with its type")
+    terminal.type("ans * 2\n")
+    terminal.expect(r"360 mm +length", "the last value is ans")
+    terminal.type("let width = 4cm;\nwid\t\n")
+    terminal.expect(r"40 mm +length", "Tab completes a name of the session")
+    terminal.type("if (width > 1cm) {\n")
+    terminal.expect(r"\.\.\.> ", "a block goes on in the next line")
+    terminal.type("print(\"wide\")\n}\n")
+    terminal.expect(r"\nwide", "the block runs")
+    terminal.type("moveJ('Sy\t")
+    terminal.expect(r"moveJ\('Sy\s*n", "Tab completes the name of a planner")
+    terminal.type("\x15moveJ(posJ(20deg, 30deg, 50mm, 0deg), time: 1s)\n")
+    terminal.expect(r"\[t = 1\.00 s\] \S+ moveJ 1\.00 s, hand at", "a move is reported")
+    terminal.type("lett x = 3\n")
+    terminal.expect(r"error E\d{4}", "a mistake gets the message of a file")
+    terminal.expect(r"rbt> ", "the prompt after a mistake")
+    terminal.type("while (true) { wait(1ms) }\n")
+    time.sleep(0.5)
+    terminal.type("\x03")
+    terminal.expect(r"stopped; t = 1\.00 s", "Ctrl-C stops what runs, and all is as it was")
+    terminal.expect(r"rbt> ", "the prompt after Ctrl-C")
+    terminal.type("half a li\x03")
+    terminal.expect(r"\^C.*rbt> ", "Ctrl-C forgets what was typed")
+    terminal.type("print(now())\n")
+    terminal.expect(r"\n1 s", "the session goes on")
+    terminal.type(":undo\n")
+    terminal.expect(r"t = 1\.00 s", "the last line printed only")
+    terminal.type("\x1b[A\x1b[A\n")
+    terminal.expect(r"\n1 s", "the arrow key fetches an earlier line")
+    check("Ctrl-D ends with 0", terminal.end() == 0)
+
+    again = Terminal(home)
+    again.expect(r"rbt> ", "the prompt of the next session")
+    again.type("\x1b[A")
+    again.expect(r"print\(now\(\)\)", "lines of earlier sessions are kept")
+    again.type("\x15")
+    again.end()
+
+    dumb = Terminal(home, "dumb")
+    dumb.expect(r"rbt> ", "the prompt in a terminal without cursor keys")
+    dumb.type("1 + 1\n")
+    dumb.expect(r"2 +int", "a value there")
+    check("Ctrl-D there", dumb.end() == 0)
+
+
+check_pipe()
+check_classic()
+check_commands()
+check_files()
+with tempfile.TemporaryDirectory() as home_folder:
+    check_terminal(home_folder)
