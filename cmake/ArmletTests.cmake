@@ -73,6 +73,8 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   add_test(NAME files.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/files_command.py
            $<TARGET_FILE:armlet>)
+  add_test(NAME replay.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/replay_command.py
+           $<TARGET_FILE:armlet>)
   add_test(NAME trace.numpy COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/numpy_command.py
            $<TARGET_FILE:armlet>)
   set_tests_properties(trace.numpy PROPERTIES SKIP_RETURN_CODE 77)

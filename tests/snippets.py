@@ -15,7 +15,7 @@ import tempfile
 
 BLOCK = re.compile(r"(?:<!-- (?:fails: (\w+)|(later)) -->\n)?```rbt\n(.*?)```", re.DOTALL)
 CPP = re.compile(r"```cpp\n(.*?)```", re.DOTALL)
-HOSTS = ("tests/embed", "tests/unit/host", "examples/embed")
+HOSTS = ("tests/embed", "tests/unit/host", "tests/unit/stdlib", "examples/embed")
 ERROR = re.compile(r"^error (\w+):", re.MULTILINE)
 
 

@@ -35,6 +35,9 @@ step one definition of everything: linked as a whole
 ./dev build odr armlet test_interpreter
 step build with the other compiler
 ./dev build clang
+step the same hashes of runs in debug and release, and from both compilers
+tools/same_hashes.py build/bin/armlet build/dev/bin/armlet
+tools/same_hashes.py build/bin/armlet build/clang/bin/armlet
 
 step programs in WebAssembly as natively
 ./dev wasm

@@ -34,6 +34,15 @@ struct RunOptions {
   bool quiet = false;  // no progress, no summary
   bool plots = false;  // draw the figures in the terminal
   bool hash = false;   // print the hash of the run
+  std::string record;  // where the log of the session is left; empty: nowhere
+};
+
+struct ReplayOptions {
+  std::string file;     // a record
+  std::string to;       // a virtual time to go to, "3.2s"; empty: to the end
+  bool verify = false;  // compare with the run that was recorded
+  bool json = false;
+  bool quiet = false;
 };
 
 struct EditorOptions {
@@ -60,6 +69,7 @@ struct RobotOptions {
 // The prompt: lines from standard input, until they end.
 int prompt(const ProgramOptions& options);
 int run(const RunOptions& options);
+int replay(const ReplayOptions& options);
 int check(const ProgramOptions& options, const std::vector<std::string>& files);
 int test(const ProgramOptions& options, const std::vector<std::string>& files);
 int disasm(const ProgramOptions& options, const std::string& file);

@@ -54,6 +54,7 @@ bool knows_command(const CLI::App& app, std::string_view word) {
 struct Asked {
   ProgramOptions options;
   RunOptions run;
+  ReplayOptions replay;
   EditorOptions editor;
   FormatOptions format;
   RobotOptions robot;
@@ -85,6 +86,24 @@ void add_run_options(CLI::App& command, Asked& asked) {
   command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary");
   command.add_flag("--plots", asked.run.plots, "draw the figures of the program in the terminal");
   command.add_flag("--hash", asked.run.hash, "print a number that tells runs apart, bit for bit");
+  command
+      .add_option("--record", asked.run.record,
+                  "leave what `armlet replay` needs to take the run again in an .arec file")
+      ->type_name("FILE");
+}
+
+void add_replay_options(CLI::App& command, Asked& asked) {
+  command.add_option("FILE", asked.replay.file, "a record of a run (.arec)")->required();
+  CLI::Option* verify = command.add_flag(
+      "--verify", asked.replay.verify,
+      "print nothing of the program; compare with the run that was recorded, event by event");
+  command
+      .add_option("--to", asked.replay.to,
+                  "go to a time, such as 3.2s, and show robots, objects and variables")
+      ->type_name("TIME")
+      ->excludes(verify);
+  command.add_flag("--quiet", asked.replay.quiet, "show no moves and no summary");
+  command.add_flag("--json", asked.replay.json, "messages as JSON, one object per line");
 }
 
 void add_files_options(CLI::App& command, Asked& asked) {
@@ -150,6 +169,8 @@ struct Command {
 constexpr Command kCommands[] = {
     {"run", "check a program and run it", add_run_options,
      [](const Asked& asked) { return run(asked.run); }},
+    {"replay", "take a recorded run again, or go to a time of it", add_replay_options,
+     [](const Asked& asked) { return replay(asked.replay); }},
     {"check", "look for mistakes without running", add_files_options,
      [](const Asked& asked) { return check(asked.options, asked.files); }},
     {"test", "run the tests in programs, each in a fresh world", add_files_options,

@@ -14,12 +14,12 @@
 #include "armlet/backend/run_hash.hpp"
 #include "armlet/backend/trace_format.hpp"
 #include "armlet/core/files.hpp"
-#include "armlet/core/format.hpp"
-#include "armlet/math/format_vector.hpp"
 #include "armlet/plot/braille.hpp"
 #include "armlet/plot/svg.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
+#include "output_file.hpp"
+#include "run_report.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -30,13 +30,13 @@ class Trace {
  public:
   // The exit status after a message if there is no such trace.
   int choose(const std::string& path) {
-    path_ = path;
     if (path.empty()) return kDone;
     const TraceFormat* format = trace_format_of(path);
     if (format == nullptr) {
       progress(fmt::format("armlet: a trace is a {} file, not \"{}\"", trace_endings(), path));
       return kUsage;
     }
+    file_.set_path(path);
     backend_ = format->make(out_);
     return kDone;
   }
@@ -46,15 +46,8 @@ class Trace {
   // Once it is known that the program runs. The texts are what it was made of.
   int open(const std::vector<std::string>& texts) {
     if (backend_ == nullptr) return kDone;
-    for (const std::string& text : texts) {
-      if (!is_same_file(path_, text)) continue;
-      progress(fmt::format("armlet: the trace {} would take the place of {}", path_, text));
-      return kUsage;
-    }
-    Result<NewFile> made = create_file(path_);
-    if (!made.ok()) return refuse(made.error().message, kNoFile);
-    file_.emplace(std::move(made).value());
-    stream_.emplace(*file_);
+    if (const int exit = file_.open(texts); exit != kDone) return exit;
+    stream_.emplace(file_.file());
     out_.rdbuf(stream_->rdbuf());
     return kDone;
   }
@@ -62,24 +55,54 @@ class Trace {
   // Puts the file in its place. Nothing to say if all of it was written.
   int finish() {
     if (backend_ == nullptr) return kDone;
-    if (const auto error = file_->finish())
-      return refuse(error->message + "; what was there before is as it was", kFailed);
+    if (const int exit = file_.finish(); exit != kDone) return exit;
     if (backend_->error().empty()) return kDone;
     progress(fmt::format("armlet: {}", backend_->error()));
     return kFailed;
   }
 
  private:
-  int refuse(const std::string& why, int exit) const {
-    progress(fmt::format("armlet: the trace {} cannot be written: {}", path_, why));
-    return exit;
-  }
-
-  std::string path_;
   std::ostream out_{nullptr};  // to the file, when that is open
   std::unique_ptr<Backend> backend_;
-  std::optional<NewFile> file_;
+  OutputFile file_{"trace"};
   std::optional<FileStream> stream_;
+};
+
+// The log of the run, from which `armlet replay` takes it again.
+class Record {
+ public:
+  int choose(const std::string& path) {
+    if (path.empty() || path.ends_with(".arec")) {
+      file_.set_path(path);
+      return kDone;
+    }
+    progress(fmt::format("armlet: a record is an .arec file, not \"{}\"", path));
+    return kUsage;
+  }
+
+  [[nodiscard]] bool is_wanted() const { return file_.is_wanted(); }
+  [[nodiscard]] Backend* backend() { return &marks_; }
+
+  int open(const std::vector<std::string>& texts) {
+    return is_wanted() ? file_.open(texts) : kDone;
+  }
+
+  int finish(const Session& session) {
+    if (!is_wanted()) return kDone;
+    SessionLog log = session.log();
+    log.marks = marks_.marks();
+    const Result<std::string> text = write_log(log);
+    if (text.ok()) {
+      file_.file().write(*text);
+      return file_.finish();
+    }
+    progress(fmt::format("armlet: the run cannot be recorded: {}", text.error().message));
+    return kFailed;
+  }
+
+ private:
+  RunMarks marks_;
+  OutputFile file_{"record"};
 };
 
 // The files that a program consists of.
@@ -88,8 +111,6 @@ std::vector<std::string> texts_of(const RunOptions& options, const SourceSet& so
   for (std::uint32_t i = 0; i < sources.size(); ++i) texts.push_back(sources[i].name());
   return texts;
 }
-
-std::string seconds(double s) { return fmt::format("{:.2f} s", s); }
 
 // Sleeps until wall-clock time has caught up with virtual time, in short pieces so that Ctrl-C is
 // heard. Ctrl-C asks the program once to stop; coming to rest then costs no time.
@@ -150,25 +171,6 @@ class Figures {
   std::string path_;
 };
 
-void show_summary(const Session& session, const std::string& trace, Progress status) {
-  const Host& host = *session.host();
-  const char* how = status == Progress::kDone        ? "finished"
-                    : status == Progress::kCancelled ? "stopped by the user"
-                                                     : "ended by an error";
-  progress(fmt::format("{} at t = {}, {} move{}", how, seconds(to_seconds(host.now_ns())),
-                       host.move_count(), host.move_count() == 1 ? "" : "s"));
-  const World& world = host.cell().world();
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    const Object& object = world.object(i);
-    if (object.fixed) continue;
-    const std::string where = place_text(host.cell(), object.name);
-    progress(fmt::format("  {} at {}{}{}", object.name,
-                         format_point_mm(object.T_world_obj.translation()),
-                         where.empty() ? "" : ", ", where));
-  }
-  if (!trace.empty()) progress(fmt::format("  trace in {}", trace));
-}
-
 void draw_figures(const Session& session) {
   for (const Figure& figure : session.host()->figures()) {
     print_out("\n" + to_braille(figure, 72, 18, isatty(STDOUT_FILENO) != 0));
@@ -186,6 +188,9 @@ int run(const RunOptions& options) {
   Trace trace;
   if (const int exit = trace.choose(options.trace); exit != kDone) return exit;
   if (trace.backend() != nullptr) setup.session.backends.push_back(trace.backend());
+  Record record;
+  if (const int exit = record.choose(options.record); exit != kDone) return exit;
+  if (record.is_wanted()) setup.session.backends.push_back(record.backend());
   if (options.realtime) setup.session.pace = real_time();
   RunHash hash;
   if (options.hash) setup.session.backends.push_back(&hash);
@@ -199,7 +204,9 @@ int run(const RunOptions& options) {
   show(session.problems(), json);
   if (!runs) return kRejected;
   sources = &session.sources();
-  if (const int exit = trace.open(texts_of(options, *sources)); exit != kDone) return exit;
+  const std::vector<std::string> texts = texts_of(options, *sources);
+  if (const int exit = trace.open(texts); exit != kDone) return exit;
+  if (const int exit = record.open(texts); exit != kDone) return exit;
 
   RunResult result;
   {
@@ -214,6 +221,7 @@ int run(const RunOptions& options) {
   if (options.hash) print_out("hash " + hash.text() + "\n");
   const bool written = finish_output();
   const bool traced = trace.finish() == kDone;
+  const bool recorded = record.finish(session) == kDone;
   Figures figures(session);
   const bool pictured = !traced || figures.save_beside(options.trace) == kDone;
   if (talks && output_is_read()) {
@@ -221,7 +229,8 @@ int run(const RunOptions& options) {
     figures.show(options.plots);
   }
   if (result.status == Progress::kCancelled) return kStopped;
-  return result.status == Progress::kDone && written && traced && pictured ? kDone : kFailed;
+  return result.status == Progress::kDone && written && traced && recorded && pictured ? kDone
+                                                                                       : kFailed;
 }
 
 }  // namespace armlet::cli

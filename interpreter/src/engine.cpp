@@ -118,7 +118,9 @@ Compilation Engine::compile(std::string text, std::string name,
         "CompileOptions::is_entry.");
   if (options.after != nullptr && options.after->compiled().messages != &registry_->messages())
     throw ArgumentError("An entry is compiled by the engine that compiled the one before it.");
-  Compilation made = lang::compile_text(*registry_, std::move(text), std::move(name), options);
+  const lang::LowerOptions lowering{.optimise = !options.markers, .markers = options.markers};
+  Compilation made =
+      lang::compile_text(*registry_, std::move(text), std::move(name), options, lowering);
   if (made.program == nullptr) return made;
   struct Kept {
     std::shared_ptr<const Program> program;

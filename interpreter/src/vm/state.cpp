@@ -26,6 +26,7 @@ bool StepMeter::refill() {
   std::uint64_t most = std::min(kChunk, limit - std::min(limit, since_pause));
   // What cannot be paused goes on beyond the end of the slice.
   if (total < slice_end) most = std::min(most, slice_end - total);
+  if (total < look_at) most = std::min(most, look_at - total);
   chunk = left = static_cast<std::int64_t>(most);
   return chunk > 0;
 }
@@ -135,7 +136,30 @@ Obj* VmState::character(unsigned char code) {
 
 bool VmState::take_cancellation() {
   if (on_look) on_look();
-  return vm.take_cancellation();
+  std::vector<Cancellation>& due = cancellations.due;
+  const bool is_asked = vm.take_cancellation();
+  if (!is_asked && due.empty()) [[likely]]
+    return false;
+  const Instant here = instant();
+  const bool is_due = !due.empty() && here.has_reached(due.back().at) &&
+                      cancellations.refusals >= due.back().refusals;
+  if (is_due) {
+    due.pop_back();
+    steps.look_at = due.empty() ? StepMeter::kEndless : due.back().at.steps;
+  } else if (is_asked) {  // this run is another one from here on
+    arm_cancellations({});
+  }
+  if (is_asked || is_due) cancellations.noticed.push_back({here, cancellations.refusals});
+  return is_asked || is_due;
 }
+
+void VmState::arm_cancellations(std::vector<Cancellation> wishes) {
+  std::ranges::reverse(wishes);
+  std::vector<Cancellation>& due = cancellations.due;
+  due = std::move(wishes);
+  steps.look_at = due.empty() ? StepMeter::kEndless : due.back().at.steps;
+}
+
+Instant VmState::instant() const { return {vm.timeline().now_ns(), steps.so_far()}; }
 
 }  // namespace armlet::lang

@@ -13,6 +13,8 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/instants.hpp"
+#include "armlet/interpreter/host/stepping.hpp"
 #include "vm/entries.hpp"
 #include "vm/heap/heap.hpp"
 #include "vm/tasks/task.hpp"
@@ -48,9 +50,14 @@ struct StepMeter {
   std::uint64_t since_pause = 0;       // likewise
   std::uint64_t limit = 0;             // between two pauses
   std::uint64_t slice_end = kEndless;  // the total at which the run returns to the host
+  std::uint64_t look_at = kEndless;    // the total at which the wish to cancel is looked at
 
   static constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 
+  // With the running chunk.
+  [[nodiscard]] std::uint64_t so_far() const {
+    return total + static_cast<std::uint64_t>(chunk - left);
+  }
   // Books the running chunk.
   void settle();
   // Starts a new chunk; false if the limit is reached.
@@ -82,6 +89,22 @@ struct StepMeter {
 
 class Recordings;
 class Scheduler;
+
+// Statements that have begun, in programs with markers, and where the run pauses before one.
+struct Marks {
+  std::uint64_t begun = 0;
+  std::uint64_t pause_at = StepMeter::kEndless;  // so many have begun
+  std::vector<SourceLine> breakpoints;           // sorted
+  bool is_at_breakpoint = false;                 // the run has paused at one
+  const Task* paused = nullptr;                  // before its next instruction, a MARK
+};
+
+// Wishes to stop: where they were noticed, and where a run that is repeated has to notice them.
+struct Cancellations {
+  std::vector<Cancellation> noticed;
+  std::vector<Cancellation> due;  // the next one last
+  std::uint32_t refusals = 0;     // of the host to let time pass
+};
 
 // Counts what kernels of the library do as steps.
 class KernelWork final : public Supervisor {
@@ -156,7 +179,9 @@ struct VmState {
   std::unique_ptr<Waiting> pending;        // left by a native function that pauses
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
-  std::unique_ptr<Scheduler> scheduler;    // of the run; null before it
+  Cancellations cancellations;
+  Marks marks;
+  std::unique_ptr<Scheduler> scheduler;  // of the run; null before it
   HostAccess host_access;
   std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
@@ -178,8 +203,11 @@ struct VmState {
   // Evaluates what may not pause, such as a condition of a task, on a stack of its own.
   [[nodiscard]] bool evaluate(Task& owner, Obj* function, Slot& result);
   [[nodiscard]] bool evaluate(Task& owner, Obj* condition, bool& result);
-  // Whether somebody asked to cancel since the last look.
+  // Whether somebody asked to cancel since the last look, or did so here in the run that this one
+  // repeats.
   [[nodiscard]] bool take_cancellation();
+  void arm_cancellations(std::vector<Cancellation> wishes);
+  [[nodiscard]] Instant instant() const;
   // The literal, or the one shared text of an ASCII character; null: the heap is full.
   [[nodiscard]] Obj* character(unsigned char code);
 

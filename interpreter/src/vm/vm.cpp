@@ -86,6 +86,10 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   lang::VmState& state = *state_;
   if (budget.steps == 0)
     throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
+  if (budget.statements == 0)
+    throw ArgumentError("A budget of 0 statements lets nothing happen; give at least 1.");
+  if (budget.statements != Budget::kNoLimit && !program_->compiled().functions[0].has_markers)
+    throw ArgumentError("A run by statements needs a program with markers (CompileOptions).");
   const lang::Turn turn(state);
   if (result_.status != Progress::kPaused)
     throw ArgumentError("This Vm has run to its end; make a new one to run again.");
@@ -97,6 +101,9 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   on_ample_stack([&] {
     const Supervised kernels(&state.kernels);
     state.steps.begin_slice(budget.steps);
+    const std::uint64_t begun = state.marks.begun;
+    state.marks.pause_at =
+        budget.statements < Budget::kNoLimit - begun ? begun + budget.statements : Budget::kNoLimit;
     const lang::Exit exit = run_slice(state, function, budget.until_ns.value_or(kEndless));
     state.steps.begin_slice(Budget::kNoLimit);
     const std::uint64_t steps = state.steps.total - (is_entry ? state.before->steps() : 0);

@@ -6,13 +6,17 @@
 
 namespace armlet {
 
-FanOut::FanOut(std::vector<Backend*> backends) : backends_(std::move(backends)) {
-  if (std::ranges::find(backends_, nullptr) != backends_.end()) {
+FanOut::FanOut(std::vector<Backend*> backends) { set_backends(std::move(backends)); }
+
+void FanOut::set_backends(std::vector<Backend*> backends) {
+  if (std::ranges::find(backends, nullptr) != backends.end()) {
     throw ArgumentError("A backend of the fan-out is null; leave it out instead.");
   }
+  backends_ = std::move(backends);
 }
 
 void FanOut::on(const Event& event) {
+  if (muted_) return;
   for (Backend* each : backends_) each->on(event);
 }
 

@@ -7,6 +7,7 @@
 #include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "replay/journal.hpp"
 
 namespace armlet {
 
@@ -86,7 +87,7 @@ void Session::replay_to(std::size_t count, bool from_start) {
     done_ = 0;
   } else if (host_ != nullptr) {
     host_->cell().set_backend(nullptr);
-    host_->set_replaying(true);
+    journal_->set_silent(true);
   }
   std::optional<Problem> parted;
   while (done_ < count && !parted) {
@@ -108,7 +109,7 @@ void Session::replay_to(std::size_t count, bool from_start) {
     replay_to(done_, true);
     problems_ = {*std::move(parted)};
   } else if (host_ != nullptr) {
-    host_->set_replaying(false);
+    journal_->set_silent(false);
     listen();
   }
 }

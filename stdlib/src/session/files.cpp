@@ -8,6 +8,7 @@
 
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "replay/journal.hpp"
 
 namespace armlet {
 namespace {
@@ -24,8 +25,8 @@ Error refusal(const Error& error, std::string_view does) {
 
 }  // namespace
 
-Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
-                                 std::string_view content) const {
+Result<fs::path> Host::write(const FileKind& kind, const std::string& name,
+                             std::string_view content) const {
   if (options_.folder.empty()) return refuse("this host lets programs write no files");
   const auto ends_so = [&](std::string_view ending) { return name.ends_with(ending); };
   if (!name.empty() && std::ranges::none_of(kind.endings, ends_so)) {
@@ -35,12 +36,11 @@ Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
   if (!folder.ok()) return refuse("the folder of the program cannot be opened");
   const Result<std::string> clean = folder->clean(name);
   if (!clean.ok()) return refusal(clean.error(), "write");
-  if (is_replaying_) return options_.folder / *clean;
   if (const auto error = folder->save(*clean, content)) return refusal(*error, "write");
   return options_.folder / *clean;
 }
 
-Result<std::string> Host::load_file(const std::string& name) const {
+Result<std::string> Host::read(const std::string& name) const {
   constexpr std::size_t kMaxBytes = 16 << 20;
   if (options_.folder.empty()) return refuse("this host lets programs read no files");
   const Result<Folder> folder = Folder::open(options_.folder.string());
@@ -50,11 +50,56 @@ Result<std::string> Host::load_file(const std::string& name) const {
   return text;
 }
 
-bool Host::has_mesh(const std::string& file, const std::string& mesh) const {
+bool Host::finds_mesh(const std::string& file, const std::string& mesh) const {
   if (options_.folder.empty()) return false;
   const fs::path folder = (options_.folder / file).parent_path();
   const fs::path from = file.empty() ? options_.folder : folder;
   return !find_mesh(from.string(), options_.folder.string(), mesh).empty();
+}
+
+// ---- through the journal
+
+namespace {
+
+template <class T>
+Reply reply_of(const Result<T>& result) {
+  Reply reply;
+  if (result.ok()) {
+    if constexpr (std::is_same_v<T, fs::path>) {
+      reply.text = result->string();
+    } else {
+      reply.text = *result;
+    }
+  } else {
+    reply.error = result.error();
+  }
+  return reply;
+}
+
+}  // namespace
+
+Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
+                                 std::string_view content) const {
+  if (options_.journal == nullptr) return write(kind, name, content);
+  const Reply reply =
+      options_.journal->save(name, content, [&] { return reply_of(write(kind, name, content)); });
+  if (reply.error) return *reply.error;
+  return fs::path(reply.text);
+}
+
+Result<std::string> Host::load_file(const std::string& name) const {
+  if (options_.journal == nullptr) return read(name);
+  Reply reply = options_.journal->load(name, [&] { return reply_of(read(name)); });
+  if (reply.error) return *reply.error;
+  return std::move(reply.text);
+}
+
+bool Host::has_mesh(const std::string& file, const std::string& mesh) const {
+  if (options_.journal == nullptr) return finds_mesh(file, mesh);
+  const auto outside = [&] {
+    return Reply{.question = {}, .text = finds_mesh(file, mesh) ? "yes" : "no"};
+  };
+  return options_.journal->ask(fmt::format("mesh {} of {}", mesh, file), outside).text == "yes";
 }
 
 }  // namespace armlet

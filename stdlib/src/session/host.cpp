@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "replay/journal.hpp"
+
 namespace armlet {
 namespace {
 
@@ -85,7 +87,8 @@ const LastVelocity* Host::last_velocity(int robot) const {
 
 void Host::report_move(const MoveReport& report) {
   ++moves_;
-  if (options_.on_move) options_.on_move(report);
+  const bool is_silent = options_.journal != nullptr && options_.journal->is_silent();
+  if (options_.on_move && !is_silent) options_.on_move(report);
 }
 
 Figure& Host::begin_figure(Figure figure) {
@@ -106,13 +109,33 @@ bool Host::first_fall() { return !std::exchange(fall_reported_, true); }
 std::int64_t Host::now_ns() const { return cell_.now_ns(); }
 std::int64_t Host::tick_ns() const { return cell_.options().tick_ns; }
 
-bool Host::advance_to(std::int64_t t_ns) {
-  while (options_.pace) {
+// Asks the host while time passes to the last piece of the way. False: it wants the program to
+// stop.
+bool Host::pace_to(std::int64_t t_ns) {
+  Journal* journal = options_.journal;
+  if (!options_.pace || (journal != nullptr && journal->is_silent())) return true;
+  while (cell_.now_ns() < t_ns) {
     const std::int64_t next = std::min(t_ns, cell_.now_ns() + kPaceStep);
-    if (!options_.pace(next)) return false;
+    if (!options_.pace(next)) {
+      if (journal != nullptr) journal->stop_time(cell_.now_ns());
+      return false;
+    }
     if (next == t_ns) break;
     cell_.advance_to(next);
   }
+  return true;
+}
+
+bool Host::advance_to(std::int64_t t_ns) {
+  Journal* journal = options_.journal;
+  if (journal != nullptr) {
+    if (const auto stop = journal->next_stop(cell_.now_ns(), t_ns)) {
+      cell_.advance_to(*stop);
+      journal->pass_stop();
+      return false;
+    }
+  }
+  if (!pace_to(t_ns)) return false;
   if (cell_.next_event()) t_ns = std::min(t_ns, cell_.now_ns() + kLongestPart);
   cell_.advance_to(t_ns);
   return true;

@@ -7,7 +7,9 @@
 #include "armlet/core/error.hpp"
 #include "armlet/core/platform.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
+#include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/world_names.hpp"
+#include "replay/journal.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "session/editor_texts.hpp"
@@ -107,15 +109,11 @@ Session::~Session() {
 
 std::unique_ptr<Host> Session::make_host(bool with_world) {
   HostOptions host_options;
+  if (with_world) host_options.journal = journal_.get();
   host_options.robot = options_.robot;
   host_options.planners = options_.planners;
-  if (options_.on_move) {
-    host_options.on_move = [this](const MoveReport& move) {
-      if (!is_silent_) options_.on_move(move);
-    };
-  }
-  if (options_.pace)
-    host_options.pace = [this](std::int64_t t_ns) { return is_silent_ || options_.pace(t_ns); };
+  host_options.on_move = options_.on_move;
+  host_options.pace = options_.pace;
   host_options.folder = options_.folder;
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
@@ -184,6 +182,7 @@ CompileOptions Session::compile_options(Host& host, CompileOptions how) const {
   out.world = world_names_;
   out.load = options_.load;
   out.open = options_.open;
+  out.markers = options_.markers;
   out.cancelled = &cancelled_;
   return out;
 }
@@ -205,8 +204,12 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
 }
 
 bool Session::compile(std::string text, std::string name) {
-  if (is_running_.load())
-    throw ArgumentError("A session cannot compile while its program runs; use another one.");
+  require_idle("compile");
+  repeated_.reset();
+  return compile_program(std::move(text), std::move(name));
+}
+
+bool Session::compile_program(std::string text, std::string name) {
   forget_run();
   log_.clear();
   done_ = 0;
@@ -218,6 +221,7 @@ void Session::forget_run() {
   can_run_ = false;
   give_up();
   vm_.reset();
+  journal_.reset();
 }
 
 bool Session::compile_as(std::string text, std::string name, const CompileOptions& how) {
@@ -226,7 +230,9 @@ bool Session::compile_as(std::string text, std::string name, const CompileOption
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options(*host, how));
+  CompileOptions options = compile_options(*host, how);
+  options.load = load_imports();
+  compilation_ = engine_.compile(std::move(text), std::move(name), options);
   const bool has_program = compilation_.program != nullptr;
   const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
   if (uses_world && !compilation_.cancelled) problems_ = world_problems_;
@@ -251,12 +257,15 @@ void Session::begin_run() {
 // A new cell, and a machine for the program in it.
 void Session::begin_cell(const std::shared_ptr<const Program>& program) {
   vm_.reset();
+  begin_journal();
   host_ = make_host(true);
-  host_->set_replaying(is_silent_);
   names_objects_ = decides_picking_ = false;
   take_world(*program);
-  fan_out_ = std::make_unique<FanOut>(options_.backends);
-  if (!is_silent_) listen();
+  fan_out_ = std::make_unique<FanOut>(confidant_ == nullptr ? options_.backends
+                                                            : std::vector<Backend*>{confidant_});
+  fan_out_->set_muted(is_silent_ && confidant_ == nullptr);
+  // Of entries that run once more the next one begins to tell; a run counts on what it tells.
+  if (!is_silent_ || !is_entry_) listen();
 
   VmOptions vm_options;
   vm_options.limits = options_.limits;
@@ -264,18 +273,21 @@ void Session::begin_cell(const std::shared_ptr<const Program>& program) {
   vm_options.host = host_.get();
   vm_options.output = [this, &cell = host_->cell()](std::string_view text) {
     cell.note(NoteKind::kOutput, text);
-    return options_.output && !is_silent_ ? options_.output(text) : std::string();
+    return journal_->print(text,
+                           [&] { return options_.output ? options_.output(text) : std::string(); });
   };
-  if (options_.advice) {
-    vm_options.advice = [this](const Diagnostic& advice) {
-      if (!is_silent_) options_.advice(advice);
-    };
-  }
+  vm_options.advice = [this](const Diagnostic& advice) {
+    if (options_.advice && !is_silent_) options_.advice(advice);
+  };
   vm_ = std::make_unique<Vm>(program, std::move(vm_options));
+  cancel_at(*vm_, journal_->entry().cancelled);
+  if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*vm_, breakpoints_);
 }
 
 void Session::listen() {
-  if (!options_.backends.empty()) host_->cell().set_backend(fan_out_.get());
+  fan_out_->set_muted(is_silent_ && confidant_ == nullptr);
+  if (!options_.backends.empty() || confidant_ != nullptr)
+    host_->cell().set_backend(fan_out_.get());
 }
 
 // The program that is about to run may name objects, and pick them by contact.
@@ -308,7 +320,21 @@ void Session::give_up() {
   if (is_under_way_ || (is_entry_ && host_ != nullptr)) end_run();
 }
 
-Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go) {
+// The program, and when it is done the robots that still move.
+Progress Session::run_slice(const Budget& budget) {
+  if (vm_->result().status == Progress::kPaused) vm_->run(budget);
+  return finish_slice(budget);
+}
+
+Progress Session::finish_slice(const Budget& budget) {
+  result_ = vm_->result();
+  if (result_.status == Progress::kDone && !come_to_rest(budget))
+    result_.status = Progress::kPaused;
+  note_progress();
+  return result_.status;
+}
+
+Progress Session::go_on(const std::function<void()>& go) {
   if (!can_run_) {
     throw ArgumentError(
         "There is no program to run: compile() was not called, or has found mistakes.");
@@ -318,13 +344,15 @@ Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go
     if (!is_under_way_) is_entry_ ? begin_entry() : begin_run();
     {
       const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
-      if (vm_->result().status == Progress::kPaused) go(*vm_);
-      result_ = vm_->result();
-      if (result_.status == Progress::kPaused) return Progress::kPaused;
-      if (result_.status == Progress::kDone && !come_to_rest(budget))
-        return result_.status = Progress::kPaused;
+      go();
     }
-    is_entry_ ? end_entry() : end_run();
+    if (result_.status == Progress::kPaused) return Progress::kPaused;
+    if (is_entry_) {
+      end_entry();
+    } else {
+      end_run();
+      apply_due_inputs();
+    }
   } catch (...) {
     is_under_way_ = false;
     if (host_ != nullptr) host_->cell().set_backend(nullptr);
@@ -337,7 +365,11 @@ Progress Session::go_on(const Budget& budget, const std::function<void(Vm&)>& go
 Progress Session::run(const Budget& budget) {
   if (budget.steps == 0)
     throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
-  return go_on(budget, [&budget](Vm& vm) { vm.run(budget); });
+  if (budget.statements == 0)
+    throw ArgumentError("A budget of 0 statements lets nothing happen; give at least 1.");
+  if (budget.statements != Budget::kNoLimit && !options_.markers)
+    throw ArgumentError("A run by statements needs a program that was compiled with markers.");
+  return go_on([&] { run_along(budget); });
 }
 
 RunResult Session::run() {
@@ -348,7 +380,10 @@ RunResult Session::run() {
 RunResult Session::run_test(std::size_t index) {
   if (is_entry_) throw ArgumentError("Tests are run of a whole program: compile() it.");
   if (!is_running_.load()) give_up();
-  go_on({}, [index](Vm& vm) { static_cast<void>(vm.run_test(index)); });
+  go_on([&] {
+    static_cast<void>(vm_->run_test(index));
+    finish_slice({});
+  });
   return result_;
 }
 

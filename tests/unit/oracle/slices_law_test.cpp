@@ -2,10 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,10 +9,11 @@
 #include "armlet/core/random.hpp"
 #include "library.hpp"
 #include "random/program.hpp"
+#include "runs.hpp"
 
 using namespace armlet;
 using namespace armlet::oracle;
-namespace fs = std::filesystem;
+using namespace armlet::runs;
 
 namespace {
 
@@ -29,24 +26,6 @@ struct Shown {
   std::int64_t end_ns = 0;
   bool operator==(const Shown&) const = default;
 };
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-ModuleLoader files_beside(const fs::path& folder) {
-  return [folder](const std::string& path, const std::string& from) {
-    const fs::path file = (folder / fs::path(from).parent_path() / path).lexically_normal();
-    ImportedText out;
-    if (!fs::exists(file)) return out;
-    out.name = fs::relative(file, folder).string();
-    out.text = text_of(file);
-    return out;
-  };
-}
 
 // A program with a session of its own.
 class Subject {
@@ -108,16 +87,8 @@ void check_slices(Subject& subject, std::uint64_t seed, std::uint64_t most_slice
   CHECK(subject.run(at_random) == whole);
 }
 
-void check_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const bool is_module = entry.path().string().find("/modules/") != std::string::npos;
-    // It drives for three years, of which every 10 ms would be told.
-    const bool is_endless = entry.path().filename() == "end_of_time.rbt";
-    if (entry.path().extension() == ".rbt" && !is_module && !is_endless)
-      files.push_back(entry.path());
-  }
-  std::ranges::sort(files);
+void check_files(const char* folder) {
+  const std::vector<fs::path> files = programs_below(folder);
   CHECK(files.size() > 20);
   int ran = 0;
   for (const fs::path& file : files) {
@@ -130,19 +101,12 @@ void check_files(const fs::path& folder) {
   CHECK(ran > 20);
 }
 
-std::uint64_t number_from(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
 }  // namespace
 
-TEST_CASE("examples tell the same events in slices of any size") {
-  check_files(fs::path(ARMLET_ROOT) / "examples");
-}
+TEST_CASE("examples tell the same events in slices of any size") { check_files("examples"); }
 
 TEST_CASE("scripts with tasks tell the same events in slices of any size") {
-  check_files(fs::path(ARMLET_ROOT) / "tests/scripts/tasks");
+  check_files("tests/scripts/tasks");
 }
 
 TEST_CASE("2,000 random programs do the same in slices of any size") {

@@ -92,8 +92,7 @@ class Engine {
   Engine& operator=(Engine&&) noexcept;
 
   // The tables must outlive the engine. Signatures are read when first used; `check_signatures`
-  // reads all.
-  // `chapter` is where the reference lists them (reference.hpp).
+  // reads all. `chapter` is where the reference lists them (reference.hpp).
   Engine& add_functions(std::span<const NativeFunction> functions,
                         std::string_view chapter = "Functions of the host");
   // A function that `def` made (define.hpp); the engine and its programs keep it. The types in its

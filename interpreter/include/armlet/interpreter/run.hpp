@@ -28,11 +28,28 @@ struct RunLimits {
 //           brought to it too.
 // steps     of the program, as RunLimits counts them. Work that cannot be interrupted, such as a
 //           function of the host or a condition, is finished, so a run may take some more.
+// statements  that may begin, of all tasks together; for programs with markers
+//             (CompileOptions::markers).
 struct Budget {
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
   std::optional<std::int64_t> until_ns{};
   std::uint64_t steps = kNoLimit;
+  std::uint64_t statements = kNoLimit;
+};
+
+// A point of a run. Compiled as it may be, a program comes to it in the same state.
+//
+// steps  that the program has taken; at one virtual time they tell points apart.
+struct Instant {
+  std::int64_t t_ns = 0;
+  std::uint64_t steps = 0;
+
+  bool operator==(const Instant&) const = default;
+  // Whether a run that has come to here has passed or stands at the other.
+  [[nodiscard]] bool has_reached(const Instant& other) const {
+    return t_ns >= other.t_ns && steps >= other.steps;
+  }
 };
 
 // kPaused  the budget is used; the run can go on.

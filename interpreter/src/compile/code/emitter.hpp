@@ -113,6 +113,10 @@ class Emitter {
   void expanded(Range range, std::uint32_t function, Span call) {
     expanded_.push_back({range.begin, range.end, function, call});
   }
+  // A variable that debuggers see.
+  void seen(const hir::Variable& variable, Reg reg, Span scope) {
+    seen_.push_back({&variable, reg, scope});
+  }
   std::uint32_t type(const Type* type);
   void shown(std::uint32_t assert_index, std::vector<Reg> registers);
 
@@ -135,6 +139,11 @@ class Emitter {
     std::uint32_t begin;
     std::uint32_t end;
     Reg held;
+  };
+  struct WideSeen {
+    const hir::Variable* variable;
+    Reg reg;
+    Span scope;
   };
   struct WideLoop {
     Range range;
@@ -165,6 +174,7 @@ class Emitter {
   std::vector<WideFinally> finals_;
   std::vector<WideLoop> loops_;
   std::vector<ExpandedCall> expanded_;
+  std::vector<WideSeen> seen_;
   std::vector<const Type*> types_;
   std::unordered_map<const Type*, std::uint32_t> type_index_;
   std::vector<Slot> constants_;

@@ -69,6 +69,14 @@ struct CodeSpan {
   const hir::Expr* expr = nullptr;  // the element, call ... being computed, for labels and marks
 };
 
+// A variable and its register, for statements of the function that begin inside of `scope`. That of a
+// variable that closures share holds its box.
+struct ScopedVariable {
+  const hir::Variable* variable;
+  std::uint16_t reg;
+  Span scope;
+};
+
 struct FunctionCode {
   std::string name;
   Span span;
@@ -84,12 +92,14 @@ struct FunctionCode {
   std::vector<LoopInfo> loops;
   std::vector<ExpandedCall> expanded;  // inner ones first
   std::vector<CodeSpan> spans;         // sorted by pc
+  std::vector<ScopedVariable> scopes;  // with markers: outer ones first
   std::vector<const Type*> types;      // for EQDEEP, NEWARRAY, CHECKSET
   // Captures of a closure: which are references (for release).
   std::vector<std::uint16_t> capture_references;
   std::uint16_t captures = 0;
   const hir::Function* function = nullptr;
   bool may_give_unset = false;  // its result may hold elements that are not set
+  bool has_markers = false;     // a MARK before each statement
 };
 
 struct Format {

@@ -38,6 +38,7 @@ void start(Lowering& in, FunctionCode& into) {
   into.name = function.name;
   into.span = function.span;
   into.function = &function;
+  into.has_markers = in.options.markers;
   into.may_give_unset = function.result != nullptr && may_hold_unset(in, *function.result);
   in.code.set_parameters(static_cast<std::uint32_t>(function.parameters.size()));
   for (std::uint32_t i = 0; i < function.parameters.size(); ++i) {
@@ -66,6 +67,12 @@ void finish(Lowering& in, FunctionCode& into) {
     in.code.emit(in.is_program() ? OpCode::HALT : OpCode::RETVOID);
   }
   if (in.options.optimise) in.code.improve();
+  if (in.options.markers) {
+    in.homes.close(0, function.span.begin, function.span.end);
+    for (const Homes::Given& each : in.homes.given()) {
+      if (!each.variable->name.empty()) in.code.seen(*each.variable, each.reg, each.scope);
+    }
+  }
   in.code.finish(into, in.tables.program());
 }
 

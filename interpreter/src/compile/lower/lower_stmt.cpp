@@ -26,10 +26,40 @@ static void wait(Lowering& in, const WaitStmt& s);
 static void wait_until(Lowering& in, const WaitUntilStmt& s);
 static void check(Lowering& in, const AssertStmt& s);
 
+static void lower_statement(Lowering& in, const Stmt& s);
+
+// What the checker has written out has no words of its own.
+static bool is_written(const Stmt& s) {
+  if (s.kind == StmtKind::kBlock || s.span.empty()) return false;
+  return s.kind != StmtKind::kInit || !s.as<InitStmt>().variable->name.empty();
+}
+
+// Where the variables that a statement declares can be seen; those that it declares inside of its
+// blocks have been told already.
+static std::uint32_t scope_begin(const Stmt& s) {
+  if (s.kind == StmtKind::kRange) return s.as<RangeStmt>().body->span.begin;
+  if (s.kind == StmtKind::kForList) return s.as<ForListStmt>().body->span.begin;
+  return s.span.begin;
+}
+
 void statement(Lowering& in, const Stmt& s) {
   if (!in.code.reachable()) return;
   stop_if(in.options.cancelled);
   in.code.at(s.span);
+  if (!in.options.markers) return lower_statement(in, s);
+  const bool repeats =
+      !in.marked.empty() && in.marked.begin == s.span.begin && in.marked.source == s.span.source;
+  if (is_written(s) && !repeats) {
+    in.code.emit(OpCode::MARK);
+    in.marked = s.span;
+  }
+  const std::size_t count = in.homes.count();
+  lower_statement(in, s);
+  // A declaration is seen from its end to that of the block around it.
+  if (s.kind != StmtKind::kInit) in.homes.close(count, scope_begin(s), s.span.end);
+}
+
+static void lower_statement(Lowering& in, const Stmt& s) {
   switch (s.kind) {
     case StmtKind::kBlock:
       return block(in, s.as<Block>());
@@ -78,6 +108,7 @@ void statement(Lowering& in, const Stmt& s) {
 
 void block(Lowering& in, const Block& b) {
   const Emitter::Mark mark = in.code.mark();
+  const std::size_t count = in.homes.count();
   // What an entry watches at its top level is watched while later entries run, too.
   const bool lives_on =
       in.tables.program().entry.is_one && in.is_program() && &b == in.function.body;
@@ -86,6 +117,7 @@ void block(Lowering& in, const Block& b) {
   } else {
     for (const Stmt* s : b.body) statement(in, *s);
   }
+  in.homes.close(count, b.span.begin, b.span.end);
   in.code.at({b.span.end, b.span.end, b.span.source});
   in.code.release(mark);
 }
@@ -115,7 +147,12 @@ static void declare(Lowering& in, const Variable& variable) {
 static void init(Lowering& in, const InitStmt& s) {
   const Variable& variable = *s.variable;
   declare(in, variable);
-  if (s.value == nullptr) return;
+  if (s.value == nullptr) {
+    // What a debugger shows of it is no accident.
+    const bool is_number = variable.storage == Storage::kLocal && !variable.type->is_reference();
+    if (in.options.markers && is_number) in.code.emit(OpCode::ZERO, in.homes.of(variable));
+    return;
+  }
   const Emitter::Mark mark = in.code.mark();
   in.uses.set_whole(s.value);
   if (variable.storage != Storage::kLocal) {

@@ -415,6 +415,22 @@ bool may_pause(VmState& state) {
   return state.host_calls == 0 && state.steps.slice_is_over();
 }
 
+// The frame has been saved behind the MARK, which is executed again when the run goes on.
+bool stops_at_mark(VmState& state) {
+  Marks& marks = state.marks;
+  const bool may_stop = state.host_calls == 0;
+  const bool was_at_breakpoint = std::exchange(marks.is_at_breakpoint, false);
+  if (may_stop && !was_at_breakpoint && !marks.breakpoints.empty()) {
+    const CodeSpan* at = code_span(state);
+    const SourceLine here{at->span.source, line_of(state, at->span)};
+    marks.is_at_breakpoint = std::ranges::binary_search(marks.breakpoints, here);
+  }
+  const bool stops = marks.is_at_breakpoint || (may_stop && marks.begun >= marks.pause_at);
+  marks.paused = stops ? state.running : nullptr;
+  if (!stops) ++marks.begun;
+  return stops;
+}
+
 bool count_slowly(VmState& state) {
   state.steps.left = 0;  // it was counted below
   if (state.take_cancellation()) return raise_cancelled(state);

@@ -279,6 +279,13 @@ bool Scheduler::advance_to(std::int64_t t_ns) {
   return state_.vm.timeline().advance_to(t_ns);
 }
 
+// Where time was stopped in the run that this one repeats.
+std::int64_t Scheduler::next_cancellation() const {
+  const std::vector<Cancellation>& due = state_.cancellations.due;
+  const std::int64_t now = state_.vm.timeline().now_ns();
+  return due.empty() || due.back().at.t_ns <= now ? kNever : due.back().at.t_ns;
+}
+
 std::optional<std::int64_t> Scheduler::choose_instant() {
   const std::int64_t next = next_instant();
   if (next == kNever) {
@@ -312,7 +319,7 @@ Exit Scheduler::pass_time() {
   const Timeline& timeline = state_.vm.timeline();
   if (state_.steps.slice_is_over() || timeline.now_ns() >= until_ns_) return Exit::kSliced;
   try {
-    if (advance_to(std::min(*target_ns_, until_ns_))) {
+    if (advance_to(std::min({*target_ns_, until_ns_, next_cancellation()}))) {
       if (timeline.now_ns() >= *target_ns_) leave_for(Stage::kInstant);
       return Exit::kPaused;
     }
@@ -323,6 +330,7 @@ Exit Scheduler::pass_time() {
     tree_.interrupt(state_.main, std::move(state_.fault));
     return Exit::kPaused;
   }
+  ++state_.cancellations.refusals;
   leave_for(Stage::kInstant);
   return state_.is_leaving ? abandon() : stop();
 }

@@ -64,6 +64,7 @@ class Scheduler {
 
   // The next instant at which something can happen; kNever if there is none.
   [[nodiscard]] std::int64_t next_instant() const;
+  [[nodiscard]] std::int64_t next_cancellation() const;
   // Nothing: the instant goes on, because something has failed.
   std::optional<std::int64_t> choose_instant();
   Exit pass_time();

@@ -15,6 +15,12 @@ class FanOut : public Backend {
 
   void on(const Event& event) override;
 
+  // Others take the place of those that were told so far.
+  void set_backends(std::vector<Backend*> backends);
+
+  // While it is muted, nothing is passed on.
+  void set_muted(bool muted) { muted_ = muted; }
+
   // What all of them ignore.
   [[nodiscard]] EventKinds ignores() const override;
 
@@ -26,6 +32,7 @@ class FanOut : public Backend {
 
  private:
   std::vector<Backend*> backends_;
+  bool muted_ = false;
 };
 
 }  // namespace armlet

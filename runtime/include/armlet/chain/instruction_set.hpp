@@ -6,9 +6,13 @@ namespace armlet {
 // for each, and one is chosen at run time.
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
-// Whether this machine has it, and the largest that it has.
+// Whether this machine has it, and the largest that it has and may use.
 bool is_supported(InstructionSet set);
 InstructionSet best_instruction_set();
+
+// From now on nothing of the process uses more than this, all robots included. Results are the same
+// bits on every set, so this is for those who compare or time them.
+void use_at_most(InstructionSet set);
 
 // throws  ArgumentError if this machine lacks it.
 void check_supported(InstructionSet set);

@@ -59,7 +59,7 @@ std::unique_ptr<LaneForm> LaneForm::make(ClosedFormKind kind, const CanonicalRow
 }
 
 LaneForm::LaneForm(LaneFamily family, const CanonicalRows& rows, const Chain& chain)
-    : rows_(rows), plan_(plan_walk(chain)), kernel_(closed_kernel_for(best_instruction_set())) {
+    : rows_(rows), plan_(plan_walk(chain)) {
   arm_.family = family;
   arm_.walk = batch_arm(plan_);
   arm_.reversed = rows.reversed;

@@ -10,6 +10,8 @@
 
 namespace armlet {
 
+ClosedKernel* closed_kernel_for(InstructionSet set);
+
 // An arm of six revolute joints prepared for the kernels of the closed forms.
 class LaneForm {
  public:
@@ -19,7 +21,7 @@ class LaneForm {
 
   // All solutions to reach a pose. False where it needs the functions with branches (ClosedKernel).
   bool solve(const Eigen::Isometry3d& T_world_tool, ClosedLanes& out) const {
-    return solve(T_world_tool, out, *kernel_);
+    return solve(T_world_tool, out, *closed_kernel_for(best_instruction_set()));
   }
   // The same on a given instruction set, with the same bits.
   bool solve(const Eigen::Isometry3d& T_world_tool, ClosedLanes& out, ClosedKernel& kernel) const;
@@ -31,9 +33,6 @@ class LaneForm {
   CanonicalRows rows_;
   WalkPlan plan_;
   ClosedArm arm_{};
-  ClosedKernel* kernel_;
 };
-
-ClosedKernel* closed_kernel_for(InstructionSet set);
 
 }  // namespace armlet

@@ -23,6 +23,8 @@
 
 namespace armlet {
 
+class Journal;
+
 // One finished motion, for whoever shows progress.
 struct MoveReport {
   std::string robot;
@@ -82,6 +84,8 @@ struct HostOptions {
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
+  // Of the session that runs the program; null: what comes from outside is not kept.
+  Journal* journal = nullptr;
 };
 
 // What a function of the language writes: "a table" in a file that ends in one of these.
@@ -136,12 +140,10 @@ class Host : public Timeline {
   // Writes a file of the program: `name` is relative to the folder that was granted and stays below
   // it, has an ending of its kind and leads through no link. A file that cannot be written to its
   // end leaves the one before as it was. Fails with the reason.
-  // What was saved while the host replays a run has been saved before, and is not written again.
+  // What is saved in a run that nobody hears of is not written (replay/journal.hpp).
   [[nodiscard]] Result<std::filesystem::path> save_file(const FileKind& kind,
                                                         const std::string& name,
                                                         std::string_view content) const;
-
-  void set_replaying(bool is_replaying) { is_replaying_ = is_replaying; }
 
   // The text of a file of the program, under the same rule. Fails with the reason.
   [[nodiscard]] Result<std::string> load_file(const std::string& name) const;
@@ -174,6 +176,11 @@ class Host : public Timeline {
 
  private:
   [[noreturn]] static void refuse_no_host();
+  [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
+                                                    std::string_view content) const;
+  [[nodiscard]] Result<std::string> read(const std::string& name) const;
+  [[nodiscard]] bool finds_mesh(const std::string& file, const std::string& mesh) const;
+  bool pace_to(std::int64_t t_ns);
 
   HostOptions options_;
   Cell cell_;
@@ -187,7 +194,6 @@ class Host : public Timeline {
   bool filling_ = false;
   bool contact_pick_reported_ = false;
   bool fall_reported_ = false;
-  bool is_replaying_ = false;
   int moves_ = 0;
 };
 

@@ -13,17 +13,14 @@
 
 #include "armlet/backend/backend.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "armlet/stdlib/session_log.hpp"
 
 namespace armlet {
 
 class FanOut;
-
-// A program that declares objects, such as worlds/table.rbt.
-struct WorldText {
-  std::string name;
-  std::string text;
-};
+class Journal;
 
 struct SessionOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
@@ -33,14 +30,30 @@ struct SessionOptions {
       default_world;             // used when a program names an object and no world is given
   std::filesystem::path folder;  // below which the program may write files; empty: none
   ParseLimits parse_limits;
-  bool open = false;  // see CompileOptions
-  ModuleLoader load;  // files that the program imports; none without it
+  bool open = false;     // see CompileOptions
+  bool markers = false;  // see CompileOptions
+  ModuleLoader load;     // files that the program imports; none without it
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
   Output output;
   std::function<void(const Diagnostic&)> advice;
   std::function<void(const MoveReport&)> on_move;
+};
+
+// What became of another text for a run (Session::change).
+//
+// kRefused  it does not compile, and problems() says why; or it was cancelled. All is as it was.
+// kSame     nothing that the run told until the time is other than it was.
+// kParts    it is, from `parts_ns` on, where the new program had come to `line` of its file; the
+// run
+//           is at the time asked for nevertheless, or has ended before.
+struct TextChange {
+  enum class Outcome : std::uint8_t { kRefused, kSame, kParts };
+  Outcome outcome = Outcome::kRefused;
+  std::int64_t same_ns = 0;   // kParts: the time of the last event that is the same
+  std::int64_t parts_ns = 0;  // kParts: the time of the first that is not
+  int line = 0;               // kParts; 0: the program has not begun
 };
 
 // A message together with the texts that it points into.
@@ -119,6 +132,58 @@ class Session {
   std::size_t redo(std::size_t count = 1);
   // The names of the objects of the world that programs find.
   [[nodiscard]] std::vector<std::string> world_objects();
+  // ---- what the host does to a run (replay.cpp). It is kept in the log, which is not so for what
+  // is done to vm() and its functions directly. All of it waits for the run to pause or end: it
+  // throws ArgumentError while the session runs, and for what does not exist or has another type.
+
+  // A signal, also before the first run: then it is there from the start.
+  void set_signal(std::string_view name, SignalValue value);
+  void set(std::string_view name, const Value& value);
+  // Calls a function of the program. An error if it failed (vm()->error_text()).
+  Result<Value> call(std::string_view name, const std::vector<Value>& arguments);
+
+  // ---- a run once more
+  // The text, the options and what came from outside so far.
+  //
+  // throws  ArgumentError before the first compile(), and while the session runs.
+  [[nodiscard]] SessionLog log() const;
+  // Compiles the text of a log, as compile() does; the next run then goes as the one that is logged
+  // went: files are not read but taken from the log, nor are any written. Where the log ends the
+  // outside is asked again.
+  //
+  // throws  ArgumentError if the robot, the world, the planners or the limits of the session are
+  // not
+  //         those of the log, and while the session runs; all stays as it was.
+  bool replay(const SessionLog& log);
+  // Goes to a virtual time of the run, after all that happened then: the run is taken again from
+  // its start, unheard. What follows is then as it was before, event by event with the numbers that
+  // they had, until the host does something else or cancels: then the run is another one, and what
+  // it was is the last of runs(). A cancel() that comes meanwhile gives up the going.
+  //
+  // returns  whether it is there. Otherwise, and after an exception, all stays as it was.
+  // throws   ArgumentError for a time that the run has not come to, and while the session runs.
+  bool go_to(std::int64_t t_ns);
+  // The same with another text in the place of the program: it runs from the start, with what the
+  // host did before that time but for its wishes to stop, and its events are compared with those of
+  // the run. The run that was left is the last of runs() (edit.cpp).
+  //
+  // throws  ArgumentError as go_to.
+  TextChange change(std::string text, std::int64_t t_ns);
+  // ---- by statements, in programs with markers (step.cpp); Budget::statements does the same
+  // Until another move has ended, or a breakpoint or the end has come.
+  Progress run_move();
+  // To where the statement that began last had not begun, as go_to goes.
+  //
+  // throws  ArgumentError before the first statement, and as go_to.
+  bool step_back();
+  // Where runs of this session pause from now on (interpreter/host/stepping.hpp).
+  //
+  // returns  the lines that were taken.
+  // throws   ArgumentError without a program with markers, and while the session runs.
+  std::vector<SourceLine> set_breakpoints(std::vector<SourceLine> lines);
+
+  // The runs that were left for another one by going back, oldest first.
+  [[nodiscard]] const std::vector<SessionLog>& runs() const { return runs_; }
 
   // How far the run has come; kPaused before the first.
   [[nodiscard]] const RunResult& result() const { return result_; }
@@ -135,7 +200,30 @@ class Session {
   void cancel() noexcept;
 
  private:
+  // ---- replay.cpp
+  struct Former;
+  void require_idle(std::string_view what) const;
+  void require_run(std::string_view what) const;
+  [[nodiscard]] Instant instant() const;
+  [[nodiscard]] ModuleLoader load_imports();
+  void begin_journal();
+  // Runs to each input of the run that this one repeats, and beyond, until the budget is used.
+  void run_along(const Budget& budget);
+  void run_to(const Instant& at, const std::function<Budget()>& left);
+  void run_again_to(std::int64_t t_ns, const Instant& end);
+  static void require_time(std::int64_t t_ns, const Instant& end);
+  bool take_again(LoggedEntry run, const std::function<void()>& go);
+  [[nodiscard]] Former put_aside();
+  void bring_back(Former former);
+  void apply(const Input& input);
+  void apply_due_inputs();
+  void keep(Input input);
+  void note_progress();
+  [[nodiscard]] LoggedEntry known_run() const;
+  [[nodiscard]] SessionLog log_of(LoggedEntry entry) const;
+
   [[nodiscard]] std::unique_ptr<Host> make_host(bool with_world);
+  bool compile_program(std::string text, std::string name);
   bool fill_world(Host& host, const WorldText& world, std::vector<Problem>& problems);
   void describe_world();
   bool compile_as(std::string text, std::string name, const CompileOptions& how);
@@ -144,7 +232,9 @@ class Session {
   void begin_cell(const std::shared_ptr<const Program>& program);
   void take_world(const Program& program);
   void listen();
-  Progress go_on(const Budget& budget, const std::function<void(Vm&)>& go);
+  Progress go_on(const std::function<void()>& go);
+  Progress run_slice(const Budget& budget);
+  Progress finish_slice(const Budget& budget);
   bool come_to_rest(const Budget& budget);
   void end_run();
   void give_up();
@@ -164,6 +254,12 @@ class Session {
   SessionOptions options_;
   Compilation compilation_;
   std::vector<Problem> problems_;
+  std::unique_ptr<Journal> journal_;     // of the run
+  std::optional<LoggedEntry> repeated_;  // what the next run repeats
+  std::vector<LoggedImport> imports_;    // of what was compiled last
+  std::vector<Input> early_inputs_;      // for the next run, from its start
+  std::vector<SessionLog> runs_;
+  std::vector<SourceLine> breakpoints_;
   std::unique_ptr<Host> host_;
   std::unique_ptr<FanOut> fan_out_;
   std::unique_ptr<Vm> vm_;
@@ -171,6 +267,7 @@ class Session {
   bool is_under_way_ = false;     // a run has begun and not ended
   bool is_entry_ = false;         // what was compiled last was submitted
   bool is_silent_ = false;        // what runs has been heard before
+  Backend* confidant_ = nullptr;  // who hears of it nevertheless
   Entry entry_{};                 // under way, or about to run
   std::vector<Entry> log_;        // entries that have run to their end
   std::size_t done_ = 0;          // of these; the others were undone

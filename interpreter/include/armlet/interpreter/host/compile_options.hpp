@@ -46,6 +46,7 @@ struct CompileOptions {
   // The host can read and set the program's variables by name. Where nobody asks for them, those
   // that only the top level uses lie in registers.
   bool open = true;
+  bool markers = false;  // for debuggers: run by statements (host/stepping.hpp), and more slowly
   // The text is an entry of a session: its names stay for entries behind it, and the value of an
   // expression at its end is kept as `ans`.
   bool is_entry = false;

@@ -71,8 +71,9 @@ class Value {
   Value(const std::vector<double>& numbers);
   Value(std::initializer_list<Value> items) : content_(List(items)) {}
   template <class T>
-  requires(!std::same_as<T, Value> && !std::integral<T> &&
-           std::constructible_from<Content, std::in_place_type_t<T>, T>) Value(T content)
+  requires(std::same_as<T, Number> || std::same_as<T, List> || std::same_as<T, Matrix> ||
+           std::same_as<T, Record> || std::same_as<T, Enum> || std::same_as<T, Map> ||
+           std::same_as<T, Host>) Value(T content)
       : content_(std::in_place_type<T>, std::move(content)) {}
 
   [[nodiscard]] const Content& content() const { return content_; }

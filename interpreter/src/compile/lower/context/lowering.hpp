@@ -31,6 +31,7 @@ struct Lowering {
   Loops loops;
   WaysOut ways;
   LastUses uses;
+  Span marked{};  // the statement whose MARK was made last
 };
 
 }  // namespace armlet::lang

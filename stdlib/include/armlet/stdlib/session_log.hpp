@@ -1,0 +1,104 @@
+#pragma once
+// What a session needs to run once more, anywhere: its texts, its options and all that came from
+// outside, with the places where it took effect. Everything else follows.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "armlet/backend/run_marks.hpp"
+#include "armlet/cell/signals.hpp"
+#include "armlet/core/error.hpp"
+#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/instants.hpp"
+#include "armlet/interpreter/host/value.hpp"
+
+namespace armlet {
+
+// A program that declares objects, such as worlds/table.rbt.
+struct WorldText {
+  std::string name;
+  std::string text;
+  bool operator==(const WorldText&) const = default;
+};
+
+// What the host did to a run.
+struct SetSignal {
+  std::string name;
+  SignalValue value;
+  bool operator==(const SetSignal&) const = default;
+};
+struct SetGlobal {
+  std::string name;
+  Value value;
+  bool operator==(const SetGlobal&) const = default;
+};
+struct CallFunction {
+  std::string name;
+  std::vector<Value> arguments;
+  bool operator==(const CallFunction&) const = default;
+};
+struct Input {
+  Instant at{};
+  std::variant<SetSignal, SetGlobal, CallFunction> what;
+  bool operator==(const Input&) const = default;
+};
+
+// What the outside replied when the run asked, in the order of asking: contents of files, whether a
+// file could be written, output that nobody took.
+//
+// question  "load points.csv"; what is saved is named by its hash.
+struct Reply {
+  std::string question;
+  std::string text;
+  std::optional<Error> error{};
+};
+
+// What `import "path"` in the file `from` gave.
+struct LoggedImport {
+  std::string path;
+  std::string from;
+  ImportedText given;
+};
+
+// A text and its run.
+//
+// cancelled   where the run noticed wishes to stop.
+// stopped_ns  where the host let time pass no further.
+// end         how far the run has come, or had when it was left.
+struct LoggedEntry {
+  std::string name;
+  std::string text;
+  std::vector<LoggedImport> imports{};
+  std::vector<Input> inputs{};
+  std::vector<Reply> replies{};
+  std::vector<Cancellation> cancelled{};
+  std::vector<std::int64_t> stopped_ns{};
+  Instant end{};
+};
+
+// robot  the name of the host's robot; empty: it has none. The same for its planners.
+struct SessionLog {
+  std::string robot;
+  std::vector<std::string> planners;
+  std::optional<WorldText> world;
+  std::optional<WorldText> default_world;
+  RunLimits limits;
+  bool open = false;
+  LoggedEntry entry;
+  std::vector<RunMark> marks;  // of RunMarks, if the host has put it among its backends
+};
+
+// The log as a file (docs/logs.md).
+//
+// returns  an error if it holds a value of a type of the host, which no file can hold.
+[[nodiscard]] Result<std::string> write_log(const SessionLog& log);
+// returns  an error that says what was expected where, for everything that write_log of this
+// version
+//          has not written.
+[[nodiscard]] Result<SessionLog> read_log(std::string_view bytes);
+
+}  // namespace armlet

@@ -1,0 +1,36 @@
+#pragma once
+// Values of programs as text in logs, one character for the kind and what follows it; docs/logs.md.
+
+#include <string>
+#include <string_view>
+
+#include "armlet/interpreter/host/value.hpp"
+
+namespace armlet::log {
+
+// throws  ArgumentError for a value of a type of the host, and for lists in lists, 100 deep.
+void append_value(std::string& out, const Value& value);
+
+// Reads from the front of a text, and takes away what it has read.
+class ValueReader {
+ public:
+  explicit ValueReader(std::string_view text) : text_(text) {}
+
+  // throws  ArgumentError for what is no value.
+  Value read(int depth = 0);
+  [[nodiscard]] bool is_at_end() const { return text_.empty(); }
+
+ private:
+  char take();
+  std::int64_t integer();
+  std::size_t count();
+  double real();
+  std::string text();
+  Value matrix();
+  Value record(int depth);
+  std::string_view bytes(std::size_t size);
+
+  std::string_view text_;
+};
+
+}  // namespace armlet::log

@@ -1,0 +1,32 @@
+// The hash of each event of a run by its number. Events that are told again, after going back, take
+// the place of the first ones.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "armlet/backend/run_hash.hpp"
+
+namespace armlet {
+
+class Tape : public Backend {
+ public:
+  void on(const Event& event) override {
+    const std::uint64_t number = number_of(event);
+    if (number > hashes_.size()) ++gaps_;
+    hashes_.resize(number);
+    RunHash one;
+    one.on(event);
+    hashes_.push_back(one.value());
+  }
+
+  [[nodiscard]] const std::vector<std::uint64_t>& hashes() const { return hashes_; }
+  // How often an event came without those before it.
+  [[nodiscard]] int gaps() const { return gaps_; }
+
+ private:
+  std::vector<std::uint64_t> hashes_;
+  int gaps_ = 0;
+};
+
+}  // namespace armlet

@@ -1,0 +1,55 @@
+// The programs that the laws of runs are tested with.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "armlet/interpreter/engine.hpp"
+
+namespace armlet::runs {
+
+namespace fs = std::filesystem;
+
+inline std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+inline ModuleLoader files_beside(const fs::path& folder) {
+  return [folder](const std::string& path, const std::string& from) {
+    const fs::path file = (folder / fs::path(from).parent_path() / path).lexically_normal();
+    ImportedText out;
+    if (!fs::exists(file)) return out;
+    out.name = fs::relative(file, folder).string();
+    out.text = text_of(file);
+    return out;
+  };
+}
+
+// The programs below a folder of the tree, sorted, that a test has the time to run.
+inline std::vector<fs::path> programs_below(const char* folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ARMLET_ROOT) / folder)) {
+    const bool is_module = entry.path().string().find("/modules/") != std::string::npos;
+    // It drives for three years, of which every 10 ms would be told.
+    const bool is_endless = entry.path().filename() == "end_of_time.rbt";
+    if (entry.path().extension() == ".rbt" && !is_module && !is_endless)
+      files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+inline std::uint64_t number_from(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+}  // namespace armlet::runs

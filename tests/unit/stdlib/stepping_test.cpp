@@ -1,0 +1,174 @@
+// Looking inside: breakpoints, statements, moves, variables by scope, and back.
+#include "armlet/interpreter/host/stepping.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "armlet/core/error.hpp"
+#include "armlet/interpreter/host/globals.hpp"
+#include "armlet/interpreter/host/inspection.hpp"
+#include "armlet/stdlib/session.hpp"
+#include "library.hpp"
+
+using namespace armlet;
+
+namespace {
+
+const char* const kStepped = R"(var total = 0
+fn add(n: int, what: string) -> int {
+    let twice = 2 * n
+    if (n > 1) {
+        let inner = [twice, n]
+        total += inner[0]
+    }
+    return twice
+
+}
+let first = add(1, "a")
+for (i in range(3)) {
+    let square = i * i
+    total += add(i, "b")
+}
+moveJ(home() + [0.1, 0, 0, 0], time: 1s)
+parallel {
+    { wait(100ms); total += 1 }
+    { let here = 7mm; wait(200ms); total += 1 }
+}
+moveJ(home(), time: 1s)
+print(total)
+)";
+
+struct Debugged {
+  explicit Debugged(const std::string& text, bool markers = true) {
+    SessionOptions options = at_the_table();
+    options.open = true;
+    options.markers = markers;
+    options.output = [this](std::string_view piece) {
+      printed += piece;
+      return std::string();
+    };
+    session.emplace(library_engine(), std::move(options));
+    REQUIRE(session->compile(text, "p.rbt"));
+  }
+  Session* operator->() { return &*session; }
+
+  // The line of the statement about to begin, of the task that runs.
+  [[nodiscard]] int line() { return session->sources().position(running_at(*session->vm())).line; }
+  // "twice: int = 4, n: int = 2" of the innermost call.
+  [[nodiscard]] std::string variables(std::size_t task = 0, std::size_t call = 0) {
+    std::string text;
+    const std::vector<SeenTask> tasks = seen_tasks(*session->vm());
+    for (const SeenVariable& each : tasks[task].calls[call].variables)
+      text += (text.empty() ? "" : ", ") + each.name + ": " + each.type + " = " + each.value;
+    return text;
+  }
+
+  std::string printed;
+  std::optional<Session> session;
+};
+
+std::string refusal_in_steps(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const ArgumentError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a run stops at breakpoints, with the variables that can be seen there") {
+  Debugged run(kStepped);
+  // Line 9 is empty: the next statement is on line 11.
+  CHECK(run->set_breakpoints({{.line = 6}, {.line = 9}, {.line = 900}}) ==
+        std::vector<SourceLine>{{.line = 6}, {.line = 11}});
+  CHECK(run->run().status == Progress::kPaused);
+  CHECK(run.line() == 11);
+  CHECK(is_at_breakpoint(*run->vm()));
+  CHECK(run->run().status == Progress::kPaused);
+  CHECK(run.line() == 6);
+  CHECK(run.variables() == "n: int = 2, what: string = b, twice: int = 4, inner: int[] = [4, 2]");
+  CHECK(run.variables(0, 1) == "i: int = 2, square: int = 4");
+  const SeenTask task = seen_tasks(*run->vm())[0];
+  CHECK(task.calls[0].function == "add");
+  CHECK(task.calls.size() == 2);
+  CHECK(run->run().status == Progress::kDone);
+  CHECK(run.printed == "12\n");
+}
+
+TEST_CASE("a run goes statement by statement, through calls and tasks, and back") {
+  Debugged run(kStepped);
+  std::vector<int> lines;
+  std::vector<std::string> totals;
+  while (run->run({.statements = 1}) == Progress::kPaused) {
+    lines.push_back(run.line());
+    CHECK(statements_begun(*run->vm()) == lines.size());
+  }
+  const std::string expected =
+      "11 3 4 8 12 13 14 3 4 8 13 14 3 4 8 13 14 3 4 5 6 8 16 17 18 19 19 18 19 21 22 ";
+  std::string shown;
+  for (const int each : lines) shown += std::to_string(each) + " ";
+  CHECK(shown == expected);
+  CHECK(run.printed == "12\n");
+  // Back over all of them.
+  for (std::size_t left = lines.size(); left > 1; --left) {
+    REQUIRE(run->step_back());
+    CHECK(run.line() == lines[left - 1]);
+    CHECK(statements_begun(*run->vm()) == left);
+  }
+  CHECK(run.printed == "12\n");
+  CHECK(run->run().status == Progress::kDone);
+  CHECK(run.printed == "12\n12\n");
+}
+
+TEST_CASE("a run goes move by move") {
+  Debugged run(kStepped);
+  CHECK(run->run_move() == Progress::kPaused);
+  CHECK(run->host()->now_ns() == 1'000'000'000);
+  CHECK(run.line() == 17);
+  CHECK(run->run_move() == Progress::kPaused);
+  CHECK(run.line() == 22);
+  CHECK(run->run_move() == Progress::kDone);
+}
+
+TEST_CASE("variables of tasks are seen, with what they wait for") {
+  Debugged run(kStepped);
+  CHECK(run->run({.until_ns = 1'050'000'000}) == Progress::kPaused);
+  const auto tasks = seen_tasks(*run->vm());
+  REQUIRE(tasks.size() == 3);
+  CHECK(tasks[0].waits.empty());
+  CHECK(tasks[1].name == "branch 1 of parallel on line 17");
+  CHECK(tasks[1].waits == "a time");
+  CHECK(run.variables(2) == "here: length = 7 mm");
+  const auto variables = seen_variables(*run->vm());
+  CHECK(variables[0].value == "10");
+}
+
+TEST_CASE("going back keeps breakpoints, and does not stop at them on its way") {
+  Debugged run(kStepped);
+  CHECK(run->set_breakpoints({{.line = 14}}).size() == 1);
+  for (int i = 0; i < 3; ++i) CHECK(run->run().status == Progress::kPaused);
+  CHECK(run->run().status == Progress::kDone);
+  REQUIRE(run->go_to(500'000'000));
+  CHECK(run->host()->now_ns() == 500'000'000);
+  CHECK(run->run().status == Progress::kDone);
+  CHECK(run->set_breakpoints({}).empty());
+}
+
+TEST_CASE("running by statements needs markers") {
+  Debugged run(kStepped, false);
+  CHECK(refusal_in_steps([&] { run->run({.statements = 1}); }) ==
+        "A run by statements needs a program that was compiled with markers.");
+  CHECK(refusal_in_steps([&] { run->set_breakpoints({{.line = 1}}); }) ==
+        "Breakpoints need a program that was compiled with markers.");
+  CHECK(refusal_in_steps([&] { run->step_back(); }) != "");
+  Debugged other(kStepped);
+  CHECK(refusal_in_steps([&] { other->run({.statements = 0}); }) ==
+        "A budget of 0 statements lets nothing happen; give at least 1.");
+  CHECK(other->run().status == Progress::kDone);
+}
