@@ -22,7 +22,7 @@ def check(what, holds, found=""):
 
 
 def piped(text, *arguments, folder=None):
-    return subprocess.run([ARMLET, *arguments], input=text, capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+    return subprocess.run([ARMLET, *arguments], input=text, capture_output=True, text=True, timeout=PATIENCE, cwd=path.parent)
 
 
 def check_pipe():
@@ -79,12 +79,12 @@ def check_examples():
     """A program that comes line by line prints what it prints as a file."""
     folder = Path(__file__).resolve().parent.parent / "examples"
     compared = 0
-    for path in sorted(folder.glob("*.rbt")):
+    for path in sorted([*folder.glob("*.rbt"), *folder.glob("figures/*.rbt")]):
         text = path.read_text()
         if re.search(r"^record\b", text, re.M):
             continue  # it records what is behind it in its own text
-        whole = subprocess.run([ARMLET, "run", "--quiet", path.name], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
-        lines = piped(text, folder=folder)
+        whole = subprocess.run([ARMLET, "run", "--quiet", path.name], capture_output=True, text=True, timeout=PATIENCE, cwd=path.parent)
+        lines = piped(text, folder=path.parent)
         check(f"{path.name} line by line", lines.stdout == whole.stdout and (lines.returncode == 0) == (whole.returncode == 0), lines)
         compared += 1
     check("there are examples", compared > 20, compared)
