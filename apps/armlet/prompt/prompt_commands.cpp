@@ -235,10 +235,13 @@ bool save(Prompt& prompt, std::string_view path) {
   if (!made.ok())
     return refuse(fmt::format("{} cannot be written: {}", path, made.error().message));
   NewFile file = std::move(made).value();
-  file.write(prompt.program());
+  const Prompt::Saved saved = prompt.program();
+  file.write(saved.text);
   if (const auto error = file.finish())
     return refuse(fmt::format("{} cannot be written: {}", path, error->message));
   say(fmt::format("saved in {}", path));
+  if (!saved.comments.empty())
+    say(fmt::format("a file does not take {}: comments there", fmt::join(saved.comments, ", ")));
   return true;
 }
 

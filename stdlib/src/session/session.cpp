@@ -161,6 +161,7 @@ void Session::describe_world() {
   auto names = std::make_shared<WorldNames>();
   names->world = text->name;
   names->things = host->cell().world().names();
+  names->maker = "object";
   if (!cancelled_.load()) world_names_ = std::move(names);
 }
 
@@ -226,7 +227,15 @@ bool Session::compile_as(std::string text, std::string name, const CompileOption
   const OneCompilation one_compilation(can_run_, cancelled_);
   if (options_.world || may_name_objects(text)) describe_world();
   const std::unique_ptr<Host> host = make_host(false);
-  compilation_ = engine_.compile(std::move(text), std::move(name), compile_options(*host, how));
+  compilation_ = engine_.compile(text, name, compile_options(*host, how));
+  // What it names and does not know may be a thing of the world, which is looked at only then.
+  if (world_names_ == nullptr &&
+      std::ranges::find(compilation_.diagnostics, "E0201", &Diagnostic::code) !=
+          compilation_.diagnostics.end()) {
+    describe_world();
+    if (world_names_ != nullptr)
+      compilation_ = engine_.compile(std::move(text), std::move(name), compile_options(*host, how));
+  }
   const bool has_program = compilation_.program != nullptr;
   const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
   if (uses_world && !compilation_.cancelled) problems_ = world_problems_;
