@@ -282,7 +282,10 @@ void Prompt::end_live() {
 
 Choices Prompt::complete(std::string_view before_cursor) {
   std::string_view expression = before_cursor;
-  if (before_.empty() && is_command(before_cursor)) {
+  const std::size_t first = before_cursor.find_first_not_of(" \t");
+  const bool commands = first != std::string_view::npos &&
+                        (before_cursor[first] == ':' || before_cursor[first] == '?');
+  if (before_.empty() && commands) {
     const CommandPart part = command_part(before_cursor);
     if (!part.is_expression) return part.choices;
     expression.remove_prefix(part.begin);
