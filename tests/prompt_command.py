@@ -68,6 +68,11 @@ def check_files():
     with tempfile.TemporaryDirectory() as folder:
         done = piped("let a = 2\nlet b = a + missing\nprint(a)\n:save kept.rbt\n:save kept.txt\n", folder=folder)
         check("errors are left out of what is saved", Path(folder, "kept.rbt").read_text() == "let a = 2\nprint(a)\n", done)
+        lines = "var n = 1\nn + 1\nlet xs = [4, 5]\nxs\nprint(xs)\nlet n = 9\nprint(n)\n:save asked.rbt\n"
+        asked = piped(lines, folder=folder)
+        check("questions are comments in what is saved", Path(folder, "asked.rbt").read_text() ==
+              "var n = 1\n// n + 1\nlet xs = [4, 5]\n// xs\nprint(xs)\n// let n = 9\nprint(n)\n", asked)
+        check("and are named", "[2], [4], [6]" in asked.stdout, asked)
         check("only programs are saved", "a program is a .rbt file" in done.stderr, done)
         done = piped(":load kept.rbt\nprint(a + 1)\n:load nothing.rbt\n", folder=folder)
         check("a file is loaded as if it were typed", done.stdout.startswith("2\n3\n"), done)
@@ -88,6 +93,18 @@ def check_examples():
         check(f"{path.name} line by line", lines.stdout == whole.stdout and (lines.returncode == 0) == (whole.returncode == 0), lines)
         compared += 1
     check("there are examples", compared > 20, compared)
+
+
+def check_interrupted_pipe():
+    """Ctrl-C ends what comes through a pipe."""
+    made = subprocess.Popen([ARMLET], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    made.stdin.write("print(1)\nwhile (true) { wait(1ms) }\nprint(2)\n")
+    made.stdin.flush()
+    check("lines run as they come", made.stdout.readline() == "1\n", made)
+    time.sleep(0.3)
+    made.send_signal(signal.SIGINT)
+    out, err = made.communicate(timeout=PATIENCE)
+    check("Ctrl-C stops the program and ends the command", (made.returncode, out) == (130, "") and "stopped" in err, (made.returncode, out, err))
 
 
 class Terminal:
@@ -147,6 +164,10 @@ def check_terminal(home):
     terminal.expect(r"360 mm +length", "the last value is ans")
     terminal.type("let width = 4cm;\nwid\t\n")
     terminal.expect(r"40 mm +length", "Tab completes a name of the session")
+    terminal.type(":\t\t")
+    terminal.expect(r":help .*:undo .*:where", "Tab lists the commands")
+    terminal.type("\x15?moveS\t\n")
+    terminal.expect(r"moveSpline\(", "Tab completes the name of a page")
     terminal.type("if (width > 1cm) {\n")
     terminal.expect(r"\.\.\.> ", "a block goes on in the next line")
     terminal.type("print(\"wide\")\n}\n")
@@ -155,6 +176,8 @@ def check_terminal(home):
     terminal.expect(r"moveJ\('Sy\s*n", "Tab completes the name of a planner")
     terminal.type("\x15moveJ(posJ(20deg, 30deg, 50mm, 0deg), time: 1s)\n")
     terminal.expect(r"\[t = 1\.00 s\] \S+ moveJ 1\.00 s, hand at", "a move is reported")
+    terminal.type("quit\n")
+    terminal.expect(r":quit or press Ctrl-D", "how to leave")
     terminal.type("lett x = 3\n")
     terminal.expect(r"error E\d{4}", "a mistake gets the message of a file")
     terminal.expect(r"rbt> ", "the prompt after a mistake")
@@ -193,5 +216,6 @@ check_classic()
 check_commands()
 check_files()
 check_examples()
+check_interrupted_pipe()
 with tempfile.TemporaryDirectory() as home_folder:
     check_terminal(home_folder)

@@ -46,16 +46,38 @@ namespace {
 // commands.
 constexpr std::string_view kAside = "command";
 
+// quit, exit(), bye;
+bool wants_to_leave(std::string_view text) {
+  const std::string_view word = text.substr(0, text.find_first_of("(; \t\n"));
+  return word == "quit" || word == "exit" || word == "bye" || word == "q";
+}
+
 bool is_typed(const Entry& entry) { return entry.name != kAside; }
+
+// Each line behind a //.
+std::string commented(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out += "// " + std::string(text.substr(0, end)) + '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos; }
 
 }  // namespace
 
 Prompt::Prompt(SessionOptions options, const std::string& robot, bool interactive)
+    : Prompt(options, options, robot, interactive) {}
+
+Prompt::Prompt(const SessionOptions& plain, SessionOptions options, const std::string& robot,
+               bool interactive)
     : robot_(robot),
       interactive_(interactive),
       has_live_(interactive && shows_status()),
+      plain_(plain),
       session_(library_engine(), listened(std::move(options))) {}
 
 // What the session tells is shown here.
@@ -89,14 +111,29 @@ std::string Prompt::time() const {
   return fmt::format("t = {:.2f} s", static_cast<double>(host().now_ns()) * 1e-9);
 }
 
-std::string Prompt::program() const {
-  std::string out;
+Prompt::Saved Prompt::program() const {
+  Session file(library_engine(), plain_);
+  Saved saved;
+  std::string_view last;  // that is no comment
+  std::size_t end = 0;    // of it
   for (const Entry& entry : session_.entries()) {
     if (!is_typed(entry)) continue;
-    out += entry.text;
-    if (!out.empty() && out.back() != '\n') out += '\n';
+    std::string text = saved.text;
+    const std::string_view first_line =
+        std::string_view(entry.text).substr(0, entry.text.find('\n'));
+    if (!last.empty() && !is_complete(last, first_line)) text.insert(end, ";");
+    text += entry.text;
+    const std::size_t this_end = text.size();
+    if (file.compile(text + '\n', "saved")) {
+      saved.text = std::move(text) + '\n';
+      last = entry.text;
+      end = this_end;
+    } else {
+      saved.text += commented(entry.text);
+      saved.comments.push_back(entry.name);
+    }
   }
-  return out;
+  return saved;
 }
 
 void Prompt::greet() {
@@ -183,7 +220,10 @@ bool Prompt::run_entry(const std::string& text, const std::string& name, bool sh
   const std::size_t before = session_.entries().size();
   const bool compiles = session_.submit(text, name);
   show(session_.problems(), false);
-  if (!compiles) return false;
+  if (!compiles) {
+    if (interactive_ && wants_to_leave(text)) progress("to leave, write :quit or press Ctrl-D");
+    return false;
+  }
   was_told_ = false;
   pace_.begin(session_.host() != nullptr ? session_.host()->now_ns() : 0);
   {
@@ -242,7 +282,10 @@ void Prompt::end_live() {
 
 Choices Prompt::complete(std::string_view before_cursor) {
   std::string_view expression = before_cursor;
-  if (before_.empty() && is_command(before_cursor)) {
+  const std::size_t first = before_cursor.find_first_not_of(" \t");
+  const bool commands = first != std::string_view::npos &&
+                        (before_cursor[first] == ':' || before_cursor[first] == '?');
+  if (before_.empty() && commands) {
     const CommandPart part = command_part(before_cursor);
     if (!part.is_expression) return part.choices;
     expression.remove_prefix(part.begin);

@@ -48,8 +48,13 @@ class Prompt {
   [[nodiscard]] Session& session() { return session_; }
   [[nodiscard]] Pace& pace() { return pace_; }
   [[nodiscard]] const Host& host() const { return *session_.host(); }
-  // The entries that can be saved, joined as a program.
-  [[nodiscard]] std::string program() const;
+  // What was entered, as a program. What a file does not take, such as a question or a second
+  // declaration of a name, is a comment there.
+  struct Saved {
+    std::string text{};
+    std::vector<std::string> comments{};  // names of these entries
+  };
+  [[nodiscard]] Saved program() const;
   // "t = 0.00 s"
   [[nodiscard]] std::string time() const;
   void quit() { is_done_ = true; }
@@ -61,6 +66,8 @@ class Prompt {
   std::vector<std::string> redo(std::size_t count);
 
  private:
+  Prompt(const SessionOptions& plain, SessionOptions options, const std::string& robot,
+         bool interactive);
   SessionOptions listened(SessionOptions options);
   // An empty entry, which makes the cell; nothing goes back behind it.
   void start();
@@ -82,6 +89,7 @@ class Prompt {
   int count_ = 0;              // of entries that were typed
   std::int64_t shown_ns_ = 0;  // wall-clock time of the live line
   Pace pace_;
+  SessionOptions plain_;  // to check programs
   Session session_;
   std::string before_;  // lines of the entry that is being typed
 };

@@ -235,10 +235,13 @@ bool save(Prompt& prompt, std::string_view path) {
   if (!made.ok())
     return refuse(fmt::format("{} cannot be written: {}", path, made.error().message));
   NewFile file = std::move(made).value();
-  file.write(prompt.program());
+  const Prompt::Saved saved = prompt.program();
+  file.write(saved.text);
   if (const auto error = file.finish())
     return refuse(fmt::format("{} cannot be written: {}", path, error->message));
   say(fmt::format("saved in {}", path));
+  if (!saved.comments.empty())
+    say(fmt::format("a file does not take {}: comments there", fmt::join(saved.comments, ", ")));
   return true;
 }
 
@@ -319,8 +322,8 @@ CommandPart command_part(std::string_view before_cursor) {
     if (name.starts_with(start)) part.choices.texts.emplace_back(name);
   };
   if (line.starts_with('?')) {
-    const std::string_view start = trimmed(line.substr(
-        line.find_first_not_of('?', 1) == line.npos ? line.size() : line.find_first_not_of('?')));
+    const std::size_t behind = std::min(line.find_first_not_of('?'), line.size());
+    const std::string_view start = trimmed(line.substr(behind));
     part.choices.word_bytes = start.size();
     for (const std::string& name : help_names(library_engine())) offer(start, name);
     return part;

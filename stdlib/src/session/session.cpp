@@ -159,6 +159,7 @@ void Session::describe_world() {
   auto names = std::make_shared<WorldNames>();
   names->world = text->name;
   names->things = host->cell().world().names();
+  names->maker = "object";
   if (!cancelled_.load()) world_names_ = std::move(names);
 }
 
@@ -232,7 +233,16 @@ bool Session::compile_as(std::string text, std::string name, const CompileOption
   const std::unique_ptr<Host> host = make_host(false);
   CompileOptions options = compile_options(*host, how);
   options.load = load_imports();
-  compilation_ = engine_.compile(std::move(text), std::move(name), options);
+  compilation_ = engine_.compile(text, name, options);
+  // What it names and does not know may be a thing of the world, which is looked at only then.
+  if (world_names_ == nullptr &&
+      std::ranges::find(compilation_.diagnostics, "E0201", &Diagnostic::code) !=
+          compilation_.diagnostics.end()) {
+    describe_world();
+    options.world = world_names_;
+    if (world_names_ != nullptr)
+      compilation_ = engine_.compile(std::move(text), std::move(name), options);
+  }
   const bool has_program = compilation_.program != nullptr;
   const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
   if (uses_world && !compilation_.cancelled) problems_ = world_problems_;

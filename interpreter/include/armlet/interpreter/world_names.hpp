@@ -12,6 +12,7 @@ namespace armlet {
 struct WorldNames {
   std::string world;  // what the world is called; empty: it has no name
   std::vector<std::string> things{};
+  std::string maker{};  // the function that gives a thing by its name; empty: none does
 
   [[nodiscard]] bool has(std::string_view name) const {
     return std::ranges::find(things, name) != things.end();

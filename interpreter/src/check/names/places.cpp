@@ -104,7 +104,7 @@ bool may_change(Checker& checker, Local& local, FunctionContext& where, Span sta
                                                        ? "declared with let"
                                                        : "declared with final"});
       if (local.keyword.source < checker.into.sources->first()) {  // that entry has run
-        diagnostic.fix = Fix{.text = "declare it again: var " + checker.text_of(statement)};
+        diagnostic.fix = Fix{.text = "declare it again: var " + name + " = " + name};
         break;
       }
       const std::string line = std::to_string(checker.line_of(local.variable->declared));

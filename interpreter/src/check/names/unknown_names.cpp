@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "armlet/interpreter/world_names.hpp"
 #include "check/explain/edits.hpp"
 #include "check/explain/nothings.hpp"
 #include "check/names/imports.hpp"
@@ -271,6 +272,14 @@ static std::optional<Fix> named_function_fix(const Checker& checker, Span declar
              .confidence = Confidence::kSure};
 }
 
+// object("cube") where `cube` was written.
+static std::optional<Fix> fix_of_world(const Checker& checker, std::string_view name, Span span) {
+  const WorldNames* world = checker.options.world.get();
+  if (world == nullptr || world->maker.empty() || !world->has(name)) return std::nullopt;
+  const std::string made = world->maker + "(\"" + std::string(name) + "\")";
+  return Fix{.text = "write " + made, .edits = {{span, made}}, .confidence = Confidence::kSure};
+}
+
 hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span, const Type* expected) {
   if (!checker.messages.is_news(name)) return checker.failed(span);
   if (!checker.messages.takes_errors()) {
@@ -308,6 +317,9 @@ hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span, cons
   } else if (const std::string imported = imported_name(checker, name); !imported.empty()) {
     diagnostic.fix = Fix{
         .text = "write " + imported, .edits = {{span, imported}}, .confidence = Confidence::kSure};
+  } else if (auto fix = fix_of_world(checker, name, span)) {
+    diagnostic.why = "it is a thing of the world, and no variable";
+    diagnostic.fix = std::move(fix);
   } else {
     diagnostic.fix = did_you_mean(checker, name, span, expected);
   }
