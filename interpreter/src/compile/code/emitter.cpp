@@ -299,7 +299,10 @@ void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
   for (const WideFinally& f : finals_) {
     into.finals.push_back({f.begin + shift, f.end + shift, place(f.held)});
   }
-  for (const WideSeen& s : seen_) into.scopes.push_back({s.variable, place(s.reg), s.scope});
+  for (const WideSeen& s : seen_) {
+    into.scopes.push_back(
+        {s.variable, place(s.reg), s.scope, s.range.begin + shift, s.range.end + shift});
+  }
   for (const WideLoop& l : loops_) {
     into.loops.push_back(
         {l.range.begin + shift, l.range.end + shift, place(l.counter), l.first, l.step, l.line});

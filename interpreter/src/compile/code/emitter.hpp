@@ -114,8 +114,8 @@ class Emitter {
     expanded_.push_back({range.begin, range.end, function, call});
   }
   // A variable that debuggers see.
-  void seen(const hir::Variable& variable, Reg reg, Span scope) {
-    seen_.push_back({&variable, reg, scope});
+  void seen(const hir::Variable& variable, Reg reg, Span scope, Range range) {
+    seen_.push_back({&variable, reg, scope, range});
   }
   std::uint32_t type(const Type* type);
   void shown(std::uint32_t assert_index, std::vector<Reg> registers);
@@ -144,6 +144,7 @@ class Emitter {
     const hir::Variable* variable;
     Reg reg;
     Span scope;
+    Range range;
   };
   struct WideLoop {
     Range range;

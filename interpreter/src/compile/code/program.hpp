@@ -69,12 +69,14 @@ struct CodeSpan {
   const hir::Expr* expr = nullptr;  // the element, call ... being computed, for labels and marks
 };
 
-// A variable and its register, for statements of the function that begin inside of `scope`. That of a
-// variable that closures share holds its box.
+// A variable and its register, while pc is in [begin, end) for what begins inside of `scope`. That
+// of a variable that closures share holds its box.
 struct ScopedVariable {
   const hir::Variable* variable;
   std::uint16_t reg;
   Span scope;
+  std::uint32_t begin;
+  std::uint32_t end;
 };
 
 struct FunctionCode {

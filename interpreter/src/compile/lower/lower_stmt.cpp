@@ -53,10 +53,11 @@ void statement(Lowering& in, const Stmt& s) {
     in.code.emit(OpCode::MARK);
     in.marked = s.span;
   }
-  const std::size_t count = in.homes.count();
+  const Homes::Point point{in.homes.count(), in.code.position()};
   lower_statement(in, s);
   // A declaration is seen from its end to that of the block around it.
-  if (s.kind != StmtKind::kInit) in.homes.close(count, scope_begin(s), s.span.end);
+  const Span scope{scope_begin(s), s.span.end, s.span.source};
+  if (s.kind != StmtKind::kInit) in.homes.close(point, scope, in.code.position());
 }
 
 static void lower_statement(Lowering& in, const Stmt& s) {
@@ -108,7 +109,7 @@ static void lower_statement(Lowering& in, const Stmt& s) {
 
 void block(Lowering& in, const Block& b) {
   const Emitter::Mark mark = in.code.mark();
-  const std::size_t count = in.homes.count();
+  const Homes::Point point{in.homes.count(), in.code.position()};
   // What an entry watches at its top level is watched while later entries run, too.
   const bool lives_on =
       in.tables.program().entry.is_one && in.is_program() && &b == in.function.body;
@@ -117,7 +118,7 @@ void block(Lowering& in, const Block& b) {
   } else {
     for (const Stmt* s : b.body) statement(in, *s);
   }
-  in.homes.close(count, b.span.begin, b.span.end);
+  in.homes.close(point, b.span, in.code.position());
   in.code.at({b.span.end, b.span.end, b.span.source});
   in.code.release(mark);
 }

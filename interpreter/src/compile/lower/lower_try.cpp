@@ -68,12 +68,14 @@ static void handle(Lowering& in, const TryStmt& s) {
   const Reg error = in.code.reference();
   in.code.at(s.handler->span);
   in.code.emit(OpCode::CATCH, error);
+  const Homes::Point point{in.homes.count(), in.code.position()};
   if (s.error != nullptr && s.error->storage == Storage::kLocal) {
     in.homes.give(*s.error, error);
   } else if (s.error != nullptr) {
     init_from(in, *s.error, error);
   }
   block(in, *s.handler);
+  in.homes.close(point, s.handler->span, in.code.position());
   in.code.release(mark);
 }
 

@@ -34,10 +34,13 @@ SeenVariable seen(const lang::hir::Variable& variable, Slot value) {
           is_there ? shown(value, *variable.type) : std::string(), variable.declared};
 }
 
-std::vector<SeenVariable> seen_variables(const lang::Frame& frame, Span at) {
+// at   what the frame has come to in the text.
+// pc   and in the code.
+std::vector<SeenVariable> seen_variables(const lang::Frame& frame, Span at, std::uint32_t pc) {
   std::vector<SeenVariable> out;
   for (const lang::ScopedVariable& each : frame.callee->function->scopes) {
     const Span& scope = each.scope;
+    if (pc < each.begin || pc >= each.end) continue;
     if (scope.source != at.source || at.begin < scope.begin || at.begin >= scope.end) continue;
     Slot value = frame.base[each.reg];
     if (each.variable->storage == lang::hir::Storage::kBoxed) {
@@ -49,11 +52,16 @@ std::vector<SeenVariable> seen_variables(const lang::Frame& frame, Span at) {
   return out;
 }
 
-// Of a task that has paused before a statement it is that one.
-Span place_of(const lang::VmState& state, const lang::Task& task, const lang::Frame& frame) {
+// The frame as it stands: before the statement that begins next, if the task has paused there.
+lang::Frame as_it_stands(const lang::VmState& state, const lang::Task& task,
+                         const lang::Frame& frame) {
   lang::Frame at = frame;
   if (&frame == task.top && state.marks.paused == &task) ++at.pc;
-  const lang::CodeSpan* span = lang::code_span(at);
+  return at;
+}
+
+Span span_of(const lang::Frame& frame) {
+  const lang::CodeSpan* span = lang::code_span(frame);
   return span == nullptr ? Span{} : span->span;
 }
 
@@ -63,11 +71,12 @@ SeenTask seen(const lang::VmState& state, const lang::Task& task) {
   if (task.waiting != nullptr && !task.waits_for_its_tasks()) out.waits = task.waiting->what();
   for (const lang::Frame* frame = task.top; frame > task.frames; --frame) {
     if (frame->is_host()) continue;
-    const Span here = place_of(state, task, *frame);
+    const lang::Frame at = as_it_stands(state, task, *frame);
+    const Span here = span_of(at);
     const lang::hir::Function* function = frame->callee->function->function;
     const bool is_block = function != nullptr && function->is_task;
     out.calls.push_back({is_block ? std::string() : frame->callee->function->name, here,
-                         seen_variables(*frame, here)});
+                         seen_variables(at, here, at.at())});
   }
   return out;
 }
@@ -107,7 +116,7 @@ Span running_at(Vm& vm) {
   const lang::Task& task = *state.running;
   const lang::Frame* frame = task.top;
   while (frame > task.frames && frame->is_host()) --frame;
-  return frame->is_host() ? Span{} : place_of(state, task, *frame);
+  return frame->is_host() ? Span{} : span_of(as_it_stands(state, task, *frame));
 }
 
 }  // namespace armlet

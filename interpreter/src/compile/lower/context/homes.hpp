@@ -18,24 +18,34 @@ class Homes {
   // A variable of an inlined function gets a register for each call.
   void give(const hir::Variable& variable, Reg reg) {
     registers_[&variable] = reg;
-    given_.push_back({&variable, reg, {}});
+    given_.push_back({&variable, reg, {}, 0, 0});
   }
 
   // ---- for debuggers: which of them can be seen where
   struct Given {
     const hir::Variable* variable;
     Reg reg;
-    Span scope;  // empty: not known yet
+    Span scope;           // empty: not known yet
+    std::uint32_t begin;  // of the code of the scope: what is done finally has several copies
+    std::uint32_t end;
   };
   [[nodiscard]] std::size_t count() const { return given_.size(); }
   [[nodiscard]] const std::vector<Given>& given() const { return given_; }
-  // From `begin` on those that were given since there were `count` can be seen up to `end`, unless
-  // they have a scope already; each of them not before its own declaration.
-  void close(std::size_t count, std::uint32_t begin, std::uint32_t end) {
-    for (; count < given_.size(); ++count) {
-      Given& each = given_[count];
+  // Where lowering stood.
+  struct Point {
+    std::size_t count;
+    std::uint32_t position;  // in the code
+  };
+  // Those that were given since then can be seen in these bytes of the text and in the code up to
+  // `position`, unless they have a scope already; each of them not before its own declaration.
+  void close(Point since, Span scope, std::uint32_t position) {
+    for (std::size_t i = since.count; i < given_.size(); ++i) {
+      Given& each = given_[i];
+      if (!each.scope.empty()) continue;
       const Span declared = each.variable->declared;
-      if (each.scope.empty()) each.scope = {std::max(begin, declared.end), end, declared.source};
+      each.scope = {std::max(scope.begin, declared.end), scope.end, declared.source};
+      each.begin = since.position;
+      each.end = position;
     }
   }
 
