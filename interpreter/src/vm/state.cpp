@@ -82,6 +82,7 @@ void VmState::reopen() {
 }
 
 void VmState::clear() {
+  main.waiting.reset();  // it may keep values of the program
   tree.clear();
   recordings.reset();
   for (Task* task : {&main, condition_task.get(), host_access.task.get()}) {

@@ -9,7 +9,7 @@ using namespace armlet;
 
 namespace {
 
-constexpr std::int64_t kPushHold = 10'000'000;  // ns
+constexpr std::int64_t kPiece = 10'000'000;  // ns
 
 // All joints speed up evenly from a state, for longer than a hold.
 Trajectory piece(const CellRobot& arm, double accel) {
@@ -32,14 +32,15 @@ int push(Cell& cell, double accel) {
 }  // namespace
 
 TEST_CASE("pieces under forces are one motion, however time is cut, and end at rest") {
-  for (const std::int64_t part : {kPushHold, kPushHold / 3}) {
+  for (const std::int64_t part : {kPiece, kPiece / 3}) {
     Cell cell;
     cell.add_robot(make_robot("puma560"));
     const CellRobot& arm = cell.robot(0);
     const Eigen::VectorXd start = arm.q;
     const int motion = push(cell, 1.0);
     for (int k = 1; k <= 3; ++k) {
-      while (cell.now_ns() < k * kPushHold) cell.advance_to(std::min(k * kPushHold, cell.now_ns() + part));
+      while (cell.now_ns() < k * kPiece)
+        cell.advance_to(std::min(k * kPiece, cell.now_ns() + part));
       CHECK(cell.is_moving(0));
       CHECK(arm.qd[0] == doctest::Approx(0.01 * k).epsilon(1e-12));
       CHECK(cell.take_events().empty());
@@ -66,7 +67,7 @@ TEST_CASE("a motion under forces is stopped and halted as others are, and its ar
     cell.add_robot(make_robot("puma560"));
     const CellRobot& arm = cell.robot(0);
     const int motion = push(cell, 2.0);
-    cell.advance_to(kPushHold / 2);
+    cell.advance_to(kPiece / 2);
     cell.set_model(0, std::make_shared<const Robot>(arm.model->with_payload({.mass = 1.0})));
     CHECK(arm.loaded->payload().mass == 1.0);
     halted ? cell.halt(0) : cell.stop(0);
@@ -82,9 +83,9 @@ TEST_CASE("an arm that is faster than its limits comes to rest inside of its ran
   cell.add_robot(make_robot("puma560"));
   const CellRobot& arm = cell.robot(0);
   push(cell, 400.0);
-  cell.advance_to(kPushHold);
+  cell.advance_to(kPiece);
   push(cell, 400.0);
-  cell.advance_to(2 * kPushHold);
+  cell.advance_to(2 * kPiece);
   CHECK(arm.qd[0] == doctest::Approx(8.0).epsilon(1e-9));
   cell.settle(0);
   cell.advance_to(*cell.next_event());

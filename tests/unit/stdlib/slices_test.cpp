@@ -118,3 +118,33 @@ TEST_CASE("a budget of no steps leaves a session as it was") {
   CHECK(session.run(Budget{}) == Progress::kDone);
   CHECK(session.run().status == Progress::kDone);  // once more, from the start
 }
+
+TEST_CASE("a motion under torques tells the same in slices, and a session may be dropped in it") {
+  const auto trace = [](std::int64_t slice_ns) {
+    std::ostringstream out;
+    const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
+    SessionOptions made;
+    made.backends = {backend.get()};
+    Session session(library_engine(), std::move(made));
+    REQUIRE(session.compile(
+        "robot arm = robots.puma560()\n"
+        "let run = arm.torqueJ(fn(t, q, qd) => arm.gravity(q) - 20.0 * qd, during: 300ms)\n"
+        "print(run.drift < 1J, run.events.length)",
+        "torques.rbt"));
+    Progress progress = Progress::kPaused;
+    for (std::int64_t until = slice_ns; progress == Progress::kPaused; until += slice_ns)
+      progress = session.run({.until_ns = until});
+    REQUIRE(progress == Progress::kDone);
+    return out.str();
+  };
+  CHECK(trace(333'333) == trace(1'000'000'000));
+  for (const std::int64_t until : {500'000, 100'000'000}) {
+    Session session(library_engine(), {});
+    REQUIRE(
+        session.compile("robot arm = robots.puma560()\n"
+                        "arm.torqueJ(fn(t, q, qd) => zeros(6), during: 1s)",
+                        "torques.rbt"));
+    CHECK(session.run({.until_ns = until}) == Progress::kPaused);
+    CHECK(session.host()->cell().is_moving(0));
+  }
+}
