@@ -240,6 +240,7 @@ bool Session::compile_as(std::string text, std::string name, const CompileOption
           compilation_.diagnostics.end()) {
     describe_world();
     options.world = world_names_;
+    options.load = load_imports();
     if (world_names_ != nullptr)
       compilation_ = engine_.compile(std::move(text), std::move(name), options);
   }
