@@ -149,9 +149,10 @@ static void init(Lowering& in, const InitStmt& s) {
   const Variable& variable = *s.variable;
   declare(in, variable);
   if (s.value == nullptr) {
-    // What a debugger shows of it is no accident.
-    const bool is_number = variable.storage == Storage::kLocal && !variable.type->is_reference();
-    if (in.options.markers && is_number) in.code.emit(OpCode::ZERO, in.homes.of(variable));
+    // What a debugger shows of it is not what the register held before.
+    if (in.options.markers && variable.storage == Storage::kLocal)
+      in.code.emit(variable.type->is_reference() ? OpCode::DROP : OpCode::ZERO,
+                   in.homes.of(variable));
     return;
   }
   const Emitter::Mark mark = in.code.mark();
