@@ -104,8 +104,8 @@ bool may_change(Checker& checker, Local& local, FunctionContext& where, Span sta
                                                        ? "declared with let"
                                                        : "declared with final"});
       if (local.keyword.source < checker.into.sources->first()) {  // that entry has run
-        const std::string name(local.variable->name);
-        diagnostic.fix = Fix{.text = "declare it again: var " + name + " = " + name};
+        const std::string again(local.variable->name);
+        diagnostic.fix = Fix{.text = "declare it again: var " + again + " = " + again};
         break;
       }
       const std::string line = std::to_string(checker.line_of(local.variable->declared));
