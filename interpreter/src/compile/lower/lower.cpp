@@ -70,7 +70,8 @@ void finish(Lowering& in, FunctionCode& into) {
   if (in.options.markers) {
     in.homes.close({0, 0}, function.span, in.code.position());
     for (const Homes::Given& each : in.homes.given()) {
-      if (!each.variable->name.empty()) in.code.seen(*each.variable, each.reg, each.scope, {each.begin, each.end});
+      if (!each.variable->name.empty())
+        in.code.seen(*each.variable, each.reg, each.scope, {each.begin, each.end});
     }
   }
   in.code.finish(into, in.tables.program());

@@ -57,7 +57,11 @@ void statement(Lowering& in, const Stmt& s) {
   lower_statement(in, s);
   // A declaration is seen from its end to that of the block around it.
   const Span scope{scope_begin(s), s.span.end, s.span.source};
-  if (s.kind != StmtKind::kInit) in.homes.close(point, scope, in.code.position());
+  if (s.kind == StmtKind::kInit) {
+    in.homes.open(point, s.span.end);
+  } else {
+    in.homes.close(point, scope, in.code.position());
+  }
 }
 
 static void lower_statement(Lowering& in, const Stmt& s) {
