@@ -22,7 +22,7 @@ def check(what, holds, found=""):
 
 
 def piped(text, *arguments, folder=None):
-    return subprocess.run([ARMLET, *arguments], input=text, capture_output=True, text=True, timeout=PATIENCE, cwd=path.parent)
+    return subprocess.run([ARMLET, *arguments], input=text, capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
 
 
 def check_pipe():

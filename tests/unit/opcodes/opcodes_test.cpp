@@ -41,6 +41,15 @@ void run_script(const fs::path& path) {
     (void)session.run_test(i);
 }
 
+// As a debugger does it.
+void run_marked(const std::string& text) {
+  SessionOptions options;
+  options.markers = true;
+  Session session(library_engine(), options);
+  REQUIRE(session.compile(text, "marked.rbt"));
+  (void)session.run();
+}
+
 void run_random(std::uint64_t number, bool optimise) {
   const std::string text = oracle::RandomProgram(number).text();
   const Compilation compilation = lang::compile_text(library_engine().registry(), text,
@@ -93,6 +102,7 @@ TEST_CASE("every instruction is executed by a script, an example or a random pro
     }
   }
   for (std::uint64_t number = 1; number <= 300; ++number) run_random(number, number % 2 == 0);
+  run_marked("print(1)");
   const std::set<lang::OpCode>& executed = lang::executed_opcodes();
   for (std::size_t i = 0; i < lang::kOpCodes; ++i) {
     const auto op = static_cast<lang::OpCode>(i);
