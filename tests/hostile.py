@@ -170,7 +170,7 @@ def check_usage(command, folder):
     missing = os.path.join(folder, "missing.rbt")
     cases = {
         "unknown file": (["run", missing], NO_FILE, "E0126"), "folder": (["run", folder], NO_FILE, "E0126"),
-        "no command": ([], 64), "unknown command": (["fly"], 64), "unknown option": (["run", "--fly", missing], 64),
+        "unknown command": (["fly"], 64), "unknown option": (["run", "--fly", missing], 64),
         "unknown robot": (["run", "--robot", "r2d2", __file__], 64), "unknown code": (["explain", "E9999"], 64),
         "help": (["--help"], 0), "version": (["--version"], 0), "a page": (["explain", "E0401"], 0),
     }
