@@ -142,19 +142,23 @@ class Terminal:
         sys.exit(f"{what}: {pattern!r} did not appear\n--- found:\n{self.text}")
 
     def end(self):
-        self.type("\x04")
+        last = ""
         end = time.monotonic() + PATIENCE
+        again = 0.0
         while time.monotonic() < end:
             try:
+                if time.monotonic() > again:  # a key that comes before the line is being edited stands in it
+                    self.type("\x15\x04" if again > 0.0 else "\x04")
+                    again = time.monotonic() + 1.0
                 if select.select([self.fd], [], [], 0.05)[0]:
-                    os.read(self.fd, 65536)
+                    last += os.read(self.fd, 65536).decode(errors="replace")
             except OSError:
                 pass
             pid, status = os.waitpid(self.pid, os.WNOHANG)
             if pid:
                 return os.waitstatus_to_exitcode(status)
         os.kill(self.pid, signal.SIGKILL)
-        sys.exit("Ctrl-D did not end the prompt")
+        sys.exit(f"Ctrl-D did not end the prompt\n--- last:\n{self.text}{last}")
 
 
 def check_terminal(home):

@@ -57,6 +57,7 @@ class PlainLines final : public LineSource {
 
   // False: there is no more, or Ctrl-C was pressed.
   bool read_more() {
+    if (has_ended_) return false;  // a terminal says so once
     char piece[4096];
     ssize_t count = -1;
     do {
