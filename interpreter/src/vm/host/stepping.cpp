@@ -18,8 +18,7 @@ std::vector<SourceLine> statement_lines(const Program& program) {
     }
   }
   std::ranges::sort(lines);
-  const auto again = std::ranges::unique(lines);
-  lines.erase(again.begin(), again.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   return lines;
 }
 
@@ -35,8 +34,7 @@ std::vector<SourceLine> set_breakpoints(Vm& vm, std::vector<SourceLine> lines) {
     if (next != known.end() && next->source == line.source) taken.push_back(*next);
   }
   std::ranges::sort(taken);
-  const auto again = std::ranges::unique(taken);
-  taken.erase(again.begin(), again.end());
+  taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
   state.marks.breakpoints = taken;
   return taken;
 }
