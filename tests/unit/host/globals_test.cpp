@@ -3,6 +3,7 @@
 #include <random>
 
 #include "host_support.hpp"
+#include "refusal_of.hpp"
 
 using namespace armlet;
 
@@ -92,26 +93,28 @@ TEST_CASE("variables are set, and the program sees it") {
 TEST_CASE("what does not fit a variable is refused, and it stays as it was") {
   Hosted host(kAll);
   Vm& vm = host.vm;
-  CHECK(refusal([&] { vm.set("speed", 0.2); }) ==
+  CHECK(refusal_of([&] { vm.set("speed", 0.2); }) ==
         "`speed` takes a speed, and was given a double; give its unit, such as \"m/s\".");
-  CHECK(refusal([&] { vm.set("speed", 0.2, "mm"); }) ==
+  CHECK(refusal_of([&] { vm.set("speed", 0.2, "mm"); }) ==
         "`speed` takes a speed, and was given a length.");
-  CHECK(refusal([&] { vm.set("speed", 0.2, "parsec"); }).starts_with("There is no unit `parsec`"));
-  CHECK(refusal([&] { vm.set("count", 1.5); }) == "`count` takes an int, and was given a double.");
-  CHECK(refusal([&] {
+  CHECK(
+      refusal_of([&] { vm.set("speed", 0.2, "parsec"); }).starts_with("There is no unit `parsec`"));
+  CHECK(refusal_of([&] { vm.set("count", 1.5); }) ==
+        "`count` takes an int, and was given a double.");
+  CHECK(refusal_of([&] {
           vm.set("names", {"x", 1});
         }) == "`names` takes a string, and was given an int.");
-  CHECK(refusal([&] {
+  CHECK(refusal_of([&] {
           vm.set("state", Value::Enum{"State", "Gone"});
         }) == "`state` takes a value of State, which has no `Gone`.");
-  CHECK(refusal([&] {
+  CHECK(refusal_of([&] {
           vm.set("stop", Value::Record{"Stop", {{"name", "A"}}});
         }) == "`stop` needs the field `at` of Stop.");
-  CHECK(refusal([&] { vm.set("limit", 8); }) ==
+  CHECK(refusal_of([&] { vm.set("limit", 8); }) ==
         "`limit` is fixed: line 19 says `let` or `final`; `var` can be set.");
-  CHECK(refusal([&] { vm.set("spede", 1); }) ==
+  CHECK(refusal_of([&] { vm.set("spede", 1); }) ==
         "The program has no variable `spede`; did you mean `speed`?");
-  CHECK(refusal([&] { static_cast<void>(vm.global<std::string>("count")); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(vm.global<std::string>("count")); }) ==
         "`count` is an int in the program, which is no std::string in C++.");
   CHECK(vm.try_set("speed", 1)->message ==
         "`speed` takes a speed, and was given an int; give its unit, such as \"m/s\".");

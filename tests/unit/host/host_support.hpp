@@ -37,15 +37,4 @@ struct Hosted {
   }
 };
 
-// The words of the ArgumentError that `action` throws.
-template <class Action>
-std::string refusal(Action action) {
-  try {
-    action();
-  } catch (const ArgumentError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
 }  // namespace armlet

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "host_support.hpp"
+#include "refusal_of.hpp"
 
 using namespace armlet;
 
@@ -62,16 +63,17 @@ TEST_CASE("a function of the program is called by its name and type") {
 TEST_CASE("a function that is asked for wrongly is refused with both signatures") {
   Hosted host("fn on_tick(dt: time, gear: int) -> double { return 1.0 }\nfn none() { }");
   Vm& vm = host.vm;
-  CHECK(refusal([&] { static_cast<void>(vm.function<double(double)>("on_tick")); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(vm.function<double(double)>("on_tick")); }) ==
         "`on_tick(dt: time, gear: int) -> double` of the program cannot be called as "
         "`double(double)`: it has 2 parameters, and is given 1.");
-  CHECK(refusal([&] { static_cast<void>(vm.function<double(double, std::string)>("on_tick")); }) ==
-        "`on_tick(dt: time, gear: int) -> double` of the program cannot be called as "
-        "`double(double, std::string)`: `gear` is an int, where C++ passes std::string.");
-  CHECK(refusal([&] { static_cast<void>(vm.function<std::string()>("none")); }) ==
+  CHECK(
+      refusal_of([&] { static_cast<void>(vm.function<double(double, std::string)>("on_tick")); }) ==
+      "`on_tick(dt: time, gear: int) -> double` of the program cannot be called as "
+      "`double(double, std::string)`: `gear` is an int, where C++ passes std::string.");
+  CHECK(refusal_of([&] { static_cast<void>(vm.function<std::string()>("none")); }) ==
         "`none()` of the program cannot be called as `std::string()`: it gives nothing, where C++ "
         "wants std::string.");
-  CHECK(refusal([&] { static_cast<void>(vm.function<void()>("on_tik")); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(vm.function<void()>("on_tik")); }) ==
         "The program has no function `on_tik`; did you mean `on_tick`?");
   const auto absent = vm.try_function<void()>("on_tik");
   REQUIRE_FALSE(absent);
@@ -106,10 +108,10 @@ TEST_CASE("values of any type go through Value, and those of the host through it
   REQUIRE(next);
   CHECK((*next)["name"] == "A!");
   CHECK((*next)["at"].in("mm") == 15.0);
-  CHECK(refusal([&] { static_cast<void>(host.vm.function<Value(Value)>("next")(3)); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(host.vm.function<Value(Value)>("next")(3)); }) ==
         "`stop` takes a Stop, and was given an int.");
   CHECK(*host.vm.function<Gear(Gear)>("doubled")(Gear{1.5}) == Gear{3.0});
-  CHECK(refusal([&] {
+  CHECK(refusal_of([&] {
           static_cast<void>(host.vm.function<Gear(double)>("doubled"));
         }).ends_with("`g` is a Gear, where C++ passes double."));
 }
@@ -166,7 +168,7 @@ TEST_CASE("a Vm that is busy refuses a second user, and stays as it was") {
       "again() -> int",
       [&]() -> std::int64_t {
         re_entered =
-            refusal([&] { static_cast<void>(inner->function<std::int64_t()>("three")()); });
+            refusal_of([&] { static_cast<void>(inner->function<std::int64_t()>("three")()); });
         return 1;
       },
       "Calls the program.", "again()"));
@@ -181,9 +183,9 @@ TEST_CASE("a Vm that is busy refuses a second user, and stays as it was") {
   std::thread other([&] { static_cast<void>(host.vm.function<void()>("lingers")()); });
   while (!is_inside) std::this_thread::yield();
   const std::string busy = "This Vm runs already, in another thread.";
-  CHECK(refusal([&] { static_cast<void>(three()); }) == busy);
-  CHECK(refusal([&] { static_cast<void>(host.vm.global("x")); }) == busy);
-  CHECK(refusal([&] { host.vm.run({}); }) == busy);
+  CHECK(refusal_of([&] { static_cast<void>(three()); }) == busy);
+  CHECK(refusal_of([&] { static_cast<void>(host.vm.global("x")); }) == busy);
+  CHECK(refusal_of([&] { host.vm.run({}); }) == busy);
   may_leave = true;
   other.join();
   CHECK(*three() == 3);
@@ -220,7 +222,7 @@ TEST_CASE("functions are called between two slices, and the run goes on as if th
   std::string printed;
   const Engine engine;
   Vm vm(compiled(engine, text), {.output = [&](std::string_view part) { printed += part; }});
-  CHECK(refusal([&] { static_cast<void>(vm.function<std::int64_t()>("peek")()); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(vm.function<std::int64_t()>("peek")()); }) ==
         "The program has not run yet, so nothing in it has a value; run it first.");
   std::mt19937 random(7);
   int looks = 0;
@@ -244,7 +246,7 @@ TEST_CASE("a function is not called before the variables have values") {
       compiled(engine, "wait(1s)\nvar names = [\"a\"]\nfn first() -> string { return names[0] }"));
   CHECK(vm.run({.until_ns = 0}) == Progress::kPaused);
   const auto first = vm.function<std::string()>("first");
-  CHECK(refusal([&] { static_cast<void>(first()); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(first()); }) ==
         "`names` has no value yet: the program has not come to line 2, where it is declared.");
   CHECK(vm.run({}) == Progress::kDone);
   CHECK(*first() == "a");

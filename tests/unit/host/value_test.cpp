@@ -1,6 +1,7 @@
 #include "armlet/interpreter/host/value.hpp"
 
 #include "host_support.hpp"
+#include "refusal_of.hpp"
 
 using namespace armlet;
 
@@ -20,13 +21,13 @@ TEST_CASE("a number is asked for in a unit of its dimension") {
   CHECK(Value(90, "deg").get<Value::Number>().si == doctest::Approx(1.5707963267948966));
   CHECK(Value(3).in() == 3.0);
   CHECK(Value(2.5).in() == 2.5);
-  CHECK(refusal([] { static_cast<void>(Value(1, "mm").in("s")); }) ==
+  CHECK(refusal_of([] { static_cast<void>(Value(1, "mm").in("s")); }) ==
         "This value is a length, not a time.");
-  CHECK(refusal([] { static_cast<void>(Value(1, "mm").in()); }) ==
+  CHECK(refusal_of([] { static_cast<void>(Value(1, "mm").in()); }) ==
         "This value is a length, not a number without a unit.");
-  CHECK(refusal([] { static_cast<void>(Value("x").in("mm")); }) ==
+  CHECK(refusal_of([] { static_cast<void>(Value("x").in("mm")); }) ==
         "This value is a string, not a length.");
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           static_cast<void>(Value(1, "miles"));
         }).starts_with("There is no unit `miles`"));
 }
@@ -37,6 +38,6 @@ TEST_CASE("equal values have equal content, whatever their kind") {
   CHECK(Value(1) != Value(1.0));
   CHECK(Value(1.0) != Value(1.0, "m"));
   CHECK(Value(stop)["at"] == Value(1000, "mm"));
-  CHECK(refusal([&] { static_cast<void>(Value(stop)["name"]); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(Value(stop)["name"]); }) ==
         "This value is a Stop, not one with a field `name`.");
 }

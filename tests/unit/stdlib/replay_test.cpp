@@ -13,6 +13,7 @@
 #include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "library.hpp"
+#include "refusal_of.hpp"
 #include "tape.hpp"
 
 using namespace armlet;
@@ -77,15 +78,6 @@ SessionLog through_file(const SessionLog& log) {
   REQUIRE_MESSAGE(read.ok(), read.error().message);
   CHECK(write_log(*read).value() == *bytes);
   return std::move(read).value();
-}
-
-std::string refusal_in_replay(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const ArgumentError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 }  // namespace
@@ -265,32 +257,32 @@ TEST_CASE("a log that was cut short or changed is refusal_in_replay wherever tha
 TEST_CASE("what cannot be is refusal_in_replay, and the session stays as it was") {
   ReplayedRun run;
   Session& session = *run;
-  CHECK(refusal_in_replay([&] { session.set("x", Value(1)); }) ==
+  CHECK(refusal_of([&] { session.set("x", Value(1)); }) ==
         "A session cannot set a variable before its first run.");
-  CHECK(refusal_in_replay([&] { static_cast<void>(session.log()); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(session.log()); }) ==
         "A session has no sources before its first compile().");
   REQUIRE(session.compile(kReplayed, "p.rbt"));
-  CHECK(refusal_in_replay([&] { static_cast<void>(session.go_to(1)); }) ==
+  CHECK(refusal_of([&] { static_cast<void>(session.go_to(1)); }) ==
         "The run has come to t = 0 s; there is no t = 0.000000001 s to go to.");
   CHECK(session.run({.until_ns = 120 * kReplayMs}) == Progress::kPaused);
   const std::string before = write_log(session.log()).value();
   const auto events = run.tape.hashes();
   for (const std::int64_t t_ns : {std::int64_t{-1}, 121 * kReplayMs})
-    CHECK(refusal_in_replay([&] {
+    CHECK(refusal_of([&] {
             static_cast<void>(session.go_to(t_ns));
           }).starts_with("The run has come"));
-  CHECK(refusal_in_replay([&] { session.set("speeed", Value(1)); }).find("did you mean `speed`") !=
+  CHECK(refusal_of([&] { session.set("speeed", Value(1)); }).find("did you mean `speed`") !=
         std::string::npos);
-  CHECK(refusal_in_replay([&] { session.set("speed", Value(1.0, "s")); }).find("takes a speed") !=
+  CHECK(refusal_of([&] { session.set("speed", Value(1.0, "s")); }).find("takes a speed") !=
         std::string::npos);
-  CHECK(refusal_in_replay([&] { static_cast<void>(session.call("add", {Value(1)})); }) != "");
+  CHECK(refusal_of([&] { static_cast<void>(session.call("add", {Value(1)})); }) != "");
   SessionLog other = session.log();
   other.robot = "puma560";
   CHECK(
-      refusal_in_replay([&] { session.replay(other); }) ==
+      refusal_of([&] { session.replay(other); }) ==
       "This log cannot be replayed here: the robot of the log is \"puma560\", that of the session "
       "\"scara\".");
-  CHECK(refusal_in_replay([&] { session.run({.until_ns = {}, .steps = 0}); }) != "");
+  CHECK(refusal_of([&] { session.run({.until_ns = {}, .steps = 0}); }) != "");
   CHECK(write_log(session.log()).value() == before);
   CHECK(run.tape.hashes() == events);
   session.set_signal("gate", true);
@@ -307,7 +299,7 @@ TEST_CASE("a session that runs takes nothing from its own output or from another
              [&] { static_cast<void>(session->go_to(0)); },
              [&] { static_cast<void>(session->log()); }, [&] { session->replay({}); },
              [&] { static_cast<void>(session->run()); }})
-      refusals.push_back(refusal_in_replay(act));
+      refusals.push_back(refusal_of(act));
   };
   ReplayedRun run([&](SessionOptions& options) {
     options.output = [&](std::string_view) {

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "library.hpp"
+#include "refusal_of.hpp"
 
 using namespace armlet;
 
@@ -70,15 +70,6 @@ struct Debugged {
   std::string printed;
   std::optional<Session> session;
 };
-
-std::string refusal_in_steps(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const ArgumentError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -162,13 +153,13 @@ TEST_CASE("going back keeps breakpoints, and does not stop at them on its way") 
 
 TEST_CASE("running by statements needs markers") {
   Debugged run(kStepped, false);
-  CHECK(refusal_in_steps([&] { run->run({.statements = 1}); }) ==
+  CHECK(refusal_of([&] { run->run({.statements = 1}); }) ==
         "A run by statements needs a program that was compiled with markers.");
-  CHECK(refusal_in_steps([&] { run->set_breakpoints({{.line = 1}}); }) ==
+  CHECK(refusal_of([&] { run->set_breakpoints({{.line = 1}}); }) ==
         "Breakpoints need a program that was compiled with markers.");
-  CHECK(refusal_in_steps([&] { run->step_back(); }) != "");
+  CHECK(refusal_of([&] { run->step_back(); }) != "");
   Debugged other(kStepped);
-  CHECK(refusal_in_steps([&] { other->run({.statements = 0}); }) ==
+  CHECK(refusal_of([&] { other->run({.statements = 0}); }) ==
         "A budget of 0 statements lets nothing happen; give at least 1.");
   CHECK(other->run().status == Progress::kDone);
 }
