@@ -100,8 +100,16 @@ Moments Moments::seen_from(const Isometry3d& T_to_from) const {
   return {mass, turned + mass * p, 0.5 * (second + second.transpose())};
 }
 
-Moments moments_of_link(const Robot& robot, int i) {
+Isometry3d link_in_joint(const Robot& robot, int i) {
   const Chain& chain = robot.chain();
+  const std::size_t k = static_cast<std::size_t>(i);
+  Isometry3d T_joint_link = Isometry3d::Identity();
+  if (chain.standard) T_joint_link = x_step(chain, k + 1);
+  T_joint_link.matrix().middleRows<2>(1) *= robot.walk_plan().flip[k];
+  return T_joint_link;
+}
+
+Moments moments_in_link(const Robot& robot, int i) {
   const Link& link = robot.link(i);
   Moments body = moments_of(link.mass, link.com, link.inertia);
   // The flange is the frame of the last link in both conventions.
@@ -109,12 +117,11 @@ Moments moments_of_link(const Robot& robot, int i) {
     const Payload& payload = robot.payload();
     body = body + moments_of(payload.mass, payload.com, payload.inertia);
   }
-  const std::size_t k = static_cast<std::size_t>(i);
-  Isometry3d T_joint_link = Isometry3d::Identity();
-  if (chain.standard) T_joint_link = x_step(chain, k + 1);
-  const double flip = robot.walk_plan().flip[k];
-  T_joint_link.matrix().middleRows<2>(1) *= flip;
-  return body.seen_from(T_joint_link);
+  return body;
+}
+
+Moments moments_of_link(const Robot& robot, int i) {
+  return moments_in_link(robot, i).seen_from(link_in_joint(robot, i));
 }
 
 RobotDynamics::RobotDynamics(const Robot& robot) {

@@ -23,7 +23,11 @@ struct Moments {
   Moments seen_from(const Eigen::Isometry3d& T_to_from) const;
 };
 
-// Of a link, in the frame after Z_i of the robot's WalkPlan.
+// The frame of link i in the frame after Z_i of the robot's WalkPlan.
+Eigen::Isometry3d link_in_joint(const Robot& robot, int i);
+
+// Of a link, with the payload if it is the last, in its own frame, and in that after Z_i.
+Moments moments_in_link(const Robot& robot, int i);
 Moments moments_of_link(const Robot& robot, int i);
 
 }  // namespace armlet

@@ -1,0 +1,173 @@
+#include "armlet/dynamics/identification.hpp"
+
+#include <numbers>
+#include <utility>
+
+#include "armlet/core/random.hpp"
+#include "checks.hpp"
+#include "plan_dynamics.hpp"
+#include "spatial_arm.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kMassParameters = 10;
+
+// The second moment of a body whose inertia about the origin is 1 in this place and 0 elsewhere:
+// tr(I) / 2 - I.
+Moments unit_inertia(int row, int column) {
+  Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
+  I(row, column) = I(column, row) = 1.0;
+  Moments body;
+  body.S = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
+  return body;
+}
+
+// A body with 1 for the parameter k of the first ten, and 0 for the others.
+Moments unit_body(int k) {
+  constexpr int kPlaces[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+  if (k >= 4) return unit_inertia(kPlaces[k - 4][0], kPlaces[k - 4][1]);
+  Moments body;
+  (k == 0 ? body.mass : body.h[k - 1]) = 1.0;
+  return body;
+}
+
+// A few motions through all places, at all speeds.
+class RandomMotions {
+ public:
+  explicit RandomMotions(const Robot& robot) : robot_(robot) {}
+
+  MatrixXd next() {
+    const Index n = robot_.n();
+    VectorXd q(n), qd(n), qdd(n);
+    for (Index i = 0; i < n; ++i) {
+      const bool slides = robot_.joint(static_cast<int>(i)).kind == JointKind::kPrismatic;
+      const double reach = slides ? 1.0 : std::numbers::pi;
+      q[i] = random_.uniform(-reach, reach);
+      qd[i] = random_.uniform(-2.0, 2.0);
+      qdd[i] = random_.uniform(-5.0, 5.0);
+    }
+    return dynamics_regressor(robot_, q, qd, qdd);
+  }
+
+ private:
+  const Robot& robot_;
+  Random random_{1991};
+};
+
+// An orthonormal basis of columns that are offered one after the other, by the Gram-Schmidt process
+// with each projection taken twice.
+// source  G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013, section 5.2.
+class ColumnBasis {
+ public:
+  explicit ColumnBasis(Index rows, Index most) : Q_(rows, most), R_(MatrixXd::Zero(most, most)) {}
+
+  // Takes a column, of length 1, if it does not depend on those that were taken. Otherwise it is
+  // the sum of these by `factors`.
+  bool take(const VectorXd& column, VectorXd& factors) {
+    constexpr double kIndependent = 1e-7;  // of the length that the others leave
+    const auto Q = Q_.leftCols(size_);
+    VectorXd along = Q.transpose() * column;
+    VectorXd left = column - Q * along;
+    const VectorXd more = Q.transpose() * left;
+    left -= Q * more;
+    along += more;
+    const double length = left.norm();
+    if (length > kIndependent) {
+      Q_.col(size_) = left / length;
+      R_.col(size_).head(size_) = along;
+      R_(size_, size_) = length;
+      ++size_;
+      return true;
+    }
+    factors = std::move(along);
+    for (Index i = size_; i-- > 0;) {  // R factors = along
+      factors[i] /= R_(i, i);
+      factors.head(i) -= factors[i] * R_.col(i).head(i);
+    }
+    return false;
+  }
+
+ private:
+  MatrixXd Q_, R_;
+  Index size_ = 0;
+};
+
+}  // namespace
+
+VectorXd dynamic_parameters(const Robot& robot) {
+  const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
+  VectorXd p(kLinkParameters * robot.n());
+  for (int i = 0; i < robot.n(); ++i) {
+    const Moments body = moments_in_link(robot, i);
+    const Eigen::Matrix3d I = body.S.trace() * Eigen::Matrix3d::Identity() - body.S;
+    const PlanLink& link = plan.links[i];
+    p.segment<kLinkParameters>(kLinkParameters * i) << body.mass, body.h, I(0, 0), I(0, 1), I(0, 2),
+        I(1, 1), I(1, 2), I(2, 2), link.motor_inertia, link.viscous, link.coulomb_plus,
+        link.coulomb_minus;
+  }
+  return p;
+}
+
+MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd) {
+  check_joint_values("q", q, robot);
+  check_joint_values("qd", qd, robot);
+  check_joint_values("qdd", qdd, robot);
+  const SpatialArm arm(robot, q);
+  MatrixXd Y = MatrixXd::Zero(robot.n(), kLinkParameters * robot.n());
+  Vector6d velocity = Vector6d::Zero(), acceleration = arm.base_acceleration;
+  for (int i = 0; i < robot.n(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const Vector6d& axis = arm.axis[at];
+    acceleration += axis * qdd[i] + spatial_cross(velocity, axis) * qd[i];
+    velocity += axis * qd[i];
+    const Eigen::Isometry3d T_base_link = arm.frame[at] * link_in_joint(robot, i);
+    const Index first = kLinkParameters * i;
+    for (int k = 0; k < kMassParameters; ++k) {
+      const Matrix6d I = spatial_inertia(unit_body(k).seen_from(T_base_link));
+      const Vector6d force = I * acceleration + spatial_cross_force(velocity, I * velocity);
+      for (int j = 0; j <= i; ++j)
+        Y(j, first + k) = arm.axis[static_cast<std::size_t>(j)].dot(force);
+    }
+    Y(i, first + kMassParameters) = qdd[i];
+    Y(i, first + kMassParameters + 1) = qd[i];
+    if (qd[i] != 0.0) Y(i, first + kMassParameters + (qd[i] > 0.0 ? 2 : 3)) = 1.0;
+  }
+  check_finite("regressor", Y);
+  return Y;
+}
+
+BaseParameters base_parameters(const Robot& robot) {
+  const Index n = robot.n(), parameters = kLinkParameters * n, motions = 3 * kLinkParameters;
+  RandomMotions random(robot);
+  MatrixXd W(motions * n, parameters);
+  for (Index k = 0; k < motions; ++k) W.middleRows(k * n, n) = random.next();
+
+  BaseParameters base;
+  ColumnBasis basis(W.rows(), parameters);
+  MatrixXd grouping = MatrixXd::Zero(parameters, parameters);  // its first rows
+  VectorXd lengths(parameters), factors;                       // of the columns that were taken
+  const double largest = W.colwise().norm().maxCoeff();
+  for (Index c = 0; c < parameters; ++c) {
+    const double length = W.col(c).norm();
+    if (length <= 1e-12 * largest) continue;  // it has no effect at all
+    const Index taken = static_cast<Index>(base.columns.size());
+    if (basis.take(W.col(c) / length, factors)) {
+      grouping(taken, c) = 1.0;
+      lengths[taken] = length;
+      base.columns.push_back(static_cast<int>(c));
+    } else {
+      grouping.col(c).head(taken) = factors.array() * length / lengths.head(taken).array();
+    }
+  }
+  base.grouping = grouping.topRows(static_cast<Index>(base.columns.size()));
+  check_finite("grouping of parameters", base.grouping);
+  return base;
+}
+
+}  // namespace armlet
