@@ -35,6 +35,7 @@ std::span<const NativeFunction> robot_functions();
 std::span<const NativeFunction> ikine_functions();
 std::span<const NativeFunction> ikine_info_functions();
 std::span<const NativeFunction> dynamics_functions();
+std::span<const NativeFunction> identification_functions();
 std::span<const NativeFunction> simulation_functions();
 std::span<const NativeFunction> model_functions();
 std::span<const NativeFunction> dh_functions();

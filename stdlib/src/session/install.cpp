@@ -60,6 +60,9 @@ std::span<const Chapter> chapters() {
       {.title = "Robots: dynamics",
        .functions = dynamics_functions(),
        .is_mathematics = true},
+      {.title = "Robots: identification",
+       .functions = identification_functions(),
+       .is_mathematics = true},
       {.title = "Robots: simulation",
        .functions = simulation_functions(),
        .is_mathematics = true},
@@ -109,6 +112,7 @@ void install(Engine& engine) {
                     "contacts: int, minSingular: double, volume: double, forceClosure: bool");
   engine.add_record("Blob", "x: double, y: double, area: double");
   engine.add_record("Match", "x: double, y: double, score: double");
+  engine.add_record("BaseParameters", "columns: int[], grouping: matrix, values: double[]");
   engine.add_record("OdeSolution", "t: time[], y: matrix");
   engine.add_record("JointEvent", "t: time, kind: string, joint: int, speed: double");
   engine.add_record("Simulation",

@@ -1,0 +1,95 @@
+// Masses and friction of an arm from its motions and their forces.
+
+#include "armlet/dynamics/identification.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "messages/library_messages.hpp"
+#include "session/bind.hpp"
+#include "values/eigen_results.hpp"
+#include "values/give.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// The arm with what its hand carries.
+const Robot& carrying(Vm& vm, const RobotRef& r) { return *state_of(vm, r).loaded; }
+
+template <class Q>
+Answer<Eigen::MatrixXd> regressor(Vm& vm, const RobotRef& r, Q values, JointList rates,
+                                  JointList accels) try {
+  const Robot& robot = carrying(vm, r);
+  const auto q = joint_argument(vm, robot, values, 1);
+  if (!q) return Failed{};
+  const auto qd = joint_argument(vm, robot, rates, 2);
+  if (!qd) return Failed{};
+  const auto qdd = joint_argument(vm, robot, accels, 3);
+  if (!qdd) return Failed{};
+  return dynamics_regressor(robot, *q, *qd, *qdd);
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0640"), error);
+}
+
+Answer<Eigen::VectorXd> parameters_of_links(Vm& vm, const RobotRef& r) {
+  return dynamic_parameters(carrying(vm, r));
+}
+
+// Of a joint, an upper bound of the operations that the search for its parameters takes.
+constexpr double kWork = 4e5;
+
+Answer<RecordObj*> base_of_links(Vm& vm, const RobotRef& r) try {
+  const Robot& robot = carrying(vm, r);
+  const double joints = robot.n();
+  if (!charge_steps(vm, static_cast<std::uint64_t>(kWork / 50.0 * joints * joints * joints)))
+    return Failed{};
+  const BaseParameters base = base_parameters(robot);
+  const Eigen::VectorXd values = base.grouping * dynamic_parameters(robot);
+  RecordObj* record = new_record(vm, vm.program().library_record("BaseParameters"));
+  if (record == nullptr) return Failed{};
+  const auto count = static_cast<std::uint32_t>(base.columns.size());
+  Slot* fields = record->fields();
+  ListObj* const columns = new_list(vm, count, false);
+  fields[0].o = columns;
+  if (columns != nullptr) {
+    for (std::uint32_t i = 0; i < count; ++i) columns->data[i].i = base.columns[i];
+    if (Given<Eigen::MatrixXd>::leave(vm, base.grouping, fields[1]) == Signal::kDone &&
+        Given<Eigen::VectorXd>::leave(vm, values, fields[2]) == Signal::kDone)
+      return record;
+  }
+  release(vm, record);
+  return Failed{};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0640"), error);
+}
+
+constexpr std::string_view kRegressor =
+    "The matrix that gives the forces of invDyn when it is multiplied by dynamicParameters(), "
+    "without Stribeck's part of friction: it does not depend on masses, so these can be found from "
+    "measured torques.";
+
+constexpr NativeFunction kIdentificationFunctions[] = {
+    def<regressor<Joints>>("regressor(r: robot, q: posJ, qd: double[], qdd: double[]) -> matrix",
+                           kRegressor, "regressor(joints(), jointSpeeds(), jointAccels())"),
+    def<regressor<JointList>>(
+        "regressor(r: robot, q: double[], qd: double[], qdd: double[]) -> matrix", kRegressor,
+        "regressor([0.0, 0.5, 0.1, 0.0], jointSpeeds(), jointAccels()).cols",
+        {.check = check_joint_list<1>}),
+    def<parameters_of_links>(
+        "dynamicParameters(r: robot) -> double[]",
+        "14 values of each link, one link after the other: mass and mass times centre of mass (x, "
+        "y, z), inertia about the origin of the link's frame (xx, xy, xz, yy, yz, zz), and at the "
+        "joint the inertia of the motor, viscous friction and Coulomb friction forwards and "
+        "backwards. The payload and what the hand holds count to the last link.",
+        "dynamicParameters().length"),
+    def<base_of_links>(
+        "baseParameters(r: robot) -> BaseParameters",
+        "What motions and torques can tell of the parameters: the columns of the regressor that do "
+        "not depend on each other, from 0; `grouping`, the matrix that takes all parameters to the "
+        "combinations that belong to these columns; and the values of these now.",
+        "baseParameters().columns"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> identification_functions() { return kIdentificationFunctions; }
+
+}  // namespace armlet::bind
