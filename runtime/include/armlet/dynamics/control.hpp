@@ -1,0 +1,43 @@
+#pragma once
+
+#include "armlet/core/error.hpp"
+#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/math/twist.hpp"
+
+namespace armlet {
+
+// The joint forces that give some directions of the tool an acceleration a, and the others what
+// follows: J' Lambda (a - Jdot qd) + h with Lambda = (J M^-1 J')^-1.
+//
+// M       n x n, the inertia matrix.
+// J       k x n, k rows of the Jacobian.
+// a       k accelerations without what the speeds alone make of them: a - Jdot qd.
+// h       n joint forces at these speeds without acceleration.
+// damping rate, 1/s, at which motions die out that these directions do not see; 0: they do not.
+// qd      n joint speeds.
+// returns an error if the k directions are not independent, as at a singular position.
+// throws  ArgumentError on mismatched sizes, elements that are not finite, and an M that is not
+//         positive definite.
+// source  O. Khatib, A unified approach for motion and force control of robot manipulators, IEEE
+//         Journal of Robotics and Automation 3(1), 1987.
+Result<JointVector> operational_forces(const Eigen::MatrixXd& M, const Eigen::MatrixXd& J,
+                                       const Eigen::VectorXd& a, JointsIn h, JointsIn qd,
+                                       double damping = 0.0);
+
+// By how much, and how fast, what is held gives way to a force: m a + d v + k x = f in each of six
+// directions.
+struct Compliance {
+  Vector6d offset = Vector6d::Zero();  // x, m and rad
+  Vector6d rate = Vector6d::Zero();    // v
+};
+
+// The state after h seconds of a constant wrench f; exact.
+//
+// mass, damping, stiffness  kg and kg m^2, > 0; N s/m and N m s, >= 0; N/m and N m, >= 0.
+// throws  ArgumentError for others, and for a result that is not finite.
+// source  N. Hogan, Impedance control: an approach to manipulation, Journal of Dynamic Systems,
+//         Measurement, and Control 107, 1985; here solved for the motion.
+Compliance give_way(const Compliance& from, const Vector6d& wrench, const Vector6d& mass,
+                    const Vector6d& damping, const Vector6d& stiffness, double h);
+
+}  // namespace armlet
