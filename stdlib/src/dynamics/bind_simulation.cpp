@@ -60,18 +60,20 @@ Answer<std::uint32_t> holds_of(Vm& vm, const SimulationCall& call) {
 }
 
 // From tick to tick, the torques of each held until the next.
-Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, const SimulationCall& call,
-                 const SimulationOptions& options, std::uint32_t holds, Rows& rows) {
+Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, MotorLimits& motors,
+                 const SimulationCall& call, const SimulationOptions& options, std::uint32_t holds,
+                 Rows& rows) {
   for (std::uint32_t k = 0;; ++k) {
-    const auto tau = law(arm.robot(), arm.t(), arm.q(), arm.qd());
-    if (!tau) return Failed{};
-    rows.put(k, arm, *tau);
+    const auto asked = law(arm.robot(), arm.t(), arm.q(), arm.qd());
+    if (!asked) return Failed{};
+    const double next = k + 1 >= holds ? call.during : (k + 1) * call.every;
+    const JointVector tau = motors.given(*asked, next - arm.t());
+    rows.put(k, arm, tau);
     if (k == holds) return {};
-    const double next = k + 1 == holds ? call.during : (k + 1) * call.every;
     const double steps = std::max(1.0, (next - arm.t()) / options.step);
     if (!charge_steps(vm, static_cast<std::uint64_t>(20.0 * std::min(steps, 1e15))))
       return Failed{};
-    const SimulationOutcome outcome = arm.advance(*tau, next - arm.t());
+    const SimulationOutcome outcome = arm.advance(tau, next - arm.t());
     if (outcome.status != SimulationStatus::kDone)
       return cannot_simulate(vm, arm, outcome, options);
   }
@@ -79,24 +81,30 @@ Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, const SimulationCal
 
 Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double during,
                             double every, const PosJ* from, std::optional<JointList> speeds,
-                            std::string_view method, std::optional<double> step,
-                            double restitution) {
+                            std::string_view method, std::optional<double> step, double restitution,
+                            std::optional<JointList> most, std::optional<JointList> rates) {
   const SimulationCall call{.function = "simulate",
                             .during = during,
                             .every = every,
                             .method = method,
                             .step = step,
                             .restitution = restitution,
+                            .most = most,
+                            .rates = rates,
                             .during_parameter = 2,
                             .every_parameter = 3,
                             .method_parameter = 6,
                             .step_parameter = 7,
-                            .restitution_parameter = 8};
+                            .restitution_parameter = 8,
+                            .most_parameter = 9,
+                            .rates_parameter = 10};
   const auto options = simulation_options(vm, call);
   if (!options) return Failed{};
   const auto holds = holds_of(vm, call);
   if (!holds) return Failed{};
   const CellRobot& state = state_of(vm, r);
+  auto motors = motor_limits(vm, call, *state.model);
+  if (!motors) return Failed{};
   Eigen::VectorXd q = state.q, qd = state.qd;
   if (from != nullptr) {
     const auto given = joint_argument(vm, *state.model, *from, 4);
@@ -114,10 +122,11 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double
     Rows rows = new_rows(vm, *holds + 1, static_cast<std::uint32_t>(q.size()));
     if (rows.record == nullptr) return Failed{};
     TorqueLaw law(vm, tau);
-    const bool done = static_cast<bool>(run(vm, arm, law, call, *options, *holds, rows));
+    const bool done = static_cast<bool>(run(vm, arm, law, *motors, call, *options, *holds, rows));
     ListObj* const events = done ? joint_events(vm, arm) : nullptr;
     rows.record->fields()[4].o = events;
     rows.record->fields()[5] = slot_of(arm.energy_drift());
+    rows.record->fields()[6] = slot_of(motors->clipped());
     if (events != nullptr) {
       tell_of_stops(vm, arm);
       return rows.record;
@@ -171,11 +180,12 @@ Trajectory motion_of(const std::vector<SimulationNode>& nodes, double hold) {
 
 class TorqueWaiting : public Waiting {
  public:
-  TorqueWaiting(Vm& vm, const RobotRef& r, FunctionValue law, const SimulationCall& call,
-                const SimulationOptions& options)
+  TorqueWaiting(Vm& vm, const RobotRef& r, FunctionValue law, MotorLimits motors,
+                const SimulationCall& call, const SimulationOptions& options)
       : host_(Host::of(vm)),
         robot_(r.id),
         law_(vm, law),
+        motors_(std::move(motors)),
         options_(options),
         every_ns_(std::max<std::int64_t>(to_ns(call.every), 1)),
         begin_ns_(host_.now_ns()),
@@ -186,16 +196,17 @@ class TorqueWaiting : public Waiting {
   // Asks for torques, and moves on until it asks again.
   Answer<void> hold(Vm& vm) {
     arm_.set_robot(state().loaded);
-    const auto tau = law_(arm_.robot(), arm_.t(), arm_.q(), arm_.qd());
-    if (!tau) return Failed{};
+    const auto asked = law_(arm_.robot(), arm_.t(), arm_.q(), arm_.qd());
+    if (!asked) return Failed{};
     next_ns_ = std::min(next_ns_ + every_ns_, end_ns_);
     const double until = to_seconds(next_ns_ - begin_ns_);
     const double seconds = until - arm_.t();
+    const JointVector tau = motors_.given(*asked, seconds);
     nodes_.clear();
-    const SimulationOutcome outcome = arm_.advance(*tau, seconds, &nodes_);
+    const SimulationOutcome outcome = arm_.advance(tau, seconds, &nodes_);
     if (outcome.status != SimulationStatus::kDone)
       return cannot_simulate(vm, arm_, outcome, options_);
-    motion_ = host_.cell().push(robot_, motion_of(nodes_, seconds), *tau);
+    motion_ = host_.cell().push(robot_, motion_of(nodes_, seconds), tau);
     return {};
   }
 
@@ -237,6 +248,7 @@ class TorqueWaiting : public Waiting {
     record->fields()[2] = slot_of(to_seconds(done.end_ns - done.start_ns));
     record->fields()[3].o = events;
     record->fields()[4] = slot_of(arm_.energy_drift());
+    record->fields()[5] = slot_of(motors_.clipped());
     result.o = record;
     return Signal::kDone;
   }
@@ -253,6 +265,7 @@ class TorqueWaiting : public Waiting {
   Host& host_;
   int robot_;
   TorqueLaw law_;
+  MotorLimits motors_;
   SimulationOptions options_;
   std::int64_t every_ns_, begin_ns_, end_ns_, next_ns_;
   ArmSimulation arm_;
@@ -261,23 +274,30 @@ class TorqueWaiting : public Waiting {
 };
 
 Started torque_j(Vm& vm, const RobotRef& r, FunctionValue law, double during, double every,
-                 std::string_view method, std::optional<double> step, double restitution) {
+                 std::string_view method, std::optional<double> step, double restitution,
+                 std::optional<JointList> most, std::optional<JointList> rates) {
   const SimulationCall call{.function = "torqueJ",
                             .during = during,
                             .every = every,
                             .method = method,
                             .step = step,
                             .restitution = restitution,
+                            .most = most,
+                            .rates = rates,
                             .during_parameter = 2,
                             .every_parameter = 3,
                             .method_parameter = 4,
                             .step_parameter = 5,
-                            .restitution_parameter = 6};
+                            .restitution_parameter = 6,
+                            .most_parameter = 7,
+                            .rates_parameter = 8};
   if (!check_idle(vm, r.id)) return Failed{};
   const auto options = simulation_options(vm, call);
   if (!options || !check_time_left(vm, "a motion", during, 2)) return Failed{};
+  auto motors = motor_limits(vm, call, model_of(vm, r));
+  if (!motors) return Failed{};
   try {
-    auto waiting = std::make_unique<TorqueWaiting>(vm, r, law, call, *options);
+    auto waiting = std::make_unique<TorqueWaiting>(vm, r, law, *std::move(motors), call, *options);
     if (!waiting->hold(vm)) return Failed{};
     return std::unique_ptr<Waiting>(std::move(waiting));
   } catch (const ArgumentError& error) {
@@ -295,7 +315,10 @@ constexpr std::string_view kSimulateHelp =
     "of every hold; events are the instants at which a joint ran against its stop (\"stop\"), came "
     "to stand (\"stick\") or began to move (\"slip\"), the first thousand; drift is the error of "
     "the energy. method and step are those of ode; restitution is the part of its speed with which "
-    "a joint leaves its stop.";
+    "a joint leaves its stop. Motors give at most maxTorques, which are those of the arm if they "
+    "are "
+    "left out, and change by at most maxTorqueRates each second; `clipped` is how long one of them "
+    "gave less than it was asked for.";
 constexpr std::string_view kTorqueHelp =
     "Moves the arm by the torques of law(t, q, qd), t from the start, asked every so often and "
     "held "
@@ -306,12 +329,13 @@ constexpr NativeFunction kSimulationFunctions[] = {
     def<simulate>(
         "simulate(r: robot, tau: fn(double, double[], double[]) -> double[], during: time, hold: "
         "time = 1ms, from: posJ?, speeds: double[]?, method: string = \"rk4\", step: time?, "
-        "restitution: double = 0.0) -> Simulation",
+        "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
+        "Simulation",
         kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last"),
     def<torque_j>(
         "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, hold: "
-        "time = 1ms, method: string = \"rk4\", step: time?, restitution: double = 0.0) -> "
-        "TorqueRun",
+        "time = 1ms, method: string = \"rk4\", step: time?, restitution: double = 0.0, maxTorques: "
+        "double[]?, maxTorqueRates: double[]?) -> TorqueRun",
         kTorqueHelp, "robots.puma560().torqueJ(fn(t, q, qd) => zeros(6), during: 100ms)",
         {.pauses = true}),
 };

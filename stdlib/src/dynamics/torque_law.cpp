@@ -103,6 +103,51 @@ Answer<SimulationOptions> simulation_options(Vm& vm, const SimulationCall& call)
   return options;
 }
 
+MotorLimits::MotorLimits(const Robot& robot) : most_(robot.n()) {
+  for (int i = 0; i < robot.n(); ++i) most_[i] = robot.joint(i).max_effort;
+}
+
+Answer<void> MotorLimits::take(Vm& vm, std::span<const double> values, std::string_view what,
+                               int parameter, JointVector& limits) const {
+  if (static_cast<Eigen::Index>(values.size()) != most_.size()) {
+    return failure(vm, "R0613",
+                   fmt::format("{} are {} values for {} joints", what, values.size(), most_.size()),
+                   parameter);
+  }
+  limits = Eigen::Map<const Eigen::VectorXd>(values.data(), most_.size());
+  for (const double limit : values) {
+    if (!(limit > 0.0))
+      return domain_failure(vm, fmt::format("one of {}", what), limit, "be above 0", {}, parameter);
+  }
+  return {};
+}
+
+Answer<void> MotorLimits::set_most(Vm& vm, std::span<const double> most, int parameter) {
+  return take(vm, most, "the largest torques", parameter, most_);
+}
+
+Answer<void> MotorLimits::set_rates(Vm& vm, std::span<const double> rates, int parameter) {
+  return take(vm, rates, "the largest rates of torques", parameter, rates_);
+}
+
+JointVector MotorLimits::given(const JointVector& tau, double hold) {
+  JointVector cut = tau.cwiseMax(-most_).cwiseMin(most_);
+  if (rates_.size() != 0 && before_.size() != 0) {
+    const JointVector step = rates_ * hold;
+    cut = cut.cwiseMax(before_ - step).cwiseMin(before_ + step);
+  }
+  if (cut != tau) clipped_ += hold;
+  before_ = cut;
+  return cut;
+}
+
+Answer<MotorLimits> motor_limits(Vm& vm, const SimulationCall& call, const Robot& robot) {
+  MotorLimits limits(robot);
+  if (call.most && !limits.set_most(vm, *call.most, call.most_parameter)) return Failed{};
+  if (call.rates && !limits.set_rates(vm, *call.rates, call.rates_parameter)) return Failed{};
+  return limits;
+}
+
 Failed cannot_simulate(Vm& vm, const ArmSimulation& arm, const SimulationOutcome& outcome,
                        const SimulationOptions& options) {
   const std::string where = fmt::format("joint {} of `{}`", outcome.joint + 1, arm.robot().name());

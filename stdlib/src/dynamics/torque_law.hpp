@@ -1,6 +1,8 @@
 #pragma once
 // What a program says of the forces of its motors, and what came of it.
 
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "armlet/dynamics/simulation.hpp"
@@ -34,6 +36,30 @@ class TorqueLaw {
   Argument q_, qd_;
 };
 
+// What motors can give. What a law asks for beyond it is cut off.
+class MotorLimits {
+ public:
+  // The arm's own largest forces, which may be infinite, and no limit on how fast they change.
+  explicit MotorLimits(const Robot& robot);
+
+  // Other limits instead, above zero, in N m and N, and per second: one value for each joint.
+  Answer<void> set_most(Vm& vm, std::span<const double> most, int parameter);
+  Answer<void> set_rates(Vm& vm, std::span<const double> rates, int parameter);
+
+  // What the motors give for `hold` seconds, where the law asks for tau. The first forces may be
+  // any.
+  [[nodiscard]] JointVector given(const JointVector& tau, double hold);
+  // How long any motor gave less than it was asked for, s.
+  [[nodiscard]] double clipped() const { return clipped_; }
+
+ private:
+  Answer<void> take(Vm& vm, std::span<const double> values, std::string_view what, int parameter,
+                    JointVector& limits) const;
+
+  JointVector most_, rates_, before_;
+  double clipped_ = 0.0;
+};
+
 // How a simulation is made, as the call says it, and which parameters say it.
 struct SimulationCall {
   std::string_view function;  // "simulate"
@@ -41,11 +67,14 @@ struct SimulationCall {
   std::string_view method;
   std::optional<double> step;
   double restitution;
+  std::optional<std::span<const double>> most, rates;  // of the motors
   int during_parameter, every_parameter, method_parameter, step_parameter, restitution_parameter;
+  int most_parameter, rates_parameter;
 };
 
-// Its options, checked.
+// Its options, checked, and what the motors can give.
 Answer<SimulationOptions> simulation_options(Vm& vm, const SimulationCall& call);
+Answer<MotorLimits> motor_limits(Vm& vm, const SimulationCall& call, const Robot& robot);
 
 // What a simulation could not do, with the joint and the time.
 Failed cannot_simulate(Vm& vm, const ArmSimulation& arm, const SimulationOutcome& outcome,

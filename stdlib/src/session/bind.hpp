@@ -34,6 +34,7 @@ std::span<const NativeFunction> rotation_functions();
 std::span<const NativeFunction> robot_functions();
 std::span<const NativeFunction> ikine_functions();
 std::span<const NativeFunction> ikine_info_functions();
+std::span<const NativeFunction> control_functions();
 std::span<const NativeFunction> dynamics_functions();
 std::span<const NativeFunction> identification_functions();
 std::span<const NativeFunction> simulation_functions();

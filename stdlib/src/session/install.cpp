@@ -66,6 +66,9 @@ std::span<const Chapter> chapters() {
       {.title = "Robots: simulation",
        .functions = simulation_functions(),
        .is_mathematics = true},
+      {.title = "Robots: control",
+       .functions = control_functions(),
+       .is_mathematics = true},
       {.title = "Robots: motion", .functions = motion_functions()},
       {.title = "Robots: velocity commands", .functions = velocity_functions()},
       {.title = "Trajectories", .functions = trajectory_functions(), .is_mathematics = true},
@@ -112,14 +115,16 @@ void install(Engine& engine) {
                     "contacts: int, minSingular: double, volume: double, forceClosure: bool");
   engine.add_record("Blob", "x: double, y: double, area: double");
   engine.add_record("Match", "x: double, y: double, score: double");
+  engine.add_record("Compliance", "offset: double[], rate: double[]");
   engine.add_record("BaseParameters", "columns: int[], grouping: matrix, values: double[]");
   engine.add_record("OdeSolution", "t: time[], y: matrix");
   engine.add_record("JointEvent", "t: time, kind: string, joint: int, speed: double");
   engine.add_record("Simulation",
                     "t: time[], q: matrix, qd: matrix, tau: matrix, events: JointEvent[], drift: "
-                    "energy");
+                    "energy, clipped: time");
   engine.add_record("TorqueRun",
-                    "reached: bool, stopped: bool, time: time, events: JointEvent[], drift: energy");
+                    "reached: bool, stopped: bool, time: time, events: JointEvent[], drift: energy, "
+                    "clipped: time");
   engine.add_messages(bind::kLibraryMessages);
   engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");
