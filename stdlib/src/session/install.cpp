@@ -30,52 +30,36 @@ constexpr std::string_view kPlanned[] = {"mesh", "lab",
 namespace bind {
 
 std::span<const Chapter> chapters() {
+  constexpr auto mathematics = [](std::string_view title,
+                                  std::span<const NativeFunction> functions) {
+    return Chapter{.title = title, .functions = functions, .is_mathematics = true};
+  };
   static const Chapter all[] = {
-      {.title = "Mathematics", .functions = math_functions(), .is_mathematics = true},
+      mathematics("Mathematics", math_functions()),
       {.title = "Lists", .functions = list_functions()},
-      {.title = "Vectors", .functions = vector_functions(), .is_mathematics = true},
-      {.title = "Matrices", .functions = matrix_functions(), .is_mathematics = true},
-      {.title = "Matrices: parts", .functions = matrix_part_functions(), .is_mathematics = true},
-      {.title = "Linear algebra", .functions = linalg_functions(), .is_mathematics = true},
-      {.title = "Fits, roots and equations",
-       .functions = numeric_functions(),
-       .is_mathematics = true},
-      {.title = "Differential equations", .functions = ode_functions(), .is_mathematics = true},
+      mathematics("Vectors", vector_functions()),
+      mathematics("Matrices", matrix_functions()),
+      mathematics("Matrices: parts", matrix_part_functions()),
+      mathematics("Linear algebra", linalg_functions()),
+      mathematics("Fits, roots and equations", numeric_functions()),
+      mathematics("Differential equations", ode_functions()),
       {.title = "Text", .functions = text_functions()},
-      {.title = "Positions and frames", .functions = pose_functions(), .is_mathematics = true},
-      {.title = "Positions and frames: orientations",
-       .functions = rotation_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: models", .functions = model_functions(), .is_mathematics = true},
-      {.title = "Robots: tables", .functions = dh_functions(), .is_mathematics = true},
-      {.title = "Robots: state and kinematics",
-       .functions = robot_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: inverse kinematics",
-       .functions = ikine_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: inverse kinematics as values",
-       .functions = ikine_info_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: dynamics",
-       .functions = dynamics_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: identification",
-       .functions = identification_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: simulation",
-       .functions = simulation_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: control",
-       .functions = control_functions(),
-       .is_mathematics = true},
+      mathematics("Positions and frames", pose_functions()),
+      mathematics("Positions and frames: orientations", rotation_functions()),
+      mathematics("Robots: models", model_functions()),
+      mathematics("Robots: tables", dh_functions()),
+      mathematics("Robots: state and kinematics", robot_functions()),
+      mathematics("Robots: inverse kinematics", ikine_functions()),
+      mathematics("Robots: inverse kinematics as values", ikine_info_functions()),
+      mathematics("Robots: dynamics", dynamics_functions()),
+      mathematics("Robots: identification", identification_functions()),
+      mathematics("Robots: simulation", simulation_functions()),
+      mathematics("Robots: control", control_functions()),
       {.title = "Robots: motion", .functions = motion_functions()},
       {.title = "Robots: velocity commands", .functions = velocity_functions()},
-      {.title = "Trajectories", .functions = trajectory_functions(), .is_mathematics = true},
-      {.title = "Trajectories: integration",
-       .functions = acceleration_functions(),
-       .is_mathematics = true},
-      {.title = "Trajectories: planners", .functions = planner_functions(), .is_mathematics = true},
+      mathematics("Trajectories", trajectory_functions()),
+      mathematics("Trajectories: integration", acceleration_functions()),
+      mathematics("Trajectories: planners", planner_functions()),
       {.title = "Robots: settings", .functions = settings_functions()},
       {.title = "Robots: paths", .functions = path_functions()},
       {.title = "Hands", .functions = hand_functions()},
@@ -122,9 +106,10 @@ void install(Engine& engine) {
   engine.add_record("Simulation",
                     "t: time[], q: matrix, qd: matrix, tau: matrix, events: JointEvent[], drift: "
                     "energy, clipped: time");
-  engine.add_record("TorqueRun",
-                    "reached: bool, stopped: bool, time: time, events: JointEvent[], drift: energy, "
-                    "clipped: time");
+  engine.add_record(
+      "TorqueRun",
+      "reached: bool, stopped: bool, time: time, events: JointEvent[], drift: energy, "
+      "clipped: time");
   engine.add_messages(bind::kLibraryMessages);
   engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");
