@@ -1,0 +1,88 @@
+#include "armlet/trajectory/motion_forces.hpp"
+
+#include <doctest/doctest.h>
+
+#include "armlet/dynamics/inverse_dynamics.hpp"
+#include "armlet/model/catalog.hpp"
+#include "armlet/trajectory/joint_move.hpp"
+#include "random_mass.hpp"
+
+using namespace armlet;
+using Eigen::VectorXd;
+
+namespace {
+
+// One joint of 2 kg m^2, without gravity, that gives 3 N m.
+Robot wheel() {
+  RobotSpec spec;
+  Joint joint;
+  joint.max_effort = 3.0;
+  spec.joints.push_back(joint);
+  Link link;
+  link.mass = 1.0;
+  link.inertia = 2.0 * Eigen::Matrix3d::Identity();
+  spec.links.push_back(link);
+  return Robot(spec);
+}
+
+Trajectory fastest(const Robot& robot, const VectorXd& q0, const VectorXd& q1) {
+  const PlannerSet planners;
+  const MotionPlan plan = plan_joint_move(planners, robot, {.q0 = q0, .q1 = q1, .speed = 1.0});
+  REQUIRE(plan.ok());
+  return *plan.trajectory;
+}
+
+}  // namespace
+
+TEST_CASE("the force of a joint that nothing else loads is its inertia times its acceleration") {
+  const Robot robot = wheel();
+  const Trajectory motion = fastest(robot, VectorXd::Zero(1), VectorXd::Constant(1, 1.0));
+  const MotionForces forces = motion_forces(robot, motion);
+  CHECK(std::abs(forces.peaks[0].force) == doctest::Approx(2.0 * motion.peak(0, 2)).epsilon(1e-4));
+  CHECK(forces.nearest == 0);
+  CHECK(forces.slower == doctest::Approx(std::sqrt(2.0 * motion.peak(0, 2) / 3.0)).epsilon(1e-4));
+}
+
+// With k from motion_forces the slowed motion is just within the limits.
+TEST_CASE("a motion that is so many times slower keeps the limits, one a little faster does not") {
+  Random random(31);
+  int tried = 0;
+  for (int k = 0; k < 60; ++k) {
+    const int n = 2 + k % 5;
+    Robot robot = random_heavy_arm(random, n);
+    const VectorXd q0 = random_values(random, n), q1 = random_values(random, n);
+    RobotSpec spec = robot.spec();
+    const Trajectory motion = fastest(robot, q0, q1);
+    const MotionForces free = motion_forces(robot, motion);
+    CHECK(free.nearest == -1);
+    CHECK(free.slower == 0.0);
+    const MotionForces holding = motion_forces(robot, motion.stretched(1000.0));
+    for (int i = 0; i < n; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double held = std::abs(holding.peaks[at].force), most = std::abs(free.peaks[at].force);
+      spec.joints[at].max_effort = 1e-3 + held + random.uniform(0.4, 1.1) * std::abs(most - held);
+    }
+    robot = Robot(spec);
+    const MotionForces forces = motion_forces(robot, motion);
+    if (!std::isfinite(forces.slower) || forces.slower <= 1.0) continue;
+    ++tried;
+    const auto share = [&](double factor) {
+      const MotionForces now = motion_forces(robot, motion.stretched(factor));
+      return now.peaks[static_cast<std::size_t>(now.nearest)].share();
+    };
+    CHECK(share(forces.slower * 1.001) < 1.001);
+    CHECK(share(forces.slower * 0.98) > 1.0);
+  }
+  CHECK(tried > 30);
+}
+
+TEST_CASE("where the weight alone is too much no speed helps") {
+  RobotSpec spec = wheel().spec();
+  spec.links[0].mass = 10.0;
+  spec.links[0].com = {0.5, 0.0, 0.0};
+  spec.gravity = {0.0, -9.81, 0.0};  // across the axis: up to 49 N m
+  const Robot robot(spec);
+  const MotionForces forces =
+      motion_forces(robot, fastest(robot, VectorXd::Zero(1), VectorXd::Constant(1, 0.5)));
+  CHECK(std::isinf(forces.slower));
+}
