@@ -210,8 +210,8 @@ Answer<RecordObj*> compliance_record(Vm& vm, const Compliance& state) {
 
 Answer<RecordObj*> compliance(Vm& vm) { return compliance_record(vm, {}); }
 
-Answer<RecordObj*> yielded(Vm& vm, const RecordObj& state, JointList wrench, JointList mass,
-                           JointList damping, JointList stiffness, double during) try {
+Answer<RecordObj*> given_way(Vm& vm, const RecordObj& state, JointList wrench, JointList mass,
+                             JointList damping, JointList stiffness, double during) try {
   const auto part = [&](ComplianceField field) {
     return six_values(vm, reals_value(state.fields()[field]), "a compliance", 0);
   };
@@ -284,13 +284,15 @@ constexpr NativeFunction kControlFunctions[] = {
                     "What yields to forces, at rest at its place: `offset` and `rate`, six values "
                     "each, along x, y, z and about them.",
                     "compliance().offset"),
-    def<yielded>(
-        "yield(state: Compliance, wrench: double[], mass: double[], damping: double[], stiffness: "
+    def<given_way>(
+        "giveWay(state: Compliance, wrench: double[], mass: double[], damping: double[], "
+        "stiffness: "
         "double[], during: time) -> Compliance",
         "The compliance after a time under a constant wrench, three forces and three moments: mass "
         "x'' + damping x' + stiffness x = wrench in each direction, solved exactly. It is the "
         "admittance of a controller that moves the goal of a stiff arm.",
-        "yield(compliance(), [5.0, 0.0, 0.0, 0.0, 0.0, 0.0], mass: [1.0, 1.0, 1.0, 1.0, 1.0, 1.0], "
+        "giveWay(compliance(), [5.0, 0.0, 0.0, 0.0, 0.0, 0.0], mass: [1.0, 1.0, 1.0, 1.0, 1.0, "
+        "1.0], "
         "damping: [20.0, 20.0, 20.0, 1.0, 1.0, 1.0], stiffness: [100.0, 100.0, 100.0, 9.0, 9.0, "
         "9.0], during: 10ms).offset[0]"),
 };

@@ -111,7 +111,8 @@ Answer<void> MotorLimits::take(Vm& vm, std::span<const double> values, std::stri
                                int parameter, JointVector& limits) const {
   if (static_cast<Eigen::Index>(values.size()) != most_.size()) {
     return failure(vm, "R0613",
-                   fmt::format("{} are {} values for {} joints", what, values.size(), most_.size()),
+                   fmt::format("{} are {} values for an arm of {} joint{}", what, values.size(),
+                               most_.size(), most_.size() == 1 ? "" : "s"),
                    parameter);
   }
   limits = Eigen::Map<const Eigen::VectorXd>(values.data(), most_.size());

@@ -11,6 +11,7 @@
 #include "armlet/stdlib/robot_text.hpp"
 #include "armlet/trajectory/part.hpp"
 #include "armlet/trajectory/verify.hpp"
+#include "motion/motion_torques.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -129,6 +130,7 @@ std::string explain_motion(std::string_view what, const Robot& robot, const Traj
   const std::vector<MotionPart> parts = notes.parts.empty() ? pieces_of(motion) : notes.parts;
   if (parts.size() > 1) text += parts_text(robot, motion, parts);
   text += deviation_text(notes);
+  text += torques_text(robot, motion);
   const TooFast least = least_time(robot, motion, jerk_of(motion, start));
   if (least.least_time <= 0.0) return text;
   text += fmt::format("\n  this path takes at least {} s: joint {} is limited to {}{}",
@@ -148,7 +150,7 @@ std::string last_move_text(const Host& host, int robot) {
   if (last == nullptr) return of.name + " has not moved";
   bool moving = false;  // it took over from a velocity command
   for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
-  return bind::explain_motion(fmt::format("{} of {}", last->function, of.name), *of.model,
+  return bind::explain_motion(fmt::format("{} of {}", last->function, of.name), *of.loaded,
                               last->motion, last->notes,
                               moving ? Trajectory::Start::kMoving : Trajectory::Start::kAtRest);
 }

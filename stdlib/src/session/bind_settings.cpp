@@ -78,6 +78,34 @@ Answer<void> set_track(Vm& vm, std::string_view name) {
   return {};
 }
 
+struct TorqueCheckName {
+  std::string_view name;
+  TorqueCheck check;
+};
+constexpr TorqueCheckName kTorqueChecks[] = {{"report", TorqueCheck::kReport},
+                                             {"error", TorqueCheck::kError},
+                                             {"ignore", TorqueCheck::kIgnore}};
+
+const TorqueCheckName* torque_check_called(std::string_view name) {
+  const auto* found = std::ranges::find(kTorqueChecks, name, &TorqueCheckName::name);
+  return found != std::end(kTorqueChecks) ? found : nullptr;
+}
+
+Answer<void> set_torques(Vm& vm, std::string_view name) {
+  const TorqueCheckName* found = torque_check_called(name);
+  if (found == nullptr) {
+    return failure(vm, "R0609",
+                   fmt::format("torques cannot be checked \"{}\": it is \"report\", \"error\" or "
+                               "\"ignore\"",
+                               name),
+                   0);
+  }
+  BlockSettings settings = settings_of(vm);
+  settings.torques = found->check;
+  replace_settings(vm, std::move(settings));
+  return {};
+}
+
 void set_tool(Vm& vm, const PosC& tool) {
   BlockSettings settings = settings_of(vm);
   settings.T_flange_tool = tool.T;
@@ -109,6 +137,13 @@ void check_track_setting(CheckCall& call) {
       make_diagnostic("E0513", call.span(0),
                       {"track", "\"exact\", \"slow\" or \"damped\"", '"' + constant->text + '"'}));
 }
+void check_torques_setting(CheckCall& call) {
+  const auto constant = call.constant(0);
+  if (!constant || torque_check_called(constant->text) != nullptr) return;
+  call.report(make_diagnostic(
+      "E0513", call.span(0),
+      {"torques", "\"report\", \"error\" or \"ignore\"", '"' + constant->text + '"'}));
+}
 void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }
 
@@ -136,6 +171,12 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "leaves its way a little; the Move says how far, as its deviation.",
         "with (track: \"slow\") { moveL(xyz(300mm, 200mm, 200mm), speed: 200mm/s) }",
         {.check = check_track_setting}),
+    def<set_torques>(
+        "with.torques(torques: string)",
+        "What becomes of a move inside the block that asks motors for more than the maxTorque of "
+        "their joints. \"report\", as outside of any block: it is made, and advice says so. "
+        "\"error\": it is refused before it starts. \"ignore\": it is made.",
+        "with (torques: \"error\") { moveJ(home()) }", {.check = check_torques_setting}),
     def<set_frame_position>(
         "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
         "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),

@@ -21,6 +21,9 @@ struct CollectedPath;
 // need it there, slows down only there, or leaves the line a little.
 enum class Track { kExact, kSlow, kDamped };
 
+// What becomes of a move that asks motors for more than they give.
+enum class TorqueCheck { kReport, kError, kIgnore };
+
 // speed, accel   fractions of the joint limits, for moves that do not say how fast.
 // T_flange_tool  the point that moves, instead of the robot's own.
 // path           where moves are collected instead of made; null: outside of any path.
@@ -32,6 +35,7 @@ struct BlockSettings {
   std::optional<Frame> frame{};
   std::shared_ptr<CollectedPath> path{};
   Track track = Track::kExact;
+  TorqueCheck torques = TorqueCheck::kReport;
 };
 
 // Those of the running task.

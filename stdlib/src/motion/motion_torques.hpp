@@ -1,0 +1,19 @@
+#pragma once
+// What motions ask of the motors, against what these give.
+
+#include <string>
+
+#include "armlet/trajectory/trajectory.hpp"
+#include "motion/moves.hpp"
+
+namespace armlet::bind {
+
+// Says, as `with (torques:)` wants it, that a motor of the robot of the call cannot do this motion:
+// as advice, or as R0642.
+Answer<void> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion);
+
+// "joint 2 comes nearest to what its motor gives: 120 Nm (64 %) at 0.31 s" in a line of its own;
+// empty if no limit is known.
+[[nodiscard]] std::string torques_text(const Robot& robot, const Trajectory& motion);
+
+}  // namespace armlet::bind
