@@ -59,7 +59,7 @@ const Named* name_at(const std::vector<Named>& names, std::uint32_t source, std:
 std::span<const Reference> Facts::uses_of(const Symbol& symbol) const {
   const auto index = static_cast<std::uint32_t>(&symbol - symbols.data());
   const auto first = std::ranges::lower_bound(by_symbol, index, {}, &Reference::symbol);
-  return {first, std::ranges::upper_bound(first, by_symbol.end(), index, {}, &Reference::symbol)};
+  return {first, std::ranges::upper_bound(by_symbol, index, {}, &Reference::symbol)};
 }
 
 const Reference* Facts::reference_at(std::uint32_t at) const {
