@@ -38,3 +38,15 @@ set_source_files_properties(${ANTLR4_INCLUDE_DIR}/ANTLRInputStream.cpp PROPERTIE
 target_compile_options(antlr4_static PRIVATE -w)
 target_compile_features(antlr4_static PRIVATE cxx_std_17)
 target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${ARMLET_WASM_SOURCES}/include)
+
+# A page waits for the module to arrive, so all is compiled for size but what programs spend their time in: the layers that
+# compute, and the machine's instructions and heap.
+function(armlet_hurry_hot_code)
+  foreach(layer math chain kinematics dynamics trajectory cell)
+    target_compile_options(armlet_layer_${layer} PRIVATE -O2)
+  endforeach()
+  set(machine ${PROJECT_SOURCE_DIR}/interpreter/src/vm)
+  file(GLOB hot ${machine}/heap/*.cpp ${machine}/instructions/*.cpp ${machine}/host/natives.cpp ${machine}/host/host_calls.cpp)
+  set_source_files_properties(${hot} TARGET_DIRECTORY armlet_interpreter PROPERTIES
+    COMPILE_OPTIONS -O2 SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that every #include respects the layers of the architecture and the fences around heavy headers."""
+"""Checks that every #include respects the layers of the architecture and the fences around heavy headers, and that
+portable sources use what every platform and compiler has."""
 
 import os
 import re
@@ -47,6 +48,11 @@ PLATFORM = re.compile(r"std::(thread|jthread|this_thread)\b|\b(steady|system|hig
 PORTABLE = ("runtime/", "interpreter/", "stdlib/")
 PLATFORMS = ("runtime/src/core/posix/", "runtime/src/core/bare/")
 
+# Algorithms of std::ranges that clang 14 reads, and that cmake/wasm/missing_cxx20.hpp gives emscripten's library.
+RANGES = re.compile(r"std::(?:ranges|views)::(\w+)")
+READABLE = set("""all_of any_of binary_search copy count count_if end equal find find_if find_if_not for_each is_sorted lower_bound
+    max_element min_element minmax_element move none_of reverse sort stable_sort transform upper_bound""".split())
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
@@ -90,6 +96,9 @@ def faults_in_file(path, text):
     for number, line in enumerate(text.splitlines(), 1):
         if is_portable and (asked := PLATFORM.search(line.split("//")[0])):
             yield f"{path}:{number}: {asked.group(0)} is a matter of the platform: armlet/core/platform.hpp, armlet/core/files.hpp"
+        for name in RANGES.findall(line.split("//")[0]) if is_portable else ():
+            if name not in READABLE:
+                yield f"{path}:{number}: other compilers cannot read std::ranges::{name}; write it with std::{name}"
         match = INCLUDE.match(line)
         if match:
             for fault in faults_in_line(path, match.group(1)):

@@ -59,7 +59,9 @@ const Named* name_at(const std::vector<Named>& names, std::uint32_t source, std:
 std::span<const Reference> Facts::uses_of(const Symbol& symbol) const {
   const auto index = static_cast<std::uint32_t>(&symbol - symbols.data());
   const auto first = std::ranges::lower_bound(by_symbol, index, {}, &Reference::symbol);
-  return {first, std::ranges::upper_bound(first, by_symbol.end(), index, {}, &Reference::symbol)};
+  const auto last = std::ranges::upper_bound(by_symbol, index, {}, &Reference::symbol);
+  return std::span(by_symbol).subspan(static_cast<std::size_t>(first - by_symbol.begin()),
+                                      static_cast<std::size_t>(last - first));
 }
 
 const Reference* Facts::reference_at(std::uint32_t at) const {

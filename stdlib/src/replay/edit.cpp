@@ -42,7 +42,8 @@ class Tape : public Backend {
 // Where the tapes differ. A run that has paused might have told more at its last instant.
 TextChange compare(const Tape& before, const Tape& now, bool had_ended, const SourceSet& texts) {
   const auto is_same = [](const Tape::Told& a, const Tape::Told& b) { return a.hash == b.hash; };
-  const auto [old, fresh] = std::ranges::mismatch(before.told(), now.told(), is_same);
+  const auto [old, fresh] = std::mismatch(before.told().begin(), before.told().end(),
+                                          now.told().begin(), now.told().end(), is_same);
   const bool is_longer = fresh != now.told().end();
   const bool is_shorter = old != before.told().end();
   if (!is_shorter && (!is_longer || !had_ended)) return {.outcome = TextChange::Outcome::kSame};

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "armlet/math/det_math.hpp"
@@ -170,7 +171,8 @@ void JointModes::flip(Eigen::Index i) {
   mode.slides = 0;
   if (mode.stands && has_dry_friction(i)) mode.slides = hold_[i] > range_of(i).highest ? 1 : -1;
   mode.stands = !mode.stands;
-  any_stands_ = std::ranges::any_of(modes_.begin(), modes_.begin() + robot_->n(), &Mode::stands);
+  any_stands_ =
+      std::any_of(modes_.begin(), modes_.begin() + robot_->n(), std::mem_fn(&Mode::stands));
 }
 
 // Joints that rest at their stops take up impulses as well, as long as these press.
