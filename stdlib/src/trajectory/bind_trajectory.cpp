@@ -21,7 +21,7 @@ namespace {
 // ----------------------------------------------------------------------------------------------------
 
 using Number = std::optional<double>;
-using Numbers = std::optional<std::span<const double>>;
+using Durations = std::optional<std::span<const double>>;
 
 // A call, whose parameters stand one behind the other from the name on.
 MoveCall call_of(const RobotRef& r, int name) {
@@ -33,7 +33,7 @@ MoveCall call_of(const RobotRef& r, int name) {
           .accel = name + 5,
           .planner = name};
 }
-PointSettings settings_from(const MoveCall& call, const MoveSettings& move, Numbers durations) {
+PointSettings settings_from(const MoveCall& call, const MoveSettings& move, Durations durations) {
   PointSettings settings{.move = move, .durations_parameter = call.time + 1};
   if (durations) settings.durations.assign(durations->begin(), durations->end());
   return settings;
@@ -70,14 +70,14 @@ Answer<PlannedMotion> planned_of(Vm& vm, const MoveCall& call, std::string_view 
 // as the setting `robot`.
 template <class T>
 Answer<PlannedMotion> make_for(Vm& vm, const RobotRef& r, std::string_view name, HostList<T> points,
-                               Number time, Numbers durations, Number speed, Number accel) {
+                               Number time, Durations durations, Number speed, Number accel) {
   const MoveCall call = call_of(r, 1);
   const MoveSettings move{.time = time, .speed = speed, .accel = accel};
   return planned_of(vm, call, name, points, settings_from(call, move, durations));
 }
 template <class T>
 Answer<PlannedMotion> make_with(Vm& vm, std::string_view name, HostList<T> points, Number time,
-                                Numbers durations, Number speed, Number accel,
+                                Durations durations, Number speed, Number accel,
                                 const RobotRef& robot) {
   const MoveCall call = call_of(robot, 0);
   const MoveSettings move{.time = time, .speed = speed, .accel = accel};

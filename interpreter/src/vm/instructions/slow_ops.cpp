@@ -388,13 +388,13 @@ bool op_hold(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_retry(VmState& state, Slot* base, const Instr* pc) {
-  constexpr std::int64_t kMost = 1000;
+  constexpr std::int64_t kMostRetries = 1000;
   Slot& count = base[pc->a];
   Slot& instant = base[pc->b];
   const std::int64_t now = state.vm.timeline().now_ns();
   if (count.i == 0 || instant.i != now) count.i = 0;
   instant.i = now;
-  if (++count.i > kMost) return raise(state, "R0615", {std::to_string(kMost)});
+  if (++count.i > kMostRetries) return raise(state, "R0615", {std::to_string(kMostRetries)});
   return true;
 }
 
