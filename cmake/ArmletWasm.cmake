@@ -39,7 +39,7 @@ target_compile_options(antlr4_static PRIVATE -w)
 target_compile_features(antlr4_static PRIVATE cxx_std_17)
 target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${ARMLET_WASM_SOURCES}/include)
 
-# A page waits for the module to arrive, so all is compiled for size but what programs spend their time in: the layers that
+# (emscripten says -fno-inline-functions with -Os, which makes C++ larger; the preset says otherwise.) A page waits for the module to arrive, so all is compiled for size but what programs spend their time in: the layers that
 # compute, and the machine's instructions and heap.
 function(armlet_hurry_hot_code)
   foreach(layer math chain kinematics dynamics trajectory cell)
