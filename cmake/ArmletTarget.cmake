@@ -31,6 +31,8 @@ function(armlet_compile_options target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wno-missing-field-initializers
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>"
+    # g++ collects its garbage later, which makes it 5 to 10 % faster.
+    "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param=ggc-min-expand=400 --param=ggc-min-heapsize=600000>"
     $<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed>
     -ffp-contract=off -falign-functions=64 $<$<BOOL:${ARMLET_WERROR}>:-Werror> ${ARMLET_COMPILE_OPTIONS})
   armlet_sanitize(${target})
