@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 from pathlib import Path
 
@@ -64,7 +65,36 @@ def check_commands():
     check("?name is the page of a name", "moveL(" in out and "straight" in out, done)
     check("??word finds pages", "gravity" in out or "invDyn" in out or "torque" in out, done)
     check(":explain", "E0401" in out, done)
-    check("a number of lines that is none", '"x" is not a number of lines' in done.stderr, done)
+    check("a number of lines that is none", '"x" is not a number from 1 on' in done.stderr, done)
+
+
+def check_going():
+    lines = ["let a = 1", "moveJ(posJ(10deg, 20deg, 50mm, 0deg), time: 2s)", "print(now())", ":goto 1.5s", ":where", "print(9)", ":redo 2",
+             ":goto 0.5s", ":undo 2", "print(now())", ":runs", "wait(4s)", ":goto 5s", ":goto soon", ":runs 1", ":goto 1s", ":runs 7"]
+    with tempfile.TemporaryDirectory() as folder:
+        done = piped("\n".join(lines) + "\n", "--record", "going.arec", folder=folder)
+        out = done.stdout
+        check("a time in the middle of a line", "t = 1.50 s, in [2]: moveJ(" in out and "joints (9 deg" in out, done)
+        check("no line begins in the middle of another", "9\n" not in out and "[2] is under way at t = 1.50 s" in done.stderr, done)
+        check("from there on", "t = 2.00 s, done again\n  moveJ(posJ(10deg, 20deg, 50mm, 0deg), time: 2s)\n  print(now())" in out, done)
+        check("and back", "t = 0.00 s, robots, objects and names as before\n  let a = 1\n  moveJ(" in out, done)
+        check("another line is another run", re.search(r"^0 s\n  1  to t = 2.00 s, 3 lines: print\(now", out, re.M), done)
+        check("a time that was not reached", "The run has come to t = 4 s; there is no t = 5 s" in done.stderr, done)
+        check("what is no time", "write :goto with a time" in done.stderr, done)
+        check("a run that was left is taken up", "t = 2.00 s, behind [3]: print(now())" in out, done)
+        check("a run that there is not", "there is no run 7; :runs lists" in done.stderr, done)
+
+        replayed = subprocess.run([ARMLET, "replay", "going.arec"], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+        check("the record has what counts", replayed.stdout == "" and replayed.returncode == 0, replayed)
+
+        lines = ["var n = 1", "n = 2; moveJ(posJ(10deg, 20deg, 50mm, 0deg), time: 2s)", "n = [1][3]", "print(n, now())", "wait(1s)", ":undo", "print(now())"]
+        done = piped("\n".join(lines) + "\n", "--record", "kept.arec", folder=folder)
+        replayed = subprocess.run([ARMLET, "replay", "kept.arec", "--quiet"], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+        check("the session once more, without what failed or was undone", replayed.stdout == "2 2 s\n2 s\n" and replayed.returncode == 0, replayed)
+        verified = subprocess.run([ARMLET, "replay", "kept.arec", "--verify"], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+        check("event by event", verified.stdout.startswith("the same run") and verified.returncode == 0, verified)
+        there = subprocess.run([ARMLET, "replay", "kept.arec", "--to", "1s"], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+        check("a time of it", "joints 5 deg, 55 deg" in there.stdout and "n: int = 2" in there.stdout, there)
 
 
 def check_files():
@@ -161,6 +191,38 @@ class Terminal:
         sys.exit(f"Ctrl-D did not end the prompt\n--- last:\n{self.text}{last}")
 
 
+def check_stopping(home):
+    """Ctrl-C while lines run again, and SIGTERM while a line is edited."""
+    slow = Terminal(home)
+    slow.expect(r"rbt> ", "the prompt")
+    slow.type("var n = 0\n")
+    slow.type("for (i in range(30000000)) { n = (n + i) % 7919 }\n")
+    slow.type("let seen = n\n")
+    slow.type("print(\"there\", n == seen)\n")
+    slow.expect(r"\nthere true", "a line that takes long")
+    slow.type("let z = 1\n:undo\n")
+    slow.expect(r":undo", "the wish to go back")
+    time.sleep(0.15)
+    slow.type("\x03")
+    found = slow.expect(r"stopped; all as it was|as before", "Ctrl-C while lines run again")
+    check("Ctrl-C gives up going back", "stopped" in found.group(), slow.text)
+    slow.type("print(\"still\", z)\n")
+    slow.expect(r"\nstill 1", "all is as it was")
+    slow.expect(r"rbt> ", "the prompt goes on")
+    before = Terminal(home, "dumb")
+    before.expect(r"rbt> ", "a prompt that edits nothing")
+    plain = termios.tcgetattr(before.fd)[3]
+    edited = termios.tcgetattr(slow.fd)[3]
+    check("a line that is edited changes the terminal", edited & termios.ICANON == 0, edited)
+    os.kill(slow.pid, signal.SIGTERM)
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end and termios.tcgetattr(slow.fd)[3] & termios.ICANON == 0:
+        time.sleep(0.05)
+    check("SIGTERM leaves the terminal as it was", termios.tcgetattr(slow.fd)[3] == plain, termios.tcgetattr(slow.fd))
+    check("and ends the command", os.waitstatus_to_exitcode(os.waitpid(slow.pid, 0)[1]) == 130)
+    before.end()
+
+
 def check_terminal(home):
     terminal = Terminal(home)
     terminal.expect(r"Armlet [0-9.]+ +robot scara \(4 joints\).*:help lists commands", "the greeting")
@@ -211,6 +273,7 @@ def check_terminal(home):
     again.type("\x15")
     again.end()
 
+    check_stopping(home)
     dumb = Terminal(home, "dumb")
     dumb.expect(r"rbt> ", "the prompt in a terminal without cursor keys")
     dumb.type("1 + 1\n")
@@ -221,6 +284,7 @@ def check_terminal(home):
 check_pipe()
 check_classic()
 check_commands()
+check_going()
 check_files()
 check_examples()
 check_interrupted_pipe()

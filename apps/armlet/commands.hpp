@@ -66,8 +66,13 @@ struct RobotOptions {
   bool published = false;  // keep inertias that no rigid body has
 };
 
+struct PromptOptions {
+  ProgramOptions program;
+  std::string record;  // where the log of the session is left; empty: nowhere
+};
+
 // The prompt: lines from standard input, until they end.
-int prompt(const ProgramOptions& options);
+int prompt(const PromptOptions& options);
 int run(const RunOptions& options);
 int replay(const ReplayOptions& options);
 int check(const ProgramOptions& options, const std::vector<std::string>& files);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -11,8 +12,10 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "armlet/cell/clock.hpp"
 #include "armlet/core/files.hpp"
 #include "armlet/interpreter/render.hpp"
+#include "armlet/interpreter/unit.hpp"
 #include "armlet/math/format_vector.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "imports.hpp"
@@ -25,6 +28,16 @@ std::atomic<bool> was_interrupted{false};
 std::atomic<bool> stays{false};  // Ctrl-C stops what runs, and not the process
 int output_failure = 0;          // errno of the first one
 
+// The terminal as the process found it, while the prompt changes it.
+termios terminal_before{};
+std::atomic<bool> has_terminal{false};
+
+void leave_at_once() {
+  if (has_terminal.load()) tcsetattr(STDIN_FILENO, TCSANOW, &terminal_before);
+  remove_unfinished_files();
+  _exit(kStopped);
+}
+
 // The first one asks the program to stop, if there is one; otherwise nothing is worth waiting for.
 extern "C" void on_interrupt(int signal) {
   Session* session = running.load();
@@ -33,10 +46,7 @@ extern "C" void on_interrupt(int signal) {
     if (session != nullptr) session->cancel();
     return;
   }
-  if (was_interrupted.exchange(true) || session == nullptr) {
-    remove_unfinished_files();
-    _exit(kStopped);
-  }
+  if (was_interrupted.exchange(true) || session == nullptr || stays.load()) leave_at_once();
   session->cancel();
 }
 
@@ -141,6 +151,17 @@ bool finish_output() {
   return false;
 }
 
+std::optional<std::int64_t> time_of(const std::string& text) {
+  std::string written = text;
+  std::erase(written, ' ');
+  std::optional<Quantity> quantity = parse_quantity(written);
+  if (!quantity) quantity = parse_quantity(written + "s");
+  constexpr double kMost = 100.0 * 365.25 * 86400.0;
+  if (quantity && quantity->dim == dims::kTime && quantity->si >= 0.0 && quantity->si <= kMost)
+    return to_ns(quantity->si);
+  return std::nullopt;
+}
+
 void prepare_process() {
   // What is opened later must not take the place of a standard stream that is closed.
   while (true) {
@@ -172,8 +193,14 @@ Interruptible::~Interruptible() {
 bool interrupted() { return was_interrupted; }
 void forget_interrupt() { was_interrupted = false; }
 
-StayOnInterrupt::StayOnInterrupt() { stays = true; }
-StayOnInterrupt::~StayOnInterrupt() { stays = false; }
+StayOnInterrupt::StayOnInterrupt() {
+  has_terminal = tcgetattr(STDIN_FILENO, &terminal_before) == 0;
+  stays = true;
+}
+StayOnInterrupt::~StayOnInterrupt() {
+  stays = false;
+  has_terminal = false;
+}
 
 bool shows_status() {
   const char* terminal = std::getenv("TERM");

@@ -37,6 +37,10 @@ void print_out(std::string_view text);
 // take it.
 bool finish_output();
 
+// "3.2s", "250 ms" or "3.2", which are seconds, in nanoseconds; nothing for what is no time from 0
+// to 100 years.
+[[nodiscard]] std::optional<std::int64_t> time_of(const std::string& text);
+
 // Before anything else: from here on Ctrl-C ends the process and leaves no unfinished files, and
 // output that nobody reads ends it quietly (end_as_others_do).
 void prepare_process();
@@ -55,7 +59,8 @@ bool interrupted();
 // The next Ctrl-C is the first one again.
 void forget_interrupt();
 
-// While one of these lives, Ctrl-C never ends the process.
+// While one of these lives, Ctrl-C never ends the process, and SIGTERM does so at once, with the
+// terminal as it was.
 class StayOnInterrupt {
  public:
   StayOnInterrupt();

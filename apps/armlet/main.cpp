@@ -53,6 +53,7 @@ bool knows_command(const CLI::App& app, std::string_view word) {
 // What the command line asked for.
 struct Asked {
   ProgramOptions options;
+  PromptOptions prompt;
   RunOptions run;
   ReplayOptions replay;
   EditorOptions editor;
@@ -67,11 +68,15 @@ struct Asked {
 };
 
 void add_prompt_options(CLI::App& app, Asked& asked) {
-  app.add_option("--robot", asked.options.robot, "of the prompt: the robot (default: scara)")
+  app.add_option("--robot", asked.prompt.program.robot, "of the prompt: the robot (default: scara)")
       ->type_name("NAME");
-  app.add_option("--world", asked.options.world,
+  app.add_option("--world", asked.prompt.program.world,
                  "of the prompt: a .rbt file that declares objects (default: a table with a cube "
                  "and a cylinder)")
+      ->type_name("FILE");
+  app.add_option("--record", asked.prompt.record,
+                 "of the prompt: leave what `armlet replay` needs to take the session again in an "
+                 ".arec file")
       ->type_name("FILE");
 }
 
@@ -218,7 +223,7 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }
   if (wanted != nullptr) return wanted->run(asked);
-  return prompts ? prompt(asked.options) : kUsage;
+  return prompts ? prompt(asked.prompt) : kUsage;
 }
 
 // Ends without taking down the tables of the parser, which the system reclaims at once.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -11,7 +10,6 @@
 #include "armlet/core/files.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/interpreter/host/inspection.hpp"
-#include "armlet/interpreter/unit.hpp"
 #include "armlet/math/format_vector.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
@@ -38,20 +36,6 @@ ReadRecord read_record(const std::string& path) {
   Result<SessionLog> log = read_log(*bytes);
   if (!log.ok()) return refuse(log.error().message, kRejected);
   return {std::move(log).value()};
-}
-
-// "3.2s", "250 ms" or "3.2", which are seconds; nothing after a message.
-std::optional<std::int64_t> time_of(const std::string& text) {
-  std::string written = text;
-  std::erase(written, ' ');
-  std::optional<Quantity> quantity = parse_quantity(written);
-  if (!quantity) quantity = parse_quantity(written + "s");
-  constexpr double kMost = 100.0 * 365.25 * 86400.0;
-  if (quantity && quantity->dim == dims::kTime && quantity->si >= 0.0 && quantity->si <= kMost)
-    return to_ns(quantity->si);
-  progress(
-      fmt::format("armlet: --to takes a time from 0 to 100 years, such as 3.2s, not \"{}\"", text));
-  return std::nullopt;
 }
 
 SessionOptions options_of(const SessionLog& log) {
@@ -157,6 +141,17 @@ int compare(const SessionLog& log, const RunMarks& marks) {
   return kFailed;
 }
 
+// One entry after the other.
+RunResult run_all(Session& session) {
+  RunResult result;
+  std::size_t to_come = 0;
+  do {
+    to_come = session.to_come();
+    result = session.run();
+  } while (session.to_come() > 0 && session.to_come() < to_come && !interrupted());
+  return result;
+}
+
 }  // namespace
 
 int replay(const ReplayOptions& options) {
@@ -168,7 +163,11 @@ int replay(const ReplayOptions& options) {
     return kRejected;
   }
   std::optional<std::int64_t> to_ns;
-  if (!options.to.empty() && !(to_ns = time_of(options.to))) return kUsage;
+  if (!options.to.empty() && !(to_ns = time_of(options.to))) {
+    progress(fmt::format("armlet: --to takes a time from 0 to 100 years, such as 3.2s, not \"{}\"",
+                         options.to));
+    return kUsage;
+  }
 
   SessionOptions setup = options_of(log);
   if (!log.robot.empty() && setup.robot == nullptr) return kRejected;
@@ -176,24 +175,24 @@ int replay(const ReplayOptions& options) {
   const bool is_heard = !options.verify && !to_ns;
   if (options.verify) setup.backends = {&marks};
   if (to_ns) setup.open = setup.markers = true;  // for the variables
-  const SourceSet* sources = nullptr;
+  const Session* replayed = nullptr;
   if (is_heard) {
     setup.output = [](std::string_view text) {
       print_out(text);
       return std::string();
     };
-    setup.advice = [&](const Diagnostic& d) { show(d, *sources, options.json); };
+    setup.advice = [&](const Diagnostic& d) { show(d, replayed->sources(), options.json); };
     if (!options.json && !options.quiet) setup.on_move = show_move;
   }
   Session session(library_engine(), std::move(setup));
+  replayed = &session;
   const bool runs = session.replay(log);
   if (is_heard || !runs) show(session.problems(), options.json);
   if (!runs) return kRejected;
-  sources = &session.sources();
   const Interruptible guard(session);
   if (to_ns) return show_instant(session, *to_ns);
 
-  const RunResult result = session.run();
+  const RunResult result = run_all(session);
   if (interrupted()) return kStopped;
   if (options.verify) return compare(log, marks);
   if (result.error && output_is_read()) show(*result.error, session.sources(), options.json);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "armlet/backend/run_hash.hpp"
+#include "armlet/backend/run_marks.hpp"
 #include "armlet/backend/trace_format.hpp"
 #include "armlet/core/files.hpp"
 #include "armlet/plot/braille.hpp"
@@ -19,6 +20,7 @@
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
 #include "output_file.hpp"
+#include "record.hpp"
 #include "run_report.hpp"
 
 namespace armlet::cli {
@@ -66,43 +68,6 @@ class Trace {
   std::unique_ptr<Backend> backend_;
   OutputFile file_{"trace"};
   std::optional<FileStream> stream_;
-};
-
-// The log of the run, from which `armlet replay` takes it again.
-class Record {
- public:
-  int choose(const std::string& path) {
-    if (path.empty() || path.ends_with(".arec")) {
-      file_.set_path(path);
-      return kDone;
-    }
-    progress(fmt::format("armlet: a record is an .arec file, not \"{}\"", path));
-    return kUsage;
-  }
-
-  [[nodiscard]] bool is_wanted() const { return file_.is_wanted(); }
-  [[nodiscard]] Backend* backend() { return &marks_; }
-
-  int open(const std::vector<std::string>& texts) {
-    return is_wanted() ? file_.open(texts) : kDone;
-  }
-
-  int finish(const Session& session) {
-    if (!is_wanted()) return kDone;
-    SessionLog log = session.log();
-    log.marks = marks_.marks();
-    const Result<std::string> text = write_log(log);
-    if (text.ok()) {
-      file_.file().write(*text);
-      return file_.finish();
-    }
-    progress(fmt::format("armlet: the run cannot be recorded: {}", text.error().message));
-    return kFailed;
-  }
-
- private:
-  RunMarks marks_;
-  OutputFile file_{"record"};
 };
 
 // The files that a program consists of.
@@ -190,7 +155,8 @@ int run(const RunOptions& options) {
   if (trace.backend() != nullptr) setup.session.backends.push_back(trace.backend());
   Record record;
   if (const int exit = record.choose(options.record); exit != kDone) return exit;
-  if (record.is_wanted()) setup.session.backends.push_back(record.backend());
+  RunMarks marks;
+  if (record.is_wanted()) setup.session.backends.push_back(&marks);
   if (options.realtime) setup.session.pace = real_time();
   RunHash hash;
   if (options.hash) setup.session.backends.push_back(&hash);
@@ -221,7 +187,9 @@ int run(const RunOptions& options) {
   if (options.hash) print_out("hash " + hash.text() + "\n");
   const bool written = finish_output();
   const bool traced = trace.finish() == kDone;
-  const bool recorded = record.finish(session) == kDone;
+  SessionLog log = session.log();
+  log.marks = marks.marks();
+  const bool recorded = record.finish(log) == kDone;
   Figures figures(session);
   const bool pictured = !traced || figures.save_beside(options.trace) == kDone;
   if (talks && output_is_read()) {

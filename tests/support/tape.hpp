@@ -21,6 +21,8 @@ class Tape : public Backend {
   }
 
   [[nodiscard]] const std::vector<std::uint64_t>& hashes() const { return hashes_; }
+  // What an entry told that was taken back counts no more, whether others come or not.
+  void take_back(std::size_t before) { hashes_.resize(before); }
   // How often an event came without those before it.
   [[nodiscard]] int gaps() const { return gaps_; }
 

@@ -13,10 +13,12 @@
 #include <unordered_set>
 #include <utility>
 
+#include "armlet/backend/run_marks.hpp"
 #include "armlet/core/platform.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/math/format_vector.hpp"
 #include "armlet/stdlib/install.hpp"
+#include "record.hpp"
 
 namespace armlet::cli {
 
@@ -52,7 +54,7 @@ bool wants_to_leave(std::string_view text) {
   return word == "quit" || word == "exit" || word == "bye" || word == "q";
 }
 
-bool is_typed(const Entry& entry) { return entry.name != kAside; }
+bool is_typed(const Entry& entry) { return entry.logged.name != kAside; }
 
 // Each line behind a //.
 std::string commented(std::string_view text) {
@@ -120,17 +122,17 @@ Prompt::Saved Prompt::program() const {
     if (!is_typed(entry)) continue;
     std::string text = saved.text;
     const std::string_view first_line =
-        std::string_view(entry.text).substr(0, entry.text.find('\n'));
+        std::string_view(entry.logged.text).substr(0, entry.logged.text.find('\n'));
     if (!last.empty() && !is_complete(last, first_line)) text.insert(end, ";");
-    text += entry.text;
+    text += entry.logged.text;
     const std::size_t this_end = text.size();
     if (file.compile(text + '\n', "saved")) {
       saved.text = std::move(text) + '\n';
-      last = entry.text;
+      last = entry.logged.text;
       end = this_end;
     } else {
-      saved.text += commented(entry.text);
-      saved.comments.push_back(entry.name);
+      saved.text += commented(entry.logged.text);
+      saved.comments.push_back(entry.logged.name);
     }
   }
   return saved;
@@ -188,28 +190,76 @@ bool Prompt::enter(const std::string& text, bool shows_value) {
   return run_entry(text, fmt::format("[{}]", ++count_), shows_value);
 }
 
+// ---- back and forth
+
+std::optional<LoggedEntry> Prompt::under_way() const {
+  const std::size_t done = session_.entries().size();
+  if (done == 0 || session_.result().status != Progress::kPaused) return std::nullopt;
+  return session_.log().entries[done];
+}
+
+bool Prompt::again(const std::function<bool()>& go) {
+  const Interruptible guard(session_);
+  return go();
+}
+
+bool Prompt::go_to(std::int64_t t_ns) {
+  return again([&] { return session_.go_to(t_ns); });
+}
+
+bool Prompt::take_up(std::size_t run) {
+  return again([&] { return session_.take_up(run); });
+}
+
 std::vector<std::string> Prompt::undo(std::size_t count) {
-  const std::vector<Entry> before(session_.entries().begin(), session_.entries().end());
-  std::size_t first = before.size();
   std::vector<std::string> undone;
-  for (std::size_t i = before.size(); i > 1 && undone.size() < count; --i) {
-    if (!is_typed(before[i - 1])) continue;
-    first = i - 1;
-    undone.insert(undone.begin(), before[first].text);
+  const std::size_t done = session_.entries().size();
+  if (const auto line = under_way()) {
+    const std::int64_t begin_ns = session_.entries()[done - 1].logged.end.t_ns;
+    if (!again([&] { return session_.go_to(done - 1, begin_ns); })) return {};
+    undone.push_back(line->text);
   }
-  if (!undone.empty()) session_.undo(before.size() - first);
+  std::size_t first = done;
+  for (std::size_t i = done; i > 1 && undone.size() < count; --i) {
+    const Entry& entry = session_.entries()[i - 1];
+    if (!is_typed(entry)) continue;
+    first = i - 1;
+    undone.insert(undone.begin(), entry.logged.text);
+  }
+  const bool is_back = first == done || again([&] { return session_.undo(done - first) > 0; });
   show(session_.problems(), false);
-  return undone;
+  return is_back ? undone : std::vector<std::string>();
 }
 
 std::vector<std::string> Prompt::redo(std::size_t count) {
   std::vector<std::string> done;
-  while (done.size() < count && session_.redo(1) == 1) {
+  if (const auto line = under_way()) {
+    const std::size_t entry = session_.entries().size();
+    if (!again([&] { return session_.go_to(entry, line->end.t_ns); })) return {};
+    done.push_back(line->text);
+  }
+  while (done.size() < count && again([&] { return session_.redo(1) == 1; })) {
     const Entry& newest = session_.entries().back();
-    if (is_typed(newest)) done.push_back(newest.text);
+    if (is_typed(newest)) done.push_back(newest.logged.text);
   }
   show(session_.problems(), false);
   return done;
+}
+
+// Lines that were undone are no part of it. Their events were told all the same, so those that
+// count are told once more.
+SessionLog Prompt::log() const {
+  SessionLog log = session_.log();
+  log.entries.resize(session_.entries().size());
+  RunMarks marks;
+  SessionOptions options = plain_;
+  options.backends = {&marks};
+  options.output = {};
+  Session once(library_engine(), std::move(options));
+  for (bool runs = once.replay(log); runs && once.to_come() > 0;)
+    runs = once.run().status == Progress::kDone;
+  log.marks = marks.marks();
+  return log;
 }
 
 bool Prompt::enter_aside(const std::string& text) {
@@ -217,7 +267,12 @@ bool Prompt::enter_aside(const std::string& text) {
 }
 
 bool Prompt::run_entry(const std::string& text, const std::string& name, bool shows_value) {
-  const std::size_t before = session_.entries().size();
+  if (const auto line = under_way()) {
+    progress(
+        fmt::format("{} is under way at {}: :redo takes it to its end, :undo back to before it",
+                    line->name, time()));
+    return false;
+  }
   const bool compiles = session_.submit(text, name);
   show(session_.problems(), false);
   if (!compiles) {
@@ -241,7 +296,6 @@ bool Prompt::run_entry(const std::string& text, const std::string& name, bool sh
   } else if (result.error && output_is_read()) {
     show(*result.error, session_.sources(), false);
   }
-  if (session_.entries().size() < before) show(session_.problems(), false);
   return false;
 }
 
@@ -335,20 +389,26 @@ bool can_edit_lines() {
 
 }  // namespace
 
-int prompt(const ProgramOptions& options) {
-  Setup setup = make_setup(options, "");
+int prompt(const PromptOptions& options) {
+  Setup setup = make_setup(options.program, "");
   if (setup.exit != kDone) return setup.exit;
+  Record record;
+  if (const int exit = record.choose(options.record); exit != kDone) return exit;
+  if (const int exit = record.open({options.program.world}); exit != kDone) return exit;
   const bool interactive = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
   std::optional<StayOnInterrupt> stay;
   if (interactive) stay.emplace();
-  Prompt session(std::move(setup.session), options.robot, interactive);
+  Prompt session(std::move(setup.session), options.program.robot, interactive);
   std::unique_ptr<LineSource> lines;
   if (can_edit_lines()) {
     lines = edited_lines([&](std::string_view before) { return session.complete(before); },
                          history_file());
   }
   if (lines == nullptr) lines = plain_lines(interactive);
-  return session.run(*lines);
+  const int exit = session.run(*lines);
+  if (!record.is_wanted()) return exit;
+  const int recorded = record.finish(session.log());
+  return exit == kDone ? recorded : exit;
 }
 
 }  // namespace armlet::cli

@@ -3,6 +3,7 @@
 // section 21).
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,6 +65,16 @@ class Prompt {
   // Back by as many entries that were typed, or forth. Gives their texts, oldest first.
   std::vector<std::string> undo(std::size_t count);
   std::vector<std::string> redo(std::size_t count);
+  // To a time of the session. False: somebody stopped it.
+  //
+  // throws  ArgumentError for a time that the session has not come to.
+  bool go_to(std::int64_t t_ns);
+  // To where a run had come that was left. As go_to.
+  bool take_up(std::size_t run);
+  // The line in whose middle the session is, after going there; nothing: it is between two.
+  [[nodiscard]] std::optional<LoggedEntry> under_way() const;
+  // The session as it counts, with the marks that `armlet replay --verify` compares.
+  [[nodiscard]] SessionLog log() const;
 
  private:
   Prompt(const SessionOptions& plain, SessionOptions options, const std::string& robot,
@@ -75,6 +86,8 @@ class Prompt {
   // The lines of one entry or command; nothing at the end.
   std::optional<std::string> read(LineSource& lines);
   bool run_entry(const std::string& text, const std::string& name, bool shows_value);
+  // Runs lines again, unheard. False: Ctrl-C, and all is as it was.
+  bool again(const std::function<bool()>& go);
   void show_value();
   void show_live(std::int64_t t_ns);
   void end_live();

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "armlet/core/error.hpp"
 #include "armlet/core/files.hpp"
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
@@ -173,7 +174,7 @@ std::optional<std::size_t> count_of(std::string_view text) {
   if (text.empty()) return count;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error == std::errc() && end == text.data() + text.size() && count > 0) return count;
-  progress(fmt::format("\"{}\" is not a number of lines; write for example :undo 2", text));
+  progress(fmt::format("\"{}\" is not a number from 1 on; write for example :undo 2", text));
   return std::nullopt;
 }
 
@@ -184,11 +185,13 @@ std::string first_lines(const std::vector<std::string>& entries) {
   return out;
 }
 
+constexpr std::string_view kStoppedGoing = "stopped; all as it was";
+
 bool undo(Prompt& prompt, std::string_view argument) {
   const auto count = count_of(argument);
   if (!count) return false;
   const std::vector<std::string> undone = prompt.undo(*count);
-  if (undone.empty()) return refuse("there is nothing to undo");
+  if (undone.empty()) return refuse(interrupted() ? kStoppedGoing : "there is nothing to undo");
   say(fmt::format("{}, robots, objects and names as before{}", prompt.time(), first_lines(undone)));
   return true;
 }
@@ -197,8 +200,55 @@ bool redo(Prompt& prompt, std::string_view argument) {
   const auto count = count_of(argument);
   if (!count) return false;
   const std::vector<std::string> done = prompt.redo(*count);
-  if (done.empty()) return refuse("there is nothing to do again");
+  if (done.empty()) return refuse(interrupted() ? kStoppedGoing : "there is nothing to do again");
   say(fmt::format("{}, done again{}", prompt.time(), first_lines(done)));
+  return true;
+}
+
+// Where the session is, in time and among the lines.
+std::string place_of(Prompt& prompt) {
+  const auto named = [](const LoggedEntry& entry) {
+    return fmt::format("{}: {}", entry.name, entry.text.substr(0, entry.text.find('\n')));
+  };
+  if (const auto line = prompt.under_way()) {
+    return fmt::format("{}, in {}\n:redo takes it to its end, :undo back to before it",
+                       prompt.time(), named(*line));
+  }
+  return fmt::format("{}, behind {}", prompt.time(),
+                     named(prompt.session().entries().back().logged));
+}
+
+bool go_to(Prompt& prompt, std::string_view argument) {
+  const auto t_ns = time_of(std::string(argument));
+  if (!t_ns) return refuse("write :goto with a time of this session, such as :goto 3.2s");
+  try {
+    if (!prompt.go_to(*t_ns)) return refuse(kStoppedGoing);
+  } catch (const ArgumentError& error) {
+    return refuse(error.what());
+  }
+  say(place_of(prompt));
+  return true;
+}
+
+bool list_runs(Prompt& prompt, std::string_view argument) {
+  const std::vector<SessionLog>& runs = prompt.session().runs();
+  if (runs.empty()) return refuse("no run was left for another one");
+  if (!argument.empty()) {
+    const auto number = count_of(argument);
+    if (!number) return false;
+    if (*number > runs.size())
+      return refuse(fmt::format("there is no run {}; :runs lists those there are", *number));
+    if (!prompt.take_up(*number - 1)) return refuse(kStoppedGoing);
+    say(place_of(prompt));
+    return true;
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const LoggedEntry& last = runs[i].entries.back();
+    say(fmt::format("{:>3}  to t = {:.2f} s, {} {}: {}", i + 1,
+                    static_cast<double>(last.end.t_ns) * 1e-9, runs[i].entries.size() - 1,
+                    runs[i].entries.size() == 2 ? "line" : "lines",
+                    last.text.substr(0, last.text.find('\n'))));
+  }
   return true;
 }
 
@@ -274,6 +324,9 @@ constexpr PromptCommand kCommands[] = {
     {":undo", "[N]", "back to before the last line, or the last N", undo},
     {":redo", "[N]", "what was undone, again", redo},
     {":reset", "", "back to the start", reset},
+    {":goto", "TIME", "to a time of the session, such as :goto 3.2s", go_to},
+    {":runs", "[N]", "what was left by going back and on otherwise, or back to the Nth of it",
+     list_runs},
     {":speed", "1x|max", "show moves at the speed of the clock, or compute them at once",
      set_speed},
     {":save", "FILE.rbt", "the lines so far as a program", save},

@@ -18,7 +18,9 @@ Before::Before(VmState& state)
       host_data_(state.main.host_data),
       random_(state.main.random),
       parallels_(state.main.parallels),
-      steps_(state.steps.total) {
+      steps_(state.steps.so_far()),
+      statements_(state.marks.begun),
+      cancellations_(state.cancellations) {
   for (std::uint32_t i = 0; i < state.globals.size(); ++i) {
     const GlobalInfo& info = state.global_info[i];
     if (info.variable == nullptr || info.variable->fixed) continue;
@@ -47,6 +49,12 @@ void Before::restore() {
   state_.main.host_data = host_data_;
   state_.main.random = random_;
   state_.main.parallels = parallels_;
+  state_.steps.settle();
+  state_.steps.total = steps_;
+  state_.marks.begun = statements_;
+  state_.marks.paused = nullptr;
+  state_.arm_cancellations({});
+  state_.cancellations = std::move(cancellations_);
 }
 
 namespace {

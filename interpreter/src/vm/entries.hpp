@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "armlet/core/random.hpp"
+#include "armlet/interpreter/host/instants.hpp"
 #include "vm/tasks/task.hpp"
 
 namespace armlet::lang {
@@ -18,6 +19,13 @@ struct LoadedCode {
   const CompiledProgram* program;
   std::vector<Callee> callees;  // of its functions, in their order; frames refer to them
   std::vector<Slot> texts;      // literals
+};
+
+// Wishes to stop: where they were noticed, and where a run that is repeated has to notice them.
+struct Cancellations {
+  std::vector<Cancellation> noticed;
+  std::vector<Cancellation> due;  // the next one last
+  std::uint32_t refusals = 0;     // of the host to let time pass
 };
 
 struct GlobalInfo {
@@ -65,6 +73,8 @@ class Before {
   Random random_;
   std::uint64_t parallels_;
   std::uint64_t steps_;
+  std::uint64_t statements_;
+  Cancellations cancellations_;
 };
 
 // Adds the code of a program; its texts are made by make_texts. before: null if it is no entry.

@@ -6,6 +6,7 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/host/frames.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/recordings.hpp"
 #include "vm/tasks/tasks.hpp"
@@ -81,6 +82,16 @@ void VmState::reopen() {
   steps.limit = options.limits.steps;
 }
 
+// What it gives is left where its arguments were.
+void VmState::finish_call(bool done) {
+  const Callee& callee = *callees[call->function].own;
+  if (done && callee.function->function->result->is_reference())
+    heap.release(window_above(*main.frames)->o);
+  for (Obj* object : call->kept) heap.release(object);
+  call.reset();
+  heap.drain();
+}
+
 void VmState::clear() {
   main.waiting.reset();  // it may keep values of the program
   tree.clear();
@@ -91,6 +102,7 @@ void VmState::clear() {
   }
   pending.reset();
   fault.reset();
+  if (call) finish_call(false);
   before.reset();
   for (std::size_t i = 0; i < globals.size(); ++i) {
     if (global_info[i].is_reference()) heap.release(globals[i].o);
@@ -159,6 +171,11 @@ void VmState::arm_cancellations(std::vector<Cancellation> wishes) {
   std::vector<Cancellation>& due = cancellations.due;
   due = std::move(wishes);
   steps.look_at = due.empty() ? StepMeter::kEndless : due.back().at.steps;
+}
+
+void VmState::forget_cancellations() {
+  arm_cancellations({});
+  cancellations = {};
 }
 
 Instant VmState::instant() const { return {vm.timeline().now_ns(), steps.so_far()}; }

@@ -99,13 +99,6 @@ struct Marks {
   const Task* paused = nullptr;                  // before its next instruction, a MARK
 };
 
-// Wishes to stop: where they were noticed, and where a run that is repeated has to notice them.
-struct Cancellations {
-  std::vector<Cancellation> noticed;
-  std::vector<Cancellation> due;  // the next one last
-  std::uint32_t refusals = 0;     // of the host to let time pass
-};
-
 // Counts what kernels of the library do as steps.
 class KernelWork final : public Supervisor {
  public:
@@ -138,6 +131,12 @@ struct HostAccess {
   const void* stack_thread = nullptr;  // whose stack is known to be ample from here up to there
   std::uintptr_t ample_from = 0;
   std::uintptr_t ample_bytes = 0;
+};
+
+// A function that runs as a program does, with the objects among its arguments.
+struct BegunCall {
+  std::uint32_t function;
+  std::vector<Obj*> kept;
 };
 
 struct VmState {
@@ -182,6 +181,7 @@ struct VmState {
   Cancellations cancellations;
   Marks marks;
   std::unique_ptr<Scheduler> scheduler;  // of the run; null before it
+  std::optional<BegunCall> call;         // a function runs instead of the program
   HostAccess host_access;
   std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
@@ -192,6 +192,7 @@ struct VmState {
     const CompiledProgram* at = running->top->callee->program;
     return at != nullptr ? *at : *newest;
   }
+  void finish_call(bool done);
   // After the end of a run: functions of the program can be called with all that the limits allow.
   void reopen();
   // Releases the program's variables and whatever else the run left.
@@ -207,6 +208,8 @@ struct VmState {
   // repeats.
   [[nodiscard]] bool take_cancellation();
   void arm_cancellations(std::vector<Cancellation> wishes);
+  // Another run begins, which has noticed none.
+  void forget_cancellations();
   [[nodiscard]] Instant instant() const;
   // The literal, or the one shared text of an ASCII character; null: the heap is full.
   [[nodiscard]] Obj* character(unsigned char code);

@@ -93,7 +93,7 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   const lang::Turn turn(state);
   if (result_.status != Progress::kPaused)
     throw ArgumentError("This Vm has run to its end; make a new one to run again.");
-  const bool is_entry = program_->is_entry();
+  const bool is_entry = program_->is_entry() && !state.call;
   if (is_entry && state.scheduler == nullptr) {
     if (state.before == nullptr) state.before = std::make_unique<lang::Before>(state);
     state.tree.wake_watches();
@@ -106,9 +106,12 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
         budget.statements < Budget::kNoLimit - begun ? begun + budget.statements : Budget::kNoLimit;
     const lang::Exit exit = run_slice(state, function, budget.until_ns.value_or(kEndless));
     state.steps.begin_slice(Budget::kNoLimit);
-    const std::uint64_t steps = state.steps.total - (is_entry ? state.before->steps() : 0);
-    if (exit != lang::Exit::kSliced) result_ = ended(state, exit);
-    if (is_entry && exit != lang::Exit::kSliced) finish_entry();
+    const std::uint64_t steps = state.steps.total - steps_before_;
+    if (exit != lang::Exit::kSliced) {
+      result_ = ended(state, exit);
+      if (state.call) state.finish_call(exit == lang::Exit::kDone);
+      if (is_entry) finish_entry();
+    }
     result_.steps = steps;
   });
   return result_.status;
@@ -132,11 +135,16 @@ RunResult Vm::run() {
   return result_;
 }
 
+static void require_end(const RunResult& result, std::string_view what) {
+  if (result.status != Progress::kPaused) return;
+  throw ArgumentError(std::string(what) +
+                      " can begin only when what runs in the Vm has run to its end.");
+}
+
 void Vm::begin(std::shared_ptr<const Program> entry) {
   entry = require_program(std::move(entry));
   const lang::Turn turn(*state_);
-  if (result_.status == Progress::kPaused)
-    throw ArgumentError("A new entry can begin only when the one before has run to its end.");
+  require_end(result_, "A new entry");
   if (!entry->is_entry() || !program_->is_entry())
     throw ArgumentError(
         "Only entries can follow each other: compile both with CompileOptions::is_entry.");
@@ -148,8 +156,22 @@ void Vm::begin(std::shared_ptr<const Program> entry) {
   state_->scheduler.reset();
   state_->output_left = options_.limits.output_bytes;
   state_->before = std::make_unique<lang::Before>(*state_);
+  steps_before_ = state_->before->steps();
+  state_->forget_cancellations();
   lang::load(*state_, entry->compiled(), state_->before.get());
   program_ = std::move(entry);
+}
+
+void Vm::begin_call(std::uint32_t function, std::vector<Slot> arguments) {
+  lang::VmState& state = *state_;
+  require_end(result_, "A call in slices");
+  result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
+  state.steps.settle();
+  steps_before_ = state.steps.total;
+  state.output_left = options_.limits.output_bytes;
+  state.forget_cancellations();
+  if (program_->is_entry()) state.tree.wake_watches();
+  state.scheduler = std::make_unique<lang::Scheduler>(state, function, std::move(arguments));
 }
 
 std::optional<EntryValue> Vm::shown() const {

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "armlet/backend/fan_out.hpp"
 #include "armlet/backend/run_hash.hpp"
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/host/inspection.hpp"
-#include "armlet/stdlib/session.hpp"
-#include "replay/former.hpp"
+#include "session/run.hpp"
 
 namespace armlet {
 namespace {
@@ -63,26 +62,47 @@ TextChange compare(const Tape& before, const Tape& now, bool had_ended, const So
 
 TextChange Session::change(std::string text, std::int64_t t_ns) {
   require_idle("take another text");
-  const LoggedEntry known = known_run();
-  require_time(t_ns, known.end);
-  SessionOptions quiet = options_;
-  quiet.backends.clear();
-  Session changed(engine_, quiet);
-  if (!changed.compile(std::move(text), known.name)) {
-    problems_ = changed.problems_;
-    return {};
-  }
-  LoggedEntry entry = changed.known_run();
-  entry.inputs = known.inputs;
-  entry.replies = known.replies;
-  entry.end = {t_ns + 1, 0};  // the whole of the instant
+  return change(entry_at(t_ns), std::move(text), t_ns);
+}
 
-  Former former = put_aside();
+// The entries up to one of them, which has another text; none if that cannot run.
+std::vector<Entry> Session::with_text(const std::vector<Entry>& known, std::size_t entry,
+                                      std::string text, std::int64_t t_ns) {
+  const LoggedEntry& old = known[entry].logged;
+  if (old.kind == EntryKind::kCall)
+    throw ArgumentError("A call has no text; change the entry that declares its function.");
+  std::shared_ptr<const Program> after;
+  for (std::size_t i = 0; i < entry; ++i)
+    if (known[i].program != nullptr) after = known[i].program;
+
+  LoggedEntry fresh{.kind = old.kind, .name = old.name, .text = std::move(text)};
+  Compiled made = compile_text(fresh, after, false);
+  problems_ = std::move(made.problems);
+  if (!made.can_run) return {};
+  fresh.imports = std::move(made.imports);
+  fresh.inputs = old.inputs;
+  fresh.replies = old.replies;
+  fresh.end = {t_ns + 1, 0};  // the whole of the instant
+  std::vector<Entry> entries(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(entry));
+  entries.push_back({.logged = std::move(fresh), .program = made.compilation.program});
+  return entries;
+}
+
+TextChange Session::change(std::size_t entry, std::string text, std::int64_t t_ns) {
+  require_idle("take another text");
+  static_cast<void>(sources());
+  require_time(entry, t_ns);
+  const OneSlice one_slice(*this);
+  std::vector<Entry> known = run_->entries;
+  if (known.empty()) known.push_back(*submitted_);
+  const std::vector<Entry> entries = with_text(known, entry, std::move(text), t_ns);
+  if (entries.empty()) return {};
+
+  std::unique_ptr<Run> former = std::exchange(run_, std::make_unique<Run>());
   const Compilation compiled = compilation_;
-  const auto rehearse = [&](LoggedEntry run, Tape& tape) {
+  const auto rehearse = [&](const std::vector<Entry>& rehearsed, Tape& tape) {
     confidant_ = &tape;
-    const Instant end = run.end;
-    const bool is_there = take_again(std::move(run), [&] { run_again_to(t_ns, end); });
+    const bool is_there = take_again(rehearsed, [&] { return run_again_to(entry, t_ns); });
     confidant_ = nullptr;
     return is_there;
   };
@@ -91,15 +111,14 @@ TextChange Session::change(std::string text, std::int64_t t_ns) {
   const auto give_up_change = [&] {
     confidant_ = nullptr;
     compilation_ = compiled;
-    bring_back(std::move(former));
+    run_ = std::move(former);
   };
   bool is_there = false;
   bool had_ended = false;
   try {
     is_there = rehearse(known, before);
-    had_ended = is_there && result_.status != Progress::kPaused;
-    compilation_ = changed.compilation_;
-    is_there = is_there && rehearse(std::move(entry), now);
+    had_ended = is_there && !run_->is_under_way;
+    is_there = is_there && rehearse(entries, now);
   } catch (...) {
     give_up_change();
     throw;
@@ -109,12 +128,11 @@ TextChange Session::change(std::string text, std::int64_t t_ns) {
     return {};
   }
   const TextChange change = compare(before, now, had_ended, *compilation_.sources);
-  fan_out_->set_backends(options_.backends);
-  problems_ = changed.problems_;
-  imports_ = changed.imports_;
+  if (run_->fan_out != nullptr) run_->fan_out->set_backends(options_.backends);
+  submitted_.reset();
   runs_.push_back(log_of(known));
-  journal_->part();
-  static_cast<void>(journal_->left_run());
+  run_->journal->part();
+  static_cast<void>(run_->journal->left_run());
   return change;
 }
 

@@ -9,18 +9,36 @@
 
 namespace armlet {
 
+void Journal::begin(LoggedEntry& entry, bool has_later) {
+  entry_ = &entry;
+  has_later_ = has_later;
+  inputs_ = replies_ = stops_ = cancelled_ = 0;
+  pieces_ = 0;
+  place_ = {};
+  left_.reset();
+}
+
+void Journal::resume(LoggedEntry& entry, bool has_later) {
+  begin(entry, has_later);
+  inputs_ = entry.inputs.size();
+  replies_ = entry.replies.size();
+  stops_ = entry.stopped_ns.size();
+  cancelled_ = entry.cancelled.size();
+  place_ = entry.end;
+}
+
 const Input* Journal::next() const {
-  return inputs_ < entry_.inputs.size() ? &entry_.inputs[inputs_] : nullptr;
+  return inputs_ < entry_->inputs.size() ? &entry_->inputs[inputs_] : nullptr;
 }
 
 void Journal::add(Input input) {
   part();
-  entry_.inputs.push_back(std::move(input));
+  entry_->inputs.push_back(std::move(input));
   ++inputs_;
 }
 
 Reply Journal::ask(std::string question, const std::function<Reply()>& outside) {
-  std::vector<Reply>& replies = entry_.replies;
+  std::vector<Reply>& replies = entry_->replies;
   if (replies_ < replies.size() && replies[replies_].question == question)
     return replies[replies_++];
   replies.resize(replies_);  // a program that asks for something else is another one
@@ -50,7 +68,7 @@ Reply Journal::load(const std::string& name, const std::function<Reply()>& outsi
 }
 
 std::string Journal::print(std::string_view text, const std::function<std::string()>& outside) {
-  std::vector<Reply>& replies = entry_.replies;
+  std::vector<Reply>& replies = entry_->replies;
   std::string question = fmt::format("print {} {}", ++pieces_, text.size());
   if (replies_ < replies.size() && replies[replies_].question == question)
     return replies[replies_++].text;
@@ -61,43 +79,43 @@ std::string Journal::print(std::string_view text, const std::function<std::strin
 }
 
 std::optional<std::int64_t> Journal::next_stop(std::int64_t now_ns, std::int64_t until_ns) const {
-  if (stops_ >= entry_.stopped_ns.size()) return std::nullopt;
-  const std::int64_t stop = std::max(entry_.stopped_ns[stops_], now_ns);
+  if (stops_ >= entry_->stopped_ns.size()) return std::nullopt;
+  const std::int64_t stop = std::max(entry_->stopped_ns[stops_], now_ns);
   return stop < until_ns ? std::optional(stop) : std::nullopt;
 }
 
 void Journal::stop_time(std::int64_t now_ns) {
   part();
-  entry_.stopped_ns.push_back(now_ns);
+  entry_->stopped_ns.push_back(now_ns);
   ++stops_;
 }
 
 void Journal::note(const Instant& place, std::span<const Cancellation> cancelled) {
   place_ = place;
-  const std::size_t known = std::min(cancelled.size(), entry_.cancelled.size());
+  const std::size_t known = std::min(cancelled.size(), entry_->cancelled.size());
   const bool is_known = known == cancelled.size() &&
-                        std::ranges::equal(cancelled, std::span(entry_.cancelled).first(known));
+                        std::ranges::equal(cancelled, std::span(entry_->cancelled).first(known));
   if (!is_known) {
     part();
-    entry_.cancelled.assign(cancelled.begin(), cancelled.end());
+    entry_->cancelled.assign(cancelled.begin(), cancelled.end());
   }
   cancelled_ = cancelled.size();
-  if (is_at_its_end() && !entry_.end.has_reached(place)) entry_.end = place;
+  if (is_at_its_end() && !entry_->end.has_reached(place)) entry_->end = place;
 }
 
 bool Journal::is_at_its_end() const {
-  return inputs_ == entry_.inputs.size() && replies_ == entry_.replies.size() &&
-         stops_ == entry_.stopped_ns.size() && cancelled_ == entry_.cancelled.size();
+  return !has_later_ && inputs_ == entry_->inputs.size() && replies_ == entry_->replies.size() &&
+         stops_ == entry_->stopped_ns.size() && cancelled_ == entry_->cancelled.size();
 }
 
 void Journal::part() {
-  if (place_.has_reached(entry_.end) && is_at_its_end()) return;
-  left_ = entry_;
-  entry_.inputs.resize(inputs_);
-  entry_.replies.resize(replies_);
-  entry_.stopped_ns.resize(stops_);
-  entry_.cancelled.resize(std::min(cancelled_, entry_.cancelled.size()));
-  entry_.end = place_;
+  if (place_.has_reached(entry_->end) && is_at_its_end()) return;
+  left_ = *entry_;
+  entry_->inputs.resize(inputs_);
+  entry_->replies.resize(replies_);
+  entry_->stopped_ns.resize(stops_);
+  entry_->cancelled.resize(std::min(cancelled_, entry_->cancelled.size()));
+  entry_->end = place_;
 }
 
 }  // namespace armlet

@@ -1,6 +1,7 @@
 #pragma once
-// Keeps what comes from outside into one run. A run that is repeated gets from here what the first
-// one got, and nobody outside is asked or told until it goes beyond.
+// Keeps what comes from outside into the entries of a run, one after the other. One that is
+// repeated gets from here what the first one got, and nobody outside is asked or told until it goes
+// beyond.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,10 +19,15 @@ namespace armlet {
 
 class Journal {
  public:
-  // entry  with what is to come in a run that is repeated.
-  explicit Journal(LoggedEntry entry) : entry_(std::move(entry)) {}
-
-  [[nodiscard]] const LoggedEntry& entry() const { return entry_; }
+  // An entry begins, with what is to come in it if it is repeated.
+  //
+  // entry      is filled in here; it stays where it is until the next one begins.
+  // has_later  others are known behind it.
+  void begin(LoggedEntry& entry, bool has_later);
+  // Back at the end of an entry: the next one was taken back.
+  void resume(LoggedEntry& entry, bool has_later);
+  // What was known behind it belongs to another run.
+  void forget_later() { has_later_ = false; }
 
   // While a run is silent it writes no files, nothing is printed, nobody is told and time costs
   // none.
@@ -34,7 +40,7 @@ class Journal {
   void pass() { ++inputs_; }
   // Something new, which has just been done, or is to be done at the start.
   void add(Input input);
-  void expect(Input input) { entry_.inputs.push_back(std::move(input)); }
+  void expect(Input input) { entry_->inputs.push_back(std::move(input)); }
 
   // ---- what the run asks
   // As the log has it; otherwise what `outside` says, which is kept.
@@ -65,7 +71,8 @@ class Journal {
   [[nodiscard]] bool is_at_its_end() const;
 
  private:
-  LoggedEntry entry_;
+  LoggedEntry* entry_ = nullptr;
+  bool has_later_ = false;
   std::size_t inputs_ = 0;  // that have taken effect
   std::size_t replies_ = 0;
   std::size_t stops_ = 0;

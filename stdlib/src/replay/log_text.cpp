@@ -16,7 +16,7 @@ namespace armlet {
 namespace {
 
 constexpr std::string_view kMagic = "armlet-log";
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr std::size_t kSumSize = 24;  // "sum 16\n", 16 digits, "\n"
 
 std::string header() { return fmt::format("{} {} {}\n", kMagic, kFormat, ARMLET_VERSION); }
@@ -65,7 +65,12 @@ void append_input(std::string& out, const Input& input) {
 }
 
 void append_entry(std::string& out, const LoggedEntry& entry) {
-  append_record(out, "entry", {entry.name, entry.text});
+  if (entry.kind == EntryKind::kCall) {
+    append_record(out, "run", {entry.name, text_of(Value(Value::List(entry.arguments)))});
+  } else {
+    append_record(out, entry.kind == EntryKind::kProgram ? "program" : "entry",
+                  {entry.name, entry.text});
+  }
   for (const LoggedImport& each : entry.imports) {
     if (each.given.text)
       append_record(out, "import", {each.path, each.from, each.given.name, *each.given.text});
@@ -100,7 +105,7 @@ std::string write(const SessionLog& log) {
                  std::to_string(limits.call_depth), std::to_string(limits.output_bytes),
                  std::to_string(limits.time_ns)});
   append_record(out, "open", {log.open ? "yes" : "no"});
-  append_entry(out, log.entry);
+  for (const LoggedEntry& each : log.entries) append_entry(out, each);
   for (const RunMark& each : log.marks)
     append_record(out, "mark", {std::to_string(each.t_ns), fmt::format("{:016x}", each.hash)});
   return out + sum_of(out);
@@ -116,7 +121,7 @@ class Reader {
     rest_.remove_prefix(header().size());
     rest_.remove_suffix(kSumSize);
     while (!rest_.empty()) read_record();
-    if (!has_entry_ || !has_limits_) refuse("a log with limits and an entry");
+    if (log_.entries.empty() || !has_limits_) refuse("a log with limits and an entry");
     return std::move(log_);
   }
 
@@ -184,9 +189,15 @@ class Reader {
     if (!reader.is_at_end()) refuse("the end of a value");
     return out;
   }
+  [[nodiscard]] Value::List arguments(std::string_view text) const {
+    const Value read = value(text);
+    const auto* list = read.get_if<Value::List>();
+    if (list == nullptr) refuse("a list of arguments");
+    return *list;
+  }
   LoggedEntry& entry() {
-    if (!has_entry_) refuse("an entry first");
-    return log_.entry;
+    if (log_.entries.empty()) refuse("an entry first");
+    return log_.entries.back();
   }
 
   void take_robot(Fields fields) { log_.robot = fields[0]; }
@@ -212,11 +223,16 @@ class Reader {
     if (fields[0] != "yes" && fields[0] != "no") refuse("yes or no");
     log_.open = fields[0] == "yes";
   }
-  void take_entry(Fields fields) {
-    if (has_entry_) refuse("one entry");
-    has_entry_ = true;
-    log_.entry.name = fields[0];
-    log_.entry.text = fields[1];
+  LoggedEntry& begin(EntryKind kind, std::string_view name) {
+    LoggedEntry& entry = log_.entries.emplace_back();
+    entry.kind = kind;
+    entry.name = name;
+    return entry;
+  }
+  void take_program(Fields fields) { begin(EntryKind::kProgram, fields[0]).text = fields[1]; }
+  void take_entry(Fields fields) { begin(EntryKind::kEntry, fields[0]).text = fields[1]; }
+  void take_run(Fields fields) {
+    begin(EntryKind::kCall, fields[0]).arguments = arguments(fields[1]);
   }
   void take_import(Fields fields) {
     LoggedImport import{std::string(fields[0]), std::string(fields[1]), {}};
@@ -236,10 +252,8 @@ class Reader {
     entry().inputs.push_back({place(fields), SetGlobal{std::string(fields[2]), value(fields[3])}});
   }
   void take_call(Fields fields) {
-    const Value arguments = value(fields[3]);
-    const auto* list = arguments.get_if<Value::List>();
-    if (list == nullptr) refuse("a list of arguments");
-    entry().inputs.push_back({place(fields), CallFunction{std::string(fields[2]), *list}});
+    entry().inputs.push_back(
+        {place(fields), CallFunction{std::string(fields[2]), arguments(fields[3])}});
   }
   void take_reply(Fields fields) {
     entry().replies.push_back({std::string(fields[0]), std::string(fields[1])});
@@ -262,6 +276,7 @@ class Reader {
       {"robot", 1, &Reader::take_robot},     {"planner", 1, &Reader::take_planner},
       {"world", 2, &Reader::take_world},     {"default-world", 2, &Reader::take_default_world},
       {"limits", 5, &Reader::take_limits},   {"open", 1, &Reader::take_open},
+      {"program", 2, &Reader::take_program}, {"run", 2, &Reader::take_run},
       {"entry", 2, &Reader::take_entry},     {"import", 4, &Reader::take_import},
       {"signal", 4, &Reader::take_signal},   {"set", 4, &Reader::take_set},
       {"call", 4, &Reader::take_call},       {"reply", 2, &Reader::take_reply},
@@ -273,7 +288,6 @@ class Reader {
   std::string_view all_;
   std::string_view rest_;
   SessionLog log_;
-  bool has_entry_ = false;
   bool has_limits_ = false;
 };
 

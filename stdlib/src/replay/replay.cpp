@@ -1,45 +1,17 @@
-// What the host does to a run, and the run once more with all that it did.
+// The log of a session, and the session once more: from a log, to another time, to another entry.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
-#include "armlet/interpreter/host/globals.hpp"
-#include "armlet/interpreter/host/instants.hpp"
-#include "armlet/interpreter/host/program_function.hpp"
-#include "armlet/stdlib/session.hpp"
-#include "replay/former.hpp"
-#include "replay/journal.hpp"
+#include "armlet/interpreter/host/stepping.hpp"
+#include "session/run.hpp"
 
 namespace armlet {
 namespace {
-
-// Calls a function of the program by name, with values. `on_call` comes when it is known that the
-// values fit.
-Result<Value> call_function(Vm& vm, const std::string& name, const std::vector<Value>& arguments,
-                            const std::function<void()>& on_call) {
-  if (arguments.size() > ReadyFunction::kMostParameters) {
-    throw ArgumentError(fmt::format("`{}` is called with {} values; hosts pass at most {}.", name,
-                                    arguments.size(), ReadyFunction::kMostParameters));
-  }
-  const std::vector<ValueKind> takes(arguments.size());
-  Result<ReadyFunction> found = ReadyFunction::find(vm, name, takes, {ValueKind::Form::kNothing});
-  const bool gives = !found.ok();
-  if (gives) found = ReadyFunction::find(vm, name, takes, {});
-  const ReadyFunction& function = found.value();
-  ReadyFunction::Call call(function);
-  std::vector<Slot> slots(arguments.size());
-  Slot result{.i = 0};
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    static_cast<void>(call.pass(i, arguments[i], slots[i]));
-  on_call();
-  if (!call.run(slots, result).done) return Error{"failed", vm.error()->message};
-  return gives ? call.take<Value>(result) : Value();
-}
 
 bool is_same(const RunLimits& a, const RunLimits& b) {
   return a.steps == b.steps && a.heap_bytes == b.heap_bytes && a.call_depth == b.call_depth &&
@@ -59,74 +31,23 @@ std::string difference(const SessionLog& ours, const SessionLog& theirs) {
   if (ours.world != theirs.world || ours.default_world != theirs.default_world)
     return "the log was made in another world";
   if (!is_same(ours.limits, theirs.limits)) return "the log was made with other limits of runs";
+  const auto& entries = theirs.entries;
+  if (entries.empty()) return "the log holds no entry";
+  for (const LoggedEntry& each : entries) {
+    const bool is_first = &each == &entries.front();
+    if (each.kind == EntryKind::kCall
+            ? is_first
+            : each.kind != entries.front().kind || (each.kind == EntryKind::kProgram && !is_first))
+      return "its entries cannot follow each other: a program, or entries, and calls behind them";
+  }
   return {};
 }
 
 }  // namespace
 
-void Session::require_idle(std::string_view what) const {
-  if (!is_running_.load()) return;
-  throw ArgumentError(
-      fmt::format("A session cannot {} while its program runs; use another one.", what));
-}
+// ---- the log ----------------------------------------------------------------------------------
 
-void Session::require_run(std::string_view what) const {
-  require_idle(what);
-  if (vm_ == nullptr)
-    throw ArgumentError(fmt::format("A session cannot {} before its first run.", what));
-}
-
-Instant Session::instant() const { return vm_ == nullptr ? Instant{} : instant_of(*vm_); }
-
-// ---- what the host does ---------------------------------------------------------------------
-
-void Session::set_signal(std::string_view name, SignalValue value) {
-  require_idle("set a signal");
-  Input input{.at = {}, .what = SetSignal{std::string(name), value}};
-  if (is_under_way_ || (is_entry_ && host_ != nullptr)) {
-    host_->cell().signals().set(name, value);
-    keep(std::move(input));
-  } else {
-    early_inputs_.push_back(std::move(input));
-  }
-}
-
-void Session::set(std::string_view name, const Value& value) {
-  require_run("set a variable");
-  vm_->set(name, value);
-  keep({.at = {}, .what = SetGlobal{std::string(name), value}});
-}
-
-Result<Value> Session::call(std::string_view name, const std::vector<Value>& arguments) {
-  require_run("call a function");
-  const CallFunction what{std::string(name), arguments};
-  const Instant at = instant();
-  Result<Value> result =
-      call_function(*vm_, what.name, arguments, [&] { journal_->add({.at = at, .what = what}); });
-  note_progress();
-  return result;
-}
-
-void Session::keep(Input input) {
-  input.at = instant();
-  journal_->add(std::move(input));
-  note_progress();
-}
-
-// ---- the log --------------------------------------------------------------------------------
-
-LoggedEntry Session::known_run() const {
-  if (is_entry_) {
-    throw ArgumentError(
-        "A session of entries has no log of a single run: undo() and redo() go back and forth.");
-  }
-  if (journal_ != nullptr) return journal_->entry();
-  if (repeated_) return *repeated_;
-  const Source& source = sources()[0];
-  return {.name = source.name(), .text = std::string(source.text()), .imports = imports_};
-}
-
-SessionLog Session::log_of(LoggedEntry entry) const {
+SessionLog Session::log_of(const std::vector<Entry>& entries) const {
   SessionLog log;
   if (options_.robot != nullptr) log.robot = options_.robot->name();
   for (const NamedPlanner& each : options_.planners) log.planners.push_back(each.name);
@@ -134,118 +55,34 @@ SessionLog Session::log_of(LoggedEntry entry) const {
   log.default_world = options_.default_world;
   log.limits = options_.limits;
   log.open = options_.open;
-  log.entry = std::move(entry);
+  for (const Entry& each : entries) log.entries.push_back(each.logged);
   return log;
 }
 
 SessionLog Session::log() const {
   require_idle("give its log");
-  return log_of(known_run());
+  static_cast<void>(sources());
+  SessionLog log = log_of(run_->entries);
+  if (log.entries.empty() && submitted_ != nullptr) log.entries.push_back(submitted_->logged);
+  return log;
 }
 
-ModuleLoader Session::load_imports() {
-  imports_.clear();
-  if (!repeated_ && !options_.load) return {};
-  return [this](const std::string& path, const std::string& from) {
-    LoggedImport import{path, from, {}};
-    if (repeated_) {
-      for (const LoggedImport& each : repeated_->imports) {
-        if (each.path == path && each.from == from) import.given = each.given;
-      }
-    } else {
-      import.given = options_.load(path, from);
+// The entries of a log, compiled; fewer if one of them cannot run.
+std::vector<Entry> Session::compile_log(const SessionLog& log) {
+  std::vector<Entry> entries;
+  std::shared_ptr<const Program> newest;
+  for (const LoggedEntry& each : log.entries) {
+    Entry entry{.logged = each, .program = nullptr};
+    if (each.kind != EntryKind::kCall) {
+      Compiled made = compile_text(each, newest, true);
+      problems_ = std::move(made.problems);
+      compilation_ = std::move(made.compilation);
+      if (!made.can_run) break;
+      newest = entry.program = compilation_.program;
     }
-    imports_.push_back(import);
-    return import.given;
-  };
-}
-
-void Session::begin_journal() {
-  const bool repeats = repeated_.has_value();
-  LoggedEntry entry = is_entry_ ? LoggedEntry{} : known_run();
-  if (!repeats) entry = {.name = entry.name, .text = entry.text, .imports = entry.imports};
-  repeated_.reset();
-  journal_ = std::make_unique<Journal>(std::move(entry));
-  journal_->set_silent(is_silent_);
-  if (repeats) return;
-  for (Input& each : early_inputs_) journal_->expect(std::move(each));
-  early_inputs_.clear();
-}
-
-void Session::note_progress() {
-  journal_->note(instant(), cancellations(*vm_));
-  std::optional<LoggedEntry> left = journal_->left_run();
-  if (!left) return;
-  cancel_at(*vm_, {});
-  if (!is_silent_ && !is_entry_) runs_.push_back(log_of(*std::move(left)));
-}
-
-// ---- a run once more ------------------------------------------------------------------------
-
-void Session::apply(const Input& input) {
-  const Input taken = input;  // a call may change the list
-  journal_->pass();
-  try {
-    std::visit(Overload{[this](const SetSignal& each) {
-                          host_->cell().signals().set(each.name, each.value);
-                        },
-                        [this](const SetGlobal& each) { vm_->set(each.name, each.value); },
-                        [this](const CallFunction& each) {
-                          static_cast<void>(call_function(*vm_, each.name, each.arguments, [] {}));
-                        }},
-               taken.what);
-  } catch (const ArgumentError&) {
-    // Another text may have no such name: there is nothing to set or to call.
+    entries.push_back(std::move(entry));
   }
-}
-
-void Session::apply_due_inputs() {
-  for (const Input* next = journal_->next(); next != nullptr && instant().has_reached(next->at);
-       next = journal_->next())
-    apply(*next);
-}
-
-static bool is_used(const Budget& left) { return left.steps == 0 || left.statements == 0; }
-
-void Session::run_along(const Budget& budget) {
-  const std::uint64_t steps = instant().steps;
-  const std::uint64_t statements = statements_begun(*vm_);
-  const auto left = [&] {
-    Budget rest = budget;
-    const auto spend = [](std::uint64_t& part, std::uint64_t used) {
-      if (part != Budget::kNoLimit) part -= std::min(part, used);
-    };
-    spend(rest.steps, instant().steps - steps);
-    spend(rest.statements, statements_begun(*vm_) - statements);
-    return rest;
-  };
-  for (const Input* next = journal_->next(); next != nullptr; next = journal_->next()) {
-    const Instant at = next->at;
-    if (budget.until_ns && *budget.until_ns < at.t_ns) break;
-    if (!instant().has_reached(at)) {
-      run_to(at, left);
-      if (is_at_breakpoint(*vm_)) return;
-    }
-    if (result_.status != Progress::kPaused || is_used(left())) return;
-    // Another text may take other steps: then the time alone counts.
-    if (instant().t_ns >= at.t_ns) apply(*next);
-  }
-  if (!is_used(left())) run_slice(left());
-}
-
-// The nanosecond before comes first: the steps may have been taken long before the time.
-void Session::run_to(const Instant& at, const std::function<Budget()>& left) {
-  Budget budget = left();
-  if (instant().t_ns < at.t_ns) {
-    budget.until_ns = at.t_ns - 1;
-    if (run_slice(budget) != Progress::kPaused || is_at_breakpoint(*vm_)) return;
-    budget = left();
-    if (is_used(budget)) return;
-  }
-  budget.until_ns = at.t_ns;
-  const std::uint64_t steps = instant().steps;
-  if (at.steps > steps) budget.steps = std::min(budget.steps, at.steps - steps);
-  run_slice(budget);
+  return entries;
 }
 
 bool Session::replay(const SessionLog& log) {
@@ -253,86 +90,153 @@ bool Session::replay(const SessionLog& log) {
   if (const std::string why = difference(log_of({}), log); !why.empty())
     throw ArgumentError("This log cannot be replayed here: " + why + '.');
   give_up();
-  journal_.reset();
-  repeated_ = log.entry;
-  if (compile_program(log.entry.text, log.entry.name)) return true;
-  repeated_.reset();
-  return false;
+  submitted_.reset();
+  run_ = std::make_unique<Run>();
+  std::vector<Entry> entries = compile_log(log);
+  if (entries.size() < log.entries.size()) return false;
+  run_->entries = std::move(entries);
+  return true;
 }
 
-// Everything up to a time that the run has left behind; otherwise the very place to which it has
-// come, which may lie within an instant.
-void Session::run_again_to(std::int64_t t_ns, const Instant& end) {
-  if (t_ns < end.t_ns) return run_along({.until_ns = t_ns});
-  if (t_ns > 0) run_along({.until_ns = t_ns - 1});
-  if (result_.status != Progress::kPaused) return;
-  const std::uint64_t steps = instant().steps;
-  if (end.steps > steps) {
-    run_along({.until_ns = t_ns, .steps = end.steps - steps});
-  } else if (instant().t_ns < t_ns) {
-    run_along({.until_ns = t_ns});
+// ---- to another place -------------------------------------------------------------------------
+
+std::size_t Session::entry_at(std::int64_t t_ns) const {
+  const std::vector<Entry>& entries = run_->entries;
+  std::size_t at = 0;
+  while (at + 1 < entries.size() && entries[at].logged.end.t_ns <= t_ns) ++at;
+  return at;
+}
+
+void Session::require_time(std::size_t entry, std::int64_t t_ns) const {
+  const std::vector<Entry>& entries = run_->entries;
+  const auto seconds = [](std::int64_t ns) { return format_number(to_seconds(ns), 9); };
+  const std::int64_t last = entries.empty() ? 0 : entries.back().logged.end.t_ns;
+  if (t_ns < 0 || t_ns > last) {
+    throw ArgumentError(fmt::format("The run has come to t = {} s; there is no t = {} s to go to.",
+                                    seconds(last), seconds(t_ns)));
   }
-  apply_due_inputs();
+  if (entries.empty() && submitted_ != nullptr) return;
+  if (entry >= entries.size()) {
+    throw ArgumentError(fmt::format("There are {} entries; there is no entry {} to go to, from 0.",
+                                    entries.size(), entry));
+  }
+  const std::int64_t begin = entry == 0 ? 0 : entries[entry - 1].logged.end.t_ns;
+  const std::int64_t end = entries[entry].logged.end.t_ns;
+  if (t_ns >= begin && t_ns <= end) return;
+  throw ArgumentError(
+      fmt::format("Entry {} lasts from t = {} s to t = {} s; t = {} s is not in it.", entry,
+                  seconds(begin), seconds(end), seconds(t_ns)));
 }
 
-void Session::require_time(std::int64_t t_ns, const Instant& end) {
-  if (t_ns >= 0 && t_ns <= end.t_ns) return;
-  throw ArgumentError(fmt::format("The run has come to t = {} s; there is no t = {} s to go to.",
-                                  format_number(to_seconds(end.t_ns), 9),
-                                  format_number(to_seconds(t_ns), 9)));
+// To the end of so many entries. False: somebody cancels, or one of them fails now.
+bool Session::run_through(std::size_t count) {
+  run_->keeps_checkpoints = false;
+  while (run_->done < count && !cancelled_.load()) {
+    const std::size_t before = run_->done;
+    advance({});
+    if (run_->done == before) break;
+  }
+  run_->keeps_checkpoints = true;
+  return run_->done == count;
+}
+
+// Everything up to a time that the entry has left behind; otherwise the very place to which it has
+// come, which may lie within an instant.
+bool Session::run_again_to(std::size_t entry, std::int64_t t_ns) {
+  if (!run_through(entry)) return false;
+  const Instant end = run_->entries[entry].logged.end;
+  if (t_ns < end.t_ns) {
+    advance({.until_ns = t_ns});
+  } else {
+    if (t_ns > instant().t_ns) advance({.until_ns = t_ns - 1});
+    const bool goes_on = !run_->is_under_way && run_->done == entry;
+    if (goes_on || run_->is_under_way) {
+      const std::uint64_t steps = instant().steps;
+      if (end.steps > steps) {
+        advance({.until_ns = t_ns, .steps = end.steps - steps});
+      } else if (goes_on || instant().t_ns < t_ns) {
+        advance({.until_ns = t_ns});
+      }
+      apply_due_inputs();
+    }
+  }
+  return run_->is_under_way || run_->done > entry;
+}
+
+// While the entries run again the run is put aside.
+bool Session::take_again(std::vector<Entry> entries, const std::function<bool()>& go) {
+  std::unique_ptr<Run> former = std::exchange(run_, std::make_unique<Run>());
+  const Compilation compiled = compilation_;
+  const auto bring_back = [&] {
+    run_ = std::move(former);
+    compilation_ = compiled;
+    is_silent_ = false;
+    cancelled_.store(false);
+  };
+  run_->entries = std::move(entries);
+  is_silent_ = true;
+  bool is_there = false;
+  try {
+    is_there = go() && !cancelled_.load();
+  } catch (...) {
+    bring_back();
+    throw;
+  }
+  if (!is_there) {
+    const std::optional<Diagnostic> error = run_->result.error;
+    if (error && !cancelled_.load()) problems_ = {{*error, compilation_.sources}};
+    bring_back();
+    return false;
+  }
+  is_silent_ = false;
+  if (run_->journal != nullptr) run_->journal->set_silent(false);
+  if (run_->fan_out != nullptr) run_->fan_out->set_muted(false);
+  if (run_->vm != nullptr && !breakpoints_.empty())
+    armlet::set_breakpoints(*run_->vm, breakpoints_);
+  return true;
+}
+
+bool Session::go_to_rest(std::size_t count) {
+  problems_.clear();
+  return take_again(run_->entries, [this, count] { return run_through(count); });
 }
 
 bool Session::go_to(std::int64_t t_ns) {
   require_idle("go to another time");
-  LoggedEntry run = known_run();
-  require_time(t_ns, run.end);
-  const Instant end = run.end;
-  return take_again(std::move(run), [this, t_ns, end] { run_again_to(t_ns, end); });
+  return go_to(entry_at(t_ns), t_ns);
 }
 
-Session::Former Session::put_aside() {
-  Former former{std::move(journal_),
-                std::move(host_),
-                std::move(fan_out_),
-                std::move(vm_),
-                result_,
-                std::exchange(is_under_way_, false),
-                repeated_};
-  return former;
-}
-
-void Session::bring_back(Former former) {
-  vm_ = std::move(former.vm);  // first: a Vm goes before its host
-  journal_ = std::move(former.journal);
-  host_ = std::move(former.host);
-  fan_out_ = std::move(former.fan_out);
-  result_ = std::move(former.result);
-  is_under_way_ = former.is_under_way;
-  repeated_ = std::move(former.repeated);
-  is_silent_ = false;
-  cancelled_.store(false);
-}
-
-// While the run goes to its time, the one before is put aside.
-bool Session::take_again(LoggedEntry run, const std::function<void()>& go) {
-  const std::vector<Cancellation> cancelled = run.cancelled;
-  Former former = put_aside();
-  try {
-    repeated_ = std::move(run);
-    is_silent_ = true;
-    go_on(go);
-  } catch (...) {
-    bring_back(std::move(former));
-    throw;
+bool Session::go_to(std::size_t entry, std::int64_t t_ns) {
+  require_idle("go to another time");
+  static_cast<void>(sources());
+  require_time(entry, t_ns);
+  const OneSlice one_slice(*this);
+  if (run_->entries.empty()) {  // it has not begun
+    return take_again({*submitted_}, [this] {
+      begin_next();
+      return true;
+    });
   }
-  if (journal_->entry().cancelled != cancelled) {
-    bring_back(std::move(former));
+  return take_again(run_->entries, [this, entry, t_ns] { return run_again_to(entry, t_ns); });
+}
+
+bool Session::take_up(std::size_t run) {
+  require_idle("take up another run");
+  if (run >= runs_.size()) {
+    throw ArgumentError(fmt::format("{} runs were left; there is no run {} to take up, from 0.",
+                                    runs_.size(), run));
+  }
+  const OneSlice one_slice(*this);
+  SessionLog present = log_of(run_->entries);
+  const Compilation compiled = compilation_;
+  std::vector<Entry> entries = compile_log(runs_[run]);
+  compilation_ = compiled;
+  const std::size_t last = entries.size() - 1;
+  const std::int64_t t_ns = entries.back().logged.end.t_ns;
+  if (!take_again(std::move(entries), [this, last, t_ns] { return run_again_to(last, t_ns); }))
     return false;
-  }
-  is_silent_ = false;
-  journal_->set_silent(false);
-  fan_out_->set_muted(false);
-  if (!breakpoints_.empty()) armlet::set_breakpoints(*vm_, breakpoints_);
+  runs_[run] = std::move(present);
+  submitted_.reset();
   return true;
 }
 

@@ -5,28 +5,34 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
-#include "armlet/stdlib/session.hpp"
-#include "replay/journal.hpp"
+#include "session/run.hpp"
 
 namespace armlet {
 
 Progress Session::run_move() {
-  const int moves = is_under_way_ ? host_->move_count() : 0;
+  const int moves = run_->is_under_way ? run_->host->move_count() : 0;
   while (run({.statements = 1}) == Progress::kPaused) {
-    if (host_->move_count() != moves || is_at_breakpoint(*vm_)) break;
+    if (run_->host->move_count() != moves || is_at_breakpoint(*run_->vm)) break;
   }
-  return result_.status;
+  return run_->result.status;
 }
 
 bool Session::step_back() {
   require_run("step back");
-  const std::uint64_t begun = statements_begun(*vm_);
+  const std::uint64_t begun = statements_begun(*run_->vm);
   if (begun == 0) {
     throw ArgumentError(
         "There is no statement to step back over: none has begun, or the program has no markers.");
   }
-  return take_again(known_run(), [this, begun] {
-    if (begun > 1) run_along({.statements = begun - 1});
+  const OneSlice one_slice(*this);
+  return take_again(run_->entries, [this, begun] {
+    while (true) {
+      begin_next();
+      const std::uint64_t left = begun - 1 - statements_begun(*run_->vm);
+      if (left == 0) return true;
+      advance({.statements = left});
+      if (run_->is_under_way || to_come() == 0) return true;
+    }
   });
 }
 
@@ -40,7 +46,7 @@ std::vector<SourceLine> Session::set_breakpoints(std::vector<SourceLine> lines) 
     const auto next = std::ranges::lower_bound(known, line);
     if (next != known.end() && next->source == line.source) breakpoints_.push_back(*next);
   }
-  if (vm_ != nullptr) armlet::set_breakpoints(*vm_, breakpoints_);
+  if (run_->vm != nullptr) armlet::set_breakpoints(*run_->vm, breakpoints_);
   return breakpoints_;
 }
 

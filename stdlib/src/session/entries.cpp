@@ -4,138 +4,58 @@
 #include <algorithm>
 #include <utility>
 
-#include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
-#include "armlet/stdlib/session.hpp"
-#include "replay/journal.hpp"
+#include "session/run.hpp"
 
 namespace armlet {
 
-void Session::require_rest(std::string_view what) const {
-  if (!is_running_.load() && !is_under_way_) return;
-  throw ArgumentError("An entry is under way: " + std::string(what) +
-                      " when it has ended. run() brings it to its end, cancel() stops it.");
-}
-
 bool Session::submit(std::string text, std::string name) {
   require_rest("the session takes the next one");
-  if (!is_entry_) {
-    forget_run();
-    is_entry_ = true;
-  }
-  CompileOptions options;
-  options.is_entry = true;
-  options.after = newest_program();
-  entry_ = {.program = nullptr, .name = name, .text = text};
-  return compile_as(std::move(text), std::move(name), options);
+  const std::vector<Entry>& known = run_->entries;
+  if (!known.empty() && known.front().logged.kind == EntryKind::kProgram)
+    run_ = std::make_unique<Run>();
+  return compile_entry(
+      {.kind = EntryKind::kEntry, .name = std::move(name), .text = std::move(text)});
 }
 
+void Session::begin_call(std::string_view name, const std::vector<Value>& arguments) {
+  require_rest("a function can be called");
+  require_run("call a function");
+  const OneSlice one_slice(*this);
+  begin_new({.logged = {.kind = EntryKind::kCall,
+                        .name = std::string(name),
+                        .text = {},
+                        .arguments = arguments},
+             .program = nullptr});
+}
+
+// Of the entries that have run; a call has none of its own.
 std::shared_ptr<const Program> Session::newest_program() const {
-  return done_ == 0 ? nullptr : log_[done_ - 1].program;
+  for (std::size_t i = run_->done; i > 0; --i) {
+    const Entry& entry = run_->entries[i - 1];
+    if (entry.logged.kind == EntryKind::kEntry) return entry.program;
+  }
+  return nullptr;
 }
 
 std::optional<EntryValue> Session::shown() const {
-  return is_entry_ && vm_ != nullptr ? vm_->shown() : std::nullopt;
+  return run_->vm != nullptr ? run_->vm->shown() : std::nullopt;
 }
 
-// Lets the program begin in the machine, or makes one for it.
-void Session::begin_program(const std::shared_ptr<const Program>& program) {
-  if (vm_ == nullptr) {
-    begin_cell(program);
-    return;
-  }
-  take_world(*program);
-  vm_->begin(program);
-}
+std::span<const Entry> Session::entries() const { return {run_->entries.data(), run_->done}; }
 
-void Session::begin_entry() {
-  entry_.program = compilation_.program;
-  entry_.sources = compilation_.sources;
-  begin_program(entry_.program);
-  result_ = vm_->result();
-  entry_.begin_ns = host_->now_ns();
-  entry_.moves = static_cast<std::size_t>(host_->move_count());
-  is_under_way_ = true;
-}
-
-// The machine gives back its variables after a failure; the cell comes about again.
-void Session::end_entry() {
-  is_under_way_ = false;
-  can_run_ = false;  // an entry runs once
-  if (result_.status != Progress::kDone) {
-    replay_to(done_, true);
-    return;
-  }
-  entry_.end_ns = host_->now_ns();
-  entry_.moves = static_cast<std::size_t>(host_->move_count()) - entry_.moves;
-  log_.resize(done_);  // what was undone is forgotten
-  log_.push_back(std::exchange(entry_, {}));
-  done_ = log_.size();
-}
-
-// ---- back and forth --------------------------------------------------------------------------
-
-// Everything is determined by the entries: where one began, all is as those before it leave it when
-// they run once more. Nobody hears of that.
-void Session::replay_to(std::size_t count, bool from_start) {
-  is_silent_ = true;
-  can_run_ = false;
-  if (from_start || count < done_) {
-    vm_.reset();
-    if (host_ != nullptr) host_->cell().set_backend(nullptr);
-    host_ = nullptr;
-    done_ = 0;
-  } else if (host_ != nullptr) {
-    host_->cell().set_backend(nullptr);
-    journal_->set_silent(true);
-  }
-  std::optional<Problem> parted;
-  while (done_ < count && !parted) {
-    const Entry& entry = log_[done_];
-    begin_program(entry.program);
-    vm_->run(Budget{});
-    come_to_rest(Budget{});
-    const RunResult& result = vm_->result();
-    if (result.status == Progress::kDone) {
-      ++done_;
-    } else {
-      parted = Problem{*result.error, entry.sources};
-    }
-  }
-  is_silent_ = false;
-  if (parted) {
-    // What it reads from outside has changed since.
-    log_.resize(done_);
-    replay_to(done_, true);
-    problems_ = {*std::move(parted)};
-  } else if (host_ != nullptr) {
-    journal_->set_silent(false);
-    listen();
-  }
-}
+std::size_t Session::to_come() const { return run_->entries.size() - run_->done; }
 
 std::size_t Session::undo(std::size_t count) {
   require_rest("what is before it can be undone");
-  problems_.clear();
-  count = std::min(count, done_);
-  if (count > 0) replay_to(done_ - count, false);
-  take_result();
-  return count;
-}
-
-void Session::take_result() {
-  result_ = vm_ != nullptr ? vm_->result()
-                           : RunResult{.status = Progress::kPaused, .error = {}, .steps = 0};
+  count = std::min(count, run_->done);
+  return go_to_rest(run_->done - count) ? count : 0;
 }
 
 std::size_t Session::redo(std::size_t count) {
   require_rest("what was undone can be done again");
-  problems_.clear();
-  const std::size_t before = done_;
-  count = std::min(count, log_.size() - done_);
-  if (count > 0) replay_to(done_ + count, false);
-  take_result();
-  return done_ - before;
+  count = std::min(count, to_come());
+  return go_to_rest(run_->done + count) ? count : 0;
 }
 
 }  // namespace armlet

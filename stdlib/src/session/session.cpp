@@ -3,82 +3,32 @@
 #include <algorithm>
 #include <utility>
 
-#include "armlet/backend/fan_out.hpp"
 #include "armlet/core/error.hpp"
-#include "armlet/core/platform.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
-#include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/world_names.hpp"
-#include "replay/journal.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "session/editor_texts.hpp"
+#include "session/run.hpp"
 
 namespace armlet {
 namespace {
 
-// One slice at a time; what somebody wished of a run ends with it, however it ends.
-class OneSlice {
- public:
-  OneSlice(std::atomic<bool>& is_running, std::atomic<bool>& cancelled, const bool& is_under_way)
-      : is_running_(is_running), cancelled_(cancelled), is_under_way_(is_under_way) {
-    if (is_running_.exchange(true))
-      throw ArgumentError("The session runs already; use another one.");
-  }
-  ~OneSlice() {
-    if (!is_under_way_) cancelled_.store(false);
-    is_running_.store(false);
-  }
-  OneSlice(const OneSlice&) = delete;
-  OneSlice& operator=(const OneSlice&) = delete;
-
- private:
-  std::atomic<bool>& is_running_;
-  std::atomic<bool>& cancelled_;
-  const bool& is_under_way_;
-};
-
 // Whatever was wished of a compilation that ends with no program has come true with its end.
 class OneCompilation {
  public:
-  OneCompilation(const bool& can_run, std::atomic<bool>& cancelled)
-      : can_run_(can_run), cancelled_(cancelled) {}
+  explicit OneCompilation(std::atomic<bool>& cancelled) : cancelled_(cancelled) {}
   ~OneCompilation() {
-    if (!can_run_) cancelled_.store(false);
+    if (!makes_program_) cancelled_.store(false);
   }
   OneCompilation(const OneCompilation&) = delete;
   OneCompilation& operator=(const OneCompilation&) = delete;
 
+  void makes_program() { makes_program_ = true; }
+
  private:
-  const bool& can_run_;
   std::atomic<bool>& cancelled_;
-};
-
-// The machine that `cancel` reaches. It goes only when nobody is about to touch it. A program that
-// names an object first fills the world, so one machine can stand before another.
-class InReach {
- public:
-  InReach(Vm& vm, std::atomic<Vm*>& running, const std::atomic<int>& cancelling,
-          const std::atomic<bool>& cancelled)
-      : running_(running),
-        cancelling_(cancelling),
-        cancelled_(cancelled),
-        before_(running.exchange(&vm)) {
-    if (cancelled_.load()) vm.cancel();
-  }
-  ~InReach() {
-    running_.store(before_);
-    while (cancelling_.load() != 0) yield_thread();
-    if (before_ != nullptr && cancelled_.load()) before_->cancel();
-  }
-  InReach(const InReach&) = delete;
-  InReach& operator=(const InReach&) = delete;
-
- private:
-  std::atomic<Vm*>& running_;
-  const std::atomic<int>& cancelling_;
-  const std::atomic<bool>& cancelled_;
-  Vm* const before_;
+  bool makes_program_ = false;
 };
 
 // Whether names of objects may be checked: the text, or a file that it imports, calls one of the
@@ -98,18 +48,18 @@ bool may_name_objects(std::string_view text) {
 }  // namespace
 
 Session::Session(const Engine& engine, SessionOptions options)
-    : engine_(engine), options_(std::move(options)) {}
+    : engine_(engine), options_(std::move(options)), run_(std::make_unique<Run>()) {}
 Session::~Session() {
   try {
     give_up();
   } catch (...) {  // of a backend; there is nobody to tell
-    is_under_way_ = false;
+    run_->is_under_way = false;
   }
 }
 
-std::unique_ptr<Host> Session::make_host(bool with_world) {
+std::unique_ptr<Host> Session::make_host(Journal* journal) {
   HostOptions host_options;
-  if (with_world) host_options.journal = journal_.get();
+  host_options.journal = journal;
   host_options.robot = options_.robot;
   host_options.planners = options_.planners;
   host_options.on_move = options_.on_move;
@@ -120,9 +70,7 @@ std::unique_ptr<Host> Session::make_host(bool with_world) {
       fill_world(host, *options_.default_world, problems_);
     };
   }
-  auto host = std::make_unique<Host>(std::move(host_options));
-  if (with_world && options_.world) fill_world(*host, *options_.world, problems_);
-  return host;
+  return std::make_unique<Host>(std::move(host_options));
 }
 
 // A world is a program that declares objects; it runs in the cell before time begins.
@@ -132,7 +80,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
   compile_options.open = false;
-  compile_options.cancelled = is_silent_ ? nullptr : &cancelled_;
+  compile_options.cancelled = &cancelled_;
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
   if (compiled.program == nullptr) return false;
@@ -141,8 +89,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   vm_options.timeline = &host;
   vm_options.host = &host;
   Vm vm(compiled.program, std::move(vm_options));
-  std::optional<InReach> in_reach;
-  if (!is_silent_) in_reach.emplace(vm, running_, cancelling_, cancelled_);
+  const InReach in_reach(*this, vm);
   RunResult result = vm.run();
   if (result.status == Progress::kDone) return true;
   if (result.error) problems.push_back({*std::move(result.error), compiled.sources});
@@ -154,7 +101,7 @@ void Session::describe_world() {
   const std::optional<WorldText>& text = options_.world ? options_.world : options_.default_world;
   if (world_names_ != nullptr || !text) return;
   world_problems_.clear();
-  const std::unique_ptr<Host> host = make_host(false);
+  const std::unique_ptr<Host> host = make_host(nullptr);
   fill_world(*host, *text, world_problems_);
   auto names = std::make_shared<WorldNames>();
   names->world = text->name;
@@ -192,210 +139,89 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
                                                  const std::shared_ptr<const Analysis>& before) {
   if (is_running_.load())
     throw ArgumentError("A session cannot analyse while its program runs; use another one.");
-  const bool makes_program = false;
-  const OneCompilation one_compilation(makes_program, cancelled_);
+  const OneCompilation one_compilation(cancelled_);
   describe_world();
-  const std::unique_ptr<Host> host = make_host(false);
+  const std::unique_ptr<Host> host = make_host(nullptr);
   CompileOptions how;
-  how.is_entry = is_entry_;
   how.after = newest_program();
+  how.is_entry = how.after != nullptr;
   CompileOptions options = compile_options(*host, std::move(how));
   options.texts = editor_texts(host->planners().names(), world_names_);
   return engine_.analyse(std::move(text), std::move(name), options, before);
 }
 
-bool Session::compile(std::string text, std::string name) {
-  require_idle("compile");
-  repeated_.reset();
-  return compile_program(std::move(text), std::move(name));
+static ModuleLoader remembering(ModuleLoader load, std::vector<LoggedImport>& imports) {
+  return [load = std::move(load), &imports](const std::string& path, const std::string& from) {
+    return imports.emplace_back(LoggedImport{path, from, load(path, from)}).given;
+  };
 }
 
-bool Session::compile_program(std::string text, std::string name) {
-  forget_run();
-  log_.clear();
-  done_ = 0;
-  is_entry_ = false;
-  return compile_as(std::move(text), std::move(name), {});
+static ModuleLoader from_log(const std::vector<LoggedImport>& logged) {
+  return [&logged](const std::string& path, const std::string& from) {
+    for (const LoggedImport& each : logged)
+      if (each.path == path && each.from == from) return each.given;
+    return ImportedText{};
+  };
 }
 
-void Session::forget_run() {
-  can_run_ = false;
-  give_up();
-  vm_.reset();
-  journal_.reset();
-}
-
-bool Session::compile_as(std::string text, std::string name, const CompileOptions& how) {
-  can_run_ = false;
-  problems_.clear();
-  const OneCompilation one_compilation(can_run_, cancelled_);
-  if (options_.world || may_name_objects(text)) describe_world();
-  const std::unique_ptr<Host> host = make_host(false);
-  CompileOptions options = compile_options(*host, how);
-  options.load = load_imports();
-  compilation_ = engine_.compile(text, name, options);
+Session::Compiled Session::compile_text(const LoggedEntry& entry,
+                                        std::shared_ptr<const Program> after, bool is_logged) {
+  Compiled made;
+  OneCompilation one_compilation(cancelled_);
+  if (options_.world || may_name_objects(entry.text)) describe_world();
+  const std::unique_ptr<Host> host = make_host(nullptr);
+  CompileOptions how;
+  how.is_entry = entry.kind == EntryKind::kEntry;
+  how.after = std::move(after);
+  CompileOptions options = compile_options(*host, std::move(how));
+  const ModuleLoader load = is_logged ? from_log(entry.imports) : options_.load;
+  const auto compile = [&] {
+    made.imports.clear();
+    if (load) options.load = remembering(load, made.imports);
+    made.compilation = engine_.compile(entry.text, entry.name, options);
+  };
+  compile();
   // What it names and does not know may be a thing of the world, which is looked at only then.
+  const auto& found = made.compilation.diagnostics;
   if (world_names_ == nullptr &&
-      std::ranges::find(compilation_.diagnostics, "E0201", &Diagnostic::code) !=
-          compilation_.diagnostics.end()) {
+      std::ranges::find(found, "E0201", &Diagnostic::code) != found.end()) {
     describe_world();
     options.world = world_names_;
-    options.load = load_imports();
-    if (world_names_ != nullptr)
-      compilation_ = engine_.compile(std::move(text), std::move(name), options);
+    if (world_names_ != nullptr) compile();
   }
-  const bool has_program = compilation_.program != nullptr;
-  const bool uses_world = options_.world || (has_program && compilation_.program->uses_world());
-  if (uses_world && !compilation_.cancelled) problems_ = world_problems_;
-  for (const Diagnostic& d : compilation_.diagnostics)
-    problems_.push_back({d, compilation_.sources});
-  can_run_ = has_program && (!options_.world || world_problems_.empty());
-  return can_run_;
+  const bool has_program = made.compilation.program != nullptr;
+  const bool uses_world = options_.world || (has_program && made.compilation.program->uses_world());
+  if (uses_world && !made.compilation.cancelled) made.problems = world_problems_;
+  for (const Diagnostic& d : made.compilation.diagnostics)
+    made.problems.push_back({d, made.compilation.sources});
+  made.can_run = has_program && (!options_.world || world_problems_.empty());
+  if (made.can_run) one_compilation.makes_program();
+  return made;
+}
+
+bool Session::compile_entry(LoggedEntry entry) {
+  const bool is_program = entry.kind == EntryKind::kProgram;
+  Compiled made = compile_text(entry, is_program ? nullptr : newest_program(), false);
+  compilation_ = std::move(made.compilation);
+  problems_ = std::move(made.problems);
+  entry.imports = std::move(made.imports);
+  submitted_.reset();
+  if (made.can_run)
+    submitted_ = std::make_unique<Entry>(Entry{std::move(entry), compilation_.program});
+  return made.can_run;
+}
+
+bool Session::compile(std::string text, std::string name) {
+  require_idle("compile");
+  give_up();
+  run_ = std::make_unique<Run>();
+  return compile_entry(
+      {.kind = EntryKind::kProgram, .name = std::move(name), .text = std::move(text)});
 }
 
 std::vector<std::string> Session::world_objects() {
   describe_world();
   return world_names_ != nullptr ? world_names_->things : std::vector<std::string>();
-}
-
-void Session::begin_run() {
-  give_up();
-  begin_cell(compilation_.program);
-  result_ = vm_->result();
-  is_under_way_ = true;
-}
-
-// A new cell, and a machine for the program in it.
-void Session::begin_cell(const std::shared_ptr<const Program>& program) {
-  vm_.reset();
-  begin_journal();
-  host_ = make_host(true);
-  names_objects_ = decides_picking_ = false;
-  take_world(*program);
-  fan_out_ = std::make_unique<FanOut>(confidant_ == nullptr ? options_.backends
-                                                            : std::vector<Backend*>{confidant_});
-  fan_out_->set_muted(is_silent_ && confidant_ == nullptr);
-  // Of entries that run once more the next one begins to tell; a run counts on what it tells.
-  if (!is_silent_ || !is_entry_) listen();
-
-  VmOptions vm_options;
-  vm_options.limits = options_.limits;
-  vm_options.timeline = host_.get();
-  vm_options.host = host_.get();
-  vm_options.output = [this, &cell = host_->cell()](std::string_view text) {
-    cell.note(NoteKind::kOutput, text);
-    return journal_->print(text,
-                           [&] { return options_.output ? options_.output(text) : std::string(); });
-  };
-  vm_options.advice = [this](const Diagnostic& advice) {
-    if (options_.advice && !is_silent_) options_.advice(advice);
-  };
-  vm_ = std::make_unique<Vm>(program, std::move(vm_options));
-  cancel_at(*vm_, journal_->entry().cancelled);
-  if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*vm_, breakpoints_);
-}
-
-void Session::listen() {
-  fan_out_->set_muted(is_silent_ && confidant_ == nullptr);
-  if (!options_.backends.empty() || confidant_ != nullptr)
-    host_->cell().set_backend(fan_out_.get());
-}
-
-// The program that is about to run may name objects, and pick them by contact.
-void Session::take_world(const Program& program) {
-  if (!options_.world && program.uses_world()) host_->want_world(program.declared_names("object"));
-  names_objects_ = names_objects_ || program.mentions("insertObj");
-  decides_picking_ = decides_picking_ || program.mentions("grasp") || program.mentions("release");
-  host_->cell().set_contact_picking(names_objects_ && !decides_picking_);
-}
-
-// A program may end while a robot still slows down after a velocity command. Whether all stand.
-bool Session::come_to_rest(const Budget& budget) {
-  while (const auto next = host_->cell().next_event()) {
-    const std::int64_t until = std::min(*next, budget.until_ns.value_or(*next));
-    if (until <= host_->now_ns() && until < *next) return false;
-    if (!host_->advance_to(until)) break;
-  }
-  return true;
-}
-
-void Session::end_run() {
-  is_under_way_ = false;
-  Cell& cell = host_->cell();
-  for (const Figure& figure : host_->figures()) cell.figure(figure);
-  cell.end();
-  cell.set_backend(nullptr);
-}
-
-void Session::give_up() {
-  if (is_under_way_ || (is_entry_ && host_ != nullptr)) end_run();
-}
-
-// The program, and when it is done the robots that still move.
-Progress Session::run_slice(const Budget& budget) {
-  if (vm_->result().status == Progress::kPaused) vm_->run(budget);
-  return finish_slice(budget);
-}
-
-Progress Session::finish_slice(const Budget& budget) {
-  result_ = vm_->result();
-  if (result_.status == Progress::kDone && !come_to_rest(budget))
-    result_.status = Progress::kPaused;
-  note_progress();
-  return result_.status;
-}
-
-Progress Session::go_on(const std::function<void()>& go) {
-  if (!can_run_) {
-    throw ArgumentError(
-        "There is no program to run: compile() was not called, or has found mistakes.");
-  }
-  const OneSlice one_slice(is_running_, cancelled_, is_under_way_);
-  try {
-    if (!is_under_way_) is_entry_ ? begin_entry() : begin_run();
-    {
-      const InReach in_reach(*vm_, running_, cancelling_, cancelled_);
-      go();
-    }
-    if (result_.status == Progress::kPaused) return Progress::kPaused;
-    if (is_entry_) {
-      end_entry();
-    } else {
-      end_run();
-      apply_due_inputs();
-    }
-  } catch (...) {
-    is_under_way_ = false;
-    if (host_ != nullptr) host_->cell().set_backend(nullptr);
-    if (is_entry_) replay_to(done_, true);
-    throw;
-  }
-  return result_.status;
-}
-
-Progress Session::run(const Budget& budget) {
-  if (budget.steps == 0)
-    throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
-  if (budget.statements == 0)
-    throw ArgumentError("A budget of 0 statements lets nothing happen; give at least 1.");
-  if (budget.statements != Budget::kNoLimit && !options_.markers)
-    throw ArgumentError("A run by statements needs a program that was compiled with markers.");
-  return go_on([&] { run_along(budget); });
-}
-
-RunResult Session::run() {
-  run(Budget{});
-  return result_;
-}
-
-RunResult Session::run_test(std::size_t index) {
-  if (is_entry_) throw ArgumentError("Tests are run of a whole program: compile() it.");
-  if (!is_running_.load()) give_up();
-  go_on([&] {
-    static_cast<void>(vm_->run_test(index));
-    finish_slice({});
-  });
-  return result_;
 }
 
 }  // namespace armlet

@@ -251,3 +251,37 @@ TEST_CASE("a function is not called before the variables have values") {
   CHECK(vm.run({}) == Progress::kDone);
   CHECK(*first() == "a");
 }
+
+TEST_CASE("a function that is begun runs in slices, takes time and holds its arguments") {
+  Hosted host(R"(
+    var said: string[] = []
+    fn say(what: string[], times: int) -> string[] {
+      for (i in range(times)) { said.push(what[i % what.length]); wait(1s) }
+      return said }
+    fn bad() { assert(false) }
+  )");
+  Vm& vm = host.vm;
+  const std::array<ValueKind, 2> takes{};
+  const Result<ReadyFunction> say = ReadyFunction::find(vm, "say", takes, {});
+  REQUIRE(say.ok());
+  const std::vector<Value> arguments{Value({Value("a"), Value("b")}), Value(3)};
+  CHECK(refusal_of([&] { say->begin(std::vector<Value>{Value(1)}); }) ==
+        "This function has 2 parameters, and is given 1.");
+  CHECK(refusal_of([&] {
+          say->begin(std::vector<Value>{Value(1), Value(1)});
+        }).find("`what`") != std::string::npos);
+  for (int round = 1; round <= 2; ++round) {
+    say->begin(arguments);
+    CHECK(refusal_of([&] { say->begin(arguments); }) ==
+          "A call in slices can begin only when what runs in the Vm has run to its end.");
+    CHECK(vm.run({.until_ns = vm.timeline().now_ns() + 1'500'000'000}) == Progress::kPaused);
+    while (vm.run({.until_ns = {}, .steps = 1}) == Progress::kPaused) {
+    }
+    CHECK(vm.result().status == Progress::kDone);
+    CHECK(vm.timeline().now_ns() == round * 3'000'000'000);
+    CHECK(vm.global("said").get<Value::List>().size() == 3U * static_cast<unsigned>(round));
+  }
+  ReadyFunction::find(vm, "bad", {}, {ValueKind::Form::kNothing}).value().begin({});
+  CHECK(vm.run(Budget{}) == Progress::kFailed);
+  say->begin(arguments);  // and is never run
+}

@@ -28,17 +28,22 @@ struct ToldRun {
 
 class Traveller {
  public:
-  Traveller(const std::string& text, const fs::path& folder, RunLimits limits) {
+  Traveller(const std::string& text, const fs::path& folder, RunLimits limits)
+      : Traveller(folder, limits) {
+    compiles_ = session_->compile(text, "program.rbt");
+  }
+  Traveller(const fs::path& folder, RunLimits limits) {
     SessionOptions options = at_the_table();
     options.backends = {&tape_};
     options.limits = limits;
     options.load = files_beside(folder);
     session_.emplace(library_engine(), std::move(options));
-    compiles_ = session_->compile(text, "program.rbt");
   }
 
   [[nodiscard]] bool compiles() const { return compiles_; }
   [[nodiscard]] Session& session() { return *session_; }
+  [[nodiscard]] const std::vector<std::uint64_t>& events() const { return tape_.hashes(); }
+  void take_back(std::size_t events) { tape_.take_back(events); }
 
   // To the end, in slices of so many steps.
   ToldRun run(std::uint64_t steps) {
@@ -107,7 +112,88 @@ void check_stopping(const std::string& text, std::uint64_t seed) {
   Traveller second("", {}, limits);
   REQUIRE(second.session().replay(*log));
   CHECK(second.run(Budget::kNoLimit) == stopped);
-  CHECK(second.session().log().entry.cancelled == log->entry.cancelled);
+  CHECK(second.session().log().entries.back().cancelled == log->entries.back().cancelled);
+}
+
+// ---- entries
+
+// The statements of a text, some at a time: each piece is a complete entry.
+std::vector<std::string> cut(const std::string& text, Random& random) {
+  std::vector<std::string> pieces;
+  std::string piece;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+    piece += text.substr(at, end - at);
+    at = end;
+    const std::string_view next = std::string_view(text).substr(at, text.find('\n', at) - at);
+    if (random.below(3) == 0 && is_complete(piece, next))
+      pieces.push_back(std::exchange(piece, {}));
+  }
+  if (!piece.empty()) pieces.push_back(piece);
+  return pieces;
+}
+
+// All that is known to come, one entry after the other.
+void run_all(Session& session, std::uint64_t steps) {
+  do {
+    while (session.run({.until_ns = {}, .steps = steps}) == Progress::kPaused) {
+    }
+  } while (session.to_come() > 0);
+}
+
+struct ToldSession {
+  std::vector<std::uint64_t> events;
+  std::string log;
+  bool operator==(const ToldSession&) const = default;
+};
+
+// A text in pieces, some of which fail and count as if they had not been.
+void check_entries(const std::string& text, std::uint64_t seed) {
+  const RunLimits limits{.steps = 20'000, .call_depth = 60};
+  Random random(seed);
+  const std::vector<std::string> pieces = cut(text, random);
+  Traveller first({}, limits);
+  Session& session = first.session();
+  const auto enter = [&](const std::string& piece, std::uint64_t steps) {
+    if (!session.submit(piece, "line")) return;
+    const std::size_t entries = session.entries().size();
+    const std::size_t events = first.events().size();
+    run_all(session, steps);
+    if (session.entries().size() == entries) first.take_back(events);
+  };
+  for (const std::string& piece : pieces) {
+    if (random.below(8) == 0) enter("wait(3ms); let lost = [1, 2][7]", 5);
+    enter(piece, 1 + random.below(2000));
+    if (random.below(4) == 0) session.set_signal("gate", random.below(2) == 0);
+  }
+  if (session.entries().empty()) return;
+  const auto told = [](Traveller& one) {
+    const Result<std::string> log = write_log(one.session().log());
+    REQUIRE(log.ok());
+    return ToldSession{one.events(), *log};
+  };
+  const ToldSession whole = told(first);
+  const std::int64_t end_ns = session.host()->now_ns();
+  // Another session, from the log.
+  Traveller second({}, limits);
+  REQUIRE(second.session().replay(read_log(whole.log).value()));
+  run_all(second.session(), 1 + random.below(500));
+  CHECK(told(second) == whole);
+  // To times of any entry, back by some, and on.
+  for (int i = 0; i < 3; ++i) {
+    const auto t_ns =
+        static_cast<std::int64_t>(random.next() % (static_cast<std::uint64_t>(end_ns) + 1));
+    CAPTURE(t_ns);
+    REQUIRE(session.go_to(t_ns));
+    CHECK(session.host()->now_ns() == t_ns);
+    if (session.result().status == Progress::kPaused) run_all(session, 1 + random.below(100));
+    const std::size_t back = random.below(session.entries().size());
+    CHECK(session.undo(back) == back);
+    if (random.below(2) == 0) static_cast<void>(session.redo(1));
+    if (session.to_come() > 0) run_all(session, 1 + random.below(3000));
+    CHECK(told(first) == whole);
+  }
+  CHECK(session.runs().empty());
 }
 
 }  // namespace
@@ -128,5 +214,24 @@ TEST_CASE("2,000 random programs go on the same from random times, and stop the 
     REQUIRE(subject.compiles());
     check_going(subject, number, 3);
     check_stopping(text, number);
+  }
+}
+
+TEST_CASE("examples and scripts with tasks, line by line, are sessions that go anywhere") {
+  std::uint64_t seed = 0;
+  for (const char* folder : {"examples", "tests/scripts/tasks"}) {
+    for (const fs::path& file : programs_below(folder)) {
+      CAPTURE(file);
+      check_entries(text_of(file), ++seed);
+    }
+  }
+}
+
+TEST_CASE("random programs cut into entries go on the same from anywhere, and from their log") {
+  const std::uint64_t first = number_from("ARMLET_FIRST", 1);
+  const std::uint64_t last = number_from("ARMLET_LAST", 500);
+  for (std::uint64_t number = first; number <= last; ++number) {
+    CAPTURE(number);
+    check_entries(RandomProgram(number).text(), number);
   }
 }

@@ -87,8 +87,8 @@ TEST_CASE("a run with inputs of its host is the same again from its log") {
   REQUIRE(first->compile(kReplayed, "p.rbt"));
   run_with_inputs(first);
   const SessionLog log = through_file(first->log());
-  CHECK(log.entry.inputs == first->log().entry.inputs);
-  CHECK(log.entry.inputs.size() == 4);
+  CHECK(log.entries.back().inputs == first->log().entries.back().inputs);
+  CHECK(log.entries.back().inputs.size() == 4);
   ReplayedRun second;
   REQUIRE(second->replay(log));
   CHECK(second->run().status == Progress::kDone);
@@ -133,7 +133,7 @@ TEST_CASE("another input makes another run, and the first one is kept") {
   CHECK(run.tape.hashes() != events);
   REQUIRE(run->runs().size() == 1);
   CHECK(write_log(run->runs()[0]).value() == first);
-  CHECK(run->log().entry.inputs.size() == 2);
+  CHECK(run->log().entries.back().inputs.size() == 2);
   // The run that was left can be taken up again.
   const SessionLog left = run->runs()[0];
   REQUIRE(run->replay(left));
@@ -191,7 +191,7 @@ savePlot("g.svg")
   CHECK(first->run().status == Progress::kDone);
   CHECK(fs::exists(folder / "f.svg"));
   const SessionLog log = through_file(first->log());
-  CHECK(log.entry.replies.size() == 3);
+  CHECK(log.entries.back().replies.size() == 3);
   fs::remove_all(folder);
 
   ReplayedRun second;  // which may write nowhere
@@ -223,17 +223,17 @@ TEST_CASE("output that nobody took is refusal_in_replay at the same print again"
 
 TEST_CASE("values of all kinds come through a log") {
   SessionLog log;
-  log.entry.text = "print(1)\n";
+  log.entries.push_back({.name = "p.rbt", .text = "print(1)\n"});
   const Value::Record record{"Pallet", {{"corner", Value(1.5, "m")}, {"rows", Value(2)}}};
   const Value::Matrix matrix{2, 2, {1.0, -0.0, 1e-300, 3.0}};
   for (const Value& value :
        {Value(), Value(true), Value(-7), Value(0.1), Value(2.0, "kg*m^2"), Value("a\n\"\xff"),
         Value({Value(1), Value("b"), Value(Value::List{})}), Value(matrix), Value(record),
         Value(Value::Enum{"State", "Idle"}), Value(Value::Map{{Value("k"), Value(1.0, "s")}})}) {
-    log.entry.inputs.push_back({{5, 6}, SetGlobal{"x", value}});
+    log.entries.back().inputs.push_back({{5, 6}, SetGlobal{"x", value}});
   }
-  CHECK(through_file(log).entry.inputs == log.entry.inputs);
-  log.entry.inputs.push_back({{}, SetGlobal{"x", Value(Value::Host{})}});
+  CHECK(through_file(log).entries.back().inputs == log.entries.back().inputs);
+  log.entries.back().inputs.push_back({{}, SetGlobal{"x", Value(Value::Host{})}});
   CHECK(write_log(log).error().message.find("belongs to the host") != std::string::npos);
 }
 

@@ -255,7 +255,9 @@ class Vm {
   [[nodiscard]] State& state() { return *state_; }
 
  private:
+  friend class ReadyFunction;
   Progress go_on(std::uint32_t function, const Budget& budget);
+  void begin_call(std::uint32_t function, std::vector<Slot> arguments);
   void finish_entry();
 
   std::shared_ptr<const Program> program_;
@@ -265,6 +267,7 @@ class Vm {
   Timeline* timeline_;
   std::unique_ptr<State> state_;
   RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
+  std::uint64_t steps_before_ = 0;
   std::atomic<bool> cancelled_{false};
 };
 
@@ -286,7 +289,6 @@ class PreparedCall {
   [[nodiscard]] Outcome run() const;
 
  private:
-  // Parts of the machine, which hosts do not see.
   Vm::State& state_;
   void* task_;
   void* below_;

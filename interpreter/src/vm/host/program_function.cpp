@@ -208,6 +208,34 @@ Outcome ReadyFunction::run(Slot first, Slot second, Slot third, Slot& result) co
   return run_in_turn(state, callee_of(state, function_), result);
 }
 
+// ---- in slices
+
+void ReadyFunction::begin(std::span<const Value> arguments) const {
+  lang::VmState& state = vm_->state();
+  const lang::Turn turn(state);
+  lang::require_values_of_globals(state);
+  const auto& parameters = declared(state, function_).parameters;
+  if (arguments.size() != parameters.size()) {
+    throw ArgumentError("This function has " + std::to_string(parameters.size()) +
+                        " parameters, and is given " + std::to_string(arguments.size()) + '.');
+  }
+  lang::BegunCall call{function_, {}};
+  std::vector<Slot> slots;
+  try {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const lang::hir::Variable& parameter = *parameters[i];
+      slots.push_back(lang::slot_of_value(state, arguments[i], *parameter.type,
+                                          '`' + std::string(parameter.name) + '`'));
+      if (parameter.type->is_reference()) call.kept.push_back(slots.back().o);
+    }
+    vm_->begin_call(function_, std::move(slots));
+  } catch (...) {
+    for (Obj* object : call.kept) state.heap.release(object);
+    throw;
+  }
+  state.call = std::move(call);
+}
+
 // ---- calls with objects
 
 ReadyFunction::Call::Call(const ReadyFunction& function) : function_(function) {

@@ -65,7 +65,9 @@ Exit Scheduler::do_stage() {
 Exit Scheduler::begin_program() {
   stage_ = Stage::kProgram;
   state_.running = &state_.main;
-  return state_.enter(function_, nullptr) ? Exit::kPaused : Exit::kFailed;
+  if (!state_.enter(function_, nullptr)) return Exit::kFailed;
+  std::ranges::copy(arguments_, state_.main.top->base);
+  return Exit::kPaused;
 }
 
 Exit Scheduler::run_program() {

@@ -5,18 +5,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vm/instructions/interpret.hpp"
 
 namespace armlet::lang {
 
-// Runs a function without arguments as the main task. It keeps how far it has come, nothing lies on
-// the stack of the host, so a run can be left and gone on with.
+// Runs a function as the main task. Its arguments are kept by the caller. It keeps how far it has
+// come, nothing lies on the stack of the host, so a run can be left and gone on with.
 class Scheduler {
  public:
-  Scheduler(VmState& state, std::uint32_t function)
-      : state_(state), tree_(state.tree), function_(function) {}
+  Scheduler(VmState& state, std::uint32_t function, std::vector<Slot> arguments = {})
+      : state_(state), tree_(state.tree), function_(function), arguments_(std::move(arguments)) {}
 
   // Until the main task has ended or failed (state.fault), or the slice is over (kSliced): the
   // steps of the meter are used, or all has happened up to the virtual time `until_ns`.
@@ -80,6 +81,7 @@ class Scheduler {
   VmState& state_;
   TaskTree& tree_;
   const std::uint32_t function_;
+  const std::vector<Slot> arguments_;
   Stage stage_ = Stage::kBegin;
   double last_ = 0.0;          // the double computed last by the task that the slice has cut
   std::int64_t until_ns_ = 0;  // of the slice

@@ -1,5 +1,5 @@
 #pragma once
-// One program with its cell: what the command, the tests and embedding tools use.
+// Programs with their cell: what the command, the tests and embedding tools use.
 
 #include <atomic>
 #include <filesystem>
@@ -19,7 +19,6 @@
 
 namespace armlet {
 
-class FanOut;
 class Journal;
 
 struct SessionOptions {
@@ -62,15 +61,11 @@ struct Problem {
   std::shared_ptr<const SourceSet> sources;
 };
 
-// A text of a session that has run to its end.
+// An entry of a session.
 struct Entry {
-  std::shared_ptr<const Program> program;
-  std::shared_ptr<const SourceSet> sources;
-  std::string name;
-  std::string text;
-  std::int64_t begin_ns = 0;  // the virtual time at its start
-  std::int64_t end_ns = 0;
-  std::size_t moves = 0;  // motions that ended in it
+  LoggedEntry logged;
+  std::shared_ptr<const Program> program;  // null: a call
+  std::size_t moves = 0;                   // motions that ended in it
 };
 
 class Session {
@@ -82,7 +77,7 @@ class Session {
 
   // Checks a program against the robot and the world. Returns whether it can run; the messages,
   // errors and advice of the world's text included, are in problems(). If it was cancelled,
-  // R0629 is the only one.
+  // R0629 is the only one. What was there before is forgotten.
   bool compile(std::string text, std::string name);
   // What the text means, also if it has mistakes (interpreter/editor/analysis.hpp), for the robot
   // and the world of the session, and behind the entries that were submitted; the program that was
@@ -91,84 +86,98 @@ class Session {
   [[nodiscard]] std::shared_ptr<const Analysis> analyse(
       std::string text, std::string name, const std::shared_ptr<const Analysis>& before = nullptr);
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
+  // What was compiled last, or has begun since.
   [[nodiscard]] const Program* program() const { return compilation_.program.get(); }
   // throws  ArgumentError before the first compile().
   [[nodiscard]] const SourceSet& sources() const;
 
-  // Runs the program in a fresh cell at time 0, or goes on with a run that has paused, until it has
-  // ended or the budget is used (see Vm::run). When a program is done its robots come to rest,
-  // which is part of the run. A run that has ended begins again.
+  // Runs what comes next, or goes on with what has paused, until it has ended or the budget is used
+  // (see Vm::run). What comes next is the text that was compiled or submitted; otherwise the next
+  // entry that is known from a log or from before the session went back; otherwise the program once
+  // more, in a fresh cell at time 0. When a text is done its robots come to rest, which is part of
+  // the run.
   //
-  // throws  ArgumentError unless the last compile() has said that it can run, for a budget of no
-  //         steps, or if the session runs in another thread or in the function that calls this; all
-  //         stays as it was then. What backends and other functions of the host throw outside the
-  //         program ends the run.
+  // throws  ArgumentError if there is nothing to run, for a budget of no steps, or if the session
+  //         runs in another thread or in the function that calls this; all stays as it was then.
+  //         What backends and other functions of the host throw outside the program ends the run.
   Progress run(const Budget& budget);
   // The same without a budget.
   [[nodiscard]] RunResult run();
   // Runs one of the program's tests in a fresh cell; a run that has paused is given up.
   [[nodiscard]] RunResult run_test(std::size_t index);
 
-  // ---- entries: texts that are submitted one after the other, as at a prompt (docs/embedding.md)
+  // ---- entries, one after the other, as at a prompt (docs/embedding.md)
   // Checks a text in the scope of the entries before it; run() then runs it in the cell as they
   // left it. One that does not compile changes nothing. One that fails or is cancelled while it
   // runs leaves names, world, robots and clock as they were before it. compile() ends this.
   //
   // throws  ArgumentError while an entry is under way.
   bool submit(std::string text, std::string name);
+  // Begins a function of the program, which run() then runs as it runs a program: in slices, with
+  // motion. What it gives is dropped; one that fails or is cancelled leaves what it did.
+  //
+  // throws  ArgumentError while an entry is under way, before the first has ended, for a function
+  //         that does not exist and for arguments of other types; all stays as it was then.
+  void begin_call(std::string_view name, const std::vector<Value>& arguments);
   // The value of the entry that has run last; nothing: it has none, or a semicolon follows it.
   [[nodiscard]] std::optional<EntryValue> shown() const;
   // The entries that have run to their end and were not undone, oldest first.
-  [[nodiscard]] std::span<const Entry> entries() const { return {log_.data(), done_}; }
-  // Goes back to where the last but `count` entry had ended: in a new cell those that stay run once
-  // more, without output, backends and files that are written. Gives how many were undone. Where
-  // one of them fails now, since what it reads from outside has changed, those before it stay, and
-  // problems() says so.
+  [[nodiscard]] std::span<const Entry> entries() const;
+  // How many are known beyond these: the one under way, and those that run() or redo() would run
+  // again. A new one takes their place.
+  [[nodiscard]] std::size_t to_come() const;
+  // Goes back to where the last but `count` entry had ended, as go_to goes. Gives how many were
+  // undone; none if somebody cancels.
   //
   // throws  ArgumentError while an entry is under way.
   std::size_t undo(std::size_t count = 1);
-  // Runs entries again that were undone last, the same way; a new entry forgets them. Gives how
-  // many.
+  // Goes forth to where `count` more of the entries to come had ended, the same way.
   std::size_t redo(std::size_t count = 1);
   // The names of the objects of the world that programs find.
   [[nodiscard]] std::vector<std::string> world_objects();
-  // ---- what the host does to a run (replay.cpp). It is kept in the log, which is not so for what
+
+  // ---- what the host does to a run (inputs.cpp). It is kept in the log, which is not so for what
   // is done to vm() and its functions directly. All of it waits for the run to pause or end: it
   // throws ArgumentError while the session runs, and for what does not exist or has another type.
 
   // A signal, also before the first run: then it is there from the start.
   void set_signal(std::string_view name, SignalValue value);
   void set(std::string_view name, const Value& value);
-  // Calls a function of the program. An error if it failed (vm()->error_text()).
+  // Calls a function of the program, which may take no time. An error if it failed
+  // (vm()->error_text()).
   Result<Value> call(std::string_view name, const std::vector<Value>& arguments);
 
   // ---- a run once more
-  // The text, the options and what came from outside so far.
+  // All entries, those to come included, with the options and what came from outside.
   //
   // throws  ArgumentError before the first compile(), and while the session runs.
   [[nodiscard]] SessionLog log() const;
-  // Compiles the text of a log, as compile() does; the next run then goes as the one that is logged
-  // went: files are not read but taken from the log, nor are any written. Where the log ends the
-  // outside is asked again.
+  // Compiles the entries of a log; each run() then runs the next one as it was logged: files are
+  // not read but taken from the log, nor are any written. Where the log ends the outside is asked
+  // again.
   //
   // throws  ArgumentError if the robot, the world, the planners or the limits of the session are
-  // not
-  //         those of the log, and while the session runs; all stays as it was.
+  //         not those of the log, if that begins with a call, and while the session runs; all stays
+  //         as it was.
   bool replay(const SessionLog& log);
-  // Goes to a virtual time of the run, after all that happened then: the run is taken again from
-  // its start, unheard. What follows is then as it was before, event by event with the numbers that
-  // they had, until the host does something else or cancels: then the run is another one, and what
-  // it was is the last of runs(). A cancel() that comes meanwhile gives up the going.
+  // Goes to a virtual time of the run, after all that happened then: the entries are run again from
+  // the first, unheard. What follows is then as it was before, event by event with the numbers that
+  // they had, until the host does something else, cancels or submits: then the run is another one,
+  // and what it was is the last of runs(). A cancel() that comes meanwhile gives up the going.
   //
+  // entry    by its number from 0: several may lie at one time. Without it, the last one that does.
   // returns  whether it is there. Otherwise, and after an exception, all stays as it was.
-  // throws   ArgumentError for a time that the run has not come to, and while the session runs.
+  // throws   ArgumentError for a time that the run, or the entry, has not come to, and while the
+  //          session runs.
   bool go_to(std::int64_t t_ns);
-  // The same with another text in the place of the program: it runs from the start, with what the
-  // host did before that time but for its wishes to stop, and its events are compared with those of
-  // the run. The run that was left is the last of runs() (edit.cpp).
+  bool go_to(std::size_t entry, std::int64_t t_ns);
+  // The same with another text in the place of the entry, of which those behind it are no more: it
+  // runs from its start, with what the host did before that time but for its wishes to stop, and
+  // its events are compared with those of the run, which is the last of runs() then (edit.cpp).
   //
-  // throws  ArgumentError as go_to.
+  // throws  ArgumentError as go_to, and for a call.
   TextChange change(std::string text, std::int64_t t_ns);
+  TextChange change(std::size_t entry, std::string text, std::int64_t t_ns);
   // ---- by statements, in programs with markers (step.cpp); Budget::statements does the same
   // Until another move has ended, or a breakpoint or the end has come.
   Progress run_move();
@@ -184,15 +193,18 @@ class Session {
 
   // The runs that were left for another one by going back, oldest first.
   [[nodiscard]] const std::vector<SessionLog>& runs() const { return runs_; }
+  // Goes to where one of these had come, as go_to goes; the present one takes its place among them.
+  //
+  // throws  ArgumentError for a run that does not exist, and while the session runs.
+  bool take_up(std::size_t run);
 
-  // How far the run has come; kPaused before the first.
-  [[nodiscard]] const RunResult& result() const { return result_; }
-  // The machine of the run, or of the last one: what it left can be read and called. Null before
-  // the first run, and after a compile().
-  [[nodiscard]] Vm* vm() { return vm_.get(); }
-
-  // The cell of the last run, as it was left.
-  [[nodiscard]] const Host* host() const { return host_.get(); }
+  // How far the last entry that has begun has come; kPaused before the first.
+  [[nodiscard]] const RunResult& result() const;
+  // The machine of the run: what it left can be read and called. Null before the first run, and
+  // after a compile().
+  [[nodiscard]] Vm* vm();
+  // The cell of the run, as it is; null likewise.
+  [[nodiscard]] const Host* host() const;
 
   // Asks the running program, or compiling, to stop; when the session does neither, the next of
   // them, so that a wish that comes a moment too soon is not lost. It is over with the end of what
@@ -200,83 +212,73 @@ class Session {
   void cancel() noexcept;
 
  private:
-  // ---- replay.cpp
-  struct Former;
-  void require_idle(std::string_view what) const;
-  void require_run(std::string_view what) const;
-  [[nodiscard]] Instant instant() const;
-  [[nodiscard]] ModuleLoader load_imports();
-  void begin_journal();
-  // Runs to each input of the run that this one repeats, and beyond, until the budget is used.
-  void run_along(const Budget& budget);
-  void run_to(const Instant& at, const std::function<Budget()>& left);
-  void run_again_to(std::int64_t t_ns, const Instant& end);
-  static void require_time(std::int64_t t_ns, const Instant& end);
-  bool take_again(LoggedEntry run, const std::function<void()>& go);
-  [[nodiscard]] Former put_aside();
-  void bring_back(Former former);
-  void apply(const Input& input);
-  void apply_due_inputs();
-  void keep(Input input);
-  void note_progress();
-  [[nodiscard]] LoggedEntry known_run() const;
-  [[nodiscard]] SessionLog log_of(LoggedEntry entry) const;
+  struct Run;
+  class OneSlice;
+  class InReach;
+  struct Compiled;
 
-  [[nodiscard]] std::unique_ptr<Host> make_host(bool with_world);
-  bool compile_program(std::string text, std::string name);
+  // ---- texts (session.cpp)
+  [[nodiscard]] std::unique_ptr<Host> make_host(Journal* journal);
   bool fill_world(Host& host, const WorldText& world, std::vector<Problem>& problems);
   void describe_world();
-  bool compile_as(std::string text, std::string name, const CompileOptions& how);
-  void forget_run();
-  void begin_run();
-  void begin_cell(const std::shared_ptr<const Program>& program);
+  [[nodiscard]] CompileOptions compile_options(Host& host, CompileOptions how) const;
+  [[nodiscard]] Compiled compile_text(const LoggedEntry& entry,
+                                      std::shared_ptr<const Program> after, bool is_logged);
+  bool compile_entry(LoggedEntry entry);
+  [[nodiscard]] std::shared_ptr<const Program> newest_program() const;
+  // ---- running (running.cpp)
+  void require_idle(std::string_view what) const;
+  void require_rest(std::string_view what) const;
+  void require_run(std::string_view what) const;
+  void guarded(const std::function<void()>& go);
+  void advance(const Budget& budget);
+  void begin_next();
+  void begin_new(Entry entry);
+  void begin_entry();
+  void begin_cell(Entry& entry);
   void take_world(const Program& program);
-  void listen();
-  Progress go_on(const std::function<void()>& go);
   Progress run_slice(const Budget& budget);
   Progress finish_slice(const Budget& budget);
   bool come_to_rest(const Budget& budget);
-  void end_run();
-  void give_up();
-  // ---- entries
-  void require_rest(std::string_view what) const;
-  [[nodiscard]] std::shared_ptr<const Program> newest_program() const;
-  void begin_program(const std::shared_ptr<const Program>& program);
-  void begin_entry();
   void end_entry();
-  void take_result();
-  // All becomes as the first `count` entries of the log leave it: from what is there, or from the
-  // start. The one way of going to another place of a session.
-  void replay_to(std::size_t count, bool from_start);
-  [[nodiscard]] CompileOptions compile_options(Host& host, CompileOptions how) const;
+  void take_back_entry();
+  void tell_end();
+  void give_up();
+  // ---- inputs (inputs.cpp)
+  [[nodiscard]] Instant instant() const;
+  void keep(Input input);
+  void apply(const Input& input);
+  void apply_due_inputs();
+  // Runs to each input of the entry that is repeated, and beyond, until the budget is used.
+  void run_along(const Budget& budget);
+  void run_to(const Instant& at, const std::function<Budget()>& left);
+  void note_progress();
+  // ---- once more (replay.cpp)
+  [[nodiscard]] SessionLog log_of(const std::vector<Entry>& entries) const;
+  [[nodiscard]] std::vector<Entry> compile_log(const SessionLog& log);
+  [[nodiscard]] std::size_t entry_at(std::int64_t t_ns) const;
+  void require_time(std::size_t entry, std::int64_t t_ns) const;
+  bool run_through(std::size_t count);
+  bool run_again_to(std::size_t entry, std::int64_t t_ns);
+  bool take_again(std::vector<Entry> entries, const std::function<bool()>& go);
+  bool go_to_rest(std::size_t count);
+  [[nodiscard]] std::vector<Entry> with_text(const std::vector<Entry>& known, std::size_t entry,
+                                             std::string text, std::int64_t t_ns);
 
   const Engine& engine_;
   SessionOptions options_;
-  Compilation compilation_;
+  Compilation compilation_;  // what was compiled last, or has begun since
   std::vector<Problem> problems_;
-  std::unique_ptr<Journal> journal_;     // of the run
-  std::optional<LoggedEntry> repeated_;  // what the next run repeats
-  std::vector<LoggedImport> imports_;    // of what was compiled last
-  std::vector<Input> early_inputs_;      // for the next run, from its start
+  std::unique_ptr<Run> run_;
+  std::unique_ptr<Entry> submitted_;  // runs next
+  std::vector<Input> early_inputs_;   // for the next run, from its start
   std::vector<SessionLog> runs_;
   std::vector<SourceLine> breakpoints_;
-  std::unique_ptr<Host> host_;
-  std::unique_ptr<FanOut> fan_out_;
-  std::unique_ptr<Vm> vm_;
-  RunResult result_{.status = Progress::kPaused, .error = {}, .steps = 0};
-  bool is_under_way_ = false;     // a run has begun and not ended
-  bool is_entry_ = false;         // what was compiled last was submitted
   bool is_silent_ = false;        // what runs has been heard before
   Backend* confidant_ = nullptr;  // who hears of it nevertheless
-  Entry entry_{};                 // under way, or about to run
-  std::vector<Entry> log_;        // entries that have run to their end
-  std::size_t done_ = 0;          // of these; the others were undone
-  bool names_objects_ = false;    // by insertObj, in what has run in the cell
-  bool decides_picking_ = false;  // by grasp or release
   // What the world holds, which is one for all programs, and the messages of its text.
   std::shared_ptr<const WorldNames> world_names_;
   std::vector<Problem> world_problems_;
-  bool can_run_ = false;
   std::atomic<bool> is_running_{false};
   std::atomic<Vm*> running_{nullptr};
   std::atomic<int> cancelling_{0};  // calls of cancel that are under way

@@ -64,14 +64,26 @@ struct LoggedImport {
   ImportedText given;
 };
 
-// A text and its run.
+// What a session was given to run, one thing after the other.
 //
+// kProgram  a whole program, in a fresh cell: the first entry, if there is one.
+// kEntry    a text in the scope of the entries before it (Session::submit).
+// kCall     a function of the program, which runs as a program does (Session::begin_call).
+enum class EntryKind : std::uint8_t { kProgram, kEntry, kCall };
+
+// One of them, and its run. It begins where the one before has ended.
+//
+// name        of the text, or of the function.
+// arguments   of a call.
+// inputs      what the host did meanwhile, and between the end and the beginning of the next one.
 // cancelled   where the run noticed wishes to stop.
 // stopped_ns  where the host let time pass no further.
-// end         how far the run has come, or had when it was left.
+// end         how far the run has come, or had when it was left; steps are those of the session.
 struct LoggedEntry {
+  EntryKind kind = EntryKind::kProgram;
   std::string name;
   std::string text;
+  std::vector<Value> arguments{};
   std::vector<LoggedImport> imports{};
   std::vector<Input> inputs{};
   std::vector<Reply> replies{};
@@ -88,7 +100,7 @@ struct SessionLog {
   std::optional<WorldText> default_world;
   RunLimits limits;
   bool open = false;
-  LoggedEntry entry;
+  std::vector<LoggedEntry> entries;
   std::vector<RunMark> marks;  // of RunMarks, if the host has put it among its backends
 };
 

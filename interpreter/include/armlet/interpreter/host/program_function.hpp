@@ -75,6 +75,13 @@ class ReadyFunction {
     std::size_t count_ = 0;
   };
 
+  // Lets the function run as a program does: in slices, with Vm::run, and it may take virtual time.
+  // The program has ended before. One that fails leaves what it did; the result is dropped.
+  //
+  // throws  ArgumentError unless the program has run to its end and all its variables have values,
+  //         if the number of arguments is another one or one of them has another type, and as run.
+  void begin(std::span<const Value> arguments) const;
+
   [[nodiscard]] Vm& vm() const { return *vm_; }
 
  private:

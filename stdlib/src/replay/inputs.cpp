@@ -1,0 +1,133 @@
+// What the host does to a run, and how a run comes to it again.
+
+#include <algorithm>
+#include <utility>
+
+#include "armlet/backend/event.hpp"
+#include "armlet/core/error.hpp"
+#include "armlet/interpreter/host/globals.hpp"
+#include "armlet/interpreter/host/instants.hpp"
+#include "armlet/interpreter/host/stepping.hpp"
+#include "replay/call_by_name.hpp"
+#include "session/run.hpp"
+
+namespace armlet {
+
+Instant Session::instant() const { return run_->vm == nullptr ? Instant{} : instant_of(*run_->vm); }
+
+void Session::set_signal(std::string_view name, SignalValue value) {
+  require_idle("set a signal");
+  Input input{.at = {}, .what = SetSignal{std::string(name), value}};
+  if (run_->host != nullptr) {
+    run_->host->cell().signals().set(name, value);
+    keep(std::move(input));
+  } else {
+    early_inputs_.push_back(std::move(input));
+  }
+}
+
+void Session::set(std::string_view name, const Value& value) {
+  require_run("set a variable");
+  run_->vm->set(name, value);
+  keep({.at = {}, .what = SetGlobal{std::string(name), value}});
+}
+
+Result<Value> Session::call(std::string_view name, const std::vector<Value>& arguments) {
+  require_run("call a function");
+  const CallFunction what{std::string(name), arguments};
+  const Instant at = instant();
+  Result<Value> result = call_function(*run_->vm, name, arguments, [&] {
+    run_->journal->add({at, what});
+  });
+  note_progress();
+  return result;
+}
+
+void Session::keep(Input input) {
+  input.at = instant();
+  run_->journal->add(std::move(input));
+  note_progress();
+}
+
+void Session::note_progress() {
+  Run& run = *run_;
+  run.journal->note(instant(), cancellations(*run.vm));
+  const std::optional<LoggedEntry> left = run.journal->left_run();
+  if (!left) return;
+  std::vector<Entry> former = run.entries;
+  former[run.current()].logged = *left;
+  run.entries.erase(run.entries.begin() + static_cast<std::ptrdiff_t>(run.current()) + 1,
+                    run.entries.end());
+  run.journal->forget_later();
+  cancel_at(*run.vm, {});
+  if (!is_silent_) runs_.push_back(log_of(former));
+}
+
+void Session::apply(const Input& input) {
+  const Input taken = input;  // a call may change the list
+  run_->journal->pass();
+  try {
+    std::visit(
+        Overload{[this](const SetSignal& each) {
+                   run_->host->cell().signals().set(each.name, each.value);
+                 },
+                 [this](const SetGlobal& each) { run_->vm->set(each.name, each.value); },
+                 [this](const CallFunction& each) {
+                   static_cast<void>(call_function(*run_->vm, each.name, each.arguments, [] {}));
+                 }},
+        taken.what);
+  } catch (const ArgumentError&) {
+    // Another text may have no such name: there is nothing to set or to call.
+  }
+}
+
+void Session::apply_due_inputs() {
+  for (const Input* next = run_->journal->next();
+       next != nullptr && instant().has_reached(next->at); next = run_->journal->next())
+    apply(*next);
+}
+
+static bool is_used(const Budget& left) { return left.steps == 0 || left.statements == 0; }
+
+void Session::run_along(const Budget& budget) {
+  const std::uint64_t steps = instant().steps;
+  const std::uint64_t statements = statements_begun(*run_->vm);
+  const auto left = [&] {
+    Budget rest = budget;
+    const auto spend = [](std::uint64_t& part, std::uint64_t used) {
+      if (part != Budget::kNoLimit) part -= std::min(part, used);
+    };
+    spend(rest.steps, instant().steps - steps);
+    spend(rest.statements, statements_begun(*run_->vm) - statements);
+    return rest;
+  };
+  for (const Input* next = run_->journal->next(); next != nullptr; next = run_->journal->next()) {
+    const Instant at = next->at;
+    if (budget.until_ns && *budget.until_ns < at.t_ns) break;
+    if (!instant().has_reached(at)) {
+      run_to(at, left);
+      if (is_at_breakpoint(*run_->vm)) return;
+    }
+    if (run_->result.status != Progress::kPaused || is_used(left())) return;
+    // Another text may take other steps: then the time alone counts.
+    if (instant().t_ns >= at.t_ns) apply(*next);
+  }
+  if (!is_used(left())) run_slice(left());
+}
+
+// The nanosecond before comes first: the steps may have been taken long before the time.
+void Session::run_to(const Instant& at, const std::function<Budget()>& left) {
+  Budget budget = left();
+  if (instant().t_ns < at.t_ns) {
+    budget.until_ns = at.t_ns - 1;
+    if (run_slice(budget) != Progress::kPaused || is_at_breakpoint(*run_->vm)) return;
+    budget = left();
+    if (is_used(budget)) return;
+  }
+  budget.until_ns = at.t_ns;
+  const std::uint64_t steps = instant().steps;
+  if (at.steps > steps) budget.steps = std::min(budget.steps, at.steps - steps);
+  run_slice(budget);
+}
+
+}  // namespace armlet

@@ -1,0 +1,311 @@
+// How the entries of a session run: their beginnings, slices and ends.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "armlet/core/error.hpp"
+#include "armlet/interpreter/host/instants.hpp"
+#include "armlet/interpreter/host/stepping.hpp"
+#include "replay/call_by_name.hpp"
+#include "session/run.hpp"
+
+namespace armlet {
+
+void Session::require_idle(std::string_view what) const {
+  if (!is_running_.load()) return;
+  throw ArgumentError(
+      fmt::format("A session cannot {} while its program runs; use another one.", what));
+}
+
+void Session::require_rest(std::string_view what) const {
+  if (!is_running_.load() && !run_->is_under_way) return;
+  throw ArgumentError("An entry is under way: " + std::string(what) +
+                      " when it has ended. run() brings it to its end, cancel() stops it.");
+}
+
+void Session::require_run(std::string_view what) const {
+  require_idle(what);
+  if (run_->vm == nullptr)
+    throw ArgumentError(fmt::format("A session cannot {} before its first run.", what));
+}
+
+const RunResult& Session::result() const { return run_->result; }
+Vm* Session::vm() { return run_->vm.get(); }
+const Host* Session::host() const { return run_->host.get(); }
+
+// ---- beginnings -------------------------------------------------------------------------------
+
+void Session::begin_next() {
+  Run& run = *run_;
+  if (submitted_ != nullptr) {
+    begin_new(std::move(*std::exchange(submitted_, nullptr)));
+  } else if (run.done < run.entries.size()) {
+    begin_entry();
+  } else if (run.done > 0 && run.entries.front().logged.kind == EntryKind::kProgram) {
+    const LoggedEntry& old = run.entries.front().logged;
+    Entry again{{.name = old.name, .text = old.text, .imports = old.imports},
+                run.entries.front().program};
+    run_ = std::make_unique<Run>();
+    begin_new(std::move(again));
+  } else {
+    throw ArgumentError(
+        "There is no program to run: compile() was not called, or has found mistakes.");
+  }
+}
+
+// Those that were known to come give way, and come back if this one is taken back.
+void Session::begin_new(Entry entry) {
+  Run& run = *run_;
+  const auto first = run.entries.begin() + static_cast<std::ptrdiff_t>(run.done);
+  std::vector<Entry> later(std::make_move_iterator(first),
+                           std::make_move_iterator(run.entries.end()));
+  run.entries.erase(first, run.entries.end());
+  const bool is_call = entry.logged.kind == EntryKind::kCall;
+  run.entries.push_back(std::move(entry));
+  try {
+    begin_entry();
+  } catch (...) {
+    if (is_call) {  // nothing has happened
+      run.entries.pop_back();
+      std::ranges::move(later, std::back_inserter(run.entries));
+      run.journal->resume(run.entries[run.current()].logged, run.has_later());
+    }
+    throw;
+  }
+  if (run.before == nullptr) run.before = std::make_unique<Checkpoint>();
+  run.before->later = std::move(later);
+  if (run.done > 0) return;
+  for (const Input& each : early_inputs_) run.journal->expect(each);
+}
+
+void Session::begin_entry() {
+  Run& run = *run_;
+  Entry& entry = run.entries[run.done];
+  run.before.reset();
+  if (run.vm == nullptr) {
+    begin_cell(entry);
+  } else {
+    if (run.keeps_checkpoints) {
+      run.before = std::make_unique<Checkpoint>(Checkpoint{
+          std::make_unique<Host>(*run.host), run.names_objects, run.decides_picking, {}});
+    }
+    if (entry.logged.kind == EntryKind::kCall) {
+      find_function(*run.vm, entry.logged.name, entry.logged.arguments.size())
+          .begin(entry.logged.arguments);
+    } else {
+      take_world(*entry.program);
+      run.vm->begin(entry.program);
+    }
+  }
+  run.is_under_way = true;
+  run.journal->begin(entry.logged, run.has_later());
+  cancel_at(*run.vm, entry.logged.cancelled);
+  run.result = run.vm->result();
+  entry.moves = static_cast<std::size_t>(run.host->move_count());
+  if (!run.is_told && run.fan_out != nullptr) run.host->cell().set_backend(run.fan_out.get());
+  run.is_told = true;
+  if (entry.program == nullptr) return;
+  compilation_.program = entry.program;
+  compilation_.sources = {entry.program, &entry.program->sources()};
+}
+
+// A new cell, and a machine for the program in it.
+void Session::begin_cell(Entry& entry) {
+  Run& run = *run_;
+  run.journal = std::make_unique<Journal>();
+  run.journal->begin(entry.logged, run.entries.size() > 1);
+  run.journal->set_silent(is_silent_);
+  run.host = make_host(run.journal.get());
+  if (options_.world) fill_world(*run.host, *options_.world, problems_);
+  take_world(*entry.program);
+  if (!options_.backends.empty() || confidant_ != nullptr) {
+    run.fan_out = std::make_unique<FanOut>(
+        confidant_ == nullptr ? options_.backends : std::vector<Backend*>{confidant_});
+    run.fan_out->set_muted(is_silent_ && confidant_ == nullptr);
+  }
+
+  VmOptions vm_options;
+  vm_options.limits = options_.limits;
+  vm_options.timeline = run.host.get();
+  vm_options.host = run.host.get();
+  vm_options.output = [this, &cell = run.host->cell(),
+                       &journal = *run.journal](std::string_view text) {
+    cell.note(NoteKind::kOutput, text);
+    return journal.print(text,
+                         [&] { return options_.output ? options_.output(text) : std::string(); });
+  };
+  vm_options.advice = [this](const Diagnostic& advice) {
+    if (options_.advice && !is_silent_) options_.advice(advice);
+  };
+  run.vm = std::make_unique<Vm>(entry.program, std::move(vm_options));
+  if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*run.vm, breakpoints_);
+}
+
+// The program that is about to run may name objects, and pick them by contact.
+void Session::take_world(const Program& program) {
+  Run& run = *run_;
+  if (!options_.world && program.uses_world())
+    run.host->want_world(program.declared_names("object"));
+  run.names_objects = run.names_objects || program.mentions("insertObj");
+  run.decides_picking =
+      run.decides_picking || program.mentions("grasp") || program.mentions("release");
+  run.host->cell().set_contact_picking(run.names_objects && !run.decides_picking);
+}
+
+// ---- slices -----------------------------------------------------------------------------------
+
+Progress Session::run(const Budget& budget) {
+  if (budget.steps == 0)
+    throw ArgumentError("A budget of 0 steps lets nothing happen; give at least 1 step.");
+  if (budget.statements == 0)
+    throw ArgumentError("A budget of 0 statements lets nothing happen; give at least 1.");
+  if (budget.statements != Budget::kNoLimit && !options_.markers)
+    throw ArgumentError("A run by statements needs a program that was compiled with markers.");
+  const OneSlice one_slice(*this);
+  guarded([&] { advance(budget); });
+  return run_->result.status;
+}
+
+RunResult Session::run() {
+  run(Budget{});
+  return run_->result;
+}
+
+RunResult Session::run_test(std::size_t index) {
+  const bool is_program =
+      submitted_ != nullptr
+          ? submitted_->logged.kind == EntryKind::kProgram
+          : !run_->entries.empty() && run_->entries.front().logged.kind == EntryKind::kProgram;
+  if (!is_program) throw ArgumentError("Tests are run of a whole program: compile() it.");
+  const OneSlice one_slice(*this);
+  guarded([&] {
+    give_up();
+    if (submitted_ == nullptr) run_->done = run_->entries.size();
+    begin_next();
+    {
+      const InReach in_reach(*this, *run_->vm);
+      static_cast<void>(run_->vm->run_test(index));
+      finish_slice({});
+    }
+    end_entry();
+  });
+  return run_->result;
+}
+
+// What the host throws outside of the program ends the run. The machine cannot be gone on with.
+void Session::guarded(const std::function<void()>& go) {
+  try {
+    go();
+  } catch (...) {
+    Run& run = *run_;
+    if (!run.is_under_way) throw;
+    run.is_under_way = run.is_told = false;
+    run.host->cell().set_backend(nullptr);
+    if (run.done == 0) {
+      const bool is_program = run.entries.front().logged.kind == EntryKind::kProgram;
+      if (is_program) run.done = run.entries.size();  // it can begin again
+      if (!is_program) run_ = std::make_unique<Run>();
+    } else if (!is_silent_) {
+      run.entries.resize(run.done);
+      static_cast<void>(go_to_rest(run.done));
+    }
+    throw;
+  }
+}
+
+void Session::advance(const Budget& budget) {
+  if (!run_->is_under_way) begin_next();
+  {
+    const InReach in_reach(*this, *run_->vm);
+    run_along(budget);
+  }
+  if (run_->result.status != Progress::kPaused) end_entry();
+}
+
+// The program, and when it is done the robots that still move.
+Progress Session::run_slice(const Budget& budget) {
+  Vm& vm = *run_->vm;
+  if (vm.result().status == Progress::kPaused) vm.run(budget);
+  return finish_slice(budget);
+}
+
+Progress Session::finish_slice(const Budget& budget) {
+  RunResult& result = run_->result;
+  result = run_->vm->result();
+  if (result.status == Progress::kDone && !come_to_rest(budget)) result.status = Progress::kPaused;
+  note_progress();
+  return result.status;
+}
+
+// A program may end while a robot still slows down after a velocity command. Whether all stand.
+bool Session::come_to_rest(const Budget& budget) {
+  Host& host = *run_->host;
+  while (const auto next = host.cell().next_event()) {
+    const std::int64_t until = std::min(*next, budget.until_ns.value_or(*next));
+    if (until <= host.now_ns() && until < *next) return false;
+    if (!host.advance_to(until)) break;
+  }
+  return true;
+}
+
+// ---- ends -------------------------------------------------------------------------------------
+
+void Session::end_entry() {
+  Run& run = *run_;
+  Entry& entry = run.entries[run.done];
+  run.is_under_way = false;
+  if (entry.logged.kind == EntryKind::kEntry && run.result.status != Progress::kDone) {
+    take_back_entry();
+    return;
+  }
+  entry.moves = static_cast<std::size_t>(run.host->move_count()) - entry.moves;
+  ++run.done;
+  if (run.before != nullptr && !run.before->later.empty()) {
+    std::vector<Entry> left(run.entries.begin(), run.entries.end() - 1);
+    std::ranges::move(run.before->later, std::back_inserter(left));
+    if (!is_silent_) runs_.push_back(log_of(left));
+  }
+  run.before.reset();
+  early_inputs_.clear();
+  if (run.entries.front().logged.kind == EntryKind::kProgram) tell_end();
+  apply_due_inputs();
+}
+
+// The machine has given back its variables; the cell is as it was kept.
+void Session::take_back_entry() {
+  Run& run = *run_;
+  const std::unique_ptr<Checkpoint> before = std::move(run.before);
+  const RunResult failed = run.result;
+  run.entries.erase(run.entries.begin() + static_cast<std::ptrdiff_t>(run.done), run.entries.end());
+  if (before == nullptr && run.done > 0) return;  // on the way to another place, which it ends
+  if (before != nullptr) std::ranges::move(before->later, std::back_inserter(run.entries));
+  if (run.done == 0) {
+    std::vector<Entry> later = std::move(run.entries);
+    run_ = std::make_unique<Run>();
+    run_->entries = std::move(later);
+  } else {
+    *run.host = std::move(*before->host);
+    run.names_objects = before->names_objects;
+    run.decides_picking = before->decides_picking;
+    run.journal->resume(run.entries[run.done - 1].logged, run.has_later());
+    compilation_.program = newest_program();
+  }
+  run_->result = failed;
+}
+
+void Session::tell_end() {
+  run_->is_told = false;
+  Cell& cell = run_->host->cell();
+  for (const Figure& figure : run_->host->figures()) cell.figure(figure);
+  cell.end();
+  cell.set_backend(nullptr);
+}
+
+void Session::give_up() {
+  run_->is_under_way = false;
+  if (run_->is_told) tell_end();
+}
+
+}  // namespace armlet
