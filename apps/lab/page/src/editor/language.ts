@@ -16,7 +16,6 @@ const style = HighlightStyle.define([
   { tag: tags.string, color: "var(--code-string)" },
   { tag: tags.comment, color: "var(--code-comment)", fontStyle: "italic" },
   { tag: tags.function(tags.variableName), color: "var(--code-function)" },
-  { tag: tags.constant(tags.variableName), color: "var(--code-number)" },
 ]);
 
 const NUMBER = /^(0[xb][\da-f_]+|\d[\d_]*(\.\d+)?(e[+-]?\d+)?)/i;
@@ -26,7 +25,7 @@ export function language(words: Partial<Words> = {}): Extension {
   const kinds = new Map<string, string>();
   const put = (list: string[] | undefined, kind: string) => list?.forEach((word) => kinds.set(word, kind));
   put(words.functions, "function");
-  put(words.constants, "constant");
+  put(words.soft, "keyword");
   put(words.types, "typeName");
   put(words.keywords, "keyword");
   const units = new Set(words.units ?? []);
@@ -36,7 +35,7 @@ export function language(words: Partial<Words> = {}): Extension {
     copyState: (state) => ({ ...state }),
     token: (stream, state) => token(stream, state, kinds, units),
     languageData: { commentTokens: { line: "//", block: { open: "/*", close: "*/" } }, closeBrackets: { brackets: ["(", "[", "{", '"'] } },
-    tokenTable: { function: tags.function(tags.variableName), constant: tags.constant(tags.variableName) },
+    tokenTable: { function: tags.function(tags.variableName) },
   });
   return [rbt, syntaxHighlighting(style)];
 }

@@ -108,7 +108,7 @@ export type ObjectChange = "added" | "attached" | "detached" | "removed" | "fell
 export interface ObjectEvent {
   t: number;
   what: ObjectChange;
-  object: string;
+  object: number;
   robot: number | null;
 }
 export interface Move {
@@ -169,7 +169,7 @@ export interface Words {
   types: string[];
   functions: string[];
   units: string[];
-  constants: string[];
+  soft: string[];
 }
 export interface Welcome {
   type: "welcome";
@@ -189,7 +189,7 @@ export interface Description {
   run: number;
   robots: RobotInfo[];
   objects: ObjectInfo[];
-  elements: ElementInfo[];
+  elements?: ElementInfo[] | null;
   title?: string | null;
   layout?: string | null;
 }
@@ -273,7 +273,7 @@ export type Input = { set: string; value: number | string | boolean } | { press:
 // From the page to the laboratory; `seq` is put in on the way.
 export type Outgoing =
   | { type: "hello"; protocol: 1 }
-  | { type: "text"; text: string; version: number }
+  | { type: "text"; text: string; version: number; run?: boolean }
   | { type: "complete" | "hover" | "signature" | "definition"; at: Position }
   | { type: "format" | "stop" | "take" }
   | { type: "goto"; t: number; run?: number }

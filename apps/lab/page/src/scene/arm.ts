@@ -138,7 +138,7 @@ export class ArmView {
     return new MeshStandardMaterial({
       color: new Color(color),
       roughness: role === "link" ? 0.42 : 0.55,
-      metalness: role === "link" || role === "mark" ? 0.02 : 0.25,
+      metalness: role === "link" || role === "mark" ? 0 : 0.1,
       ...(shape.kind === "ring" ? { side: DoubleSide } : {}),
     });
   }

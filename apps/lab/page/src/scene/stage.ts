@@ -28,9 +28,9 @@ const floorShader = {
     }
     void main() {
       float fade = 1.0 - smoothstep(0.35, 1.0, length(at) / reach);
-      float thick = line(1.0, 1.5);
+      float thick = line(1.0, 1.1);
       float thin = line(0.1, 1.0);
-      gl_FragColor = vec4(mix(minor, major, thick), max(thick * 0.9, thin * 0.45) * fade);
+      gl_FragColor = vec4(mix(minor, major, thick), max(thick * 0.75, thin * 0.4) * fade);
       #include <colorspace_fragment>
     }`,
 };
@@ -38,7 +38,7 @@ const floorShader = {
 export type Preset = "iso" | "front" | "side" | "top" | "hand";
 
 const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
-  iso: [0.9, -1.1, 0.62],
+  iso: [1, -1.15, 0.95],
   front: [0, -1, 0.08],
   side: [1, 0, 0.08],
   top: [0, -0.001, 1],
@@ -72,7 +72,7 @@ export class Stage {
     environment.dispose();
     this.key.castShadow = true;
     this.key.shadow.mapSize.set(2048, 2048);
-    this.key.shadow.radius = 5;
+    this.key.shadow.radius = 6;
     this.key.shadow.bias = -0.0004;
     this.key.shadow.normalBias = 0.004;
     this.sky.position.set(0, 0, 1);
@@ -134,7 +134,7 @@ export class Stage {
     for (const mesh of [this.floor, this.shade]) mesh.scale.set(2 * reach, 2 * reach, 1);
     this.floor.material.uniforms["reach"]!.value = reach;
     this.key.target.position.copy(bounds.center);
-    this.key.position.copy(bounds.center).add(new Vector3(0.55, -0.75, 1.5).setLength(4 * r));
+    this.key.position.copy(bounds.center).add(new Vector3(-0.35, -0.95, 1.6).setLength(4 * r));
     const shadow = this.key.shadow.camera;
     shadow.left = shadow.bottom = -1.5 * r;
     shadow.right = shadow.top = 1.5 * r;
@@ -153,7 +153,7 @@ export class Stage {
     const half = MathUtils.degToRad(this.camera.fov / 2);
     const across = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
     this.controls.target.copy(bounds.center);
-    this.camera.position.copy(bounds.center).add(direction.setLength((1.02 * bounds.radius) / Math.sin(across)));
+    this.camera.position.copy(bounds.center).add(direction.setLength((0.9 * bounds.radius) / Math.sin(across)));
     this.camera.up.set(0, 0, 1);
     this.controls.update();
     this.invalidate();

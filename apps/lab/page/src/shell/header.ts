@@ -3,6 +3,7 @@ import type { Intents } from "../store/intents.ts";
 import { inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { el, save, setText } from "./dom.ts";
+import { icon } from "./icons.ts";
 import { hashToText, textToHash } from "./link.ts";
 import type { ColumnName } from "./page.ts";
 
@@ -22,7 +23,7 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     const button: HTMLButtonElement = el("button", {
       class: "icon toggle", "aria-label": `Column ${["program", "3D view", "laboratory"][i]}`, "aria-pressed": "true",
       onclick: () => button.setAttribute("aria-pressed", String(actions.toggle(name))),
-    }, ["◧", "▣", "◨"][i]);
+    }, icon((["left", "middle", "right"] as const)[i]!));
     queueMicrotask(() => button.setAttribute("aria-pressed", String(actions.isOpen(name))));
     return button;
   });
@@ -52,7 +53,7 @@ function statusOf(state: State, live: boolean): [string, string] {
   const errors = state.diagnostics.filter((d) => d.severity === "error").length;
   if (state.connection === "connecting") return ["connecting …", "quiet"];
   if (state.connection === "lost") return ["connection lost", "warning"];
-  if (errors) return [`${errors} ${errors === 1 ? "mistake" : "mistakes"}: the last good run is shown`, "warning"];
+  if (errors) return [`${errors} ${errors === 1 ? "mistake" : "mistakes"}${run ? ": the last good run is shown" : ""}`, "warning"];
   if (!run) return ["", "quiet"];
   if (run.state === "running") return [`running, ${run.tEnd.toFixed(1)} s`, "quiet"];
   if (run.state === "failed") return [`failed at ${run.error?.t.toFixed(2) ?? run.tEnd.toFixed(2)} s`, "warning"];

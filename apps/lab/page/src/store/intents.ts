@@ -4,15 +4,19 @@ import type { Incoming, Input, Pose, StepHow } from "../protocol/messages.ts";
 import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
 
-const PAUSE_IN_TYPING = 150; // ms
+const PAUSE_IN_TYPING = 150; // ms until the text runs
+const CHECK_AFTER = 30; // ms until it is checked
 const WHILE_PLAYING = 200; // ms between questions for variables
+const LONGEST_WAIT = 2000; // ms for an input to be taken, before the next one is sent
 
 export class Intents {
   readonly store: Store;
   private readonly connection: Connection;
   readonly live: boolean;
   private typing: ReturnType<typeof setTimeout> | undefined;
+  private checking: ReturnType<typeof setTimeout> | undefined;
   private sentText: string | null = null;
+  private checkedText: string | null = null;
   private waitsForRun = false;
   private asking = false;
   private askedFor = "";
@@ -52,15 +56,22 @@ export class Intents {
     return this.state.ghost !== null && this.state.text !== this.sentText;
   }
 
-  // The text was typed; it is sent after a pause, or at once when `now`.
+  // The text was typed: it is checked soon and runs after a pause, or at once when `now`.
   typeText(text: string, now = false): void {
     this.store.change((s) => {
       s.text = text;
       s.ghost = null;
     });
     clearTimeout(this.typing);
-    if (now) this.sendText();
-    else this.typing = setTimeout(() => this.sendText(), PAUSE_IN_TYPING);
+    if (now) {
+      this.sendText();
+      return;
+    }
+    this.typing = setTimeout(() => this.sendText(), PAUSE_IN_TYPING);
+    this.checking ??= setTimeout(() => {
+      this.checking = undefined;
+      this.sendText(false);
+    }, CHECK_AFTER);
   }
 
   // A number in the text is pulled: the path before it stays as a ghost, and as many texts run as can.
@@ -81,29 +92,28 @@ export class Intents {
     this.store.change((s) => (s.ghost = null));
   }
 
-  // The laboratory has the text of the editor after this.
-  sendText(): void {
-    clearTimeout(this.typing);
-    if (!this.live || !inControl(this.state) || this.state.text === this.sentText) return;
-    this.sentText = this.state.text;
-    this.waitsForRun = true;
+  // The laboratory has the text of the editor after this; without `run` it only checks it.
+  sendText(run = true): void {
+    if (run) clearTimeout(this.typing);
+    if (!this.live || !inControl(this.state) || this.state.text === (run ? this.sentText : this.checkedText)) return;
+    if (!run && this.state.text === this.sentText) return;
+    this.checkedText = this.state.text;
+    if (run) this.sentText = this.state.text;
+    this.waitsForRun ||= run;
     const version = this.state.textVersion + 1;
     this.store.change((s) => (s.textVersion = version));
-    this.connection.send({ type: "text", text: this.state.text, version });
+    this.connection.send({ type: "text", text: this.state.text, version, ...(run ? {} : { run: false }) });
   }
 
   ask: Connection["ask"] = (message) => {
     if (!this.live) return Promise.reject(new Error("This is a recording."));
-    this.sendText();
+    this.sendText(false);
     return this.connection.ask(message);
   };
 
   goTo(t: number): void {
     const run = shownRun(this.state);
-    this.store.change((s) => {
-      s.t = Math.min(Math.max(0, t), run?.tEnd ?? 0);
-      s.followEnd = false;
-    });
+    this.store.change((s) => (s.t = Math.min(Math.max(0, t), run?.tEnd ?? 0)));
     this.askForInstant();
   }
 
@@ -112,7 +122,6 @@ export class Intents {
     if (on && (!run || run.tEnd <= 0)) return;
     this.store.change((s) => {
       s.playing = on;
-      s.followEnd = false;
       if (on && s.t >= (run?.tEnd ?? 0) - 1e-9) s.t = 0;
     });
     this.askForInstant();
@@ -164,7 +173,7 @@ export class Intents {
       const run = shownRun(this.state);
       const t = run && this.state.t < run.tEnd - 1e-9 ? { t: this.state.t } : {};
       try {
-        await this.connection.ask({ type: "input", ...t, ...next });
+        await Promise.race([this.connection.ask({ type: "input", ...t, ...next }), after(LONGEST_WAIT)]);
         this.refuse(name, "");
       } catch (error) {
         this.refuse(name, error instanceof Error ? error.message : String(error));
@@ -263,4 +272,8 @@ export class Intents {
         this.askForInstant();
       });
   }
+}
+
+function after(ms: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, ms));
 }

@@ -32,7 +32,9 @@ const handlers: Handlers = {
   },
   run(state, message) {
     const run = runOf(state, message.run);
+    const atEnd = run === shownRun(state) && !state.playing && state.t >= run.tEnd - 1e-9;
     run.state = message.state;
+    if (atEnd) state.t = message.t_end; // a run that goes on: who looks at its end goes along
     run.tEnd = message.t_end;
     run.textVersion = message.text_version;
     run.label = message.label ?? "";
@@ -53,7 +55,7 @@ const handlers: Handlers = {
     const run = runOf(state, message.run);
     run.robots = message.robots;
     run.objects = message.objects;
-    run.elements = message.elements;
+    run.elements = message.elements ?? [];
     run.title = message.title ?? "";
     run.layout = message.layout ?? "";
     run.described = true;
@@ -154,16 +156,10 @@ function showAnnounced(state: State): void {
   if (!next || !next.described) return;
   const ended = next.state !== "running";
   const atEnd = now === null || state.t >= now.tEnd - 1e-9;
-  if (next === now) {
-    if (state.followEnd) state.t = next.tEnd;
-    if (ended) state.followEnd = false;
-    return;
-  }
+  if (next === now) return;
   if (now && !ended && (atEnd || next.tEnd < state.t)) return;
   if (now && next.parent !== now.id) state.comparison = null;
   state.shown = next.id;
   state.instant = null;
-  state.followEnd = atEnd && !ended;
-  if (atEnd) state.t = next.tEnd;
-  else state.t = Math.min(state.t, next.tEnd);
+  state.t = atEnd ? next.tEnd : Math.min(state.t, next.tEnd);
 }

@@ -67,7 +67,7 @@ export class Run {
     if (!object) return null;
     let there: boolean | null = null;
     for (const event of this.events) {
-      if (event.object !== object.name) continue;
+      if (event.object !== index) continue;
       if (event.what === "added" && there === null && event.t > t) there = false;
       if (event.t > t) break;
       if (event.what === "added") there = true;
@@ -79,7 +79,7 @@ export class Run {
   }
 
   // The robot that holds the object at t, or null.
-  holderAt(object: string, t: number): number | null {
+  holderAt(object: number, t: number): number | null {
     let holder: number | null = null;
     for (const event of this.events) {
       if (event.t > t) break;

@@ -32,8 +32,6 @@ export interface State {
   ghost: number | null;
   comparison: M.Comparison | null;
   t: number;
-  // Whether the instant goes along with the end of a run that is still under way.
-  followEnd: boolean;
   playing: boolean;
   speed: number;
   hover: Hover;
@@ -64,7 +62,6 @@ export function initialState(): State {
     ghost: null,
     comparison: null,
     t: 0,
-    followEnd: false,
     playing: false,
     speed: 1,
     hover: null,
@@ -93,6 +90,6 @@ export function isStale(state: State): boolean {
 // The line on which the program is: that of the instant the laboratory told, or that of the record.
 export function currentLine(state: State): number | null {
   const { instant, t } = state;
-  if (instant && instant.run === state.shown && Math.abs(instant.t - t) < 1e-9 && instant.line !== null) return instant.line;
+  if (instant && instant.run === state.shown && Math.abs(instant.t - t) < 1e-9 && instant.line) return instant.line;
   return shownRun(state)?.lineAt(t) ?? null;
 }

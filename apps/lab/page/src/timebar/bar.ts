@@ -22,7 +22,7 @@ interface Tick {
 export function ticksOf(run: Run): Tick[] {
   const events = run.events
     .filter((event) => event.what !== "added" || event.t > 0)
-    .map((event): Tick => ({ t: event.t, text: `${event.object} ${event.what}`, kind: "event" }));
+    .map((event): Tick => ({ t: event.t, text: `${run.objects[event.object]?.name ?? ""} ${event.what}`, kind: "event" }));
   const notes = run.notes
     .filter((note) => note.kind !== "output")
     .map((note): Tick => ({ t: note.t, text: note.text, kind: note.kind === "message" ? "message" : "advice" }));
@@ -39,7 +39,7 @@ export function rulerStep(span: number, room: number): number {
 export class TimeBar {
   private readonly host: HTMLElement;
   private readonly canvas = el("canvas");
-  private readonly note = el("div", { class: "bar-note" });
+  private readonly note = el("div", { class: "bar-note", hidden: true });
   private readonly bar: HTMLElement;
   private readonly store: Store;
   private readonly intents: Intents;
@@ -91,7 +91,7 @@ export class TimeBar {
     this.bar.addEventListener("pointerup", end);
     this.bar.addEventListener("pointercancel", end);
     this.bar.addEventListener("pointerleave", () => {
-      setText(this.note, "");
+      this.note.hidden = true;
       this.store.change((s) => (s.hover = null));
     });
   }
@@ -117,7 +117,7 @@ export class TimeBar {
     const run = shownRun(state);
     const lanes = Math.max(1, run?.robots.length ?? 1);
     const others = run ? otherRuns(state, run) : [];
-    const height = RULER + lanes * LANE + others.length * THIN + 8;
+    const height = RULER + lanes * LANE + others.length * THIN + 12;
     const width = this.bar.clientWidth;
     if (!width) return;
     const scale = Math.min(2, devicePixelRatio);
@@ -236,11 +236,11 @@ export class TimeBar {
     c.strokeStyle = c.fillStyle = color("--text");
     c.lineWidth = 1.5;
     c.beginPath();
-    c.moveTo(x, 8);
+    c.moveTo(x, RULER - 4);
     c.lineTo(x, height);
     c.stroke();
     c.beginPath();
-    c.roundRect(x - 5, 2, 10, 12, 3);
+    c.arc(x, height - 5, 4.5, 0, 7);
     c.fill();
     c.lineWidth = 1;
   }
