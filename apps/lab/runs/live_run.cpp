@@ -23,6 +23,7 @@ SessionOptions session_options(SessionOptions options, const RunBounds& bounds) 
   options.limits.heap_bytes = std::uint64_t{256} << 20U;
   options.limits.output_bytes = std::uint64_t{4} << 20U;
   options.limits.steps = std::min(options.limits.steps, bounds.steps);
+  options.keeps_files = false;
   options.backends.clear();
   options.output = [](std::string_view) {};
   options.advice = nullptr;

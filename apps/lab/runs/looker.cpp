@@ -46,6 +46,7 @@ void Looker::forget() {
 void Looker::restart(const SessionLog& log) {
   session_ = std::make_unique<Session>(library_engine(), options_);
   session_->replay(log);
+  is_between_ = true;
 }
 
 void Looker::go_to(int run, const SessionLog& log, LookAt place) {
@@ -71,14 +72,28 @@ void Looker::step(StepHow how, const std::vector<int>& breakpoints) {
   }
   if (session_->vm() != nullptr && has_ended()) return;
   how_ = how;
-  aim_ = how == StepHow::kContinue ? Aim::kBreakpoint : Aim::kStep;
-  if (session_->vm() != nullptr) from_ = focus();
-  set_breakpoints(how == StepHow::kInto ? std::vector<int>() : breakpoints);
+  breakpoints_ = breakpoints;
+  from_ = session_->vm() == nullptr ? Focus{.depth = 1} : focus();
+  if (how == StepHow::kContinue) {
+    aim_ = Aim::kBreakpoint;
+    set_breakpoints();
+  } else if (is_between_) {
+    begin_statements();
+  } else {
+    aim_ = Aim::kStatement;
+    static_cast<void>(session_->set_breakpoints(statement_lines(*session_->program())));
+  }
 }
 
-void Looker::set_breakpoints(const std::vector<int>& lines) {
+bool Looker::begin_statements() {
+  aim_ = Aim::kStep;
+  set_breakpoints();
+  return true;
+}
+
+void Looker::set_breakpoints() {
   std::vector<SourceLine> places;
-  for (const int line : lines) places.push_back({.source = 0, .line = line});
+  for (const int line : breakpoints_) places.push_back({.source = 0, .line = line});
   static_cast<void>(session_->set_breakpoints(std::move(places)));
 }
 
@@ -111,6 +126,9 @@ bool Looker::advance() {
     case Aim::kBreakpoint:
       goes_on = run_slice({});
       break;
+    case Aim::kStatement:
+      goes_on = run_slice({}) || (!has_ended() && !is_step_done() && begin_statements());
+      break;
     case Aim::kStep:
       goes_on = true;
       for (int i = 0; i < kStatementsInSlice && goes_on; ++i) {
@@ -125,7 +143,9 @@ bool Looker::advance() {
 }
 
 void Looker::arrive() {
-  if (aim_ == Aim::kStep || aim_ == Aim::kBreakpoint) set_breakpoints({});
+  is_between_ = aim_ != Aim::kTime;
+  breakpoints_.clear();
+  set_breakpoints();
   aim_ = Aim::kNothing;
 }
 
@@ -137,7 +157,8 @@ Looker::Focus Looker::focus() const {
 }
 
 bool Looker::is_step_done() const {
-  if (has_ended() || is_at_breakpoint(*session_->vm()) || how_ == StepHow::kInto) return true;
+  if (has_ended() || how_ == StepHow::kInto) return true;
+  if (aim_ == Aim::kStep && is_at_breakpoint(*session_->vm())) return true;
   const std::vector<SeenTask> tasks = seen_tasks(*session_->vm());
   for (const SeenTask& task : tasks) {
     if (task.name != from_.task) continue;

@@ -83,7 +83,8 @@ class Looker {
   }
 
  private:
-  enum class Aim : std::uint8_t { kNothing, kTime, kStatements, kStep, kBreakpoint };
+  // kStatement: to the end of the statement in whose middle it is.
+  enum class Aim : std::uint8_t { kNothing, kTime, kStatements, kStatement, kStep, kBreakpoint };
   struct Focus {
     std::string task;
     std::size_t depth = 0;
@@ -97,7 +98,8 @@ class Looker {
   [[nodiscard]] std::uint64_t begun() const;
   [[nodiscard]] Focus focus() const;
   [[nodiscard]] bool is_step_done() const;
-  void set_breakpoints(const std::vector<int>& lines);
+  void set_breakpoints();
+  bool begin_statements();
   void arrive();
 
   SessionOptions options_;
@@ -108,6 +110,8 @@ class Looker {
   LookAt target_{};
   StepHow how_ = StepHow::kInto;
   Focus from_{};
+  std::vector<int> breakpoints_;
+  bool is_between_ = true;  // statements: none is under way where it stands
 };
 
 }  // namespace armlet::lab
