@@ -45,6 +45,17 @@ struct ReplayOptions {
   bool quiet = false;
 };
 
+// Of `armlet lab` as it is shown in browsers.
+struct LabOptions {
+  ProgramOptions program;
+  std::string file;  // empty: the demo
+  bool demo = false;
+  std::string host = "127.0.0.1";
+  int port = 0;       // 0: any that is free
+  std::string token;  // empty: a new one
+  bool no_open = false;
+};
+
 struct EditorOptions {
   ProgramOptions program;
   std::string file;
@@ -78,6 +89,7 @@ int complete(const EditorOptions& options);
 int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
+int serve_lab(const LabOptions& options);
 int help(const std::string& name, bool markdown);
 int lists();
 

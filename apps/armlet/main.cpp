@@ -55,6 +55,7 @@ struct Asked {
   ProgramOptions options;
   RunOptions run;
   ReplayOptions replay;
+  LabOptions lab;
   EditorOptions editor;
   FormatOptions format;
   RobotOptions robot;
@@ -147,6 +148,24 @@ void add_robot_options(CLI::App& command, Asked& asked) {
                    "of a .urdf file: keep inertias that no rigid body has");
 }
 
+void add_lab_options(CLI::App& command, Asked& asked) {
+  LabOptions& lab = asked.lab;
+  command.add_option("FILE", lab.file, "the program");
+  add_program_options(command, lab.program);
+  command.add_flag("--demo", lab.demo, "an example instead of a program of your own");
+  command.add_option("--port", lab.port, "of the address (default: any that is free)")
+      ->type_name("P")
+      ->check(CLI::Range(0, 65535));
+  command
+      .add_option("--host", lab.host,
+                  "the address of this machine to be reached at (default: 127.0.0.1, from this "
+                  "machine alone; 0.0.0.0: from everywhere)")
+      ->type_name("ADDRESS");
+  command.add_option("--token", lab.token, "the secret in the page's address (default: a new one)")
+      ->type_name("T");
+  command.add_flag("--no-open", lab.no_open, "open no browser; the address is printed");
+}
+
 void add_explain_options(CLI::App& command, Asked& asked) {
   command.add_option("CODE", asked.code, "for example E0401; without it, all messages are listed");
 }
@@ -173,6 +192,8 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return replay(asked.replay); }},
     {"check", "look for mistakes without running", add_files_options,
      [](const Asked& asked) { return check(asked.options, asked.files); }},
+    {"lab", "show a program, and what it does, in a browser", add_lab_options,
+     [](const Asked& asked) { return serve_lab(asked.lab); }},
     {"test", "run the tests in programs, each in a fresh world", add_files_options,
      [](const Asked& asked) { return test(asked.options, asked.files); }},
     {"disasm", "show the instructions that a program is compiled to", add_disasm_options,

@@ -167,6 +167,7 @@ void Session::begin_journal() {
   repeated_.reset();
   journal_ = std::make_unique<Journal>(std::move(entry));
   journal_->set_silent(is_silent_);
+  journal_->set_keeps_files(options_.keeps_files);
   if (repeats) return;
   for (Input& each : early_inputs_) journal_->expect(std::move(each));
   early_inputs_.clear();

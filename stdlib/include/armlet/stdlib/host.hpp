@@ -176,6 +176,7 @@ class Host : public Timeline {
 
  private:
   [[noreturn]] static void refuse_no_host();
+  // Nothing of `content` is written where the run keeps no files; the name is checked alike.
   [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
                                                     std::string_view content) const;
   [[nodiscard]] Result<std::string> read(const std::string& name) const;

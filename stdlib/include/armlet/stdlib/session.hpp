@@ -29,6 +29,7 @@ struct SessionOptions {
   std::optional<WorldText>
       default_world;             // used when a program names an object and no world is given
   std::filesystem::path folder;  // below which the program may write files; empty: none
+  bool keeps_files = true;       // otherwise what it saves can be loaded, and goes with the run
   ParseLimits parse_limits;
   bool open = false;     // see CompileOptions
   bool markers = false;  // see CompileOptions
