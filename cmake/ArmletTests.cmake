@@ -54,6 +54,12 @@ function(armlet_add_layer_tests layer)
   add_test(NAME layer.${layer} COMMAND layer_${layer})
 endfunction()
 
+# Laboratories: the server and what it serves, and their page in a browser.
+function(armlet_add_lab_tests)
+  armlet_add_unit_tests(lab armlet_lab_server ${PROJECT_SOURCE_DIR}/apps/lab)
+  add_subdirectory(page)
+endfunction()
+
 function(armlet_add_script_tests)
   list(TRANSFORM ARGN APPEND /*.rbt)
   file(GLOB_RECURSE scripts CONFIGURE_DEPENDS ${ARGN})

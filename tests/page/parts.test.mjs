@@ -15,8 +15,8 @@ const { rulerStep } = await source("timebar/bar.ts");
 function sequence(seed) {
   let state = seed;
   return () => {
-    state = (1103515245 * state + 12345) % 2147483648;
-    return state / 1073741824 - 1;
+    state = (Math.imul(1664525, state) + 1013904223) >>> 0;
+    return state / 2147483648 - 1;
   };
 }
 function randomPose(next) {

@@ -42,6 +42,8 @@ test("a number is pulled with Alt and the mouse, with the wheel and from the key
     await page.mouse.up();
     await until(async () => /let lag = 3\.0s/.test(await lineOf(page, "let lag").innerText()), () => lineOf(page, "let lag").innerText());
     await untilStatus(page, /2 moves, 4\.00 s/);
+    const there = await placeOf(page, "let lag", "3.0");
+    await page.mouse.move(there.x, there.y);
     await page.mouse.wheel(0, -100);
     await page.keyboard.up("Alt");
     await untilStatus(page, /2 moves, 4\.10 s/);

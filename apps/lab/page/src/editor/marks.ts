@@ -75,6 +75,7 @@ export function marking(toggle: (line: number) => void, hover: (line: number | n
     marks,
     gutter({
       class: "gutter-breakpoints",
+      renderEmptyElements: true,
       markers: (view) => placed(view, view.state.field(marks).breakpoints.map((line) => [line, breakpoint])),
       initialSpacer: () => breakpoint,
       domEventHandlers: {

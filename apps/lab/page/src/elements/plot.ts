@@ -64,9 +64,10 @@ export function plot(place: Place): ElementView {
   );
   const draw = (run: Run) => {
     series = seriesOf(element, index, run);
-    empty.hidden = series.t.length > 0;
-    host.hidden = series.t.length === 0;
-    if (!series.t.length) return;
+    const some = series.t.length > 1;
+    empty.hidden = some;
+    host.hidden = !some;
+    if (!some) return;
     const data = [series.t, ...series.columns.map((c) => c.values)] as unknown as uPlot.AlignedData;
     const nextShape = `${series.columns.map((c) => c.label + c.unit).join()} ${color("--grid")}`;
     if (chart && shape === nextShape) {

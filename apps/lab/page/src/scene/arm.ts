@@ -140,6 +140,8 @@ export class ArmView {
       roughness: role === "link" ? 0.42 : 0.55,
       metalness: role === "link" || role === "mark" ? 0 : 0.1,
       ...(shape.kind === "ring" ? { side: DoubleSide } : {}),
+      // Rings lie on what they mark; they win where both are equally far away.
+      ...(role === "mark" ? { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 } : {}),
     });
   }
 }

@@ -55,7 +55,9 @@ export class Labels {
       const p = label.at.clone().project(camera);
       const element = this.host.children[i] as HTMLElement;
       element.hidden = p.z > 1 || Math.abs(p.x) > 1.1 || Math.abs(p.y) > 1.1;
-      element.style.transform = `translate(${(((p.x + 1) / 2) * width).toFixed(1)}px, ${(((1 - p.y) / 2) * height).toFixed(1)}px)`;
+      const x = Math.max(0, Math.min(((p.x + 1) / 2) * width, width - element.offsetWidth - 12));
+      const y = Math.max(12, Math.min(((1 - p.y) / 2) * height, height - element.offsetHeight));
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     });
   }
 }

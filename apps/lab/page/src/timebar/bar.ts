@@ -60,7 +60,7 @@ export class TimeBar {
   private get span(): number {
     const { state } = this.store;
     const ghost = state.ghost === null ? undefined : state.runs.get(state.ghost);
-    return Math.max(shownRun(state)?.tEnd ?? 0, ghost?.tEnd ?? 0, 1e-3);
+    return Math.max(shownRun(state)?.tEnd ?? 0, ghost?.tEnd ?? 0) || 1;
   }
 
   private x(t: number): number {
