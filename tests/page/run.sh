@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# run.sh parts|browser|pictures FOLDER [ARMLET]: tests of the page of laboratories. Modules for them are put into FOLDER.
-# parts: what needs no browser. browser: the page in Chromium, on laboratories of the command ARMLET. pictures: those of docs/images, made again.
+# run.sh parts|browser|pictures|measure FOLDER [ARMLET]: tests of the page of laboratories. Modules for them are put into FOLDER.
+# parts: what needs no browser. browser: the page in Chromium, on laboratories of the command ARMLET. pictures: those of docs/images, made again. measure: how fast the page is.
 # Says why and ends with 77 where Node, npm or Chromium cannot be had.
 set -euo pipefail
 what=$1 modules=$2 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -27,5 +27,5 @@ ARMLET_CHROMIUM=${ARMLET_CHROMIUM:-$(command -v chromium || true)}
 export ARMLET_CHROMIUM ARMLET_COMMAND=$3
 case $what in
   browser) exec node --test "$here"/browser/*.test.mjs ;;
-  pictures) exec node "$here/pictures.mjs" ;;
+  pictures | measure) exec node "$here/$what.mjs" "${@:4}" ;;
 esac

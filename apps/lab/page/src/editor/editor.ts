@@ -47,7 +47,7 @@ export class Editor {
           keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap, indentWithTab]),
           this.highlighting.of(language()),
           this.writing.of(EditorState.readOnly.of(true)),
-          EditorView.contentAttributes.of({ "aria-label": "Program", spellcheck: "false", autocapitalize: "off" }),
+          EditorView.contentAttributes.of({ "aria-label": "Program", spellcheck: "false", autocapitalize: "off", tabindex: "0" }),
           EditorView.updateListener.of((update) => {
             if (!update.docChanged || this.taking) return;
             if (!update.transactions.some((t) => t.isUserEvent("input.pull"))) intents.typeText(update.state.doc.toString());

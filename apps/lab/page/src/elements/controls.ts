@@ -63,7 +63,7 @@ function reasonLine(): HTMLElement {
 }
 
 function group(label: string, ...children: HTMLElement[]): HTMLElement {
-  return el("section", { class: "element", "aria-label": label }, el("h3", {}, label), ...children);
+  return el("section", { class: "element", "aria-label": label }, el("h2", {}, label), ...children);
 }
 
 export function jointSliders(place: Place, run: Run): ElementView {

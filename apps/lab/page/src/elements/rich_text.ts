@@ -33,5 +33,12 @@ export function richText(markdown: string): DocumentFragment {
     link.setAttribute("target", "_blank");
     link.setAttribute("rel", "noopener noreferrer");
   }
+  for (const picture of clean.querySelectorAll("img:not([alt])")) picture.setAttribute("alt", "");
+  // The page has the first level of headings.
+  for (const heading of clean.querySelectorAll("h1")) {
+    const lower = document.createElement("h2");
+    lower.append(...heading.childNodes);
+    heading.replaceWith(lower);
+  }
   return clean;
 }

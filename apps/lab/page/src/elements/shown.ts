@@ -16,7 +16,7 @@ export function table({ element }: Place): ElementView {
   const label = element.label || element.name;
   let drawn = "";
   return {
-    root: el("section", { class: "element", "aria-label": label }, el("h3", {}, label), el("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, body)),
+    root: el("section", { class: "element", "aria-label": label }, el("h2", {}, label), el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": `${label}, table` }, body)),
     update(run) {
       const value = run.values[element.name];
       const key = JSON.stringify(value ?? null);
@@ -52,7 +52,7 @@ export function image({ element }: Place): ElementView {
   const picture = el("img", { alt: label });
   const note = el("p", { class: "quiet" });
   return {
-    root: el("section", { class: "element", "aria-label": label }, el("h3", {}, label), picture, note),
+    root: el("section", { class: "element", "aria-label": label }, el("h2", {}, label), picture, note),
     update(run) {
       const value = run.values[element.name];
       const data = value?.image ?? element.image;
@@ -66,7 +66,7 @@ export function image({ element }: Place): ElementView {
 
 // An element of a kind that this page does not know, or whose picture is elsewhere on the page.
 export function noted(label: string, note: string): ElementView {
-  return { root: el("section", { class: "element", "aria-label": label }, el("h3", {}, label), el("p", { class: "quiet" }, note)), update: (_run: Run) => {} };
+  return { root: el("section", { class: "element", "aria-label": label }, el("h2", {}, label), el("p", { class: "quiet" }, note)), update: (_run: Run) => {} };
 }
 
 // A figure as the run left it. It is shown as a picture, so that nothing in it can run.
@@ -84,7 +84,7 @@ export function figures(): ElementView {
         const address = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
         return el("figure", {}, el("img", { src: address, alt: title || "Figure" }), el("figcaption", {}, title, el("a", { href: address, download: `${title || "figure"}.svg` }, "SVG")));
       });
-      root.replaceChildren(el("h3", {}, "Figures"), ...pictures);
+      root.replaceChildren(el("h2", {}, "Figures"), ...pictures);
     },
   };
 }

@@ -1,10 +1,9 @@
 // Renderer, camera, light and floor. Draws when something has changed, not otherwise.
 import {
-  Box3, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry, PMREMGenerator,
+  Box3, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
   Scene, ShaderMaterial, ShadowMaterial, Sphere, Vector3, WebGLRenderer, Color, NeutralToneMapping,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import type { Palette } from "./palette.ts";
 
 const floorShader = {
@@ -44,6 +43,15 @@ const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
   top: [0, -0.001, 1],
 };
 
+// Without a graphics processor each picture takes the time of the processor that runs everything else.
+function drawsInSoftware(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? String(context?.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 export class Stage {
   readonly scene = new Scene();
   readonly content = new Group();
@@ -54,28 +62,27 @@ export class Stage {
   before: () => void = () => {};
   after: () => void = () => {};
   private readonly key = new DirectionalLight(0xffffff, 2.4);
+  private readonly rim = new DirectionalLight(0xffffff, 1); // from behind, so that edges stand out
   private readonly sky = new HemisphereLight(0xffffff, 0xb8bcc4, 0.8);
   private readonly floor: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly shade: Mesh<PlaneGeometry, ShadowMaterial>;
   private dirty = false;
 
   constructor(host: HTMLElement) {
-    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: false });
+    const software = drawsInSoftware();
+    this.renderer = new WebGLRenderer({ antialias: !software });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
     this.camera.up.set(0, 0, 1);
     host.append(this.renderer.domElement);
-    const environment = new PMREMGenerator(this.renderer);
-    this.scene.environment = environment.fromScene(new RoomEnvironment(), 0.04).texture;
-    this.scene.environmentRotation.set(Math.PI / 2, 0, 0);
-    environment.dispose();
     this.key.castShadow = true;
-    this.key.shadow.mapSize.set(2048, 2048);
-    this.key.shadow.radius = 6;
+    this.key.shadow.mapSize.setScalar(software ? 1024 : 2048);
+    this.key.shadow.radius = software ? 3 : 6;
     this.key.shadow.bias = -0.0004;
     this.key.shadow.normalBias = 0.004;
     this.sky.position.set(0, 0, 1);
+    this.rim.position.set(0.9, 0.8, 0.7);
     this.floor = new Mesh(
       new PlaneGeometry(1, 1),
       new ShaderMaterial({
@@ -91,7 +98,7 @@ export class Stage {
     this.shade.position.z = -0.0005;
     this.floor.renderOrder = -2;
     this.shade.renderOrder = -1;
-    this.scene.add(this.content, this.key, this.key.target, this.sky, this.floor, this.shade);
+    this.scene.add(this.content, this.key, this.key.target, this.rim, this.sky, this.floor, this.shade);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxPolarAngle = Math.PI * 0.94;
     this.controls.zoomToCursor = true;
@@ -107,7 +114,7 @@ export class Stage {
     this.shade.material.opacity = palette.shadow;
     this.key.intensity = palette.light;
     this.sky.intensity = palette.fill;
-    this.scene.environmentIntensity = 0.35;
+    this.rim.intensity = 0.45 * palette.light;
     this.invalidate();
   }
 

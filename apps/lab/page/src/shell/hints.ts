@@ -15,7 +15,7 @@ export function hints(columns: Record<ColumnName, HTMLElement>, store: Store): v
     if (!s.welcome?.demo || shown.length) return;
     for (const name of Object.keys(HINTS) as ColumnName[]) {
       if (remembered(`hint.${name}`)) continue;
-      const hint: HTMLElement = el("aside", { class: "hint", "aria-label": "Hint" }, ...HINTS[name].map((line) => el("p", {}, line)), el("button", { class: "tiny", onclick: () => {
+      const hint: HTMLElement = el("div", { class: "hint", role: "note" }, ...HINTS[name].map((line) => el("p", {}, line)), el("button", { class: "tiny", onclick: () => {
         remember(`hint.${name}`, "closed");
         hint.remove();
       } }, "Got it"));
