@@ -7,6 +7,7 @@ const kinematics = await source("store/kinematics.ts");
 const { readRows, writeRows } = await source("protocol/rows.ts");
 const { numberAt, pulled } = await source("editor/numbers.ts");
 const { csvOf, svgOf } = await source("elements/series.ts");
+const { cellText, tableOf } = await source("elements/table_value.ts");
 const { rollPitchYaw, shownUnit } = await source("elements/units.ts");
 const { textToHash, hashToText } = await source("shell/link.ts");
 const { rulerStep } = await source("timebar/bar.ts");
@@ -121,4 +122,15 @@ test("a program travels in an address and comes back; what is not one is refused
 
 test("marks of the ruler stand at round numbers", () => {
   for (const [span, room, step] of [[10, 10, 1], [9.74, 8, 2], [0.05, 10, 0.005], [600, 7, 100]]) assert.ok(Math.abs(rulerStep(span, room) - step) < 1e-12);
+});
+
+test("values of a program become tables: rows, records, columns, a row, one value", () => {
+  assert.deepEqual(tableOf([[1, 2], [3, 4]]), { header: [], rows: [[1, 2], [3, 4]] });
+  assert.deepEqual(tableOf([{ a: 1, b: 2 }, { b: 3 }]), { header: ["a", "b"], rows: [[1, 2], [null, 3]] });
+  assert.deepEqual(tableOf({ a: [1, 2], b: [3] }), { header: ["a", "b"], rows: [[1, 3], [2, null]] });
+  assert.deepEqual(tableOf({ mass: 2, name: "cube" }), { header: [], rows: [["mass", 2], ["name", "cube"]] });
+  assert.deepEqual(tableOf([1, 2]), { header: [], rows: [[1, 2]] });
+  assert.deepEqual(tableOf("x"), { header: [], rows: [["x"]] });
+  assert.deepEqual([tableOf([]).rows, tableOf(null).rows, tableOf(undefined).rows], [[], [], []]);
+  assert.deepEqual([cellText(-1.23456789), cellText(1e-9), cellText(3), cellText(null), cellText([1, 2])], ["−1.2346", "0", "3", "–", "[1, 2]"]);
 });

@@ -43,7 +43,7 @@ function recording() {
     { type: "shown", run: 1 },
     { type: "notes", run: 1, first: 0, items: [{ t: 1, kind: "output", text: NAME, span: null }] },
     { type: "figures", run: 1, index: 0, title: NAME, svg },
-    { type: "elements", run: 1, t: 2, values: { dh: { rows: [[1.5, NAME]] }, photo: { error: NAME } } },
+    { type: "elements", run: 1, t: 2, values: { dh: { value: [[1.5, NAME]] }, photo: { error: NAME } } },
     { binary: binary.toString("base64") },
   ];
 }
@@ -99,7 +99,7 @@ test("a plot is saved as CSV, PNG and SVG, the view as PNG; a click goes to its 
 });
 
 const LAB = `robot arm = robots.scara()
-object cube { shape: box(40mm, 40mm, 40mm); at: xyz(400mm, 120mm, 20mm); mass: 200g }
+object cube { shape: box(40mm, 40mm, 40mm); at: xyz(400mm, 120mm, 180mm); mass: 200g }
 fn pick() { arm.moveJ(above(poseOf(cube), 80mm), time: 1s) }
 
 lab scaraLab {

@@ -63,7 +63,7 @@ function reasonLine(): HTMLElement {
 }
 
 function group(label: string, ...children: HTMLElement[]): HTMLElement {
-  return el("section", { class: "element", "aria-label": label }, el("h2", {}, label), ...children);
+  return el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), ...children);
 }
 
 export function jointSliders(place: Place, run: Run): ElementView {
@@ -108,7 +108,7 @@ export function handSliders(place: Place, run: Run): ElementView {
       sliders.forEach((slider, i) => {
         slider.allow(allowed);
         const own = place?.[axes[i]!.name];
-        const value = Array.isArray(told) && now.valuesAt === state.t ? told[i] : own;
+        const value = Array.isArray(told) && now.valuesAt === state.t ? (told[i] as number) : own;
         if (value !== undefined) slider.show(value);
       });
       setText(reason, state.refusals.get(element.name) ?? "");
@@ -136,7 +136,7 @@ export function field(place: Place): ElementView {
   const input = el("input", { type: isChoice ? "checkbox" : "text", "aria-label": label });
   input.addEventListener("change", () => void intents.giveInput(element.name, { set: element.name, value: isChoice ? input.checked : input.value }));
   return {
-    root: el("section", { class: "element", "aria-label": label }, el("label", { class: "field" }, label, input), reason),
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("label", { class: "field" }, label, input), reason),
     update(run, state, allowed) {
       input.disabled = !allowed;
       const value = run.values[element.name]?.value ?? element.value;
@@ -160,7 +160,7 @@ function numberField(place: Place, label: string, reason: HTMLElement): ElementV
     void intents.giveInput(element.name, { set: element.name, value: slider.value });
   }, shown);
   return {
-    root: el("section", { class: "element", "aria-label": label }, slider.root, reason),
+    root: el("div", { class: "element", role: "group", "aria-label": label }, slider.root, reason),
     update(run, state, allowed) {
       slider.allow(allowed);
       const value = run.values[element.name]?.value ?? element.value;
@@ -175,7 +175,7 @@ export function button(place: Place): ElementView {
   const reason = reasonLine();
   const press = el("button", { class: "press", onclick: () => void intents.giveInput(element.name, { press: element.name }) }, element.label || element.name);
   return {
-    root: el("section", { class: "element", "aria-label": element.label || element.name }, press, reason),
+    root: el("div", { class: "element", role: "group", "aria-label": element.label || element.name }, press, reason),
     update(_run: Run, state: State, allowed: boolean) {
       press.disabled = !allowed;
       setText(reason, state.refusals.get(element.name) ?? "");

@@ -82,7 +82,7 @@ export function plot(place: Place): ElementView {
   const observer = new ResizeObserver(() => host.clientWidth > 0 && chart && Math.abs(chart.width - host.clientWidth) > 1 && chart.setSize({ width: host.clientWidth, height: 168 }));
   observer.observe(host);
   return {
-    root: el("section", { class: "element", "aria-label": label }, el("h2", {}, label, tools), host, empty),
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label, tools), host, empty),
     update(run, state) {
       const key = `${run.id} ${run.version} ${color("--grid")}`;
       if (key !== drawn) draw(run);

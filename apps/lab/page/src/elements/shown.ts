@@ -2,31 +2,25 @@
 import { el, setText } from "../shell/dom.ts";
 import type { Run } from "../store/run.ts";
 import { richText } from "./rich_text.ts";
+import { cellText, tableOf } from "./table_value.ts";
 import type { ElementView, Place } from "./view.ts";
-
-function numbersIn(cell: string | number | null): string {
-  if (cell === null) return "–";
-  if (typeof cell === "string") return cell;
-  const text = Number.isInteger(cell) && Math.abs(cell) < 1e6 ? String(cell) : cell.toPrecision(5);
-  return text.replace("-", "−");
-}
 
 export function table({ element }: Place): ElementView {
   const body = el("table");
   const label = element.label || element.name;
   let drawn = "";
   return {
-    root: el("section", { class: "element", "aria-label": label }, el("h2", {}, label), el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": `${label}, table` }, body)),
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": `${label}, table` }, body)),
     update(run) {
       const value = run.values[element.name];
       const key = JSON.stringify(value ?? null);
       if (key === drawn) return;
       drawn = key;
-      const header = value?.header ?? element.header ?? [];
-      const rows = value?.rows ?? [];
+      const { header: own, rows } = tableOf(value?.value);
+      const header = element.header?.length ? element.header : own;
       body.replaceChildren(
         ...(header.length ? [el("thead", {}, el("tr", {}, ...header.map((text) => el("th", { scope: "col" }, text))))] : []),
-        el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, numbersIn(cell)))))),
+        el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, cellText(cell)))))),
       );
       if (value?.error) body.replaceChildren(el("caption", { class: "reason" }, value.error));
     },
@@ -34,12 +28,13 @@ export function table({ element }: Place): ElementView {
 }
 
 export function text({ element }: Place): ElementView {
-  const root = el("section", { class: "element rich", "aria-label": element.label || element.name });
+  const root = el("div", { class: "element rich", role: "group", "aria-label": element.label || element.name });
   let drawn: string | null = null;
   return {
     root,
     update(run) {
-      const markdown = run.values[element.name]?.text ?? element.text ?? "";
+      const value = run.values[element.name];
+      const markdown = typeof value?.value === "string" ? value.value : (element.text ?? value?.error ?? "");
       if (markdown === drawn) return;
       drawn = markdown;
       root.replaceChildren(richText(markdown));
@@ -52,7 +47,7 @@ export function image({ element }: Place): ElementView {
   const picture = el("img", { alt: label });
   const note = el("p", { class: "quiet" });
   return {
-    root: el("section", { class: "element", "aria-label": label }, el("h2", {}, label), picture, note),
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), picture, note),
     update(run) {
       const value = run.values[element.name];
       const data = value?.image ?? element.image;
@@ -66,12 +61,12 @@ export function image({ element }: Place): ElementView {
 
 // An element of a kind that this page does not know, or whose picture is elsewhere on the page.
 export function noted(label: string, note: string): ElementView {
-  return { root: el("section", { class: "element", "aria-label": label }, el("h2", {}, label), el("p", { class: "quiet" }, note)), update: (_run: Run) => {} };
+  return { root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), el("p", { class: "quiet" }, note)), update: (_run: Run) => {} };
 }
 
 // A figure as the run left it. It is shown as a picture, so that nothing in it can run.
 export function figures(): ElementView {
-  const root = el("section", { class: "element figures", "aria-label": "Figures" });
+  const root = el("div", { class: "element figures", role: "group", "aria-label": "Figures" });
   let drawn = "";
   return {
     root,

@@ -155,12 +155,11 @@ export interface TaskInfo {
   line?: number | null;
   calls?: string[];
 }
+// A value of a program: numbers in SI, lists, matrices as lists of rows, records as objects.
+export type Value = number | string | boolean | null | Value[] | { [name: string]: Value };
 export interface ElementValue {
-  value?: number | number[] | string | null;
+  value?: Value;
   unit?: string | null;
-  rows?: (string | number | null)[][];
-  header?: string[] | null;
-  text?: string | null;
   image?: string | null;
   error?: string | null;
 }
@@ -262,7 +261,7 @@ export type Incoming = { to?: number | null } & (
   | { type: "definition"; span: Span | null; file?: string | null }
   | { type: "formatted"; text: string | null }
   | { type: "inverse"; ok: boolean; q?: number[] | null; reason?: string | null; nearest?: Nearest | null }
-  | { type: "thinned"; run: number }
+  | { type: "thinned" | "taken"; run: number }
   | { type: "error"; reason: string; message: string; nearest?: Nearest | null }
 );
 export type IncomingOf<T extends Incoming["type"]> = Extract<Incoming, { type: T }>;
