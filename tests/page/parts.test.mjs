@@ -10,6 +10,7 @@ const { csvOf, svgOf } = await source("elements/series.ts");
 const { cellText, tableOf } = await source("elements/table_value.ts");
 const { rollPitchYaw, shownUnit } = await source("elements/units.ts");
 const { textToHash, hashToText } = await source("shell/link.ts");
+const { positionText, poseText } = await source("shell/scene_tools.ts");
 const { rulerStep } = await source("timebar/bar.ts");
 
 // Numbers of a fixed sequence between -1 and 1.
@@ -133,4 +134,10 @@ test("values of a program become tables: rows, records, columns, a row, one valu
   assert.deepEqual(tableOf("x"), { header: [], rows: [["x"]] });
   assert.deepEqual([tableOf([]).rows, tableOf(null).rows, tableOf(undefined).rows], [[], [], []]);
   assert.deepEqual([cellText(-1.23456789), cellText(1e-9), cellText(3), cellText(null), cellText([1, 2])], ["−1.2346", "0", "3", "–", "[1, 2]"]);
+});
+
+test("positions are written as programs write them", () => {
+  assert.equal(positionText([Math.PI / 6, -0.0505, -Math.PI / 2], ["rad", "m", "rad"]), "posJ(30deg, -50.5mm, -90deg)");
+  const half = Math.SQRT1_2;
+  assert.equal(poseText([0.3, -0.12, 0.4, half, 0, 0, half]), "pose(x: 300mm, y: -120mm, z: 400mm, roll: 0deg, pitch: 0deg, yaw: 90deg)");
 });

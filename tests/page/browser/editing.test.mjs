@@ -84,7 +84,7 @@ test("the editor completes, says what stands under the pointer, helps with calls
     const page = await open();
     await untilStatus(page, /3\.00 s/);
     await (await lineOf(page, "-20deg")).hover();
-    const { x, y } = await placeOf(page, "arm.moveJ(posJ(40", "lag");
+    const { x, y } = await placeOf(page, "let lag", "lag");
     await page.mouse.move(x, y, { steps: 4 });
     await page.locator(".tip-code", { hasText: "lag" }).waitFor();
     await page.mouse.move(5, 5);
@@ -93,9 +93,9 @@ test("the editor completes, says what stands under the pointer, helps with calls
     await page.keyboard.type("arm.mov", { delay: 30 });
     await page.locator(".cm-tooltip-autocomplete li", { hasText: "moveJ" }).first().waitFor();
     await page.keyboard.press("Escape");
-    await page.keyboard.type("eJ(", { delay: 30 });
-    await page.locator(".tip-code", { hasText: "time" }).waitFor();
-    await page.keyboard.type("posJ(0deg,0deg,10mm,0deg),time:1s", { delay: 5 });
+    await page.keyboard.type("eJ(posJ(0deg,0deg,10mm,0deg)", { delay: 20 });
+    await page.locator(".tip-code", { hasText: "time: time?" }).waitFor();
+    await page.keyboard.type(",time:1s", { delay: 5 });
     await untilStatus(page, /3 moves/);
     await page.keyboard.press("Escape");
     await page.keyboard.press("Shift+Alt+f");

@@ -101,6 +101,7 @@ test("a plot is saved as CSV, PNG and SVG, the view as PNG; a click goes to its 
 const LAB = `robot arm = robots.scara()
 object cube { shape: box(40mm, 40mm, 40mm); at: xyz(400mm, 120mm, 180mm); mass: 200g }
 fn pick() { arm.moveJ(above(poseOf(cube), 80mm), time: 1s) }
+arm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)
 
 lab scaraLab {
     title: "SCARA laboratory"
@@ -129,5 +130,27 @@ test("a slider moves the arm; where it cannot, the reason stands at the slider",
     await x.press("Enter");
     await page.locator(".element .reason", { hasText: /reach/ }).waitFor();
     await page.getByRole("button", { name: "Pick up" }).click();
-    await untilStatus(page, /1 move/);
+    await untilStatus(page, /2 moves/);
+  }));
+
+test("the hand is pulled in the view: the arm follows, and says why where it cannot", () =>
+  withLab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /1 move, 1\.00 s/);
+    await page.getByRole("button", { name: "Frames" }).click();
+    const label = page.locator(".label", { hasText: /^tool$/ });
+    await label.waitFor();
+    const before = await page.locator("output.where").innerText();
+    const box = await label.boundingBox();
+    const [x, y] = [box.x - 6, box.y + 8];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 400, y - 300, { steps: 4 });
+    await page.locator(".hand .reason", { hasText: /reach/ }).waitFor();
+    await page.mouse.move(x - 20, y - 5, { steps: 3 });
+    await until(async () => (await page.locator(".hand .reason").innerText()) === "", () => "the reason stays");
+    await page.mouse.up();
+    await until(async () => (await page.locator("output.where").innerText()) !== before, () => "the arm does not follow");
+    await page.getByRole("button", { name: "Insert posJ" }).click();
+    await page.locator(".cm-line", { hasText: /^posJ\(.*deg\)/ }).waitFor();
   }));

@@ -129,7 +129,7 @@ export class Editor {
     const { doc } = this.view.state;
     const failure = shownRun(state)?.error;
     const all = failure && !isStale(state) ? [...state.diagnostics, failure] : state.diagnostics;
-    const list = all.filter((d) => d.span && !d.file).map((d) => this.lintOf(d, rangeOf(doc, d.span!)));
+    const list = all.filter((d) => d.span).map((d) => this.lintOf(d, rangeOf(doc, d.span!)));
     this.view.dispatch(setDiagnostics(this.view.state, list));
   }
 

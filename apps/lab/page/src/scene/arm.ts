@@ -131,7 +131,7 @@ export class ArmView {
   private materialOf(shape: Shape): MeshStandardMaterial {
     const { palette } = this;
     if (this.ghost) {
-      return new MeshStandardMaterial({ color: palette.ghost, transparent: true, opacity: 0.22, roughness: 0.8, depthWrite: false });
+      return new MeshStandardMaterial({ color: palette.ghost, transparent: true, opacity: 0.3, roughness: 0.8, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 });
     }
     const role = shape.role;
     const color = role === "mark" ? palette.accent : DARK_ROLES.has(role) ? palette.linkDark : role === "link" ? palette.link : palette.tool;

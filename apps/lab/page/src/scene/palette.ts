@@ -23,7 +23,7 @@ export const light: Palette = {
   ground: "#f4f5f7",
   grid: "#c9ced6",
   gridMajor: "#9aa3af",
-  link: "#d3d8df",
+  link: "#e0e4ea",
   linkDark: "#6a727e",
   accent: "#0072b2",
   warning: "#d55e00",
@@ -33,8 +33,8 @@ export const light: Palette = {
   middle: "#8f63b8",
   fast: "#d55e00",
   shadow: 0.28,
-  light: 2.1,
-  fill: 0.7,
+  light: 2.5,
+  fill: 1.15,
 };
 
 export const dark: Palette = {
@@ -51,8 +51,8 @@ export const dark: Palette = {
   middle: "#b79be0",
   fast: "#f08a3c",
   shadow: 0.5,
-  light: 1.8,
-  fill: 0.55,
+  light: 2.2,
+  fill: 0.8,
 };
 
 // From slow (0) to fast (1).

@@ -23,7 +23,7 @@ export function poseText(pose: readonly number[]): string {
   const mm = (i: number) => `${trimmed(1000 * (pose[i] ?? 0), 2)}mm`;
   const { roll, pitch, yaw } = rollPitchYaw(pose);
   const deg = (v: number) => `${trimmed((180 / Math.PI) * v, 2)}deg`;
-  return `posC(${mm(0)}, ${mm(1)}, ${mm(2)}, ${deg(roll)}, ${deg(pitch)}, ${deg(yaw)})`;
+  return `pose(x: ${mm(0)}, y: ${mm(1)}, z: ${mm(2)}, roll: ${deg(roll)}, pitch: ${deg(pitch)}, yaw: ${deg(yaw)})`;
 }
 
 function joints(state: State, robot: number): readonly number[] {
