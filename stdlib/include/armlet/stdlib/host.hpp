@@ -35,6 +35,14 @@ struct MoveReport {
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
 };
 
+// A button of a laboratory was pressed, and the task that it started has ended.
+struct PressReport {
+  std::string button;
+  std::int64_t start_ns = 0;
+  std::int64_t end_ns = 0;
+  std::optional<Diagnostic> failure{};  // why it failed, or that it was cancelled
+};
+
 // One move of a motion that is made of several.
 struct MotionPart {
   std::string what;     // "moveL to (300, 0, 150) mm"
