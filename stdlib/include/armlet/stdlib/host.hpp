@@ -18,6 +18,7 @@
 #include "armlet/interpreter/native.hpp"
 #include "armlet/model/robot.hpp"
 #include "armlet/plot/figure.hpp"
+#include "armlet/stdlib/laboratory_rows.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "armlet/trajectory/velocity.hpp"
 
@@ -166,6 +167,10 @@ class Host : public Timeline {
   // The last figure has changed: tells who listens.
   void figure_changed();
 
+  // What the `lab` block of the program says; null: it has come to none.
+  void set_lab(LabRows lab) { lab_ = std::move(lab); }
+  [[nodiscard]] const LabRows* lab() const { return lab_ ? &*lab_ : nullptr; }
+
   void remember_motion(int robot, LastMotion motion);
   // Null if it has not moved.
   [[nodiscard]] const LastMotion* last_motion(int robot) const;
@@ -198,6 +203,7 @@ class Host : public Timeline {
   int default_robot_ = -1;
   std::string world_name_;
   std::vector<Figure> figures_;
+  std::optional<LabRows> lab_;
   std::vector<std::string> skipped_;
   bool filling_ = false;
   bool contact_pick_reported_ = false;

@@ -70,6 +70,14 @@ class LabControls {
   [[nodiscard]] Result<Value> read(std::string_view row);
 
  private:
+  struct Hand {
+    const CellRobot* robot;
+    std::vector<HandAxis> axes;
+  };
+  [[nodiscard]] std::optional<Error> refusal() const;
+  [[nodiscard]] std::optional<Error> apply(const Action& action);
+  [[nodiscard]] Result<Hand> find_hand(std::string_view sliders) const;
+
   Session& session_;
 };
 

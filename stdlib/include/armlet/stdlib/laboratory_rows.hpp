@@ -48,13 +48,12 @@ enum class LabFieldType { kNumber, kInt, kBool, kText };
 // robot    sliders, trail: of the robot with this name.
 // axes     sliders: of the hand; empty: one slider for each joint.
 // type     field: what it holds. A number with a unit has `dim` and `unit`.
-// dim      of the value of a field, or of the numbers of a plot.
+// dim      of the value of a field.
 // unit     "mm", in which people read and write it; empty: a plain number, or no number.
 // value    field: what it holds at the start. text: Markdown with formulas, where it never changes.
 // range    field: smallest and largest value, SI.
 // header   table: over its columns.
 // is_read  plot, table, and text that changes: LabControls::read gives what it shows now.
-// line     of the row in the program, from 1.
 struct LabRow {
   LabRowKind kind = LabRowKind::kText;
   std::string name{};
@@ -68,7 +67,6 @@ struct LabRow {
   std::optional<std::array<double, 2>> range{};
   std::vector<std::string> header{};
   bool is_read = false;
-  int line = 0;
 };
 
 // A `lab` block that the program has come to.

@@ -225,6 +225,7 @@ class Session {
   [[nodiscard]] Former put_aside();
   void bring_back(Former former);
   void apply(const Input& input);
+  std::optional<Error> act(const Action& action);
   void apply_due_inputs();
   void keep(Input input);
   void note_progress();
@@ -245,6 +246,7 @@ class Session {
   Progress run_slice(const Budget& budget);
   Progress finish_slice(const Budget& budget);
   bool come_to_rest(const Budget& budget);
+  void rest(const Budget& budget);
   void end_run();
   void give_up();
   // ---- entries

@@ -99,6 +99,7 @@ struct SessionLog {
   std::optional<WorldText> default_world;
   RunLimits limits;
   bool open = false;
+  bool laboratory = false;
   LoggedEntry entry;
   std::vector<RunMark> marks;  // of RunMarks, if the host has put it among its backends
 };
