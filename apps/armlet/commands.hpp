@@ -35,6 +35,7 @@ struct RunOptions {
   bool plots = false;  // draw the figures in the terminal
   bool hash = false;   // print the hash of the run
   std::string record;  // where the log of the session is left; empty: nowhere
+  std::string inputs;  // of a laboratory, played without a page; empty: it is no laboratory
 };
 
 struct ReplayOptions {

@@ -92,6 +92,15 @@ void add_run_options(CLI::App& command, Asked& asked) {
       ->type_name("FILE");
 }
 
+void add_lab_options(CLI::App& command, Asked& asked) {
+  add_run_options(command, asked);
+  command
+      .add_option("--inputs", asked.run.inputs,
+                  "play the inputs of a .jsonl file instead of showing the page")
+      ->type_name("FILE")
+      ->required();
+}
+
 void add_replay_options(CLI::App& command, Asked& asked) {
   command.add_option("FILE", asked.replay.file, "a record of a run (.arec)")->required();
   CLI::Option* verify = command.add_flag(
@@ -168,6 +177,8 @@ struct Command {
 
 constexpr Command kCommands[] = {
     {"run", "check a program and run it", add_run_options,
+     [](const Asked& asked) { return run(asked.run); }},
+    {"lab", "run a program with what people do at its page", add_lab_options,
      [](const Asked& asked) { return run(asked.run); }},
     {"replay", "take a recorded run again, or go to a time of it", add_replay_options,
      [](const Asked& asked) { return replay(asked.replay); }},

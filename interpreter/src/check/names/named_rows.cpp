@@ -184,8 +184,8 @@ hir::Expr* named_row_value(Checker& checker, const ast::MemberExpr& member) {
                                            variable);
   }
   if (!is_block) return nullptr;
-  if (row != nullptr && row->variable->type->is(Kind::kAny) && checker.messages.errors() > 0)
-    return checker.failed(member.span);
+  const hir::Expr* made = named->variable->init;
+  if (made != nullptr && made->type->is(Kind::kAny)) return checker.failed(member.span);
   Diagnostic diagnostic =
       make_diagnostic("E0208", member.member.span,
                       {'`' + std::string(block) + '`', std::string(member.member.text)});
