@@ -53,13 +53,14 @@ void Laboratory::State::handle(Page& page, const Request& request) {
   std::visit([&](const auto& each) { handle(page, request.seq, each); }, request.what);
 }
 
-void Laboratory::State::handle(Page& page, Seq seq, const Hello&) {
+void Laboratory::State::handle(Page& page, Seq seq, const Hello& hello) {
   const bool is_first = !page.is_greeted;
   page.is_greeted = true;
   page.known = {};
   page.known.text = versions.text;
   page.runs.clear();
   pages.answer(page, write_welcome({.page = page.number,
+                                    .key = page.key,
                                     .version = options.version,
                                     .file = options.file,
                                     .text = text.now,
@@ -67,7 +68,7 @@ void Laboratory::State::handle(Page& page, Seq seq, const Hello&) {
                                     .is_demo = options.is_demo,
                                     .words = words_of_language()},
                                    seq));
-  if (is_first) pages.enter(page.number);
+  if (is_first) pages.enter(page.number, hello.key);
 }
 
 // ---- the text -------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from socket_client import BINARY, CLOSE, PING, PONG, TEXT, Page, Refused, Rows, get, http, is_message
+from socket_client import BINARY, CLOSE, PING, TEXT, Page, Refused, Rows, get, http, is_message
 
 PROGRAM = """let far = 30deg
 moveJ(posJ(far, 30deg, 10mm, 0deg), time: 1s)
@@ -55,8 +55,14 @@ class Lab:
 
 def greet(address, **how):
     page = Page(address, **how)
-    page.ask(type="hello", protocol=1)
+    page.number = page.ask(type="hello", protocol=1)["page"]
     return page
+
+
+def take_control(page):
+    """Waits until the page has the control: those before it are noticed to have gone after a moment."""
+    page.send(type="take")
+    page.until(lambda m: is_message(m, "control", holder=page.number))
 
 
 def run_text(page, text, version, seconds=60):
@@ -163,6 +169,7 @@ def check_frames(lab):
 def check_programs(lab):
     """Programs that never end, or want everything, are ended; the laboratory answers meanwhile."""
     page = greet(lab.address)
+    take_control(page)
     version = 100
     for text in ["while (true) { }\n", "while (true) { wait(1ms) }\n", "int[] a = {}\nwhile (true) { a.push(1) }\n",
                  "string s = \"x\"\nwhile (true) { s = s + s }\n", "fn f(k: int) -> int { return f(k + 1) }\nprint(f(0))\n",
@@ -253,16 +260,18 @@ def check_crowd(lab):
     pages[-1].ask(type="hover", at=[1, 5])
     for each in pages:
         each.close()
-    time.sleep(0.5)
+    begun = time.monotonic()
+    while refused(lambda: greet(lab.address)):  # until it is noticed that they have gone
+        assert time.monotonic() - begun < 30
+        time.sleep(0.2)
     goes_on(lab.address)
 
 
 def check_pages(lab):
     """Two pages: one shows, the other follows; the control is handed over; who comes back sees the present."""
     teacher = greet(lab.address)
+    take_control(teacher)
     student = greet(lab.address)
-    teacher.send(type="take")
-    holder = teacher.until_type("control")["holder"]
     answer = student.ask(type="text", text="wait(1s)\n", version=900)
     assert is_message(answer, "error", reason="control"), answer
     run_text(teacher, "wait(3s)\n", 901)
@@ -271,9 +280,9 @@ def check_pages(lab):
     seen = student.until(lambda m: is_message(m, "instant") and m["cursor"])[0]
     assert seen["t"] == 1.5 and "to" not in seen
     student.send(type="take")
-    wishes = teacher.until(lambda m: is_message(m, "control") and m["wishes"])[0]["wishes"]
-    teacher.send(type="give", to=wishes[0])
-    student.until(lambda m: is_message(m, "control") and m["holder"] == wishes[0] != holder)
+    assert teacher.until(lambda m: is_message(m, "control") and m["wishes"])[0]["wishes"] == [student.number]
+    teacher.send(type="give", to=student.number)
+    student.until(lambda m: is_message(m, "control") and m["holder"] == student.number)
     run_text(student, PROGRAM, 902)
     student.close()
     teacher.close()

@@ -28,6 +28,7 @@ struct Message {
 
 struct Welcome {
   int page = 0;
+  std::string key;
   std::string version;
   std::string file;
   std::string text;

@@ -341,7 +341,9 @@ void Session::rest(const Budget& budget) {
     vm_->run({.until_ns = *next});
   }
   // Who wished to stop what a button does has come to it.
-  if (is_at_rest()) cancelled_.store(false);
+  if (!is_at_rest()) return;
+  cancelled_.store(false);
+  host_->cell().begin();  // who listens is told what is there, also if nothing has moved
 }
 
 bool Session::is_at_rest() const {

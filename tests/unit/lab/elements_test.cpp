@@ -136,6 +136,16 @@ TEST_CASE("a slider that is pulled leaves one run, not one for each of its place
   CHECK(lab.page.last("runs")["list"].size() == 2);
 }
 
+TEST_CASE("a program in which nothing moves shows its robots and objects") {
+  Seated lab(
+      "robot arm = robots.scara()\nobject cube { shape: box(40mm, 40mm, 40mm); at: xyz(300mm, "
+      "120mm, 20mm) }\n");
+  const TestJson description = lab.page.last("description");
+  REQUIRE(description["robots"].size() == 1);
+  CHECK(description["objects"][0]["name"] == "cube");
+  CHECK(description["elements"].size() >= 2);
+}
+
 TEST_CASE("a program without a block has sliders all the same") {
   Seated lab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 20deg, 10mm, 0deg), time: 1s)\n");
   const TestJson description = lab.page.last("description");
