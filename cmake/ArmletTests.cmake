@@ -57,6 +57,7 @@ endfunction()
 # Laboratories: the server and what it serves, and their page in a browser.
 function(armlet_add_lab_tests)
   armlet_add_unit_tests(lab armlet_lab_server ${PROJECT_SOURCE_DIR}/apps/lab)
+  add_test(NAME lab.server COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/lab/server_command.py $<TARGET_FILE:armlet>)
   add_subdirectory(page)
 endfunction()
 

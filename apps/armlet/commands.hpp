@@ -35,6 +35,7 @@ struct RunOptions {
   bool plots = false;  // draw the figures in the terminal
   bool hash = false;   // print the hash of the run
   std::string record;  // where the log of the session is left; empty: nowhere
+  std::string inputs;  // of a laboratory, played without a page; empty: it is no laboratory
 };
 
 struct ReplayOptions {
@@ -47,8 +48,6 @@ struct ReplayOptions {
 
 // Of `armlet lab` as it is shown in browsers.
 struct LabOptions {
-  ProgramOptions program;
-  std::string file;  // empty: the demo
   bool demo = false;
   std::string host = "127.0.0.1";
   int port = 0;       // 0: any that is free
@@ -89,7 +88,7 @@ int complete(const EditorOptions& options);
 int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
-int serve_lab(const LabOptions& options);
+int serve_lab(const LabOptions& options, const RunOptions& run);
 int help(const std::string& name, bool markdown);
 int lists();
 

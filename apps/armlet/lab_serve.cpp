@@ -42,12 +42,9 @@ int refuse(const std::string& why, int exit) {
 
 }  // namespace
 
-int serve_lab(const LabOptions& options) {
-  if (options.file.empty() != options.demo) {
-    return refuse(options.demo ? "--demo is a program of its own; leave the file out"
-                               : "which program? armlet lab FILE, or armlet lab --demo",
-                  kUsage);
-  }
+int serve_lab(const LabOptions& options, const RunOptions& run) {
+  if (run.file.empty() && !options.demo)
+    return refuse("which program? armlet lab FILE, or armlet lab --demo", kUsage);
   lab::ServerOptions server{.host = options.host,
                             .port = options.port,
                             .token = options.token.empty() ? lab::new_token() : options.token,
@@ -57,11 +54,11 @@ int serve_lab(const LabOptions& options) {
   if (const std::string fault = lab::fault_of_token(server.token); !fault.empty())
     return refuse("--token: " + fault, kUsage);
 
-  const std::string file = options.demo ? "demo.rbt" : options.file;
+  const std::string file = options.demo ? "demo.rbt" : run.file;
   std::optional<std::string> text =
-      options.demo ? std::string(*lab_demo("demo.rbt")) : read_file(file, options.program.json);
+      options.demo ? std::string(*lab_demo("demo.rbt")) : read_file(file, run.program.json);
   if (!text) return kNoFile;
-  Setup setup = make_setup(options.program, file);
+  Setup setup = make_setup(run.program, file);
   if (setup.exit != kDone) return setup.exit;
   const StayOnInterrupt guard;
   lab::Laboratory laboratory({.session = std::move(setup.session),

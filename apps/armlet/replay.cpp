@@ -61,6 +61,7 @@ SessionOptions options_of(const SessionLog& log) {
   options.default_world = log.default_world;
   options.limits = log.limits;
   options.open = log.open;
+  options.laboratory = log.laboratory;
   return options;
 }
 
@@ -193,7 +194,12 @@ int replay(const ReplayOptions& options) {
   const Interruptible guard(session);
   if (to_ns) return show_instant(session, *to_ns);
 
-  const RunResult result = session.run();
+  session.run(Budget{});
+  if (session.is_at_rest()) {
+    session.run({.until_ns = log.entry.end.t_ns});
+    session.finish();
+  }
+  const RunResult result = session.result();
   if (interrupted()) return kStopped;
   if (options.verify) return compare(log, marks);
   if (result.error && output_is_read()) show(*result.error, session.sources(), options.json);

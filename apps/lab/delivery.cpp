@@ -79,6 +79,7 @@ void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
             [&](auto first, auto count) { return write_notes(run, first, count); });
   add_rows(parcel, 1, run.number, run.robot_rows, known.robots);
   add_rows(parcel, 2, run.number, run.object_rows, known.objects);
+  add_rows(parcel, 3, run.number, run.element_rows, known.elements);
   if (parcel.is_full()) return;
   if (known.figures != run.figure_changes) {
     for (const RecordedFigure& figure : run.figures) parcel.add(write_figure(run, figure));
@@ -114,7 +115,10 @@ std::vector<Message> Laboratory::State::take_messages(Page& page, std::size_t mo
   if (news(page.known.runs, versions.runs)) parcel.add(write_runs(runs));
   const RunRecord* run = find_run(shown);
   if (news(page.known.shown, versions.shown) && run != nullptr) parcel.add(write_shown(shown));
-  if (news(page.known.cursor, versions.cursor) && cursor) parcel.add(cursor->instant);
+  if (news(page.known.cursor, versions.cursor) && cursor) {
+    parcel.add(cursor->elements);
+    parcel.add(cursor->instant);
+  }
   if (run != nullptr && !parcel.is_full()) add_run(parcel, *run, page.runs[shown]);
   for (const int wanted : page.wanted) {
     const RunRecord* other = find_run(wanted);

@@ -48,7 +48,8 @@ bool Laboratory::is_full(int number) const {
 bool Laboratory::advance() {
   const bool looks_on = state_->advance_look();
   const bool runs_on = state_->advance_run();
-  return looks_on || runs_on;
+  const bool plots_on = !runs_on && state_->advance_plots();
+  return looks_on || runs_on || plots_on;
 }
 
 std::vector<Message> Laboratory::take_messages(int number, std::size_t most_bytes) {

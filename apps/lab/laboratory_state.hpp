@@ -66,6 +66,12 @@ struct Laboratory::State {
     return live != nullptr && live_number == run.number ? live.get() : nullptr;
   }
   bool advance_run();
+  bool advance_plots();
+  // Begins a run that is `parent` until a time, and then has the input.
+  void begin_fork(RunRecord& parent, std::int64_t t_ns, const GiveInput& input);
+  void end_fork();
+  // After the log of the run has become another one.
+  void forget_looks_of(const RunRecord& run);
   void note_parting(RunRecord& run);
 
   // ---- looking (runs.cpp)
@@ -112,6 +118,15 @@ struct Laboratory::State {
   int live_number = 0;
   std::unique_ptr<LiveRun> live;
 
+  std::unique_ptr<PlotReader> plots;
+  std::vector<int> runs_with_plots;  // whose plots have been read
+  struct Asked {                     // who waits for the input of a fork
+    int page = 0;
+    Seq seq;
+    int shown_before = 0;
+  };
+  std::optional<Asked> fork_asked;
+
   Looker looker;
   struct Looks {
     std::deque<Look> waiting;
@@ -121,6 +136,7 @@ struct Laboratory::State {
     int run = 0;
     LookAt place{};
     Message instant;
+    Message elements;
   };
   std::optional<Cursor> cursor;
   struct Breakpoints {

@@ -1,5 +1,7 @@
 #include "pages.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -9,6 +11,7 @@ int Pages::join() {
   if (static_cast<int>(pages_.size()) >= most_) return -1;
   const int number = ++last_;
   pages_[number].number = number;
+  pages_[number].key = fmt::format("{:08x}{:08x}", chance_(), chance_());
   return number;
 }
 
@@ -16,7 +19,10 @@ void Pages::leave(int page) {
   if (pages_.erase(page) == 0) return;
   std::erase(control_.pages, page);
   std::erase(control_.wishes, page);
-  if (is_holder(page)) control_.holder.reset();
+  if (is_holder(page)) {
+    control_.holder.reset();
+    if (!control_.wishes.empty()) static_cast<void>(give(control_.wishes.front()));
+  }
   ++changes_;
 }
 
@@ -37,9 +43,10 @@ void Pages::forget_run(int run) {
   }
 }
 
-void Pages::enter(int page) {
+void Pages::enter(int page, std::string_view key) {
   control_.pages.push_back(page);
-  if (!control_.holder) control_.holder = page;
+  const Page* holder = control_.holder ? find(*control_.holder) : nullptr;
+  if (holder == nullptr || holder->key == key) control_.holder = page;
   ++changes_;
 }
 

@@ -5,7 +5,10 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "messages/write_message.hpp"
@@ -34,6 +37,7 @@ struct Versions {
 
 struct Page {
   int number = 0;
+  std::string key;  // that nobody else knows
   bool is_greeted = false;
   std::deque<Message> answers;
   std::size_t answer_bytes = 0;
@@ -58,9 +62,11 @@ class Pages {
 
   // ---- control
   [[nodiscard]] bool is_holder(int page) const { return control_.holder == page; }
-  // Shows it to the others; it has the control if nobody else has it.
-  void enter(int page);
-  // Takes it if nobody has it; otherwise the wish is kept. Whether it has it now.
+  // Shows it to the others; it has the control if nobody else has it, or if it knows the key of who
+  // has: then it is the same page, which has been loaded again.
+  void enter(int page, std::string_view key);
+  // Takes it if nobody has it; otherwise the wish is kept until who has it gives it or leaves.
+  // Whether it has it now.
   bool take(int page);
   // To nobody without a page. False: there is no such page.
   bool give(std::optional<int> page);
@@ -69,6 +75,7 @@ class Pages {
 
  private:
   int most_;
+  std::random_device chance_;
   int last_ = 0;
   std::uint64_t changes_ = 1;
   std::map<int, Page> pages_;

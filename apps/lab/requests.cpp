@@ -53,13 +53,14 @@ void Laboratory::State::handle(Page& page, const Request& request) {
   std::visit([&](const auto& each) { handle(page, request.seq, each); }, request.what);
 }
 
-void Laboratory::State::handle(Page& page, Seq seq, const Hello&) {
+void Laboratory::State::handle(Page& page, Seq seq, const Hello& hello) {
   const bool is_first = !page.is_greeted;
   page.is_greeted = true;
   page.known = {};
   page.known.text = versions.text;
   page.runs.clear();
   pages.answer(page, write_welcome({.page = page.number,
+                                    .key = page.key,
                                     .version = options.version,
                                     .file = options.file,
                                     .text = text.now,
@@ -67,7 +68,7 @@ void Laboratory::State::handle(Page& page, Seq seq, const Hello&) {
                                     .is_demo = options.is_demo,
                                     .words = words_of_language()},
                                    seq));
-  if (is_first) pages.enter(page.number);
+  if (is_first) pages.enter(page.number, hello.key);
 }
 
 // ---- the text -------------------------------------------------------------------------------
@@ -247,9 +248,22 @@ void Laboratory::State::handle(Page& page, Seq seq, const GiveControl& given) {
 
 // ---- inputs ---------------------------------------------------------------------------------
 
-void Laboratory::State::handle(Page& page, Seq seq, const GiveInput&) {
+void Laboratory::State::handle(Page& page, Seq seq, const GiveInput& given) {
   if (!has_control(page, seq)) return;
-  refuse(page, seq, "refused", "This laboratory takes no inputs yet.");
+  RunRecord* run = shown_run();
+  if (run == nullptr || log_of(*run) == nullptr)
+    return refuse(page, seq, "refused", "There is no run yet.");
+  LiveRun* under_way = live_run(*run);
+  const bool is_at_end = !given.t || *given.t >= run->t_end - 1e-9;
+  if (is_at_end && under_way != nullptr && under_way->has_forked()) {
+    if (const auto why = under_way->give(given.what)) return refuse(page, seq, "refused", *why);
+    forget_looks_of(*run);
+    return pages.answer(page, write_taken(seq, run->number));
+  }
+  if (run->state == RunState::kRunning || (given.t && !(*given.t >= 0.0)))
+    return refuse(page, seq, "refused", "The run has not come there yet.");
+  fork_asked = Asked{.page = page.number, .seq = seq, .shown_before = shown};
+  begin_fork(*run, to_ns(is_at_end ? run->t_end : *given.t), given);
 }
 
 }  // namespace armlet::lab

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "armlet/backend/event.hpp"
 #include "armlet/cell/clock.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/stdlib/install.hpp"
@@ -32,6 +33,15 @@ std::string what_changed(std::string_view before, std::string_view now) {
     ++line;
   }
   return "the same text";
+}
+
+// The robot, the field or the button.
+std::string name_of(const InputWhat& input) {
+  return std::visit(Overload{[](const SetField& each) { return each.name; },
+                             [](const PressButton& each) { return each.name; },
+                             [](const SetJoints& each) { return each.robot; },
+                             [](const SetHand& each) { return each.sliders; }},
+                    input);
 }
 
 }  // namespace
@@ -116,6 +126,7 @@ void Laboratory::State::show(int run) {
 }
 
 void Laboratory::State::drop_run(int run) {
+  if (plots != nullptr && plots->run() == run) plots.reset();
   if (live_number == run) {
     live.reset();
     live_number = 0;
@@ -167,6 +178,10 @@ bool Laboratory::State::advance_run() {
   } catch (const std::exception& error) {
     live->stop(fmt::format("The run could not go on: {}", error.what()));
   }
+  if (fork_asked && live->has_forked()) {
+    end_fork();
+    return true;
+  }
   if (!goes_on) {
     note_parting(record);
     ++versions.runs;
@@ -174,6 +189,84 @@ bool Laboratory::State::advance_run() {
   } else if (record.bytes() > options.most_bytes / 2) {
     live->stop("The run has filled the memory that a laboratory has for it; it was stopped there.");
     ++versions.runs;
+  }
+  return goes_on;
+}
+
+void Laboratory::State::forget_looks_of(const RunRecord& run) {
+  if (looker.is_at(run.number)) looker.forget();
+  if (plots != nullptr && plots->run() == run.number) plots.reset();
+  std::erase(runs_with_plots, run.number);
+}
+
+// ---- inputs and plots -----------------------------------------------------------------------
+
+void Laboratory::State::begin_fork(RunRecord& parent, std::int64_t t_ns, const GiveInput& input) {
+  auto record = std::make_unique<RunRecord>();
+  auto next = std::make_unique<LiveRun>(session_options, options.bounds, *record);
+  next->begin_fork(parent.log, t_ns, input.what);
+  record->label = fmt::format("at {:.2f} s: {}", to_seconds(t_ns), name_of(input.what));
+  record->text_version = parent.text_version;
+  record->parent = parent.number;
+  record->inputs = parent.inputs;
+  std::erase_if(record->inputs, [&](const RunInput& each) { return each.t > to_seconds(t_ns); });
+  record->number = ++last_run;
+  end_live_run("Another run has taken its place.");
+  live = std::move(next);
+  live_number = record->number;
+  runs.push_back(std::move(record));
+  show(last_run);
+}
+
+// The page is told whether the input was taken. A refused one leaves no run behind, and one slider
+// that is pulled leaves one.
+void Laboratory::State::end_fork() {
+  const Asked asked = *std::exchange(fork_asked, std::nullopt);
+  Page* page = pages.find(asked.page);
+  const std::optional<std::string> fault = live->fork_fault();
+  const int number = live_number;
+  if (!fault) {
+    if (page != nullptr) pages.answer(*page, write_taken(asked.seq, number));
+    RunRecord* before = find_run(asked.shown_before);
+    RunRecord& now = *find_run(number);
+    const bool is_pulled = before != nullptr && !before->inputs.empty() && before->parent &&
+                           before->inputs.size() == now.inputs.size() - 1 &&
+                           before->inputs.back().t == now.inputs.back().t &&
+                           name_of(before->inputs.back().what) == name_of(now.inputs.back().what);
+    if (is_pulled) {
+      now.parent = before->parent;
+      drop_run(before->number);
+    }
+    return;
+  }
+  if (page != nullptr) refuse(*page, asked.seq, "refused", *fault);
+  drop_run(number);
+  show(find_run(asked.shown_before) != nullptr ? asked.shown_before : runs.back()->number);
+}
+
+// Reads the plots of the shown run when it has come to its end.
+bool Laboratory::State::advance_plots() {
+  RunRecord* run = shown_run();
+  if (run == nullptr || run->state == RunState::kRunning || !run->lab || !run->lab->has_block)
+    return false;
+  if (plots != nullptr && plots->run() != run->number) plots.reset();
+  if (plots == nullptr) {
+    if (std::ranges::find(runs_with_plots, run->number) != runs_with_plots.end()) return false;
+    plots = std::make_unique<PlotReader>(session_options, *run);
+    for (const ControlState& each = pages.control(); const int page : each.pages) {
+      if (Page* told = pages.find(page)) told->runs[run->number].elements.clear();
+    }
+  }
+  bool goes_on = false;
+  try {
+    const Busy guard(*this, plots->session());
+    goes_on = plots->advance();
+  } catch (const std::exception&) {
+    goes_on = false;  // what could be read is there
+  }
+  if (!goes_on) {
+    runs_with_plots.push_back(run->number);
+    plots.reset();
   }
   return goes_on;
 }
@@ -234,11 +327,20 @@ void Laboratory::State::end_look() {
   Page* page = pages.find(looks.now->page);
   if (looks.now->moves_cursor) {
     const LookAt place = looks.now->has_stepped ? looker.place() : looks.now->place;
-    cursor =
-        Cursor{.run = looks.now->run, .place = place, .instant = write_instant({}, seen, true)};
+    cursor = Cursor{.run = looks.now->run,
+                    .place = place,
+                    .instant = write_instant({}, seen, true),
+                    .elements = {}};
     ++versions.cursor;
   }
+  std::vector<ElementValue> values;
+  const RunRecord* run = find_run(looks.now->run);
+  if (run != nullptr && run->lab && run->lab->has_block)
+    values = element_values(looker.session(), *run->lab);
+  if (cursor && looks.now->moves_cursor)
+    cursor->elements = write_elements({}, seen.run, seen.t, values);
   if (page != nullptr) {
+    pages.answer(*page, write_elements({}, seen.run, seen.t, values));
     pages.answer(*page, write_instant(looks.now->seq, seen, looks.now->moves_cursor));
     if (looks.now->moves_cursor) page->known.cursor = versions.cursor;
   }

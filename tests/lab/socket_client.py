@@ -123,9 +123,10 @@ class Page:
         self.send_frame(TEXT, json.dumps(message).encode())
         return message["seq"]
 
-    def receive(self):
+    def receive(self, seconds=60):
         """The next message: a dictionary, or a Rows."""
-        while True:
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
             kind, data = self.receive_frame()
             if kind == TEXT:
                 return json.loads(data, parse_constant=lambda word: 1 / 0)  # no NaN in JSON
@@ -135,13 +136,14 @@ class Page:
                 raise ConnectionError("the laboratory has closed the connection")
             if kind == PING:
                 self.send_frame(PONG, data)
+        raise TimeoutError("no message but pings")
 
     def until(self, wanted, seconds=30):
         """Receives until a message for which `wanted` holds; gives it and all before it."""
         end = time.monotonic() + seconds
         seen = []
         while time.monotonic() < end:
-            message = self.receive()
+            message = self.receive(end - time.monotonic())
             seen.append(message)
             if wanted(message):
                 return message, seen

@@ -5,6 +5,8 @@ import { source } from "./modules.mjs";
 
 const { receive, receiveRows } = await source("store/receive.ts");
 const { initialState, shownRun, isStale, currentLine } = await source("store/state.ts");
+const { pageWith, recordingOf } = await source("store/recording.ts");
+const { readRows } = await source("protocol/rows.ts");
 const { Store } = await source("store/store.ts");
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -145,4 +147,26 @@ test("views are called for what they look at, once for many changes", () => {
   store.change((s) => (s.t = 2));
   work();
   assert.deepEqual(seen, [0, 2]);
+});
+
+test("a recorded run, told again, is the same run", () => {
+  const state = told(welcome, ...shown(1, { hash: "ab", label: "<first>" }));
+  receive(state, { type: "objects", run: 1, first: 0, items: [{ t: 0.5, what: "added", object: 0, robot: null }] });
+  receive(state, { type: "moves", run: 1, first: 0, items: [{ robot: 0, span: [3, 0, 3, 9], t0: 0, t1: 1, text: "moveJ" }] });
+  receive(state, { type: "figures", run: 1, index: 0, title: "f", svg: "<svg/>" });
+  receiveRows(state, block(1, 14, 0, [sample(0, 0), sample(1, 1)]));
+  receiveRows(state, block(2, 8, 0, [[1, 0, 0, 0, 1, 0, 0, 0]]));
+  receiveRows(state, block(3, 2, 0, [[1, Math.PI]]));
+  const recording = recordingOf(state, shownRun(state));
+  const again = initialState();
+  for (const message of recording) {
+    if (message.binary) receiveRows(again, readRows(Uint8Array.from(atob(message.binary), (c) => c.charCodeAt(0)).buffer));
+    else receive(again, JSON.parse(JSON.stringify(message)));
+  }
+  const [one, other] = [shownRun(state), shownRun(again)];
+  for (const name of ["state", "tEnd", "hash", "label", "robots", "objects", "events", "moves", "figures"]) assert.deepEqual(other[name], one[name], name);
+  assert.deepEqual(recordingOf(again, other), recording);
+  assert.equal(again.text, state.text);
+  const page = pageWith('<body><div id="page"></div></body>', recording);
+  assert.ok(!page.includes("<first>"));
 });

@@ -139,7 +139,7 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
   if (type == "hello") {
     if (integer(field(message, "protocol"), "protocol", 0, 1'000'000) != 1)
       throw Wrong{"This laboratory speaks protocol 1; load the page again."};
-    return Hello{};
+    return Hello{has(message, "key") ? text_of(message, "key", kNameBytes) : std::string()};
   }
   if (type == "text") {
     SetText out{text_of(message, "text", kMostTextBytes),

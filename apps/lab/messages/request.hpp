@@ -17,7 +17,9 @@ namespace armlet::lab {
 inline constexpr std::size_t kMostMessageBytes = 1'000'000;
 inline constexpr std::size_t kMostTextBytes = 512'000;
 
-struct Hello {};
+struct Hello {
+  std::string key{};  // of the page as it was before; empty: it is new
+};
 struct SetText {
   std::string text;
   std::int64_t version = 0;

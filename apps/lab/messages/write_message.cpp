@@ -43,6 +43,7 @@ Message write_welcome(const Welcome& welcome, Seq to) {
   OrderedJson out = answer("welcome", to);
   out["protocol"] = 1;
   out["page"] = welcome.page;
+  out["key"] = welcome.key;
   out["version"] = welcome.version;
   out["file"] = welcome.file;
   out["text"] = welcome.text;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "armlet/interpreter/editor/analysis.hpp"
+#include "runs/lab_elements.hpp"
 #include "runs/looker.hpp"
 #include "runs/record.hpp"
 #include "text_message.hpp"
@@ -27,6 +28,7 @@ struct Message {
 
 struct Welcome {
   int page = 0;
+  std::string key;
   std::string version;
   std::string file;
   std::string text;
@@ -94,6 +96,10 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_events(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_notes(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_figure(const RunRecord& run, const RecordedFigure& figure);
+// What elements show at an instant.
+[[nodiscard]] Message write_elements(Seq to, int run, double t,
+                                     const std::vector<ElementValue>& values);
+[[nodiscard]] Message write_taken(Seq to, int run);
 // kind  1 robot, 2 object, 3 element.
 [[nodiscard]] Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& rows,
                                  std::size_t first, std::size_t count);

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstring>
 
+#include "armlet/interpreter/unit.hpp"
+#include "armlet/stdlib/laboratory_rows.hpp"
 #include "json_parts.hpp"
 
 namespace armlet::lab {
@@ -100,6 +102,83 @@ OrderedJson input_json(const RunInput& input) {
   return out;
 }
 
+// Numbers in SI; what has a name of its own as a text.
+OrderedJson value_json(const Value& value) {
+  return std::visit(Overload{[](std::monostate) { return OrderedJson(); },
+                             [](bool truth) { return OrderedJson(truth); },
+                             [](std::int64_t whole) { return OrderedJson(whole); },
+                             [](const Value::Number& number) { return OrderedJson(number.si); },
+                             [](const std::string& text) { return OrderedJson(text); },
+                             [](const Value::List& list) {
+                               OrderedJson out = OrderedJson::array();
+                               for (const Value& each : list) out.push_back(value_json(each));
+                               return out;
+                             },
+                             [](const Value::Matrix& matrix) {
+                               OrderedJson out = OrderedJson::array();
+                               for (std::uint32_t i = 0; i < matrix.rows; ++i) {
+                                 OrderedJson row = OrderedJson::array();
+                                 for (std::uint32_t j = 0; j < matrix.cols; ++j)
+                                   row.push_back(matrix.elements[i * matrix.cols + j]);
+                                 out.push_back(std::move(row));
+                               }
+                               return out;
+                             },
+                             [](const Value::Record& record) {
+                               OrderedJson out = OrderedJson::object();
+                               for (const auto& [name, field] : record.fields)
+                                 out[name] = value_json(field);
+                               return out;
+                             },
+                             [](const Value::Enum& word) { return OrderedJson(word.value); },
+                             [](const Value::Map& map) {
+                               OrderedJson out = OrderedJson::array();
+                               for (const auto& [key, held] : map)
+                                 out.push_back({value_json(key), value_json(held)});
+                               return out;
+                             },
+                             [](const Value::Host&) { return OrderedJson(); }},
+                    value.content());
+}
+
+std::string_view type_word(LabFieldType type) {
+  constexpr std::string_view kWords[] = {"number", "int", "bool", "text"};
+  return kWords[static_cast<std::size_t>(type)];
+}
+
+OrderedJson element_json(const LabElements& lab, std::size_t i) {
+  const LabRow& row = lab.rows.rows[i];
+  OrderedJson out = {{"kind", word_of(row.kind)},
+                     {"name", row.name},
+                     {"label", row.label},
+                     {"robot", row.robot},
+                     {"is_read", row.is_read}};
+  if (!row.axes.empty()) {
+    out["axes"] = OrderedJson::array();
+    for (std::size_t k = 0; k < row.axes.size(); ++k) {
+      const bool is_length = row.axes[k] <= HandAxis::kZ;
+      OrderedJson axis = {{"name", word_of(row.axes[k])}, {"unit", is_length ? "m" : "rad"}};
+      if (k < lab.ranges[i].size()) {
+        axis["lower"] = lab.ranges[i][k][0];
+        axis["upper"] = lab.ranges[i][k][1];
+      }
+      out["axes"].push_back(std::move(axis));
+    }
+  }
+  if (row.kind == LabRowKind::kField) {
+    const auto unit = parse_unit(row.unit);
+    out["type"] = type_word(row.type);
+    out["value"] = value_json(row.value);
+    out["range"] = row.range ? OrderedJson(*row.range) : OrderedJson();
+    out["unit"] = row.unit;
+    out["factor"] = unit ? unit->factor : 1.0;
+  }
+  if (row.kind == LabRowKind::kPlot && i < lab.units.size()) out["quantity_unit"] = lab.units[i];
+  if (row.kind == LabRowKind::kTable) out["header"] = row.header;
+  if (row.kind == LabRowKind::kText) out["text"] = value_json(row.value);
+  return out;
+}
+
 OrderedJson run_json(const RunRecord& run) {
   return {
       {"run", run.number},  {"state", state_word(run.state)}, {"t_end", run.t_end},
@@ -148,6 +227,12 @@ Message write_description(const RunRecord& run) {
                               {"color", object.color},
                               {"pose", pose_json(object.T_world_obj)}});
   }
+  out["lab"] = run.lab && run.lab->has_block ? OrderedJson(run.lab->rows.name) : OrderedJson();
+  out["title"] = run.lab ? run.lab->rows.title : std::string();
+  out["layout"] = run.lab && run.lab->rows.layout == LabLayout::kStack ? "stack" : "columns";
+  out["elements"] = OrderedJson::array();
+  for (std::size_t i = 0; run.lab && i < run.lab->rows.rows.size(); ++i)
+    out["elements"].push_back(element_json(*run.lab, i));
   return message_of(out);
 }
 
@@ -204,6 +289,25 @@ Message write_figure(const RunRecord& run, const RecordedFigure& figure) {
                      {"index", figure.index},
                      {"title", figure.title},
                      {"svg", figure.svg}});
+}
+
+Message write_elements(Seq to, int run, double t, const std::vector<ElementValue>& values) {
+  OrderedJson out = answer("elements", to);
+  out["run"] = run;
+  out["t"] = t;
+  out["values"] = OrderedJson::object();
+  for (const ElementValue& each : values) {
+    out["values"][each.name] = each.fault.empty() ? OrderedJson{{"value", value_json(each.value)},
+                                                                {"unit", si_unit_of(each.value)}}
+                                                  : OrderedJson{{"error", each.fault}};
+  }
+  return message_of(out);
+}
+
+Message write_taken(Seq to, int run) {
+  OrderedJson out = answer("taken", to);
+  out["run"] = run;
+  return message_of(out);
 }
 
 Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& rows,

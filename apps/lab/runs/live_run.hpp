@@ -16,7 +16,6 @@ struct RunBounds {
 };
 
 // How much is done at a time.
-inline constexpr std::int64_t kSlice_ns = 2'000'000'000;
 inline constexpr std::uint64_t kSliceSteps = 100'000;
 
 // The options of every session of a laboratory: what `options` says, with markers and variables
@@ -31,6 +30,14 @@ class LiveRun {
   // Whether the text can run; the messages are in session().problems().
   bool begin(const std::string& text, const std::string& name);
 
+  // The run of a log up to a time, and then an input that makes it another one.
+  void begin_fork(const SessionLog& log, std::int64_t t_ns, InputWhat input);
+  // Does something to the run where it stands; it then goes on. Why not, if it is refused.
+  [[nodiscard]] std::optional<std::string> give(const InputWhat& input);
+  // Whether a fork has come to its input, and why that was refused.
+  [[nodiscard]] bool has_forked() const { return !fork_; }
+  [[nodiscard]] const std::optional<std::string>& fork_fault() const { return fork_fault_; }
+
   // Runs a slice. Returns whether there is more to do.
   bool advance();
   // Ends it here, as a limit does.
@@ -43,6 +50,9 @@ class LiveRun {
   [[nodiscard]] std::int64_t now_ns() const;
   void come_to_end(Progress progress);
   void finish_record();
+  void take_rows();
+  void advance_fork();
+  void run_slice();
   void take_figures();
 
   RunBounds bounds_;
@@ -50,6 +60,12 @@ class LiveRun {
   Recording recording_;
   RunMarks marks_;
   std::unique_ptr<Session> session_;
+  struct Fork {
+    std::int64_t t_ns = 0;
+    InputWhat input;
+  };
+  std::optional<Fork> fork_;  // to come
+  std::optional<std::string> fork_fault_;
 };
 
 }  // namespace armlet::lab

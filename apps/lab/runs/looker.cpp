@@ -30,6 +30,7 @@ Looker::~Looker() = default;
 bool Looker::has_ended() const {
   return session_->vm() != nullptr && session_->result().status != Progress::kPaused;
 }
+bool Looker::is_over() const { return has_ended() || session_->is_at_rest(); }
 std::int64_t Looker::now_ns() const {
   return session_->vm() == nullptr ? 0 : session_->host()->now_ns();
 }
@@ -70,7 +71,7 @@ void Looker::step(StepHow how, const std::vector<int>& breakpoints) {
     aim_ = Aim::kStatements;
     return;
   }
-  if (session_->vm() != nullptr && has_ended()) return;
+  if (session_->vm() != nullptr && is_over()) return;
   how_ = how;
   breakpoints_ = breakpoints;
   from_ = session_->vm() == nullptr ? Focus{.depth = 1} : focus();
@@ -127,7 +128,7 @@ bool Looker::advance() {
       goes_on = run_slice({});
       break;
     case Aim::kStatement:
-      goes_on = run_slice({}) || (!has_ended() && !is_step_done() && begin_statements());
+      goes_on = run_slice({}) || (!is_over() && !is_step_done() && begin_statements());
       break;
     case Aim::kStep:
       goes_on = true;
@@ -157,7 +158,7 @@ Looker::Focus Looker::focus() const {
 }
 
 bool Looker::is_step_done() const {
-  if (has_ended() || how_ == StepHow::kInto) return true;
+  if (is_over() || how_ == StepHow::kInto) return true;
   if (aim_ == Aim::kStep && is_at_breakpoint(*session_->vm())) return true;
   const std::vector<SeenTask> tasks = seen_tasks(*session_->vm());
   for (const SeenTask& task : tasks) {
@@ -180,7 +181,7 @@ SeenInstant Looker::look() {
   Vm& vm = *session_->vm();
   const SourceSet& sources = session_->sources();
   out.statements = begun();
-  out.has_ended = has_ended();
+  out.has_ended = is_over();
   out.is_at_breakpoint = !out.has_ended && is_at_breakpoint(vm);
   const std::vector<SeenTask> tasks = seen_tasks(vm);
   const SeenTask* in_focus = task_in_focus(tasks, running_at(vm));

@@ -94,6 +94,8 @@ class Looker {
   void restart(const SessionLog& log);
   bool run_slice(Budget budget);
   [[nodiscard]] bool has_ended() const;
+  // Whether nothing happens any more: it has ended, or waits for an input.
+  [[nodiscard]] bool is_over() const;
   [[nodiscard]] std::int64_t now_ns() const;
   [[nodiscard]] std::uint64_t begun() const;
   [[nodiscard]] Focus focus() const;

@@ -1,6 +1,7 @@
 #pragma once
 // What is known of a run: everything that pages show of it, in lists that only grow.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "armlet/backend/run_marks.hpp"
 #include "armlet/model/link_shapes.hpp"
 #include "armlet/model/robot.hpp"
+#include "armlet/stdlib/laboratory_rows.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "messages/request.hpp"
 #include "messages/text_message.hpp"
@@ -90,6 +92,18 @@ struct RecordedFigure {
   std::string svg;
 };
 
+// What is on the page of a laboratory.
+//
+// ranges     of the axes of each row, m or rad; none but for sliders of a hand.
+// has_block  otherwise these are the elements of a program that says nothing of a page.
+struct LabElements {
+  LabRows rows;
+  std::vector<std::vector<std::array<double, 2>>> ranges;
+  std::vector<std::string> units;  // SI, of the plots that have been read
+  bool has_block = false;
+  bool is_new = true;
+};
+
 enum class RunState : std::uint8_t { kRunning, kDone, kFailed, kStopped };
 
 // What somebody did to a run.
@@ -125,6 +139,8 @@ struct RunRecord : RunHead {
   std::vector<RecordedChange> events;
   std::vector<RecordedText> texts;
   std::vector<RecordedFigure> figures;
+  std::optional<LabElements> lab;
+  std::vector<Rows> element_rows;  // of plots, in the order of the elements
 
   SessionLog log;              // when it has ended
   std::vector<RunMark> marks;  // the same
@@ -149,6 +165,8 @@ class Recording : public Backend {
   void on(const Event& event) override;
   // From on_move of the session.
   void on_move(const MoveReport& report);
+  // From on_press of the session.
+  void on_press(const PressReport& report);
   // From `pace` of the session: time is about to pass, so that what the program has come to lasts.
   void on_wait();
   // Reads off what the cell knows beside its events: models of the robots.

@@ -40,6 +40,14 @@ std::optional<TextSpan> Recording::here() const {
   return at.empty() ? std::nullopt : span_of(session_->sources(), at);
 }
 
+// A button that fails ends only what it has begun itself.
+void Recording::on_press(const PressReport& report) {
+  if (!report.failure) return;
+  const TextMessage told = resolved(*report.failure, session_->sources());
+  record_.texts.push_back({to_seconds(report.end_ns), NoteKind::kMessage,
+                           report.button + ": " + told.message, told.place.span});
+}
+
 void Recording::on_wait() { note_line(to_seconds(session_->host()->now_ns())); }
 
 void Recording::note_line(double t) {

@@ -92,6 +92,7 @@ void Connection::send_all() {
     is_sending_ = false;
     if (!all_sent) is_closed_ = true;
     lock.unlock();
+    if (!all_sent) changed_.notify_all();
     on_message_();
     lock.lock();
   }
@@ -144,6 +145,7 @@ bool Connections::hand_in() {
   for (const auto& each : present) {
     if (each->page == 0 && !each->is_closed()) each->page = laboratory_.join();
     if (each->is_closed() || each->page < 0) {
+      each->give_up();
       laboratory_.leave(each->page);
       const std::lock_guard lock(mutex_);
       all_.remove(each);

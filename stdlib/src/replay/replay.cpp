@@ -11,6 +11,7 @@
 #include "armlet/interpreter/host/globals.hpp"
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/program_function.hpp"
+#include "armlet/interpreter/host/tasks.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "replay/former.hpp"
 #include "replay/journal.hpp"
@@ -58,6 +59,8 @@ std::string difference(const SessionLog& ours, const SessionLog& theirs) {
   if (ours.planners != theirs.planners) return "the log was made with other planners of the host";
   if (ours.world != theirs.world || ours.default_world != theirs.default_world)
     return "the log was made in another world";
+  if (ours.laboratory != theirs.laboratory)
+    return theirs.laboratory ? "the log is of a laboratory" : "the session is that of a laboratory";
   if (!is_same(ours.limits, theirs.limits)) return "the log was made with other limits of runs";
   return {};
 }
@@ -134,6 +137,7 @@ SessionLog Session::log_of(LoggedEntry entry) const {
   log.default_world = options_.default_world;
   log.limits = options_.limits;
   log.open = options_.open;
+  log.laboratory = options_.laboratory;
   log.entry = std::move(entry);
   return log;
 }
@@ -187,17 +191,29 @@ void Session::apply(const Input& input) {
   const Input taken = input;  // a call may change the list
   journal_->pass();
   try {
-    std::visit(Overload{[this](const SetSignal& each) {
-                          host_->cell().signals().set(each.name, each.value);
-                        },
-                        [this](const SetGlobal& each) { vm_->set(each.name, each.value); },
-                        [this](const CallFunction& each) {
-                          static_cast<void>(call_function(*vm_, each.name, each.arguments, [] {}));
-                        }},
-               taken.what);
+    static_cast<void>(act(taken.what));
   } catch (const ArgumentError&) {
     // Another text may have no such name: there is nothing to set or to call.
   }
+}
+
+std::optional<Error> Session::act(const Action& action) {
+  std::optional<Error> refused;
+  Cell& cell = host_->cell();
+  std::visit(Overload{[&](const SetSignal& each) { cell.signals().set(each.name, each.value); },
+                      [&](const SetGlobal& each) { vm_->set(each.name, each.value); },
+                      [&](const CallFunction& each) {
+                        static_cast<void>(call_function(*vm_, each.name, each.arguments, [] {}));
+                      },
+                      [&](const PressButton& each) { refused = start_task(*vm_, each.name); },
+                      [&](const MoveJoints& each) {
+                        const std::optional<int> robot = cell.find_robot(each.robot);
+                        if (!robot) throw ArgumentError("There is no such robot.");
+                        cell.set_joints(*robot, Eigen::Map<const Eigen::VectorXd>(
+                                                    each.q.data(), std::ssize(each.q)));
+                      }},
+             action);
+  return refused;
 }
 
 void Session::apply_due_inputs() {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "armlet/interpreter/later.hpp"
+#include "laboratory/lab_values.hpp"
 #include "messages/foreign_names.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
@@ -21,7 +22,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"mesh", "lab",
+constexpr std::string_view kPlanned[] = {"mesh",
                                          // settings of with
                                          "with.collisions"};
 
@@ -57,12 +58,8 @@ std::span<const Chapter> chapters() {
       {.title = "Robots: inverse kinematics as values",
        .functions = ikine_info_functions(),
        .is_mathematics = true},
-      {.title = "Robots: dynamics",
-       .functions = dynamics_functions(),
-       .is_mathematics = true},
-      {.title = "Robots: simulation",
-       .functions = simulation_functions(),
-       .is_mathematics = true},
+      {.title = "Robots: dynamics", .functions = dynamics_functions(), .is_mathematics = true},
+      {.title = "Robots: simulation", .functions = simulation_functions(), .is_mathematics = true},
       {.title = "Robots: motion", .functions = motion_functions()},
       {.title = "Robots: velocity commands", .functions = velocity_functions()},
       {.title = "Trajectories", .functions = trajectory_functions(), .is_mathematics = true},
@@ -80,6 +77,7 @@ std::span<const Chapter> chapters() {
       {.title = "Figures", .functions = plot_functions()},
       {.title = "Figures: several lines", .functions = plot_line_functions()},
       {.title = "Figures: motions and records", .functions = plot_motion_functions()},
+      {.title = "Laboratories", .functions = lab_functions()},
       {.title = "Later", .functions = later_functions()},
   };
   return all;
@@ -90,7 +88,8 @@ std::span<const Chapter> chapters() {
 void install(Engine& engine) {
   for (const HostType* type :
        {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kShape, &bind::kTool,
-        &bind::kJointRow, &bind::kCamera, &bind::kImage, &bind::kTrajectory, &bind::kFinger}) {
+        &bind::kJointRow, &bind::kLab, &bind::kLabRow, &bind::kCamera, &bind::kImage,
+        &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }
   engine.add_record("Lu", "L: matrix, U: matrix, P: matrix");
@@ -114,8 +113,8 @@ void install(Engine& engine) {
   engine.add_record("Simulation",
                     "t: time[], q: matrix, qd: matrix, tau: matrix, events: JointEvent[], drift: "
                     "energy");
-  engine.add_record("TorqueRun",
-                    "reached: bool, stopped: bool, time: time, events: JointEvent[], drift: energy");
+  engine.add_record(
+      "TorqueRun", "reached: bool, stopped: bool, time: time, events: JointEvent[], drift: energy");
   engine.add_messages(bind::kLibraryMessages);
   engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");

@@ -8,6 +8,7 @@
 #include "armlet/core/platform.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/interpreter/host/instants.hpp"
+#include "armlet/interpreter/host/tasks.hpp"
 #include "armlet/interpreter/world_names.hpp"
 #include "replay/journal.hpp"
 #include "robot/rules.hpp"
@@ -93,6 +94,15 @@ bool may_name_objects(std::string_view text) {
       if (function.check == bind::check_object_name && mentions(function.name)) return true;
   }
   return false;
+}
+
+// The variable is "scaraLab.pickIt".
+PressReport report_of(const TaskEnd& end) {
+  PressReport report{.button = std::string(end.variable.substr(end.variable.find('.') + 1)),
+                     .start_ns = end.start_ns,
+                     .end_ns = end.end_ns};
+  if (end.failure != nullptr) report.failure = *end.failure;
+  return report;
 }
 
 }  // namespace
@@ -290,6 +300,10 @@ void Session::begin_cell(const std::shared_ptr<const Program>& program) {
   vm_options.advice = [this](const Diagnostic& advice) {
     if (options_.advice && !is_silent_) options_.advice(advice);
   };
+  vm_options.stays = options_.laboratory;
+  vm_options.on_task_end = [this](const TaskEnd& end) {
+    if (options_.on_press && !is_silent_) options_.on_press(report_of(end));
+  };
   vm_ = std::make_unique<Vm>(program, std::move(vm_options));
   cancel_at(*vm_, journal_->entry().cancelled);
   if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*vm_, breakpoints_);
@@ -319,6 +333,33 @@ bool Session::come_to_rest(const Budget& budget) {
   return true;
 }
 
+// A robot of a laboratory may slow down still when its program has ended.
+void Session::rest(const Budget& budget) {
+  while (!budget.until_ns && armlet::is_at_rest(*vm_)) {
+    const auto next = host_->cell().next_event();
+    if (!next || *next <= host_->now_ns()) break;
+    vm_->run({.until_ns = *next});
+  }
+  // Who wished to stop what a button does has come to it.
+  if (!is_at_rest()) return;
+  cancelled_.store(false);
+  host_->cell().begin();  // who listens is told what is there, also if nothing has moved
+}
+
+bool Session::is_at_rest() const {
+  return is_under_way_ && armlet::is_at_rest(*vm_) && !host_->cell().next_event();
+}
+
+void Session::finish() {
+  require_idle("finish a run");
+  if (!is_at_rest())
+    throw ArgumentError("A run is finished when its program and all tasks have ended.");
+  armlet::finish(*vm_);
+  result_ = vm_->result();
+  note_progress();
+  end_run();
+}
+
 void Session::end_run() {
   is_under_way_ = false;
   Cell& cell = host_->cell();
@@ -338,6 +379,7 @@ Progress Session::run_slice(const Budget& budget) {
 }
 
 Progress Session::finish_slice(const Budget& budget) {
+  rest(budget);
   result_ = vm_->result();
   if (result_.status == Progress::kDone && !come_to_rest(budget))
     result_.status = Progress::kPaused;

@@ -1,5 +1,8 @@
 // Elements of a laboratory: shown from a recording, so that texts of any kind can be tried; moved on a laboratory that runs.
 import assert from "node:assert/strict";
+import { mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import test, { after } from "node:test";
 import { closeBrowser, openPage, recordingFile, until, untilStatus, violations, withLab } from "../laboratory.mjs";
 
@@ -131,6 +134,22 @@ test("a slider moves the arm; where it cannot, the reason stands at the slider",
     await page.locator(".element .reason", { hasText: /reach/ }).waitFor();
     await page.getByRole("button", { name: "Pick up" }).click();
     await untilStatus(page, /2 moves/);
+  }));
+
+test("a run is recorded as a page that shows it from a disk", () =>
+  withLab(null, async (open) => {
+    const page = await open();
+    await untilStatus(page, /moves/);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Record" }).click()]);
+    const file = join(mkdtempSync(join(tmpdir(), "armlet-recording-")), "recorded.html");
+    await download.saveAs(file);
+    const status = (await page.locator(".status").innerText()).trim();
+    const alone = await openPage(`file://${file}`);
+    await untilStatus(alone, /recording, /);
+    assert.equal((await alone.locator(".status").innerText()).replace("recording, ", "").trim(), status);
+    assert.equal(await alone.locator("output.where").innerText(), await page.locator("output.where").innerText());
+    assert.deepEqual(alone.problems, []);
+    await alone.context().close();
   }));
 
 test("the hand is pulled in the view: the arm follows, and says why where it cannot", () =>

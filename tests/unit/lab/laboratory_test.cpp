@@ -233,6 +233,20 @@ TEST_CASE("one page is in control, and hands it over") {
   teacher.send({{"type", "take"}});
   teacher.take();
   CHECK(teacher.last("control")["holder"] == teacher.number);
+  // Loaded again, before it was noticed that it has gone.
+  TestPage guest(laboratory);
+  guest.hello();
+  TestPage again(laboratory);
+  again.send({{"type", "hello"},
+              {"protocol", 1},
+              {"key", teacher.last("welcome")["key"].get<std::string>()}});
+  guest.send({{"type", "take"}});
+  guest.take();
+  CHECK(guest.last("control")["holder"] == again.number);
+  laboratory.leave(teacher.number);
+  laboratory.leave(again.number);
+  guest.take();
+  CHECK(guest.last("control")["holder"] == guest.number);
 }
 
 TEST_CASE("a page that comes late, or takes little at a time, is told the same") {

@@ -21,6 +21,7 @@ namespace armlet {
 
 class FanOut;
 class Journal;
+class LabControls;
 
 struct SessionOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
@@ -33,7 +34,10 @@ struct SessionOptions {
   ParseLimits parse_limits;
   bool open = false;     // see CompileOptions
   bool markers = false;  // see CompileOptions
-  ModuleLoader load;     // files that the program imports; none without it
+  // After the end of the program the run waits for inputs (laboratory_controls.hpp).
+  bool laboratory = false;
+  std::function<void(const PressReport&)> on_press;
+  ModuleLoader load;  // files that the program imports; none without it
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
@@ -47,8 +51,7 @@ struct SessionOptions {
 // kRefused  it does not compile, and problems() says why; or it was cancelled. All is as it was.
 // kSame     nothing that the run told until the time is other than it was.
 // kParts    it is, from `parts_ns` on, where the new program had come to `line` of its file; the
-// run
-//           is at the time asked for nevertheless, or has ended before.
+//           run is at the time asked for nevertheless, or has ended before.
 struct TextChange {
   enum class Outcome : std::uint8_t { kRefused, kSame, kParts };
   Outcome outcome = Outcome::kRefused;
@@ -153,8 +156,7 @@ class Session {
   // outside is asked again.
   //
   // throws  ArgumentError if the robot, the world, the planners or the limits of the session are
-  // not
-  //         those of the log, and while the session runs; all stays as it was.
+  //         not those of the log, and while the session runs; all stays as it was.
   bool replay(const SessionLog& log);
   // Goes to a virtual time of the run, after all that happened then: the run is taken again from
   // its start, unheard. What follows is then as it was before, event by event with the numbers that
@@ -183,6 +185,12 @@ class Session {
   // throws   ArgumentError without a program with markers, and while the session runs.
   std::vector<SourceLine> set_breakpoints(std::vector<SourceLine> lines);
 
+  // ---- laboratories (SessionOptions::laboratory)
+  // Whether the program has ended, and nothing happens before the next input.
+  [[nodiscard]] bool is_at_rest() const;
+  // Ends a run that is at rest, which is then done. throws  ArgumentError if it is not.
+  void finish();
+
   // The runs that were left for another one by going back, oldest first.
   [[nodiscard]] const std::vector<SessionLog>& runs() const { return runs_; }
 
@@ -201,6 +209,7 @@ class Session {
   void cancel() noexcept;
 
  private:
+  friend class LabControls;
   // ---- replay.cpp
   struct Former;
   void require_idle(std::string_view what) const;
@@ -217,6 +226,7 @@ class Session {
   [[nodiscard]] Former put_aside();
   void bring_back(Former former);
   void apply(const Input& input);
+  std::optional<Error> act(const Action& action);
   void apply_due_inputs();
   void keep(Input input);
   void note_progress();
@@ -237,6 +247,7 @@ class Session {
   Progress run_slice(const Budget& budget);
   Progress finish_slice(const Budget& budget);
   bool come_to_rest(const Budget& budget);
+  void rest(const Budget& budget);
   void end_run();
   void give_up();
   // ---- entries

@@ -1,5 +1,6 @@
 // One conversation with a laboratory, whatever carries it: numbers of messages, and answers to questions.
 import type { Incoming, IncomingOf, Outgoing } from "../protocol/messages.ts";
+import { keepKey, keptKey } from "./key.ts";
 import { readRows, type RowBlock } from "../protocol/rows.ts";
 
 // What carries messages tells its listener what comes in.
@@ -42,7 +43,8 @@ export class Connection {
   constructor(carry: Carry, events: Events) {
     this.transport = carry({
       opened: () => {
-        this.send({ type: "hello", protocol: 1 });
+        const key = keptKey();
+        this.send({ type: "hello", protocol: 1, ...(key ? { key } : {}) });
         events.opened();
       },
       closed: (note) => {
@@ -82,6 +84,7 @@ export class Connection {
       question.reject(new Refused(message));
       return;
     }
+    if (message.type === "welcome" && message.key) keepKey(message.key);
     events.message(message);
     question?.resolve(message);
   }

@@ -181,6 +181,7 @@ export interface Welcome {
   title?: string | null;
   layout?: string | null;
   demo?: boolean;
+  key?: string;
   words?: Partial<Words>;
 }
 export interface Description {
@@ -271,7 +272,7 @@ export type Input = { set: string; value: number | string | boolean } | { press:
 
 // From the page to the laboratory; `seq` is put in on the way.
 export type Outgoing =
-  | { type: "hello"; protocol: 1 }
+  | { type: "hello"; protocol: 1; key?: string }
   | { type: "text"; text: string; version: number; run?: boolean }
   | { type: "complete" | "hover" | "signature" | "definition"; at: Position }
   | { type: "format" | "stop" | "take" }

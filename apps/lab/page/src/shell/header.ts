@@ -1,5 +1,6 @@
 // Title, who is in control, sharing, and which columns are open.
 import type { Intents } from "../store/intents.ts";
+import { pageWith, recordingOf } from "../store/recording.ts";
 import { inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { el, save, setText } from "./dom.ts";
@@ -8,6 +9,8 @@ import { hashToText, textToHash } from "./link.ts";
 import type { ColumnName } from "./page.ts";
 
 export interface HeaderActions {
+  // The page as it was before anything was shown in it.
+  source: string;
   help(): void;
   toggle(name: ColumnName): boolean;
   isOpen(name: ColumnName): boolean;
@@ -31,6 +34,7 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     title, file, status, offer, el("span", { class: "gap" }), control,
     el("button", { onclick: () => void share(intents) }, "Share"),
     el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
+    el("button", { hidden: !intents.live, onclick: () => record(store.state, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
     el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
     el("button", { class: "icon", "aria-label": "Keys and help", onclick: actions.help }, "?"),
   );
@@ -78,6 +82,15 @@ function drawControl(host: HTMLElement, state: State, intents: Intents): void {
   }
   const list = others.map((page) => el("button", { class: wishes.includes(page) ? "wish" : "", onclick: () => intents.giveControl(page) }, `Hand over to ${page}${wishes.includes(page) ? " (asks)" : ""}`));
   host.replaceChildren(el("span", { class: "quiet" }, `You are page ${me}, in control.`), ...list.slice(0, 4));
+}
+
+function record(state: State, source: string): void {
+  const run = shownRun(state);
+  if (run) save(`${baseName(state) || "recording"}.html`, new Blob([pageWith(source, recordingOf(state, run))], { type: "text/html" }));
+}
+
+function baseName(state: State): string {
+  return state.welcome?.file.split("/").at(-1)?.replace(/\.rbt$/, "") ?? "";
 }
 
 async function share(intents: Intents): Promise<void> {

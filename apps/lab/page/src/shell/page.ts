@@ -19,6 +19,7 @@ export type ColumnName = (typeof COLUMNS)[number];
 const TITLES: Record<ColumnName, string> = { program: "Program", view: "3D view", elements: "Laboratory" };
 
 export function buildPage(root: HTMLElement, store: Store, intents: Intents): void {
+  const source = `<!doctype html>\n${document.documentElement.outerHTML}`;
   const help = helpDialog();
   const top = el("header", { class: "top" });
   const editorHost = el("div", { class: "editor" });
@@ -37,7 +38,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents): vo
   root.replaceChildren(top, main, bottom, phoneTabs(main), message, help);
 
   const open = () => help.open || help.showModal();
-  header(top, store, intents, { help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
+  header(top, store, intents, { source, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
   const legend = el("div", { class: "legend", hidden: true });
