@@ -32,7 +32,7 @@ class Slider {
       this.range.value = this.number.value;
       changed();
     });
-    this.root = el("div", { class: "slider" }, el("label", { for: id }, name), this.range, this.number, el("span", { class: "unit" }, shown.unit));
+    this.root = el("div", { class: name.length > 6 ? "slider named" : "slider" }, el("label", { for: id }, name), this.range, this.number, el("span", { class: "unit" }, shown.unit));
   }
 
   // What stands in the field, which may lie beyond the slider.
@@ -104,7 +104,7 @@ export function handSliders(place: Place, run: Run): ElementView {
     root: group(element.label || `Hand of ${run.robots[index]?.name}`, ...sliders.map((s) => s.root), reason),
     update(now, state, allowed) {
       const told = now.values[element.name]?.value;
-      const place = handAt(now, index, state.t);
+      const place = handAt(now, index, state.t, axes);
       sliders.forEach((slider, i) => {
         slider.allow(allowed);
         const own = place?.[axes[i]!.name];
@@ -122,9 +122,13 @@ function handSlider(axis: Coordinate, changed: () => void): Slider {
   return new Slider(axis.name, unit, axis.lower ?? -most, axis.upper ?? most, changed);
 }
 
-function handAt(run: Run, index: number, t: number): Record<string, number> | null {
+// Where the hand is; "roll" without the other two is its turn about z.
+function handAt(run: Run, index: number, t: number, axes: readonly Coordinate[]): Record<string, number> | null {
   const pose = run.toolAt(index, t);
-  return pose && { x: pose[0]!, y: pose[1]!, z: pose[2]!, ...rollPitchYaw(pose) };
+  if (!pose) return null;
+  const turns = rollPitchYaw(pose);
+  const alone = !axes.some((axis) => axis.name === "pitch" || axis.name === "yaw");
+  return { x: pose[0]!, y: pose[1]!, z: pose[2]!, ...turns, ...(alone ? { roll: turns.yaw } : {}) };
 }
 
 export function field(place: Place): ElementView {

@@ -34,9 +34,9 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     title, file, status, offer, el("span", { class: "gap" }), control,
     el("button", { onclick: () => void share(intents) }, "Share"),
     el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
-    el("button", { hidden: !intents.live, onclick: () => record(store.state, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
+    el("button", { class: "desk", hidden: !intents.live, onclick: () => record(store.state, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
     el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
-    el("button", { class: "icon", "aria-label": "Keys and help", onclick: actions.help }, "?"),
+    el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
   );
   store.watch((s) => [s.welcome, shownRun(s)?.title], (s) => {
     setText(title, shownRun(s)?.title || s.welcome?.title || "Laboratory");

@@ -175,6 +175,9 @@ export class Intents {
       try {
         await Promise.race([this.connection.ask({ type: "input", ...t, ...next }), after(LONGEST_WAIT)]);
         this.refuse(name, "");
+        this.askedFor = ""; // the same instant of the same run has other values now
+        this.store.change((s) => (s.instant = null));
+        this.askForInstant();
       } catch (error) {
         this.refuse(name, error instanceof Error ? error.message : String(error));
       }
