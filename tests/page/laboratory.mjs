@@ -114,8 +114,8 @@ export const lineOf = (page, text) => page.locator(".cm-line", { hasText: text }
 
 // Where a word of the program is on the screen.
 export async function placeOf(page, line, word) {
-  await lineOf(page, line).scrollIntoViewIfNeeded();
   return lineOf(page, line).evaluate((element, wanted) => {
+    element.scrollIntoView({ block: "nearest", inline: "start" });
     const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       const at = node.data.indexOf(wanted);
