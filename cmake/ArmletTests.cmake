@@ -80,6 +80,8 @@ function(armlet_add_format_tests)
   set_tests_properties(trace.numpy PROPERTIES SKIP_RETURN_CODE 77)
   add_test(NAME prompt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/prompt_command.py
            $<TARGET_FILE:armlet>)
+  add_test(NAME lab.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/lab_command.py
+           $<TARGET_FILE:armlet>)
   add_test(NAME robot.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/robot_command.py
            $<TARGET_FILE:armlet>)
 endfunction()
