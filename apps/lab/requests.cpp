@@ -162,8 +162,7 @@ void Laboratory::State::handle(Page& page, Seq seq, const SetBreakpoints& given)
     if (next != known.end()) lines.push_back(*next);
   }
   std::ranges::sort(lines);
-  const auto twice = std::ranges::unique(lines);
-  lines.erase(twice.begin(), twice.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   ++versions.breakpoints;
   page.known.breakpoints = versions.breakpoints;
   pages.answer(page, write_breakpoints(seq, lines, known));

@@ -40,16 +40,18 @@ bool Connection::receive(std::string_view piece, bool is_last) {
   return true;
 }
 
-void Connection::give_up() {
+bool Connection::give_up() {
+  bool was_open = false;
   {
     const std::lock_guard lock(mutex_);
-    is_closed_ = true;
+    was_open = !is_closed_.exchange(true);
   }
   changed_.notify_all();
+  return was_open;
 }
 
 void Connection::close() {
-  give_up();
+  if (give_up()) on_message_();  // that it has gone
   if (sender_.joinable() && sender_.get_id() != std::this_thread::get_id()) sender_.join();
 }
 

@@ -23,7 +23,8 @@ namespace armlet::lab {
 // its own sends what comes out, as slowly as the page takes it.
 class Connection {
  public:
-  // send  writes a message to the socket; false: it cannot be reached any more.
+  // send        writes a message to the socket; false: it cannot be reached any more.
+  // on_message  called when something has arrived or was sent, and when it has closed.
   Connection(std::function<bool(const Message&)> send, std::function<void()> on_message);
   ~Connection();
   Connection(const Connection&) = delete;
@@ -34,8 +35,9 @@ class Connection {
   bool receive(std::string_view piece, bool is_last);
   // Nothing is sent from here on, and nothing arrives.
   void close();
-  // The same, without waiting for a message that is on its way; from any thread.
-  void give_up();
+  // The same, without waiting for a message that is on its way; from any thread. Whether it was
+  // open.
+  bool give_up();
 
   // ---- the thread of the laboratory
   // The oldest message; nothing: there is none.

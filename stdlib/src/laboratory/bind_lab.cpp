@@ -158,7 +158,7 @@ constexpr NativeFunction kLabFunctions[] = {
         "The page on which people work with the cell (`armlet lab`); its rows are the elements "
         "of the page, in their order. layout: \"columns\" or \"stack\". A program has one such "
         "block.",
-        "lab cell { title: \"Joints\"; sliders joints(of: arm) }", {.check = check_lab}),
+        "lab cell { title: \"Hello\"; text intro(\"Move the *arm*.\") }", {.check = check_lab}),
     def<sliders>(
         "lab.sliders.NAME(of: robot, as: string?, label: string?, name: string) -> labRow",
         "A slider for each joint of a robot, inside its limits; with as: for the coordinates of "
@@ -184,7 +184,7 @@ constexpr NativeFunction kLabFunctions[] = {
                     "field greeting(\"hello\")"),
     def<button>("lab.button.NAME(label: string, value: fn() -> void, name: string) -> labRow",
                 "A button; pressing it starts the function as a task of its own, which may move.",
-                "button pickIt(\"Pick up\", fn() { pick() })", {.starts = true}),
+                "button away(\"Away\", fn() { arm.moveJ(home()) })", {.starts = true}),
     def<plot>("lab.plot.NAME(value: fn() -> T, label: string?, name: string) -> labRow",
               "What the function gives over time: a number, numbers in a list, joint values.",
               "plot angles(fn() => arm.joints())", {.check = check_plot}),

@@ -78,7 +78,8 @@ bool is_table_like(const Type& type) {
   if (type.is(Kind::kMatrix) || type.is_table()) return true;
   if (!type.is(Kind::kList)) return false;
   const Type& element = *type.element;
-  return is_cell(element) || element.is(Kind::kRecord) ||
+  const bool is_joints = element.is(Kind::kHost) && element.host == &kPosJ;
+  return is_cell(element) || element.is(Kind::kRecord) || is_joints ||
          (element.is(Kind::kList) && is_cell(*element.element));
 }
 
