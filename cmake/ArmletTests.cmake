@@ -54,6 +54,14 @@ function(armlet_add_layer_tests layer)
   add_test(NAME layer.${layer} COMMAND layer_${layer})
 endfunction()
 
+# Laboratories: the server and what it serves, and their page in a browser.
+function(armlet_add_lab_tests)
+  armlet_add_unit_tests(lab armlet_lab_server ${PROJECT_SOURCE_DIR}/apps/lab)
+  target_sources(test_lab PRIVATE ${PROJECT_SOURCE_DIR}/apps/lab/worker/worker.cpp)
+  add_test(NAME lab.server COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/lab/server_command.py $<TARGET_FILE:armlet>)
+  add_subdirectory(page)
+endfunction()
+
 function(armlet_add_script_tests)
   list(TRANSFORM ARGN APPEND /*.rbt)
   file(GLOB_RECURSE scripts CONFIGURE_DEPENDS ${ARGN})
@@ -79,6 +87,8 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   set_tests_properties(trace.numpy PROPERTIES SKIP_RETURN_CODE 77)
   add_test(NAME prompt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/prompt_command.py
+           $<TARGET_FILE:armlet>)
+  add_test(NAME lab.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/lab_command.py
            $<TARGET_FILE:armlet>)
   add_test(NAME robot.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/robot_command.py
            $<TARGET_FILE:armlet>)

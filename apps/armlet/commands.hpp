@@ -35,6 +35,7 @@ struct RunOptions {
   bool plots = false;  // draw the figures in the terminal
   bool hash = false;   // print the hash of the run
   std::string record;  // where the log of the session is left; empty: nowhere
+  std::string inputs;  // of a laboratory, played without a page; empty: it is no laboratory
 };
 
 struct ReplayOptions {
@@ -43,6 +44,15 @@ struct ReplayOptions {
   bool verify = false;  // compare with the run that was recorded
   bool json = false;
   bool quiet = false;
+};
+
+// Of `armlet lab` as it is shown in browsers.
+struct LabOptions {
+  bool demo = false;
+  std::string host = "127.0.0.1";
+  int port = 0;       // 0: any that is free
+  std::string token;  // empty: a new one
+  bool no_open = false;
 };
 
 struct EditorOptions {
@@ -83,6 +93,7 @@ int complete(const EditorOptions& options);
 int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
+int serve_lab(const LabOptions& options, const RunOptions& run);
 int help(const std::string& name, bool markdown);
 int lists();
 

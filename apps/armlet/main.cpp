@@ -56,6 +56,7 @@ struct Asked {
   PromptOptions prompt;
   RunOptions run;
   ReplayOptions replay;
+  LabOptions lab;
   EditorOptions editor;
   FormatOptions format;
   RobotOptions robot;
@@ -80,21 +81,35 @@ void add_prompt_options(CLI::App& app, Asked& asked) {
       ->type_name("FILE");
 }
 
+// What becomes of a run, for all commands that run a program to its end; `needed` is the option
+// that makes a command one of them.
+void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
+  std::vector<CLI::Option*> all;
+  all.push_back(command
+                    .add_option("--trace", asked.run.trace,
+                                "write the run over time to a " + armlet::trace_endings() + " file")
+                    ->type_name("FILE"));
+  all.push_back(
+      command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock"));
+  all.push_back(command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary"));
+  all.push_back(command.add_flag("--plots", asked.run.plots,
+                                 "draw the figures of the program in the terminal"));
+  all.push_back(command.add_flag("--hash", asked.run.hash,
+                                 "print a number that tells runs apart, bit for bit"));
+  all.push_back(command
+                    .add_option("--record", asked.run.record,
+                                "leave what `armlet replay` needs to take the run again in an "
+                                ".arec file")
+                    ->type_name("FILE"));
+  for (CLI::Option* each : all) {
+    if (needed != nullptr) each->needs(needed);
+  }
+}
+
 void add_run_options(CLI::App& command, Asked& asked) {
   command.add_option("FILE", asked.run.file, "the program")->required();
   add_program_options(command, asked.run.program);
-  command
-      .add_option("--trace", asked.run.trace,
-                  "write the run over time to a " + armlet::trace_endings() + " file")
-      ->type_name("FILE");
-  command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock");
-  command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary");
-  command.add_flag("--plots", asked.run.plots, "draw the figures of the program in the terminal");
-  command.add_flag("--hash", asked.run.hash, "print a number that tells runs apart, bit for bit");
-  command
-      .add_option("--record", asked.run.record,
-                  "leave what `armlet replay` needs to take the run again in an .arec file")
-      ->type_name("FILE");
+  add_run_outputs(command, asked, nullptr);
 }
 
 void add_replay_options(CLI::App& command, Asked& asked) {
@@ -152,6 +167,32 @@ void add_robot_options(CLI::App& command, Asked& asked) {
                    "of a .urdf file: keep inertias that no rigid body has");
 }
 
+void add_lab_options(CLI::App& command, Asked& asked) {
+  LabOptions& lab = asked.lab;
+  CLI::Option* file = command.add_option("FILE", asked.run.file, "the program");
+  add_program_options(command, asked.run.program);
+  command.add_flag("--demo", lab.demo, "an example instead of a program of your own")
+      ->excludes(file);
+  command.add_option("--port", lab.port, "of the address (default: any that is free)")
+      ->type_name("P")
+      ->check(CLI::Range(0, 65535));
+  command
+      .add_option("--host", lab.host,
+                  "the address of this machine to be reached at (default: 127.0.0.1, from this "
+                  "machine alone; 0.0.0.0: from everywhere)")
+      ->type_name("ADDRESS");
+  command.add_option("--token", lab.token, "the secret in the page's address (default: a new one)")
+      ->type_name("T");
+  command.add_flag("--no-open", lab.no_open, "open no browser; the address is printed");
+  CLI::Option* inputs =
+      command
+          .add_option("--inputs", asked.run.inputs,
+                      "play the inputs of a .jsonl file instead of showing the page")
+          ->type_name("FILE")
+          ->needs(file);
+  add_run_outputs(command, asked, inputs);
+}
+
 void add_explain_options(CLI::App& command, Asked& asked) {
   command.add_option("CODE", asked.code, "for example E0401; without it, all messages are listed");
 }
@@ -178,6 +219,10 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return replay(asked.replay); }},
     {"check", "look for mistakes without running", add_files_options,
      [](const Asked& asked) { return check(asked.options, asked.files); }},
+    {"lab", "show a program, and what it does, in a browser", add_lab_options,
+     [](const Asked& asked) {
+       return asked.run.inputs.empty() ? serve_lab(asked.lab, asked.run) : run(asked.run);
+     }},
     {"test", "run the tests in programs, each in a fresh world", add_files_options,
      [](const Asked& asked) { return test(asked.options, asked.files); }},
     {"disasm", "show the instructions that a program is compiled to", add_disasm_options,

@@ -45,6 +45,7 @@ SessionOptions options_of(const SessionLog& log) {
   options.default_world = log.default_world;
   options.limits = log.limits;
   options.open = log.open;
+  options.laboratory = log.laboratory;
   return options;
 }
 
@@ -142,12 +143,17 @@ int compare(const SessionLog& log, const RunMarks& marks) {
 }
 
 // One entry after the other.
-RunResult run_all(Session& session) {
+RunResult run_all(Session& session, const SessionLog& log) {
   RunResult result;
   std::size_t to_come = 0;
   do {
     to_come = session.to_come();
     result = session.run();
+    if (session.is_at_rest()) {  // a laboratory: its inputs come later
+      session.run({.until_ns = log.entries.front().end.t_ns});
+      session.finish();
+      result = session.result();
+    }
   } while (session.to_come() > 0 && session.to_come() < to_come && !interrupted());
   return result;
 }
@@ -192,7 +198,7 @@ int replay(const ReplayOptions& options) {
   const Interruptible guard(session);
   if (to_ns) return show_instant(session, *to_ns);
 
-  const RunResult result = run_all(session);
+  const RunResult result = run_all(session, log);
   if (interrupted()) return kStopped;
   if (options.verify) return compare(log, marks);
   if (result.error && output_is_read()) show(*result.error, session.sources(), options.json);

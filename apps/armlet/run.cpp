@@ -19,6 +19,7 @@
 #include "armlet/plot/svg.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
+#include "lab_inputs.hpp"
 #include "output_file.hpp"
 #include "record.hpp"
 #include "run_report.hpp"
@@ -158,12 +159,20 @@ int run(const RunOptions& options) {
   RunMarks marks;
   if (record.is_wanted()) setup.session.backends.push_back(&marks);
   if (options.realtime) setup.session.pace = real_time();
+  InputScript script;
+  if (const int exit = script.read(options.inputs); exit != kDone) return exit;
+  setup.session.laboratory = script.is_wanted();
   RunHash hash;
   if (options.hash) setup.session.backends.push_back(&hash);
   const bool talks = !json && !options.quiet;
   if (talks) setup.session.on_move = show_move;
   const SourceSet* sources = nullptr;
   setup.session.advice = [&](const Diagnostic& d) { show(d, *sources, json); };
+  bool pressed_well = true;
+  setup.session.on_press = [&](const PressReport& report) {
+    if (report.failure) show(*report.failure, *sources, json);
+    pressed_well = pressed_well && !report.failure;
+  };
 
   Session session(library_engine(), std::move(setup.session));
   const bool runs = session.compile(*std::move(text), options.file);
@@ -174,11 +183,18 @@ int run(const RunOptions& options) {
   if (const int exit = trace.open(texts); exit != kDone) return exit;
   if (const int exit = record.open(texts); exit != kDone) return exit;
 
-  RunResult result;
+  bool played = true;
   {
     const Interruptible guard(session);
-    result = session.run();
+    if (script.is_wanted()) {
+      played = script.play(session) == kDone;
+    } else {
+      session.run(Budget{});
+    }
   }
+  RunResult result = session.result();
+  if (!played && result.status == Progress::kPaused)
+    result.status = interrupted() ? Progress::kCancelled : Progress::kFailed;
   // What a program does after Ctrl-C can fail too, for example by its steps: the user has stopped
   // it all the same.
   if (interrupted() && result.status == Progress::kFailed) result.status = Progress::kCancelled;
@@ -197,8 +213,8 @@ int run(const RunOptions& options) {
     figures.show(options.plots);
   }
   if (result.status == Progress::kCancelled) return kStopped;
-  return result.status == Progress::kDone && written && traced && recorded && pictured ? kDone
-                                                                                       : kFailed;
+  const bool went_well = result.status == Progress::kDone && played && pressed_well;
+  return went_well && written && traced && recorded && pictured ? kDone : kFailed;
 }
 
 }  // namespace armlet::cli

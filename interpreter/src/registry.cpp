@@ -140,6 +140,15 @@ std::vector<std::string_view> Registry::public_names() const {
   return names;
 }
 
+bool Registry::has_named_rows(std::string_view type) const {
+  const std::string prefix = std::string(type) + '.';
+  for (auto at = functions_.lower_bound(prefix);
+       at != functions_.end() && at->first.starts_with(prefix); ++at) {
+    if (at->first.ends_with(kNamedRow)) return true;
+  }
+  return false;
+}
+
 bool Registry::is_namespace(std::string_view name) const {
   const std::string prefix = std::string(name) + '.';
   const auto starts = [&prefix](const auto& map) {

@@ -32,6 +32,9 @@ struct Chapter {
   std::span<const NativeConstant> constants;
 };
 
+// How the name of a function ends that makes rows named by the program: "motor.phase.NAME".
+inline constexpr std::string_view kNamedRow = ".NAME";
+
 class Registry {
  public:
   Registry();
@@ -74,6 +77,8 @@ class Registry {
     return records_;
   }
   [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
+  // Whether blocks of this type have rows that the program names: "motor.phase.NAME".
+  [[nodiscard]] bool has_named_rows(std::string_view type) const;
   // Names a program can write, sorted: for suggestions.
   [[nodiscard]] std::vector<std::string_view> public_names() const;
 

@@ -183,7 +183,8 @@ class Completer {
       const std::size_t point = name.find('.');
       if (point == std::string_view::npos) continue;
       add(std::string(name.substr(0, point)), NameKind::kWord);
-      add(std::string(name.substr(point + 1)), NameKind::kWord);
+      if (name.substr(point) != kNamedRow)
+        add(std::string(name.substr(point + 1)), NameKind::kWord);
     }
   }
 
@@ -228,8 +229,9 @@ class Completer {
 
   // ---- behind a point
   void add_members() {
-    if (const Type* type = receiver_type(facts_, *cursor_.point)) return add_members_of(*type);
     const std::string group = group_before_point();
+    if (!group.empty()) add_rows_of(group);
+    if (const Type* type = receiver_type(facts_, *cursor_.point)) return add_members_of(*type);
     if (group.empty()) return;
     const Symbol* symbol = facts_.visible_at(cursor_.at, group);
     if (symbol != nullptr && symbol->kind == NameKind::kEnum) {
@@ -254,6 +256,22 @@ class Completer {
         add_native(name, name.substr(prefix.size()));
       if (group == "Math" && is_plain(name)) add_native(name, name);
     }
+  }
+
+  // Of a block whose rows the program names.
+  void add_rows_of(const std::string& block) {
+    for (const ast::Stmt* stmt : facts_.files.back().program.body) {
+      if (stmt->kind != ast::StmtKind::kObject) continue;
+      const auto& node = stmt->as<ast::ObjectStmt>();
+      if (node.name.text != block || !facts_.registry->has_named_rows(text_of_type(node))) continue;
+      for (const ast::BlockItem& item : node.items)
+        if (item.is_row) add(std::string(item.constructor.text), NameKind::kField);
+    }
+  }
+
+  [[nodiscard]] std::string_view text_of_type(const ast::ObjectStmt& node) const {
+    const Span span = node.type->span;
+    return facts_.main().text().substr(span.begin, span.end - span.begin);
   }
 
   // "Math" of Math.|; empty if it is no name.

@@ -142,6 +142,10 @@ class Around {
     const std::string row = '.' + std::string(facts_.text_of(tokens_[opener - 2])) + '.' + name;
     for (const auto& [type, unused] : facts_.registry->types()) {
       if (!facts_.registry->functions(type + row).empty()) return type + row;
+      // The row has a name of its own.
+      std::string named = type + '.' + std::string(facts_.text_of(tokens_[opener - 2]));
+      named += kNamedRow;
+      if (!facts_.registry->functions(named).empty()) return named;
     }
     return name;
   }

@@ -181,9 +181,13 @@ std::string written_call(const Registry& registry, const NativeFunction& functio
   if (dot == std::string_view::npos || registry.type(name.substr(0, dot)) == nullptr)
     return fmt::format("{}{}", name, signature);
   const std::string_view rest = name.substr(dot + 1);
-  if (const std::size_t row = rest.find('.'); row != std::string_view::npos)
-    return fmt::format("{} {}({})", rest.substr(0, row), rest.substr(row + 1),
-                       parameters_of(signature));
+  if (const std::size_t row = rest.find('.'); row != std::string_view::npos) {
+    std::string_view written = parameters_of(signature);
+    // The word behind the row is its name.
+    if (name.ends_with(kNamedRow) && written.ends_with("name: string"))
+      written = written.substr(0, written.rfind(written == "name: string" ? "name" : ", name"));
+    return fmt::format("{} {}({})", rest.substr(0, row), rest.substr(row + 1), written);
+  }
   const std::string_view parameters = parameters_of(signature);
   const std::size_t second = parameters.find(", ");
   if (second == std::string_view::npos) return fmt::format("{}{}", name, result_of(signature));

@@ -182,6 +182,8 @@ struct VmState {
   Marks marks;
   std::unique_ptr<Scheduler> scheduler;  // of the run; null before it
   std::optional<BegunCall> call;         // a function runs instead of the program
+  std::uint64_t started = 0;             // tasks that the host has started
+  bool is_read = false;                  // by the host, and no trace may stay
   HostAccess host_access;
   std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does

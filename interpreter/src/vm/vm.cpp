@@ -233,7 +233,7 @@ void Vm::advise(const Failure& advice) {
 
 bool Vm::print(std::string_view text) {
   constexpr std::size_t kPiece = 1U << 16U;
-  if (!options_.output) return true;
+  if (!options_.output || state_->is_read) return true;
   std::uint64_t& left = state_->output_left;
   const std::string_view fitting = whole_characters(text, left);
   left -= fitting.size();

@@ -8,6 +8,7 @@
 #include "armlet/interpreter/host/globals.hpp"
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
+#include "armlet/interpreter/host/tasks.hpp"
 #include "replay/call_by_name.hpp"
 #include "session/run.hpp"
 
@@ -67,18 +68,30 @@ void Session::apply(const Input& input) {
   const Input taken = input;  // a call may change the list
   run_->journal->pass();
   try {
-    std::visit(
-        Overload{[this](const SetSignal& each) {
-                   run_->host->cell().signals().set(each.name, each.value);
-                 },
-                 [this](const SetGlobal& each) { run_->vm->set(each.name, each.value); },
-                 [this](const CallFunction& each) {
-                   static_cast<void>(call_function(*run_->vm, each.name, each.arguments, [] {}));
-                 }},
-        taken.what);
+    static_cast<void>(act(taken.what));
   } catch (const ArgumentError&) {
     // Another text may have no such name: there is nothing to set or to call.
   }
+}
+
+std::optional<Error> Session::act(const Action& action) {
+  std::optional<Error> refused;
+  Vm& vm = *run_->vm;
+  Cell& cell = run_->host->cell();
+  std::visit(Overload{[&](const SetSignal& each) { cell.signals().set(each.name, each.value); },
+                      [&](const SetGlobal& each) { vm.set(each.name, each.value); },
+                      [&](const CallFunction& each) {
+                        static_cast<void>(call_function(vm, each.name, each.arguments, [] {}));
+                      },
+                      [&](const PressButton& each) { refused = start_task(vm, each.name); },
+                      [&](const MoveJoints& each) {
+                        const std::optional<int> robot = cell.find_robot(each.robot);
+                        if (!robot) throw ArgumentError("There is no such robot.");
+                        cell.set_joints(*robot, Eigen::Map<const Eigen::VectorXd>(
+                                                    each.q.data(), std::ssize(each.q)));
+                      }},
+             action);
+  return refused;
 }
 
 void Session::apply_due_inputs() {

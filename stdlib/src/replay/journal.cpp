@@ -53,17 +53,31 @@ Reply Journal::save(std::string_view name, std::string_view content,
   Fnv1a hash;
   hash.add(content);
   return ask(fmt::format("save {} {:016x}", name, hash.value()), [&] {
-    if (!silent_) return outside();
-    unwritten_.insert_or_assign(std::string(name), std::string(content));
-    return Reply{.question = {}, .text = std::string(name)};
+    if (silent_) return keep_unwritten(name, content);
+    Reply reply = outside();
+    return keeps_files_ || reply.error ? reply : keep_unwritten(name, content);
   });
+}
+
+Reply Journal::keep_unwritten(std::string_view name, std::string_view content) {
+  constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+  std::string& held = unwritten_[std::string(name)];
+  const std::size_t bytes = unwritten_bytes_ - held.size() + content.size();
+  if (!keeps_files_ && bytes > kMostBytes) {
+    return Reply{.error = Error{"file", fmt::format("the files of this run have more than {} MB",
+                                                    kMostBytes >> 20U)}};
+  }
+  held = content;
+  unwritten_bytes_ = bytes;
+  return Reply{.question = {}, .text = std::string(name)};
 }
 
 Reply Journal::load(const std::string& name, const std::function<Reply()>& outside) {
   return ask("load " + name, [&] {
     const auto found = unwritten_.find(name);
-    return !silent_ || found == unwritten_.end() ? outside()
-                                                 : Reply{.question = {}, .text = found->second};
+    const bool is_written = keeps_files_ && !silent_;
+    return is_written || found == unwritten_.end() ? outside()
+                                                   : Reply{.question = {}, .text = found->second};
   });
 }
 

@@ -33,6 +33,9 @@ class Journal {
   // none.
   void set_silent(bool silent) { silent_ = silent; }
   [[nodiscard]] bool is_silent() const { return silent_; }
+  // Whether files are written at all, by runs that are heard.
+  void set_keeps_files(bool keeps) { keeps_files_ = keeps; }
+  [[nodiscard]] bool keeps_files() const { return keeps_files_; }
 
   // ---- what the host does
   // The next thing that it did in the run that this one repeats; null: nothing more.
@@ -45,8 +48,7 @@ class Journal {
   // ---- what the run asks
   // As the log has it; otherwise what `outside` says, which is kept.
   Reply ask(std::string question, const std::function<Reply()>& outside);
-  // The same for a file that is saved, which is not written in a silent run, but can be loaded in
-  // it.
+  // The same for a file that is saved, which can be loaded in the run where it is not written.
   Reply save(std::string_view name, std::string_view content,
              const std::function<Reply()>& outside);
   Reply load(const std::string& name, const std::function<Reply()>& outside);
@@ -71,6 +73,8 @@ class Journal {
   [[nodiscard]] bool is_at_its_end() const;
 
  private:
+  Reply keep_unwritten(std::string_view name, std::string_view content);
+
   LoggedEntry* entry_ = nullptr;
   bool has_later_ = false;
   std::size_t inputs_ = 0;  // that have taken effect
@@ -80,8 +84,10 @@ class Journal {
   std::uint64_t pieces_ = 0;  // of output
   Instant place_{};
   bool silent_ = false;
+  bool keeps_files_ = true;
   std::optional<LoggedEntry> left_;
-  std::map<std::string, std::string, std::less<>> unwritten_;  // by name: saved in silence
+  std::map<std::string, std::string, std::less<>> unwritten_;  // by name: saved, and not written
+  std::size_t unwritten_bytes_ = 0;
 };
 
 }  // namespace armlet

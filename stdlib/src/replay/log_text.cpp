@@ -48,20 +48,26 @@ std::string text_of(const Value& value) {
 void append_input(std::string& out, const Input& input) {
   const std::string t = std::to_string(input.at.t_ns);
   const std::string steps = std::to_string(input.at.steps);
-  std::visit(Overload{[&](const SetSignal& each) {
-                        const bool* on = std::get_if<bool>(&each.value);
-                        const Value value =
-                            on != nullptr ? Value(*on) : Value(std::get<1>(each.value));
-                        append_record(out, "signal", {t, steps, each.name, text_of(value)});
-                      },
-                      [&](const SetGlobal& each) {
-                        append_record(out, "set", {t, steps, each.name, text_of(each.value)});
-                      },
-                      [&](const CallFunction& each) {
-                        const Value arguments(Value::List(each.arguments));
-                        append_record(out, "call", {t, steps, each.name, text_of(arguments)});
-                      }},
-             input.what);
+  std::visit(
+      Overload{[&](const SetSignal& each) {
+                 const bool* on = std::get_if<bool>(&each.value);
+                 const Value value = on != nullptr ? Value(*on) : Value(std::get<1>(each.value));
+                 append_record(out, "signal", {t, steps, each.name, text_of(value)});
+               },
+               [&](const SetGlobal& each) {
+                 append_record(out, "set", {t, steps, each.name, text_of(each.value)});
+               },
+               [&](const CallFunction& each) {
+                 const Value arguments(Value::List(each.arguments));
+                 append_record(out, "call", {t, steps, each.name, text_of(arguments)});
+               },
+               [&](const PressButton& each) {
+                 append_record(out, "press", {t, steps, each.name});
+               },
+               [&](const MoveJoints& each) {
+                 append_record(out, "joints", {t, steps, each.robot, text_of(Value(each.q))});
+               }},
+      input.what);
 }
 
 void append_entry(std::string& out, const LoggedEntry& entry) {
@@ -105,6 +111,7 @@ std::string write(const SessionLog& log) {
                  std::to_string(limits.call_depth), std::to_string(limits.output_bytes),
                  std::to_string(limits.time_ns)});
   append_record(out, "open", {log.open ? "yes" : "no"});
+  if (log.laboratory) append_record(out, "laboratory", {"yes"});
   for (const LoggedEntry& each : log.entries) append_entry(out, each);
   for (const RunMark& each : log.marks)
     append_record(out, "mark", {std::to_string(each.t_ns), fmt::format("{:016x}", each.hash)});
@@ -223,6 +230,10 @@ class Reader {
     if (fields[0] != "yes" && fields[0] != "no") refuse("yes or no");
     log_.open = fields[0] == "yes";
   }
+  void take_laboratory(Fields fields) {
+    if (fields[0] != "yes") refuse("yes");
+    log_.laboratory = true;
+  }
   LoggedEntry& begin(EntryKind kind, std::string_view name) {
     LoggedEntry& entry = log_.entries.emplace_back();
     entry.kind = kind;
@@ -255,6 +266,21 @@ class Reader {
     entry().inputs.push_back(
         {place(fields), CallFunction{std::string(fields[2]), arguments(fields[3])}});
   }
+  void take_press(Fields fields) {
+    entry().inputs.push_back({place(fields), PressButton{std::string(fields[2])}});
+  }
+  void take_joints(Fields fields) {
+    const Value given = value(fields[3]);
+    MoveJoints moved{std::string(fields[2]), {}};
+    const auto* list = given.get_if<Value::List>();
+    if (list == nullptr) refuse("a list of joint values");
+    for (const Value& each : *list) {
+      const auto* number = each.get_if<Value::Number>();
+      if (number == nullptr) refuse("a joint value");
+      moved.q.push_back(number->si);
+    }
+    entry().inputs.push_back({place(fields), std::move(moved)});
+  }
   void take_reply(Fields fields) {
     entry().replies.push_back({std::string(fields[0]), std::string(fields[1])});
   }
@@ -273,15 +299,27 @@ class Reader {
   }
 
   static constexpr Kind kKinds[] = {
-      {"robot", 1, &Reader::take_robot},     {"planner", 1, &Reader::take_planner},
-      {"world", 2, &Reader::take_world},     {"default-world", 2, &Reader::take_default_world},
-      {"limits", 5, &Reader::take_limits},   {"open", 1, &Reader::take_open},
-      {"program", 2, &Reader::take_program}, {"run", 2, &Reader::take_run},
-      {"entry", 2, &Reader::take_entry},     {"import", 4, &Reader::take_import},
-      {"signal", 4, &Reader::take_signal},   {"set", 4, &Reader::take_set},
-      {"call", 4, &Reader::take_call},       {"reply", 2, &Reader::take_reply},
-      {"refusal", 3, &Reader::take_refusal}, {"cancel", 3, &Reader::take_cancel},
-      {"stop", 1, &Reader::take_stop},       {"end", 2, &Reader::take_end},
+      {"robot", 1, &Reader::take_robot},
+      {"planner", 1, &Reader::take_planner},
+      {"world", 2, &Reader::take_world},
+      {"default-world", 2, &Reader::take_default_world},
+      {"limits", 5, &Reader::take_limits},
+      {"open", 1, &Reader::take_open},
+      {"program", 2, &Reader::take_program},
+      {"run", 2, &Reader::take_run},
+      {"entry", 2, &Reader::take_entry},
+      {"import", 4, &Reader::take_import},
+      {"signal", 4, &Reader::take_signal},
+      {"set", 4, &Reader::take_set},
+      {"call", 4, &Reader::take_call},
+      {"reply", 2, &Reader::take_reply},
+      {"refusal", 3, &Reader::take_refusal},
+      {"cancel", 3, &Reader::take_cancel},
+      {"press", 3, &Reader::take_press},
+      {"joints", 4, &Reader::take_joints},
+      {"laboratory", 1, &Reader::take_laboratory},
+      {"stop", 1, &Reader::take_stop},
+      {"end", 2, &Reader::take_end},
       {"mark", 2, &Reader::take_mark},
   };
 

@@ -30,6 +30,8 @@ std::string difference(const SessionLog& ours, const SessionLog& theirs) {
   if (ours.planners != theirs.planners) return "the log was made with other planners of the host";
   if (ours.world != theirs.world || ours.default_world != theirs.default_world)
     return "the log was made in another world";
+  if (ours.laboratory != theirs.laboratory)
+    return theirs.laboratory ? "the log is of a laboratory" : "the session is that of a laboratory";
   if (!is_same(ours.limits, theirs.limits)) return "the log was made with other limits of runs";
   const auto& entries = theirs.entries;
   if (entries.empty()) return "the log holds no entry";
@@ -55,6 +57,7 @@ SessionLog Session::log_of(const std::vector<Entry>& entries) const {
   log.default_world = options_.default_world;
   log.limits = options_.limits;
   log.open = options_.open;
+  log.laboratory = options_.laboratory;
   for (const Entry& each : entries) log.entries.push_back(each.logged);
   return log;
 }

@@ -55,6 +55,7 @@ std::span<const NativeFunction> table_functions();
 std::span<const NativeFunction> plot_functions();
 std::span<const NativeFunction> plot_line_functions();
 std::span<const NativeFunction> plot_motion_functions();
+std::span<const NativeFunction> lab_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 

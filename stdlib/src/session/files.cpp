@@ -36,7 +36,9 @@ Result<fs::path> Host::write(const FileKind& kind, const std::string& name,
   if (!folder.ok()) return refuse("the folder of the program cannot be opened");
   const Result<std::string> clean = folder->clean(name);
   if (!clean.ok()) return refusal(clean.error(), "write");
-  if (const auto error = folder->save(*clean, content)) return refusal(*error, "write");
+  const bool keeps = options_.journal == nullptr || options_.journal->keeps_files();
+  const auto error = keeps ? folder->save(*clean, content) : std::nullopt;
+  if (error) return refusal(*error, "write");
   return options_.folder / *clean;
 }
 

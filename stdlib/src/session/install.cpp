@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "armlet/interpreter/later.hpp"
+#include "laboratory/lab_values.hpp"
 #include "messages/foreign_names.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
@@ -21,7 +22,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"mesh", "lab",
+constexpr std::string_view kPlanned[] = {"mesh",
                                          // settings of with
                                          "with.collisions"};
 
@@ -70,6 +71,7 @@ std::span<const Chapter> chapters() {
       {.title = "Figures", .functions = plot_functions()},
       {.title = "Figures: several lines", .functions = plot_line_functions()},
       {.title = "Figures: motions and records", .functions = plot_motion_functions()},
+      {.title = "Laboratories", .functions = lab_functions()},
       {.title = "Later", .functions = later_functions()},
   };
   return all;
@@ -80,7 +82,8 @@ std::span<const Chapter> chapters() {
 void install(Engine& engine) {
   for (const HostType* type :
        {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kShape, &bind::kTool,
-        &bind::kJointRow, &bind::kCamera, &bind::kImage, &bind::kTrajectory, &bind::kFinger}) {
+        &bind::kJointRow, &bind::kLab, &bind::kLabRow, &bind::kCamera, &bind::kImage,
+        &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }
   engine.add_record("Lu", "L: matrix, U: matrix, P: matrix");

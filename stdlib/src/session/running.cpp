@@ -8,10 +8,23 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
+#include "armlet/interpreter/host/tasks.hpp"
 #include "replay/call_by_name.hpp"
 #include "session/run.hpp"
 
 namespace armlet {
+namespace {
+
+// The variable is "scaraLab.pickIt".
+PressReport report_of(const TaskEnd& end) {
+  PressReport report{.button = std::string(end.variable.substr(end.variable.find('.') + 1)),
+                     .start_ns = end.start_ns,
+                     .end_ns = end.end_ns};
+  if (end.failure != nullptr) report.failure = *end.failure;
+  return report;
+}
+
+}  // namespace
 
 void Session::require_idle(std::string_view what) const {
   if (!is_running_.load()) return;
@@ -117,6 +130,7 @@ void Session::begin_cell(Entry& entry) {
   run.journal = std::make_unique<Journal>();
   run.journal->begin(entry.logged, run.entries.size() > 1);
   run.journal->set_silent(is_silent_);
+  run.journal->set_keeps_files(options_.keeps_files);
   run.host = make_host(run.journal.get());
   if (options_.world) fill_world(*run.host, *options_.world, problems_);
   take_world(*entry.program);
@@ -138,6 +152,10 @@ void Session::begin_cell(Entry& entry) {
   };
   vm_options.advice = [this](const Diagnostic& advice) {
     if (options_.advice && !is_silent_) options_.advice(advice);
+  };
+  vm_options.stays = options_.laboratory;
+  vm_options.on_task_end = [this](const TaskEnd& end) {
+    if (options_.on_press && !is_silent_) options_.on_press(report_of(end));
   };
   run.vm = std::make_unique<Vm>(entry.program, std::move(vm_options));
   if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*run.vm, breakpoints_);
@@ -232,6 +250,7 @@ Progress Session::run_slice(const Budget& budget) {
 }
 
 Progress Session::finish_slice(const Budget& budget) {
+  rest(budget);
   RunResult& result = run_->result;
   result = run_->vm->result();
   if (result.status == Progress::kDone && !come_to_rest(budget)) result.status = Progress::kPaused;
@@ -248,6 +267,35 @@ bool Session::come_to_rest(const Budget& budget) {
     if (!host.advance_to(until)) break;
   }
   return true;
+}
+
+// A robot of a laboratory may slow down still when its program has ended.
+void Session::rest(const Budget& budget) {
+  Vm& vm = *run_->vm;
+  Host& host = *run_->host;
+  while (!budget.until_ns && armlet::is_at_rest(vm)) {
+    const auto next = host.cell().next_event();
+    if (!next || *next <= host.now_ns()) break;
+    vm.run({.until_ns = *next});
+  }
+  // Who wished to stop what a button does has come to it.
+  if (!is_at_rest()) return;
+  cancelled_.store(false);
+  host.cell().begin();  // who listens is told what is there, also if nothing has moved
+}
+
+bool Session::is_at_rest() const {
+  return run_->is_under_way && armlet::is_at_rest(*run_->vm) && !run_->host->cell().next_event();
+}
+
+void Session::finish() {
+  require_idle("finish a run");
+  if (!is_at_rest())
+    throw ArgumentError("A run is finished when its program and all tasks have ended.");
+  armlet::finish(*run_->vm);
+  run_->result = run_->vm->result();
+  note_progress();
+  end_entry();
 }
 
 // ---- ends -------------------------------------------------------------------------------------

@@ -20,6 +20,10 @@ void destroy_as(void* value) {
   static_cast<T*>(value)->~T();
 }
 template <class T>
+void copy_as(const void* from, void* to) {
+  new (to) T(*static_cast<const T*>(from));
+}
+template <class T>
 const T& as(const void* value) {
   return *static_cast<const T*>(value);
 }
@@ -77,12 +81,14 @@ const HostType kPosJ{.name = "posJ",
                      .size = sizeof(PosJ),
                      .equal = equal_posj,
                      .text = text_posj,
-                     .help = "Joint values."};
+                     .help = "Joint values.",
+                     .copy = copy_as<PosJ>};
 const HostType kPosC{.name = "posC",
                      .size = sizeof(PosC),
                      .equal = equal_posc,
                      .text = text_posc,
-                     .help = "A place and orientation in space."};
+                     .help = "A place and orientation in space.",
+                     .copy = copy_as<PosC>};
 namespace {
 
 std::string arm_called(std::string_view name) {

@@ -279,7 +279,8 @@ struct Case {
 std::shared_ptr<const Program> example_of(const NativeFunction& f, std::string& text) {
   const std::string example(f.example);
   for (const std::string& body :
-       {example, "let r = " + example, "print(" + example + ")", "robot one { " + example + " }"}) {
+       {example, "let r = " + example, "print(" + example + ")", "robot one { " + example + " }",
+        "robot arm = robots.scara()\nlab one { " + example + " }"}) {
     text = "beginWatch()\n" + body + "\nendWatch()";
     if (auto program = compiled(text)) return program;
   }

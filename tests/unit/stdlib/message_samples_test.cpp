@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/stdlib/install.hpp"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "syntax/parse.hpp"
 

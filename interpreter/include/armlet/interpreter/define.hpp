@@ -136,6 +136,7 @@ struct CallOptions {
   bool interrupts = false;
   bool acts = false;
   bool in_path = false;
+  bool starts = false;
 };
 
 namespace typed {
@@ -158,6 +159,7 @@ constexpr NativeFunction row(std::string_view signature, std::string_view help,
           .interrupts = options.interrupts,
           .real3 = options.real3,
           .acts = options.acts,
+          .starts = options.starts,
           .in_path = options.in_path,
           .takes = SplitOf<F>::Calls::takes(),
           .gives = &SplitOf<F>::Calls::kGives};

@@ -146,6 +146,17 @@ class Engine {
   std::shared_ptr<Vocabulary> registry_;  // programs keep it too
 };
 
+// A task that the host had started (host/tasks.hpp) has ended.
+//
+// variable  that holds the function it ran.
+// failure   why it failed, or that it was cancelled; null: it is done.
+struct TaskEnd {
+  std::string_view variable;
+  std::int64_t start_ns = 0;
+  std::int64_t end_ns = 0;
+  const Diagnostic* failure = nullptr;
+};
+
 struct VmOptions {
   RunLimits limits;
   Timeline* timeline = nullptr;                   // null: a clock without a world
@@ -153,6 +164,9 @@ struct VmOptions {
   Output output;                                  // what `print` writes
   Memory memory;                                  // where its values lie; none: of the C library
   std::function<void(const Diagnostic&)> advice;  // advice given while running
+  // Where the program has ended, the run waits for what its host starts (host/tasks.hpp).
+  bool stays = false;
+  std::function<void(const TaskEnd&)> on_task_end;
 };
 
 // What a prompt shows after an entry: `let w = 80mm` as "w = 80 mm  length", an
@@ -256,6 +270,7 @@ class Vm {
 
  private:
   friend class ReadyFunction;
+  friend void finish(Vm& vm);
   Progress go_on(std::uint32_t function, const Budget& budget);
   void begin_call(std::uint32_t function, std::vector<Slot> arguments);
   void finish_entry();

@@ -17,7 +17,10 @@
 // "operator*" and its like operators between host types or lists; "motor{}" what a block
 // declaration of type motor calls, whose parameter `name` receives the declared name, and a
 // parameter `phase: phaseRow[]` the rows `phase wound(...)`, each made by
-// "motor.phase.wound"; "motor()" gives the ambient motor of the host; "Math.sqrt" style names
+// "motor.phase.wound"; rows that the program names, `phase u(...)`, are made by "motor.phase.NAME",
+// whose parameter `name` receives that name and whose parameter `value`, if it has one, becomes the
+// variable `m.u` of the program that the host may set: a block with such rows hands all of them, in
+// their order, to the parameter `rows`, and stands once; "motor()" gives the ambient motor of the host; "Math.sqrt" style names
 // live in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
 // settings of the block and before "with}" restores those from before on every way out of it;
 // "path.blend", "path{" and "path}" are the same for `path`, whose motions are made by "path{move}"
@@ -72,6 +75,8 @@ struct NativeFunction {
   bool interrupts = false;
   double (*real3)(double, double, double) = nullptr;  // as real1 and real2
   bool acts = false;                                  // gives a value, and changes the world
+  // The functions of the program that it is given run as tasks, which may take time.
+  bool starts = false;
   // May stand in a `path`, which otherwise holds nothing that acts or takes time: a motion that is
   // collected there, or a setting that moves obey when they are collected.
   bool in_path = false;

@@ -8,6 +8,7 @@
 #include "check/checker.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
+#include "check/names/named_rows.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/types/expressions.hpp"
 #include "check/types/long_lists.hpp"
@@ -123,6 +124,7 @@ hir::Expr* call_function(Checker& checker, std::string_view name, Span callee, S
 hir::Expr* call_member(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member) {
   const std::string_view name = member.member.text;
   const Span callee = member.member.span;
+  if (hir::Expr* value = named_row_value(checker, member)) return call_value(checker, value, call);
   if (const std::string group = dotted_name(checker, *member.object); !group.empty()) {
     if (const Import* from = checker.names.find_import(group))
       return call_imported(checker, *from, call, member);

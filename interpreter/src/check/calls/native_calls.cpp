@@ -186,7 +186,7 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
                                                  &function, checker.seq(values),
                                                  hir::CallSite{span, callee, checker.seq(spans)});
   if (hir::Expr* loop = over_list(checker, function, *call)) return loop;
-  note_callbacks(checker, function, values);
+  if (!function.starts) note_callbacks(checker, function, values);
   return run_rule(checker, name, arguments, fit, call);
 }
 

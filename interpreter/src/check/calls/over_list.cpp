@@ -72,6 +72,14 @@ hir::Expr* over_list(Checker& checker, const NativeFunction& function, hir::Call
                                          call.arguments, call.site);
 }
 
+// Of a row that the program names, "motor.phase.NAME": its word.
+static std::string_view written_name(const NativeFunction& function) {
+  std::string_view name = function.name;
+  if (!name.ends_with(kNamedRow)) return name;
+  name.remove_suffix(kNamedRow.size());
+  return name.substr(name.rfind('.') + 1);
+}
+
 void note_callbacks(Checker& checker, const NativeFunction& function,
                     const std::vector<hir::Expr*>& values) {
   for (const hir::Expr* value : values) {
@@ -80,7 +88,7 @@ void note_callbacks(Checker& checker, const NativeFunction& function,
       given = value->as<hir::FunctionValueExpr>().function;
     if (value->kind == hir::ExprKind::kClosure) given = value->as<hir::ClosureExpr>().function;
     if (given != nullptr)
-      checker.shared.postponed.add(Postponed::Callback{function.name, given, value->span});
+      checker.shared.postponed.add(Postponed::Callback{written_name(function), given, value->span});
   }
 }
 

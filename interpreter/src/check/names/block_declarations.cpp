@@ -7,13 +7,15 @@
 #include "check/checker.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
+#include "check/names/named_rows.hpp"
 #include "check/names/unknown_names.hpp"
 
 namespace armlet::lang {
 
 namespace {
 
-hir::Expr* block_value(Checker& checker, const ast::ObjectStmt& stmt, const Type* type);
+hir::Expr* block_value(Checker& checker, const ast::ObjectStmt& stmt, const Type* type,
+                       std::vector<hir::Stmt*>& out);
 std::vector<Argument> block_rows(Checker& checker, const ast::ObjectStmt& stmt);
 void add_missing_rows(Checker& checker, const NativeFunction& maker, Span span,
                       std::vector<Argument>& arguments);
@@ -27,8 +29,9 @@ hir::Stmt* check_object(Checker& checker, const ast::ObjectStmt& stmt) {
   Use used;
   Use& use_before = checker.scopes.use();
   if (top_level) checker.scopes.collect_in(used);
+  std::vector<hir::Stmt*> out;
   hir::Expr* value =
-      type->is(Kind::kAny) ? checker.failed(stmt.span) : block_value(checker, stmt, type);
+      type->is(Kind::kAny) ? checker.failed(stmt.span) : block_value(checker, stmt, type, out);
   checker.scopes.collect_in(use_before);
   const bool fresh = is_free(checker, stmt.name);
   if (fresh && top_level) refuse_second_owner(checker, stmt, type);
@@ -40,12 +43,43 @@ hir::Stmt* check_object(Checker& checker, const ast::ObjectStmt& stmt) {
   if (top_level) {
     checker.shared.top_level.add(variable, init, std::move(used));
   }
-  return init;
+  if (out.empty()) return init;
+  out.push_back(init);
+  return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(out));
+}
+
+hir::Expr* unknown_row(Checker& checker, const ast::ObjectStmt& stmt, const ast::BlockItem& item) {
+  const std::string type = checker.text_of(stmt.type->span);
+  const std::string part = type + '.' + std::string(item.name.text);
+  const bool wrong_part = !checker.registry.is_namespace(part);
+  const std::string prefix = wrong_part ? type + '.' : part + '.';
+  std::vector<std::string_view> known;
+  for (std::string_view name : checker.registry.public_names()) {
+    if (!name.starts_with(prefix)) continue;
+    name.remove_prefix(prefix.size());
+    if (wrong_part == (name.find('.') != std::string_view::npos))
+      known.push_back(name.substr(0, name.find('.')));
+  }
+  const ast::Name& word = wrong_part ? item.name : item.constructor;
+  Diagnostic diagnostic = make_diagnostic("E0201", word.span, {std::string(word.text)});
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  if (wrong_part && !known.empty()) {
+    diagnostic.why = "the rows of a `" + type + "` block are ";
+    for (std::size_t i = 0; i < known.size(); ++i)
+      diagnostic.why += (i == 0                 ? ""
+                         : i + 1 < known.size() ? ", "
+                                                : " and ") +
+                        ('`' + std::string(known[i]) + '`');
+  }
+  diagnostic.fix = did_you_mean(checker, word.text, word.span, known);
+  checker.report(std::move(diagnostic));
+  return checker.failed(item.span);
 }
 
 namespace {
 
-hir::Expr* block_value(Checker& checker, const ast::ObjectStmt& stmt, const Type* type) {
+hir::Expr* block_value(Checker& checker, const ast::ObjectStmt& stmt, const Type* type,
+                       std::vector<hir::Stmt*>& out) {
   const std::string_view type_text = checker.arena.copy(type_name(type));
   const std::string_view maker = checker.arena.copy(std::string(type_text) + "{}");
   const auto makers = checker.registry.functions(maker);
@@ -55,7 +89,10 @@ hir::Expr* block_value(Checker& checker, const ast::ObjectStmt& stmt, const Type
                                    {std::string(type_text), "a type without a block form"}));
     return checker.failed(stmt.span);
   }
-  std::vector<Argument> arguments = block_rows(checker, stmt);
+  const bool names_rows = checker.registry.has_named_rows(type_text);
+  if (names_rows && !may_have_named_rows(checker, stmt)) return checker.failed(stmt.span);
+  std::vector<Argument> arguments =
+      names_rows ? named_rows(checker, stmt, out) : block_rows(checker, stmt);
   for (const ast::BlockItem& item : stmt.items) {
     if (item.is_row) continue;
     Argument argument{.name = item.name.text, .name_span = item.name.span, .written = item.value};
@@ -125,22 +162,7 @@ hir::Expr* block_row(Checker& checker, const ast::ObjectStmt& stmt, const ast::B
   const std::string part = checker.text_of(stmt.type->span) + '.' + std::string(item.name.text);
   const std::string full = part + '.' + std::string(item.constructor.text);
   const auto makers = checker.registry.functions(full);
-  if (makers.empty()) {
-    std::vector<std::string_view> known;
-    const bool wrong_part = !checker.registry.is_namespace(part);
-    const std::string prefix = wrong_part ? checker.text_of(stmt.type->span) + '.' : part + '.';
-    for (std::string_view name : checker.registry.public_names()) {
-      if (!name.starts_with(prefix)) continue;
-      name.remove_prefix(prefix.size());
-      if (wrong_part == (name.find('.') != std::string_view::npos))
-        known.push_back(name.substr(0, name.find('.')));
-    }
-    const ast::Name& word = wrong_part ? item.name : item.constructor;
-    Diagnostic diagnostic = make_diagnostic("E0201", word.span, {std::string(word.text)});
-    diagnostic.fix = did_you_mean(checker, word.text, word.span, known);
-    checker.report(std::move(diagnostic));
-    return checker.failed(item.span);
-  }
+  if (makers.empty()) return unknown_row(checker, stmt, item);
   const std::string_view name = checker.arena.copy(full);
   return call_native(checker, item.constructor.text, makers, item.constructor.span, item.span,
                      arguments_of(checker, item.args, name));

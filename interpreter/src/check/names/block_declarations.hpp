@@ -8,4 +8,7 @@ namespace armlet::lang {
 
 hir::Stmt* check_object(Checker& checker, const ast::ObjectStmt& stmt);
 
+// E0201: a row whose words are none of this block's.
+hir::Expr* unknown_row(Checker& checker, const ast::ObjectStmt& stmt, const ast::BlockItem& item);
+
 }  // namespace armlet::lang

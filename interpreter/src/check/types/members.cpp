@@ -8,6 +8,7 @@
 #include "check/learnt.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
+#include "check/names/named_rows.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/statements/recordings.hpp"
 #include "check/types/long_lists.hpp"
@@ -62,6 +63,7 @@ std::string dotted_name(Checker& checker, const ast::Expr& expr) {
 }
 
 hir::Expr* check_member(Checker& checker, const ast::MemberExpr& member, const Type* expected) {
+  if (hir::Expr* value = named_row_value(checker, member)) return value;
   const std::string name = dotted_name(checker, *member.object);
   if (const Import* from = checker.names.find_import(name))
     return imported_member(checker, *from, member, expected);

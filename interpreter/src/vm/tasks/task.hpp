@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "armlet/core/platform.hpp"
@@ -105,10 +106,12 @@ struct Task {
   const hir::Function* function = nullptr;  // null: the program
   Task* parent = nullptr;                   // who started it
   Watch* watch = nullptr;                   // whose body it is
-  Obj* entry = nullptr;                     // the closure that it runs; owned
-  std::uint32_t depth = 0;                  // of tasks that started tasks
-  std::size_t place = 0;                    // among the branches of its parent
-  bool is_ready = false;                    // has not begun
+  std::string started_as;                   // by the host: the variable with its function
+  std::int64_t started_ns = 0;
+  Obj* entry = nullptr;     // the closure that it runs; owned
+  std::uint32_t depth = 0;  // of tasks that started tasks
+  std::size_t place = 0;    // among the branches of its parent
+  bool is_ready = false;    // has not begun
   bool has_ended = false;
   bool is_cancelled = false;  // how it ends is nobody's business
   Random random{0};

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "vm/failures/failures.hpp"
+#include "vm/tasks/tasks.hpp"
 
 namespace armlet::lang {
 
@@ -36,6 +37,7 @@ void make_new(Task& task) {
   task.function = nullptr;
   task.parent = nullptr;
   task.watch = nullptr;
+  task.started_as.clear();
   task.depth = 0;
   task.is_ready = task.has_ended = task.is_cancelled = task.joins = false;
   task.parallels = 0;
@@ -108,7 +110,9 @@ void TaskTree::end(Task& task, FaultPtr fault) {
   state_.heap.discharge(kFirstBytes);
   task.shrink(state_.heap);
   const bool counts = fault != nullptr && (!task.is_cancelled || fault->is_leaving);
-  if (Watch* watch = task.watch) {
+  if (!task.started_as.empty()) {
+    end_started(task, std::move(fault));
+  } else if (Watch* watch = task.watch) {
     skip_beats(*watch);
     watch->running = nullptr;
     if (counts) fail_block(*watch, fault);
@@ -116,6 +120,38 @@ void TaskTree::end(Task& task, FaultPtr fault) {
     task.parent->branches[task.place] = nullptr;
     --task.parent->alive;
     if (counts) fail_parallel(*task.parent, fault);
+  }
+}
+
+Task* TaskTree::create_started(Obj* closure, std::string_view variable) {
+  Task* task = create(state_.main, closure);
+  if (task == nullptr) return nullptr;
+  task->started_as = variable;
+  task->started_ns = state_.vm.timeline().now_ns();
+  task->host_data.reset();
+  // The first one draws other numbers than the branches of the program do.
+  task->random = state_.main.random.split(~std::uint64_t{0}).split(state_.started++);
+  return task;
+}
+
+void TaskTree::cancel_started() {
+  for (const auto& task : tasks_)
+    if (!task->started_as.empty()) cancel(*task, Reach::kFinally);
+}
+
+// Its failure is its own, unless the whole program ends with it.
+void TaskTree::end_started(Task& task, FaultPtr fault) {
+  if (state_.options.on_task_end) {
+    state_.options.on_task_end({.variable = task.started_as,
+                                .start_ns = task.started_ns,
+                                .end_ns = state_.vm.timeline().now_ns(),
+                                .failure = fault == nullptr ? nullptr : &fault->diagnostic});
+  }
+  if (fault == nullptr || !fault->is_leaving) return;
+  if (state_.scheduler->is_resting()) {
+    state_.reopen();
+  } else {
+    interrupt(state_.main, std::move(fault));
   }
 }
 
@@ -132,6 +168,7 @@ void TaskTree::interrupt(Task& task, FaultPtr fault) {
   if (task.interrupted == nullptr || outranks(*fault, *task.interrupted))
     task.interrupted = std::move(fault);
   cancel_branches(task, reach);
+  if (&task == &state_.main && reach != Reach::kHandlers && from == 0) cancel_started();
   if (reach != Reach::kHandlers) {
     stop_watching(task, from);
     cancel_bodies(task, from, reach);
@@ -173,6 +210,10 @@ void TaskTree::rest() {
 }
 
 void TaskTree::end_at_once(Task& task) {
+  if (&task == &state_.main) {
+    for (const auto& other : tasks_)
+      if (!other->started_as.empty() && !other->has_ended) kill(*other);
+  }
   for (Task* branch : task.branches) {
     if (branch != nullptr) kill(*branch);
   }

@@ -36,6 +36,10 @@ class TaskTree {
   [[nodiscard]] const std::vector<std::unique_ptr<Task>>& all() const { return tasks_; }
   // A task that will begin to run the closure. Null: the failure is set.
   [[nodiscard]] Task* create(Task& parent, Obj* closure);
+  // The same for a function that the host starts, which a variable holds.
+  [[nodiscard]] Task* create_started(Obj* closure, std::string_view variable);
+  // Those of them that run are brought to an end.
+  void cancel_started();
   // The running task is done, or failed; whoever waits for it is told.
   void end(Task& task, std::shared_ptr<Fault> fault);
   // The fault is raised in a waiting task once what it does has come to a stop.
@@ -79,6 +83,7 @@ class TaskTree {
     Span head;
     std::int64_t count = 0;
   };
+  void end_started(Task& task, std::shared_ptr<Fault> fault);
   void cancel_branches(Task& task, Reach reach);
   void fail_parallel(Task& parent, const std::shared_ptr<Fault>& fault);
   void skip_beats(Watch& watch);

@@ -26,6 +26,19 @@ bool may_continue(const Task& task) {
   return task.is_ready || task.waiting->is_over() || task.waiting->has_work();
 }
 
+// The program after its end, in a run that stays.
+class Rest final : public Waiting {
+ public:
+  [[nodiscard]] std::int64_t due_ns() const override { return kNever; }
+  [[nodiscard]] bool is_over() const override { return is_stopped_; }
+  void stop() override { is_stopped_ = true; }
+  Signal finish(Vm&, Slot&) override { return Signal::kDone; }
+  [[nodiscard]] std::string what() const override { return "its host"; }
+
+ private:
+  bool is_stopped_ = false;
+};
+
 // What it does next is no more than the text says: it begins, or those that it started have ended.
 bool is_quiet(const Task& task) {
   const bool is_triggered = task.watch != nullptr && task.watch->condition != nullptr;
@@ -80,10 +93,23 @@ Exit Scheduler::run_program() {
 Exit Scheduler::finished(Exit exit) {
   if (exit != Exit::kDone) return exit;
   while (state_.main.top > state_.main.frames) leave_frame(state_, state_.main);
+  if (state_.options.stays && !state_.newest->entry.is_one) {
+    state_.main.waiting = std::make_unique<Rest>();
+    is_resting_ = true;
+    return Exit::kPaused;
+  }
   return !state_.newest->entry.is_one || end_entry(state_) ? Exit::kDone : Exit::kPaused;
 }
 
+void Scheduler::begin_started() {
+  if (stage_ != Stage::kTime) return;  // its turn comes
+  target_ns_.reset();
+  pass_ = {};
+  stage_ = Stage::kTasks;
+}
+
 void Scheduler::end() {
+  is_resting_ = false;
   if (state_.newest->entry.is_one) {
     tree_.rest();
   } else {
@@ -289,6 +315,7 @@ std::int64_t Scheduler::next_cancellation() const {
 }
 
 std::optional<std::int64_t> Scheduler::choose_instant() {
+  if (is_at_rest()) return std::min(until_ns_, state_.options.limits.time_ns);
   const std::int64_t next = next_instant();
   if (next == kNever) {
     fail_everywhere(Headline("R0621"), waited_for());
@@ -313,6 +340,7 @@ Exit Scheduler::pass_time() {
     leave_for(Stage::kInstant);
     return stop();
   }
+  if (is_at_rest() && until_ns_ == kNever) return Exit::kSliced;
   if (!target_ns_) target_ns_ = choose_instant();
   if (!target_ns_) {
     stage_ = Stage::kInstant;
@@ -341,6 +369,13 @@ Exit Scheduler::pass_time() {
 Exit Scheduler::stop() {
   state_.running = &state_.main;
   raise_cancelled(state_);
+  if (is_resting_) {
+    const FaultPtr fault = std::move(state_.fault);
+    for (const auto& task : tree_.all())
+      if (!task->started_as.empty() && !task->has_ended) tree_.interrupt(*task, fault);
+    if (tree_.all().empty()) state_.reopen();
+    return Exit::kPaused;
+  }
   tree_.interrupt(state_.main, std::move(state_.fault));
   return Exit::kPaused;
 }
@@ -361,7 +396,7 @@ Exit Scheduler::abandon() {
 // Raised in the program itself; when that is being ended already, in whoever still waits.
 void Scheduler::fail_everywhere(const Headline& headline, std::string why) {
   std::vector<Task*> victims;
-  if (state_.main.interrupted == nullptr) {
+  if (state_.main.interrupted == nullptr && !is_resting_) {
     victims.push_back(&state_.main);
   } else {
     for (const auto& task : tree_.all()) {
@@ -386,7 +421,7 @@ std::string Scheduler::waited_for() const {
     const std::string name = task_name(task);
     text += (name.empty() ? "the program" : name) + " waits for " + task.waiting->what();
   };
-  add(state_.main);
+  if (!is_resting_) add(state_.main);
   for (const auto& task : tree_.all()) add(*task);
   return text;
 }

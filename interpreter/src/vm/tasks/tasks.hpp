@@ -23,6 +23,15 @@ class Scheduler {
   // steps of the meter are used, or all has happened up to the virtual time `until_ns`.
   [[nodiscard]] Exit go_on(std::int64_t until_ns);
 
+  // ---- a run that stays (VmOptions::stays)
+  // The program has ended, and the run waits for its host.
+  [[nodiscard]] bool is_resting() const { return is_resting_; }
+  [[nodiscard]] bool is_at_rest() const { return is_resting_ && tree_.all().empty(); }
+  // A task was started between two slices: it begins at this instant.
+  void begin_started();
+  // At rest: the run ends.
+  void finish() { end(); }
+
  private:
   // What comes next. The rounds of one instant repeat until every task waits for a later one.
   enum class Stage : std::uint8_t {
@@ -83,6 +92,7 @@ class Scheduler {
   const std::uint32_t function_;
   const std::vector<Slot> arguments_;
   Stage stage_ = Stage::kBegin;
+  bool is_resting_ = false;
   double last_ = 0.0;          // the double computed last by the task that the slice has cut
   std::int64_t until_ns_ = 0;  // of the slice
   std::int64_t resumed_ns_ = 0;

@@ -18,6 +18,7 @@
 #include "armlet/interpreter/native.hpp"
 #include "armlet/model/robot.hpp"
 #include "armlet/plot/figure.hpp"
+#include "armlet/stdlib/laboratory_rows.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "armlet/trajectory/velocity.hpp"
 
@@ -33,6 +34,14 @@ struct MoveReport {
   double duration = 0.0;  // s
   bool stopped = false;   // by a guard
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+};
+
+// A button of a laboratory was pressed, and the task that it started has ended.
+struct PressReport {
+  std::string button;
+  std::int64_t start_ns = 0;
+  std::int64_t end_ns = 0;
+  std::optional<Diagnostic> failure{};  // why it failed, or that it was cancelled
 };
 
 // One move of a motion that is made of several.
@@ -158,6 +167,10 @@ class Host : public Timeline {
   // The last figure has changed: tells who listens.
   void figure_changed();
 
+  // What the `lab` block of the program says; null: it has come to none.
+  void set_lab(LabRows lab) { lab_ = std::move(lab); }
+  [[nodiscard]] const LabRows* lab() const { return lab_ ? &*lab_ : nullptr; }
+
   void remember_motion(int robot, LastMotion motion);
   // Null if it has not moved.
   [[nodiscard]] const LastMotion* last_motion(int robot) const;
@@ -176,6 +189,7 @@ class Host : public Timeline {
 
  private:
   [[noreturn]] static void refuse_no_host();
+  // Nothing of `content` is written where the run keeps no files; the name is checked alike.
   [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
                                                     std::string_view content) const;
   [[nodiscard]] Result<std::string> read(const std::string& name) const;
@@ -190,6 +204,7 @@ class Host : public Timeline {
   int default_robot_ = -1;
   std::string world_name_;
   std::vector<Figure> figures_;
+  std::optional<LabRows> lab_;
   std::vector<std::string> skipped_;
   bool filling_ = false;
   bool contact_pick_reported_ = false;

@@ -20,6 +20,7 @@
 namespace armlet {
 
 class Journal;
+class LabControls;
 
 struct SessionOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
@@ -28,10 +29,14 @@ struct SessionOptions {
   std::optional<WorldText>
       default_world;             // used when a program names an object and no world is given
   std::filesystem::path folder;  // below which the program may write files; empty: none
+  bool keeps_files = true;       // otherwise what it saves can be loaded, and goes with the run
   ParseLimits parse_limits;
   bool open = false;     // see CompileOptions
   bool markers = false;  // see CompileOptions
-  ModuleLoader load;     // files that the program imports; none without it
+  // After the end of the program the run waits for inputs (laboratory_controls.hpp).
+  bool laboratory = false;
+  std::function<void(const PressReport&)> on_press;
+  ModuleLoader load;  // files that the program imports; none without it
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
@@ -191,6 +196,12 @@ class Session {
   // throws   ArgumentError without a program with markers, and while the session runs.
   std::vector<SourceLine> set_breakpoints(std::vector<SourceLine> lines);
 
+  // ---- laboratories (SessionOptions::laboratory)
+  // Whether the program has ended, and nothing happens before the next input.
+  [[nodiscard]] bool is_at_rest() const;
+  // Ends a run that is at rest, which is then done. throws  ArgumentError if it is not.
+  void finish();
+
   // The runs that were left for another one by going back, oldest first.
   [[nodiscard]] const std::vector<SessionLog>& runs() const { return runs_; }
   // Goes to where one of these had come, as go_to goes; the present one takes its place among them.
@@ -212,6 +223,7 @@ class Session {
   void cancel() noexcept;
 
  private:
+  friend class LabControls;
   struct Run;
   class OneSlice;
   class InReach;
@@ -240,6 +252,7 @@ class Session {
   Progress run_slice(const Budget& budget);
   Progress finish_slice(const Budget& budget);
   bool come_to_rest(const Budget& budget);
+  void rest(const Budget& budget);
   void end_entry();
   void take_back_entry();
   void tell_end();
@@ -248,6 +261,7 @@ class Session {
   [[nodiscard]] Instant instant() const;
   void keep(Input input);
   void apply(const Input& input);
+  std::optional<Error> act(const Action& action);
   void apply_due_inputs();
   // Runs to each input of the entry that is repeated, and beyond, until the budget is used.
   void run_along(const Budget& budget);

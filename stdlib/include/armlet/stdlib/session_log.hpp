@@ -41,9 +41,20 @@ struct CallFunction {
   std::vector<Value> arguments;
   bool operator==(const CallFunction&) const = default;
 };
+// What people do at the page of a laboratory (laboratory_controls.hpp).
+struct PressButton {
+  std::string name;  // of the variable that holds what it does: "scaraLab.pickIt"
+  bool operator==(const PressButton&) const = default;
+};
+struct MoveJoints {
+  std::string robot;
+  std::vector<double> q;  // rad or m
+  bool operator==(const MoveJoints&) const = default;
+};
+using Action = std::variant<SetSignal, SetGlobal, CallFunction, PressButton, MoveJoints>;
 struct Input {
   Instant at{};
-  std::variant<SetSignal, SetGlobal, CallFunction> what;
+  Action what;
   bool operator==(const Input&) const = default;
 };
 
@@ -100,6 +111,7 @@ struct SessionLog {
   std::optional<WorldText> default_world;
   RunLimits limits;
   bool open = false;
+  bool laboratory = false;
   std::vector<LoggedEntry> entries;
   std::vector<RunMark> marks;  // of RunMarks, if the host has put it among its backends
 };

@@ -1,0 +1,65 @@
+#pragma once
+// Inputs of a laboratory from a file, played without a page: one JSON object in each line.
+//
+//   {"t": 1.2, "set": "clearance", "value": 0.08}
+//   {"t": 2, "press": "pickIt"}
+//   {"t": 3, "joints": "arm", "values": [0.1, 0.2, 0.05, 0]}
+//   {"t": 4, "hand": "hand", "values": [0.3, 0.1, 0.2, 0]}
+//   {"t": 5, "show": "angles"}
+//
+// Times are seconds of virtual time and do not decrease; values are SI. Empty lines, and those that
+// begin with #, say nothing.
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "armlet/stdlib/session.hpp"
+#include "commands.hpp"
+
+namespace armlet::cli {
+
+class InputScript {
+ public:
+  // The exit status, after messages if the file cannot be read or is not as it should be. An empty
+  // path: no script.
+  int read(const std::string& path);
+  [[nodiscard]] bool is_wanted() const { return !path_.empty(); }
+
+  // Lets the program run with these inputs, and then until nothing happens any more. The exit
+  // status: kFailed after a message if an input is refused.
+  int play(Session& session) const;
+
+  struct Set {
+    std::string field;
+    std::variant<bool, double, std::int64_t, std::string> value;
+  };
+  struct Press {
+    std::string button;
+  };
+  struct Joints {
+    std::string robot;
+    std::vector<double> q;
+  };
+  struct Hand {
+    std::string sliders;
+    std::vector<double> values;
+  };
+  struct Show {
+    std::string row;
+  };
+  struct Line {
+    int number = 0;
+    std::int64_t t_ns = 0;
+    std::variant<Set, Press, Joints, Hand, Show> what;
+  };
+
+ private:
+  void tell(int line, const std::string& why) const;
+
+  std::string path_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace armlet::cli

@@ -1,0 +1,151 @@
+#pragma once
+// What a laboratory consists of; private to its sources.
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "laboratory.hpp"
+#include "pages.hpp"
+#include "runs/looker.hpp"
+
+namespace armlet::lab {
+
+// A wish to see an instant, or to step to one.
+struct Look {
+  int page = 0;
+  Seq seq;
+  int run = 0;
+  LookAt place{};
+  std::optional<StepHow> step;
+  bool moves_cursor = false;
+  bool has_stepped = false;
+};
+
+struct Laboratory::State {
+  explicit State(LaboratoryOptions given);
+
+  // ---- requests (requests.cpp)
+  void handle(Page& page, const Request& request);
+  void handle(Page& page, Seq seq, const Hello& hello);
+  void handle(Page& page, Seq seq, const SetText& text);
+  void handle(Page& page, Seq seq, const AskText& ask);
+  void handle(Page& page, Seq seq, const FormatText& format);
+  void handle(Page& page, Seq seq, const GoTo& go);
+  void handle(Page& page, Seq seq, const Step& step);
+  void handle(Page& page, Seq seq, const SetBreakpoints& breakpoints);
+  void handle(Page& page, Seq seq, const GiveInput& input);
+  void handle(Page& page, Seq seq, const AskInverse& ask);
+  void handle(Page& page, Seq seq, const ShowRun& show);
+  void handle(Page& page, Seq seq, const CompareRuns& compare);
+  void handle(Page& page, Seq seq, const FetchRun& fetch);
+  void handle(Page& page, Seq seq, const StopRun& stop);
+  void handle(Page& page, Seq seq, const TakeControl& take);
+  void handle(Page& page, Seq seq, const GiveControl& give);
+  void refuse(Page& page, Seq seq, std::string_view reason, std::string_view message);
+  // Whether the page may change something; otherwise it is told why not.
+  bool has_control(Page& page, Seq seq);
+
+  // ---- text and runs (runs.cpp)
+  // Takes the text and, if it `goes` and is right, begins its run; otherwise it is checked only.
+  void take_text(std::string given, std::int64_t version, bool goes);
+  [[nodiscard]] const Analysis& analysis();
+  [[nodiscard]] RunRecord* find_run(int number);
+  [[nodiscard]] RunRecord* shown_run() { return shown == 0 ? nullptr : find_run(shown); }
+  [[nodiscard]] RunRecord& new_run(std::string label, const RunRecord* parent);
+  void show(int run);
+  void drop_run(int run);
+  void drop_old_runs();
+  void end_live_run(const std::string& why);
+  // The log of a run as far as it has come; null: it is not known yet.
+  [[nodiscard]] const SessionLog* log_of(RunRecord& run);
+  [[nodiscard]] LiveRun* live_run(const RunRecord& run) {
+    return live != nullptr && live_number == run.number ? live.get() : nullptr;
+  }
+  bool advance_run();
+  bool advance_plots();
+  // Begins a run that is `parent` until a time, and then has the input.
+  void begin_fork(RunRecord& parent, std::int64_t t_ns, const GiveInput& input);
+  void end_fork();
+  // After the log of the run has become another one.
+  void forget_looks_of(const RunRecord& run);
+  void note_parting(RunRecord& run);
+
+  // ---- looking (runs.cpp)
+  void ask_to_look(Look look);
+  bool advance_look();
+  void begin_look();
+  void end_look();
+
+  // ---- what pages are told (delivery.cpp)
+  [[nodiscard]] std::vector<Message> take_messages(Page& page, std::size_t most_bytes);
+
+  // Keeps what interrupt() is to stop.
+  class Busy {
+   public:
+    Busy(State& state, Session& session);
+    ~Busy();
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+
+   private:
+    State& state_;
+  };
+
+  LaboratoryOptions options;
+  SessionOptions session_options;
+  Pages pages;
+  Versions versions;
+
+  struct Text {
+    std::string now;
+    std::int64_t version = 0;
+    int from = 0;  // the page; 0: none
+    bool runs = false;
+    std::vector<TextMessage> diagnostics;
+    std::shared_ptr<const Analysis> analysis;
+    bool is_analysis_old = true;
+  } text;
+  Session text_session;  // for analyses
+
+  RunList runs;  // oldest first
+  int last_run = 0;
+  int shown = 0;         // 0: none
+  std::string run_text;  // of the newest run
+  int live_number = 0;
+  std::unique_ptr<LiveRun> live;
+
+  std::unique_ptr<PlotReader> plots;
+  std::vector<int> runs_with_plots;  // whose plots have been read
+  struct Asked {                     // who waits for the input of a fork
+    int page = 0;
+    Seq seq;
+    int shown_before = 0;
+  };
+  std::optional<Asked> fork_asked;
+
+  Looker looker;
+  struct Looks {
+    std::deque<Look> waiting;
+    std::optional<Look> now;
+  } looks;
+  struct Cursor {
+    int run = 0;
+    LookAt place{};
+    Message instant;
+    Message elements;
+  };
+  std::optional<Cursor> cursor;
+  struct Breakpoints {
+    std::vector<int> lines;
+    std::vector<int> known;  // lines of the newest run that can have one
+  } breakpoints;
+
+  std::mutex busy_mutex;
+  Session* busy = nullptr;
+};
+
+}  // namespace armlet::lab

@@ -1,0 +1,44 @@
+#pragma once
+// A message about a program with its places resolved, so that it needs the texts no longer.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "armlet/interpreter/diagnostic.hpp"
+#include "text_places.hpp"
+
+namespace armlet::lab {
+
+// span  nothing: not in the main text but in `file`.
+struct MarkedPlace {
+  std::optional<TextSpan> span{};
+  std::string file{};
+  std::string label{};
+};
+struct TextFix {
+  struct Replacement {
+    TextSpan span{};
+    std::string text{};
+  };
+  std::string text{};
+  bool is_sure = false;
+  std::vector<Replacement> edits{};
+};
+// when  circumstances of what happened in a run, as a sentence; t, its time, s.
+struct TextMessage {
+  bool is_error = true;
+  std::string code{};
+  std::string message{};
+  MarkedPlace place{};
+  std::vector<MarkedPlace> related{};
+  std::string why{};
+  std::optional<TextFix> fix{};
+  std::optional<double> t{};
+  std::string when{};
+};
+
+// A fix that would change another file is left out.
+[[nodiscard]] TextMessage resolved(const Diagnostic& diagnostic, const SourceSet& sources);
+
+}  // namespace armlet::lab

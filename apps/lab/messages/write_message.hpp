@@ -1,0 +1,107 @@
+#pragma once
+// Messages to pages as JSON (docs/lab-protocol.md).
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/interpreter/editor/analysis.hpp"
+#include "runs/lab_elements.hpp"
+#include "runs/looker.hpp"
+#include "runs/record.hpp"
+#include "text_message.hpp"
+
+namespace armlet::lab {
+
+using Seq = std::optional<std::int64_t>;
+
+// One piece of what a page gets.
+struct Message {
+  std::string bytes;
+  bool is_binary = false;
+};
+
+struct Welcome {
+  int page = 0;
+  std::string key;
+  std::string version;
+  std::string file;
+  std::string text;
+  std::int64_t text_version = 0;
+  bool is_demo = false;
+  // Words of the language by kind, for highlighting.
+  std::map<std::string, std::vector<std::string>> words;
+};
+struct ControlState {
+  std::optional<int> holder;
+  std::vector<int> pages;
+  std::vector<int> wishes;
+};
+
+[[nodiscard]] Message write_welcome(const Welcome& welcome, Seq to);
+[[nodiscard]] Message write_control(const ControlState& control);
+[[nodiscard]] Message write_text(const std::string& text, std::int64_t version, int from);
+[[nodiscard]] Message write_diagnostics(std::int64_t text_version, bool runs,
+                                        const std::vector<TextMessage>& items);
+[[nodiscard]] Message write_error(Seq to, std::string_view reason, std::string_view message);
+[[nodiscard]] Message write_completion(Seq to, const Analysis& analysis, std::uint32_t at);
+[[nodiscard]] Message write_hover(Seq to, const Analysis& analysis, std::uint32_t at);
+[[nodiscard]] Message write_signature(Seq to, const Analysis& analysis, std::uint32_t at);
+[[nodiscard]] Message write_definition(Seq to, const Analysis& analysis, std::uint32_t at);
+[[nodiscard]] Message write_formatted(Seq to, const std::optional<std::string>& text,
+                                      const std::vector<TextMessage>& problems);
+[[nodiscard]] Message write_breakpoints(Seq to, const std::vector<int>& lines,
+                                        const std::vector<int>& known);
+[[nodiscard]] Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor);
+
+// nearest  joints and pose, where there is no solution.
+struct InverseAnswer {
+  struct Nearest {
+    std::vector<double> q;
+    Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+    double distance = 0.0;
+    double angle = 0.0;
+  };
+  bool is_ok = false;
+  std::vector<double> q;
+  std::string reason;
+  std::optional<Nearest> nearest;
+};
+[[nodiscard]] Message write_inverse(Seq to, const InverseAnswer& answer);
+struct Comparison {
+  int run = 0;
+  int with = 0;
+  bool is_same = false;
+  double same_until = 0.0;
+  double parts_at = 0.0;
+  int line = 0;
+  int line_with = 0;
+};
+[[nodiscard]] Message write_comparison(Seq to, const Comparison& comparison);
+
+// ---- runs
+using RunList = std::vector<std::unique_ptr<RunRecord>>;
+[[nodiscard]] Message write_runs(const RunList& runs);
+[[nodiscard]] Message write_shown(int run);
+[[nodiscard]] Message write_run(const RunRecord& run);
+[[nodiscard]] Message write_description(const RunRecord& run);
+// Pieces of lists, from `first` and at most so many.
+[[nodiscard]] Message write_moves(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_lines(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_events(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_notes(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_figure(const RunRecord& run, const RecordedFigure& figure);
+// What elements show at an instant.
+[[nodiscard]] Message write_elements(Seq to, int run, double t,
+                                     const std::vector<ElementValue>& values);
+[[nodiscard]] Message write_taken(Seq to, int run);
+// kind  1 robot, 2 object, 3 element.
+[[nodiscard]] Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& rows,
+                                 std::size_t first, std::size_t count);
+
+}  // namespace armlet::lab

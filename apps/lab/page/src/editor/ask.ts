@@ -1,0 +1,135 @@
+// Completion, what stands under the pointer, and the call that is being written: questions to the laboratory.
+import { autocompletion, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
+import { StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
+import { EditorView, hoverTooltip, showTooltip, ViewPlugin, type Tooltip, type ViewUpdate } from "@codemirror/view";
+import type { IncomingOf, Position, Span } from "../protocol/messages.ts";
+import type { Intents } from "../store/intents.ts";
+
+export function positionOf(doc: Text, offset: number): Position {
+  const line = doc.lineAt(offset);
+  return [line.number, offset - line.from];
+}
+
+export function offsetOf(doc: Text, [line, column]: Position): number {
+  if (line < 1) return 0;
+  if (line > doc.lines) return doc.length;
+  const at = doc.line(line);
+  return Math.min(at.to, at.from + Math.max(0, column));
+}
+
+export function rangeOf(doc: Text, span: Span): { from: number; to: number } {
+  const from = offsetOf(doc, [span[0], span[1]]);
+  return { from, to: Math.max(from, offsetOf(doc, [span[2], span[3]])) };
+}
+
+const KINDS: Record<string, string> = { method: "method", field: "property", variable: "variable", type: "type", keyword: "keyword", unit: "constant", function: "function" };
+
+async function complete(intents: Intents, context: CompletionContext): Promise<CompletionResult | null> {
+  const word = context.matchBefore(/[\w.]+/);
+  if (!context.explicit && !word) return null;
+  const answer = await intents.ask<"completion">({ type: "complete", at: positionOf(context.state.doc, context.pos) }).catch(() => null);
+  if (!answer?.items.length || context.aborted) return null;
+  const from = answer.replaced ? rangeOf(context.state.doc, answer.replaced).from : (context.matchBefore(/\w*/)?.from ?? context.pos);
+  const options = answer.items.map((item): Completion => ({
+    label: item.text,
+    type: KINDS[item.kind ?? ""] ?? "variable",
+    ...(item.detail ? { detail: item.detail } : {}),
+  }));
+  return { from, options, ...(answer.more ? {} : { validFor: /^\w*$/ }) };
+}
+
+function paragraph(className: string, text: string | null | undefined): HTMLElement[] {
+  if (!text) return [];
+  const element = document.createElement("div");
+  element.className = className;
+  element.textContent = text;
+  return [element];
+}
+
+function hoverBox(answer: IncomingOf<"hover">): HTMLElement {
+  const box = document.createElement("div");
+  box.className = "tip";
+  box.append(
+    ...paragraph("tip-code", answer.text),
+    ...paragraph("tip-value", answer.value ? `= ${answer.value}` : null),
+    ...paragraph("tip-help", answer.help),
+    ...(answer.messages ?? []).flatMap((message) => paragraph("tip-help", message)),
+  );
+  return box;
+}
+
+// The name under the pointer has the value that it has at the instant that is looked at.
+function valueAt(intents: Intents, name: string): string | null {
+  const { instant, shown } = intents.state;
+  if (!instant || instant.run !== shown) return null;
+  return instant.variables.findLast((variable) => variable.name === name)?.value ?? null;
+}
+
+function hovering(intents: Intents): Extension {
+  return hoverTooltip(async (view, pos) => {
+    const word = view.state.wordAt(pos);
+    if (!word) return null;
+    const answer = await intents.ask<"hover">({ type: "hover", at: positionOf(view.state.doc, pos) }).catch(() => null);
+    if (!answer || (!answer.text && !answer.help)) return null;
+    answer.value ??= valueAt(intents, view.state.sliceDoc(word.from, word.to));
+    const range = answer.span ? rangeOf(view.state.doc, answer.span) : word;
+    return { pos: range.from, end: range.to, above: true, create: () => ({ dom: hoverBox(answer) }) };
+  }, { hoverTime: 250 });
+}
+
+const setCall = StateEffect.define<Tooltip | null>();
+const call = StateField.define<Tooltip | null>({
+  create: () => null,
+  update(value, transaction) {
+    for (const effect of transaction.effects) if (effect.is(setCall)) return effect.value;
+    return value && transaction.docChanged ? { ...value, pos: transaction.changes.mapPos(value.pos) } : value;
+  },
+  provide: (field) => showTooltip.from(field),
+});
+
+function callBox(answer: IncomingOf<"signature">): HTMLElement {
+  const box = document.createElement("div");
+  box.className = "tip";
+  const overload = answer.overloads[answer.active ?? 0] ?? answer.overloads[0]!;
+  const line = document.createElement("div");
+  line.className = "tip-code";
+  const parameter = overload.parameters[answer.parameter ?? -1];
+  if (parameter) {
+    const strong = document.createElement("strong");
+    strong.textContent = overload.text.slice(...parameter);
+    line.append(overload.text.slice(0, parameter[0]), strong, overload.text.slice(parameter[1]));
+  } else line.textContent = overload.text;
+  box.append(line, ...paragraph("tip-help", overload.help));
+  return box;
+}
+
+function signatures(intents: Intents): Extension {
+  const plugin = ViewPlugin.fromClass(
+    class {
+      private asked = 0;
+      update(update: ViewUpdate): void {
+        if (!update.docChanged && !(update.selectionSet && update.state.field(call))) return;
+        const { state, view } = update;
+        const at = state.selection.main.head;
+        const typed = update.transactions.some((t) => t.isUserEvent("input.type") || t.isUserEvent("input.complete") || t.isUserEvent("delete"));
+        if (!typed && !state.field(call)) return;
+        const asked = ++this.asked;
+        void intents.ask<"signature">({ type: "signature", at: positionOf(state.doc, at) }).catch(() => null).then((answer) => {
+          if (asked !== this.asked) return;
+          const tooltip: Tooltip | null = answer?.overloads.length ? { pos: at, above: true, create: () => ({ dom: callBox(answer) }) } : null;
+          if (tooltip || view.state.field(call)) view.dispatch({ effects: setCall.of(tooltip) });
+        });
+      }
+    },
+  );
+  return [call, plugin];
+}
+
+export function asking(intents: Intents): Extension {
+  return [
+    autocompletion({ override: [(context) => complete(intents, context)], activateOnTypingDelay: 80 }),
+    hovering(intents),
+    signatures(intents),
+    EditorView.domEventHandlers({ keydown: (event, view) => event.key === "Escape" && view.state.field(call) !== null && (view.dispatch({ effects: setCall.of(null) }), true) }),
+  ];
+}

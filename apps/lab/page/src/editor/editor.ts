@@ -1,0 +1,173 @@
+// The editor of the program.
+import { closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { bracketMatching, indentOnInput, indentUnit } from "@codemirror/language";
+import { lintGutter, lintKeymap, setDiagnostics, type Action, type Diagnostic as LintDiagnostic } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { Compartment, EditorState, Transaction } from "@codemirror/state";
+import { drawSelection, EditorView, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
+import type { Diagnostic, Edit, Span } from "../protocol/messages.ts";
+import type { Intents } from "../store/intents.ts";
+import type { Run } from "../store/run.ts";
+import { currentLine, inControl, isStale, shownRun, type State } from "../store/state.ts";
+import type { Store } from "../store/store.ts";
+import { asking, positionOf, rangeOf } from "./ask.ts";
+import { language } from "./language.ts";
+import { marking, setMarks } from "./marks.ts";
+import { numberPulling } from "./pull.ts";
+
+export class Editor {
+  readonly view: EditorView;
+  private readonly intents: Intents;
+  private readonly highlighting = new Compartment();
+  private readonly writing = new Compartment();
+  private taking = false;
+
+  constructor(host: HTMLElement, store: Store, intents: Intents) {
+    this.intents = intents;
+    const pulling = numberPulling((text) => intents.pullText(text), () => intents.endPull());
+    const hover = (line: number | null) => {
+      const now = store.state.hover;
+      if (line === null ? now === null : now?.from === "text" && now.line === line) return;
+      store.change((s) => (s.hover = line === null ? null : { from: "text", line }));
+    };
+    this.view = new EditorView({
+      parent: host,
+      state: EditorState.create({
+        extensions: [
+          marking((line) => intents.toggleBreakpoint(line), hover),
+          lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), indentOnInput(), bracketMatching(),
+          closeBrackets(), highlightSelectionMatches(), lintGutter(), EditorState.tabSize.of(4), indentUnit.of("    "),
+          pulling, asking(intents),
+          keymap.of([
+            { key: "Shift-Alt-f", run: () => (void this.format(), true) },
+            { key: "F12", run: () => (void this.goToDefinition(), true) },
+            { key: "F9", run: (view) => (intents.toggleBreakpoint(positionOf(view.state.doc, view.state.selection.main.head)[0]), true) },
+          ]),
+          keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap, indentWithTab]),
+          this.highlighting.of(language()),
+          this.writing.of(EditorState.readOnly.of(true)),
+          EditorView.contentAttributes.of({ "aria-label": "Program", spellcheck: "false", autocapitalize: "off", tabindex: "0" }),
+          EditorView.updateListener.of((update) => {
+            if (!update.docChanged || this.taking) return;
+            if (!update.transactions.some((t) => t.isUserEvent("input.pull"))) intents.typeText(update.state.doc.toString());
+          }),
+        ],
+      }),
+    });
+    store.watch((s) => [s.welcome], (s) => this.view.dispatch({ effects: this.highlighting.reconfigure(language(s.welcome?.words)) }));
+    store.watch((s) => [s.textFrom], (s) => this.take(s.text));
+    store.watch((s) => [inControl(s), intents.live], (s) => this.view.dispatch({ effects: this.writing.reconfigure(EditorState.readOnly.of(!inControl(s) || !intents.live)) }));
+    store.watch((s) => [s.diagnostics, shownRun(s)?.error], (s) => this.diagnose(s));
+    store.watch(
+      (s) => [s.breakpoints, currentLine(s), hoveredLine(s), shownRun(s), shownRun(s)?.version, isStale(s)],
+      (s) => this.mark(s),
+    );
+  }
+
+  // Puts a text where the cursor is.
+  insert(text: string): void {
+    if (this.view.state.readOnly) return;
+    this.view.dispatch(this.view.state.replaceSelection(text), { userEvent: "input.paste", scrollIntoView: true });
+    this.view.focus();
+  }
+
+  select(span: Span): void {
+    const { from, to } = rangeOf(this.view.state.doc, span);
+    this.view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
+    this.view.focus();
+  }
+
+  // Selects the first place where the program writes a name, as a text or as a word.
+  find(name: string): void {
+    const text = this.view.state.doc.toString();
+    const quoted = text.indexOf(`"${name}"`);
+    const word = new RegExp(`\\b${name.replace(/\W/g, "\\$&")}\\b`).exec(text)?.index ?? -1;
+    const at = quoted >= 0 ? quoted + 1 : word;
+    if (at < 0) return;
+    this.view.dispatch({ selection: { anchor: at, head: at + name.length }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
+  }
+
+  apply(edits: readonly Edit[]): void {
+    const { doc } = this.view.state;
+    const changes = edits.map((edit) => ({ ...rangeOf(doc, edit.span), insert: edit.text }));
+    this.view.dispatch({ changes, userEvent: "input.fix" });
+    this.intents.typeText(this.view.state.doc.toString(), true);
+  }
+
+  async format(): Promise<void> {
+    const answer = await this.intents.ask<"formatted">({ type: "format" }).catch(() => null);
+    if (!answer) return;
+    if (answer.text === null) this.intents.say("The program has mistakes: it can be laid out when they are mended.");
+    else this.replaceAll(answer.text, "input.format");
+  }
+
+  async goToDefinition(): Promise<void> {
+    const at = positionOf(this.view.state.doc, this.view.state.selection.main.head);
+    const answer = await this.intents.ask<"definition">({ type: "definition", at }).catch(() => null);
+    if (answer?.span) this.select(answer.span);
+  }
+
+  // Only what differs is replaced, so that the cursor stays where it is.
+  private replaceAll(text: string, userEvent: string): void {
+    const old = this.view.state.doc.toString();
+    let from = 0;
+    while (from < old.length && from < text.length && old[from] === text[from]) from++;
+    let end = 0;
+    while (end < old.length - from && end < text.length - from && old.at(-1 - end) === text.at(-1 - end)) end++;
+    if (from + end === old.length && old.length === text.length) return;
+    this.view.dispatch({ changes: { from, to: old.length - end, insert: text.slice(from, text.length - end) }, annotations: Transaction.userEvent.of(userEvent) });
+  }
+
+  private take(text: string): void {
+    this.taking = true;
+    this.replaceAll(text, "input.take");
+    this.taking = false;
+  }
+
+  private diagnose(state: State): void {
+    const { doc } = this.view.state;
+    const failure = shownRun(state)?.error;
+    const all = failure && !isStale(state) ? [...state.diagnostics, failure] : state.diagnostics;
+    const list = all.filter((d) => d.span).map((d) => this.lintOf(d, rangeOf(doc, d.span!)));
+    this.view.dispatch(setDiagnostics(this.view.state, list));
+  }
+
+  private lintOf(d: Diagnostic, range: { from: number; to: number }): LintDiagnostic {
+    const actions: Action[] = d.fix?.edits.length ? [{ name: d.fix.text, apply: () => this.apply(d.fix!.edits) }] : [];
+    const message = d.why ? `${d.message}\n${d.why}` : d.message;
+    return { ...range, severity: d.severity === "error" ? "error" : "info", message, source: d.code, actions };
+  }
+
+  private mark(state: State): void {
+    const run = shownRun(state);
+    const value = {
+      breakpoints: state.breakpoints,
+      current: currentLine(state),
+      hovered: hoveredLine(state),
+      failed: isStale(state) ? null : (run?.error?.span?.[0] ?? null),
+      margin: run ? marginOf(run) : [],
+      stale: isStale(state),
+    };
+    this.view.dispatch({ effects: setMarks.of(value) });
+  }
+}
+
+function hoveredLine(state: State): number | null {
+  return state.hover && state.hover.from !== "text" ? state.hover.line : null;
+}
+
+// For each line with moves how long they take together.
+export function marginOf(run: Run): [number, string, string][] {
+  const lines = new Map<number, { time: number; number: number; text: string }>();
+  for (const move of run.moves) {
+    if (!move.span) continue;
+    const line = move.span[0];
+    const entry = lines.get(line) ?? { time: 0, number: 0, text: "" };
+    lines.set(line, { time: entry.time + move.t1 - move.t0, number: entry.number + 1, text: move.text });
+  }
+  return [...lines].map(([line, { time, number, text }]) => {
+    const seconds = `${time.toFixed(2)} s`;
+    return [line, number > 1 ? `${number}× ${seconds}` : seconds, number > 1 ? `${number} moves, ${seconds} together` : text];
+  });
+}

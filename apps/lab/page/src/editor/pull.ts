@@ -1,0 +1,77 @@
+// Alt and dragging a number changes it, Alt and the wheel too, Alt with page up or down from the keyboard.
+import { Transaction, type Extension } from "@codemirror/state";
+import { EditorView, keymap } from "@codemirror/view";
+import { numberAt, pulled } from "./numbers.ts";
+
+const PIXELS = 4; // of the pointer for one step
+
+interface Pulling {
+  from: number;
+  text: string;
+  now: string;
+  x: number;
+}
+
+// `pulledText` is told after each change, `ended` when the number is let go.
+export function numberPulling(pulledText: (text: string) => void, ended: () => void): Extension {
+  let pulling: Pulling | null = null;
+  const replace = (view: EditorView, from: number, old: string, text: string) => {
+    if (old === text || view.state.readOnly) return;
+    view.dispatch({ changes: { from, to: from + old.length, insert: text }, annotations: Transaction.userEvent.of("input.pull") });
+    pulledText(view.state.doc.toString());
+  };
+  const found = (view: EditorView, position: number | null) => {
+    if (position === null) return null;
+    const line = view.state.doc.lineAt(position);
+    const number = numberAt(line.text, position - line.from);
+    return number && { from: line.from + number.from, text: number.text };
+  };
+  const step = (view: EditorView, steps: number) => {
+    const number = found(view, view.state.selection.main.head);
+    if (!number) return false;
+    replace(view, number.from, number.text, pulled(number.text, steps));
+    ended();
+    return true;
+  };
+  const handlers = EditorView.domEventHandlers({
+    pointerdown(event, view) {
+      if (!event.altKey || event.button !== 0 || view.state.readOnly) return false;
+      const number = found(view, view.posAtCoords({ x: event.clientX, y: event.clientY }));
+      if (!number) return false;
+      pulling = { ...number, now: number.text, x: event.clientX };
+      const target = view.contentDOM;
+      target.setPointerCapture(event.pointerId);
+      event.preventDefault();
+      return true;
+    },
+    mousedown: (event) => pulling !== null && event.altKey,
+    pointermove(event, view) {
+      if (!pulling) return false;
+      const steps = Math.round((event.clientX - pulling.x) / PIXELS) * (event.shiftKey ? 10 : 1);
+      const text = pulled(pulling.text, steps);
+      replace(view, pulling.from, pulling.now, text);
+      pulling.now = text;
+      return true;
+    },
+    pointerup() {
+      if (!pulling) return false;
+      pulling = null;
+      ended();
+      return true;
+    },
+    wheel(event, view) {
+      if (!event.altKey) return false;
+      const number = found(view, view.posAtCoords({ x: event.clientX, y: event.clientY }));
+      if (!number) return false;
+      event.preventDefault();
+      replace(view, number.from, number.text, pulled(number.text, (event.deltaY < 0 ? 1 : -1) * (event.shiftKey ? 10 : 1)));
+      ended();
+      return true;
+    },
+  });
+  const keys = keymap.of([
+    { key: "Alt-PageUp", run: (view) => step(view, 1), shift: (view) => step(view, 10) },
+    { key: "Alt-PageDown", run: (view) => step(view, -1), shift: (view) => step(view, -10) },
+  ]);
+  return [handlers, keys];
+}

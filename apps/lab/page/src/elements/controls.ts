@@ -1,0 +1,188 @@
+// Sliders, fields and buttons.
+import { el, setText } from "../shell/dom.ts";
+import type { Coordinate } from "../protocol/messages.ts";
+import type { Run } from "../store/run.ts";
+import type { State } from "../store/state.ts";
+import { rollPitchYaw, shownUnit, written, type Shown } from "./units.ts";
+import type { ElementView, Place } from "./view.ts";
+
+let made = 0;
+
+class Slider {
+  readonly root: HTMLElement;
+  readonly range: HTMLInputElement;
+  readonly number: HTMLInputElement;
+  readonly shown: Shown;
+  private held = false;
+
+  constructor(name: string, unit: string, lower: number, upper: number, changed: () => void, shown: Shown = shownUnit(unit)) {
+    this.shown = shown;
+    const id = `slider${++made}`;
+    const [low, high] = [lower * shown.factor, upper * shown.factor];
+    const step = 10 ** -shown.digits;
+    this.range = el("input", { type: "range", id, min: low, max: high, step, "aria-label": `${name}, ${shown.unit}` });
+    this.number = el("input", { type: "number", step, "aria-label": `${name} in ${shown.unit}` });
+    this.range.addEventListener("input", () => {
+      this.held = true;
+      this.number.value = Number(this.range.value).toFixed(shown.digits);
+      changed();
+    });
+    this.range.addEventListener("change", () => (this.held = false));
+    this.number.addEventListener("change", () => {
+      this.range.value = this.number.value;
+      changed();
+    });
+    this.root = el("div", { class: name.length > 6 ? "slider named" : "slider" }, el("label", { for: id }, name), this.range, this.number, el("span", { class: "unit" }, shown.unit));
+  }
+
+  // What stands in the field, which may lie beyond the slider.
+  get value(): number {
+    return Number(this.number.value) / this.shown.factor;
+  }
+
+  show(si: number): void {
+    if (this.held || document.activeElement === this.number) return;
+    const text = written(si, this.shown);
+    if (this.number.value === text) return;
+    this.number.value = text;
+    this.range.value = text;
+  }
+
+  mark(warning: boolean): void {
+    this.root.classList.toggle("at-limit", warning);
+  }
+
+  allow(allowed: boolean): void {
+    this.range.disabled = !allowed;
+    this.number.disabled = !allowed;
+  }
+}
+
+function reasonLine(): HTMLElement {
+  return el("p", { class: "reason", role: "status", "aria-live": "polite" });
+}
+
+function group(label: string, ...children: HTMLElement[]): HTMLElement {
+  return el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), ...children);
+}
+
+export function jointSliders(place: Place, run: Run): ElementView {
+  const { element, intents } = place;
+  const index = Math.max(0, run.robots.findIndex((r) => r.name === element.robot));
+  const robot = run.robots[index];
+  const reason = reasonLine();
+  const sliders: Slider[] = [];
+  const changed = () => robot && void intents.giveInput(element.name, { joints: robot.name, values: sliders.map((s) => s.value) });
+  robot?.joints.forEach((joint, i) => sliders.push(new Slider(joint.name ?? `q${i + 1}`, joint.unit, joint.lower, joint.upper, changed)));
+  return {
+    root: group(element.label || `Joints of ${robot?.name}`, ...sliders.map((s) => s.root), reason),
+    update(now, state, allowed) {
+      const q = now.qAt(index, state.t);
+      sliders.forEach((slider, i) => {
+        const joint = now.robots[index]?.joints[i];
+        slider.allow(allowed);
+        slider.show(q[i] ?? 0);
+        const margin = joint ? 0.01 * (joint.upper - joint.lower) : 0;
+        slider.mark(joint !== undefined && ((q[i] ?? 0) <= joint.lower + margin || (q[i] ?? 0) >= joint.upper - margin));
+      });
+      setText(reason, state.refusals.get(element.name) ?? "");
+    },
+  };
+}
+
+const UNITS: Record<string, string> = { x: "m", y: "m", z: "m" };
+
+export function handSliders(place: Place, run: Run): ElementView {
+  const { element, intents } = place;
+  const index = Math.max(0, run.robots.findIndex((r) => r.name === element.robot));
+  const axes = element.axes ?? [];
+  const reason = reasonLine();
+  const sliders: Slider[] = [];
+  const changed = () => void intents.giveInput(element.name, { hand: element.name, values: sliders.map((s) => s.value) });
+  for (const axis of axes) sliders.push(handSlider(axis, changed));
+  return {
+    root: group(element.label || `Hand of ${run.robots[index]?.name}`, ...sliders.map((s) => s.root), reason),
+    update(now, state, allowed) {
+      const told = now.values[element.name]?.value;
+      const place = handAt(now, index, state.t, axes);
+      sliders.forEach((slider, i) => {
+        slider.allow(allowed);
+        const own = place?.[axes[i]!.name];
+        const value = Array.isArray(told) && now.valuesAt === state.t ? (told[i] as number) : own;
+        if (value !== undefined) slider.show(value);
+      });
+      setText(reason, state.refusals.get(element.name) ?? "");
+    },
+  };
+}
+
+function handSlider(axis: Coordinate, changed: () => void): Slider {
+  const unit = axis.unit ?? UNITS[axis.name] ?? "rad";
+  const most = unit === "m" ? 1 : Math.PI;
+  return new Slider(axis.name, unit, axis.lower ?? -most, axis.upper ?? most, changed);
+}
+
+// Where the hand is; "roll" without the other two is its turn about z.
+function handAt(run: Run, index: number, t: number, axes: readonly Coordinate[]): Record<string, number> | null {
+  const pose = run.toolAt(index, t);
+  if (!pose) return null;
+  const turns = rollPitchYaw(pose);
+  const alone = !axes.some((axis) => axis.name === "pitch" || axis.name === "yaw");
+  return { x: pose[0]!, y: pose[1]!, z: pose[2]!, ...turns, ...(alone ? { roll: turns.yaw } : {}) };
+}
+
+export function field(place: Place): ElementView {
+  const { element, intents } = place;
+  const reason = reasonLine();
+  const label = element.label || element.name;
+  if (typeof element.value === "number") return numberField(place, label, reason);
+  const isChoice = typeof element.value === "boolean";
+  const input = el("input", { type: isChoice ? "checkbox" : "text", "aria-label": label });
+  input.addEventListener("change", () => void intents.giveInput(element.name, { set: element.name, value: isChoice ? input.checked : input.value }));
+  return {
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("label", { class: "field" }, label, input), reason),
+    update(run, state, allowed) {
+      input.disabled = !allowed;
+      const value = run.values[element.name]?.value ?? element.value;
+      if (document.activeElement !== input) {
+        if (isChoice) input.checked = Boolean(value);
+        else input.value = String(value ?? "");
+      }
+      setText(reason, state.refusals.get(element.name) ?? "");
+    },
+  };
+}
+
+function numberField(place: Place, label: string, reason: HTMLElement): ElementView {
+  const { element, intents } = place;
+  const factor = element.factor ?? 1;
+  const [low, high] = element.range ?? [null, null];
+  const start = element.value as number;
+  const span = low !== null && high !== null ? (high - low) / factor : Math.abs(start) / factor;
+  const shown: Shown = { unit: element.unit ?? "", factor: 1 / factor, digits: element.type === "int" ? 0 : Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(span || 1)) - 1)) };
+  const slider = new Slider(label, "", low ?? start - Math.abs(start || 1), high ?? start + Math.abs(start || 1), () => {
+    void intents.giveInput(element.name, { set: element.name, value: slider.value });
+  }, shown);
+  return {
+    root: el("div", { class: "element", role: "group", "aria-label": label }, slider.root, reason),
+    update(run, state, allowed) {
+      slider.allow(allowed);
+      const value = run.values[element.name]?.value ?? element.value;
+      if (typeof value === "number") slider.show(value);
+      setText(reason, state.refusals.get(element.name) ?? "");
+    },
+  };
+}
+
+export function button(place: Place): ElementView {
+  const { element, intents } = place;
+  const reason = reasonLine();
+  const press = el("button", { class: "press", onclick: () => void intents.giveInput(element.name, { press: element.name }) }, element.label || element.name);
+  return {
+    root: el("div", { class: "element", role: "group", "aria-label": element.label || element.name }, press, reason),
+    update(_run: Run, state: State, allowed: boolean) {
+      press.disabled = !allowed;
+      setText(reason, state.refusals.get(element.name) ?? "");
+    },
+  };
+}

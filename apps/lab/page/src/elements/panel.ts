@@ -1,0 +1,73 @@
+// The column of a laboratory's elements, in their order.
+import { el } from "../shell/dom.ts";
+import type { ElementInfo } from "../protocol/messages.ts";
+import type { Intents } from "../store/intents.ts";
+import type { Run } from "../store/run.ts";
+import { inControl, shownRun, type State } from "../store/state.ts";
+import type { Store } from "../store/store.ts";
+import { button, field, handSliders, jointSliders } from "./controls.ts";
+import { plot } from "./plot.ts";
+import { figures, image, noted, table, text } from "./shown.ts";
+import type { ElementView, Place } from "./view.ts";
+
+// The elements of a run whose laboratory has told none: sliders and plots of each robot.
+export function elementsOf(run: Run): ElementInfo[] {
+  if (run.elements.length) return run.elements;
+  return run.robots.flatMap((robot) => [
+    { kind: "sliders", name: `joints of ${robot.name}`, label: `Joints of ${robot.name}`, robot: robot.name },
+    { kind: "plot", name: `q of ${robot.name}` },
+    { kind: "plot", name: `qd of ${robot.name}` },
+  ]);
+}
+
+function viewOf(place: Place, run: Run): ElementView | null {
+  const { element } = place;
+  switch (element.kind) {
+    case "sliders":
+      return element.axes?.length ? handSliders(place, run) : jointSliders(place, run);
+    case "field":
+      return field(place);
+    case "button":
+      return button(place);
+    case "plot":
+      return plot(place);
+    case "table":
+      return table(place);
+    case "text":
+      return text(place);
+    case "image":
+      return image(place);
+    case "view":
+      return noted(element.label || element.name, "This version of the page has no pictures of cameras.");
+    case "program": // the editor
+    case "trail": // the 3D view draws the paths of all robots
+      return null;
+    default:
+      return noted(element.label || element.name, `This page does not know elements of the kind "${element.kind}".`);
+  }
+}
+
+export function elementPanel(host: HTMLElement, store: Store, intents: Intents): void {
+  let views: ElementView[] = [];
+  let built = "";
+  const build = (run: Run) => {
+    const elements = elementsOf(run);
+    const key = JSON.stringify([elements, run.robots.map((r) => [r.name, r.joints.map((j) => [j.unit, j.lower, j.upper])])]);
+    if (key === built) return;
+    built = key;
+    for (const view of views) view.dispose?.();
+    views = elements.map((element, index) => viewOf({ element, index, intents }, run)).filter((view) => view !== null);
+    views.push(figures());
+    const quiet = elements.length ? [] : [el("p", { class: "quiet element" }, "This program has no robot and no laboratory.")];
+    host.replaceChildren(...quiet, ...views.map((view) => view.root));
+  };
+  const update = (state: State) => {
+    const run = shownRun(state);
+    if (!run?.described) return;
+    build(run);
+    const allowed = intents.live && inControl(state);
+    for (const view of views) view.update(run, state, allowed);
+  };
+  store.watch((s) => [s.shown, shownRun(s)?.version, s.t, s.refusals, inControl(s)], update);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update(store.state));
+}

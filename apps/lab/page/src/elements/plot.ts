@@ -1,0 +1,109 @@
+// Plots over time: drag to zoom, double click for the whole, click to go to that instant.
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { el, save } from "../shell/dom.ts";
+import type { Run } from "../store/run.ts";
+import { csvOf, seriesOf, svgOf, type Series } from "./series.ts";
+import type { ElementView, Place } from "./view.ts";
+
+function colors(): string[] {
+  const style = getComputedStyle(document.documentElement);
+  return [0, 1, 2, 3, 4, 5, 6].map((i) => style.getPropertyValue(`--s${i}`).trim());
+}
+
+function color(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+function options(series: Series, width: number, clicked: (t: number) => void): uPlot.Options {
+  const units = [...new Set(series.columns.map((c) => c.unit))];
+  const text = color("--quiet");
+  const grid = { stroke: color("--grid"), width: 1 };
+  const font = "11px system-ui, sans-serif";
+  const palette = colors();
+  const axis = (unit: string, i: number): uPlot.Axis => ({
+    scale: unit || "y", side: i ? 1 : 3, stroke: text, font, size: 52, grid: i ? { show: false } : grid, ticks: grid, label: unit, labelSize: 16, labelFont: font, gap: 2,
+  });
+  return {
+    width,
+    height: 168,
+    legend: { live: false },
+    cursor: { drag: { x: true, y: false }, points: { size: 6 } },
+    scales: { x: { time: false } },
+    axes: [{ stroke: text, font, grid, ticks: grid, size: 28, values: (_u, ticks) => ticks.map((v) => `${+v.toPrecision(6)}`) }, ...units.slice(0, 2).map(axis)],
+    series: [
+      { label: "t", value: (_u, v) => (v === null ? "" : `${v.toFixed(2)} s`) },
+      ...series.columns.map((c, i): uPlot.Series => ({
+        label: c.label, scale: c.unit || "y", stroke: palette[i % palette.length]!, width: 1.5, points: { show: false },
+        value: (_u, v) => (v === null ? "–" : `${v.toFixed(2)} ${c.unit}`),
+      })),
+    ],
+    hooks: {
+      init: [(u) => u.over.addEventListener("click", () => {
+        if (u.select.width < 2 && u.cursor.left !== undefined && u.cursor.left >= 0) clicked(u.posToVal(u.cursor.left, "x"));
+      })],
+    },
+  };
+}
+
+export function plot(place: Place): ElementView {
+  const { element, index, intents } = place;
+  const label = element.label || element.name;
+  const host = el("div", { class: "plot" });
+  const now = el("div", { class: "plot-now" });
+  const empty = el("p", { class: "quiet" }, "Nothing to draw yet.");
+  let chart: uPlot | null = null;
+  let series: Series = { t: new Float64Array(), columns: [] };
+  let drawn = "";
+  let shape = "";
+  const tools = el(
+    "span", { class: "tools" },
+    el("button", { class: "tiny", onclick: () => save(`${label}.csv`, new Blob([csvOf(series)], { type: "text/csv" })), "aria-label": `Save ${label} as CSV` }, "CSV"),
+    el("button", { class: "tiny", onclick: () => chart && savePicture(chart, label), "aria-label": `Save ${label} as PNG` }, "PNG"),
+    el("button", { class: "tiny", onclick: () => save(`${label}.svg`, new Blob([svgOf(label, series, colors())], { type: "image/svg+xml" })), "aria-label": `Save ${label} as SVG` }, "SVG"),
+  );
+  const draw = (run: Run) => {
+    series = seriesOf(element, index, run);
+    const some = series.t.length > 1;
+    empty.hidden = some;
+    host.hidden = !some;
+    if (!some) return;
+    const data = [series.t, ...series.columns.map((c) => c.values)] as unknown as uPlot.AlignedData;
+    const nextShape = `${series.columns.map((c) => c.label + c.unit).join()} ${color("--grid")}`;
+    if (chart && shape === nextShape) {
+      chart.setData(data);
+      return;
+    }
+    shape = nextShape;
+    chart?.destroy();
+    chart = new uPlot(options(series, Math.max(200, host.clientWidth), (t) => intents.goTo(t)), data, host);
+    chart.over.append(now);
+  };
+  const observer = new ResizeObserver(() => host.clientWidth > 0 && chart && Math.abs(chart.width - host.clientWidth) > 1 && chart.setSize({ width: host.clientWidth, height: 168 }));
+  observer.observe(host);
+  return {
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label, tools), host, empty),
+    update(run, state) {
+      const key = `${run.id} ${run.version} ${color("--grid")}`;
+      if (key !== drawn) draw(run);
+      drawn = key;
+      if (chart) now.style.transform = `translateX(${chart.valToPos(state.t, "x").toFixed(1)}px)`;
+    },
+    dispose() {
+      observer.disconnect();
+      chart?.destroy();
+    },
+  };
+}
+
+// The picture of a chart has no ground of its own.
+function savePicture(chart: uPlot, label: string): void {
+  const source = chart.ctx.canvas;
+  const copy = el("canvas", { width: source.width, height: source.height });
+  const context = copy.getContext("2d");
+  if (!context) return;
+  context.fillStyle = color("--ground");
+  context.fillRect(0, 0, copy.width, copy.height);
+  context.drawImage(source, 0, 0);
+  copy.toBlob((blob) => blob && save(`${label}.png`, blob));
+}

@@ -1,0 +1,85 @@
+// What a plot shows: columns over time, from the rows of an element or the track of a robot; and as files.
+import type { ElementInfo } from "../protocol/messages.ts";
+import type { Run } from "../store/run.ts";
+import { shownUnit } from "./units.ts";
+
+export interface Column {
+  label: string;
+  unit: string;
+  values: Float64Array;
+}
+export interface Series {
+  t: Float64Array;
+  columns: Column[];
+}
+
+const DERIVATIVES = ["q", "qd", "qdd"];
+
+// "q of arm" and the like are drawn from the robot's track.
+export function trackPlot(element: ElementInfo, run: Run): { robot: number; derivative: number } | null {
+  const match = /^(q|qd|qdd) of (.+)$/.exec(element.name);
+  const robot = match ? run.robots.findIndex((r) => r.name === match[2]) : -1;
+  return robot < 0 ? null : { robot, derivative: DERIVATIVES.indexOf(match![1]!) };
+}
+
+export function seriesOf(element: ElementInfo, index: number, run: Run): Series {
+  const own = trackPlot(element, run);
+  if (own) return trackSeries(run, own.robot, own.derivative);
+  const rows = run.elementRows.get(index);
+  if (!rows?.count) return { t: new Float64Array(), columns: [] };
+  const value = run.values[element.name];
+  const shown = shownUnit(element.quantity_unit ?? value?.unit);
+  const columns: Column[] = [];
+  for (let k = 1; k < rows.columns; k++) {
+    const label = element.labels?.[k - 1] ?? (rows.columns === 2 ? element.label || element.name : `${element.label || element.name} ${k}`);
+    columns.push({ label, unit: shown.unit, values: rows.column(k).map((v) => v * shown.factor) });
+  }
+  return { t: rows.column(0), columns };
+}
+
+function trackSeries(run: Run, robot: number, derivative: number): Series {
+  const track = run.tracks[robot];
+  const info = run.robots[robot];
+  if (!track || !info) return { t: new Float64Array(), columns: [] };
+  const per = ["", "/s", "/s²"][derivative]!;
+  const columns = info.joints.map((joint, k): Column => {
+    const shown = shownUnit(joint.unit, per);
+    return { label: `${DERIVATIVES[derivative]}${k + 1}`, unit: shown.unit, values: track.column(1 + derivative * track.joints + k).map((v) => v * shown.factor) };
+  });
+  return { t: track.column(0), columns };
+}
+
+export function csvOf({ t, columns }: Series): string {
+  const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  const lines = [["t [s]", ...columns.map((c) => quoted(`${c.label}${c.unit ? ` [${c.unit}]` : ""}`))].join(",")];
+  for (let i = 0; i < t.length; i++) lines.push([t[i], ...columns.map((c) => c.values[i])].join(","));
+  return `${lines.join("\n")}\n`;
+}
+
+const escaped = (text: string) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+
+// A plot as a drawing: one field for each unit, one above the other.
+export function svgOf(title: string, { t, columns }: Series, colors: readonly string[]): string {
+  const units = [...new Set(columns.map((c) => c.unit))];
+  const [width, high, left, top] = [640, 240, 64, 32];
+  const [t0, t1] = [t[0] ?? 0, t[t.length - 1] || 1];
+  const parts = units.map((unit, u) => {
+    const mine = columns.filter((c) => c.unit === unit);
+    const all = mine.flatMap((c) => [...c.values]);
+    const low = all.reduce((a, b) => Math.min(a, b), Infinity);
+    const span = all.reduce((a, b) => Math.max(a, b), -Infinity) - low || 1;
+    const y0 = top + u * (high + 48);
+    const x = (v: number) => left + ((v - t0) / (t1 - t0 || 1)) * (width - left - 16);
+    const y = (v: number) => y0 + high - ((v - low) / span) * high;
+    const lines = mine.map((c) => {
+      const points = Array.from(t, (v, i) => `${x(v).toFixed(2)},${y(c.values[i]!).toFixed(2)}`).join(" ");
+      return `<polyline fill="none" stroke="${colors[columns.indexOf(c) % colors.length]}" stroke-width="1.5" points="${points}"/>`;
+    });
+    const texts = [0, 0.5, 1].map((s) => `<text x="${left - 6}" y="${y(low + s * span) + 4}" text-anchor="end">${(low + s * span).toPrecision(4)}</text>`);
+    const times = [0, 0.5, 1].map((s) => `<text x="${x(t0 + s * (t1 - t0))}" y="${y0 + high + 16}" text-anchor="middle">${(t0 + s * (t1 - t0)).toPrecision(4)}</text>`);
+    const names = mine.map((c, i) => `<text x="${left + 8 + 64 * i}" y="${y0 + 14}" fill="${colors[columns.indexOf(c) % colors.length]}">${escaped(c.label)}</text>`);
+    return `<rect x="${left}" y="${y0}" width="${width - left - 16}" height="${high}" fill="none" stroke="#999"/>${lines.join("")}${texts.join("")}${times.join("")}${names.join("")}<text x="${left}" y="${y0 - 6}">${escaped(unit)}</text>`;
+  });
+  const height = top + units.length * (high + 48);
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" font-family="sans-serif" font-size="11" fill="#333"><title>${escaped(title)}</title>${parts.join("")}</svg>\n`;
+}

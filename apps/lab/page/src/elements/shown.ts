@@ -1,0 +1,85 @@
+// Elements that only show: tables, texts, images, and places of what has no picture here.
+import { el, setText } from "../shell/dom.ts";
+import type { Run } from "../store/run.ts";
+import { richText } from "./rich_text.ts";
+import { cellText, tableOf } from "./table_value.ts";
+import type { ElementView, Place } from "./view.ts";
+
+export function table({ element }: Place): ElementView {
+  const body = el("table");
+  const label = element.label || element.name;
+  let drawn = "";
+  return {
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": `${label}, table` }, body)),
+    update(run) {
+      const value = run.values[element.name];
+      const key = JSON.stringify(value ?? null);
+      if (key === drawn) return;
+      drawn = key;
+      const { header: own, rows } = tableOf(value?.value);
+      const header = element.header?.length ? element.header : own;
+      body.replaceChildren(
+        ...(header.length ? [el("thead", {}, el("tr", {}, ...header.map((text) => el("th", { scope: "col" }, text))))] : []),
+        el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, cellText(cell)))))),
+      );
+      if (value?.error) body.replaceChildren(el("caption", { class: "reason" }, value.error));
+    },
+  };
+}
+
+export function text({ element }: Place): ElementView {
+  const root = el("div", { class: "element rich", role: "group", "aria-label": element.label || element.name });
+  let drawn: string | null = null;
+  return {
+    root,
+    update(run) {
+      const value = run.values[element.name];
+      const markdown = typeof value?.value === "string" ? value.value : (element.text ?? value?.error ?? "");
+      if (markdown === drawn) return;
+      drawn = markdown;
+      root.replaceChildren(richText(markdown));
+    },
+  };
+}
+
+export function image({ element }: Place): ElementView {
+  const label = element.label || element.name;
+  const picture = el("img", { alt: label });
+  const note = el("p", { class: "quiet" });
+  return {
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), picture, note),
+    update(run) {
+      const value = run.values[element.name];
+      const data = value?.image ?? element.image;
+      const address = data ? (data.startsWith("data:image/") ? data : `data:image/png;base64,${data}`) : "";
+      picture.hidden = !address;
+      if (address && picture.src !== address) picture.src = address;
+      setText(note, address ? "" : (value?.error ?? "No picture at this instant."));
+    },
+  };
+}
+
+// An element of a kind that this page does not know, or whose picture is elsewhere on the page.
+export function noted(label: string, note: string): ElementView {
+  return { root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), el("p", { class: "quiet" }, note)), update: (_run: Run) => {} };
+}
+
+// A figure as the run left it. It is shown as a picture, so that nothing in it can run.
+export function figures(): ElementView {
+  const root = el("div", { class: "element figures", role: "group", "aria-label": "Figures" });
+  let drawn = "";
+  return {
+    root,
+    update(run) {
+      root.hidden = run.figures.size === 0;
+      const key = `${run.id} ${[...run.figures.values()].map((f) => f.svg.length).join()}`;
+      if (key === drawn) return;
+      drawn = key;
+      const pictures = [...run.figures.values()].map(({ title, svg }) => {
+        const address = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
+        return el("figure", {}, el("img", { src: address, alt: title || "Figure" }), el("figcaption", {}, title, el("a", { href: address, download: `${title || "figure"}.svg` }, "SVG")));
+      });
+      root.replaceChildren(el("h2", {}, "Figures"), ...pictures);
+    },
+  };
+}

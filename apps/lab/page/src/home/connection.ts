@@ -1,0 +1,91 @@
+// One conversation with a laboratory, whatever carries it: numbers of messages, and answers to questions.
+import type { Incoming, IncomingOf, Outgoing } from "../protocol/messages.ts";
+import { keepKey, keptKey } from "./key.ts";
+import { readRows, type RowBlock } from "../protocol/rows.ts";
+
+// What carries messages tells its listener what comes in.
+export interface Listener {
+  opened(): void;
+  closed(note: string): void;
+  message(data: string | ArrayBuffer): void;
+}
+export interface Transport {
+  send(text: string): void;
+}
+export type Carry = (listener: Listener) => Transport;
+
+export interface Events {
+  opened(): void;
+  lost(note: string): void;
+  message(message: Incoming): void;
+  rows(block: RowBlock): void;
+}
+
+// The laboratory refused: `answer` says why.
+export class Refused extends Error {
+  readonly answer: IncomingOf<"error">;
+  constructor(answer: IncomingOf<"error">) {
+    super(answer.message);
+    this.answer = answer;
+  }
+}
+
+interface Waiting {
+  resolve(answer: Incoming): void;
+  reject(reason: Error): void;
+}
+
+export class Connection {
+  private readonly transport: Transport;
+  private readonly waiting = new Map<number, Waiting>();
+  private seq = 0;
+
+  constructor(carry: Carry, events: Events) {
+    this.transport = carry({
+      opened: () => {
+        const key = keptKey();
+        this.send({ type: "hello", protocol: 1, ...(key ? { key } : {}) });
+        events.opened();
+      },
+      closed: (note) => {
+        for (const question of this.waiting.values()) question.reject(new Error("The connection was lost."));
+        this.waiting.clear();
+        events.lost(note);
+      },
+      message: (data) => {
+        if (typeof data === "string") this.take(JSON.parse(data) as Incoming, events);
+        else {
+          const block = readRows(data);
+          if (block) events.rows(block);
+        }
+      },
+    });
+  }
+
+  // Returns the number of the message.
+  send(message: Outgoing): number {
+    const seq = ++this.seq;
+    this.transport.send(JSON.stringify({ ...message, seq }));
+    return seq;
+  }
+
+  // The answer; throws Refused if the laboratory answers with an error.
+  ask<T extends Incoming["type"]>(message: Outgoing): Promise<IncomingOf<T>> {
+    return new Promise((resolve, reject) => {
+      const seq = this.send(message);
+      this.waiting.set(seq, { resolve: resolve as (answer: Incoming) => void, reject });
+    });
+  }
+
+  private take(message: Incoming, events: Events): void {
+    const question = typeof message.to === "number" ? this.waiting.get(message.to) : undefined;
+    if (question) this.waiting.delete(message.to as number);
+    if (question && message.type === "error") {
+      question.reject(new Refused(message));
+      return;
+    }
+    if (message.type === "welcome" && message.key) keepKey(message.key);
+    events.message(message);
+    question?.resolve(message);
+  }
+}

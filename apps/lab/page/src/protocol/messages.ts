@@ -1,0 +1,286 @@
+// Messages between the page and a laboratory: docs/lab-protocol.md says what each field means.
+
+// [line from 1, column from 0 in UTF-16 units].
+export type Position = [number, number];
+// [line, column, line, column]; the end is not part of it.
+export type Span = [number, number, number, number];
+// [x, y, z, qw, qx, qy, qz], m.
+export type Pose = number[];
+// A rigid transformation, 16 numbers in columns.
+export type Matrix = number[];
+
+export interface Edit {
+  span: Span;
+  text: string;
+}
+export interface Fix {
+  text: string;
+  sure: boolean;
+  edits: Edit[];
+}
+export interface Diagnostic {
+  severity: "error" | "advice";
+  code: string;
+  message: string;
+  span: Span | null;
+  file?: string;
+  label?: string | null;
+  why?: string | null;
+  fix?: Fix | null;
+}
+
+export interface JointInfo {
+  name?: string;
+  unit: "rad" | "m";
+  lower: number;
+  upper: number;
+  max_speed: number;
+  T_before_joint: Matrix;
+  T_joint_link: Matrix;
+}
+export interface Shape {
+  link: number;
+  kind: "capsule" | "cylinder" | "ring" | "box";
+  role: string;
+  T: Matrix;
+  radius?: number;
+  length?: number;
+  thickness?: number;
+  size?: number[];
+}
+export interface ToolInfo {
+  kind: string;
+  stroke: number;
+  radius: number;
+  length: number;
+  T_flange_tool: Matrix;
+}
+export interface RobotChange {
+  t: number;
+  tool: ToolInfo;
+  T_world_base: Matrix;
+  shapes?: Shape[];
+}
+export interface RobotInfo {
+  name: string;
+  home: number[];
+  joints: JointInfo[];
+  T_world_base: Matrix;
+  tool: ToolInfo;
+  shapes: Shape[];
+  changes?: RobotChange[];
+}
+export interface ObjectInfo {
+  name: string;
+  shape: string;
+  size: number[];
+  color: string;
+  mass?: number;
+  pose: Pose;
+}
+export interface Coordinate {
+  name: string;
+  unit?: string | null;
+  lower?: number | null;
+  upper?: number | null;
+  value?: number | null;
+}
+export interface ElementInfo {
+  kind: string;
+  name: string;
+  label?: string | null;
+  robot?: string | null;
+  axes?: Coordinate[] | null;
+  value?: number | string | boolean | null;
+  range?: [number, number] | null;
+  unit?: string | null;
+  quantity_unit?: string | null;
+  type?: string | null;
+  image?: string | null;
+  line?: number | null;
+  factor?: number | null;
+  header?: string[] | null;
+  labels?: string[] | null;
+  text?: string | null;
+}
+
+export type ObjectChange = "added" | "attached" | "detached" | "removed" | "fell";
+export interface ObjectEvent {
+  t: number;
+  what: ObjectChange;
+  object: number;
+  robot: number | null;
+}
+export interface Move {
+  robot: number;
+  motion?: number;
+  span: Span | null;
+  t0: number;
+  t1: number;
+  text: string;
+  stopped?: boolean;
+}
+export interface NoteItem {
+  t: number;
+  kind: "output" | "message" | "advice";
+  text: string;
+  span?: Span | null;
+}
+export type RunError = Diagnostic & { t: number; when?: string | null; robot?: number | null; goal?: Pose | null; nearest?: Nearest | null };
+export type RunState = "running" | "done" | "failed" | "stopped";
+export interface RunHead {
+  run: number;
+  state: RunState;
+  t_end: number;
+  label?: string | null;
+  parent?: number | null;
+  parts_at?: number | null;
+}
+export interface RunMessage extends RunHead {
+  type: "run";
+  text_version: number;
+  inputs?: Record<string, unknown>[];
+  hash?: string | null;
+  error?: RunError | null;
+}
+export interface Variable {
+  scope: number;
+  name: string;
+  type: string;
+  value: string | null;
+}
+export interface TaskInfo {
+  name: string;
+  waits?: string | null;
+  line?: number | null;
+  calls?: string[];
+}
+// A value of a program: numbers in SI, lists, matrices as lists of rows, records as objects.
+export type Value = number | string | boolean | null | Value[] | { [name: string]: Value };
+export interface ElementValue {
+  value?: Value;
+  unit?: string | null;
+  image?: string | null;
+  error?: string | null;
+}
+export interface Words {
+  keywords: string[];
+  types: string[];
+  functions: string[];
+  units: string[];
+  soft: string[];
+}
+export interface Welcome {
+  type: "welcome";
+  protocol: number;
+  page: number;
+  version?: string;
+  file: string;
+  text: string;
+  text_version: number;
+  title?: string | null;
+  layout?: string | null;
+  demo?: boolean;
+  key?: string;
+  words?: Partial<Words>;
+}
+export interface Description {
+  type: "description";
+  run: number;
+  robots: RobotInfo[];
+  objects: ObjectInfo[];
+  elements?: ElementInfo[] | null;
+  title?: string | null;
+  layout?: string | null;
+}
+export interface InstantMessage {
+  type: "instant";
+  run: number;
+  t: number;
+  cursor?: boolean;
+  line: number | null;
+  at_breakpoint?: boolean;
+  ended?: boolean;
+  variables: Variable[];
+  tasks?: TaskInfo[];
+  signals?: { name: string; value: string | number | boolean | null }[];
+}
+export interface CompletionItem {
+  text: string;
+  kind?: string;
+  detail?: string | null;
+}
+export interface Nearest {
+  q: number[];
+  pose: Pose;
+  distance: number;
+  angle: number;
+}
+export interface Overload {
+  text: string;
+  parameters: [number, number][];
+  help?: string | null;
+}
+export interface Comparison {
+  type: "comparison";
+  run: number;
+  with: number;
+  same: boolean;
+  same_until?: number | null;
+  parts_at?: number | null;
+  line?: number | null;
+  line_with?: number | null;
+}
+interface Grown<T> {
+  run: number;
+  first: number;
+  items: T[];
+}
+
+// From the laboratory to the page.
+export type Incoming = { to?: number | null } & (
+  | Welcome
+  | Description
+  | RunMessage
+  | InstantMessage
+  | Comparison
+  | { type: "control"; holder: number | null; pages: number[]; wishes?: number[] }
+  | { type: "text"; text: string; text_version: number; from?: number }
+  | { type: "diagnostics"; text_version: number; runs: boolean; items: Diagnostic[] }
+  | { type: "shown"; run: number }
+  | { type: "runs"; list: RunHead[] }
+  | ({ type: "moves" } & Grown<Move>)
+  | ({ type: "statements" } & Grown<[number, number]>)
+  | ({ type: "objects" } & Grown<ObjectEvent>)
+  | ({ type: "notes" } & Grown<NoteItem>)
+  | { type: "figures"; run: number; index: number; title?: string | null; svg: string }
+  | { type: "elements"; run: number; t: number; values: Record<string, ElementValue> }
+  | { type: "breakpoints"; lines: number[]; known?: number[] }
+  | { type: "completion"; replaced?: Span | null; items: CompletionItem[]; more?: boolean }
+  | { type: "hover"; span: Span | null; text?: string | null; help?: string | null; value?: string | null; messages?: string[] }
+  | { type: "signature"; overloads: Overload[]; active?: number; parameter?: number }
+  | { type: "definition"; span: Span | null; file?: string | null }
+  | { type: "formatted"; text: string | null }
+  | { type: "inverse"; ok: boolean; q?: number[] | null; reason?: string | null; nearest?: Nearest | null }
+  | { type: "thinned" | "taken"; run: number }
+  | { type: "error"; reason: string; message: string; nearest?: Nearest | null }
+);
+export type IncomingOf<T extends Incoming["type"]> = Extract<Incoming, { type: T }>;
+
+export type StepHow = "over" | "into" | "out" | "back" | "continue";
+export type Input = { set: string; value: number | string | boolean } | { press: string } | { joints: string; values: number[] } | { hand: string; pose: Pose } | { hand: string; values: number[] };
+
+// From the page to the laboratory; `seq` is put in on the way.
+export type Outgoing =
+  | { type: "hello"; protocol: 1; key?: string }
+  | { type: "text"; text: string; version: number; run?: boolean }
+  | { type: "complete" | "hover" | "signature" | "definition"; at: Position }
+  | { type: "format" | "stop" | "take" }
+  | { type: "goto"; t: number; run?: number }
+  | ({ type: "input"; t?: number } & Input)
+  | { type: "breakpoints"; lines: number[] }
+  | { type: "step"; how: StepHow }
+  | { type: "show" | "fetch"; run: number }
+  | { type: "compare"; run: number; with: number }
+  | { type: "give"; to?: number }
+  | { type: "inverse"; robot: string; pose: Pose; seed?: number[] };

@@ -1,0 +1,147 @@
+// An arm made of the shapes of its description, and how it stands.
+import {
+  BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DoubleSide, Group, LatheGeometry, Matrix4, Mesh, MeshStandardMaterial, Vector2, Vector3,
+} from "three";
+import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
+import type { RobotChange, RobotInfo, Shape } from "../protocol/messages.ts";
+import { jointsAtLimits, shapeFrames } from "../store/kinematics.ts";
+import type { Palette } from "./palette.ts";
+
+const ROUND = 48;
+
+// A cylinder about z whose edges are rounded a little, so that they catch the light.
+function turned(radius: number, length: number, inner = 0): BufferGeometry {
+  const bevel = Math.min(0.12 * radius, 0.12 * length, 0.004, inner ? 0.4 * (radius - inner) : Infinity);
+  const h = length / 2;
+  const profile = [
+    new Vector2(inner, -h), new Vector2(radius - bevel, -h), new Vector2(radius - 0.3 * bevel, -h + 0.3 * bevel), new Vector2(radius, -h + bevel),
+    new Vector2(radius, h - bevel), new Vector2(radius - 0.3 * bevel, h - 0.3 * bevel), new Vector2(radius - bevel, h), new Vector2(inner, h),
+  ];
+  if (inner) profile.push(new Vector2(inner, -h));
+  const geometry = new LatheGeometry(profile, ROUND);
+  geometry.rotateX(Math.PI / 2);
+  return sharpened(geometry);
+}
+
+// Normals of a lathe are smooth across its edges; without shared corners each face keeps its own.
+function sharpened(geometry: BufferGeometry): BufferGeometry {
+  const separate = geometry.toNonIndexed();
+  separate.computeVertexNormals();
+  const position = separate.getAttribute("position");
+  const normal = separate.getAttribute("normal");
+  for (let i = 0; i < position.count; i++) {
+    const n = new Vector3().fromBufferAttribute(normal, i);
+    const out = new Vector3(position.getX(i), position.getY(i), 0).normalize();
+    const across = Math.hypot(n.x, n.y);
+    if (across < 1e-6 || out.lengthSq() === 0) continue;
+    const sign = out.x * n.x + out.y * n.y < 0 ? -1 : 1;
+    normal.setXYZ(i, sign * out.x * across, sign * out.y * across, n.z);
+  }
+  return separate;
+}
+
+function geometryOf(shape: Shape): BufferGeometry {
+  const radius = shape.radius ?? 0.02;
+  const length = shape.length ?? 0.05;
+  switch (shape.kind) {
+    case "box": {
+      const [x = 0.05, y = 0.05, z = 0.05] = shape.size ?? [];
+      return new RoundedBoxGeometry(x, y, z, 3, 0.18 * Math.min(x, y, z));
+    }
+    case "capsule":
+      return new CapsuleGeometry(radius, length, 12, ROUND).rotateX(Math.PI / 2);
+    case "ring":
+      return turned(radius, length, Math.max(1e-4, radius - (shape.thickness ?? 0.3 * radius)));
+    case "cylinder":
+      return turned(radius, length);
+    default:
+      return new CylinderGeometry(radius, radius, length, ROUND).rotateX(Math.PI / 2);
+  }
+}
+
+const DARK_ROLES = new Set(["base", "joint", "flange"]);
+
+export class ArmView {
+  readonly group = new Group();
+  private readonly links: Group[] = [];
+  private readonly marks: { joint: number; material: MeshStandardMaterial }[] = [];
+  private readonly robot: RobotInfo;
+  private readonly palette: Palette;
+  private readonly ghost: boolean;
+  private shapes: Shape[] | null = null;
+
+  constructor(robot: RobotInfo, palette: Palette, ghost: boolean) {
+    this.robot = robot;
+    this.palette = palette;
+    this.ghost = ghost;
+    for (let i = 0; i < robot.joints.length + 2; i++) {
+      const link = new Group();
+      link.matrixAutoUpdate = false;
+      this.links.push(link);
+      this.group.add(link);
+    }
+    this.build(robot.shapes);
+  }
+
+  // Puts the arm where the joints are `q`.
+  stand(q: readonly number[], change?: RobotChange): void {
+    this.build(change?.shapes ?? this.robot.shapes);
+    const frames = shapeFrames(this.robot, q, change?.T_world_base);
+    frames.forEach((frame, i) => this.links[i]?.matrix.fromArray(frame));
+    this.group.updateMatrixWorld(true);
+    const limits = jointsAtLimits(this.robot, q);
+    for (const mark of this.marks) {
+      const near = limits[mark.joint] ?? false;
+      mark.material.color.set(near ? this.palette.warning : this.palette.accent);
+      mark.material.emissive.set(near ? this.palette.warning : "#000000");
+      mark.material.emissiveIntensity = near ? 0.35 : 0;
+    }
+  }
+
+  frameOf(link: number): Matrix4 {
+    return this.links[link]?.matrix ?? new Matrix4();
+  }
+
+  dispose(): void {
+    this.group.traverse((node) => {
+      if (!(node instanceof Mesh)) return;
+      (node.geometry as BufferGeometry).dispose();
+      (node.material as MeshStandardMaterial).dispose();
+    });
+    this.group.removeFromParent();
+  }
+
+  private build(shapes: Shape[]): void {
+    if (shapes === this.shapes) return;
+    this.shapes = shapes;
+    this.marks.length = 0;
+    for (const link of this.links) link.clear();
+    for (const shape of shapes) {
+      const mesh = new Mesh(geometryOf(shape), this.materialOf(shape));
+      mesh.matrixAutoUpdate = false;
+      mesh.matrix.fromArray(shape.T);
+      mesh.castShadow = !this.ghost;
+      mesh.receiveShadow = !this.ghost;
+      mesh.userData["robot"] = this.robot.name;
+      this.links[shape.link]?.add(mesh);
+      if (shape.role === "mark" && !this.ghost) this.marks.push({ joint: shape.link - 1, material: mesh.material });
+    }
+  }
+
+  private materialOf(shape: Shape): MeshStandardMaterial {
+    const { palette } = this;
+    if (this.ghost) {
+      return new MeshStandardMaterial({ color: palette.ghost, transparent: true, opacity: 0.3, roughness: 0.8, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 });
+    }
+    const role = shape.role;
+    const color = role === "mark" ? palette.accent : DARK_ROLES.has(role) ? palette.linkDark : role === "link" ? palette.link : palette.tool;
+    return new MeshStandardMaterial({
+      color: new Color(color),
+      roughness: role === "link" ? 0.42 : 0.55,
+      metalness: role === "link" || role === "mark" ? 0 : 0.1,
+      ...(shape.kind === "ring" ? { side: DoubleSide } : {}),
+      // Rings lie on what they mark; they win where both are equally far away.
+      ...(role === "mark" ? { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 } : {}),
+    });
+  }
+}

@@ -1,0 +1,366 @@
+// The 3D view of the shown run at the instant that is looked at.
+import { Group, Matrix4, Mesh, MeshBasicMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3, type Camera } from "three";
+import type { Intents } from "../store/intents.ts";
+import { matrixPose, poseMatrix, toolFrame } from "../store/kinematics.ts";
+import type { Run } from "../store/run.ts";
+import { isStale, shownRun, type State } from "../store/state.ts";
+import type { Store } from "../store/store.ts";
+import { ArmView } from "./arm.ts";
+import { ObjectsView } from "./objects.ts";
+import { dark, light, type Palette } from "./palette.ts";
+import { PathView } from "./path.ts";
+import { boundsOf, Stage, type Preset } from "./stage.ts";
+import { Labels, Triads, type Label } from "./triad.ts";
+
+export interface SceneHost {
+  stage: HTMLElement;
+  labels: HTMLElement;
+  // An object was clicked: the editor shows where the program names it.
+  pickObject(name: string): void;
+  topSpeed(speed: number): void;
+}
+
+export class SceneView {
+  private readonly store: Store;
+  private readonly intents: Intents;
+  private readonly host: SceneHost;
+  private readonly stage: Stage;
+  private readonly labels: Labels;
+  private readonly triads = new Triads();
+  private readonly objects = new ObjectsView();
+  private readonly handle: Mesh<SphereGeometry, MeshBasicMaterial>;
+  private palette: Palette = light;
+  private arms: ArmView[] = [];
+  private ghosts = new Map<number, ArmView>();
+  private paths: PathView[] = [];
+  private oldPaths: PathView[] = [];
+  private readonly ghostGroup = new Group();
+  private described: unknown = null;
+  private framed = "";
+  private follow = false;
+  private dragged: { robot: number; plane: Plane; offset: Vector3; pose: number[] } | null = null;
+  showFrames = false;
+  // The robot whose hand is pulled and whose pose is shown.
+  active = 0;
+
+  constructor(store: Store, intents: Intents, host: SceneHost) {
+    this.store = store;
+    this.intents = intents;
+    this.host = host;
+    this.stage = new Stage(host.stage);
+    this.labels = new Labels(host.labels);
+    this.handle = new Mesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ transparent: true, opacity: 0.35, depthTest: false, toneMapped: false }));
+    this.handle.renderOrder = 5;
+    this.stage.content.add(this.objects.group);
+    this.stage.scene.add(this.triads.group, this.ghostGroup, this.handle);
+    this.stage.before = () => this.beforePicture();
+    this.stage.controls.addEventListener("start", () => (this.follow = false));
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    const theme = () => {
+      this.palette = scheme.matches ? dark : light;
+      this.stage.theme(this.palette);
+      this.handle.material.color.set(this.palette.accent);
+      this.described = null;
+      this.render(this.store.state);
+    };
+    scheme.addEventListener("change", theme);
+    theme();
+    this.listenToPointer();
+    store.watch(
+      (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, isStale(s)],
+      (s) => this.render(s),
+    );
+  }
+
+  look(preset: Preset): void {
+    this.follow = preset === "hand";
+    if (!this.follow) this.stage.look(preset as Exclude<Preset, "hand">, this.bounds());
+    this.stage.invalidate();
+  }
+
+  fit(): void {
+    this.follow = false;
+    this.stage.look(null, this.bounds());
+  }
+
+  redraw(): void {
+    this.render(this.store.state);
+  }
+
+  // The picture as it is now.
+  picture(): Promise<Blob | null> {
+    this.stage.draw();
+    return new Promise((resolve) => this.stage.renderer.domElement.toBlob(resolve, "image/png"));
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.stage.renderer.domElement;
+  }
+
+  private bounds() {
+    return boundsOf(this.stage.content, this.paths.flatMap((path) => path.ends()));
+  }
+
+  private render(state: State): void {
+    const run = shownRun(state);
+    if (!run?.described) return;
+    const key = [run.robots, this.palette];
+    const same = Array.isArray(this.described) && key.every((k, i) => k === (this.described as unknown[])[i]);
+    if (!same) {
+      this.described = key;
+      this.rebuild(run);
+    }
+    this.drawPaths(state, run);
+    this.stand(state, run);
+    this.stage.invalidate();
+  }
+
+  private rebuild(run: Run): void {
+    for (const arm of [...this.arms, ...this.ghosts.values()]) arm.dispose();
+    for (const path of [...this.paths, ...this.oldPaths]) {
+      path.clear();
+      path.group.removeFromParent();
+    }
+    this.ghosts.clear();
+    this.arms = run.robots.map((robot) => new ArmView(robot, this.palette, false));
+    this.paths = run.robots.map(() => new PathView());
+    this.oldPaths = run.robots.map(() => new PathView());
+    for (const arm of this.arms) this.stage.content.add(arm.group);
+    for (const path of [...this.paths, ...this.oldPaths]) this.stage.scene.add(path.group);
+    this.active = Math.min(this.active, Math.max(0, run.robots.length - 1));
+    this.drawn = "";
+  }
+
+  private drawn = "";
+  private drawPaths(state: State, run: Run): void {
+    const ghost = state.ghost === null || state.ghost === run.id ? null : (state.runs.get(state.ghost) ?? null);
+    const stale = isStale(state);
+    const key = `${run.id} ${run.tracks.map((t) => t?.count).join()} ${ghost?.id} ${ghost?.tracks.map((t) => t?.count).join()} ${stale}`;
+    if (key === this.drawn) return;
+    this.drawn = key;
+    this.lit = "";
+    let top = 0;
+    this.paths.forEach((path, i) => {
+      const track = run.tracks[i];
+      if (track) path.draw(track, this.palette, stale ? "stale" : "shown", 0);
+      else path.clear();
+      top = Math.max(top, path.topSpeed);
+    });
+    this.oldPaths.forEach((path, i) => {
+      const track = ghost?.tracks[i];
+      if (track) path.draw(track, this.palette, "ghost", 0);
+      else path.clear();
+    });
+    this.host.topSpeed(top);
+  }
+
+  private lit = "";
+  private stand(state: State, run: Run): void {
+    const { t, hover, pull } = state;
+    this.arms.forEach((arm, i) => arm.stand(run.qAt(i, t), run.changeAt(i, t)));
+    this.objects.place(run, t);
+    const ranges = run.robots.map((_, i) => litRanges(run, hover, i));
+    const key = `${run.id} ${JSON.stringify(ranges)}`;
+    if (key !== this.lit) {
+      this.lit = key;
+      this.paths.forEach((path, i) => path.light(ranges[i] ?? [], this.palette));
+    }
+    this.standGhosts(run, hover ? ranges : [], state);
+    const labels: Label[] = [];
+    this.standFrames(run, t, labels);
+    if (pull?.reason && pull.nearest) labels.push({ text: pull.reason, at: pointOf(pull.nearest.pose), warning: true });
+    const failure = run.error;
+    if (failure && run.robots.length) {
+      const robot = Math.max(0, failure.robot ?? 0);
+      const at = failure.goal ? pointOf(failure.goal) : new Vector3().setFromMatrixPosition(new Matrix4().fromArray(toolFrame(run.robots[robot]!, run.qAt(robot, run.tEnd), run.changeAt(robot, run.tEnd))));
+      labels.push({ text: failure.message, at, warning: true });
+    }
+    this.labels.set(labels);
+    this.framePicture(run);
+  }
+
+  private standGhosts(run: Run, ranges: [number, number][][], state: State): void {
+    const wanted = new Map<number, readonly number[]>();
+    run.robots.forEach((_, i) => {
+      const range = ranges[i]?.at(-1);
+      if (range && state.hover) wanted.set(i, run.qAt(i, state.hover.from === "text" ? range[1] : state.hover.t));
+    });
+    const nearest = run.error?.nearest;
+    if (nearest && !state.hover) wanted.set(run.error?.robot ?? 0, nearest.q);
+    if (state.pull?.q) wanted.set(state.pull.robot, state.pull.q);
+    for (const [i, arm] of this.ghosts) arm.group.visible = wanted.has(i);
+    for (const [i, q] of wanted) {
+      let arm = this.ghosts.get(i);
+      if (!arm) {
+        arm = new ArmView(run.robots[i]!, this.palette, true);
+        this.ghosts.set(i, arm);
+        this.ghostGroup.add(arm.group);
+      }
+      arm.stand(q, run.changeAt(i, state.t));
+      arm.group.visible = true;
+    }
+  }
+
+  private standFrames(run: Run, t: number, labels: Label[]): void {
+    const frames: Matrix4[] = [];
+    run.robots.forEach((robot, i) => {
+      const q = run.qAt(i, t);
+      const tool = new Matrix4().fromArray(toolFrame(robot, q, run.changeAt(i, t)));
+      const add = (frame: Matrix4, text: string) => {
+        frames.push(frame);
+        labels.push({ text, at: new Vector3().setFromMatrixPosition(frame) });
+      };
+      if (this.showFrames) {
+        add(this.arms[i]!.frameOf(0), `${robot.name} base`);
+        robot.joints.forEach((joint, k) => add(this.arms[i]!.frameOf(k + 1), joint.name ?? `${k + 1}`));
+        add(tool, "tool");
+      }
+      if (i === this.active) this.handle.position.setFromMatrixPosition(tool);
+    });
+    if (this.showFrames) {
+      run.objects.forEach((object, i) => {
+        const pose = run.objectAt(i, t);
+        if (pose) frames.push(new Matrix4().fromArray(poseMatrix(pose)));
+        if (pose) labels.push({ text: object.name, at: pointOf(pose) });
+      });
+    }
+    this.triads.show(frames, 0.12 * this.reach);
+    this.handle.visible = this.intents.live && run.robots.length > 0;
+  }
+
+  // The first picture of other robots shows all of them.
+  private reach = 0.5;
+  private framePicture(run: Run): void {
+    const key = JSON.stringify(run.robots.map((r) => [r.name, r.joints.length, r.T_world_base]));
+    if (key === this.framed) return;
+    this.framed = key;
+    const bounds = this.bounds();
+    this.reach = bounds.radius;
+    this.stage.fitSurroundings(bounds);
+    this.stage.look("iso", bounds);
+  }
+
+  private beforePicture(): void {
+    const run = shownRun(this.store.state);
+    const { camera, controls } = this.stage;
+    if (this.follow && run?.robots[this.active]) {
+      const { t } = this.store.state;
+      const tool = new Matrix4().fromArray(toolFrame(run.robots[this.active]!, run.qAt(this.active, t), run.changeAt(this.active, t)));
+      const back = 0.6 * this.reach;
+      camera.position.set(0.35 * back, 0, -back).applyMatrix4(tool);
+      controls.target.set(0, 0, 0.2 * back).applyMatrix4(tool);
+      camera.up.set(0, 0, 1);
+      camera.lookAt(controls.target);
+    }
+    this.handle.scale.setScalar(0.012 * camera.position.distanceTo(this.handle.position));
+    const { clientWidth, clientHeight } = this.host.stage;
+    camera.updateMatrixWorld();
+    this.labels.place(camera, clientWidth, clientHeight);
+  }
+
+  private listenToPointer(): void {
+    const canvas = this.canvas;
+    let down: Vector2 | null = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      down = new Vector2(event.clientX, event.clientY);
+      if (this.startPull(event)) {
+        event.stopImmediatePropagation();
+        canvas.setPointerCapture(event.pointerId);
+      }
+    }, { capture: true });
+    canvas.addEventListener("pointermove", (event) => {
+      if (this.dragged) this.movePull(event);
+      else if (!event.buttons) this.hoverPath(event);
+    });
+    canvas.addEventListener("pointerup", (event) => {
+      if (this.dragged) this.finishPull();
+      else if (down && down.distanceTo(new Vector2(event.clientX, event.clientY)) < 4) this.click(event);
+    });
+    canvas.addEventListener("pointerleave", () => this.setHover(null));
+  }
+
+  private place(event: PointerEvent): { x: number; y: number; width: number; height: number; ray: Raycaster } {
+    const box = this.canvas.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2((2 * x) / box.width - 1, 1 - (2 * y) / box.height), this.stage.camera as Camera);
+    return { x, y, width: box.width, height: box.height, ray };
+  }
+
+  private setHover(hover: State["hover"]): void {
+    if (this.store.state.hover === hover) return;
+    this.store.change((s) => (s.hover = hover));
+  }
+
+  private hoverPath(event: PointerEvent): void {
+    const run = shownRun(this.store.state);
+    if (!run) return;
+    const { x, y, width, height, ray } = this.place(event);
+    this.canvas.style.cursor = this.handle.visible && ray.intersectObject(this.handle).length ? "grab" : "";
+    for (let robot = 0; robot < this.paths.length; robot++) {
+      const t = this.paths[robot]!.timeAt(x, y, width, height, this.stage.camera, 10);
+      if (t === null) continue;
+      const line = run.moveAt(robot, t)?.span?.[0] ?? run.lineAt(t);
+      this.setHover({ from: "path", robot, t, line });
+      return;
+    }
+    if (this.store.state.hover?.from === "path") this.setHover(null);
+  }
+
+  private click(event: PointerEvent): void {
+    const hover = this.store.state.hover;
+    if (hover?.from === "path") {
+      this.intents.goTo(hover.t);
+      return;
+    }
+    const { ray } = this.place(event);
+    const hit = ray.intersectObject(this.stage.content, true)[0];
+    const name = hit?.object.userData["object"] ?? hit?.object.userData["robot"];
+    if (typeof name === "string") this.host.pickObject(name);
+  }
+
+  private startPull(event: PointerEvent): boolean {
+    const run = shownRun(this.store.state);
+    const robot = run?.robots[this.active];
+    if (!run || !robot || event.button !== 0 || !this.handle.visible) return false;
+    const { ray } = this.place(event);
+    const hit = ray.intersectObject(this.handle)[0];
+    if (!hit) return false;
+    const { t } = this.store.state;
+    const pose = matrixPose(toolFrame(robot, run.qAt(this.active, t), run.changeAt(this.active, t)));
+    const plane = new Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new Vector3()), this.handle.position);
+    this.dragged = { robot: this.active, plane, offset: hit.point.clone().sub(this.handle.position), pose };
+    this.stage.controls.enabled = false;
+    return true;
+  }
+
+  private movePull(event: PointerEvent): void {
+    const dragged = this.dragged!;
+    const point = this.place(event).ray.ray.intersectPlane(dragged.plane, new Vector3());
+    if (!point) return;
+    point.sub(dragged.offset);
+    void this.intents.pullHand(dragged.robot, [point.x, point.y, point.z, ...dragged.pose.slice(3)]);
+  }
+
+  private finishPull(): void {
+    const pull = this.store.state.pull;
+    const run = shownRun(this.store.state);
+    this.dragged = null;
+    this.stage.controls.enabled = true;
+    const robot = pull && run?.robots[pull.robot];
+    if (robot && pull.q) void this.intents.giveInput(robot.name, { joints: robot.name, values: pull.q }).then(() => this.intents.endPullHand());
+    else this.intents.endPullHand();
+  }
+}
+
+function pointOf(pose: readonly number[]): Vector3 {
+  return new Vector3(pose[0], pose[1], pose[2]);
+}
+
+// What is lit of a robot's path: the moves of the line under the pointer, or the one at its instant.
+export function litRanges(run: Run, hover: State["hover"], robot: number): [number, number][] {
+  if (!hover) return [];
+  if (hover.from === "text") return run.movesOfLine(hover.line).filter((m) => m.robot === robot).map((m) => [m.t0, m.t1]);
+  const move = hover.robot === robot ? run.moveAt(robot, hover.t) : undefined;
+  return move ? [[move.t0, move.t1]] : [];
+}

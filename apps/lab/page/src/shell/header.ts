@@ -1,0 +1,131 @@
+// Title, who is in control, sharing, and which columns are open.
+import type { Intents } from "../store/intents.ts";
+import { pageWith, recordingOf } from "../store/recording.ts";
+import { inControl, isStale, shownRun, type State } from "../store/state.ts";
+import type { Store } from "../store/store.ts";
+import { el, save, setText } from "./dom.ts";
+import { icon } from "./icons.ts";
+import { hashToText, textToHash } from "./link.ts";
+import type { ColumnName } from "./page.ts";
+
+export interface HeaderActions {
+  // The page as it was before anything was shown in it.
+  source: string;
+  help(): void;
+  toggle(name: ColumnName): boolean;
+  isOpen(name: ColumnName): boolean;
+}
+
+export function header(host: HTMLElement, store: Store, intents: Intents, actions: HeaderActions): void {
+  const title = el("h1", {});
+  const file = el("span", { class: "file quiet" });
+  const status = el("span", { class: "status", role: "status" });
+  const control = el("span", { class: "control" });
+  const offer = el("span", { class: "offer", hidden: true });
+  const toggles = (["program", "view", "elements"] as const).map((name, i) => {
+    const button: HTMLButtonElement = el("button", {
+      class: "icon toggle", "aria-label": `Column ${["program", "3D view", "laboratory"][i]}`, "aria-pressed": "true",
+      onclick: () => button.setAttribute("aria-pressed", String(actions.toggle(name))),
+    }, icon((["left", "middle", "right"] as const)[i]!));
+    queueMicrotask(() => button.setAttribute("aria-pressed", String(actions.isOpen(name))));
+    return button;
+  });
+  host.append(
+    title, file, status, offer, el("span", { class: "gap" }), control,
+    el("button", { onclick: () => void share(intents) }, "Share"),
+    el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
+    el("button", { class: "desk", hidden: !intents.live, onclick: () => record(store.state, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
+    el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
+    el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
+  );
+  store.watch((s) => [s.welcome, shownRun(s)?.title], (s) => {
+    setText(title, shownRun(s)?.title || s.welcome?.title || "Laboratory");
+    setText(file, s.welcome?.file.split("/").at(-1) ?? "");
+  });
+  store.watch((s) => [s.connection, shownRun(s), shownRun(s)?.version, isStale(s), s.diagnostics], (s) => {
+    const [text, kind] = statusOf(s, intents.live);
+    setText(status, text);
+    status.dataset["kind"] = kind;
+  });
+  store.watch((s) => [s.control, s.welcome], (s) => drawControl(control, s, intents));
+  void offerLink(offer, intents);
+  addEventListener("hashchange", () => void offerLink(offer, intents));
+}
+
+function statusOf(state: State, live: boolean): [string, string] {
+  const run = shownRun(state);
+  const errors = state.diagnostics.filter((d) => d.severity === "error").length;
+  if (state.connection === "connecting") return ["connecting …", "quiet"];
+  if (state.connection === "lost") return ["connection lost", "warning"];
+  if (errors) return [`${errors} ${errors === 1 ? "mistake" : "mistakes"}${run ? ": the last good run is shown" : ""}`, "warning"];
+  if (!run) return ["", "quiet"];
+  if (run.state === "running") return [`running, ${run.tEnd.toFixed(1)} s`, "quiet"];
+  if (run.state === "failed") return [`failed at ${run.error?.t.toFixed(2) ?? run.tEnd.toFixed(2)} s`, "warning"];
+  if (run.state === "stopped") return [`stopped at ${run.tEnd.toFixed(2)} s`, "warning"];
+  const what = run.moves.length ? `${run.moves.length} ${run.moves.length === 1 ? "move" : "moves"}, ` : "";
+  return [`${live ? "" : "recording, "}${what}${run.tEnd.toFixed(2)} s`, "good"];
+}
+
+function drawControl(host: HTMLElement, state: State, intents: Intents): void {
+  const { holder, pages, wishes } = state.control;
+  const me = state.welcome?.page;
+  const others = pages.filter((page) => page !== me);
+  if (me === undefined || !intents.live || (!others.length && holder === me)) {
+    host.replaceChildren();
+    return;
+  }
+  if (!inControl(state)) {
+    const wished = me !== undefined && wishes.includes(me);
+    const who = holder === null ? "Nobody is in control." : `You follow page ${holder}.`;
+    host.replaceChildren(el("span", { class: "quiet" }, who), el("button", { onclick: () => intents.takeControl(), disabled: wished }, wished ? "Asked for control" : "Take control"));
+    return;
+  }
+  const list = others.map((page) => el("button", { class: wishes.includes(page) ? "wish" : "", onclick: () => intents.giveControl(page) }, `Hand over to ${page}${wishes.includes(page) ? " (asks)" : ""}`));
+  host.replaceChildren(el("span", { class: "quiet" }, `You are page ${me}, in control.`), ...list.slice(0, 4));
+}
+
+function record(state: State, source: string): void {
+  const run = shownRun(state);
+  if (run) save(`${baseName(state) || "recording"}.html`, new Blob([pageWith(source, recordingOf(state, run))], { type: "text/html" }));
+}
+
+function baseName(state: State): string {
+  return state.welcome?.file.split("/").at(-1)?.replace(/\.rbt$/, "") ?? "";
+}
+
+async function share(intents: Intents): Promise<void> {
+  const hash = await textToHash(intents.state.text);
+  if (!hash) {
+    intents.say("The program is too long for an address. Save it and send the file.");
+    return;
+  }
+  history.replaceState(null, "", hash);
+  const address = location.href.replace(/([?&])token=[^&#]*&?/, "$1").replace(/[?&]#/, "#");
+  try {
+    await navigator.clipboard.writeText(address);
+    intents.say("The address with the program is in the clipboard.");
+  } catch {
+    intents.say("The program is in the address of this page now.");
+  }
+}
+
+// A program that came with an address is not run before somebody says so.
+async function offerLink(host: HTMLElement, intents: Intents): Promise<void> {
+  const text = await hashToText(location.hash);
+  const isNew = text !== null && text !== intents.state.text;
+  host.hidden = !isNew;
+  if (!isNew) return;
+  const done = () => {
+    host.hidden = true;
+    history.replaceState(null, "", location.pathname + location.search);
+  };
+  const open = () => {
+    intents.store.change((s) => {
+      s.text = text;
+      s.textFrom++;
+    });
+    intents.typeText(text, true);
+    done();
+  };
+  host.replaceChildren("This address carries a program.", el("button", { onclick: open }, "Open it"), el("button", { onclick: done }, "Leave it"));
+}

@@ -1,0 +1,71 @@
+// Keys of the whole page, where nobody writes; the help tells them.
+import type { Intents } from "../store/intents.ts";
+import { inControl } from "../store/state.ts";
+import { el } from "./dom.ts";
+
+export const KEYS: [string, string][] = [
+  ["Space", "play or pause"],
+  ["← →", "one statement back or on"],
+  ["Shift ← →", "one move back or on"],
+  ["Home, End", "start or end of the run"],
+  ["Alt and drag a number", "pull it: the run follows"],
+  ["Alt and wheel, Alt Page Up or Down", "the same from the wheel or the keyboard; with Shift ten times as far"],
+  ["F9", "breakpoint on or off"],
+  ["F10, F11, Shift F11, Shift F10", "step over, into, out, back"],
+  ["F5", "on to the next breakpoint"],
+  ["F12", "where a name is declared"],
+  ["Shift Alt F", "lay the program out"],
+  ["Ctrl Space", "what can be written here"],
+  ["1 to 6 in the 3D view", "iso, front, side, top, hand, fit"],
+  ["Escape, then Tab", "leave the editor"],
+  ["?", "this help"],
+];
+
+function isWriting(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && (target.closest(".cm-editor, input, select, textarea") !== null || target.isContentEditable);
+}
+
+function statement(intents: Intents, direction: 1 | -1): void {
+  if (intents.live && inControl(intents.state)) void intents.step(direction > 0 ? "over" : "back");
+  else intents.stepMove(direction);
+}
+
+export function globalKeys(intents: Intents, help: () => void): void {
+  const steps: Record<string, () => void> = {
+    F10: () => void intents.step("over"),
+    F11: () => void intents.step("into"),
+    "Shift-F11": () => void intents.step("out"),
+    "Shift-F10": () => void intents.step("back"),
+    F5: () => void intents.step("continue"),
+  };
+  const others: Record<string, () => void> = {
+    " ": () => intents.play(),
+    ArrowLeft: () => statement(intents, -1),
+    ArrowRight: () => statement(intents, 1),
+    "Shift-ArrowLeft": () => intents.stepMove(-1),
+    "Shift-ArrowRight": () => intents.stepMove(1),
+    Home: () => intents.goTo(0),
+    End: () => intents.goTo(Infinity),
+    "?": help,
+    "/": help,
+  };
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    const key = (event.shiftKey && event.key.length > 1 ? "Shift-" : "") + event.key;
+    const onButton = event.target instanceof HTMLElement && event.target.closest("button, [role=tab], a, summary, dialog, canvas") !== null;
+    const action = steps[key] ?? (isWriting(event.target) || (onButton && (key === " " || key.includes("Arrow"))) ? undefined : others[key]);
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}
+
+export function helpDialog(): HTMLDialogElement {
+  const dialog: HTMLDialogElement = el(
+    "dialog", { class: "help", "aria-label": "Keys" },
+    el("h2", {}, "Keys and gestures"),
+    el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)])),
+    el("button", { onclick: () => dialog.close() }, "Close"),
+  );
+  return dialog;
+}

@@ -1,0 +1,99 @@
+// The page: header, three columns, the bar of time; on a phone one column with tabs.
+import { Editor } from "../editor/editor.ts";
+import { elementPanel } from "../elements/panel.ts";
+import { SceneView } from "../scene/scene.ts";
+import type { Intents } from "../store/intents.ts";
+import { inControl, isStale, shownRun } from "../store/state.ts";
+import type { Store } from "../store/store.ts";
+import { TimeBar } from "../timebar/bar.ts";
+import { transport } from "../timebar/transport.ts";
+import { el, remember, remembered, setText } from "./dom.ts";
+import { header } from "./header.ts";
+import { hints } from "./hints.ts";
+import { globalKeys, helpDialog } from "./keys.ts";
+import { editorPanels } from "./panels.ts";
+import { sceneTools } from "./scene_tools.ts";
+
+const COLUMNS = ["program", "view", "elements"] as const;
+export type ColumnName = (typeof COLUMNS)[number];
+const TITLES: Record<ColumnName, string> = { program: "Program", view: "3D view", elements: "Laboratory" };
+
+export function buildPage(root: HTMLElement, store: Store, intents: Intents): void {
+  const source = `<!doctype html>\n${document.documentElement.outerHTML}`;
+  const help = helpDialog();
+  const top = el("header", { class: "top" });
+  const editorHost = el("div", { class: "editor" });
+  const below = el("div", { class: "below" });
+  const stage = el("div", { class: "stage" });
+  const labels = el("div", { class: "labels", "aria-hidden": "true" });
+  const elements = el("div", { class: "elements" });
+  const columns: Record<ColumnName, HTMLElement> = {
+    program: el("section", { class: "column program", "aria-label": TITLES.program }, editorHost, below),
+    view: el("section", { class: "column view", "aria-label": TITLES.view }, el("div", { class: "stage-box" }, stage, labels)),
+    elements: el("section", { class: "column side", "aria-label": TITLES.elements }, elements),
+  };
+  const main = el("main", { class: "columns" }, columns.program, columns.view, columns.elements);
+  const bottom = el("footer", { class: "bottom", "aria-label": "Time" });
+  const message = el("div", { class: "message", role: "status", "aria-live": "polite", hidden: true });
+  root.replaceChildren(top, main, bottom, phoneTabs(main), message, help);
+
+  const open = () => help.open || help.showModal();
+  header(top, store, intents, { source, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
+  const editor = new Editor(editorHost, store, intents);
+  editorPanels(below, store, intents, editor);
+  const legend = el("div", { class: "legend", hidden: true });
+  const scene = new SceneView(store, intents, {
+    stage,
+    labels,
+    pickObject: (name) => editor.find(name),
+    topSpeed: (v) => drawLegend(legend, v),
+  });
+  sceneTools(columns.view, scene, store, intents, editor);
+  columns.view.append(legend);
+  elementPanel(elements, store, intents);
+  transport(bottom, store, intents);
+  new TimeBar(bottom, store, intents);
+  globalKeys(intents, open);
+  hints(columns, store);
+  for (const name of COLUMNS) if (remembered(`closed.${name}`) === "yes") columns[name].classList.add("closed");
+  watchMessage(message, store);
+  store.watch((s) => [shownRun(s)?.layout, shownRun(s)?.title, isStale(s), inControl(s)], (s) => {
+    const run = shownRun(s);
+    root.dataset["layout"] = run?.layout || s.welcome?.layout || "columns";
+    root.classList.toggle("is-stale", isStale(s));
+    root.classList.toggle("follows", !inControl(s));
+    document.title = `${run?.title || s.welcome?.title || s.welcome?.file || "Armlet"} – laboratory`;
+  });
+}
+
+function toggle(column: HTMLElement, name: ColumnName): boolean {
+  const closed = column.classList.toggle("closed");
+  remember(`closed.${name}`, closed ? "yes" : "no");
+  return !closed;
+}
+
+function phoneTabs(main: HTMLElement): HTMLElement {
+  const buttons = COLUMNS.map((name) => el("button", { onclick: () => choose(name) }, TITLES[name]));
+  const choose = (name: ColumnName) => {
+    main.dataset["tab"] = name;
+    buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(COLUMNS[i] === name)));
+  };
+  choose("view");
+  return el("nav", { class: "phone", "aria-label": "Parts of the page" }, ...buttons);
+}
+
+function drawLegend(legend: HTMLElement, top: number): void {
+  legend.hidden = top <= 1e-6;
+  legend.replaceChildren(el("span", {}, "0"), el("span", { class: "ramp" }), el("span", {}, `${top.toPrecision(2)} m/s`));
+}
+
+function watchMessage(message: HTMLElement, store: Store): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  store.watch((s) => [s.message, s.connection, s.connectionNote], (s) => {
+    const lost = s.connection === "lost";
+    setText(message, lost ? `The laboratory does not answer. Trying again … ${s.connectionNote}` : s.message);
+    message.hidden = message.textContent === "";
+    clearTimeout(timer);
+    if (s.message && !lost) timer = setTimeout(() => store.change((state) => (state.message = "")), 6000);
+  });
+}

@@ -1,0 +1,85 @@
+// What stands over the 3D view: points of view, frames, the picture as a file, and where the hand is.
+import type { Editor } from "../editor/editor.ts";
+import { rollPitchYaw } from "../elements/units.ts";
+import type { SceneView } from "../scene/scene.ts";
+import type { Preset } from "../scene/stage.ts";
+import type { Intents } from "../store/intents.ts";
+import { shownRun, type State } from "../store/state.ts";
+import type { Store } from "../store/store.ts";
+import { el, save, setText } from "./dom.ts";
+
+const PRESETS: [Preset, string][] = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"], ["hand", "Hand"]];
+
+const trimmed = (value: number, digits: number) => `${+value.toFixed(digits)}`;
+
+// The joints as a program writes them.
+export function positionText(q: readonly number[], units: readonly ("rad" | "m")[]): string {
+  const values = q.map((v, i) => (units[i] === "m" ? `${trimmed(1000 * v, 2)}mm` : `${trimmed((180 / Math.PI) * v, 2)}deg`));
+  return `posJ(${values.join(", ")})`;
+}
+
+// The pose of the hand as a program writes it.
+export function poseText(pose: readonly number[]): string {
+  const mm = (i: number) => `${trimmed(1000 * (pose[i] ?? 0), 2)}mm`;
+  const { roll, pitch, yaw } = rollPitchYaw(pose);
+  const deg = (v: number) => `${trimmed((180 / Math.PI) * v, 2)}deg`;
+  return `pose(x: ${mm(0)}, y: ${mm(1)}, z: ${mm(2)}, roll: ${deg(roll)}, pitch: ${deg(pitch)}, yaw: ${deg(yaw)})`;
+}
+
+function joints(state: State, robot: number): readonly number[] {
+  if (state.pull?.robot === robot && state.pull.q) return state.pull.q;
+  return shownRun(state)?.qAt(robot, state.t) ?? [];
+}
+
+export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, intents: Intents, editor: Editor): void {
+  const frames: HTMLButtonElement = el("button", { class: "tiny", "aria-pressed": "false", onclick: () => {
+    scene.showFrames = !scene.showFrames;
+    frames.setAttribute("aria-pressed", String(scene.showFrames));
+    scene.redraw();
+  } }, "Frames");
+  const robots = el("select", { "aria-label": "Robot", hidden: true, onchange: () => {
+    scene.active = Number(robots.value);
+    scene.redraw();
+  } });
+  const picture = async () => {
+    const blob = await scene.picture();
+    if (blob) save("view.png", blob);
+  };
+  host.append(el(
+    "div", { class: "scene-tools", role: "toolbar", "aria-label": "3D view" },
+    ...PRESETS.map(([preset, label]) => el("button", { class: "tiny", onclick: () => scene.look(preset) }, label)),
+    el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), frames, robots,
+    el("button", { class: "tiny", onclick: () => void picture() }, "PNG"),
+  ));
+  const where = el("output", { class: "where", "aria-label": "Hand" });
+  const why = el("p", { class: "reason" });
+  const insertJ = el("button", { class: "tiny", onclick: () => {
+    const info = shownRun(store.state)?.robots[scene.active];
+    if (info) editor.insert(positionText(joints(store.state, scene.active), info.joints.map((j) => j.unit)));
+  } }, "Insert posJ");
+  const insertC = el("button", { class: "tiny", onclick: () => {
+    const pose = shownRun(store.state)?.toolAt(scene.active, store.state.t);
+    if (pose) editor.insert(poseText(pose));
+  } }, "Insert posC");
+  host.append(el("div", { class: "hand" }, where, insertJ, insertC, why));
+  scene.canvas.tabIndex = 0;
+  scene.canvas.setAttribute("role", "img");
+  scene.canvas.addEventListener("keydown", (event) => {
+    const preset = PRESETS[Number(event.key) - 1];
+    if (preset) scene.look(preset[0]);
+    else if (event.key === "6") scene.fit();
+    else return;
+    event.preventDefault();
+  });
+  store.watch((s) => [s.shown, shownRun(s)?.version, s.t, s.pull], (s) => {
+    const run = shownRun(s);
+    const pose = run?.toolAt(scene.active, s.t);
+    const names = run?.robots.map((r) => r.name) ?? [];
+    if (robots.options.length !== names.length) robots.replaceChildren(...names.map((name, i) => el("option", { value: i }, name)));
+    robots.hidden = names.length < 2;
+    setText(where, pose ? `${names[scene.active] ?? ""} at ${pose.slice(0, 3).map((v) => (1000 * v).toFixed(1)).join(", ")} mm` : "");
+    insertJ.hidden = insertC.hidden = !pose || !intents.live;
+    setText(why, s.pull?.reason ?? "");
+    scene.canvas.setAttribute("aria-label", `3D view: ${names.join(", ") || "no robot"}; ${where.textContent}`);
+  });
+}

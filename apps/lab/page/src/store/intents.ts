@@ -1,0 +1,282 @@
+// What a person wants: changes of the state and messages to the laboratory.
+import { Refused, type Connection } from "../home/connection.ts";
+import type { Incoming, Input, Pose, StepHow } from "../protocol/messages.ts";
+import type { Store } from "./store.ts";
+import { inControl, shownRun, type State } from "./state.ts";
+
+const PAUSE_IN_TYPING = 150; // ms until the text runs
+const CHECK_AFTER = 30; // ms until it is checked
+const WHILE_PLAYING = 200; // ms between questions for variables
+const LONGEST_WAIT = 2000; // ms for an input to be taken, before the next one is sent
+
+export class Intents {
+  readonly store: Store;
+  private readonly connection: Connection;
+  readonly live: boolean;
+  private typing: ReturnType<typeof setTimeout> | undefined;
+  private checking: ReturnType<typeof setTimeout> | undefined;
+  private sentText: string | null = null;
+  private checkedText: string | null = null;
+  private waitsForRun = false;
+  private asking = false;
+  private askedFor = "";
+  private askedAt = 0;
+  private input: { element: string; what: Input } | null = null;
+  private givingInput = false;
+  private pulling = false;
+  private pullGoal: { robot: number; pose: Pose } | null = null;
+
+  constructor(store: Store, connection: Connection, live: boolean) {
+    this.store = store;
+    this.connection = connection;
+    this.live = live;
+  }
+
+  get state(): State {
+    return this.store.state;
+  }
+
+  // A message came in: what waited for it can go on.
+  heard(message: Incoming): void {
+    if (message.type === "welcome") {
+      this.sentText = message.text;
+      this.waitsForRun = false;
+      this.givingInput = false;
+    }
+    const ended = (message.type === "run" && message.state !== "running") || (message.type === "diagnostics" && !message.runs);
+    if (message.type === "control" && this.state.text !== this.sentText) this.sendText();
+    if (ended) {
+      this.waitsForRun = false;
+      if (this.pulledText) this.sendText();
+    }
+    this.askForInstant();
+  }
+
+  private get pulledText(): boolean {
+    return this.state.ghost !== null && this.state.text !== this.sentText;
+  }
+
+  // The text was typed: it is checked soon and runs after a pause, or at once when `now`.
+  typeText(text: string, now = false): void {
+    this.store.change((s) => {
+      s.text = text;
+      s.ghost = null;
+    });
+    clearTimeout(this.typing);
+    if (now) {
+      this.sendText();
+      return;
+    }
+    this.typing = setTimeout(() => this.sendText(), PAUSE_IN_TYPING);
+    this.checking ??= setTimeout(() => {
+      this.checking = undefined;
+      this.sendText(false);
+    }, CHECK_AFTER);
+  }
+
+  // A number in the text is pulled: the path before it stays as a ghost, and as many texts run as can.
+  pullText(text: string): void {
+    this.store.change((s) => {
+      s.text = text;
+      s.ghost ??= s.shown;
+    });
+    clearTimeout(this.typing);
+    if (!this.waitsForRun) this.sendText();
+  }
+
+  endPull(): void {
+    if (this.state.text !== this.sentText) this.sendText();
+  }
+
+  clearGhost(): void {
+    this.store.change((s) => (s.ghost = null));
+  }
+
+  // The laboratory has the text of the editor after this; without `run` it only checks it.
+  sendText(run = true): void {
+    if (run) clearTimeout(this.typing);
+    if (!this.live || !inControl(this.state) || this.state.text === (run ? this.sentText : this.checkedText)) return;
+    if (!run && this.state.text === this.sentText) return;
+    this.checkedText = this.state.text;
+    if (run) this.sentText = this.state.text;
+    this.waitsForRun ||= run;
+    const version = this.state.textVersion + 1;
+    this.store.change((s) => (s.textVersion = version));
+    this.connection.send({ type: "text", text: this.state.text, version, ...(run ? {} : { run: false }) });
+  }
+
+  ask: Connection["ask"] = (message) => {
+    if (!this.live) return Promise.reject(new Error("This is a recording."));
+    this.sendText(false);
+    return this.connection.ask(message);
+  };
+
+  goTo(t: number): void {
+    const run = shownRun(this.state);
+    this.store.change((s) => (s.t = Math.min(Math.max(0, t), run?.tEnd ?? 0)));
+    this.askForInstant();
+  }
+
+  play(on = !this.state.playing): void {
+    const run = shownRun(this.state);
+    if (on && (!run || run.tEnd <= 0)) return;
+    this.store.change((s) => {
+      s.playing = on;
+      if (on && s.t >= (run?.tEnd ?? 0) - 1e-9) s.t = 0;
+    });
+    this.askForInstant();
+  }
+
+  // Time passes while playing: `seconds` of the wall clock.
+  advance(seconds: number): void {
+    const { playing, t, speed } = this.state;
+    const run = shownRun(this.state);
+    if (!playing || !run) return;
+    const next = Math.min(run.tEnd, t + speed * seconds);
+    this.store.change((s) => {
+      s.t = next;
+      if (next >= run.tEnd) s.playing = false;
+    });
+    this.askForInstant();
+  }
+
+  // To the next or last instant at which a move begins or ends.
+  stepMove(direction: 1 | -1): void {
+    const stops = shownRun(this.state)?.stops() ?? [];
+    const t = this.state.t;
+    const next = direction > 0 ? stops.find((s) => s > t + 1e-9) : stops.findLast((s) => s < t - 1e-9);
+    if (next !== undefined) this.goTo(next);
+  }
+
+  async step(how: StepHow): Promise<void> {
+    this.store.change((s) => (s.playing = false));
+    const instant = await this.answered<"instant">({ type: "step", how });
+    if (instant) this.store.change((s) => (s.t = instant.t));
+  }
+
+  toggleBreakpoint(line: number): void {
+    const lines = this.state.breakpoints;
+    const next = lines.includes(line) ? lines.filter((l) => l !== line) : [...lines, line].sort((a, b) => a - b);
+    if (!this.live) return;
+    this.store.change((s) => (s.breakpoints = next));
+    this.connection.send({ type: "breakpoints", lines: next });
+  }
+
+  // A slider was moved, a button pressed: the last of what comes while the laboratory is busy counts.
+  async giveInput(element: string, what: Input): Promise<void> {
+    this.input = { element, what };
+    if (this.givingInput || !this.live) return;
+    this.givingInput = true;
+    while (this.input) {
+      const { element: name, what: next } = this.input;
+      this.input = null;
+      const run = shownRun(this.state);
+      const t = run && this.state.t < run.tEnd - 1e-9 ? { t: this.state.t } : {};
+      try {
+        await Promise.race([this.connection.ask({ type: "input", ...t, ...next }), after(LONGEST_WAIT)]);
+        this.refuse(name, "");
+        this.askedFor = ""; // the same instant of the same run has other values now
+        this.store.change((s) => (s.instant = null));
+        this.askForInstant();
+      } catch (error) {
+        this.refuse(name, error instanceof Error ? error.message : String(error));
+      }
+    }
+    this.givingInput = false;
+  }
+
+  refuse(element: string, reason: string): void {
+    if ((this.state.refusals.get(element) ?? "") === reason) return;
+    this.store.change((s) => {
+      s.refusals = new Map(s.refusals);
+      if (reason) s.refusals.set(element, reason);
+      else s.refusals.delete(element);
+    });
+  }
+
+  // The hand of a robot is pulled to `pose`: how the arm gets there, or why it does not.
+  async pullHand(robot: number, pose: Pose): Promise<void> {
+    this.pullGoal = { robot, pose };
+    if (this.pulling || !this.live) return;
+    this.pulling = true;
+    while (this.pullGoal) {
+      const goal = this.pullGoal;
+      this.pullGoal = null;
+      const info = shownRun(this.state)?.robots[goal.robot];
+      if (!info) break;
+      const seed = this.state.pull?.q ?? shownRun(this.state)?.qAt(goal.robot, this.state.t);
+      const answer = await this.answered<"inverse">({ type: "inverse", robot: info.name, pose: goal.pose, ...(seed ? { seed } : {}) });
+      if (!answer) continue;
+      const q = answer.ok ? (answer.q ?? null) : (answer.nearest?.q ?? null);
+      this.store.change((s) => (s.pull = { robot: goal.robot, q, nearest: answer.nearest ?? null, reason: answer.ok ? "" : (answer.reason ?? "") }));
+    }
+    this.pulling = false;
+  }
+
+  endPullHand(): void {
+    this.store.change((s) => (s.pull = null));
+  }
+
+  show(run: number): void {
+    if (this.state.runs.get(run)?.described && !inControl(this.state)) this.store.change((s) => (s.shown = run));
+    else if (this.live) this.connection.send({ type: "show", run });
+  }
+
+  async compare(run: number | null): Promise<void> {
+    const shown = this.state.shown;
+    this.store.change((s) => {
+      s.comparison = null;
+      s.ghost = run;
+    });
+    if (run === null || shown === null || !this.live) return;
+    if (!this.state.runs.get(run)?.described) this.connection.send({ type: "fetch", run });
+    await this.answered<"comparison">({ type: "compare", run: shown, with: run });
+  }
+
+  takeControl(): void {
+    this.connection.send({ type: "take" });
+  }
+
+  giveControl(to?: number): void {
+    this.connection.send(to === undefined ? { type: "give" } : { type: "give", to });
+  }
+
+  say(message: string): void {
+    this.store.change((s) => (s.message = message));
+  }
+
+  // The answer, or null after the reason was said.
+  private async answered<T extends Incoming["type"]>(message: Parameters<Connection["ask"]>[0]) {
+    try {
+      return await this.ask<T>(message);
+    } catch (error) {
+      if (error instanceof Refused) this.say(error.message);
+      return null;
+    }
+  }
+
+  // Variables and values of elements at the instant that is looked at: one question at a time.
+  private askForInstant(): void {
+    const { shown, t, playing, connection } = this.state;
+    const key = `${shown} ${t}`;
+    if (!this.live || this.asking || shown === null || connection !== "open" || key === this.askedFor) return;
+    const now = Date.now();
+    if (playing && now - this.askedAt < WHILE_PLAYING) return;
+    const instant = this.state.instant;
+    if (instant && instant.run === shown && Math.abs(instant.t - t) < 1e-9) return;
+    this.asking = true;
+    this.askedFor = key;
+    this.askedAt = now;
+    this.connection
+      .ask({ type: "goto", t, run: shown })
+      .catch(() => {})
+      .finally(() => {
+        this.asking = false;
+        this.askForInstant();
+      });
+  }
+}
+
+function after(ms: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, ms));
+}

@@ -1,0 +1,124 @@
+// Everything that is known of one run, and questions about it.
+import type * as M from "../protocol/messages.ts";
+import { Rows, Track } from "./rows.ts";
+import { changeAt, matrixPose, toolFrame } from "./kinematics.ts";
+
+export interface Figure {
+  title: string;
+  svg: string;
+}
+
+export class Run {
+  readonly id: number;
+  state: M.RunState = "running";
+  tEnd = 0;
+  textVersion = 0;
+  label = "";
+  parent: number | null = null;
+  partsAt: number | null = null;
+  hash = "";
+  error: M.RunError | null = null;
+  inputs: Record<string, unknown>[] = [];
+  robots: M.RobotInfo[] = [];
+  objects: M.ObjectInfo[] = [];
+  elements: M.ElementInfo[] = [];
+  title = "";
+  layout = "";
+  moves: M.Move[] = [];
+  statements: [number, number][] = [];
+  events: M.ObjectEvent[] = [];
+  notes: M.NoteItem[] = [];
+  figures = new Map<number, Figure>();
+  tracks: Track[] = [];
+  objectRows = new Map<number, Rows>();
+  elementRows = new Map<number, Rows>();
+  // Values of elements at the time for which they were asked last.
+  values: Record<string, M.ElementValue> = {};
+  valuesAt = -1;
+  described = false;
+  // Counts what has come in, so that views know when to look again.
+  version = 0;
+
+  constructor(id: number) {
+    this.id = id;
+  }
+
+  qAt(robot: number, t: number): number[] {
+    const track = this.tracks[robot];
+    return track?.count ? track.qAt(t) : (this.robots[robot]?.home ?? []);
+  }
+
+  changeAt(robot: number, t: number): M.RobotChange | undefined {
+    const info = this.robots[robot];
+    return info && changeAt(info, t);
+  }
+
+  // The pose of a robot's tool.
+  toolAt(robot: number, t: number): M.Pose | null {
+    const info = this.robots[robot];
+    if (!info) return null;
+    const track = this.tracks[robot];
+    return track?.count ? track.toolAt(t) : matrixPose(toolFrame(info, info.home, this.changeAt(robot, t)));
+  }
+
+  // The pose of an object, or null while it does not exist.
+  objectAt(index: number, t: number): M.Pose | null {
+    const object = this.objects[index];
+    if (!object) return null;
+    let there: boolean | null = null;
+    for (const event of this.events) {
+      if (event.object !== index) continue;
+      if (event.what === "added" && there === null && event.t > t) there = false;
+      if (event.t > t) break;
+      if (event.what === "added") there = true;
+      if (event.what === "removed") there = false;
+    }
+    if (there === false) return null;
+    const rows = this.objectRows.get(index);
+    return rows?.count && rows.time(0) <= t ? rows.poseAt(t, 1) : object.pose;
+  }
+
+  // The robot that holds the object at t, or null.
+  holderAt(object: number, t: number): number | null {
+    let holder: number | null = null;
+    for (const event of this.events) {
+      if (event.t > t) break;
+      if (event.object === object) holder = event.what === "attached" ? event.robot : event.what === "added" ? holder : null;
+    }
+    return holder;
+  }
+
+  // The line on which the program is at t; null before its first statement.
+  lineAt(t: number): number | null {
+    let low = 0;
+    let high = this.statements.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.statements[middle]![0] <= t) low = middle + 1;
+      else high = middle;
+    }
+    return low ? this.statements[low - 1]![1] : null;
+  }
+
+  movesOfLine(line: number): M.Move[] {
+    return this.moves.filter((move) => move.span && move.span[0] <= line && line <= move.span[2]);
+  }
+
+  moveAt(robot: number, t: number): M.Move | undefined {
+    return this.moves.find((move) => move.robot === robot && move.t0 <= t && t <= move.t1);
+  }
+
+  // Instants at which something begins or ends, in order: where the arrow keys stop.
+  stops(): number[] {
+    const times = new Set<number>([0, this.tEnd]);
+    for (const move of this.moves) times.add(move.t0).add(move.t1);
+    return [...times].sort((a, b) => a - b);
+  }
+}
+
+// Puts the items of a growing list where they belong.
+export function grow<T>(list: T[], first: number, items: T[]): void {
+  if (first > list.length) return;
+  list.length = first;
+  for (const item of items) list.push(item);
+}

@@ -1,0 +1,262 @@
+// The bar of time: a lane for each robot, a block for each move, ticks for what happened, other runs as thin lines.
+import { el, setText } from "../shell/dom.ts";
+import type { Intents } from "../store/intents.ts";
+import type { Run } from "../store/run.ts";
+import { isStale, shownRun, type State } from "../store/state.ts";
+import type { Store } from "../store/store.ts";
+
+const LEFT = 76; // names of lanes
+const RIGHT = 14;
+const RULER = 18;
+const LANE = 24;
+const THIN = 4;
+const OTHERS = 8; // runs drawn as thin lines
+
+interface Tick {
+  t: number;
+  text: string;
+  kind: "event" | "advice" | "message";
+}
+
+// What happened besides moves, in the order of time.
+export function ticksOf(run: Run): Tick[] {
+  const events = run.events
+    .filter((event) => event.what !== "added" || event.t > 0)
+    .map((event): Tick => ({ t: event.t, text: `${run.objects[event.object]?.name ?? ""} ${event.what}`, kind: "event" }));
+  const notes = run.notes
+    .filter((note) => note.kind !== "output")
+    .map((note): Tick => ({ t: note.t, text: note.text, kind: note.kind === "message" ? "message" : "advice" }));
+  return [...events, ...notes].sort((a, b) => a.t - b.t);
+}
+
+// Distance of the marks of a ruler, so that about `room` of them fit into `span` seconds.
+export function rulerStep(span: number, room: number): number {
+  const raw = span / Math.max(1, room);
+  const power = 10 ** Math.floor(Math.log10(raw));
+  return [1, 2, 5, 10].map((m) => m * power).find((step) => step >= raw) ?? 10 * power;
+}
+
+export class TimeBar {
+  private readonly host: HTMLElement;
+  private readonly canvas = el("canvas");
+  private readonly note = el("div", { class: "bar-note", hidden: true });
+  private readonly bar: HTMLElement;
+  private readonly store: Store;
+  private readonly intents: Intents;
+  private drag: number | null = null;
+
+  constructor(host: HTMLElement, store: Store, intents: Intents) {
+    this.host = host;
+    this.store = store;
+    this.intents = intents;
+    this.bar = el("div", { class: "bar", role: "slider", tabindex: 0, "aria-label": "Time" }, this.canvas, this.note);
+    host.append(this.bar);
+    new ResizeObserver(() => this.draw(store.state)).observe(this.bar);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw(store.state));
+    store.watch((s) => [s.shown, shownRun(s)?.version, s.t, s.hover, s.list, s.ghost, s.comparison, isStale(s)], (s) => this.draw(s));
+    this.listen();
+  }
+
+  private get span(): number {
+    const { state } = this.store;
+    const ghost = state.ghost === null ? undefined : state.runs.get(state.ghost);
+    return Math.max(shownRun(state)?.tEnd ?? 0, ghost?.tEnd ?? 0) || 1;
+  }
+
+  private x(t: number): number {
+    return LEFT + (t / this.span) * (this.bar.clientWidth - LEFT - RIGHT);
+  }
+
+  private t(x: number): number {
+    return Math.min(this.span, Math.max(0, ((x - LEFT) / Math.max(1, this.bar.clientWidth - LEFT - RIGHT)) * this.span));
+  }
+
+  private listen(): void {
+    const at = (event: PointerEvent) => {
+      const box = this.bar.getBoundingClientRect();
+      return { x: event.clientX - box.left, y: event.clientY - box.top };
+    };
+    this.bar.addEventListener("pointerdown", (event) => {
+      this.drag = event.pointerId;
+      this.bar.setPointerCapture(event.pointerId);
+      this.intents.play(false);
+      this.intents.goTo(this.t(at(event).x));
+    });
+    this.bar.addEventListener("pointermove", (event) => {
+      const { x, y } = at(event);
+      if (this.drag === event.pointerId) this.intents.goTo(this.t(x));
+      this.hover(x, y);
+    });
+    const end = (event: PointerEvent) => this.drag === event.pointerId && (this.drag = null);
+    this.bar.addEventListener("pointerup", end);
+    this.bar.addEventListener("pointercancel", end);
+    this.bar.addEventListener("pointerleave", () => {
+      this.note.hidden = true;
+      this.store.change((s) => (s.hover = null));
+    });
+  }
+
+  // The block or tick under the pointer is told, and what belongs to it lights up.
+  private hover(x: number, y: number): void {
+    const run = shownRun(this.store.state);
+    if (!run) return;
+    const t = this.t(x);
+    const robot = Math.floor((y - RULER) / LANE);
+    const move = robot >= 0 && x >= LEFT ? run.moveAt(robot, t) : undefined;
+    const tick = ticksOf(run).find((k) => Math.abs(this.x(k.t) - x) < 5);
+    setText(this.note, tick ? `${tick.t.toFixed(2)} s  ${tick.text}` : move ? move.text : "");
+    this.note.style.left = `${Math.min(Math.max(LEFT, x), this.bar.clientWidth - 200)}px`;
+    this.note.hidden = this.note.textContent === "";
+    const old = this.store.state.hover;
+    const next = move ? { from: "bar" as const, robot, t, line: move.span?.[0] ?? null } : null;
+    if (next === old || (next && old?.from === "bar" && old.line === next.line && old.t === next.t)) return;
+    this.store.change((s) => (s.hover = next));
+  }
+
+  private draw(state: State): void {
+    const run = shownRun(state);
+    const lanes = Math.max(1, run?.robots.length ?? 1);
+    const others = run ? otherRuns(state, run) : [];
+    const height = RULER + lanes * LANE + others.length * THIN + 12;
+    const width = this.bar.clientWidth;
+    if (!width) return;
+    const scale = Math.min(2, devicePixelRatio);
+    if (this.canvas.width !== Math.round(width * scale) || this.canvas.height !== Math.round(height * scale)) {
+      this.canvas.width = Math.round(width * scale);
+      this.canvas.height = Math.round(height * scale);
+      this.canvas.style.height = `${height}px`;
+    }
+    const c = this.canvas.getContext("2d");
+    if (!c) return;
+    c.setTransform(scale, 0, 0, scale, 0, 0);
+    c.clearRect(0, 0, width, height);
+    const style = getComputedStyle(this.host);
+    const color = (name: string) => style.getPropertyValue(name).trim();
+    this.drawRuler(c, color, height);
+    if (run) {
+      this.drawLanes(c, color, run, state);
+      this.drawOthers(c, color, others, RULER + lanes * LANE + 4);
+      this.drawTicks(c, color, run, lanes, state);
+    }
+    this.drawNow(c, color, state.t, height);
+    this.describe(run, state);
+  }
+
+  private drawRuler(c: CanvasRenderingContext2D, color: (name: string) => string, height: number): void {
+    const width = this.bar.clientWidth;
+    const step = rulerStep(this.span, (width - LEFT) / 90);
+    c.font = "11px system-ui, sans-serif";
+    c.textBaseline = "middle";
+    for (let k = 0; k * step <= this.span * 1.0001; k++) {
+      const x = Math.round(this.x(k * step)) + 0.5;
+      c.strokeStyle = color("--grid");
+      c.beginPath();
+      c.moveTo(x, RULER - 3);
+      c.lineTo(x, height);
+      c.stroke();
+      c.fillStyle = color("--quiet");
+      c.textAlign = "center";
+      c.fillText(`${+(k * step).toPrecision(6)} s`, Math.min(x, width - 16), 8);
+    }
+  }
+
+  private drawLanes(c: CanvasRenderingContext2D, color: (name: string) => string, run: Run, state: State): void {
+    const stale = isStale(state);
+    run.robots.forEach((robot, i) => {
+      c.fillStyle = color("--quiet");
+      c.textAlign = "left";
+      c.fillText(robot.name.length > 10 ? `${robot.name.slice(0, 9)}…` : robot.name, 8, RULER + i * LANE + LANE / 2);
+      c.fillStyle = color("--lane");
+      c.beginPath();
+      c.roundRect(LEFT, RULER + i * LANE + 2, this.x(run.tEnd) - LEFT, LANE - 4, 4);
+      c.fill();
+    });
+    const line = state.hover?.line ?? null;
+    for (const move of run.moves) {
+      const [x0, x1] = [this.x(move.t0), this.x(move.t1)];
+      const y = RULER + move.robot * LANE + 2;
+      const lit = line !== null && move.span !== null && move.span[0] <= line && line <= move.span[2];
+      c.globalAlpha = stale ? 0.35 : 1;
+      c.fillStyle = lit ? color("--accent") : color("--block");
+      c.beginPath();
+      c.roundRect(x0 + 0.5, y, Math.max(1, x1 - x0 - 1), LANE - 4, 4);
+      c.fill();
+      const name = /move\w*|[a-z]\w+/i.exec(move.text.replace(/^\S+ /, ""))?.[0] ?? move.text;
+      c.fillStyle = lit ? color("--on-accent") : color("--on-block");
+      if (x1 - x0 > c.measureText(name).width + 8) c.fillText(name, x0 + 5, y + (LANE - 4) / 2 + 0.5);
+      c.globalAlpha = 1;
+    }
+  }
+
+  private drawTicks(c: CanvasRenderingContext2D, color: (name: string) => string, run: Run, lanes: number, state: State): void {
+    for (const tick of ticksOf(run)) {
+      const x = this.x(tick.t);
+      c.fillStyle = tick.kind === "message" ? color("--warning") : tick.kind === "advice" ? color("--s4") : color("--text");
+      c.beginPath();
+      c.moveTo(x - 3.5, RULER - 5);
+      c.lineTo(x + 3.5, RULER - 5);
+      c.lineTo(x, RULER + 1);
+      c.fill();
+    }
+    if (run.error) {
+      const x = this.x(run.error.t);
+      c.strokeStyle = c.fillStyle = color("--warning");
+      c.lineWidth = 2;
+      c.beginPath();
+      c.moveTo(x, RULER);
+      c.lineTo(x, RULER + lanes * LANE);
+      c.stroke();
+      c.beginPath();
+      c.arc(x, RULER, 4, 0, 7);
+      c.fill();
+      c.lineWidth = 1;
+    }
+    const parts = state.comparison?.parts_at;
+    if (typeof parts === "number" && state.comparison?.run === run.id) {
+      const x = this.x(parts);
+      c.setLineDash([3, 3]);
+      c.strokeStyle = color("--warning");
+      c.beginPath();
+      c.moveTo(x, RULER);
+      c.lineTo(x, RULER + lanes * LANE + 20);
+      c.stroke();
+      c.setLineDash([]);
+    }
+  }
+
+  private drawOthers(c: CanvasRenderingContext2D, color: (name: string) => string, others: { t_end: number; lit: boolean }[], y: number): void {
+    others.forEach((other, i) => {
+      c.fillStyle = other.lit ? color("--accent") : color("--thin");
+      c.fillRect(LEFT, y + i * THIN, Math.max(1, this.x(Math.min(other.t_end, this.span)) - LEFT), 2);
+    });
+  }
+
+  private drawNow(c: CanvasRenderingContext2D, color: (name: string) => string, t: number, height: number): void {
+    const x = this.x(t);
+    c.strokeStyle = c.fillStyle = color("--text");
+    c.lineWidth = 1.5;
+    c.beginPath();
+    c.moveTo(x, RULER - 4);
+    c.lineTo(x, height);
+    c.stroke();
+    c.beginPath();
+    c.arc(x, height - 5, 4.5, 0, 7);
+    c.fill();
+    c.lineWidth = 1;
+  }
+
+  private describe(run: Run | null, state: State): void {
+    const move = run?.moves.find((m) => m.t0 <= state.t && state.t <= m.t1);
+    this.bar.setAttribute("aria-valuemin", "0");
+    this.bar.setAttribute("aria-valuemax", (run?.tEnd ?? 0).toFixed(2));
+    this.bar.setAttribute("aria-valuenow", state.t.toFixed(2));
+    this.bar.setAttribute("aria-valuetext", `${state.t.toFixed(2)} of ${(run?.tEnd ?? 0).toFixed(2)} seconds${move ? `, ${move.text}` : ""}`);
+  }
+}
+
+function otherRuns(state: State, run: Run): { t_end: number; lit: boolean }[] {
+  return state.list
+    .filter((head) => head.run !== run.id)
+    .slice(-OTHERS)
+    .map((head) => ({ t_end: head.t_end, lit: head.run === state.ghost }));
+}

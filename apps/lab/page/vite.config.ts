@@ -1,0 +1,65 @@
+import { createHash } from "node:crypto";
+import { defineConfig, type Plugin } from "vite";
+
+// KaTeX names each font in three formats; every browser that runs this page reads the first.
+function onlyWoff2(): Plugin {
+  return {
+    name: "only-woff2",
+    enforce: "pre",
+    transform(code, id) {
+      if (!id.includes("katex") || !id.endsWith(".css")) return null;
+      return code.replace(/,\s*url\([^)]*\.(woff|ttf)\)\s*format\(["'](woff|truetype)["']\)/g, "");
+    },
+  };
+}
+
+// What the page may do: its own script, known by its hash, and nothing that comes with a program.
+function policy(code: string): string {
+  const hash = createHash("sha256").update(code).digest("base64");
+  return [
+    "default-src 'none'", `script-src 'sha256-${hash}' 'wasm-unsafe-eval' blob:`, "style-src 'unsafe-inline'", "img-src data: blob:", "font-src data:",
+    "connect-src 'self' ws: wss: data: blob:", "worker-src blob:", "base-uri 'none'", "form-action 'none'",
+  ].join("; ");
+}
+
+// One file: the script and the styles are written into the page, so that it can be embedded in a
+// program, mailed, and opened from a disk.
+function oneFile(): Plugin {
+  return {
+    name: "one-file",
+    enforce: "post",
+    generateBundle(_options, bundle) {
+      const page = bundle["index.html"];
+      if (page?.type !== "asset") return;
+      let html = String(page.source);
+      for (const [name, file] of Object.entries(bundle)) {
+        const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+        if (file.type === "chunk") {
+          const code = file.code.replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
+          html = html.replace(new RegExp(`<script[^>]*src="[^"]*${escaped}"[^>]*></script>`), "");
+          html = html.replace("</body>", () => `<script type="module">${code}</script>\n</body>`);
+          html = html.replace('<meta name="referrer"', () => `<meta http-equiv="Content-Security-Policy" content="${policy(code)}" />\n    <meta name="referrer"`);
+        } else if (name.endsWith(".css")) {
+          const tag = new RegExp(`<link[^>]*href="[^"]*${escaped}"[^>]*>`);
+          html = html.replace(tag, () => `<style>${String(file.source)}</style>`);
+        } else continue;
+        delete bundle[name];
+      }
+      page.source = html;
+    },
+  };
+}
+
+export default defineConfig({
+  base: "./",
+  plugins: [onlyWoff2(), oneFile()],
+  build: {
+    target: "es2022",
+    assetsInlineLimit: 100_000_000,
+    cssCodeSplit: false,
+    modulePreload: false,
+    reportCompressedSize: false,
+    chunkSizeWarningLimit: 4000,
+    rolldownOptions: { output: { codeSplitting: false } },
+  },
+});

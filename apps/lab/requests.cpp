@@ -1,0 +1,268 @@
+// What a laboratory does with each message of a page.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "armlet/backend/event.hpp"
+#include "armlet/backend/run_marks.hpp"
+#include "armlet/cell/clock.hpp"
+#include "armlet/interpreter/format.hpp"
+#include "armlet/interpreter/reference.hpp"
+#include "armlet/interpreter/unit.hpp"
+#include "armlet/kinematics/ik.hpp"
+#include "armlet/stdlib/install.hpp"
+#include "laboratory_state.hpp"
+
+namespace armlet::lab {
+namespace {
+
+constexpr double kMostSeconds = 1e9;
+constexpr std::size_t kMostLooks = 200;
+
+std::map<std::string, std::vector<std::string>> words_of_language() {
+  std::map<std::string, std::vector<std::string>> words;
+  for (const LanguageWord& word : reserved_and_soft_words())
+    words[word.soft ? "soft" : "keywords"].emplace_back(word.text);
+  words["functions"] = help_names(library_engine());
+  for (const Unit& unit : all_units()) words["units"].emplace_back(unit.name);
+  for (const std::string_view name : dimension_names()) words["types"].emplace_back(name);
+  return words;
+}
+
+std::vector<double> numbers_of(const Eigen::VectorXd& q) { return {q.begin(), q.end()}; }
+
+}  // namespace
+
+void Laboratory::State::refuse(Page& page, Seq seq, std::string_view reason,
+                               std::string_view message) {
+  pages.answer(page, write_error(seq, reason, message));
+}
+
+bool Laboratory::State::has_control(Page& page, Seq seq) {
+  if (pages.is_holder(page.number)) return true;
+  refuse(page, seq, "control", "Another page is in control; take it first.");
+  return false;
+}
+
+void Laboratory::State::handle(Page& page, const Request& request) {
+  if (!page.is_greeted && !std::holds_alternative<Hello>(request.what))
+    return refuse(page, request.seq, "message", "The first message of a page is \"hello\".");
+  std::visit([&](const auto& each) { handle(page, request.seq, each); }, request.what);
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const Hello& hello) {
+  const bool is_first = !page.is_greeted;
+  page.is_greeted = true;
+  page.known = {};
+  page.known.text = versions.text;
+  page.runs.clear();
+  pages.answer(page, write_welcome({.page = page.number,
+                                    .key = page.key,
+                                    .version = options.version,
+                                    .file = options.file,
+                                    .text = text.now,
+                                    .text_version = text.version,
+                                    .is_demo = options.is_demo,
+                                    .words = words_of_language()},
+                                   seq));
+  if (is_first) pages.enter(page.number, hello.key);
+}
+
+// ---- the text -------------------------------------------------------------------------------
+
+void Laboratory::State::handle(Page& page, Seq seq, const SetText& given) {
+  if (!has_control(page, seq)) return;
+  text.from = page.number;
+  take_text(given.text, given.version, given.runs);
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const AskText& ask) {
+  const Analysis& known = analysis();
+  const SourceSet& sources = known.sources();
+  const std::uint32_t at = byte_of(sources[sources.first()], ask.at);
+  switch (ask.what) {
+    case AskText::What::kComplete:
+      return pages.answer(page, write_completion(seq, known, at));
+    case AskText::What::kHover:
+      return pages.answer(page, write_hover(seq, known, at));
+    case AskText::What::kSignature:
+      return pages.answer(page, write_signature(seq, known, at));
+    case AskText::What::kDefinition:
+      return pages.answer(page, write_definition(seq, known, at));
+  }
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const FormatText&) {
+  SourceSet sources;
+  const Source& source = sources.add(options.file, text.now);
+  const Formatted formatted = format_program(source);
+  std::vector<TextMessage> problems;
+  for (const Diagnostic& each : formatted.problems) problems.push_back(resolved(each, sources));
+  pages.answer(page, write_formatted(seq, formatted.text, problems));
+}
+
+// ---- instants -------------------------------------------------------------------------------
+
+void Laboratory::State::handle(Page& page, Seq seq, const GoTo& go) {
+  RunRecord* run = go.run ? find_run(*go.run) : shown_run();
+  if (run == nullptr) return refuse(page, seq, "refused", "There is no such run.");
+  if (log_of(*run) == nullptr || !(go.t >= 0.0) || go.t > run->t_end + 1e-9) {
+    return refuse(
+        page, seq, "refused",
+        fmt::format("The run has come to t = {:.3f} s; there is no t = {:.3f} s to go to.",
+                    run->t_end, std::min(go.t, kMostSeconds)));
+  }
+  ask_to_look({.page = page.number,
+               .seq = seq,
+               .run = run->number,
+               .place = {.t_ns = to_ns(std::min(go.t, run->t_end)), .statements = {}},
+               .step = {},
+               .moves_cursor = pages.is_holder(page.number)});
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const Step& step) {
+  if (!has_control(page, seq)) return;
+  RunRecord* run = shown_run();
+  if (run == nullptr || log_of(*run) == nullptr)
+    return refuse(page, seq, "refused", "There is no run to step through.");
+  Look wish{.page = page.number,
+            .seq = seq,
+            .run = run->number,
+            .place = {.t_ns = 0, .statements = 0},
+            .step = step.how,
+            .moves_cursor = true};
+  if (cursor && cursor->run == run->number) wish.place = cursor->place;
+  ask_to_look(wish);
+}
+
+void Laboratory::State::ask_to_look(Look wish) {
+  if (!wish.step) {
+    // Of several instants that a page wants to see only the newest counts.
+    std::erase_if(looks.waiting,
+                  [&](const Look& each) { return each.page == wish.page && !each.step; });
+  }
+  if (looks.waiting.size() >= kMostLooks) {
+    Page* page = pages.find(wish.page);
+    if (page != nullptr) refuse(*page, wish.seq, "limit", "Too many steps are waiting.");
+    return;
+  }
+  looks.waiting.push_back(std::move(wish));
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const SetBreakpoints& given) {
+  if (!has_control(page, seq)) return;
+  const std::vector<int>& known = breakpoints.known;
+  std::vector<int>& lines = breakpoints.lines;
+  lines.clear();
+  for (const int line : given.lines) {
+    const auto next = std::ranges::lower_bound(known, line);
+    if (next != known.end()) lines.push_back(*next);
+  }
+  std::ranges::sort(lines);
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  ++versions.breakpoints;
+  page.known.breakpoints = versions.breakpoints;
+  pages.answer(page, write_breakpoints(seq, lines, known));
+}
+
+// ---- inverse kinematics ---------------------------------------------------------------------
+
+void Laboratory::State::handle(Page& page, Seq seq, const AskInverse& ask) {
+  RunRecord* run = shown_run();
+  const std::optional<int> robot = run == nullptr ? std::nullopt : run->find_robot(ask.robot);
+  const std::shared_ptr<const Robot> model = robot ? run->model_at(*robot, run->t_end) : nullptr;
+  if (model == nullptr)
+    return refuse(page, seq, "refused", fmt::format("There is no robot \"{}\".", ask.robot));
+  IkOptions how;
+  const std::vector<double> seed = ask.seed.empty() ? run->joints_at(*robot, run->t_end) : ask.seed;
+  how.seed = Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()));
+  if (how.seed.size() != model->n()) {
+    return refuse(page, seq, "refused",
+                  fmt::format("A seed for \"{}\" has {} numbers, not {}.", ask.robot, model->n(),
+                              how.seed.size()));
+  }
+  // An arm with fewer joints keeps what it can of the orientation that it has.
+  if (model->n() < 6) how.task = IkTask::kPositionFirst;
+  const IkResult found = solve_ik(*model, ask.T_world_tool, how);
+  InverseAnswer answer{.is_ok = found.ok(), .q = numbers_of(found.q), .reason = {}, .nearest = {}};
+  if (!found.ok()) {
+    answer.reason = explain(*model, ask.T_world_tool, found);
+    const IkDiagnosis& why = found.diagnosis;
+    if (why.q_nearest.size() == model->n()) {
+      answer.nearest = InverseAnswer::Nearest{.q = numbers_of(why.q_nearest),
+                                              .T_world_tool = why.nearest,
+                                              .distance = why.distance,
+                                              .angle = why.angle};
+    }
+  }
+  pages.answer(page, write_inverse(seq, answer));
+}
+
+// ---- runs -----------------------------------------------------------------------------------
+
+void Laboratory::State::handle(Page& page, Seq seq, const ShowRun& given) {
+  if (!has_control(page, seq)) return;
+  if (find_run(given.run) == nullptr) return refuse(page, seq, "refused", "There is no such run.");
+  show(given.run);
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const CompareRuns& given) {
+  const RunRecord* run = find_run(given.run);
+  const RunRecord* with = find_run(given.with);
+  if (run == nullptr || with == nullptr)
+    return refuse(page, seq, "refused", "There is no such run.");
+  if (run->state == RunState::kRunning || with->state == RunState::kRunning)
+    return refuse(page, seq, "refused", "A run that is under way cannot be compared yet.");
+  Comparison out{.run = run->number, .with = with->number};
+  const std::optional<RunParting> parting = where_runs_part(run->marks, with->marks);
+  out.is_same = !parting;
+  out.same_until = parting ? to_seconds(parting->same_ns) : run->t_end;
+  if (parting) {
+    out.parts_at = to_seconds(parting->differ_ns);
+    out.line = run->line_at(out.parts_at);
+    out.line_with = with->line_at(out.parts_at);
+  }
+  pages.answer(page, write_comparison(seq, out));
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const FetchRun& given) {
+  if (find_run(given.run) == nullptr) return refuse(page, seq, "refused", "There is no such run.");
+  page.runs.erase(given.run);
+  page.wanted.insert(given.run);
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const StopRun&) {
+  if (has_control(page, seq)) end_live_run("It was stopped from a page.");
+}
+
+void Laboratory::State::handle(Page& page, Seq, const TakeControl&) { pages.take(page.number); }
+
+void Laboratory::State::handle(Page& page, Seq seq, const GiveControl& given) {
+  if (!has_control(page, seq)) return;
+  if (!pages.give(given.to)) refuse(page, seq, "refused", "There is no such page.");
+}
+
+// ---- inputs ---------------------------------------------------------------------------------
+
+void Laboratory::State::handle(Page& page, Seq seq, const GiveInput& given) {
+  if (!has_control(page, seq)) return;
+  RunRecord* run = shown_run();
+  if (run == nullptr || log_of(*run) == nullptr)
+    return refuse(page, seq, "refused", "There is no run yet.");
+  LiveRun* under_way = live_run(*run);
+  const bool is_at_end = !given.t || *given.t >= run->t_end - 1e-9;
+  if (is_at_end && under_way != nullptr && under_way->has_forked()) {
+    if (const auto why = under_way->give(given.what)) return refuse(page, seq, "refused", *why);
+    forget_looks_of(*run);
+    return pages.answer(page, write_taken(seq, run->number));
+  }
+  if (run->state == RunState::kRunning || (given.t && !(*given.t >= 0.0)))
+    return refuse(page, seq, "refused", "The run has not come there yet.");
+  fork_asked = Asked{.page = page.number, .seq = seq, .shown_before = shown};
+  begin_fork(*run, to_ns(is_at_end ? run->t_end : *given.t), given);
+}
+
+}  // namespace armlet::lab

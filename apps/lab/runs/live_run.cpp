@@ -1,0 +1,161 @@
+#include "live_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "armlet/cell/clock.hpp"
+#include "armlet/plot/svg.hpp"
+#include "armlet/stdlib/install.hpp"
+#include "lab_elements.hpp"
+
+namespace armlet::lab {
+namespace {
+
+constexpr std::size_t kMostFigures = 50;
+constexpr std::size_t kMostFigureBytes = 4'000'000;
+
+}  // namespace
+
+SessionOptions session_options(SessionOptions options, const RunBounds& bounds) {
+  options.open = true;
+  options.markers = true;
+  options.limits.heap_bytes = std::uint64_t{256} << 20U;
+  options.limits.output_bytes = std::uint64_t{4} << 20U;
+  options.laboratory = true;
+  options.limits.time_ns = std::min(options.limits.time_ns, bounds.time_ns);
+  options.limits.steps = std::min(options.limits.steps, bounds.steps);
+  options.keeps_files = false;
+  options.backends.clear();
+  options.output = [](std::string_view) {};
+  options.advice = nullptr;
+  options.on_move = nullptr;
+  return options;
+}
+
+LiveRun::LiveRun(const SessionOptions& options, const RunBounds& bounds, RunRecord& record)
+    : bounds_(bounds), record_(record), recording_(record) {
+  SessionOptions own = options;
+  own.backends = {&recording_, &marks_};
+  own.on_move = [this](const MoveReport& report) { recording_.on_move(report); };
+  own.on_press = [this](const PressReport& report) { recording_.on_press(report); };
+  own.pace = [this](std::int64_t) {
+    recording_.on_wait();
+    return true;
+  };
+  session_ = std::make_unique<Session>(library_engine(), std::move(own));
+  recording_.listen_to(*session_);
+}
+
+bool LiveRun::begin(const std::string& text, const std::string& name) {
+  return session_->compile(text, name);
+}
+
+std::int64_t LiveRun::now_ns() const {
+  return session_->vm() == nullptr ? 0 : session_->host()->now_ns();
+}
+
+void LiveRun::begin_fork(const SessionLog& log, std::int64_t t_ns, InputWhat input) {
+  static_cast<void>(session_->replay(log));
+  fork_ = Fork{t_ns, std::move(input)};
+}
+
+bool LiveRun::advance() {
+  if (is_over()) return false;
+  fork_ ? advance_fork() : run_slice();
+  return !is_over();
+}
+
+void LiveRun::advance_fork() {
+  const std::uint64_t steps = session_->vm() == nullptr ? 0 : session_->result().steps;
+  const Progress progress = session_->run({.until_ns = fork_->t_ns, .steps = kSliceSteps});
+  recording_.look_at_models();
+  take_rows();
+  const bool is_there = session_->result().steps - steps < kSliceSteps;
+  if (progress == Progress::kPaused && !is_there) return;
+  const InputWhat input = std::move(fork_->input);
+  fork_.reset();
+  fork_fault_ = give(input);
+}
+
+void LiveRun::run_slice() {
+  const Progress progress = session_->run({.steps = kSliceSteps});
+  recording_.look_at_models();
+  take_rows();
+  record_.t_end = std::max(record_.t_end, to_seconds(now_ns()));
+  ++record_.changes;
+  if (progress != Progress::kPaused || session_->is_at_rest()) {
+    come_to_end(progress == Progress::kPaused ? Progress::kDone : progress);
+  } else if (session_->result().steps >= bounds_.steps) {
+    stop(fmt::format("A laboratory runs a program for {} steps; it was stopped there.",
+                     bounds_.steps));
+  }
+}
+
+std::optional<std::string> LiveRun::give(const InputWhat& input) {
+  if (session_->vm() == nullptr) return "The run has not begun.";
+  const std::optional<Error> fault = apply_input(*session_, input);
+  if (fault) return fault->message;
+  record_.inputs.push_back({to_seconds(now_ns()), input});
+  record_.state = RunState::kRunning;
+  record_.error.reset();
+  ++record_.changes;
+  return std::nullopt;
+}
+
+void LiveRun::stop(std::string why) {
+  if (is_over()) return;
+  record_.state = RunState::kStopped;
+  record_.error = TextMessage{.is_error = false, .message = std::move(why), .t = record_.t_end};
+  finish_record();
+}
+
+void LiveRun::come_to_end(Progress progress) {
+  record_.state = progress == Progress::kDone     ? RunState::kDone
+                  : progress == Progress::kFailed ? RunState::kFailed
+                                                  : RunState::kStopped;
+  if (const auto& error = session_->result().error; error && progress != Progress::kDone) {
+    record_.error = resolved(*error, session_->sources());
+    if (now_ns() >= bounds_.time_ns) record_.state = RunState::kStopped;
+  }
+  finish_record();
+}
+
+void LiveRun::finish_record() {
+  record_.log = session_->log();
+  // As if it ended here: a run that is at rest can go on.
+  RunMarks ended = marks_;
+  if (session_->is_at_rest()) {
+    for (const Figure& figure : session_->host()->figures())
+      ended.on(FinalFigure{.t_ns = now_ns(), .index = figure.index, .figure = &figure});
+    ended.on(EndRun{.t_ns = now_ns()});
+  }
+  record_.marks = ended.marks();
+  record_.hash = ended.text();
+  take_figures();
+  ++record_.changes;
+}
+
+void LiveRun::take_rows() {
+  if (record_.lab && record_.lab->has_block) return;
+  record_.lab = lab_of(*session_, record_.lab);
+  if (record_.lab && record_.lab->is_new) {
+    record_.lab->is_new = false;
+    ++record_.described;
+  }
+}
+
+void LiveRun::take_figures() {
+  if (session_->host() == nullptr) return;
+  record_.figures.clear();
+  ++record_.figure_changes;
+  for (const Figure& figure : session_->host()->figures()) {
+    if (record_.figures.size() >= kMostFigures) break;
+    std::string svg = figure.is_empty() ? std::string() : to_svg({&figure, 1});
+    if (svg.size() > kMostFigureBytes) svg.clear();
+    record_.figures.push_back({figure.index, figure.title, std::move(svg)});
+  }
+}
+
+}  // namespace armlet::lab

@@ -1,0 +1,202 @@
+#pragma once
+// What is known of a run: everything that pages show of it, in lists that only grow.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "armlet/backend/event.hpp"
+#include "armlet/backend/run_marks.hpp"
+#include "armlet/model/link_shapes.hpp"
+#include "armlet/model/robot.hpp"
+#include "armlet/stdlib/laboratory_rows.hpp"
+#include "armlet/stdlib/session.hpp"
+#include "messages/request.hpp"
+#include "messages/text_message.hpp"
+#include "messages/text_places.hpp"
+
+namespace armlet::lab {
+
+// Rows of numbers over time, `columns` each. Of long ones only some are kept: of every further
+// kMost rows half as many as of those before.
+class Rows {
+ public:
+  static constexpr std::size_t kMost = 60'000;
+
+  explicit Rows(std::size_t columns) : columns_(columns) {}
+
+  // `is_kept`: whatever the number of rows is.
+  void add(std::span<const double> row, bool is_kept = false);
+
+  [[nodiscard]] std::size_t columns() const { return columns_; }
+  [[nodiscard]] std::size_t count() const { return values_.size() / columns_; }
+  [[nodiscard]] std::span<const double> rows(std::size_t first, std::size_t count) const {
+    return {values_.data() + first * columns_, count * columns_};
+  }
+  [[nodiscard]] std::size_t bytes() const { return values_.size() * sizeof(double); }
+
+ private:
+  std::size_t columns_;
+  std::size_t stride_ = 1;
+  std::size_t skipped_ = 0;
+  std::vector<double> values_;
+};
+
+// A robot has another tool, or stands elsewhere, from a time on.
+struct RobotChange {
+  double t = 0.0;
+  RobotInfo robot;
+  std::shared_ptr<const Robot> model;
+};
+struct RecordedRobot {
+  RobotInfo info;
+  std::shared_ptr<const Robot> model;
+  std::vector<RobotChange> changes;
+};
+
+// A motion that has ended; `text` is the function as called.
+struct RecordedMove {
+  int robot = 0;
+  int motion = -1;
+  std::optional<TextSpan> span;
+  double t0 = 0.0;
+  double t1 = 0.0;
+  std::string text;
+  bool stopped = false;
+  Eigen::Vector3d p_end = Eigen::Vector3d::Zero();  // of the tool point, in the world
+};
+struct RecordedLine {
+  double t = 0.0;
+  int line = 0;
+};
+// `what` is "added" or that of an event.
+struct RecordedChange {
+  double t = 0.0;
+  std::string what;
+  int object = 0;
+  int robot = -1;
+};
+struct RecordedText {
+  double t = 0.0;
+  NoteKind kind = NoteKind::kOutput;
+  std::string text;
+  std::optional<TextSpan> span;
+};
+struct RecordedFigure {
+  int index = 0;
+  std::string title;
+  std::string svg;
+};
+
+// What is on the page of a laboratory.
+//
+// ranges     of the axes of each row, m or rad; none but for sliders of a hand.
+// has_block  otherwise these are the elements of a program that says nothing of a page.
+struct LabElements {
+  LabRows rows;
+  std::vector<std::vector<std::array<double, 2>>> ranges;
+  std::vector<std::string> units;  // SI, of the plots that have been read
+  bool has_block = false;
+  bool is_new = true;
+};
+
+enum class RunState : std::uint8_t { kRunning, kDone, kFailed, kStopped };
+
+// What somebody did to a run.
+struct RunInput {
+  double t = 0.0;
+  InputWhat what;
+};
+
+// A run as a whole.
+struct RunHead {
+  int number = 0;
+  RunState state = RunState::kRunning;
+  double t_end = 0.0;
+  std::string label;
+  std::optional<int> parent;
+  std::optional<double> parts_at;
+  std::int64_t text_version = 0;
+  std::vector<RunInput> inputs;
+  std::string hash;
+  std::optional<TextMessage> error;
+  std::uint64_t changes = 1;    // counts what has happened to the fields above
+  std::uint64_t described = 0;  // to the robots and objects
+  std::uint64_t figure_changes = 0;
+};
+
+struct RunRecord : RunHead {
+  std::vector<RecordedRobot> robots;
+  std::vector<ObjectInfo> objects;
+  std::vector<Rows> robot_rows;
+  std::vector<Rows> object_rows;
+  std::vector<RecordedMove> moves;
+  std::vector<RecordedLine> lines;
+  std::vector<RecordedChange> events;
+  std::vector<RecordedText> texts;
+  std::vector<RecordedFigure> figures;
+  std::optional<LabElements> lab;
+  std::vector<Rows> element_rows;  // of plots, in the order of the elements
+
+  SessionLog log;              // when it has ended
+  std::vector<RunMark> marks;  // the same
+
+  [[nodiscard]] std::size_t bytes() const;
+  // Where the program was at a time; 0: it has not begun.
+  [[nodiscard]] int line_at(double t) const;
+  [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
+  // What the robot is at a time.
+  [[nodiscard]] std::shared_ptr<const Robot> model_at(int robot, double t) const;
+  // Joint values of a robot at a time: those of the last row until then.
+  [[nodiscard]] std::vector<double> joints_at(int robot, double t) const;
+};
+
+// Listens to a session and fills a record. The record outlives it.
+class Recording : public Backend {
+ public:
+  explicit Recording(RunRecord& record) : record_(record) {}
+
+  // The session that it listens to, before its run.
+  void listen_to(Session& session) { session_ = &session; }
+  void on(const Event& event) override;
+  // From on_move of the session.
+  void on_move(const MoveReport& report);
+  // From on_press of the session.
+  void on_press(const PressReport& report);
+  // From `pace` of the session: time is about to pass, so that what the program has come to lasts.
+  void on_wait();
+  // Reads off what the cell knows beside its events: models of the robots.
+  void look_at_models();
+
+ private:
+  void take(const BeginRun& begin);
+  void take(const RobotAdded& added);
+  void take(const RobotChanged& changed);
+  void take(const JointSample& sample);
+  void take(const ObjectAdded& added);
+  void take(const ObjectSample& sample);
+  void take(const ObjectEvent& event);
+  void take(const Note& note);
+  void add_robot(const RobotInfo& robot);
+  void add_object(const ObjectInfo& object, double t);
+  void note_line(double t);
+  void end_motion(int robot);
+  [[nodiscard]] std::optional<TextSpan> here() const;
+  [[nodiscard]] std::optional<int> find_object(std::string_view name) const;
+
+  struct Motion {
+    int number = -1;
+    RecordedMove move;
+    std::vector<double> last_row;
+  };
+
+  RunRecord& record_;
+  Session* session_ = nullptr;
+  std::vector<Motion> motions_;  // of each robot
+};
+
+}  // namespace armlet::lab

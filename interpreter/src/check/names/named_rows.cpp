@@ -1,0 +1,199 @@
+#include "check/names/named_rows.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "check/calls/calls.hpp"
+#include "check/calls/native_calls.hpp"
+#include "check/learnt.hpp"
+#include "check/names/block_declarations.hpp"
+#include "check/names/declarations.hpp"
+#include "check/names/imports.hpp"
+#include "check/names/unknown_names.hpp"
+
+namespace armlet::lang {
+
+bool may_have_named_rows(Checker& checker, const ast::ObjectStmt& stmt) {
+  const std::string type = checker.text_of(stmt.type->span);
+  if (!checker.scopes.at_top_level()) {
+    checker.report(make_diagnostic("E0132", stmt.type->span, {"a `" + type + "` block"}));
+    return false;
+  }
+  if (!is_main_file(checker)) {
+    Diagnostic diagnostic = make_diagnostic("E0224", stmt.type->span, {type});
+    diagnostic.why = "this file is imported; the block belongs in the file that is run";
+    checker.report(std::move(diagnostic));
+    return false;
+  }
+  for (const Local& local : checker.scopes.main().locals) {
+    const Type* other = local.variable->type;
+    if (local.how != Declared::kBlock || !other->is(Kind::kHost) || other->host->name != type ||
+        local.variable->declared.source != stmt.span.source)
+      continue;
+    Diagnostic diagnostic = make_diagnostic("E0224", stmt.type->span, {type});
+    diagnostic.related.push_back({local.variable->declared, "the first one"});
+    diagnostic.fix = Fix{.text = "put the rows of both into one block"};
+    checker.report(std::move(diagnostic));
+    return false;
+  }
+  return true;
+}
+
+namespace {
+
+bool is_lambda(const ast::Arg& arg) { return arg.value->kind == ast::ExprKind::kLambda; }
+
+// The parameter `value` of the function that was called; null if it has none or none is given.
+hir::Expr** value_of(Checker& checker, hir::CallNativeExpr& call) {
+  const int at = checker.shared.signatures.of(*call.function).index_of("value");
+  if (at < 0) return nullptr;
+  hir::Expr*& value = call.arguments[static_cast<std::size_t>(at)];
+  return value->kind == hir::ExprKind::kAbsent ? nullptr : &value;
+}
+
+class NamedRows {
+ public:
+  NamedRows(Checker& checker, const ast::ObjectStmt& stmt, std::vector<hir::Stmt*>& out)
+      : checker_(checker), stmt_(stmt), out_(out), rows_(stmt.items.size(), nullptr) {}
+
+  std::vector<Argument> run() {
+    // What rows hold can be seen by the lambdas of all of them.
+    check_all(
+        [](const ast::BlockItem& item) { return !std::ranges::any_of(item.args, is_lambda); });
+    check_all([](const ast::BlockItem& item) { return std::ranges::any_of(item.args, is_lambda); });
+    std::vector<hir::Expr*> given;
+    for (hir::Expr* row : rows_)
+      if (row != nullptr) given.push_back(row);
+    const auto bad =
+        std::ranges::find_if(given, [](const hir::Expr* row) { return row->type->is(Kind::kAny); });
+    if (given.empty()) return {};
+    hir::Expr* list =
+        bad != given.end()
+            ? *bad
+            : checker_.make<hir::ListExpr>(
+                  hir::ExprKind::kList, checker_.types.list(given[0]->type),
+                  cover(given.front()->span, given.back()->span), checker_.seq(given));
+    return {Argument{.name = "rows", .name_span = stmt_.name.span, .value = list}};
+  }
+
+ private:
+  template <class F>
+  void check_all(F is_meant) {
+    for (std::size_t i = 0; i < stmt_.items.size(); ++i) {
+      const ast::BlockItem& item = stmt_.items[i];
+      if (item.is_row && is_meant(item)) rows_[i] = check(item);
+    }
+  }
+
+  hir::Expr* check(const ast::BlockItem& item) {
+    checker_.messages.begin_statement();
+    const std::string part = checker_.text_of(stmt_.type->span) + '.' + std::string(item.name.text);
+    const auto makers = checker_.registry.functions(part + std::string(kNamedRow));
+    if (makers.empty()) return unknown_row(checker_, stmt_, item);
+    const std::string_view dotted = checker_.arena.copy(std::string(stmt_.name.text) + '.' +
+                                                        std::string(item.constructor.text));
+    FunctionContext* where = nullptr;
+    if (const Local* other = checker_.scopes.find(dotted, where)) {
+      Diagnostic diagnostic =
+          make_diagnostic("E0225", item.constructor.span, {std::string(item.constructor.text)});
+      diagnostic.related.push_back({other->variable->declared, "first declared here"});
+      diagnostic.fix = Fix{.text = "choose another name"};
+      checker_.report(std::move(diagnostic));
+      return checker_.failed(item.span);
+    }
+    Use used;
+    Use& use_before = checker_.scopes.collect_in(used);
+    std::vector<Argument> arguments = arguments_of(checker_, item.args, makers[0]->name);
+    arguments.push_back({.name = "name",
+                         .name_span = item.constructor.span,
+                         .value = checker_.make<hir::TextExpr>(
+                             hir::ExprKind::kText, checker_.types.text(), item.constructor.span,
+                             checker_.arena.copy(item.constructor.text))});
+    hir::Expr* row = call_native(checker_, item.name.text, makers, item.name.span, item.span,
+                                 std::move(arguments));
+    checker_.scopes.collect_in(use_before);
+    use_before.add(used);
+    declare(item, dotted, row, std::move(used));
+    return row;
+  }
+
+  // A row without a value is declared too, so that its name is taken.
+  void declare(const ast::BlockItem& item, std::string_view dotted, hir::Expr* row, Use used) {
+    hir::Expr** value =
+        row->kind == hir::ExprKind::kCallNative
+            ? value_of(checker_, const_cast<hir::CallNativeExpr&>(row->as<hir::CallNativeExpr>()))
+            : nullptr;
+    const Type* type = value != nullptr ? (*value)->type : checker_.types.any();
+    hir::Variable* variable = new_variable(checker_, dotted, type, item.constructor.span);
+    checker_.scopes.add(variable, Declared::kBlock, item.name.span)->used = true;
+    if (value == nullptr) return;
+    variable->storage = hir::Storage::kGlobal;
+    variable->is_open = true;
+    auto* init = checker_.make<hir::InitStmt>(hir::StmtKind::kInit, item.span, variable, *value);
+    checker_.shared.top_level.add(variable, init, std::move(used));
+    out_.push_back(init);
+    *value =
+        checker_.make<hir::VariableExpr>(hir::ExprKind::kVariable, type, (*value)->span, variable);
+  }
+
+  Checker& checker_;
+  const ast::ObjectStmt& stmt_;
+  std::vector<hir::Stmt*>& out_;
+  std::vector<hir::Expr*> rows_;  // by item
+};
+
+// Names of the rows of a block that hold something.
+std::vector<std::string_view> row_names(Checker& checker, std::string_view block) {
+  const std::string prefix = std::string(block) + '.';
+  std::vector<std::string_view> out;
+  for (const Local& local : checker.scopes.main().locals) {
+    const std::string_view name = local.variable->name;
+    if (name.starts_with(prefix) && local.variable->storage == hir::Storage::kGlobal)
+      out.push_back(name.substr(prefix.size()));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Argument> named_rows(Checker& checker, const ast::ObjectStmt& stmt,
+                                 std::vector<hir::Stmt*>& out) {
+  return NamedRows(checker, stmt, out).run();
+}
+
+hir::Expr* named_row_value(Checker& checker, const ast::MemberExpr& member) {
+  if (member.object->kind != ast::ExprKind::kName) return nullptr;
+  const std::string_view block = member.object->as<ast::NameExpr>().name;
+  FunctionContext* where = nullptr;
+  const Local* named = checker.scopes.find(block, where);
+  const bool is_block = named != nullptr && named->how == Declared::kBlock &&
+                        named->variable->type->is(Kind::kHost) &&
+                        checker.registry.has_named_rows(named->variable->type->host->name);
+  if (named != nullptr && !is_block) return nullptr;
+  Local* row =
+      checker.scopes.find(std::string(block) + '.' + std::string(member.member.text), where);
+  if (row != nullptr && row->variable->storage == hir::Storage::kGlobal) {
+    hir::Variable* variable = row->variable;
+    if (checker.shared.learnt != nullptr)
+      checker.shared.learnt->use(member.member.span, variable->declared);
+    if (named != nullptr && checker.shared.learnt != nullptr)
+      checker.shared.learnt->use(member.object->span, named->variable->declared);
+    checker.scopes.use().add(variable);
+    return checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, variable->type, member.span,
+                                           variable);
+  }
+  if (!is_block) return nullptr;
+  const hir::Expr* made = named->variable->init;
+  if (made != nullptr && made->type->is(Kind::kAny)) return checker.failed(member.span);
+  Diagnostic diagnostic =
+      make_diagnostic("E0208", member.member.span,
+                      {'`' + std::string(block) + '`', std::string(member.member.text)});
+  if (row != nullptr) diagnostic.why = "this row holds nothing that can be read";
+  diagnostic.fix =
+      did_you_mean(checker, member.member.text, member.member.span, row_names(checker, block));
+  checker.report(std::move(diagnostic));
+  return checker.failed(member.span);
+}
+
+}  // namespace armlet::lang

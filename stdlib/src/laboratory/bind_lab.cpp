@@ -1,0 +1,218 @@
+// Laboratories: the block `lab` and its rows (language reference, section 16).
+//
+// What a row says is checked here twice: before the run as far as the text shows it, and while the
+// block is made. What it holds, a value or a lambda, is a variable of the program.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "armlet/stdlib/host.hpp"
+#include "armlet/stdlib/laboratory_rows.hpp"
+#include "laboratory/lab_rules.hpp"
+#include "laboratory/lab_values.hpp"
+#include "messages/library_messages.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+namespace {
+
+using Text = std::string_view;
+using OptionalWord = std::optional<std::string_view>;
+
+Failed refuse_row(Vm& vm, LabRowKind kind, const std::string& why, int parameter) {
+  Failure f;
+  f.headline = {row("R0641"), {std::string(word_of(kind)), why}};
+  f.mark_parameter = parameter;
+  return fail(vm, std::move(f));
+}
+
+LabRow row_of(LabRowKind kind, Text name, OptionalWord label) {
+  return {.kind = kind, .name = std::string(name), .label = std::string(label.value_or(name))};
+}
+
+Answer<LabRow> sliders(Vm& vm, const RobotRef& of, OptionalWord as, OptionalWord label, Text name) {
+  LabRow made = row_of(LabRowKind::kSliders, name, label);
+  made.robot = of.cell->robot(of.id).name;
+  if (as) {
+    Result<std::vector<HandAxis>> axes = hand_axes(*as);
+    if (!axes) return refuse_row(vm, made.kind, axes.error().message, 1);
+    made.axes = *std::move(axes);
+  }
+  return made;
+}
+
+template <class Number>
+Answer<LabRow> number_field(Vm& vm, LabRow made, Number value,
+                            std::optional<std::array<Number, 2>> range) {
+  if (!range) return made;
+  const auto [lower, upper] = *range;
+  made.range = {static_cast<double>(lower), static_cast<double>(upper)};
+  if (!(lower <= upper)) return refuse_row(vm, made.kind, kRangeOrder, 1);
+  if (value < lower || value > upper)
+    return refuse_row(vm, made.kind, outside_range(made.value, made), 0);
+  return made;
+}
+
+Answer<LabRow> quantity_field(Vm& vm, double value, std::optional<std::span<const double>> range,
+                              OptionalWord label, OptionalWord si_unit, Text name) {
+  LabRow made = row_of(LabRowKind::kField, name, label);
+  if (const auto unit = parse_unit(si_unit.value_or(""))) made.dim = unit->dim;
+  made.value = Value(Value::Number{value, made.dim});
+  if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, 1);
+  const double shown = value != 0.0 || !range ? value : (*range)[1];
+  if (!made.dim.is_none()) made.unit = display_unit(made.dim, shown).name;
+  std::optional<std::array<double, 2>> limits;
+  if (range) limits = {(*range)[0], (*range)[1]};
+  return number_field(vm, std::move(made), value, limits);
+}
+
+Answer<LabRow> int_field(Vm& vm, std::int64_t value, std::optional<std::span<const Slot>> range,
+                         OptionalWord label, Text name) {
+  LabRow made = row_of(LabRowKind::kField, name, label);
+  made.type = LabFieldType::kInt;
+  made.value = Value(value);
+  if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, 1);
+  std::optional<std::array<std::int64_t, 2>> limits;
+  if (range) limits = {(*range)[0].i, (*range)[1].i};
+  return number_field(vm, std::move(made), value, limits);
+}
+
+LabRow bool_field(bool value, OptionalWord label, Text name) {
+  LabRow made = row_of(LabRowKind::kField, name, label);
+  made.type = LabFieldType::kBool;
+  made.value = Value(value);
+  return made;
+}
+
+LabRow text_field(Text value, OptionalWord label, Text name) {
+  LabRow made = row_of(LabRowKind::kField, name, label);
+  made.type = LabFieldType::kText;
+  made.value = Value(value);
+  return made;
+}
+
+LabRow button(Text label, FunctionValue, Text name) {
+  return row_of(LabRowKind::kButton, name, label);
+}
+
+LabRow plot(FunctionValue, OptionalWord label, Text name) {
+  LabRow made = row_of(LabRowKind::kPlot, name, label);
+  made.is_read = true;
+  return made;
+}
+
+LabRow table(FunctionValue, std::optional<std::span<const Slot>> header, OptionalWord label,
+             Text name) {
+  LabRow made = row_of(LabRowKind::kTable, name, label);
+  made.is_read = true;
+  for (const Slot& each : header.value_or(std::span<const Slot>()))
+    made.header.emplace_back(text_value(each));
+  return made;
+}
+
+LabRow fixed_text(Text value, Text name) {
+  LabRow made = row_of(LabRowKind::kText, name, {});
+  made.value = Value(value);
+  return made;
+}
+
+LabRow changing_text(FunctionValue, Text name) {
+  LabRow made = row_of(LabRowKind::kText, name, {});
+  made.is_read = true;
+  return made;
+}
+
+LabRow trail(const RobotRef& of, OptionalWord label, Text name) {
+  LabRow made = row_of(LabRowKind::kTrail, name, label);
+  made.robot = of.cell->robot(of.id).name;
+  return made;
+}
+
+LabRow program(OptionalWord label, Text name) { return row_of(LabRowKind::kProgram, name, label); }
+
+Answer<LabRef> lab(Vm& vm, Text name, OptionalWord title, OptionalWord layout,
+                   HostList<LabRow> rows) {
+  LabRows page{.name = std::string(name), .title = std::string(title.value_or(name))};
+  if (layout) {
+    const std::optional<LabLayout> known = layout_named(*layout);
+    if (!known) return failure(vm, "R0626", unknown_layout(*layout), 2, {}, kLayouts);
+    page.layout = *known;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) page.rows.push_back(rows[i]);
+  Host::of(vm).set_lab(std::move(page));
+  return LabRef{};
+}
+
+constexpr NativeFunction later(std::string_view name, std::string_view signature,
+                               std::string_view feature) {
+  return {.name = name, .signature = signature, .help = feature, .later = true};
+}
+
+constexpr NativeFunction kLabFunctions[] = {
+    def<lab>(
+        "lab{}(name: string, title: string?, layout: string?, rows: labRow[]) -> lab",
+        "The page on which people work with the cell (`armlet lab`); its rows are the elements "
+        "of the page, in their order. layout: \"columns\" or \"stack\". A program has one such "
+        "block.",
+        "lab cell { title: \"Hello\"; text intro(\"Move the *arm*.\") }", {.check = check_lab}),
+    def<sliders>(
+        "lab.sliders.NAME(of: robot, as: string?, label: string?, name: string) -> labRow",
+        "A slider for each joint of a robot, inside its limits; with as: for the coordinates of "
+        "its "
+        "hand, by inverse kinematics: some of x, y, z, roll, pitch and yaw. roll alone turns about "
+        "z, with the tilt of the hand as it is.",
+        "sliders hand(of: arm, as: \"x y z roll\")", {.check = check_sliders}),
+    def<quantity_field>(
+        "lab.field.NAME(value: D, range: D[]?, label: string?, valueUnit: string?, name: string) "
+        "-> labRow",
+        "A number that people set at the page, read as lab.NAME with its unit; range: the smallest "
+        "and the largest one.",
+        "field clearance(80mm, range: [20mm, 200mm])", {.check = check_field}),
+    def<int_field>("lab.field.NAME(value: int, range: int[]?, label: string?, name: string) -> "
+                   "labRow",
+                   "A whole number, a truth value or a text that people set, read as lab.NAME.",
+                   "field pieces(3, range: [1, 9])", {.check = check_field}),
+    def<bool_field>("lab.field.NAME(value: bool, label: string?, name: string) -> labRow",
+                    "A whole number, a truth value or a text that people set, read as lab.NAME.",
+                    "field slowly(true)"),
+    def<text_field>("lab.field.NAME(value: string, label: string?, name: string) -> labRow",
+                    "A whole number, a truth value or a text that people set, read as lab.NAME.",
+                    "field greeting(\"hello\")"),
+    def<button>("lab.button.NAME(label: string, value: fn() -> void, name: string) -> labRow",
+                "A button; pressing it starts the function as a task of its own, which may move.",
+                "button away(\"Away\", fn() { arm.moveJ(home()) })", {.starts = true}),
+    def<plot>("lab.plot.NAME(value: fn() -> T, label: string?, name: string) -> labRow",
+              "What the function gives over time: a number, numbers in a list, joint values.",
+              "plot angles(fn() => arm.joints())", {.check = check_plot}),
+    def<table>("lab.table.NAME(value: fn() -> T, header: string[]?, label: string?, name: string) "
+               "-> labRow",
+               "What the function gives now, as a table: a matrix, a list of rows, a table.",
+               "table dh(fn() => arm.dhTable(), header: [\"theta\", \"d\", \"a\", \"alpha\"])",
+               {.check = check_table}),
+    def<fixed_text>("lab.text.NAME(value: string, name: string) -> labRow",
+                    "A text in Markdown, with formulas between $ signs; a function gives one that "
+                    "changes.",
+                    "text intro(\"The arm has **four** joints: $q_1 \\\\dots q_4$.\")"),
+    def<changing_text>("lab.text.NAME(value: fn() -> string, name: string) -> labRow",
+                       "A text in Markdown, with formulas between $ signs; a function gives one "
+                       "that changes.",
+                       "text where(fn() => f\"The hand is at {arm.here()}.\")"),
+    def<trail>("lab.trail.NAME(of: robot, label: string?, name: string) -> labRow",
+               "The path of the hand of a robot, in the view of the cell.", "trail way(of: arm)"),
+    def<program>("lab.program.NAME(label: string?, name: string) -> labRow",
+                 "A place to write, check and run programs.", "program editor()"),
+    later("lab.image.NAME", "(value: fn() -> image, label: string?, name: string) -> labRow",
+          "the row `image` of a `lab` block"),
+    later("lab.view.NAME", "(of: camera, overlay: string?, label: string?, name: string) -> labRow",
+          "the row `view` of a `lab` block"),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> lab_functions() { return kLabFunctions; }
+
+}  // namespace armlet::bind

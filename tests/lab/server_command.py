@@ -1,0 +1,328 @@
+#!/usr/bin/env python3
+"""Serves laboratories and behaves badly at them: whatever comes, the laboratory goes on and tells everyone else the truth.
+
+Usage: server_command.py ARMLET
+"""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+from urllib.parse import urlsplit
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from socket_client import BINARY, CLOSE, PING, TEXT, Page, Refused, Rows, get, http, is_message
+
+PROGRAM = """let far = 30deg
+moveJ(posJ(far, 30deg, 10mm, 0deg), time: 1s)
+moveJ(posJ(0deg, 0deg, 0mm, 0deg), time: 1s)
+"""
+
+
+class Lab:
+    """armlet lab as a process, ended by Ctrl-C."""
+
+    def __init__(self, armlet, *arguments):
+        begun = time.monotonic()
+        self.process = subprocess.Popen([armlet, "lab", *arguments, "--no-open"], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True)
+        self.address = self.process.stdout.readline().strip()
+        self.seconds = time.monotonic() - begun
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.send_signal(signal.SIGINT)
+        status = self.process.wait(timeout=60)
+        errors = self.process.stderr.read()
+        self.process.stdout.close()
+        self.process.stderr.close()
+        assert status == 0 and not errors, (status, errors)
+
+    def memory(self):
+        """MB that the process holds at the moment."""
+        for line in Path(f"/proc/{self.process.pid}/status").read_text().splitlines():
+            if line.startswith("VmRSS"):
+                return int(line.split()[1]) / 1024
+        return 0
+
+
+def greet(address, **how):
+    page = Page(address, **how)
+    page.number = page.ask(type="hello", protocol=1)["page"]
+    return page
+
+
+def take_control(page):
+    """Waits until the page has the control: those before it are noticed to have gone after a moment."""
+    page.send(type="take")
+    page.until(lambda m: is_message(m, "control", holder=page.number))
+
+
+def run_text(page, text, version, seconds=60):
+    """Sends a text and waits for the end of its run."""
+    page.send(type="text", text=text, version=version)
+    return page.until(lambda m: is_message(m, "run", text_version=version) and m["state"] != "running", seconds)[0]
+
+
+def goes_on(address):
+    """A new page can connect, and is told the whole run."""
+    page = greet(address)
+    run, seen = page.until(lambda m: is_message(m, "run") and m["state"] != "running")
+    assert any(isinstance(each, Rows) and each.count for each in seen)
+    page.close()
+    return run
+
+
+def refused(call):
+    try:
+        page = call()
+    except (Refused, ConnectionError, socket.timeout):
+        return True
+    page.close()
+    return False
+
+
+def check_start(lab):
+    assert lab.address.startswith("http://127.0.0.1:"), lab.address
+    assert lab.seconds < 1.0, f"ready after {lab.seconds:.2f} s"
+    status, body, head = get(lab.address)
+    assert status == 200 and b"<html" in body.lower()[:2000], head
+    assert "default-src 'none'" in head and "nosniff" in head and "no-referrer" in head, head
+    assert goes_on(lab.address)["state"] == "done"
+
+
+def check_door(lab):
+    address, port = lab.address, urlsplit(lab.address).port
+    wrong = f"/?token={'0' * 32}"
+    for path, headers, method, status in [
+            ("/", (), "GET", 403), (wrong, (), "GET", 403), ("/?token=", (), "GET", 403),
+            (None, ("Host: evil.example",), "GET", 403), (None, (f"Host: evil.example:{port}",), "GET", 403),
+            (None, (), "POST", 405), (None, (), "DELETE", 405), ("/etc/passwd", (), "GET", 404),
+            ("/live", (), "GET", 403), (f"/live?token={address.split('=')[1]}", (), "GET", 400)]:
+        answered, body, _ = get(address, path, headers, method)
+        assert answered == status, (path, headers, method, answered)
+        assert b"root:" not in body and PROGRAM.encode() not in body
+    token = address.split("=")[1]
+    for path in ["/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "/.", "/page/dist/index.html",
+                 f"/../../etc/passwd?token={token}", "/\x00"]:
+        answered, body, _ = get(address, path)
+        assert answered != 200 and b"root:" not in body, (path, answered)
+    assert refused(lambda: Page(address, token="0" * 32))
+    assert refused(lambda: Page(address, token=""))
+    assert refused(lambda: Page(address, origin="http://evil.example"))
+    assert refused(lambda: Page(address, origin="null"))
+    assert refused(lambda: Page(address, host=f"evil.example:{port}", origin=f"http://evil.example:{port}"))
+    for rubbish in [b"\x16\x03\x01\x02\x00", b"GET\r\n\r\n", b"\x00" * 5000, b"A" * 100_000, b"GET / HTTP/9.9\r\n\r\n",
+                    b"GET / HTTP/1.1\r\nHost: " + b"x" * 60_000 + b"\r\n\r\n"]:
+        try:
+            assert b" 200 " not in http(address, rubbish, timeout=3)[:20], rubbish[:20]
+        except OSError:
+            pass
+    goes_on(address)
+
+
+def check_frames(lab):
+    """Frames that no browser would send close the connection, or are answered with an error."""
+    def send_raw(page, data):
+        page.socket.sendall(data)
+
+    hostile = [
+        lambda p: p.send_frame(BINARY, b"\x00" * 100),
+        lambda p: p.send_frame(TEXT, b"x" * 1_200_000),
+        lambda p: [p.send_frame(TEXT if i == 0 else 0, b"y" * 300_000, last=False) for i in range(5)],
+        lambda p: p.send_frame(TEXT, b"short", claimed=1 << 62),
+        lambda p: p.send_frame(TEXT, b"short", claimed=(1 << 64) - 1),
+        lambda p: p.send_frame(11, b"unknown"),
+        lambda p: send_raw(p, os.urandom(4000)),
+        lambda p: send_raw(p, b"\x81"),
+        lambda p: p.send_frame(CLOSE, b"\x03\xe8"),
+    ]
+    for number, misbehave in enumerate(hostile):
+        page = greet(lab.address)
+        try:
+            misbehave(page)
+        except OSError:
+            pass
+        page.close()
+        assert goes_on(lab.address)["state"] == "done", number
+    page = greet(lab.address)
+    for message in [b"", b"{", b"[]", b"null", b'{"type": "nothing", "seq": 7}', b"\xff\xfe", b"[" * 50_000,
+                    b'{"type": "hello", "type": "text"}']:
+        page.send_frame(TEXT, message)
+        assert page.until_type("error")["reason"] in ("message", "refused"), message
+    page.send_frame(PING, b"are you there")
+    page.send(type="format")
+    page.until_type("formatted")
+    page.send_frame(TEXT, b'{"type": "for', last=False)
+    page.send_frame(0, b'mat"}', last=True)
+    page.until_type("formatted")
+    page.close()
+
+
+def check_programs(lab):
+    """Programs that never end, or want everything, are ended; the laboratory answers meanwhile."""
+    page = greet(lab.address)
+    take_control(page)
+    version = 100
+    for text in ["while (true) { }\n", "while (true) { wait(1ms) }\n", "int[] a = {}\nwhile (true) { a.push(1) }\n",
+                 "string s = \"x\"\nwhile (true) { s = s + s }\n", "fn f(k: int) -> int { return f(k + 1) }\nprint(f(0))\n",
+                 "while (true) { print(\"x\") }\n", "parallel { { while (true) { } } { while (true) { wait(1ms) } } }\n",
+                 "while (true) { moveJ(posJ(10deg, 0deg, 0mm, 0deg), time: 1s)\nmoveJ(posJ(0deg, 0deg, 0mm, 0deg), time: 1s) }\n"]:
+        version += 1
+        page.send(type="text", text=text, version=version)
+        begun = time.monotonic()
+        page.ask(type="hover", at=[1, 0])
+        assert time.monotonic() - begun < 2.0, text
+    done = run_text(page, PROGRAM, version + 1)
+    assert done["state"] == "done", done
+    run_text(page, "while (true) { wait(1ms) }\n", version + 2, seconds=120)
+    page.ask(type="goto", t=300.0, seconds=60)
+    run_text(page, PROGRAM, version + 3)
+    assert lab.memory() < 1500, lab.memory()
+    page.close()
+
+
+def check_flood(lab):
+    """A page that sends without end and one that takes up nothing keep nobody else waiting."""
+    deaf = greet(lab.address)
+    deaf.send(type="fetch", run=1)
+    flood = greet(lab.address)
+    over = threading.Event()
+
+    def send():
+        try:
+            while not over.is_set():
+                flood.send(type="complete", at=[1, 0])
+        except OSError:
+            pass
+
+    sender = threading.Thread(target=send)
+    sender.start()
+    try:
+        page = greet(lab.address)
+        worst = 0.0
+        for _ in range(30):
+            begun = time.monotonic()
+            page.ask(type="hover", at=[1, 5])
+            worst = max(worst, time.monotonic() - begun)
+        assert worst < 2.0, worst
+        before = lab.memory()
+        time.sleep(2)
+        assert lab.memory() < before + 100, (before, lab.memory())
+        page.close()
+    finally:
+        over.set()
+        flood.socket.shutdown(socket.SHUT_RDWR)
+        sender.join()
+        flood.close()
+        deaf.close()
+    goes_on(lab.address)
+
+
+def check_crowd(lab):
+    """200 connections, most of which say nothing or half of something."""
+    parts = urlsplit(lab.address)
+    crowd = []
+    for number in range(200):
+        try:
+            each = socket.create_connection((parts.hostname, parts.port), 2)
+            crowd.append(each)
+            if number % 3 == 0:
+                each.sendall(b"GET /live?token")
+        except OSError:
+            break
+    page = None
+    begun = time.monotonic()
+    while page is None:  # those that say nothing are sent away after a while
+        try:
+            page = greet(lab.address, timeout=60)
+        except (OSError, Refused, ConnectionError):
+            assert time.monotonic() - begun < 60
+    page.ask(type="hover", at=[1, 5])
+    page.close()
+    for each in crowd:
+        each.close()
+    pages = []
+    for _ in range(60):  # pages that do everything right, but are too many
+        try:
+            pages.append(greet(lab.address, timeout=10))
+        except (OSError, Refused, ConnectionError):
+            break
+    assert 30 <= len(pages) <= 60, len(pages)
+    pages[0].ask(type="hover", at=[1, 5])
+    pages[-1].ask(type="hover", at=[1, 5])
+    for each in pages:
+        each.close()
+    begun = time.monotonic()
+    while refused(lambda: greet(lab.address)):  # until it is noticed that they have gone
+        assert time.monotonic() - begun < 30
+        time.sleep(0.2)
+    goes_on(lab.address)
+
+
+def check_pages(lab):
+    """Two pages: one shows, the other follows; the control is handed over; who comes back sees the present."""
+    teacher = greet(lab.address)
+    take_control(teacher)
+    student = greet(lab.address)
+    answer = student.ask(type="text", text="wait(1s)\n", version=900)
+    assert is_message(answer, "error", reason="control"), answer
+    run_text(teacher, "wait(3s)\n", 901)
+    assert student.until_type("text")["text"] == "wait(3s)\n"
+    teacher.ask(type="goto", t=1.5)
+    seen = student.until(lambda m: is_message(m, "instant") and m["cursor"])[0]
+    assert seen["t"] == 1.5 and "to" not in seen
+    student.send(type="take")
+    assert teacher.until(lambda m: is_message(m, "control") and m["wishes"])[0]["wishes"] == [student.number]
+    teacher.send(type="give", to=student.number)
+    student.until(lambda m: is_message(m, "control") and m["holder"] == student.number)
+    run_text(student, PROGRAM, 902)
+    student.close()
+    teacher.close()
+    assert goes_on(lab.address)["text_version"] == 902
+
+
+def check_host_and_port(armlet, program):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        done = subprocess.run([armlet, "lab", program, "--no-open", "--port", str(port)], capture_output=True, text=True)
+        assert done.returncode == 70 and str(port) in done.stderr, done
+    with Lab(armlet, program, "--host", "0.0.0.0", "--token", "a-token-of-our-own") as lab:
+        assert lab.address.endswith("/?token=a-token-of-our-own")
+        goes_on(lab.address)
+    for wrong in [["--token", "short"], ["--token", "with space"], ["--port", "70000"], ["--demo"]]:
+        done = subprocess.run([armlet, "lab", program, "--no-open", *wrong], capture_output=True, text=True)
+        assert done.returncode == 64 and done.stderr, (wrong, done)
+    done = subprocess.run([armlet, "lab", "nothing.rbt", "--no-open"], capture_output=True, text=True)
+    assert done.returncode == 66, done
+    with Lab(armlet, "--demo") as lab:
+        assert goes_on(lab.address)["state"] == "done"
+
+
+def main():
+    armlet = sys.argv[1]
+    with tempfile.TemporaryDirectory() as folder:
+        program = os.path.join(folder, "program.rbt")
+        Path(program).write_text(PROGRAM)
+        only = sys.argv[2:]
+        with Lab(armlet, program) as lab:
+            for check in (check_start, check_door, check_frames, check_pages, check_programs, check_flood, check_crowd):
+                if only and check.__name__ not in only:
+                    continue
+                begun = time.monotonic()
+                check(lab)
+                print(f"{check.__name__}: {time.monotonic() - begun:.1f} s, {lab.memory():.0f} MB", flush=True)
+        if not only:
+            check_host_and_port(armlet, program)
+        assert os.listdir(folder) == ["program.rbt"]
+
+
+if __name__ == "__main__":
+    main()

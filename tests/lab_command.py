@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""armlet lab --inputs: laboratories are played without a page, the same way each time, and bad scripts are refused:
+lab_command.py ARMLET."""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+COMMAND = Path(sys.argv[1]).resolve()
+ROOT = Path(__file__).resolve().parent.parent
+FIGURES = ROOT / "examples" / "figures"
+MOST_LINES = 40
+
+LAB = """robot arm = robots.scara()
+lab cell {
+    sliders hand(of: arm, as: "x y z")
+    field height(50mm, range: [0mm, 150mm])
+    field pieces(3)
+    button lift("Lift", fn() { arm.moveJ(posJ(0deg, 60deg, cell.height, 0deg), time: 1s) })
+    button far("Far", fn() { arm.moveL(xyz(2m, 0m, 0m)) })
+    plot high(fn() => cell.height)
+}
+"""
+
+# A script, the exit status, and what is said on standard error.
+REFUSED = [
+    ('{"t": 1, "press": "lift"', 65, ":1: this is no JSON object"),
+    ("[1]", 65, ":1: an input is an object"),
+    ('{"press": "lift"}', 65, ":1: `t` is missing"),
+    ('{"t": "soon", "press": "lift"}', 65, ":1: `t` takes numbers, not \"soon\""),
+    ('{"t": -1, "press": "lift"}', 65, ":1: `t` lies between 0 s and 100 years, not at -1 s"),
+    ('{"t": 1e300, "press": "lift"}', 65, ":1: `t` lies between"),
+    ('{"t": 2, "press": "lift"}\n\n{"t": 1, "press": "lift"}', 65, ":3: time goes back from 2 s to 1 s"),
+    ('{"t": 1}', 65, ":1: an input has one of"),
+    ('{"t": 1, "press": 3}', 65, ":1: `press` is a text, not 3"),
+    ('{"t": 1, "press": "lift", "vlaue": 3}', 65, ":1: there is no `vlaue` here; such an input has `t`, `press`"),
+    ('{"t": 1, "set": "height"}', 65, ":1: `value` is missing"),
+    ('{"t": 1, "set": "height", "value": null}', 65, ":1: `value` is a number, a text, true or false, not null"),
+    ('{"t": 1, "joints": "arm", "values": [1, "x"]}', 65, ":1: `values` takes numbers, not \"x\""),
+    ('{"t": 1, "joints": "arm", "values": 1}', 65, ":1: `values` is a list, not 1"),
+    ('{"t": 1, "press": "lfit"}', 70, ":1: `cell` has no button `lfit`; it has `lift`, `far`"),
+    ('{"t": 1, "set": "height", "value": 0.2}', 70, ":1: The field `height` goes from 0 mm to 150 mm; 200 mm lies"),
+    ('{"t": 1, "set": "height", "value": true}', 70, ":1: The field `height` takes a length, not true"),
+    ('{"t": 1, "set": "pieces", "value": 2.5}', 70, ":1: The field `pieces` takes a whole number, not 2.5"),
+    ('{"t": 1, "joints": "left", "values": [0, 0, 0, 0]}', 70, ":1: There is no robot `left`; the cell has `arm`"),
+    ('{"t": 1, "joints": "arm", "values": [0, 0, 0]}', 70, ":1: `arm` has 4 joints; 3 values were given"),
+    ('{"t": 1, "joints": "arm", "values": [0, 0, 5, 0]}', 70, ":1: `arm`: joint 3 would slide to 5000 mm"),
+    ('{"t": 1, "hand": "hand", "values": [5, 0, 0.3]}', 70, ":1: "),
+    ('{"t": 1, "show": "height"}', 70, ":1: `cell` has no plot, table or changing text `height`"),
+    ('{"t": 1, "press": "lift"}\n{"t": 1.5, "joints": "arm", "values": [0, 0, 0, 0]}', 70, ":2: `arm` is moving"),
+    ('{"t": 1, "press": "far"}', 70, "error R0601: out of reach"),
+]
+
+
+def lab(folder, program, script, *words):
+    (folder / "cell.rbt").write_text(program)
+    (folder / "inputs.jsonl").write_text(script)
+    return armlet(folder, "lab", "cell.rbt", "--inputs", "inputs.jsonl", *words)
+
+
+def armlet(folder, *words):
+    return subprocess.run([COMMAND, *words], cwd=folder, capture_output=True, text=True, timeout=120)
+
+
+def check(is_so, message):
+    if not is_so:
+        sys.exit(f"lab_command.py: {message}")
+
+
+def check_refused(folder):
+    for script, status, message in REFUSED:
+        ran = lab(folder, LAB, script + "\n")
+        check(ran.returncode == status, f"{script}: exit {ran.returncode}: {ran.stderr}")
+        check(message in ran.stderr, f"{script}: {ran.stderr}")
+    missing = armlet(folder, "lab", "cell.rbt", "--inputs", "nothing.jsonl")
+    check(missing.returncode == 66, f"a missing script: exit {missing.returncode}")
+
+
+def check_played(folder):
+    """The same inputs give the same run, which its record gives once more; other inputs give another one."""
+    script = '# lifts\n{"t": 0.5, "set": "height", "value": 0.1}\n{"t": 1, "press": "lift"}\n{"t": 1, "show": "high"}\n'
+    first = lab(folder, LAB, script, "--quiet", "--hash", "--record", "run.arec")
+    check(first.returncode == 0 and first.stderr == "", f"exit {first.returncode}: {first.stderr}")
+    check(first.stdout.startswith("high = 0.1\nhash "), first.stdout)
+    check(lab(folder, LAB, script, "--quiet", "--hash").stdout == first.stdout, "the same inputs give another run")
+    again = armlet(folder, "replay", "--verify", "run.arec")
+    check(again.returncode == 0, again.stderr)
+    check(again.stdout.split()[-1] == first.stdout.split()[-1], f"{again.stdout} for {first.stdout}")
+    other = lab(folder, LAB, script.replace("0.1}", "0.09}"), "--quiet", "--hash")
+    check(other.stdout.split()[-1] != first.stdout.split()[-1], "other inputs give the same run")
+    plain = armlet(folder, "run", "--quiet", "--hash", "cell.rbt")
+    check(plain.returncode == 0, f"armlet run of a laboratory: {plain.stderr}")
+
+
+def check_figures(folder):
+    """Each figure with a `lab` block has inputs beside it, which say in comments what they show."""
+    played = 0
+    for program in sorted(FIGURES.glob("*.rbt")):
+        text = program.read_text()
+        if "\nlab " not in text:
+            continue
+        script = program.with_suffix(".jsonl")
+        check(script.exists(), f"{program.name} has a `lab` block and no {script.name}")
+        lines = [line for line in text.splitlines() if line.strip() and not line.startswith("//")]
+        check(len(lines) < MOST_LINES, f"{program.name} has {len(lines)} lines")
+        ran = armlet(folder, "lab", program, "--inputs", script, "--quiet")
+        check(ran.returncode == 0, f"{program.name}: exit {ran.returncode}: {ran.stderr}")
+        wanted = [line[10:] for line in script.read_text().splitlines() if line.startswith("# expect: ")]
+        for line in wanted:
+            check(line in ran.stdout.splitlines(), f"{program.name}: no line `{line}` in\n{ran.stdout}")
+        check(len(wanted) > 0, f"{script.name} expects nothing")
+        played += 1
+    check(played >= 8, f"{played} figures were played")
+
+
+with tempfile.TemporaryDirectory() as name:
+    check_refused(Path(name))
+    check_played(Path(name))
+    check_figures(Path(name))

@@ -1,0 +1,64 @@
+// The page on a phone, from the keyboard, and for those who listen to it.
+import assert from "node:assert/strict";
+import test, { after } from "node:test";
+import { clock, closeBrowser, until, untilStatus, violations, withLab } from "../laboratory.mjs";
+
+after(closeBrowser);
+
+test("on a phone the parts are tabs, and nothing is wider than the screen", () =>
+  withLab(null, async (open) => {
+    const page = await open({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
+    await untilStatus(page, /moves/);
+    for (const [name, part] of [["Laboratory", ".elements"], ["Program", ".cm-editor"], ["3D view", ".stage canvas"]]) {
+      await page.getByRole("button", { name, exact: true }).tap();
+      const box = await page.locator(part).boundingBox();
+      assert.ok(box && box.width > 300 && box.height > 150, `${name} is ${JSON.stringify(box)}`);
+    }
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+    assert.deepEqual(await violations(page), []);
+  }));
+
+test("everything is reached and worked from the keyboard", () =>
+  withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\narm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /3\.00 s/);
+    const seen = new Set();
+    for (let k = 0; k < 90; k++) {
+      await page.keyboard.press("Tab");
+      const name = await page.evaluate(() => {
+        const focused = document.activeElement;
+        return focused === document.body ? "" : `${focused.tagName} ${focused.getAttribute("aria-label") ?? focused.textContent.slice(0, 30)}`;
+      });
+      seen.add(name);
+      if (name.startsWith("DIV Program")) await page.keyboard.press("Escape");
+    }
+    for (const wanted of [/^BUTTON Share/, /^DIV Program/, /^BUTTON Problems/, /^CANVAS 3D view/, /^INPUT q1, deg/, /^BUTTON Play/, /^DIV Time/, /^BUTTON Step over/]) {
+      assert.ok([...seen].some((name) => wanted.test(name)), `${wanted} is not reached: ${[...seen].join(", ")}`);
+    }
+    await page.locator(".bar").focus();
+    const time = async (pattern) => until(async () => pattern.test(await clock(page).innerText()), async () => `${await clock(page).innerText()} is not ${pattern}`);
+    await page.keyboard.press("Home");
+    await time(/^0\.00 /);
+    await page.keyboard.press("Shift+ArrowRight");
+    await time(/^2\.00 /);
+    await page.keyboard.press("End");
+    await time(/^3\.00 /);
+    await page.keyboard.press("?");
+    await page.getByRole("dialog", { name: "Keys" }).waitFor();
+    await page.keyboard.press("Escape");
+    await page.getByRole("spinbutton", { name: "q1 in deg" }).focus();
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("25");
+    await page.keyboard.press("Enter");
+    await until(async () => (await page.getByRole("slider", { name: "q1, deg" }).inputValue()) === "25", () => "q1 is not 25");
+  }));
+
+for (const colorScheme of ["light", "dark"]) {
+  test(`axe finds nothing to complain about, ${colorScheme}`, () =>
+    withLab(null, async (open) => {
+      const page = await open({ colorScheme });
+      await untilStatus(page, /moves/);
+      await page.getByRole("button", { name: "Got it" }).first().click();
+      assert.deepEqual(await violations(page), []);
+    }));
+}

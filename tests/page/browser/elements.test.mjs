@@ -1,0 +1,175 @@
+// Elements of a laboratory: shown from a recording, so that texts of any kind can be tried; moved on a laboratory that runs.
+import assert from "node:assert/strict";
+import { mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test, { after } from "node:test";
+import { closeBrowser, openPage, recordingFile, until, untilStatus, violations, withLab } from "../laboratory.mjs";
+
+after(closeBrowser);
+
+const HOSTILE = `**Bold** and $q_1 = \\frac{\\pi}{2}$.
+
+<img src="x" onerror="hacked = 1"><script>hacked = 2</script><a href="javascript:hacked = 3">link</a>
+<svg onload="hacked = 4"></svg><iframe srcdoc="<script>parent.hacked = 5</script>"></iframe><form action="https://example.org"><button>send</button></form>
+
+$$\\href{javascript:hacked=6}{x} + \\int_0^1 t^2\\,dt$$
+`;
+const NAME = '<img src=x onerror="hacked = 7">';
+
+function recording() {
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const joint = { unit: "rad", lower: -2, upper: 2, max_speed: 1, T_before_joint: identity, T_joint_link: [...identity.slice(0, 12), 0.4, 0, 0.1, 1] };
+  const tool = { kind: "none", stroke: 0, radius: 0, length: 0, T_flange_tool: identity };
+  const shapes = [{ link: 1, kind: "capsule", role: "link", radius: 0.04, length: 0.4, T: identity }];
+  const columns = 11;
+  const rows = Array.from({ length: 101 }, (_, k) => [k / 50, k / 100, 0.5, 0, 0.4 * Math.cos(k / 100), 0.4 * Math.sin(k / 100), 0.1, 1, 0, 0, 0]);
+  const binary = Buffer.alloc(24 + 8 * columns * rows.length);
+  [1, 1, 0, columns, rows.length, 0].forEach((word, i) => binary.writeUInt32LE(word, 4 * i));
+  rows.flat().forEach((value, i) => binary.writeDoubleLE(value, 24 + 8 * i));
+  const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="40"><script>parent.hacked = 8</script><circle r="9" cx="20" cy="20"/></svg>';
+  const elements = [
+    { kind: "text", name: "intro", text: HOSTILE },
+    { kind: "table", name: "dh", label: NAME, header: ["a", NAME] },
+    { kind: "plot", name: "q of arm", label: "Angles" },
+    { kind: "image", name: "photo" },
+    { kind: "button", name: "go", label: NAME },
+    { kind: "weather", name: "rain" },
+  ];
+  return [
+    { type: "welcome", protocol: 1, page: 1, file: NAME, text: `// ${NAME}\nlet a = 1\n`, text_version: 1, words: {} },
+    { type: "control", holder: 1, pages: [1], wishes: [] },
+    { type: "diagnostics", text_version: 1, runs: true, items: [{ severity: "advice", code: "W0701", message: NAME, span: [2, 0, 2, 3], why: NAME }] },
+    { type: "run", run: 1, state: "done", t_end: 2, label: NAME, text_version: 1, inputs: [], hash: "", error: null },
+    { type: "runs", list: [{ run: 1, state: "done", t_end: 2, label: NAME, parent: null, parts_at: null }] },
+    { type: "description", run: 1, robots: [{ name: "arm", home: [0], joints: [joint], T_world_base: identity, tool, shapes }], objects: [], elements, title: NAME },
+    { type: "shown", run: 1 },
+    { type: "notes", run: 1, first: 0, items: [{ t: 1, kind: "output", text: NAME, span: null }] },
+    { type: "figures", run: 1, index: 0, title: NAME, svg },
+    { type: "elements", run: 1, t: 2, values: { dh: { value: [[1.5, NAME]] }, photo: { error: NAME } } },
+    { binary: binary.toString("base64") },
+  ];
+}
+
+test("a saved recording shows everything from a disk, and runs nothing of a program's texts", async () => {
+  const page = await openPage(recordingFile(recording()));
+  await untilStatus(page, /recording, 2\.00 s/);
+  await page.locator(".rich strong", { hasText: "Bold" }).waitFor();
+  assert.ok((await page.locator(".rich .katex").count()) >= 2);
+  await page.locator(".elements td", { hasText: NAME }).waitFor();
+  await page.locator(".plot canvas").waitFor();
+  await page.getByText('does not know elements of the kind "weather"').waitFor();
+  for (const name of ["Output", "Runs", "Problems"]) await page.getByRole("tab", { name }).click();
+  await page.locator(".figures img").waitFor();
+  await page.waitForTimeout(300);
+  assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
+  assert.equal(await page.locator("main iframe, main form, .rich script, a[href^='javascript']").count(), 0);
+  await page.evaluate(() => {
+    const image = document.createElement("img");
+    image.setAttribute("onerror", "hacked = 9");
+    image.src = "data:image/png;base64,none";
+    document.body.append(image);
+  });
+  await until(async () => page.problems.some((problem) => /Content Security Policy/.test(problem)), () => "the page's policy lets scripts of attributes run");
+  assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
+  assert.deepEqual(page.problems.filter((problem) => !/Content Security Policy/.test(problem)), []);
+  await page.context().close();
+});
+
+test("a plot is saved as CSV, PNG and SVG, the view as PNG; a click goes to its instant", async () => {
+  const page = await openPage(recordingFile(recording()));
+  await untilStatus(page, /recording/);
+  await page.locator(".plot canvas").waitFor();
+  const saved = async (name) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name }).click()]);
+    const chunks = [];
+    for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+    return Buffer.concat(chunks);
+  };
+  const csv = String(await saved("Save Angles as CSV")).trim().split("\n");
+  assert.equal(csv[0], "t [s],q1 [deg]");
+  assert.equal(csv.length, 102);
+  assert.ok(Math.abs(Number(csv[101].split(",")[1]) - 180 / Math.PI) < 1e-9);
+  assert.match(String(await saved("Save Angles as SVG")), /<polyline/);
+  const isPng = (data) => data.subarray(1, 4).toString() === "PNG" && data.length > 1000;
+  assert.ok(isPng(await saved("Save Angles as PNG")));
+  assert.ok(isPng(await saved(/^PNG$/)));
+  const over = await page.locator(".plot .u-over").boundingBox();
+  await page.mouse.click(over.x + over.width / 2, over.y + over.height / 2);
+  await until(async () => /^(0\.9|1\.0)/.test(await page.locator("output.time").innerText()), () => "the instant is not in the middle");
+  assert.deepEqual(await violations(page), []);
+  await page.context().close();
+});
+
+const LAB = `robot arm = robots.scara()
+object cube { shape: box(40mm, 40mm, 40mm); at: xyz(400mm, 120mm, 180mm); mass: 200g }
+fn pick() { arm.moveJ(above(poseOf(cube), 80mm), time: 1s) }
+arm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)
+
+lab scaraLab {
+    title: "SCARA laboratory"
+    text intro("Reach is $r = a_1 + a_2$.")
+    sliders joints(of: arm)
+    sliders hand(of: arm, as: "x y z roll")
+    field clearance(80mm, range: [20mm, 200mm])
+    button pickIt("Pick up", fn() { pick() })
+    plot angles(fn() => arm.joints())
+}
+`;
+
+test("a slider moves the arm; where it cannot, the reason stands at the slider", () =>
+  withLab(LAB, async (open) => {
+    const page = await open();
+    await page.getByRole("heading", { name: "SCARA laboratory" }).waitFor();
+    await page.locator(".rich .katex").waitFor();
+    const hand = page.locator("output.where");
+    const before = await hand.innerText();
+    const q1 = page.getByRole("slider", { name: /^q1/ });
+    await q1.focus();
+    await page.keyboard.press("ArrowRight");
+    await until(async () => (await hand.innerText()) !== before, () => "the hand has not moved");
+    const x = page.getByRole("spinbutton", { name: "x in mm" });
+    await x.fill("5000");
+    await x.press("Enter");
+    await page.locator(".element .reason", { hasText: /reach/ }).waitFor();
+    await page.getByRole("button", { name: "Pick up" }).click();
+    await untilStatus(page, /2 moves/);
+  }));
+
+test("a run is recorded as a page that shows it from a disk", () =>
+  withLab(null, async (open) => {
+    const page = await open();
+    await untilStatus(page, /moves/);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Record" }).click()]);
+    const file = join(mkdtempSync(join(tmpdir(), "armlet-recording-")), "recorded.html");
+    await download.saveAs(file);
+    const status = (await page.locator(".status").innerText()).trim();
+    const alone = await openPage(`file://${file}`);
+    await untilStatus(alone, /recording, /);
+    assert.equal((await alone.locator(".status").innerText()).replace("recording, ", "").trim(), status);
+    assert.equal(await alone.locator("output.where").innerText(), await page.locator("output.where").innerText());
+    assert.deepEqual(alone.problems, []);
+    await alone.context().close();
+  }));
+
+test("the hand is pulled in the view: the arm follows, and says why where it cannot", () =>
+  withLab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /1 move, 1\.00 s/);
+    await page.getByRole("button", { name: "Frames" }).click();
+    const label = page.locator(".label", { hasText: /^tool$/ });
+    await label.waitFor();
+    const before = await page.locator("output.where").innerText();
+    const box = await label.boundingBox();
+    const [x, y] = [box.x - 6, box.y + 8];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 400, y - 300, { steps: 4 });
+    await page.locator(".hand .reason", { hasText: /reach/ }).waitFor();
+    await page.mouse.move(x - 20, y - 5, { steps: 3 });
+    await until(async () => (await page.locator(".hand .reason").innerText()) === "", () => "the reason stays");
+    await page.mouse.up();
+    await until(async () => (await page.locator("output.where").innerText()) !== before, () => "the arm does not follow");
+    await page.getByRole("button", { name: "Insert posJ" }).click();
+    await page.locator(".cm-line", { hasText: /^posJ\(.*deg\)/ }).waitFor();
+  }));

@@ -1,0 +1,145 @@
+// A laboratory that runs, and pages of a browser on it.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { axeSource, chromium, root } from "./modules.mjs";
+
+export const PATIENCE = Number(process.env.ARMLET_PATIENCE ?? 60_000); // ms: pictures are drawn by the processor, beside other tests
+const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking",
+  ...(process.env.ARMLET_PAGE ? ["--disable-features=LocalNetworkAccessChecks"] : [])];
+const built = join(root, "apps/lab/page/dist/index.html");
+
+let browser = null;
+async function theBrowser() {
+  browser ??= await chromium.launch({ executablePath: process.env.ARMLET_CHROMIUM ?? "/usr/bin/chromium", args: FLAGS });
+  return browser;
+}
+
+// A page that remembers what its console said; `problems` must be empty at the end of a test.
+export async function openPage(address, options = {}) {
+  const context = await (await theBrowser()).newContext({ viewport: { width: 1200, height: 760 }, reducedMotion: "reduce", ...options });
+  context.setDefaultTimeout(PATIENCE);
+  const page = await context.newPage();
+  page.problems = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && page.problems.push(message.text()));
+  page.on("pageerror", (error) => page.problems.push(error.stack ?? error.message));
+  page.on("request", (request) => {
+    const { protocol, host } = new URL(request.url());
+    const own = ["data:", "blob:", "file:"].includes(protocol) || host === new URL(address).host;
+    if (!own) page.problems.push(`asked for ${request.url()}`);
+  });
+  const other = process.env.ARMLET_PAGE; // a page just built, shown in place of the command's own
+  if (other) await page.route((url) => url.pathname === "/", (route) => route.fulfill({ path: other, contentType: "text/html; charset=utf-8" }));
+  await options.before?.(page);
+  await page.goto(address, { timeout: PATIENCE });
+  return page;
+}
+
+// Serves a program; `text` is written to a file, or the demo is shown.
+export async function serve(text = null) {
+  const folder = mkdtempSync(join(tmpdir(), "armlet-lab-"));
+  const file = join(folder, "program.rbt");
+  if (text !== null) writeFileSync(file, text);
+  const command = spawn(process.env.ARMLET_COMMAND, ["lab", ...(text === null ? ["--demo"] : [file]), "--no-open", "--port", "0"], { stdio: ["ignore", "pipe", "pipe"] });
+  let complaints = "";
+  command.stderr.on("data", (data) => (complaints += data));
+  const address = await new Promise((resolve, reject) => {
+    createInterface({ input: command.stdout }).on("line", (line) => {
+      const found = /http:\S+/.exec(line);
+      if (found) resolve(found[0]);
+    });
+    command.on("exit", (code) => reject(new Error(`armlet lab ended with ${code}: ${complaints}`)));
+  });
+  return {
+    address,
+    open: (options) => openPage(address, options),
+    close() {
+      command.removeAllListeners("exit");
+      command.kill();
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+}
+
+// A page from a file, with a recording in it instead of a laboratory.
+export function recordingFile(messages) {
+  const file = join(mkdtempSync(join(tmpdir(), "armlet-recording-")), "recording.html");
+  const json = JSON.stringify(messages).replaceAll("<", "\\u003c");
+  writeFileSync(file, readFileSync(built, "utf8").replace('<div id="page"></div>', () => `<div id="page"></div><script type="application/json" id="armlet-recording">${json}</script>`));
+  return `file://${file}`;
+}
+
+export async function closeBrowser() {
+  await browser?.close();
+  browser = null;
+}
+
+// Runs `work` with pages on a laboratory; afterwards no page may have complained.
+export async function withLab(text, work) {
+  const lab = await serve(text);
+  const pages = [];
+  try {
+    await work(async (options) => {
+      const page = await lab.open(options);
+      pages.push(page);
+      return page;
+    });
+    for (const page of pages) assert.deepEqual(page.problems, []);
+  } finally {
+    for (const page of pages) await page.context().close();
+    lab.close();
+  }
+}
+
+export const status = (page) => page.locator(".status");
+export const clock = (page) => page.locator("output.time");
+
+// Waits until the status line reads like `pattern`.
+export async function untilStatus(page, pattern) {
+  await until(async () => pattern.test(await status(page).innerText()), () => status(page).innerText().then((text) => `the status reads "${text}", not ${pattern}`));
+}
+
+export async function until(holds, otherwise) {
+  const end = Date.now() + PATIENCE;
+  while (!(await holds())) {
+    if (Date.now() > end) assert.fail(await otherwise());
+    await new Promise((resolve) => setTimeout(resolve, 60));
+  }
+}
+
+export const lineOf = (page, text) => page.locator(".cm-line", { hasText: text }).first();
+
+// Where a word of the program is on the screen.
+export async function placeOf(page, line, word) {
+  return lineOf(page, line).evaluate((element, wanted) => {
+    element.scrollIntoView({ block: "nearest", inline: "start" });
+    const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      const at = node.data.indexOf(wanted);
+      if (at < 0) continue;
+      const range = document.createRange();
+      range.setStart(node, at);
+      range.setEnd(node, at + wanted.length);
+      const box = range.getBoundingClientRect();
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    }
+    throw new Error(`no ${wanted} in ${element.textContent}`);
+  }, word);
+}
+
+// Puts text at the end of the program, as a person would.
+export async function typeAtEnd(page, text) {
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Control+End");
+  await page.keyboard.insertText(text);
+}
+
+// What accessibility tools complain about.
+export async function violations(page) {
+  await page.evaluate(axeSource());
+  const found = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+  return found.violations.map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.target.join(" ")} (${n.any[0]?.message ?? n.none[0]?.message ?? v.help})`).join("; ")}`);
+}

@@ -1,0 +1,143 @@
+// Parts of the page that need no browser: kinematics, binary messages, numbers in a text, files of plots.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { source } from "./modules.mjs";
+
+const kinematics = await source("store/kinematics.ts");
+const { readRows, writeRows } = await source("protocol/rows.ts");
+const { numberAt, pulled } = await source("editor/numbers.ts");
+const { csvOf, svgOf } = await source("elements/series.ts");
+const { cellText, tableOf } = await source("elements/table_value.ts");
+const { rollPitchYaw, shownUnit } = await source("elements/units.ts");
+const { textToHash, hashToText } = await source("shell/link.ts");
+const { positionText, poseText } = await source("shell/scene_tools.ts");
+const { rulerStep } = await source("timebar/bar.ts");
+
+// Numbers of a fixed sequence between -1 and 1.
+function sequence(seed) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(1664525, state) + 1013904223) >>> 0;
+    return state / 2147483648 - 1;
+  };
+}
+function randomPose(next) {
+  const q = [next(), next(), next(), next()];
+  const norm = Math.hypot(...q);
+  return [next(), next(), next(), ...q.map((v) => v / norm)];
+}
+const close = (a, b, tolerance) => a.forEach((v, i) => assert.ok(Math.abs(v - b[i]) <= tolerance, `${v} and ${b[i]} at ${i}`));
+
+test("a pose becomes a rotation and comes back, up to the sign of its quaternion", () => {
+  const next = sequence(7);
+  for (let k = 0; k < 500; k++) {
+    const pose = randomPose(next);
+    if (k % 5 === 0) pose.splice(3, 4, 0, ...[[1, 0, 0], [0, 1, 0], [0, 0, 1], [0.6, 0.8, 0], [0, -0.6, 0.8]][(k / 5) % 5]);
+    const matrix = kinematics.poseMatrix(pose);
+    for (let i = 0; i < 3; i++) assert.ok(Math.abs(Math.hypot(...matrix.slice(4 * i, 4 * i + 3)) - 1) < 1e-12);
+    const back = kinematics.matrixPose(matrix);
+    const sign = pose.slice(3).reduce((sum, v, i) => sum + v * back[3 + i], 0) < 0 ? -1 : 1;
+    close(back, [...pose.slice(0, 3), ...pose.slice(3).map((v) => sign * v)], 1e-7);
+  }
+});
+
+test("roll, pitch and yaw are those of Rz(yaw) Ry(pitch) Rx(roll)", () => {
+  const next = sequence(11);
+  const turn = (axis, a) => kinematics.poseMatrix([0, 0, 0, Math.cos(a / 2), ...axis.map((v) => v * Math.sin(a / 2))]);
+  for (let k = 0; k < 200; k++) {
+    const [roll, pitch, yaw] = [3 * next(), 1.5 * next(), 3 * next()];
+    const m = kinematics.multiply(kinematics.multiply(turn([0, 0, 1], yaw), turn([0, 1, 0], pitch)), turn([1, 0, 0], roll));
+    const found = rollPitchYaw(kinematics.matrixPose(m));
+    close([found.roll, found.pitch, found.yaw], [roll, pitch, yaw], 1e-6);
+  }
+});
+
+test("the tool of two links in a plane is where trigonometry says", () => {
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const link = (a) => ({ unit: "rad", lower: -3, upper: 3, max_speed: 1, T_before_joint: identity, T_joint_link: [...identity.slice(0, 12), a, 0, 0, 1] });
+  const slide = { ...link(0), unit: "m" };
+  const robot = { name: "r", home: [], joints: [link(0.4), link(0.3), slide], T_world_base: identity, tool: { T_flange_tool: identity }, shapes: [] };
+  const next = sequence(3);
+  for (let k = 0; k < 100; k++) {
+    const [a, b, z] = [3 * next(), 3 * next(), next()];
+    const tool = kinematics.toolFrame(robot, [a, b, z]);
+    close(tool.slice(12, 15), [0.4 * Math.cos(a) + 0.3 * Math.cos(a + b), 0.4 * Math.sin(a) + 0.3 * Math.sin(a + b), z], 1e-12);
+  }
+});
+
+test("binary messages come back as they were written; others are refused", () => {
+  const block = { kind: 1, run: 4, index: 2, columns: 3, first: 7, count: 2, rows: new Float64Array([0, 1.5, -2, 0.25, Math.PI, 1e300]) };
+  const data = writeRows(block);
+  assert.deepEqual(readRows(data), block);
+  assert.equal(readRows(data.slice(0, 23)), null);
+  assert.equal(readRows(data.slice(0, 48)), null);
+});
+
+test("numbers are found with their sign where that is no operator", () => {
+  const found = (line, column) => numberAt(line, column)?.text ?? null;
+  assert.equal(found("let a = 80mm", 9), "80");
+  assert.equal(found("posJ(-20.5deg, 3)", 6), "-20.5");
+  assert.equal(found("a - 5", 4), "5");
+  assert.equal(found("a-5", 2), "5");
+  assert.equal(found("x = -5", 4), "-5");
+  assert.equal(found("joint3.x", 5), null);
+  assert.equal(found("a + b", 1), null);
+});
+
+test("a pulled number keeps its digits", () => {
+  assert.equal(pulled("0.61", 3), "0.64");
+  assert.equal(pulled("2.0", -25), "-0.5");
+  assert.equal(pulled("80", 10), "90");
+  assert.equal(pulled("-1", 1), "0");
+  assert.equal(pulled("0.1", -1), "0.0");
+  const next = sequence(5);
+  for (let k = 0; k < 300; k++) {
+    const text = (100 * next()).toFixed(k % 4);
+    const steps = Math.round(50 * next());
+    assert.equal(Number(pulled(pulled(text, steps), -steps)), Number(text));
+  }
+});
+
+test("a plot as a file has its units, and its texts cannot become markup", () => {
+  const series = { t: new Float64Array([0, 1]), columns: [{ label: 'q1, "first"', unit: "deg", values: new Float64Array([2, 3]) }] };
+  assert.equal(csvOf(series), 't [s],"q1, ""first"" [deg]"\n0,2\n1,3\n');
+  const svg = svgOf("<script>", { ...series, columns: [{ ...series.columns[0], label: "<b>" }] }, ["#000"]);
+  assert.ok(!svg.includes("<script>") && !svg.includes("<b>"));
+});
+
+test("quantities are shown in degrees and millimetres", () => {
+  assert.equal(shownUnit("rad", "/s").unit, "deg/s");
+  assert.equal(shownUnit("m").factor, 1000);
+  assert.equal(shownUnit("N").unit, "N");
+});
+
+test("a program travels in an address and comes back; what is not one is refused", async () => {
+  const text = "let größe = 80mm // μ\n".repeat(20);
+  assert.equal(await hashToText(await textToHash(text)), text);
+  const next = sequence(13);
+  const noise = Array.from({ length: 60000 }, () => String.fromCharCode(48 + Math.floor(37 * (next() + 1)))).join("");
+  assert.equal(await textToHash(noise), null);
+  assert.equal(await hashToText("#p=not_deflated"), null);
+  assert.equal(await hashToText("#other"), null);
+});
+
+test("marks of the ruler stand at round numbers", () => {
+  for (const [span, room, step] of [[10, 10, 1], [9.74, 8, 2], [0.05, 10, 0.005], [600, 7, 100]]) assert.ok(Math.abs(rulerStep(span, room) - step) < 1e-12);
+});
+
+test("values of a program become tables: rows, records, columns, a row, one value", () => {
+  assert.deepEqual(tableOf([[1, 2], [3, 4]]), { header: [], rows: [[1, 2], [3, 4]] });
+  assert.deepEqual(tableOf([{ a: 1, b: 2 }, { b: 3 }]), { header: ["a", "b"], rows: [[1, 2], [null, 3]] });
+  assert.deepEqual(tableOf({ a: [1, 2], b: [3] }), { header: ["a", "b"], rows: [[1, 3], [2, null]] });
+  assert.deepEqual(tableOf({ mass: 2, name: "cube" }), { header: [], rows: [["mass", 2], ["name", "cube"]] });
+  assert.deepEqual(tableOf([1, 2]), { header: [], rows: [[1, 2]] });
+  assert.deepEqual(tableOf("x"), { header: [], rows: [["x"]] });
+  assert.deepEqual([tableOf([]).rows, tableOf(null).rows, tableOf(undefined).rows], [[], [], []]);
+  assert.deepEqual([cellText(-1.23456789), cellText(1e-9), cellText(3), cellText(null), cellText([1, 2])], ["−1.2346", "0", "3", "–", "[1, 2]"]);
+});
+
+test("positions are written as programs write them", () => {
+  assert.equal(positionText([Math.PI / 6, -0.0505, -Math.PI / 2], ["rad", "m", "rad"]), "posJ(30deg, -50.5mm, -90deg)");
+  const half = Math.SQRT1_2;
+  assert.equal(poseText([0.3, -0.12, 0.4, half, 0, 0, half]), "pose(x: 300mm, y: -120mm, z: 400mm, roll: 0deg, pitch: 0deg, yaw: 90deg)");
+});
