@@ -250,12 +250,12 @@ TEST_CASE("a run with inputs is taken again bit for bit, from its log and from i
   const std::string hash = run_with_inputs(lab, [](LabControls&) {});
   const SessionLog log = lab.session->log();
   CHECK(log.laboratory);
-  CHECK(log.entry.inputs.size() == 4);
+  CHECK(log.entries.front().inputs.size() == 4);
   const Result<std::string> file = write_log(log);
   REQUIRE(file.ok());
   const Result<SessionLog> again = read_log(*file);
   REQUIRE(again.ok());
-  CHECK(again->entry.inputs == log.entry.inputs);
+  CHECK(again->entry.inputs == log.entries.front().inputs);
   Lab other;
   REQUIRE(other.session->replay(*again));
   CHECK(other.finish() == hash);
