@@ -22,8 +22,7 @@
 // of them in order as `rows`; "motor()" gives the ambient motor of the host; "Math.sqrt" names live
 // in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
 // settings of the block and before "with}" restores those from before on every way out of it;
-// "path.blend", "path{" and "path}" are the same for `path`, whose motions are made by "path{move}"
-// when its block has ended.
+// "path.blend", "path{", "path}" likewise for `path`, whose motions "path{move}" makes at its end.
 
 #include <cstdint>
 #include <functional>
