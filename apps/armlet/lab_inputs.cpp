@@ -228,22 +228,42 @@ int InputScript::read(const std::string& path) {
   return mistakes == 0 ? kDone : kRejected;
 }
 
-int InputScript::play(Session& session) const {
+void InputScript::listen(SessionOptions& session, std::function<void(const Diagnostic&)> tell) {
+  session.laboratory = is_wanted();
+  session.on_press = [this, tell = std::move(tell)](const PressReport& report) {
+    if (report.failure) tell(*report.failure);
+    button_failed_ = button_failed_ || report.failure.has_value();
+  };
+}
+
+bool InputScript::play_lines(Session& session) const {
   LabControls controls(session);
   for (const Line& line : lines_) {
     const Progress status = session.run({.until_ns = line.t_ns});
-    if (interrupted() || status != Progress::kPaused) {
-      if (!interrupted()) tell(line.number, "the run has ended before this input");
-      return kFailed;
+    if (interrupted()) return false;
+    if (status != Progress::kPaused) {
+      tell(line.number, "the run has ended before this input");
+      return false;
     }
     if (const auto refused = apply(controls, line)) {
       tell(line.number, refused->message);
-      return kFailed;
+      return false;
     }
   }
   session.run(Budget{});
   if (session.is_at_rest()) session.finish();
-  return kDone;
+  return true;
+}
+
+RunResult InputScript::play(Session& session) const {
+  const bool played = play_lines(session);
+  RunResult result = session.result();
+  if (interrupted()) {
+    result.status = Progress::kCancelled;
+  } else if (result.status != Progress::kCancelled && (!played || button_failed_)) {
+    result.status = Progress::kFailed;
+  }
+  return result;
 }
 
 }  // namespace armlet::cli

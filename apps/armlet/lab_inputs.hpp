@@ -11,6 +11,7 @@
 // begin with #, say nothing.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,9 +28,12 @@ class InputScript {
   int read(const std::string& path);
   [[nodiscard]] bool is_wanted() const { return !path_.empty(); }
 
-  // Lets the program run with these inputs, and then until nothing happens any more. The exit
-  // status: kFailed after a message if an input is refused.
-  int play(Session& session) const;
+  // A session that is to be made is a laboratory if there is a script; why a button failed is told.
+  void listen(SessionOptions& session, std::function<void(const Diagnostic&)> tell);
+
+  // Lets the program run with these inputs, and then until nothing happens any more. It has failed
+  // too if a button has, or, after a message, if an input was refused.
+  RunResult play(Session& session) const;
 
   struct Set {
     std::string field;
@@ -57,9 +61,12 @@ class InputScript {
 
  private:
   void tell(int line, const std::string& why) const;
+  // Whether all were taken.
+  bool play_lines(Session& session) const;
 
   std::string path_;
   std::vector<Line> lines_;
+  bool button_failed_ = false;
 };
 
 }  // namespace armlet::cli

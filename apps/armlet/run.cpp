@@ -161,18 +161,13 @@ int run(const RunOptions& options) {
   if (options.realtime) setup.session.pace = real_time();
   InputScript script;
   if (const int exit = script.read(options.inputs); exit != kDone) return exit;
-  setup.session.laboratory = script.is_wanted();
   RunHash hash;
   if (options.hash) setup.session.backends.push_back(&hash);
   const bool talks = !json && !options.quiet;
   if (talks) setup.session.on_move = show_move;
   const SourceSet* sources = nullptr;
   setup.session.advice = [&](const Diagnostic& d) { show(d, *sources, json); };
-  bool pressed_well = true;
-  setup.session.on_press = [&](const PressReport& report) {
-    if (report.failure) show(*report.failure, *sources, json);
-    pressed_well = pressed_well && !report.failure;
-  };
+  script.listen(setup.session, [&](const Diagnostic& d) { show(d, *sources, json); });
 
   Session session(library_engine(), std::move(setup.session));
   const bool runs = session.compile(*std::move(text), options.file);
@@ -183,18 +178,11 @@ int run(const RunOptions& options) {
   if (const int exit = trace.open(texts); exit != kDone) return exit;
   if (const int exit = record.open(texts); exit != kDone) return exit;
 
-  bool played = true;
+  RunResult result;
   {
     const Interruptible guard(session);
-    if (script.is_wanted()) {
-      played = script.play(session) == kDone;
-    } else {
-      session.run(Budget{});
-    }
+    result = script.is_wanted() ? script.play(session) : session.run();
   }
-  RunResult result = session.result();
-  if (!played && result.status == Progress::kPaused)
-    result.status = interrupted() ? Progress::kCancelled : Progress::kFailed;
   // What a program does after Ctrl-C can fail too, for example by its steps: the user has stopped
   // it all the same.
   if (interrupted() && result.status == Progress::kFailed) result.status = Progress::kCancelled;
@@ -213,8 +201,8 @@ int run(const RunOptions& options) {
     figures.show(options.plots);
   }
   if (result.status == Progress::kCancelled) return kStopped;
-  const bool went_well = result.status == Progress::kDone && played && pressed_well;
-  return went_well && written && traced && recorded && pictured ? kDone : kFailed;
+  return result.status == Progress::kDone && written && traced && recorded && pictured ? kDone
+                                                                                       : kFailed;
 }
 
 }  // namespace armlet::cli

@@ -255,7 +255,7 @@ TEST_CASE("a run with inputs is taken again bit for bit, from its log and from i
   REQUIRE(file.ok());
   const Result<SessionLog> again = read_log(*file);
   REQUIRE(again.ok());
-  CHECK(again->entry.inputs == log.entries.front().inputs);
+  CHECK(again->entries.front().inputs == log.entries.front().inputs);
   Lab other;
   REQUIRE(other.session->replay(*again));
   CHECK(other.finish() == hash);

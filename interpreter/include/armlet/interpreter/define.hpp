@@ -205,8 +205,7 @@ template <class F>
 Definition def(std::string signature, F function, std::string help, std::string example,
                const CallOptions& options = {}) {
   if constexpr (std::is_pointer_v<F> || std::is_member_pointer_v<F>) {
-    if (function == nullptr)
-      refuse_argument("There is no function behind `" + signature + "`.");
+    if (function == nullptr) refuse_argument("There is no function behind `" + signature + "`.");
   }
   struct Kept {
     std::string signature, help, example;

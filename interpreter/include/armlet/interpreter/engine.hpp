@@ -123,8 +123,7 @@ class Engine {
   //
   // throws  ArgumentError for a word that is known already.
   Engine& add_foreign_names(std::span<const ForeignName> rows);
-  // Names that are reserved for what is not there yet: a program that uses one is told so. They
-  // must outlive the engine.
+  // Names reserved for what is not there yet: a program that uses one is told so. They outlive it.
   Engine& add_planned(std::span<const std::string_view> names);
 
   [[nodiscard]] Compilation compile(std::string text, std::string name,
@@ -146,17 +145,6 @@ class Engine {
   std::shared_ptr<Vocabulary> registry_;  // programs keep it too
 };
 
-// A task that the host had started (host/tasks.hpp) has ended.
-//
-// variable  that holds the function it ran.
-// failure   why it failed, or that it was cancelled; null: it is done.
-struct TaskEnd {
-  std::string_view variable;
-  std::int64_t start_ns = 0;
-  std::int64_t end_ns = 0;
-  const Diagnostic* failure = nullptr;
-};
-
 struct VmOptions {
   RunLimits limits;
   Timeline* timeline = nullptr;                   // null: a clock without a world
@@ -164,8 +152,7 @@ struct VmOptions {
   Output output;                                  // what `print` writes
   Memory memory;                                  // where its values lie; none: of the C library
   std::function<void(const Diagnostic&)> advice;  // advice given while running
-  // Where the program has ended, the run waits for what its host starts (host/tasks.hpp).
-  bool stays = false;
+  bool stays = false;  // where the program has ended it waits for its host (host/tasks.hpp)
   std::function<void(const TaskEnd&)> on_task_end;
 };
 

@@ -7,6 +7,7 @@
 #include "armlet/interpreter/host/globals.hpp"
 #include "armlet/interpreter/host/memory.hpp"
 #include "armlet/interpreter/host/program_function.hpp"
+#include "armlet/interpreter/host/tasks.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/interpreter/resource.hpp"
 #include "armlet/interpreter/host/value.hpp"

@@ -16,15 +16,13 @@
 // "point.x=" and "point[]=" give the value that `p.x = v` and `p[i] = v` store, from the old one;
 // "operator*" and its like operators between host types or lists; "motor{}" what a block
 // declaration of type motor calls, whose parameter `name` receives the declared name, and a
-// parameter `phase: phaseRow[]` the rows `phase wound(...)`, each made by
-// "motor.phase.wound"; rows that the program names, `phase u(...)`, are made by "motor.phase.NAME",
-// whose parameter `name` receives that name and whose parameter `value`, if it has one, becomes the
-// variable `m.u` of the program that the host may set: a block with such rows hands all of them, in
-// their order, to the parameter `rows`, and stands once; "motor()" gives the ambient motor of the host; "Math.sqrt" style names
-// live in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
+// parameter `phase: phaseRow[]` the rows `phase wound(...)`, each made by "motor.phase.wound";
+// "motor.phase.NAME" makes rows that the program names, `phase u(...)`: it gets the name as `name`,
+// what it gets as `value` becomes the variable `m.u` that the host may set, and "motor{}" gets all
+// of them in order as `rows`; "motor()" gives the ambient motor of the host; "Math.sqrt" names live
+// in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
 // settings of the block and before "with}" restores those from before on every way out of it;
-// "path.blend", "path{" and "path}" are the same for `path`, whose motions are made by "path{move}"
-// when its block has ended.
+// "path.blend", "path{", "path}" likewise for `path`, whose motions "path{move}" makes at its end.
 
 #include <cstdint>
 #include <functional>
@@ -37,10 +35,10 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/interpreter/binding/thunk.hpp"
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/failure.hpp"
 #include "armlet/interpreter/object.hpp"
-#include "armlet/interpreter/binding/thunk.hpp"
 #include "armlet/interpreter/type.hpp"
 
 namespace armlet {
@@ -75,8 +73,7 @@ struct NativeFunction {
   bool interrupts = false;
   double (*real3)(double, double, double) = nullptr;  // as real1 and real2
   bool acts = false;                                  // gives a value, and changes the world
-  // The functions of the program that it is given run as tasks, which may take time.
-  bool starts = false;
+  bool starts = false;  // the functions that it is given run as tasks, which may take time
   // May stand in a `path`, which otherwise holds nothing that acts or takes time: a motion that is
   // collected there, or a setting that moves obey when they are collected.
   bool in_path = false;

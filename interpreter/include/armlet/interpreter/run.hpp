@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "armlet/interpreter/diagnostic.hpp"
 
@@ -59,6 +60,17 @@ struct RunResult {
   Progress status = Progress::kDone;
   std::optional<Diagnostic> error;  // kFailed, kCancelled
   std::uint64_t steps = 0;          // so far
+};
+
+// A task that the host had started (host/tasks.hpp) has ended.
+//
+// variable  that holds the function it ran.
+// failure   why it failed, or that it was cancelled; null: it is done.
+struct TaskEnd {
+  std::string_view variable;
+  std::int64_t start_ns = 0;
+  std::int64_t end_ns = 0;
+  const Diagnostic* failure = nullptr;
 };
 
 }  // namespace armlet

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "check/blocks/named_rows.hpp"
 #include "check/calls/intrinsics.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/calls/printf.hpp"
 #include "check/checker.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
-#include "check/names/named_rows.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/types/expressions.hpp"
 #include "check/types/long_lists.hpp"
@@ -73,7 +73,9 @@ hir::Expr* check_call(Checker& checker, const ast::CallExpr& call, const Type* e
                         expected);
   }
   if (call.callee->kind == ast::ExprKind::kMember) {
-    return call_member(checker, call, call.callee->as<ast::MemberExpr>());
+    const auto& member = call.callee->as<ast::MemberExpr>();
+    if (hir::Expr* row = named_row_value(checker, member)) return call_value(checker, row, call);
+    return call_member(checker, call, member);
   }
   return call_value(checker, checker.check_value(*call.callee), call);
 }
@@ -124,7 +126,6 @@ hir::Expr* call_function(Checker& checker, std::string_view name, Span callee, S
 hir::Expr* call_member(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member) {
   const std::string_view name = member.member.text;
   const Span callee = member.member.span;
-  if (hir::Expr* value = named_row_value(checker, member)) return call_value(checker, value, call);
   if (const std::string group = dotted_name(checker, *member.object); !group.empty()) {
     if (const Import* from = checker.names.find_import(group))
       return call_imported(checker, *from, call, member);

@@ -26,6 +26,7 @@ class Postponed {
     std::string_view called_by;
     const hir::Function* function;
     Span span;
+    bool is_read = false;  // by the host at any time (read_function): it may change nothing
   };
   struct Path {
     const hir::Block* body;

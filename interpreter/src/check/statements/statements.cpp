@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/blocks/block_declarations.hpp"
 #include "check/calls/intrinsics.hpp"
 #include "check/calls/lambdas.hpp"
 #include "check/calls/native_calls.hpp"
@@ -10,7 +11,6 @@
 #include "check/explain/divided_remarks.hpp"
 #include "check/explain/explained.hpp"
 #include "check/explain/mismatch.hpp"
-#include "check/names/block_declarations.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/places.hpp"

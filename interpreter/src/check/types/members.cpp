@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "check/blocks/named_rows.hpp"
 #include "check/calls/intrinsics.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
 #include "check/learnt.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
-#include "check/names/named_rows.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/statements/recordings.hpp"
 #include "check/types/long_lists.hpp"

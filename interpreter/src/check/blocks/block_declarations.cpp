@@ -1,13 +1,13 @@
-#include "check/names/block_declarations.hpp"
+#include "check/blocks/block_declarations.hpp"
 
 #include <algorithm>
 
+#include "check/blocks/named_rows.hpp"
 #include "check/calls/calls.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
-#include "check/names/named_rows.hpp"
 #include "check/names/unknown_names.hpp"
 
 namespace armlet::lang {
