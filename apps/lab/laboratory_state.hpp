@@ -49,7 +49,7 @@ struct Laboratory::State {
   // Whether the page may change something; otherwise it is told why not.
   bool has_control(Page& page, Seq seq);
 
-  // ---- text and runs (runs.cpp)
+  // ---- text and runs (text_and_runs.cpp)
   // Takes the text and, if it `goes` and is right, begins its run; otherwise it is checked only.
   void take_text(std::string given, std::int64_t version, bool goes);
   [[nodiscard]] const Analysis& analysis();
@@ -74,7 +74,7 @@ struct Laboratory::State {
   void forget_looks_of(const RunRecord& run);
   void note_parting(RunRecord& run);
 
-  // ---- looking (runs.cpp)
+  // ---- looking (text_and_runs.cpp)
   void ask_to_look(Look look);
   bool advance_look();
   void begin_look();

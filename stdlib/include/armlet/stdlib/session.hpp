@@ -23,13 +23,12 @@ class Journal;
 class LabControls;
 
 struct SessionOptions {
-  std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
-  std::vector<NamedPlanner> planners;  // beside the built-in ones
-  std::optional<WorldText> world;      // given by the user
-  std::optional<WorldText>
-      default_world;             // used when a program names an object and no world is given
-  std::filesystem::path folder;  // below which the program may write files; empty: none
-  bool keeps_files = true;       // otherwise what it saves can be loaded, and goes with the run
+  std::shared_ptr<const Robot> robot;      // for programs that declare none; null: none
+  std::vector<NamedPlanner> planners;      // beside the built-in ones
+  std::optional<WorldText> world;          // given by the user
+  std::optional<WorldText> default_world;  // when a program names an object and none is given
+  std::filesystem::path folder;            // below which the program may write files; empty: none
+  bool keeps_files = true;  // otherwise what it saves can be loaded, and goes with the run
   ParseLimits parse_limits;
   bool open = false;     // see CompileOptions
   bool markers = false;  // see CompileOptions
