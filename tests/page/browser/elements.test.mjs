@@ -160,7 +160,14 @@ test("the hand is pulled in the view: the arm follows, and says why where it can
     const label = page.locator(".label", { hasText: /^tool$/ });
     await label.waitFor();
     const before = await page.locator("output.where").innerText();
-    const box = await label.boundingBox();
+    // The label is put at the hand by the next picture; then the ball is beside it.
+    let box = null;
+    await until(async () => {
+      const last = box;
+      await page.waitForTimeout(200);
+      box = await label.boundingBox();
+      return last !== null && box.x === last.x && box.y === last.y && (await label.evaluate((element) => element.style.transform !== ""));
+    }, () => "the label does not rest");
     const [x, y] = [box.x - 6, box.y + 8];
     await page.mouse.move(x, y);
     await page.mouse.down();
