@@ -10,7 +10,6 @@
 
 namespace armlet::lang {
 
-// What is declared with let stays as it is, so only variables are looked at.
 Before::Before(VmState& state)
     : state_(state),
       watches_(state.main.regions.empty() ? 0 : state.main.regions[0].size()),
@@ -19,20 +18,44 @@ Before::Before(VmState& state)
       random_(state.main.random),
       parallels_(state.main.parallels),
       steps_(state.steps.so_far()),
+      work_(state.kernels.rest()),
       statements_(state.marks.begun),
-      cancellations_(state.cancellations) {
-  for (std::uint32_t i = 0; i < state.globals.size(); ++i) {
-    const GlobalInfo& info = state.global_info[i];
-    if (info.variable == nullptr || info.variable->fixed) continue;
-    variables_.push_back({i, info, state.global_is_set[i], state.globals[i]});
-    if (info.is_reference()) retain_object(state.globals[i].o);
-  }
-}
+      cancellations_(state.cancellations) {}
 
 Before::~Before() {
+  release();
+  if (own_ == nullptr) return;
+  for (const hir::Variable* variable : own_->module.globals)
+    state_.global_is_kept[variable->index] = 0;
+}
+
+void Before::release() {
   for (const Variable& variable : variables_) {
+    state_.global_is_kept[variable.number] = 0;
     if (variable.info.is_reference()) state_.heap.release(variable.value.o);
   }
+  for (const Column& made : columns_) state_.heap.release(made.table);
+  variables_.clear();
+  columns_.clear();
+}
+
+void Before::keep(std::uint32_t number) {
+  const GlobalInfo& info = state_.global_info[number];
+  const Slot value = state_.globals[number];
+  state_.global_is_kept[number] = 1;
+  variables_.push_back({number, info, state_.global_is_set[number], value});
+  if (info.is_reference()) retain_object(value.o);
+}
+
+void Before::note_column(RecordObj& table, std::uint16_t column) {
+  retain_object(&table);
+  columns_.push_back({&table, column});
+}
+
+void Before::pass_over(const CompiledProgram& entry) {
+  own_ = &entry;
+  for (const hir::Variable* variable : entry.module.globals)
+    state_.global_is_kept[variable->index] = 1;
 }
 
 void Before::restore() {
@@ -41,8 +64,13 @@ void Before::restore() {
     state_.global_info[variable.number] = variable.info;
     state_.global_is_set[variable.number] = variable.is_set;
   }
+  for (const Column& made : columns_) {
+    Slot& column = made.table->fields()[made.column];
+    state_.heap.release(std::exchange(column.o, nullptr));
+  }
   for (const Replaced& replaced : replaced_) state_.callees[replaced.number] = replaced.callee;
   state_.tree.forget_watches(watches_);
+  release();  // before the layouts of records that the entry has made go
   state_.heap.drain();
   state_.own_layouts.resize(layouts_);
   state_.own_references.resize(layouts_);
@@ -51,6 +79,7 @@ void Before::restore() {
   state_.main.parallels = parallels_;
   state_.steps.settle();
   state_.steps.total = steps_;
+  state_.kernels.set_rest(work_);
   state_.marks.begun = statements_;
   state_.marks.paused = nullptr;
   state_.arm_cancellations({});
@@ -64,6 +93,7 @@ void add_global(VmState& state, const hir::Variable& variable) {
   if (number >= state.globals.size()) {
     state.globals.resize(number + 1, Slot{.i = 0});
     state.global_is_set.resize(number + 1, 0);
+    state.global_is_kept.resize(number + 1, 0);
     state.global_info.resize(number + 1);
   }
   if (state.global_info[number].is_reference()) state.heap.release(state.globals[number].o);
@@ -90,6 +120,7 @@ void load(VmState& state, const CompiledProgram& program, Before* before) {
     state.callees[number] = callee;
   }
   for (const hir::Variable* variable : program.module.globals) add_global(state, *variable);
+  if (before != nullptr) before->pass_over(program);
   state.newest = &program;
   state.host_access.all_are_set = false;
   state.units.push_back(std::move(unit));

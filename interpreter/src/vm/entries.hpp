@@ -35,7 +35,7 @@ struct GlobalInfo {
   }
 };
 
-// What an entry may change, as it was when it began.
+// What an entry changes, as it was when it began.
 class Before {
  public:
   explicit Before(VmState& state);
@@ -43,6 +43,12 @@ class Before {
   Before(const Before&) = delete;
   Before& operator=(const Before&) = delete;
 
+  // A variable of an earlier entry, which is about to change for the first time.
+  void keep(std::uint32_t number);
+  // The variables of the entry itself are not kept: they go with it.
+  void pass_over(const CompiledProgram& entry);
+  // A column that the entry has made of a table: it takes no work the next time.
+  void note_column(RecordObj& table, std::uint16_t column);
   // The function that had a number which the entry takes.
   void note(std::uint32_t number, const Callee& replaced) {
     replaced_.push_back({number, replaced});
@@ -53,6 +59,8 @@ class Before {
   void restore();
 
  private:
+  void release();
+
   struct Variable {
     std::uint32_t number;
     GlobalInfo info;
@@ -65,7 +73,13 @@ class Before {
   };
 
   VmState& state_;
+  struct Column {
+    RecordObj* table;  // counted
+    std::uint16_t column;
+  };
   std::vector<Variable> variables_;
+  std::vector<Column> columns_;
+  const CompiledProgram* own_ = nullptr;  // the entry
   std::vector<Replaced> replaced_;
   std::size_t watches_;
   std::size_t layouts_;
@@ -73,6 +87,7 @@ class Before {
   Random random_;
   std::uint64_t parallels_;
   std::uint64_t steps_;
+  std::uint64_t work_;  // that has not made a whole step
   std::uint64_t statements_;
   Cancellations cancellations_;
 };

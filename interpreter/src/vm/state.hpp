@@ -104,10 +104,13 @@ class KernelWork final : public Supervisor {
  public:
   explicit KernelWork(Vm& vm) : vm_(vm) {}
   [[nodiscard]] bool go_on(std::uint64_t operations) override;
+  // Operations that have not made a whole step.
+  [[nodiscard]] std::uint64_t rest() const { return rest_; }
+  void set_rest(std::uint64_t rest) { rest_ = rest; }
 
  private:
   Vm& vm_;
-  std::uint64_t rest_ = 0;  // operations that have not made a whole step
+  std::uint64_t rest_ = 0;
 };
 
 // Tells threads apart for less than asking the system.
@@ -159,8 +162,9 @@ struct VmState {
 
   std::vector<std::unique_ptr<LoadedCode>> units;  // programs whose code may still run
   std::vector<Callee> callees;                     // by number of the function
-  std::vector<Slot> globals;                       // by number of the variable; so are the next two
+  std::vector<Slot> globals;  // by number of the variable; so are the next three
   std::vector<std::uint8_t> global_is_set;
+  std::vector<std::uint8_t> global_is_kept;  // as it was before the entry under way
   std::vector<GlobalInfo> global_info;
   std::unique_ptr<Before> before;  // an entry is under way
   Obj* ascii[128] = {};            // texts of one character, made when first needed
@@ -193,6 +197,11 @@ struct VmState {
   [[nodiscard]] const CompiledProgram& code() const {
     const CompiledProgram* at = running->top->callee->program;
     return at != nullptr ? *at : *newest;
+  }
+  // To be called before a variable changes.
+  void keep_global(std::uint32_t number) {
+    if (before != nullptr && global_is_kept[number] == 0) [[unlikely]]
+      before->keep(number);
   }
   void finish_call(bool done);
   // After the end of a run: functions of the program can be called with all that the limits allow.

@@ -95,7 +95,10 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
     throw ArgumentError("This Vm has run to its end; make a new one to run again.");
   const bool is_entry = program_->is_entry() && !state.call;
   if (is_entry && state.scheduler == nullptr) {
-    if (state.before == nullptr) state.before = std::make_unique<lang::Before>(state);
+    if (state.before == nullptr) {
+      state.before = std::make_unique<lang::Before>(state);
+      state.before->pass_over(program_->compiled());
+    }
     state.tree.wake_watches();
   }
   on_ample_stack([&] {

@@ -162,7 +162,7 @@ void check_entries(const std::string& text, std::uint64_t seed) {
     if (session.entries().size() == entries) first.take_back(events);
   };
   for (const std::string& piece : pieces) {
-    if (random.below(8) == 0) enter("wait(3ms); let lost = [1, 2][7]", 5);
+    if (random.below(4) == 0) enter(piece + "\nlet lost = [1, 2][7]\n", 1 + random.below(500));
     enter(piece, 1 + random.below(2000));
     if (random.below(4) == 0) session.set_signal("gate", random.below(2) == 0);
   }
@@ -178,7 +178,8 @@ void check_entries(const std::string& text, std::uint64_t seed) {
   Traveller second({}, limits);
   REQUIRE(second.session().replay(read_log(whole.log).value()));
   run_all(second.session(), 1 + random.below(500));
-  CHECK(told(second) == whole);
+  CHECK(told(second).events == whole.events);
+  CHECK(told(second).log == whole.log);
   // To times of any entry, back by some, and on.
   for (int i = 0; i < 3; ++i) {
     const auto t_ns =
@@ -191,7 +192,8 @@ void check_entries(const std::string& text, std::uint64_t seed) {
     CHECK(session.undo(back) == back);
     if (random.below(2) == 0) static_cast<void>(session.redo(1));
     if (session.to_come() > 0) run_all(session, 1 + random.below(3000));
-    CHECK(told(first) == whole);
+    CHECK(told(first).events == whole.events);
+    CHECK(told(first).log == whole.log);
   }
   CHECK(session.runs().empty());
 }

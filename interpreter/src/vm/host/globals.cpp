@@ -19,6 +19,7 @@ std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'
 
 // Puts a value there, whose count is handed over.
 void replace(lang::VmState& state, const lang::hir::Variable& variable, Slot value) {
+  state.keep_global(variable.index);
   Slot& place = state.globals[variable.index];
   const Slot old = std::exchange(place, value);
   if (variable.type->is_reference()) state.heap.release(old.o);

@@ -142,8 +142,12 @@ Signal table_column(Vm& vm, Slot* args) {
   RecordObj& table = table_in(args[0]);
   const auto column = static_cast<std::uint16_t>(args[1].i);
   Obj*& made = table.fields()[column].o;
-  if (made == nullptr) made = make_column(vm.state(), table, column);
-  if (made == nullptr) return Signal::kFail;
+  if (made == nullptr) {
+    lang::VmState& state = vm.state();
+    made = make_column(state, table, column);
+    if (made == nullptr) return Signal::kFail;
+    if (state.before != nullptr) state.before->note_column(table, column);
+  }
   retain_object(made);
   return give(args, made);
 }
