@@ -73,18 +73,8 @@ function(armlet_add_script_tests)
   endforeach()
 endfunction()
 
-# Laboratories: what pages are told, and clients that behave badly at the server.
-function(armlet_add_lab_tests)
-  set(lab ${PROJECT_SOURCE_DIR}/apps/lab)
-  armlet_add_unit_tests(lab armlet_lab_server ${lab})
-  target_sources(test_lab PRIVATE ${lab}/worker/worker.cpp)
-  add_test(NAME lab.server
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/lab/server_command.py $<TARGET_FILE:armlet>)
-endfunction()
-
 # The examples are laid out, and the commands do to files and show of robots what they say.
 function(armlet_add_format_tests)
-  armlet_add_lab_tests()
   file(GLOB_RECURSE examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.rbt)
   add_test(NAME source.examples COMMAND armlet fmt --check ${examples})
   add_test(NAME fmt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fmt_command.py

@@ -19,7 +19,7 @@
 #include "armlet/plot/svg.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
-#include "lab_inputs.hpp"
+#include "lab/inputs.hpp"
 #include "output_file.hpp"
 #include "record.hpp"
 #include "run_report.hpp"

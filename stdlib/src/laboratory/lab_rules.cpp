@@ -36,7 +36,7 @@ Result<std::vector<HandAxis>> hand_axes(std::string_view words) {
   }
   if (axes.empty()) return Error{"axes", "no coordinate of the hand is named, such as \"x y z\""};
   const bool turns_freely = known.contains(HandAxis::kPitch) || known.contains(HandAxis::kYaw);
-  if (!turns_freely) std::ranges::replace(axes, HandAxis::kRoll, HandAxis::kTurn);
+  if (!turns_freely) std::replace(axes.begin(), axes.end(), HandAxis::kRoll, HandAxis::kTurn);
   return axes;
 }
 

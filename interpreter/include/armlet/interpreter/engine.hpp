@@ -99,8 +99,7 @@ class Engine {
   // signature have been added before.
   //
   // throws  ArgumentError if the signature cannot be read or says something else than the C++
-  // types:
-  //         every difference is told.
+  //         types: every difference is told.
   Engine& define(const Definition& definition, std::string_view chapter = "Functions of the host");
   // A type and its functions, that `type<T>` made (define_type.hpp).
   //
@@ -190,8 +189,7 @@ class Vm {
   // behind the same one as it.
   //
   // throws  ArgumentError if the entry was not compiled behind the newest one that has run to its
-  // end
-  //         here, or an entry is running.
+  //         end here, or an entry is running.
   void begin(std::shared_ptr<const Program> entry);
   // The newest entry that has run to its end; null: none has.
   [[nodiscard]] const std::shared_ptr<const Program>& newest_entry() const { return done_; }

@@ -49,8 +49,7 @@ struct SessionOptions {
 // kRefused  it does not compile, and problems() says why; or it was cancelled. All is as it was.
 // kSame     nothing that the run told until the time is other than it was.
 // kParts    it is, from `parts_ns` on, where the new program had come to `line` of its file; the
-// run
-//           is at the time asked for nevertheless, or has ended before.
+//           run is at the time asked for nevertheless, or has ended before.
 struct TextChange {
   enum class Outcome : std::uint8_t { kRefused, kSame, kParts };
   Outcome outcome = Outcome::kRefused;
@@ -98,8 +97,7 @@ class Session {
   // Runs what comes next, or goes on with what has paused, until it has ended or the budget is used
   // (see Vm::run). What comes next is the text that was compiled or submitted; otherwise the next
   // entry that is known from a log or from before the session went back; otherwise the program once
-  // more, in a fresh cell at time 0. When a text is done its robots come to rest, which is part of
-  // the run.
+  // more, in a fresh cell at time 0. Robots that still move come to rest then.
   //
   // throws  ArgumentError if there is nothing to run, for a budget of no steps, or if the session
   //         runs in another thread or in the function that calls this; all stays as it was then.
@@ -147,8 +145,7 @@ class Session {
   // A signal, also before the first run: then it is there from the start.
   void set_signal(std::string_view name, SignalValue value);
   void set(std::string_view name, const Value& value);
-  // Calls a function of the program, which may take no time. An error if it failed
-  // (vm()->error_text()).
+  // Calls a function of the program, which may take no time. An error (vm()->error_text()) if it failed.
   Result<Value> call(std::string_view name, const std::vector<Value>& arguments);
 
   // ---- a run once more
@@ -156,9 +153,8 @@ class Session {
   //
   // throws  ArgumentError before the first compile(), and while the session runs.
   [[nodiscard]] SessionLog log() const;
-  // Compiles the entries of a log; each run() then runs the next one as it was logged: files are
-  // not read but taken from the log, nor are any written. Where the log ends the outside is asked
-  // again.
+  // Compiles the entries of a log; each run() then runs the next as it was logged: files are taken
+  // from the log and none are written. Where the log ends the outside is asked again.
   //
   // throws  ArgumentError if the robot, the world, the planners or the limits of the session are
   //         not those of the log, if that begins with a call, and while the session runs; all stays

@@ -1,4 +1,4 @@
-#include "lab_inputs.hpp"
+#include "lab/inputs.hpp"
 
 #include <fmt/format.h>
 
