@@ -145,7 +145,7 @@ class Session {
   // A signal, also before the first run: then it is there from the start.
   void set_signal(std::string_view name, SignalValue value);
   void set(std::string_view name, const Value& value);
-  // Calls a function of the program, which may take no time. An error (vm()->error_text()) if it failed.
+  // Calls a function of the program, without time. An error (vm()->error_text()) if it failed.
   Result<Value> call(std::string_view name, const std::vector<Value>& arguments);
 
   // ---- a run once more
