@@ -1,5 +1,6 @@
 #include "syntax/parse.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 
@@ -100,6 +101,7 @@ class Front {
     std::optional<Tokens> whole =
         mended(std::move(tokens), [this](const Tokens& trial) { return failure_of(trial); });
     if (!whole || whole->size() < 2) return nullptr;
+    completed_ = std::ranges::any_of(*whole, &Token::inserted);
     tokens_ = *std::move(whole);
     tokens_.erase(tokens_.end() - 2);
     return value(depth);
@@ -178,7 +180,10 @@ class Front {
             depth,
             [this](Span range, std::size_t at) {
               Front inner(source_, arena_, sink_, limits_, nullptr, cancelled_);
-              return mending_ ? inner.mended_piece(range, at) : inner.piece(range, at);
+              if (!mending_) return inner.piece(range, at);
+              ast::Expr* value = inner.mended_piece(range, at);
+              completed_ = completed_ || inner.completed_;
+              return value;
             },
             cancelled_};
   }
@@ -204,6 +209,7 @@ class Front {
         }
         const std::size_t messages = sink_.all().size();
         statement_ok_ = true;
+        completed_ = false;
         RbtParser::StmtContext* ctx = machine.parser.stmt();
         if (machine.feed.index() == first) machine.feed.consume();
         ast::Stmt* made = statement_ok_ ? builder.statement(ctx) : nullptr;
@@ -212,8 +218,8 @@ class Front {
         if (shape_ != nullptr && statement_ok_) shape_->program.parts.push_back(shape_of(ctx));
         if (made != nullptr && is_wanted) out.push_back(made);
         if (mended_ != nullptr && made != nullptr) mended_->push_back(made);
-        const bool is_good =
-            is_wanted && statement_ok_ && !incomplete && sink_.all().size() == messages;
+        const bool is_good = is_wanted && statement_ok_ && !incomplete && !completed_ &&
+                             sink_.all().size() == messages;
         if (read_ != nullptr && is_good) note_read(made, first, machine.feed.index());
         // What cannot be built although it can be read has a formatted text with a mistake.
         if (mended_ != nullptr && (!statement_ok_ || incomplete) && mends_left_ > 0) {
@@ -234,7 +240,27 @@ class Front {
 
   [[nodiscard]] ReadBefore::Found read_before(std::size_t first) const {
     if (before_ == nullptr || read_ == nullptr) return {};
-    return before_->at(tokens_[first].begin);
+    const ReadBefore::Found found = before_->at(tokens_[first].begin);
+    if (found.statement == nullptr) return {};
+    const auto end = static_cast<std::uint32_t>(found.statement->end + found.shift);
+    return form_of(first, end) == found.statement->form ? found : ReadBefore::Found{};
+  }
+
+  // A hash of what the parser sees of a statement that begins at a token and ends at a byte. The
+  // text alone does not say it: a bracket that is open or too many elsewhere changes which ends of
+  // statements and which brackets are put in here, or left out.
+  [[nodiscard]] std::uint64_t form_of(std::size_t first, std::uint32_t end) const {
+    std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, with a number where it has a byte
+    const auto add = [&hash](std::uint64_t number) { hash = (hash ^ number) * 0x100000001b3; };
+    const std::size_t last = behind(first, end);
+    for (std::size_t i = first; i < last; ++i) {
+      const Token& token = tokens_[i];
+      add(token.begin - tokens_[first].begin);
+      add(token.type);
+      add(token.inserted ? 1 : 0);
+    }
+    add(tokens_[last].type);
+    return hash;
   }
 
   // The statement at its new place; null if it is empty.
@@ -243,7 +269,7 @@ class Front {
     ast::Stmt* made =
         old.tree != nullptr ? copied(*old.tree, arena_, source_, known.shift) : nullptr;
     read_->push_back({made, static_cast<std::uint32_t>(old.begin + known.shift),
-                      static_cast<std::uint32_t>(old.end + known.shift)});
+                      static_cast<std::uint32_t>(old.end + known.shift), old.form});
     return made;
   }
 
@@ -263,7 +289,8 @@ class Front {
       // What is put in stands in no other text.
       if (tokens_[i].inserted && tokens_[i].type != RbtLexer::SEMI) return;
     }
-    if (!tokens_[first].inserted) read_->push_back({made, tokens_[first].begin, end});
+    if (!tokens_[first].inserted)
+      read_->push_back({made, tokens_[first].begin, end, form_of(first, end)});
   }
 
   // What can be made of the tokens of one statement at the top level with a mistake.
@@ -364,6 +391,7 @@ class Front {
   std::vector<Span> comments_;
   bool ok_ = true;
   bool statement_ok_ = true;
+  bool completed_ = false;  // something was put into a formatted text of the present statement
 };
 
 }  // namespace

@@ -10,17 +10,18 @@
 
 namespace armlet::lang {
 
-// One without a mistake and without a message.
+// One without a mistake and without a message, into which nothing was put.
 struct ReadStatement {
   const ast::Stmt* tree = nullptr;  // null: it is empty
   std::uint32_t begin = 0;          // bytes of its tokens
   std::uint32_t end = 0;
+  std::uint64_t form = 0;  // a hash of the tokens that the parser saw
 };
 
 // What of an earlier text stands in a new one. The parser reads a statement from its tokens, and
 // looks at most at those of the next one; a comment in front of it can belong to it. So it is the
 // same where it stands in a part that has not changed, together with what is in front of it and
-// with the statement behind it.
+// with the statement behind it. The parser then asks whether the tokens are the same too.
 class ReadBefore {
  public:
   // statements  in the order of the text.

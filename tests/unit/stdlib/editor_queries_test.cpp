@@ -85,12 +85,12 @@ std::string edited(std::string text, std::vector<Edit> edits) {
   return text;
 }
 
-// What an analysis says of every byte that begins a token, as text.
-std::string everything(const Analysis& analysis) {
+// What an analysis says of the byte that begins every ninth token, or every `step`th, as text.
+std::string everything(const Analysis& analysis, std::size_t step = 9) {
   std::string out;
   for (const Diagnostic& diagnostic : analysis.diagnostics())
     out += diagnostic.code + diagnostic.message + std::to_string(diagnostic.mark.span.begin) + '\n';
-  for (std::size_t i = 0; i < analysis.facts().tokens.size(); i += 9) {
+  for (std::size_t i = 0; i < analysis.facts().tokens.size(); i += step) {
     const lang::Token& token = analysis.facts().tokens[i];
     const auto hover = analysis.hover(token.begin);
     out += hover ? hover->text + hover->help + hover->value : "-";
@@ -225,6 +225,24 @@ TEST_CASE("what is not read again makes no difference") {
       CHECK(everything(*now) == everything(*afresh));
       before = now;
     }
+  }
+}
+
+TEST_CASE("a statement is read again when a bracket elsewhere changes its tokens") {
+  const std::pair<std::string, std::string> kTexts[] = {
+      // A bracket that stays open: lines without indentation close the others, too.
+      {"let a = 1\nlet b = [1,\n2]\nlet c = b\nlet d = ",
+       "let a = 1\nlet b = [1,\n2]\nlet c = b\nlet d = ("},
+      // What is put into a formatted text while a bracket is open is a mistake afterwards.
+      {"let z = 0\nlet y = (\nlet x = 0\nlet b = f\"{1 +}\"\nlet c = 1\nlet d = 2\n",
+       "let z = 0\nlet y = 3\nlet x = 0\nlet b = f\"{1 +}\"\nlet c = 1\nlet d = 2\n"}};
+  Session session(library_engine(), {.default_world = table_world()});
+  for (const auto& [first, second] : kTexts) {
+    CAPTURE(second);
+    const auto there = session.analyse(second, "p.rbt", session.analyse(first, "p.rbt"));
+    CHECK(everything(*there, 1) == everything(*session.analyse(second, "p.rbt"), 1));
+    const auto back = session.analyse(first, "p.rbt", there);
+    CHECK(everything(*back, 1) == everything(*session.analyse(first, "p.rbt"), 1));
   }
 }
 
