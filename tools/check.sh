@@ -31,6 +31,9 @@ step build and test, with the address and undefined-behaviour sanitizers
 step build and test, optimised
 ./dev test
 
+step the page of laboratories in a browser
+./dev test page
+
 step one definition of everything: linked as a whole
 ./dev build odr armlet test_interpreter
 step build with the other compiler

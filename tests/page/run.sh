@@ -6,6 +6,7 @@ set -euo pipefail
 what=$1 modules=$2 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 skip() { printf 'skipped: %s\n' "$*"; exit 77; }
 
+[[ $what != browser || -n ${ARMLET_TRY_BROWSER:-} ]] || skip 'the page is tried in a browser by ./dev test page'
 command -v node >/dev/null || skip "node is not installed"
 (($(node -p 'process.versions.node.split(".")[0]') >= 18)) || skip "node $(node --version) is older than 18"
 mkdir -p "$modules"
