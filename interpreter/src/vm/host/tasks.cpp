@@ -2,8 +2,11 @@
 
 #include "armlet/interpreter/host/tasks.hpp"
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "armlet/core/ample_stack.hpp"
 #include "vm/entries.hpp"
@@ -36,7 +39,9 @@ class NoTrace {
  public:
   explicit NoTrace(lang::VmState& state)
       : state_(state),
-        variables_(state),
+        kept_(std::exchange(state.global_is_kept,
+                            std::vector<std::uint8_t>(state.global_is_kept.size(), 0))),
+        entry_(std::exchange(state.before, std::make_unique<lang::Before>(state))),
         steps_(state.steps),
         marks_(state.marks),
         due_(std::exchange(state.cancellations.due, {})),
@@ -57,14 +62,17 @@ class NoTrace {
     state_.marks = std::move(marks_);
     state_.fault = std::move(fault_);
     state_.is_leaving = is_leaving_;
-    variables_.restore();
+    state_.before->restore();
+    state_.before = std::move(entry_);
+    state_.global_is_kept = std::move(kept_);
   }
   NoTrace(const NoTrace&) = delete;
   NoTrace& operator=(const NoTrace&) = delete;
 
  private:
   lang::VmState& state_;
-  lang::Before variables_;
+  std::vector<std::uint8_t> kept_;       // of the entry under way, if there is one
+  std::unique_ptr<lang::Before> entry_;  // likewise
   lang::StepMeter steps_;
   lang::Marks marks_;
   std::vector<Cancellation> due_;
