@@ -8,7 +8,7 @@
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "messages/library_messages.hpp"
+#include "dynamics/loaded_arm.hpp"
 #include "session/bind.hpp"
 #include "values/eigen_results.hpp"
 #include "values/give.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 using Eigen::VectorXd;
 using Values = std::optional<JointList>;
-
-const Robot& arm_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).loaded; }
 
 // Values of the joints, 0 where they are left out.
 Answer<VectorXd> joints_or_zero(Vm& vm, const Robot& robot, Values values, int parameter) {
@@ -48,14 +46,6 @@ Answer<Gains> checked_gains(Vm& vm, Answer<Gains> gains, std::string_view what, 
                           parameter);
   }
   return gains;
-}
-
-// law() with its ArgumentError as R0640.
-template <class Law>
-Answer<JointVector> forces_of(Vm& vm, const Law& law) try {
-  return Answer<JointVector>(law());
-} catch (const ArgumentError& error) {
-  return failure_of(vm, row("R0640"), error);
 }
 
 // ---- joint by joint
@@ -90,10 +80,10 @@ Answer<JointTask> joint_task(Vm& vm, const Robot& robot, JointList q, JointList 
 template <class To>
 Answer<JointVector> pd(Vm& vm, const RobotRef& r, JointList q, JointList qd, To to, JointList kp,
                        JointList kd, Values rates, bool gravity) {
-  const Robot& robot = arm_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto task = joint_task<To>(vm, robot, q, qd, to, kp, kd, rates);
   if (!task) return Failed{};
-  return forces_of(vm, [&]() -> JointVector {
+  return dynamics_of<JointVector>(vm, [&]() -> JointVector {
     JointVector tau = task->pull();
     if (gravity) tau += gravity_forces(robot, task->q);
     return tau;
@@ -103,12 +93,12 @@ Answer<JointVector> pd(Vm& vm, const RobotRef& r, JointList q, JointList qd, To 
 template <class To>
 Answer<JointVector> computed_torques(Vm& vm, const RobotRef& r, JointList q, JointList qd, To to,
                                      JointList kp, JointList kd, Values rates, Values accels) {
-  const Robot& robot = arm_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto task = joint_task<To>(vm, robot, q, qd, to, kp, kd, rates);
   if (!task) return Failed{};
   const auto wanted = joints_or_zero(vm, robot, accels, 7);
   if (!wanted) return Failed{};
-  return forces_of(
+  return dynamics_of<JointVector>(
       vm, [&] { return inverse_dynamics(robot, task->q, task->qd, *wanted + task->pull()); });
 }
 
@@ -143,7 +133,7 @@ Answer<ToolTask> tool_task(Vm& vm, const Robot& robot, JointList q, JointList qd
 Answer<JointVector> operational(Vm& vm, const RobotRef& r, JointList q, JointList qd,
                                 const PosC& to, JointList kp, JointList kd, Values speed,
                                 Values accel, double settle) try {
-  const Robot& robot = arm_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto task = tool_task(vm, robot, q, qd, to, speed, 6);
   if (!task) return Failed{};
   const auto stiff = checked_gains(vm, six_values(vm, kp, "kp", 4), "gain", 4);
@@ -180,7 +170,7 @@ Answer<JointVector> operational(Vm& vm, const RobotRef& r, JointList q, JointLis
 
 Answer<JointVector> impedance(Vm& vm, const RobotRef& r, JointList q, JointList qd, const PosC& to,
                               JointList stiffness, JointList damping, Values speed) {
-  const Robot& robot = arm_of(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto task = tool_task(vm, robot, q, qd, to, speed, 6);
   if (!task) return Failed{};
   const auto stiff = checked_gains(vm, six_values(vm, stiffness, "a stiffness", 4), "stiffness", 4);
@@ -188,7 +178,7 @@ Answer<JointVector> impedance(Vm& vm, const RobotRef& r, JointList q, JointList 
   const auto damp = checked_gains(vm, six_values(vm, damping, "a damping", 5), "damping", 5);
   if (!damp) return Failed{};
   const Vector6d wrench = stiff->cwiseProduct(task->error) + damp->cwiseProduct(task->rate_error);
-  return forces_of(vm, [&]() -> JointVector {
+  return dynamics_of<JointVector>(vm, [&]() -> JointVector {
     return bias_forces(robot, task->q, task->qd) + task->J.transpose() * wrench;
   });
 }

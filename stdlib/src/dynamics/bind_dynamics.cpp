@@ -7,7 +7,7 @@
 #include "armlet/dynamics/forward_dynamics.hpp"
 #include "armlet/dynamics/inverse_dynamics.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "messages/library_messages.hpp"
+#include "dynamics/loaded_arm.hpp"
 #include "robot/models.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
@@ -17,17 +17,6 @@
 
 namespace armlet::bind {
 namespace {
-
-// law() with its ArgumentError as R0640.
-template <class Result, class Law>
-Answer<Result> dynamics_of(Vm& vm, const Law& law) try {
-  return Answer<Result>(law());
-} catch (const ArgumentError& error) {
-  return failure_of(vm, row("R0640"), error);
-}
-
-// The arm with what its hand carries.
-const Robot& loaded_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).loaded; }
 
 // ---- forces and accelerations
 

@@ -2,7 +2,7 @@
 
 #include "armlet/dynamics/identification.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "messages/library_messages.hpp"
+#include "dynamics/loaded_arm.hpp"
 #include "session/bind.hpp"
 #include "values/eigen_results.hpp"
 #include "values/give.hpp"
@@ -11,13 +11,10 @@
 namespace armlet::bind {
 namespace {
 
-// The arm with what its hand carries.
-const Robot& carrying(Vm& vm, const RobotRef& r) { return *state_of(vm, r).loaded; }
-
 template <class Q>
 Answer<Eigen::MatrixXd> regressor(Vm& vm, const RobotRef& r, Q values, JointList rates,
                                   JointList accels) try {
-  const Robot& robot = carrying(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
   const auto qd = joint_argument(vm, robot, rates, 2);
@@ -30,14 +27,14 @@ Answer<Eigen::MatrixXd> regressor(Vm& vm, const RobotRef& r, Q values, JointList
 }
 
 Answer<Eigen::VectorXd> parameters_of_links(Vm& vm, const RobotRef& r) {
-  return dynamic_parameters(carrying(vm, r));
+  return dynamic_parameters(loaded_of(vm, r));
 }
 
 // Of a joint, an upper bound of the operations that the search for its parameters takes.
 constexpr double kWork = 4e5;
 
 Answer<RecordObj*> base_of_links(Vm& vm, const RobotRef& r) try {
-  const Robot& robot = carrying(vm, r);
+  const Robot& robot = loaded_of(vm, r);
   const double joints = robot.n();
   if (!charge_steps(vm, static_cast<std::uint64_t>(kWork / 50.0 * joints * joints * joints)))
     return Failed{};

@@ -1,29 +1,11 @@
 // Samples of robots reach a backend without memory from the heap.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "armlet/backend/backend.hpp"
 #include "armlet/cell/cell.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/trajectory/joint_move.hpp"
-
-namespace {
-
-long allocations = 0;
-
-}  // namespace
-
-// Counts; in the whole program, because operators cannot be replaced for a part of it. Inlined,
-// g++ 12 takes new and free for a pair that does not match.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "count_allocations.hpp"
 
 using namespace armlet;
 

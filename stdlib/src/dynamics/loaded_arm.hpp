@@ -1,0 +1,20 @@
+#pragma once
+// What the functions of dynamics share.
+
+#include "messages/library_messages.hpp"
+#include "motion/moves.hpp"
+
+namespace armlet::bind {
+
+// The arm with what its hand carries.
+inline const Robot& loaded_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).loaded; }
+
+// law() with its ArgumentError as R0640.
+template <class Result, class Law>
+Answer<Result> dynamics_of(Vm& vm, const Law& law) try {
+  return Answer<Result>(law());
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0640"), error);
+}
+
+}  // namespace armlet::bind
