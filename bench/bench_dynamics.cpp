@@ -4,7 +4,6 @@
 // friction are left out of the arms, because KDL has none.
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -206,25 +205,12 @@ void bench_second(const std::shared_ptr<const Robot>& robot) {
               median(times));
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
-}
-
 }  // namespace
 }  // namespace armlet::bench
 
 // bench_dynamics [ROBOT...]
 int main(int count, char** arguments) {
-  std::printf("%s, g++ %s, %s, %s\n", armlet::bench::processor().c_str(), __VERSION__,
-              ARMLET_BENCH_FLAGS, ARMLET_BENCH_KDL);
-  std::printf("%-10s %-24s %10s %10s %9s\n", "ns/call", "", "armlet", "KDL", "");
-  std::vector<std::string> names(arguments + 1, arguments + count);
-  if (names.empty()) names = {"puma560", "ur5", "panda", "scara"};
-  for (const std::string& name : names) {
+  for (const std::string& name : armlet::bench::begin_comparison(count, arguments)) {
     const auto robot = armlet::make_robot(name);
     if (!robot) continue;
     armlet::bench::bench_arm(armlet::bench::without_motors(*robot));

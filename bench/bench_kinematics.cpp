@@ -3,7 +3,6 @@
 // consumed, and the figures are medians over rounds in which both sides take turns.
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -294,25 +293,12 @@ void bench_arm(const Robot& robot) {
   bench_inverse(robot, q, peer);
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
-}
-
 }  // namespace
 }  // namespace armlet::bench
 
 // bench_kinematics [ROBOT...]
 int main(int count, char** arguments) {
-  std::printf("%s, g++ %s, %s, %s\n", armlet::bench::processor().c_str(), __VERSION__,
-              ARMLET_BENCH_FLAGS, ARMLET_BENCH_KDL);
-  std::printf("%-10s %-24s %10s %10s %9s\n", "ns/call", "", "armlet", "KDL", "");
-  std::vector<std::string> names(arguments + 1, arguments + count);
-  if (names.empty()) names = {"puma560", "ur5", "panda", "scara"};
-  for (const std::string& name : names) {
+  for (const std::string& name : armlet::bench::begin_comparison(count, arguments)) {
     const auto robot = armlet::make_robot(name);
     if (robot) armlet::bench::bench_arm(*robot);
   }

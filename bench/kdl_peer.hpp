@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "armlet/model/robot.hpp"
@@ -33,6 +36,25 @@ inline KdlArm make_peer(const Robot& robot) {
                       robot.lower()[k], robot.upper()[k]});
   }
   return {to_plain(robot.T_world_base() * X), joints, to_plain(robot.T_flange_tool())};
+}
+
+inline std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
+// Prints what is compared and the head of the table; the robots are those of the command line, or
+// the four of the documents.
+inline std::vector<std::string> begin_comparison(int count, char** arguments) {
+  std::printf("%s, g++ %s, %s, %s\n", processor().c_str(), __VERSION__, ARMLET_BENCH_FLAGS,
+              ARMLET_BENCH_KDL);
+  std::printf("%-10s %-24s %10s %10s %9s\n", "ns/call", "", "armlet", "KDL", "");
+  std::vector<std::string> names(arguments + 1, arguments + count);
+  if (names.empty()) names = {"puma560", "ur5", "panda", "scara"};
+  return names;
 }
 
 }  // namespace armlet::bench

@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <regex>
 #include <set>
@@ -17,6 +16,7 @@
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/stdlib/install.hpp"
+#include "reference_message.hpp"
 
 namespace armlet {
 namespace {
@@ -326,18 +326,6 @@ std::filesystem::path sample_folder() {
   return std::filesystem::path(ARMLET_REFERENCE_DIR) / "messages";
 }
 
-// The block as it stands in the reference, without the line that says where it comes from.
-std::string reference_block(const std::string& code) {
-  std::ifstream file(sample_folder() / (code + ".txt"));
-  REQUIRE_MESSAGE(file, "no sample for " << code);
-  std::string line;
-  std::getline(file, line);
-  std::getline(file, line);
-  std::ostringstream block;
-  block << file.rdbuf();
-  return block.str();
-}
-
 // The program that a block shows: its numbered lines, and empty ones between them.
 std::string program_of(const std::string& block) {
   static const std::regex kNumbered(R"( *(\d+) \| (.*))");
@@ -380,7 +368,7 @@ Diagnostic diagnostic_of(const MessageSample& sample, const Source& source) {
 TEST_CASE("every message of the reference is shown word for word") {
   for (const MessageSample& sample : kMessageSamples) {
     CAPTURE(sample.code);
-    const std::string block = reference_block(sample.code);
+    const std::string block = reference_message(sample.code);
     SourceSet sources;
     const Source& source = sources.add("cell.rbt", program_of(block));
     CHECK(render_text(diagnostic_of(sample, source), sources) == block);

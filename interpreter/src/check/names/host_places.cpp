@@ -153,13 +153,7 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
     value = checker.require(value, {.type = checker.types.real()});
     if (value->type->is(Kind::kAny)) return nullptr;
   }
-  ast::BinaryExpr node{};
-  node.kind = ast::ExprKind::kBinary;
-  node.span = assign.span;
-  node.op = assign.op;
-  node.left = const_cast<ast::Expr*>(&target);
-  node.right = assign.value;
-  node.op_span = {assign.op_span.begin, assign.op_span.begin + 1, assign.op_span.source};
+  const ast::BinaryExpr node = operation_of(assign, target);
   hir::Expr* result = combine(checker, node, old, value);
   if (result->type->is(Kind::kAny)) return nullptr;
   return store(checker, *part, target, result, assign);

@@ -275,6 +275,17 @@ std::optional<hir::Step> check_place_step(Checker& checker, const ast::Expr& at,
 
 // ---- assignments -------------------------------------------------------------------------------
 
+ast::BinaryExpr operation_of(const ast::AssignStmt& assign, const ast::Expr& target) {
+  ast::BinaryExpr node{};
+  node.kind = ast::ExprKind::kBinary;
+  node.span = assign.span;
+  node.op = assign.op;
+  node.left = const_cast<ast::Expr*>(&target);
+  node.right = assign.value;
+  node.op_span = {assign.op_span.begin, assign.op_span.begin + 1, assign.op_span.source};
+  return node;
+}
+
 hir::Stmt* check_assign(Checker& checker, const ast::AssignStmt& assign) {
   if (assign.compound) return assign_compound(checker, assign);
   if (assign.targets.size() > 1) return assign_many(checker, assign);
@@ -385,13 +396,7 @@ hir::Stmt* assign_compound(Checker& checker, const ast::AssignStmt& assign) {
         checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, once->type, value->span, once);
   }
   hir::Expr* old = read_place(checker, *place);
-  ast::BinaryExpr node{};
-  node.kind = ast::ExprKind::kBinary;
-  node.span = assign.span;
-  node.op = assign.op;
-  node.left = const_cast<ast::Expr*>(&target);
-  node.right = assign.value;
-  node.op_span = {assign.op_span.begin, assign.op_span.begin + 1, assign.op_span.source};
+  const ast::BinaryExpr node = operation_of(assign, target);
   const bool text = place->type->is(Kind::kText) && assign.op == ast::BinaryOp::kAdd;
   if (text && !value->type->is(Kind::kAny)) {
     const std::vector<hir::Expr*> parts = {old, to_text(checker, value)};

@@ -231,13 +231,7 @@ hir::Expr* compound_value(Checker& checker, hir::StorePartStmt& store, const Typ
     evaluate_once(checker, ends->last, before);
   }
   hir::Expr* value = checker.check_value(*assign.value);
-  ast::BinaryExpr node{};
-  node.kind = ast::ExprKind::kBinary;
-  node.span = assign.span;
-  node.op = assign.op;
-  node.left = const_cast<ast::IndexExpr*>(&target);
-  node.right = assign.value;
-  node.op_span = {assign.op_span.begin, assign.op_span.begin + 1, assign.op_span.source};
+  const ast::BinaryExpr node = operation_of(assign, target);
   return combine(checker, node, read_part(checker, store, type, target.span), value);
 }
 

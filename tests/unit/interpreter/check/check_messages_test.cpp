@@ -3,11 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "check_vocabulary.hpp"
+#include "reference_message.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -76,20 +75,10 @@ std::string program_of(const Provoked& provoked) {
   return out + '\n';
 }
 
-std::string reference_block(const std::string& code) {
-  std::ifstream file(std::string(ARMLET_REFERENCE_DIR) + "/messages/" + code + ".txt");
-  std::string line;
-  std::getline(file, line);
-  std::getline(file, line);
-  std::ostringstream block;
-  block << file.rdbuf();
-  return block.str();
-}
-
 TEST_CASE("the checker's messages of section 20.3 are produced word for word") {
   for (const Provoked& provoked : kProvoked) {
     CAPTURE(provoked.code);
-    CHECK(check_text(program_of(provoked))->text() == reference_block(provoked.code));
+    CHECK(check_text(program_of(provoked))->text() == reference_message(provoked.code));
   }
 }
 

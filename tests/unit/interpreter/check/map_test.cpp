@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "refused_memory.hpp"
 #include "script_support.hpp"
 #include "vm/state.hpp"
 
@@ -76,17 +77,7 @@ TEST_CASE("maps have the same values with and without optimisation") {
 }
 
 TEST_CASE("any allocation of a map may fail without a leak") {
-  const auto program = compile_script(kProgram).program;
-  std::uint64_t failed = 0;
-  for (std::uint64_t n = 1; n < 300; ++n) {
-    VmOptions options;
-    options.output = [](std::string_view) {};
-    Vm vm(program, std::move(options));
-    vm.state().heap.refuse_from(n);
-    failed += vm.run().status == Progress::kFailed ? 1 : 0;
-    vm.state().clear();
-    CHECK(vm.state().heap.used() == 0);
-  }
+  const std::uint64_t failed = runs_failed_for_memory(kProgram, 300);
   CHECK(failed > 100);
   CHECK(failed < 299);
 }
