@@ -331,7 +331,7 @@ Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size
   for (const auto explain :
        {explain_sign, assignment_as_test, explain_map_habit, explain_habit, bare_condition,
         unbraced_body, step_as_value, assignment_as_value, assignment_as_result, block_after_arrow,
-        orphan, word_as_name, missing_separator, something_missing}) {
+        orphan, word_as_name, explain_row, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }
   return does_not_fit(site);
