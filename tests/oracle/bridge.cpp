@@ -33,14 +33,14 @@ Bridge::Bridge(std::shared_ptr<const Program> program, void* host)
   callee_.code = code_.code.data();
   callee_.function = &code_;
   state.running = &state.main;
-  lang::Frame& frame = *++state.main.top;
-  frame = state.main.frames[0];
+  lang::Frame& frame = *++state.main.stack.top;
+  frame = state.main.stack.frames[0];
   frame.pc = callee_.code + 1;
   frame.callee = &callee_;
 }
 
 Bridge::~Bridge() {
-  --vm_.state().main.top;
+  --vm_.state().main.stack.top;
   vm_.state().clear();
 }
 

@@ -301,7 +301,7 @@ class Completer {
           continue;
         const std::uint32_t source =
             facts_.files[static_cast<std::size_t>(import.file)].program.span.source;
-        for (const Symbol& symbol : facts_.symbols) {
+        for (const Symbol& symbol : facts_.names.symbols) {
           if (symbol.declared.source == source && symbol.kind != NameKind::kField &&
               symbol.kind != NameKind::kEnumValue && symbol.kind != NameKind::kParameter &&
               symbol.kind != NameKind::kModule && !symbol.name.starts_with('_'))
@@ -343,7 +343,7 @@ class Completer {
 
   // x.f() is f(x).
   void add_functions_of(const Type& type) {
-    for (const Symbol& symbol : facts_.symbols) {
+    for (const Symbol& symbol : facts_.names.symbols) {
       if (symbol.function == nullptr || symbol.function->params.empty()) continue;
       const Symbol* first = facts_.declared_at(symbol.function->params[0].name.span);
       const bool generic = symbol.function->params[0].type == nullptr;

@@ -252,7 +252,7 @@ std::vector<const NativeFunction*> candidates(const Facts& facts, const OpenCall
 const Symbol* callee_symbol(const Facts& facts, const OpenCall& call, std::uint32_t at) {
   if (call.kind == OpenCall::Kind::kWith || call.kind == OpenCall::Kind::kPath) return nullptr;
   const Reference* known = facts.reference_at(call.callee.begin);
-  if (known != nullptr && known->name == call.callee) return &facts.symbols[known->symbol];
+  if (known != nullptr && known->name == call.callee) return &facts.names.symbols[known->symbol];
   return facts.visible_at(at, call.name);
 }
 
@@ -267,9 +267,9 @@ int parameter_of(const Facts& facts, const OpenCall& call, const NativeFunction&
     const Type* given = nullptr;
     if (!call.earlier.empty()) {
       const std::uint32_t begin = call.earlier[0].begin;
-      const auto value = std::ranges::lower_bound(facts.values, begin, {},
+      const auto value = std::ranges::lower_bound(facts.values.spans, begin, {},
                                                   [](const TypedSpan& v) { return v.span.begin; });
-      if (value != facts.values.end() && value->span.begin == begin) given = value->type;
+      if (value != facts.values.spans.end() && value->span.begin == begin) given = value->type;
     }
     if (given == signature.parameters[0].type.type) first = 0;
   }
@@ -288,8 +288,8 @@ const Type* receiver_type(const Facts& facts, const Token& point) {
                                   : static_cast<std::uint32_t>(facts.main().text().size());
   if (found != facts.members.end() && (*found)->member.span.begin <= limit &&
       (*found)->object->span.end <= point.begin) {
-    const auto known = facts.type_of.find((*found)->object);
-    if (known != facts.type_of.end() && !known->second->is(Kind::kAny)) return known->second;
+    const auto known = facts.values.type_of.find((*found)->object);
+    if (known != facts.values.type_of.end() && !known->second->is(Kind::kAny)) return known->second;
   }
   const std::size_t behind = facts.token_behind(point.begin);
   if (behind >= facts.tokens.size() || facts.tokens[behind].end != point.begin) return nullptr;

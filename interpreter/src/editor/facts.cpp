@@ -57,15 +57,16 @@ const Named* name_at(const std::vector<Named>& names, std::uint32_t source, std:
 }  // namespace
 
 std::span<const Reference> Facts::uses_of(const Symbol& symbol) const {
-  const auto index = static_cast<std::uint32_t>(&symbol - symbols.data());
-  const auto first = std::ranges::lower_bound(by_symbol, index, {}, &Reference::symbol);
-  const auto last = std::ranges::upper_bound(by_symbol, index, {}, &Reference::symbol);
-  return std::span(by_symbol).subspan(static_cast<std::size_t>(first - by_symbol.begin()),
-                                      static_cast<std::size_t>(last - first));
+  const auto index = static_cast<std::uint32_t>(&symbol - names.symbols.data());
+  const auto first = std::ranges::lower_bound(names.by_symbol, index, {}, &Reference::symbol);
+  const auto last = std::ranges::upper_bound(names.by_symbol, index, {}, &Reference::symbol);
+  return std::span(names.by_symbol)
+      .subspan(static_cast<std::size_t>(first - names.by_symbol.begin()),
+               static_cast<std::size_t>(last - first));
 }
 
 const Reference* Facts::reference_at(std::uint32_t at) const {
-  return name_at(references, main_source(), at);
+  return name_at(names.references, main_source(), at);
 }
 
 const Learnt::NativeUse* Facts::native_at(std::uint32_t at) const {
@@ -75,15 +76,15 @@ const Learnt::NativeUse* Facts::native_at(std::uint32_t at) const {
 const Symbol* Facts::declared_at(Span name) const {
   const auto key = [](const Symbol& s) { return std::tuple(s.declared.source, s.declared.begin); };
   const auto found =
-      std::ranges::lower_bound(symbols, std::tuple(name.source, name.begin), {}, key);
-  return found != symbols.end() && found->declared == name ? &*found : nullptr;
+      std::ranges::lower_bound(names.symbols, std::tuple(name.source, name.begin), {}, key);
+  return found != names.symbols.end() && found->declared == name ? &*found : nullptr;
 }
 
 std::vector<const Symbol*> Facts::visible_at(std::uint32_t at) const {
   const auto behind = std::ranges::upper_bound(functions, at, {}, &Span::begin);
   const bool in_function = behind != functions.begin() && at < (behind - 1)->end;
   std::vector<const Symbol*> out;
-  for (const Symbol& symbol : symbols) {
+  for (const Symbol& symbol : names.symbols) {
     const bool here = symbol.visible.begin <= at && at <= symbol.visible.end;
     if (symbol.visible.source != main_source() || symbol.visible.empty()) continue;
     if (here || (symbol.of_file && in_function)) out.push_back(&symbol);

@@ -48,7 +48,7 @@ struct Reference {
   std::uint32_t symbol = 0;
 };
 
-// A value in the text: its bytes, and the place in Facts::values.
+// A value in the text: its bytes, and the place in ValueIndex::spans.
 struct TypedSpan {
   Span span{};
   const Type* type = nullptr;
@@ -81,6 +81,20 @@ struct Signed {
   Signatures signatures;
 };
 
+// Names and what they refer to.
+struct NameIndex {
+  std::vector<Symbol> symbols{};        // by source and position of the declaration
+  std::vector<Reference> references{};  // by position; declarations are among them
+  std::vector<Reference> by_symbol{};   // the same by symbol, then position
+};
+
+// Values of the main text.
+struct ValueIndex {
+  std::vector<TypedSpan> spans{};  // outer ones first
+  InnermostSpans innermost{};      // of `spans`
+  std::unordered_map<const ast::Expr*, const Type*> type_of{};
+};
+
 struct Facts {
   Facts(std::shared_ptr<const Registry> vocabulary, CompileOptions how)
       : registry(std::move(vocabulary)), options(std::move(how)) {}
@@ -99,13 +113,9 @@ struct Facts {
   bool is_whole = false;              // all statements of the main text can be read
   Learnt learnt{};
 
-  std::vector<Symbol> symbols{};             // by source and position of the declaration
-  std::vector<Reference> references{};       // by position; declarations are among them
-  std::vector<Reference> by_symbol{};        // the same by symbol, then position
-  std::vector<Learnt::NativeUse> natives{};  // of the main text, by position
-  std::vector<TypedSpan> values{};           // of the main text, outer ones first
-  InnermostSpans innermost_value{};
-  std::unordered_map<const ast::Expr*, const Type*> type_of{};
+  NameIndex names{};
+  ValueIndex values{};
+  std::vector<Learnt::NativeUse> natives{};       // of the main text, by position
   std::vector<const ast::MemberExpr*> members{};  // of the main text, by the position of the member
   std::vector<Span> functions{};  // of the main text: bodies that see all of its file
   std::unique_ptr<Signed> signed_{};
@@ -120,7 +130,7 @@ struct Facts {
   [[nodiscard]] const Learnt::NativeUse* native_at(std::uint32_t at) const;
   // The symbol declared there; null: none.
   [[nodiscard]] const Symbol* declared_at(Span name) const;
-  // Of by_symbol, those of one of `symbols`.
+  // Of names.by_symbol, those of one of names.symbols.
   [[nodiscard]] std::span<const Reference> uses_of(const Symbol& symbol) const;
   // All that can be seen at a byte of the main text, innermost first; hidden ones are left out.
   [[nodiscard]] std::vector<const Symbol*> visible_at(std::uint32_t at) const;

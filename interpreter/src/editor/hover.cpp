@@ -112,9 +112,9 @@ std::optional<Hover> native_hover(const Facts& facts, const Learnt::NativeUse& u
 }
 
 std::optional<Hover> value_hover(const Facts& facts, std::uint32_t at) {
-  const std::uint32_t found = facts.innermost_value.at(at);
+  const std::uint32_t found = facts.values.innermost.at(at);
   if (found == InnermostSpans::kNothing) return std::nullopt;
-  const TypedSpan& value = facts.values[found];
+  const TypedSpan& value = facts.values.spans[found];
   if (value.type->is(Kind::kAny) || value.type->is(Kind::kVoid)) return std::nullopt;
   return Hover{.span = value.span, .text = type_name(value.type)};
 }
@@ -137,7 +137,7 @@ std::optional<Hover> name_hover(const Facts& facts, std::uint32_t at) {
   const Learnt::NativeUse* native = facts.native_at(at);
   const Reference* reference = facts.reference_at(at);
   if (reference != nullptr && (native == nullptr || native->name.begin <= reference->name.begin))
-    return symbol_hover(facts, reference->name, facts.symbols[reference->symbol]);
+    return symbol_hover(facts, reference->name, facts.names.symbols[reference->symbol]);
   if (native != nullptr) {
     if (auto out = native_hover(facts, *native)) return out;
   }
@@ -160,7 +160,8 @@ std::optional<Hover> name_hover(const Facts& facts, std::uint32_t at) {
 // The symbol that the name at a byte means.
 const Symbol* symbol_at(const Facts& facts, std::uint32_t at) {
   if (facts.in_comment(at)) return nullptr;
-  if (const Reference* reference = facts.reference_at(at)) return &facts.symbols[reference->symbol];
+  if (const Reference* reference = facts.reference_at(at))
+    return &facts.names.symbols[reference->symbol];
   const std::size_t index = facts.token_behind(at);
   for (std::size_t i = index; i < facts.tokens.size() && i <= index + 1; ++i) {
     const Token& token = facts.tokens[i];
@@ -207,7 +208,7 @@ std::vector<Span> Analysis::references(std::uint32_t at) const {
 
 std::vector<InlayHint> Analysis::inlay_hints() const {
   std::vector<InlayHint> out;
-  for (const lang::Symbol& symbol : facts_->symbols) {
+  for (const lang::Symbol& symbol : facts_->names.symbols) {
     const bool is_known = symbol.type != nullptr && !symbol.type->is(Kind::kAny);
     if (symbol.kind != NameKind::kVariable || !is_known ||
         symbol.declared.source != facts_->main_source())

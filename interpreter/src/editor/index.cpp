@@ -165,21 +165,21 @@ class Indexer {
     const std::uint32_t end = node.body != nullptr ? node.body->span.begin : node.value->span.begin;
     out.header = without_tail(slice(node.span.begin, end, node.span.source));
     out.function = &node;
-    facts_.symbols.push_back(out);
+    facts_.names.symbols.push_back(out);
   }
 
   void add_struct(const ast::StructStmt& node) {
     Symbol out = of_file(NameKind::kStruct, node.name, node.doc);
     out.header = head(node, node.name, 0);
     out.structure = &node;
-    facts_.symbols.push_back(out);
+    facts_.names.symbols.push_back(out);
     const Type* type = facts_.learnt.structure_of(node);
     for (std::size_t i = 0; i < node.fields.size(); ++i) {
       const bool known = type != nullptr && i < type->record->fields.size();
-      facts_.symbols.push_back({.kind = NameKind::kField,
-                                .name = node.fields[i].name.text,
-                                .declared = node.fields[i].name.span,
-                                .type = known ? type->record->fields[i].type : nullptr});
+      facts_.names.symbols.push_back({.kind = NameKind::kField,
+                                      .name = node.fields[i].name.text,
+                                      .declared = node.fields[i].name.span,
+                                      .type = known ? type->record->fields[i].type : nullptr});
     }
   }
 
@@ -187,12 +187,12 @@ class Indexer {
     Symbol out = of_file(NameKind::kEnum, node.name, node.doc);
     out.header = head(node, node.name, 0);
     out.enumeration = &node;
-    facts_.symbols.push_back(out);
+    facts_.names.symbols.push_back(out);
     for (const ast::Name& value : node.values) {
-      facts_.symbols.push_back({.kind = NameKind::kEnumValue,
-                                .name = value.text,
-                                .declared = value.span,
-                                .header = node.name.text});
+      facts_.names.symbols.push_back({.kind = NameKind::kEnumValue,
+                                      .name = value.text,
+                                      .declared = value.span,
+                                      .header = node.name.text});
     }
   }
 
@@ -202,7 +202,7 @@ class Indexer {
                    has_alias ? node.alias.span : node.path_span};
     Symbol out = of_file(NameKind::kModule, name, {});
     out.header = slice(node.span.begin, node.span.end, node.span.source);
-    facts_.symbols.push_back(out);
+    facts_.names.symbols.push_back(out);
   }
 
   // ---- variables
@@ -227,7 +227,7 @@ class Indexer {
       }
       if (out.declared.source == facts_.main_source() && out.declared.begin < out.declared.end)
         see(out, innermost.at(out.declared.begin), from);
-      facts_.symbols.push_back(out);
+      facts_.names.symbols.push_back(out);
     }
   }
 
@@ -268,7 +268,7 @@ class Indexer {
       out.function = &node;
     }
     if (kept.type != nullptr) add_type(kept, out);
-    facts_.symbols.push_back(out);
+    facts_.names.symbols.push_back(out);
   }
 
   void add_type(const KeptName& kept, Symbol& out) const {
@@ -286,15 +286,15 @@ class Indexer {
   }
 
   void finish_symbols() {
-    std::erase_if(facts_.symbols, [](const Symbol& s) { return s.name.empty(); });
+    std::erase_if(facts_.names.symbols, [](const Symbol& s) { return s.name.empty(); });
     const auto is_known = [](const Symbol& s) {
       return s.type != nullptr && !s.type->is(Kind::kAny);
     };
-    std::ranges::stable_sort(facts_.symbols, [&](const Symbol& a, const Symbol& b) {
+    std::ranges::stable_sort(facts_.names.symbols, [&](const Symbol& a, const Symbol& b) {
       return std::tuple(position(a.declared), !is_known(a)) <
              std::tuple(position(b.declared), !is_known(b));
     });
-    keep_first(facts_.symbols, &Symbol::declared);
+    keep_first(facts_.names.symbols, &Symbol::declared);
   }
 
   // ---- names
@@ -309,10 +309,10 @@ class Indexer {
 
   void add_references() {
     const auto add = [this](Span name, const Symbol& symbol) {
-      facts_.references.push_back(
-          {name, static_cast<std::uint32_t>(&symbol - facts_.symbols.data())});
+      facts_.names.references.push_back(
+          {name, static_cast<std::uint32_t>(&symbol - facts_.names.symbols.data())});
     };
-    for (const Symbol& symbol : facts_.symbols) {
+    for (const Symbol& symbol : facts_.names.symbols) {
       if (const auto name = written(symbol.declared, symbol.name)) add(*name, symbol);
     }
     for (const Learnt::Use& use : facts_.learnt.uses()) {
@@ -321,11 +321,11 @@ class Indexer {
       if (symbol == nullptr) continue;
       if (const auto name = written(use.name, symbol->name)) add(*name, *symbol);
     }
-    std::ranges::stable_sort(facts_.references, {},
+    std::ranges::stable_sort(facts_.names.references, {},
                              [](const Reference& r) { return position(r.name); });
-    keep_first(facts_.references, &Reference::name);
-    facts_.by_symbol = facts_.references;
-    std::ranges::stable_sort(facts_.by_symbol, {}, &Reference::symbol);
+    keep_first(facts_.names.references, &Reference::name);
+    facts_.names.by_symbol = facts_.names.references;
+    std::ranges::stable_sort(facts_.names.by_symbol, {}, &Reference::symbol);
   }
 
   void add_natives() {
@@ -350,22 +350,22 @@ class Indexer {
 
   // ---- values
   void add_values() {
-    facts_.type_of.reserve(facts_.learnt.values().size());
+    facts_.values.type_of.reserve(facts_.learnt.values().size());
     for (const Learnt::Value& value : facts_.learnt.values()) {
-      const auto [known, is_new] = facts_.type_of.try_emplace(value.written, value.type);
+      const auto [known, is_new] = facts_.values.type_of.try_emplace(value.written, value.type);
       if (!is_new && known->second->is(Kind::kAny)) known->second = value.type;
       if (is_new && value.written->span.source == facts_.main_source() &&
           !value.written->span.empty())
-        facts_.values.push_back({value.written->span, nullptr, value.written});
+        facts_.values.spans.push_back({value.written->span, nullptr, value.written});
     }
-    for (TypedSpan& value : facts_.values) value.type = facts_.type_of[value.written];
-    std::ranges::stable_sort(facts_.values, {}, [](const TypedSpan& v) {
+    for (TypedSpan& value : facts_.values.spans) value.type = facts_.values.type_of[value.written];
+    std::ranges::stable_sort(facts_.values.spans, {}, [](const TypedSpan& v) {
       return std::tuple(v.span.begin, 0xFFFFFFFFU - v.span.end);
     });
     std::vector<Span> spans;
-    spans.reserve(facts_.values.size());
-    for (const TypedSpan& value : facts_.values) spans.push_back(value.span);
-    facts_.innermost_value = InnermostSpans(spans);
+    spans.reserve(facts_.values.spans.size());
+    for (const TypedSpan& value : facts_.values.spans) spans.push_back(value.span);
+    facts_.values.innermost = InnermostSpans(spans);
   }
 
   struct Declared {

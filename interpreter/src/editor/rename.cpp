@@ -27,7 +27,7 @@ bool is_member(NameKind kind) { return kind == NameKind::kField || kind == NameK
 // Another declaration of the new name that could be meant where the old one is, or the other way
 // round.
 const Symbol* in_the_way(const Facts& facts, const Symbol& symbol, std::string_view name) {
-  for (const Symbol& other : facts.symbols) {
+  for (const Symbol& other : facts.names.symbols) {
     if (other.name != name || is_member(other.kind) != is_member(symbol.kind)) continue;
     if (is_member(symbol.kind)) return &other;
     if (other.visible.source != symbol.visible.source) continue;

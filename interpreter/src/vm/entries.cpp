@@ -12,8 +12,8 @@ namespace armlet::lang {
 
 Before::Before(VmState& state)
     : state_(state),
-      watches_(state.main.regions.empty() ? 0 : state.main.regions[0].size()),
-      layouts_(state.own_layouts.size()),
+      watches_(state.main.children.regions.empty() ? 0 : state.main.children.regions[0].size()),
+      layouts_(state.records.layouts.size()),
       host_data_(state.main.host_data),
       random_(state.main.random),
       parallels_(state.main.parallels),
@@ -26,12 +26,12 @@ Before::~Before() {
   release();
   if (own_ == nullptr) return;
   for (const hir::Variable* variable : own_->module.globals)
-    state_.global_is_kept[variable->index] = 0;
+    state_.globals.is_kept[variable->index] = 0;
 }
 
 void Before::release() {
   for (const Variable& variable : variables_) {
-    state_.global_is_kept[variable.number] = 0;
+    state_.globals.is_kept[variable.number] = 0;
     if (variable.info.is_reference()) state_.heap.release(variable.value.o);
   }
   for (const Column& made : columns_) state_.heap.release(made.table);
@@ -40,10 +40,10 @@ void Before::release() {
 }
 
 void Before::keep(std::uint32_t number) {
-  const GlobalInfo& info = state_.global_info[number];
-  const Slot value = state_.globals[number];
-  state_.global_is_kept[number] = 1;
-  variables_.push_back({number, info, state_.global_is_set[number], value});
+  const GlobalInfo& info = state_.globals.info[number];
+  const Slot value = state_.globals.values[number];
+  state_.globals.is_kept[number] = 1;
+  variables_.push_back({number, info, state_.globals.is_set[number], value});
   if (info.is_reference()) retain_object(value.o);
 }
 
@@ -55,25 +55,26 @@ void Before::note_column(RecordObj& table, std::uint16_t column) {
 void Before::pass_over(const CompiledProgram& entry) {
   own_ = &entry;
   for (const hir::Variable* variable : entry.module.globals)
-    state_.global_is_kept[variable->index] = 1;
+    state_.globals.is_kept[variable->index] = 1;
 }
 
 void Before::restore() {
   for (Variable& variable : variables_) {
-    std::swap(state_.globals[variable.number], variable.value);
-    state_.global_info[variable.number] = variable.info;
-    state_.global_is_set[variable.number] = variable.is_set;
+    std::swap(state_.globals.values[variable.number], variable.value);
+    state_.globals.info[variable.number] = variable.info;
+    state_.globals.is_set[variable.number] = variable.is_set;
   }
   for (const Column& made : columns_) {
     Slot& column = made.table->fields()[made.column];
     state_.heap.release(std::exchange(column.o, nullptr));
   }
-  for (const Replaced& replaced : replaced_) state_.callees[replaced.number] = replaced.callee;
+  for (const Replaced& replaced : replaced_)
+    state_.programs.callees[replaced.number] = replaced.callee;
   state_.tree.forget_watches(watches_);
   release();  // before the layouts of records that the entry has made go
   state_.heap.drain();
-  state_.own_layouts.resize(layouts_);
-  state_.own_references.resize(layouts_);
+  state_.records.layouts.resize(layouts_);
+  state_.records.references.resize(layouts_);
   state_.main.host_data = host_data_;
   state_.main.random = random_;
   state_.main.parallels = parallels_;
@@ -90,16 +91,16 @@ namespace {
 
 void add_global(VmState& state, const hir::Variable& variable) {
   const std::uint32_t number = variable.index;
-  if (number >= state.globals.size()) {
-    state.globals.resize(number + 1, Slot{.i = 0});
-    state.global_is_set.resize(number + 1, 0);
-    state.global_is_kept.resize(number + 1, 0);
-    state.global_info.resize(number + 1);
+  if (number >= state.globals.values.size()) {
+    state.globals.values.resize(number + 1, Slot{.i = 0});
+    state.globals.is_set.resize(number + 1, 0);
+    state.globals.is_kept.resize(number + 1, 0);
+    state.globals.info.resize(number + 1);
   }
-  if (state.global_info[number].is_reference()) state.heap.release(state.globals[number].o);
-  state.globals[number].i = 0;
-  state.global_is_set[number] = 0;
-  state.global_info[number].variable = &variable;
+  if (state.globals.info[number].is_reference()) state.heap.release(state.globals.values[number].o);
+  state.globals.values[number].i = 0;
+  state.globals.is_set[number] = 0;
+  state.globals.info[number].variable = &variable;
 }
 
 }  // namespace
@@ -115,19 +116,20 @@ void load(VmState& state, const CompiledProgram& program, Before* before) {
                &program, nullptr, f.registers, f.references_begin, references, f.may_give_unset});
     callee.own = &callee;
     const std::uint32_t number = f.function->index;
-    if (number >= state.callees.size()) state.callees.resize(number + 1, Callee{});
-    if (before != nullptr) before->note(number, state.callees[number]);
-    state.callees[number] = callee;
+    if (number >= state.programs.callees.size())
+      state.programs.callees.resize(number + 1, Callee{});
+    if (before != nullptr) before->note(number, state.programs.callees[number]);
+    state.programs.callees[number] = callee;
   }
   for (const hir::Variable* variable : program.module.globals) add_global(state, *variable);
   if (before != nullptr) before->pass_over(program);
-  state.newest = &program;
-  state.host_access.all_are_set = false;
-  state.units.push_back(std::move(unit));
+  state.programs.newest = &program;
+  state.host.all_are_set = false;
+  state.programs.units.push_back(std::move(unit));
 }
 
 bool make_texts(VmState& state) {
-  LoadedCode& unit = *state.units.back();
+  LoadedCode& unit = *state.programs.units.back();
   for (const std::string& text : unit.program->texts) {
     Obj* object = state.heap.new_text(text);
     if (object == nullptr) return raise_out_of_memory(state);
@@ -139,10 +141,10 @@ bool make_texts(VmState& state) {
 namespace {
 
 void drop_newest(VmState& state) {
-  LoadedCode& unit = *state.units.back();
+  LoadedCode& unit = *state.programs.units.back();
   for (const Slot text : unit.texts) state.heap.release(text.o);
   state.heap.drain();
-  state.units.pop_back();
+  state.programs.units.pop_back();
 }
 
 }  // namespace
@@ -150,22 +152,22 @@ void drop_newest(VmState& state) {
 // Nothing of an entry that failed stays, and of one without functions nothing but its variables:
 // the session does not grow by it.
 void finish_entry(VmState& state, bool done) {
-  state.host_access.all_are_set = false;
+  state.host.all_are_set = false;
   state.recordings.reset();
-  state.large_copies.clear();
+  state.shared.large_copies.clear();
   if (!done) {
-    for (const hir::Variable* variable : state.newest->module.globals) {
-      GlobalInfo& info = state.global_info[variable->index];
-      if (info.is_reference()) state.heap.release(state.globals[variable->index].o);
-      state.globals[variable->index].i = 0;
+    for (const hir::Variable* variable : state.programs.newest->module.globals) {
+      GlobalInfo& info = state.globals.info[variable->index];
+      if (info.is_reference()) state.heap.release(state.globals.values[variable->index].o);
+      state.globals.values[variable->index].i = 0;
       info.variable = nullptr;
     }
-    state.before->restore();
+    state.programs.before->restore();
   }
-  state.before.reset();
-  if (done && state.units.back()->callees.size() > 1) return;
+  state.programs.before.reset();
+  if (done && state.programs.units.back()->callees.size() > 1) return;
   drop_newest(state);
-  state.callees[0] = Callee{};
+  state.programs.callees[0] = Callee{};
 }
 
 }  // namespace armlet::lang

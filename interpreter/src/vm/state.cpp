@@ -43,12 +43,12 @@ bool KernelWork::go_on(std::uint64_t operations) {
 
 VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm_options)
     : vm(owner),
-      newest(&compiled),
       options(vm_options),
+      programs{.newest = &compiled},
       heap(vm_options.limits.heap_bytes, vm_options.memory),
       kernels(owner),
-      main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)),
-      output_left(vm_options.limits.output_bytes) {
+      main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)) {
+  host.output_left = options.limits.output_bytes;
   steps.limit = options.limits.steps;
   running = &main;
   load(*this, compiled, nullptr);
@@ -61,7 +61,7 @@ VmState::~VmState() {
 }
 
 void VmState::make_error_layout() {
-  const Type* type = newest->types->library_record("error");
+  const Type* type = programs.newest->types->library_record("error");
   if (type == nullptr) return;
   auto layout = std::make_unique<RecordLayout>();
   auto references = std::make_unique<std::vector<std::uint16_t>>();
@@ -71,9 +71,9 @@ void VmState::make_error_layout() {
   }
   references->push_back(static_cast<std::uint16_t>(fields.size()));  // the link to the failure
   *layout = {type, static_cast<std::uint16_t>(fields.size() + 1), *references};
-  error_layout = layout.get();
-  own_layouts.push_back(std::move(layout));
-  own_references.push_back(std::move(references));
+  records.error = layout.get();
+  records.layouts.push_back(std::move(layout));
+  records.references.push_back(std::move(references));
 }
 
 void VmState::reopen() {
@@ -84,11 +84,11 @@ void VmState::reopen() {
 
 // What it gives is left where its arguments were.
 void VmState::finish_call(bool done) {
-  const Callee& callee = *callees[call->function].own;
+  const Callee& callee = *programs.callees[host.call->function].own;
   if (done && callee.function->function->result->is_reference())
-    heap.release(window_above(*main.frames)->o);
-  for (Obj* object : call->kept) heap.release(object);
-  call.reset();
+    heap.release(window_above(*main.stack.frames)->o);
+  for (Obj* object : host.call->kept) heap.release(object);
+  host.call.reset();
   heap.drain();
 }
 
@@ -96,23 +96,23 @@ void VmState::clear() {
   main.waiting.reset();  // it may keep values of the program
   tree.clear();
   recordings.reset();
-  for (Task* task : {&main, condition_task.get(), host_access.task.get()}) {
-    while (task != nullptr && task->top > task->frames) leave_frame(*this, *task);
-    if (task != nullptr) task->shrink(heap);
+  for (Task* task : {&main, condition_task.get(), host.task.get()}) {
+    while (task != nullptr && task->stack.top > task->stack.frames) leave_frame(*this, *task);
+    if (task != nullptr) task->stack.shrink(heap);
   }
   pending.reset();
   fault.reset();
-  if (call) finish_call(false);
-  before.reset();
-  for (std::size_t i = 0; i < globals.size(); ++i) {
-    if (global_info[i].is_reference()) heap.release(globals[i].o);
-    globals[i].o = nullptr;
+  if (host.call) finish_call(false);
+  programs.before.reset();
+  for (std::size_t i = 0; i < globals.values.size(); ++i) {
+    if (globals.info[i].is_reference()) heap.release(globals.values[i].o);
+    globals.values[i].o = nullptr;
   }
-  for (const std::unique_ptr<LoadedCode>& unit : units) {
+  for (const std::unique_ptr<LoadedCode>& unit : programs.units) {
     for (const Slot text : unit->texts) heap.release(text.o);
     unit->texts.clear();
   }
-  for (Obj*& text : ascii) {
+  for (Obj*& text : shared.ascii) {
     heap.release(text);
     text = nullptr;
   }
@@ -120,11 +120,11 @@ void VmState::clear() {
 }
 
 const RecordLayout& VmState::layout_of(const Type* record) {
-  if (error_layout != nullptr && record == error_layout->type) return *error_layout;
-  for (const RecordLayout& layout : newest->layouts) {
+  if (records.error != nullptr && record == records.error->type) return *records.error;
+  for (const RecordLayout& layout : programs.newest->layouts) {
     if (layout.type == record) return layout;
   }
-  for (const auto& layout : own_layouts) {
+  for (const auto& layout : records.layouts) {
     if (layout->type == record) return *layout;
   }
   auto references = std::make_unique<std::vector<std::uint16_t>>();
@@ -134,21 +134,22 @@ const RecordLayout& VmState::layout_of(const Type* record) {
   }
   auto size = static_cast<std::uint16_t>(fields.size());
   if (record->is_table()) references->push_back(size++);  // the rows; the columns are made of them
-  own_layouts.push_back(std::make_unique<RecordLayout>(RecordLayout{record, size, *references}));
-  own_references.push_back(std::move(references));
-  return *own_layouts.back();
+  records.layouts.push_back(
+      std::make_unique<RecordLayout>(RecordLayout{record, size, *references}));
+  records.references.push_back(std::move(references));
+  return *records.layouts.back();
 }
 
 Obj* VmState::character(unsigned char code) {
-  if (ascii[code] == nullptr) {
+  if (shared.ascii[code] == nullptr) {
     const char byte = static_cast<char>(code);
-    ascii[code] = heap.new_text(std::string_view(&byte, 1));
+    shared.ascii[code] = heap.new_text(std::string_view(&byte, 1));
   }
-  return ascii[code];
+  return shared.ascii[code];
 }
 
 bool VmState::take_cancellation() {
-  if (on_look) on_look();
+  if (host.on_look) host.on_look();
   std::vector<Cancellation>& due = cancellations.due;
   const bool is_asked = vm.take_cancellation();
   if (!is_asked && due.empty()) [[likely]]

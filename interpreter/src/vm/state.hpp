@@ -126,20 +126,59 @@ struct MissingRow : ListObj {
   const Instr* at;     // where it was looked for
 };
 
-// What the host that owns the Vm asks of it between its runs.
-struct HostAccess {
-  std::unique_ptr<Task> task;          // on which its calls run; null before the first one
-  std::optional<Diagnostic> error;     // of the last call that failed
-  bool all_are_set = false;            // all variables of the top level have values
-  const void* stack_thread = nullptr;  // whose stack is known to be ample from here up to there
-  std::uintptr_t ample_from = 0;
-  std::uintptr_t ample_bytes = 0;
+// Objects that are made once, or are kept out of the heap.
+struct SharedObjects {
+  static constexpr std::size_t kMissingRows = 8;  // of one loop
+
+  Obj* ascii[128] = {};                        // texts of one character, made when first needed
+  MissingRow missing_rows[kMissingRows] = {};  // only loops that call nothing have any
+  std::unordered_map<const Instr*, std::uint32_t> large_copies{};  // by place: how many there were
 };
 
 // A function that runs as a program does, with the objects among its arguments.
 struct BegunCall {
   std::uint32_t function;
   std::vector<Obj*> kept;
+};
+
+// Programs that have begun here.
+struct Programs {
+  const CompiledProgram* newest;
+  std::vector<Callee> callees{};                     // by number of the function
+  std::unique_ptr<Before> before{};                  // an entry is under way
+  std::vector<std::unique_ptr<LoadedCode>> units{};  // whose code may still run
+};
+
+// Variables of the top level, by their numbers.
+struct Globals {
+  std::vector<Slot> values{};
+  std::vector<std::uint8_t> is_set{};
+  std::vector<std::uint8_t> is_kept{};  // as it was before the entry under way
+  std::vector<GlobalInfo> info{};
+};
+
+// Layouts of records that only the library makes.
+struct LibraryRecords {
+  std::vector<std::unique_ptr<RecordLayout>> layouts{};
+  std::vector<std::unique_ptr<std::vector<std::uint16_t>>> references{};
+  const RecordLayout* error = nullptr;  // one slot more than the type says: the hidden fault
+};
+
+// What the host that owns the Vm asks of it between its runs, and what it gives and takes.
+struct HostAccess {
+  std::uint32_t calls = 0;             // that native functions have prepared
+  std::unique_ptr<Task> task{};        // on which its calls run; null before the first one
+  std::optional<Diagnostic> error{};   // of the last call that failed
+  bool all_are_set = false;            // all variables of the top level have values
+  const void* stack_thread = nullptr;  // whose stack is known to be ample from here up to there
+  std::uintptr_t ample_from = 0;
+  std::uintptr_t ample_bytes = 0;
+  std::optional<BegunCall> call{};           // a function runs instead of the program
+  std::uint64_t started = 0;                 // tasks that the host has started
+  bool is_read = false;                      // and no trace may stay
+  std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
+  std::uint64_t output_left = 0;             // bytes
+  std::function<void()> on_look{};  // for tests: called at every look at the wish to cancel
 };
 
 struct VmState {
@@ -149,59 +188,40 @@ struct VmState {
   VmState& operator=(const VmState&) = delete;
 
   static constexpr std::uint32_t kHostCalls = 200;  // calls of the program inside calls of the host
-  static constexpr std::size_t kMissingRows = 8;    // of one loop
   static constexpr std::uint32_t kScratch = 4;  // slots behind a frame that native calls may use
 
   Vm& vm;
-  const CompiledProgram* newest;  // of the programs that have begun here
   const VmOptions& options;
+  Programs programs;
+  Globals globals;
   Heap heap;
   StepMeter steps;
   KernelWork kernels;
-  std::function<void()> on_look;  // for tests: called at every look at the wish to cancel
-
-  std::vector<std::unique_ptr<LoadedCode>> units;  // programs whose code may still run
-  std::vector<Callee> callees;                     // by number of the function
-  std::vector<Slot> globals;  // by number of the variable; so are the next three
-  std::vector<std::uint8_t> global_is_set;
-  std::vector<std::uint8_t> global_is_kept;  // as it was before the entry under way
-  std::vector<GlobalInfo> global_info;
-  std::unique_ptr<Before> before;  // an entry is under way
-  Obj* ascii[128] = {};            // texts of one character, made when first needed
-  std::vector<std::unique_ptr<RecordLayout>> own_layouts;  // of records that only the library makes
-  std::vector<std::unique_ptr<std::vector<std::uint16_t>>> own_references;
-  MissingRow missing_rows[kMissingRows] = {};  // only loops that call nothing have any
-  const RecordLayout* error_layout = nullptr;  // one slot more than the type says: the hidden fault
+  LibraryRecords records;
+  SharedObjects shared;
 
   Task main;
   TaskTree tree{*this};
   std::unique_ptr<Task> condition_task;  // runs conditions; they never pause
   Task* running = nullptr;
   std::unique_ptr<Recordings> recordings;  // under way; null before the first one
-  std::uint32_t host_calls = 0;            // that native functions have prepared
   std::unique_ptr<Waiting> pending;        // left by a native function that pauses
   std::shared_ptr<Fault> fault;            // the failure under way
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
   Cancellations cancellations;
   Marks marks;
   std::unique_ptr<Scheduler> scheduler;  // of the run; null before it
-  std::optional<BegunCall> call;         // a function runs instead of the program
-  std::uint64_t started = 0;             // tasks that the host has started
-  bool is_read = false;                  // by the host, and no trace may stay
-  HostAccess host_access;
-  std::unordered_map<const Instr*, std::uint32_t> large_copies;  // by place: how many there were
-  std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
-  std::uint64_t output_left;
+  HostAccess host;
 
   // The program whose code the running task is at; the newest one where there is none.
   [[nodiscard]] const CompiledProgram& code() const {
-    const CompiledProgram* at = running->top->callee->program;
-    return at != nullptr ? *at : *newest;
+    const CompiledProgram* at = running->stack.top->callee->program;
+    return at != nullptr ? *at : *programs.newest;
   }
   // To be called before a variable changes.
   void keep_global(std::uint32_t number) {
-    if (before != nullptr && global_is_kept[number] == 0) [[unlikely]]
-      before->keep(number);
+    if (programs.before != nullptr && globals.is_kept[number] == 0) [[unlikely]]
+      programs.before->keep(number);
   }
   void finish_call(bool done);
   // After the end of a run: functions of the program can be called with all that the limits allow.

@@ -11,11 +11,13 @@ namespace armlet::lang {
 // throws  ArgumentError if somebody else's turn has not ended.
 inline void begin_turn(VmState& state) {
   const void* other = nullptr;
-  if (!state.thread.compare_exchange_strong(other, this_thread(), std::memory_order_acquire))
-    [[unlikely]]
+  if (!state.host.thread.compare_exchange_strong(other, this_thread(), std::memory_order_acquire))
+      [[unlikely]]
     refuse_turn(other);
 }
-inline void end_turn(VmState& state) { state.thread.store(nullptr, std::memory_order_release); }
+inline void end_turn(VmState& state) {
+  state.host.thread.store(nullptr, std::memory_order_release);
+}
 
 // While it lives the program belongs to this thread: its functions can be called.
 class Turn {

@@ -93,11 +93,11 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   const lang::Turn turn(state);
   if (result_.status != Progress::kPaused)
     throw ArgumentError("This Vm has run to its end; make a new one to run again.");
-  const bool is_entry = program_->is_entry() && !state.call;
+  const bool is_entry = program_->is_entry() && !state.host.call;
   if (is_entry && state.scheduler == nullptr) {
-    if (state.before == nullptr) {
-      state.before = std::make_unique<lang::Before>(state);
-      state.before->pass_over(program_->compiled());
+    if (state.programs.before == nullptr) {
+      state.programs.before = std::make_unique<lang::Before>(state);
+      state.programs.before->pass_over(program_->compiled());
     }
     state.tree.wake_watches();
   }
@@ -112,7 +112,7 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
     const std::uint64_t steps = state.steps.total - steps_before_;
     if (exit != lang::Exit::kSliced) {
       result_ = ended(state, exit);
-      if (state.call) state.finish_call(exit == lang::Exit::kDone);
+      if (state.host.call) state.finish_call(exit == lang::Exit::kDone);
       if (is_entry) finish_entry();
     }
     result_.steps = steps;
@@ -128,7 +128,7 @@ void Vm::finish_entry() {
   } else if (done_ != nullptr) {
     program_ = done_;
   }
-  state_->newest = &program_->compiled();
+  state_->programs.newest = &program_->compiled();
 }
 
 Progress Vm::run(const Budget& budget) { return go_on(0, budget); }
@@ -157,11 +157,11 @@ void Vm::begin(std::shared_ptr<const Program> entry) {
         "Vm::newest_entry() as CompileOptions::after.");
   result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
   state_->scheduler.reset();
-  state_->output_left = options_.limits.output_bytes;
-  state_->before = std::make_unique<lang::Before>(*state_);
-  steps_before_ = state_->before->steps();
+  state_->host.output_left = options_.limits.output_bytes;
+  state_->programs.before = std::make_unique<lang::Before>(*state_);
+  steps_before_ = state_->programs.before->steps();
   state_->forget_cancellations();
-  lang::load(*state_, entry->compiled(), state_->before.get());
+  lang::load(*state_, entry->compiled(), state_->programs.before.get());
   program_ = std::move(entry);
 }
 
@@ -171,7 +171,7 @@ void Vm::begin_call(std::uint32_t function, std::vector<Slot> arguments) {
   result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
   state.steps.settle();
   steps_before_ = state.steps.total;
-  state.output_left = options_.limits.output_bytes;
+  state.host.output_left = options_.limits.output_bytes;
   state.forget_cancellations();
   if (program_->is_entry()) state.tree.wake_watches();
   state.scheduler = std::make_unique<lang::Scheduler>(state, function, std::move(arguments));
@@ -183,7 +183,7 @@ std::optional<EntryValue> Vm::shown() const {
   const lang::hir::Variable& variable = *shown->variable;
   EntryValue value;
   if (shown->is_declared) value.name = variable.name;
-  const Slot slot = state_->globals[variable.index];
+  const Slot slot = state_->globals.values[variable.index];
   value.text = lang::value_text(slot, *variable.type, kMostShown);
   if (value.text.size() > kMostShown)
     value.text = std::string(whole_characters(value.text, kMostShown)) + " ...";
@@ -209,9 +209,9 @@ namespace {
 // What `when` and `every` start, and conditions, draw from the stream of the task around them.
 lang::Task& source_of_chance(const lang::VmState& state) {
   lang::Task* task = state.running;
-  while (task->watch != nullptr || task == state.condition_task.get() ||
-         task == state.host_access.task.get()) {
-    task = task->parent;
+  while (task->origin.watch != nullptr || task == state.condition_task.get() ||
+         task == state.host.task.get()) {
+    task = task->origin.parent;
   }
   return *task;
 }
@@ -236,8 +236,8 @@ void Vm::advise(const Failure& advice) {
 
 bool Vm::print(std::string_view text) {
   constexpr std::size_t kPiece = 1U << 16U;
-  if (!options_.output || state_->is_read) return true;
-  std::uint64_t& left = state_->output_left;
+  if (!options_.output || state_->host.is_read) return true;
+  std::uint64_t& left = state_->host.output_left;
   const std::string_view fitting = whole_characters(text, left);
   left -= fitting.size();
   for (std::size_t at = 0; at < fitting.size();) {

@@ -20,7 +20,7 @@ namespace {
 bool can_be_offered(const lang::Facts& whole, const lang::Token& token) {
   const lang::Reference* reference = whole.reference_at(token.begin);
   if (reference != nullptr && reference->name.begin == token.begin) {
-    const lang::Symbol& symbol = whole.symbols[reference->symbol];
+    const lang::Symbol& symbol = whole.names.symbols[reference->symbol];
     const bool is_declaration = symbol.declared == reference->name;
     // A function or type may be declared further down, which is not there yet.
     return !is_declaration && (symbol.declared.source != 0 || symbol.declared.begin < token.begin);

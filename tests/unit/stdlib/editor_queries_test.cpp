@@ -175,8 +175,8 @@ TEST_CASE("an example with another name for one thing prints the same") {
     Session session(library_engine(), options_for(path));
     const auto analysis = session.analyse(text, path.filename().string());
     std::vector<std::uint32_t> places;
-    for (const lang::Reference& reference : analysis->facts().references) {
-      const lang::Symbol& symbol = analysis->facts().symbols[reference.symbol];
+    for (const lang::Reference& reference : analysis->facts().names.references) {
+      const lang::Symbol& symbol = analysis->facts().names.symbols[reference.symbol];
       if (symbol.declared == reference.name && reference.name.source == 0 &&
           symbol.kind != NameKind::kModule)
         places.push_back(reference.name.begin);
@@ -186,7 +186,7 @@ TEST_CASE("an example with another name for one thing prints the same") {
     for (int i = 0; i < 2; ++i) {
       const std::uint32_t at = places[random() % places.size()];
       const lang::Symbol& symbol =
-          analysis->facts().symbols[analysis->facts().reference_at(at)->symbol];
+          analysis->facts().names.symbols[analysis->facts().reference_at(at)->symbol];
       // Names of the world and of records are part of what a program prints.
       const bool is_shown = symbol.type != nullptr && symbol.type->is(Kind::kHost);
       if (is_shown || symbol.kind == NameKind::kField || symbol.kind == NameKind::kStruct ||

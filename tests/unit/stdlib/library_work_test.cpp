@@ -107,7 +107,7 @@ Run run(const std::shared_ptr<const Program>& program, std::uint64_t cancel_at) 
   Vm vm(program, std::move(options));
   watch = {};
   watch.cancel_at = cancel_at;
-  vm.state().on_look = [&vm] {
+  vm.state().host.on_look = [&vm] {
     watch.look();
     if (watch.on && watch.looks == watch.cancel_at) vm.cancel();
   };

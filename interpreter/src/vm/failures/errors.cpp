@@ -30,22 +30,22 @@ HostObj* new_link(VmState& state, FaultLink fault) {
 }
 
 Slot& field(const VmState& state, RecordObj& error, const char* name) {
-  return error.fields()[state.error_layout->type->record->index_of(name)];
+  return error.fields()[state.records.error->type->record->index_of(name)];
 }
 Slot field(const VmState& state, const RecordObj& error, const char* name) {
-  return error.fields()[state.error_layout->type->record->index_of(name)];
+  return error.fields()[state.records.error->type->record->index_of(name)];
 }
 // Behind the fields that the type tells of.
 Slot& link_of(const VmState& state, RecordObj& error) {
-  return error.fields()[state.error_layout->size - 1];
+  return error.fields()[state.records.error->size - 1];
 }
 Slot link_of(const VmState& state, const RecordObj& error) {
-  return error.fields()[state.error_layout->size - 1];
+  return error.fields()[state.records.error->size - 1];
 }
 
 RecordObj* new_error(VmState& state) {
-  RecordObj* error = state.heap.new_record(*state.error_layout);
-  for (std::uint16_t i = 0; error != nullptr && i < state.error_layout->size; ++i)
+  RecordObj* error = state.heap.new_record(*state.records.error);
+  for (std::uint16_t i = 0; error != nullptr && i < state.records.error->size; ++i)
     error->fields()[i].i = 0;
   return error;
 }
@@ -53,7 +53,7 @@ RecordObj* new_error(VmState& state) {
 // The record with its texts, or null after releasing it. Its other texts are names of resources, by
 // their types: all are empty but that of the failure.
 RecordObj* complete(VmState& state, RecordObj* error, const std::optional<When>& when) {
-  const std::vector<RecordField>& fields = state.error_layout->type->record->fields;
+  const std::vector<RecordField>& fields = state.records.error->type->record->fields;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!fields[i].type->is(Kind::kText)) continue;
     Slot& text = error->fields()[i];

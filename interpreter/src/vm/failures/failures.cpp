@@ -20,8 +20,8 @@ namespace {
 constexpr std::uint64_t kLeavingSteps = 1'000'000;
 
 const Frame* innermost(const Task& task) {
-  const Frame* frame = task.top;
-  while (frame > task.frames && frame->is_host()) --frame;
+  const Frame* frame = task.stack.top;
+  while (frame > task.stack.frames && frame->is_host()) --frame;
   return frame->is_host() ? nullptr : frame;
 }
 const Frame* innermost(const VmState& state) {
@@ -68,7 +68,7 @@ std::vector<std::string> call_path(const VmState& state) {
   constexpr std::size_t kMost = 10;
   std::vector<std::string> calls;
   const Frame* frame = innermost(state);
-  for (; frame != nullptr && frame > state.running->frames; --frame) {
+  for (; frame != nullptr && frame > state.running->stack.frames; --frame) {
     if (frame->is_host()) continue;
     for (const ExpandedCall* inner : expanded_calls(*frame)) {
       calls.push_back(frame->callee->program->functions[inner->function].name + ", called on " +
@@ -141,13 +141,11 @@ const CodeSpan* code_span(const VmState& state) {
 }
 
 std::string source_text(const VmState& state, Span span) {
-  return span.empty() ? std::string() : std::string(state.newest->sources->slice(span));
+  return span.empty() ? std::string() : std::string(state.programs.newest->sources->slice(span));
 }
 
-int line_of(const VmState& state, Span span) { return state.newest->sources->position(span).line; }
-
 std::string line_name(const VmState& state, Span span) {
-  const SourceSet& sources = *state.newest->sources;
+  const SourceSet& sources = *state.programs.newest->sources;
   std::string out = "line " + std::to_string(line_of(state, span));
   if (sources.size() == 1) return out;
   const std::string& file = sources[span.source].name();
@@ -155,7 +153,7 @@ std::string line_name(const VmState& state, Span span) {
 }
 
 std::string task_name(const Task& task) {
-  return task.function == nullptr ? std::string() : std::string(task.function->name);
+  return task.origin.function == nullptr ? std::string() : std::string(task.origin.function->name);
 }
 
 int task_line(const VmState& state, const Task& task) {
@@ -168,7 +166,7 @@ When circumstances(const VmState& state) {
   When when;
   when.time_ns = state.vm.timeline().now_ns();
   const Task* task = state.running;
-  if (task != nullptr && task == state.condition_task.get()) task = task->parent;
+  if (task != nullptr && task == state.condition_task.get()) task = task->origin.parent;
   if (task != nullptr) when.task = task_name(*task);
   if (const Frame* frame = innermost(state)) when.note = loop_note(*frame);
   when.calls = call_path(state);
@@ -402,7 +400,7 @@ bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement,
     return raise(state, std::move(failure));
   }
   const auto field = [&](const char* name) {
-    const int index = state.error_layout->type->record->index_of(name);
+    const int index = state.records.error->type->record->index_of(name);
     return static_cast<const TextObj*>(thrown->fields()[index].o)->view();
   };
   if (kind == nullptr || kind->view() == field("kind")) return true;
@@ -442,10 +440,10 @@ bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note
 // ---- handling -------------------------------------------------------------------------------
 
 void leave_frame(VmState& state, Task& task) {
-  const Frame& frame = *task.top;
+  const Frame& frame = *task.stack.top;
   const Slot* references = frame.base + frame.callee->references_begin;
   for (unsigned i = 0; i < frame.callee->references; ++i) state.heap.release(references[i].o);
-  --task.top;
+  --task.stack.top;
 }
 
 // The cancellation that waits behind the innermost finally code around the running instruction, if
@@ -484,15 +482,15 @@ static const Handler* handler_in(VmState& state, const Frame& frame) {
 }
 
 bool unwind(VmState& state, Task& task) {
-  for (; !task.top->is_host(); leave_frame(state, task)) {
-    Frame& frame = *task.top;
+  for (; !task.stack.top->is_host(); leave_frame(state, task)) {
+    Frame& frame = *task.stack.top;
     if (state.fault->reach == Reach::kNothing) continue;
     if (const Handler* handler = handler_in(state, frame)) {
       frame.pc = frame.callee->code + handler->handler;
       return true;
     }
   }
-  if (task.top > task.frames) --task.top;
+  if (task.stack.top > task.stack.frames) --task.stack.top;
   return false;
 }
 

@@ -22,7 +22,9 @@ namespace armlet::lang {
 // The text of a span; empty for an empty one.
 [[nodiscard]] std::string source_text(const VmState& state, Span span);
 // Line of a span, from 1.
-[[nodiscard]] int line_of(const VmState& state, Span span);
+[[nodiscard]] inline int line_of(const VmState& state, Span span) {
+  return state.programs.newest->sources->position(span).line;
+}
 // "line 7", or "line 7 of grip.rbt" in a program of several files.
 [[nodiscard]] std::string line_name(const VmState& state, Span span);
 // What a task is called in messages: "branch 2 of parallel on line 9"; empty for the program.

@@ -56,13 +56,13 @@ constexpr std::uint32_t kTooOften = 3;
 // Advice, once for each place. The running frames have been saved.
 void note_large_copy(VmState& state, std::size_t count) {
   if (!state.options.advice) return;
-  const Frame& frame = *state.running->top;
-  if (++state.large_copies[frame.pc] != kTooOften) return;
+  const Frame& frame = *state.running->stack.top;
+  if (++state.shared.large_copies[frame.pc] != kTooOften) return;
   const CodeSpan* at = code_span(state);
   if (at == nullptr) return;
   Diagnostic advice = make_diagnostic("W0715", at->span, {std::to_string(count)});
   advice.why = "another variable, field or element still holds the list as it was";
-  if (&frame > state.running->frames && !frame.is_host() && !(&frame)[-1].is_host()) {
+  if (&frame > state.running->stack.frames && !frame.is_host() && !(&frame)[-1].is_host()) {
     const CodeSpan* call = code_span((&frame)[-1]);
     if (call != nullptr) advice.related.push_back({call->span, "called here"});
   }

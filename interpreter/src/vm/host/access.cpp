@@ -37,7 +37,7 @@ void require_begun(const VmState& state) {
 
 void require_set(const VmState& state, const hir::Variable& variable) {
   require_begun(state);
-  if (state.global_is_set[variable.index] != 0) return;
+  if (state.globals.is_set[variable.index] != 0) return;
   throw ArgumentError('`' + std::string(variable.name) +
                       "` has no value yet: the program has not come to " +
                       line_of(state, variable) + ", where it is declared.");
@@ -71,7 +71,7 @@ std::vector<const hir::Function*> open_functions(const CompiledProgram& program)
 
 std::vector<const hir::Variable*> open_globals(const VmState& state) {
   std::vector<const hir::Variable*> out;
-  const CompiledProgram& program = *state.newest;
+  const CompiledProgram& program = *state.programs.newest;
   if (program.entry.kept == nullptr) {
     for (const hir::Variable* variable : program.module.globals)
       if (variable->is_open) out.push_back(variable);
@@ -89,7 +89,7 @@ std::vector<const hir::Variable*> open_globals(const VmState& state) {
 }
 
 const hir::Variable& require_global(const VmState& state, std::string_view name) {
-  if (const KeptNames* kept = state.newest->entry.kept.get()) {
+  if (const KeptNames* kept = state.programs.newest->entry.kept.get()) {
     const KeptName* known = kept->main().find(name);
     if (known != nullptr && known->variable != nullptr) {
       require_set(state, *known->variable);
@@ -111,7 +111,7 @@ const hir::Variable& require_changeable(const VmState& state, std::string_view n
 }
 
 std::vector<const hir::Function*> require_functions(const VmState& state, std::string_view name) {
-  std::vector<const hir::Function*> functions = open_functions(*state.newest);
+  std::vector<const hir::Function*> functions = open_functions(*state.programs.newest);
   const std::vector<std::string_view> names = names_of(functions);
   std::erase_if(functions, [&](const hir::Function* function) { return function->name != name; });
   if (functions.empty()) refuse_name("function", name, names);
@@ -131,18 +131,19 @@ std::string signature_of(const hir::Function& function) {
 }
 
 void require_values_of_globals(VmState& state) {
-  if (state.host_access.all_are_set) return;
+  if (state.host.all_are_set) return;
   require_begun(state);
   for (const hir::Variable* variable : open_globals(state)) require_set(state, *variable);
-  const LoadedCode* newest = state.units.empty() ? nullptr : state.units.back().get();
-  state.host_access.all_are_set =
+  const LoadedCode* newest =
+      state.programs.units.empty() ? nullptr : state.programs.units.back().get();
+  state.host.all_are_set =
       newest == nullptr || newest->texts.size() == newest->program->texts.size();
-  if (!state.host_access.all_are_set)
+  if (!state.host.all_are_set)
     throw ArgumentError("The program could not begin, so its functions cannot be called.");
 }
 
 void keep_failure(VmState& state) {
-  state.host_access.error = std::move(state.fault->diagnostic);
+  state.host.error = std::move(state.fault->diagnostic);
   state.fault.reset();
   state.reopen();
 }

@@ -15,7 +15,7 @@ namespace armlet::lang {
 
 // The host's frame above `below`, which ends the loop when the function above it returns.
 inline void push_host(const Task& task, Frame* below, Slot* window) {
-  below[1] = {kReturnToHost, window, task.frames->callee, nullptr};
+  below[1] = {kReturnToHost, window, task.stack.frames->callee, nullptr};
 }
 
 [[nodiscard]] inline bool count_step(VmState& state) {
@@ -24,7 +24,8 @@ inline void push_host(const Task& task, Frame* below, Slot* window) {
 
 // What the library is given it may read.
 [[nodiscard]] inline bool check_given(VmState& state, const Callee& callee, Slot result) {
-  if (check_result(state, callee.program->unset, result, *callee.function->function->result)) return true;
+  if (check_result(state, callee.program->unset, result, *callee.function->function->result))
+    return true;
   state.heap.release(result.o);
   return false;
 }

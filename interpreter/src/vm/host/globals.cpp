@@ -20,7 +20,7 @@ std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'
 // Puts a value there, whose count is handed over.
 void replace(lang::VmState& state, const lang::hir::Variable& variable, Slot value) {
   state.keep_global(variable.index);
-  Slot& place = state.globals[variable.index];
+  Slot& place = state.globals.values[variable.index];
   const Slot old = std::exchange(place, value);
   if (variable.type->is_reference()) state.heap.release(old.o);
 }
@@ -36,7 +36,7 @@ void require_kind(const lang::hir::Variable& variable, const ValueKind& kind) {
 Value Vm::global(std::string_view name) {
   const lang::Turn turn(*state_);
   const lang::hir::Variable& variable = lang::require_global(*state_, name);
-  return lang::value_in(state_->globals[variable.index], *variable.type, quoted(name));
+  return lang::value_in(state_->globals.values[variable.index], *variable.type, quoted(name));
 }
 
 Result<Value> Vm::try_global(std::string_view name) {
@@ -67,7 +67,7 @@ std::optional<Error> Vm::try_set(std::string_view name, const Value& value) {
 }
 
 const Diagnostic* Vm::error() const {
-  const auto& error = state_->host_access.error;
+  const auto& error = state_->host.error;
   return error ? &*error : nullptr;
 }
 
@@ -82,7 +82,7 @@ Slot slot_of_global(Vm& vm, std::string_view name, const ValueKind& kind) {
   const lang::Turn turn(state);
   const lang::hir::Variable& variable = lang::require_global(state, name);
   require_kind(variable, kind);
-  return state.globals[variable.index];
+  return state.globals.values[variable.index];
 }
 
 }  // namespace typed
@@ -101,7 +101,7 @@ std::string carry(lang::VmState& from, const lang::hir::Variable& old, lang::VmS
            : fresh.type->is(Kind::kFunction) ? "it is a function, which belongs to its program"
                                              : was + " is no longer what it was";
   try {
-    const Value value = lang::value_in(from.globals[old.index], *old.type, "it");
+    const Value value = lang::value_in(from.globals.values[old.index], *old.type, "it");
     replace(to, fresh, lang::slot_of_value(to, value, *fresh.type, "it"));
     return {};
   } catch (const ArgumentError& error) {

@@ -15,15 +15,15 @@ namespace lang {
 namespace {
 
 bool has_room(const Task& task, const Frame* below, const Slot* window) {
-  return below + 2 < task.frames_end && window < task.slots_end;
+  return below + 2 < task.stack.frames_end && window < task.stack.slots_end;
 }
 
 bool fits(const Task& task, const Frame* below, const Slot* window) {
-  return below + 2 < task.frames_limit && window < task.slots_limit;
+  return below + 2 < task.stack.frames_limit && window < task.stack.slots_limit;
 }
 
 bool refuse(VmState& state, const Callee& callee, bool deep) {
-  if (state.host_calls > VmState::kHostCalls) {
+  if (state.host.calls > VmState::kHostCalls) {
     return raise_too_deep(state, callee, VmState::kHostCalls);
   }
   if (!count_step(state)) return false;
@@ -34,22 +34,22 @@ bool refuse(VmState& state, const Callee& callee, bool deep) {
 }  // namespace
 
 bool make_room(VmState& state, Task& task, const Frame* frame, Slot* window, const Callee& callee) {
-  if (frame >= task.frames_limit || window >= task.slots_limit)
+  if (frame >= task.stack.frames_limit || window >= task.stack.slots_limit)
     return raise_too_deep(state, callee, state.options.limits.call_depth);
-  return task.grow(state.heap, frame, window, callee.registers) || raise_out_of_memory(state);
+  return task.stack.grow(state.heap, frame, window, callee.registers) || raise_out_of_memory(state);
 }
 
 bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
-  Frame* below = running->top;
+  Frame* below = running->stack.top;
   Slot* window = window_above(*below);
-  const Callee& callee = *callees[function].own;
+  const Callee& callee = *programs.callees[function].own;
   if (!has_room(*running, below, window) &&
       !make_room(*this, *running, below + 2, window, callee)) {
     return false;
   }
   push_host(*running, below, window);
   push_function(below, {callee.code, window, &callee, closure});
-  running->top = below + 2;
+  running->stack.top = below + 2;
   return true;
 }
 
@@ -63,7 +63,7 @@ bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
   };
   const Restore restore{running, running};
   running = condition_task.get();
-  running->parent = &owner;
+  running->origin.parent = &owner;
   running->host_data = owner.host_data;
   return vm.call(function, {}, result);
 }
@@ -83,7 +83,7 @@ namespace {
 
 // The machine, when its program may be called here and now.
 Vm::State& require_running(Vm::State& state) {
-  const void* thread = state.thread.load(std::memory_order_relaxed);
+  const void* thread = state.host.thread.load(std::memory_order_relaxed);
   if (thread == lang::this_thread()) [[likely]]
     return state;
   throw ArgumentError(
@@ -103,7 +103,7 @@ std::string function_name(const lang::Callee& callee) {
 }
 
 const lang::Callee& callee_of(const lang::VmState& state, const Obj* function) {
-  return *state.callees[require_function(function)->function].own;
+  return *state.programs.callees[require_function(function)->function].own;
 }
 
 void require_count(const lang::Callee& callee, std::size_t arguments) {
@@ -119,25 +119,25 @@ void require_count(const lang::Callee& callee, std::size_t arguments) {
 PreparedCall::PreparedCall(Vm& vm, Obj* function)
     : state_(require_running(vm.state())),
       task_(state_.running),
-      below_(state_.running->top),
-      window_(lang::window_above(*state_.running->top)),
+      below_(state_.running->stack.top),
+      window_(lang::window_above(*state_.running->stack.top)),
       callee_(&callee_of(state_, function)),
       function_(static_cast<ClosureObj*>(function)) {
   lang::Task& task = *state_.running;
-  lang::Frame* below = task.top;
+  lang::Frame* below = task.stack.top;
   const lang::Callee& callee = callee_of(state_, function);
   code_ = callee.code;
   const bool has_room = lang::has_room(task, below, window_) ||
                         (lang::fits(task, below, window_) &&
-                         task.grow(state_.heap, below + 2, window_, callee.registers));
-  if (++state_.host_calls <= lang::VmState::kHostCalls && has_room) [[likely]] {
+                         task.stack.grow(state_.heap, below + 2, window_, callee.registers));
+  if (++state_.host.calls <= lang::VmState::kHostCalls && has_room) [[likely]] {
     lang::push_host(task, below, window_);  // every call leaves it as it is
   } else {
     below_ = nullptr;  // run refuses
   }
 }
 
-PreparedCall::~PreparedCall() { --state_.host_calls; }
+PreparedCall::~PreparedCall() { --state_.host.calls; }
 
 PreparedCall::Outcome PreparedCall::run() const {
   lang::VmState& state = state_;
@@ -146,7 +146,7 @@ PreparedCall::Outcome PreparedCall::run() const {
   const auto& callee = *static_cast<const lang::Callee*>(callee_);
   const auto* code = static_cast<const lang::Instr*>(code_);
   if (below == nullptr) [[unlikely]]
-    return {lang::refuse(state, callee, !lang::fits(task, task.top, window_))};
+    return {lang::refuse(state, callee, !lang::fits(task, task.stack.top, window_))};
   if (!lang::count_step(state)) [[unlikely]]
     return {false};
   lang::push_function(below, {code, window_, &callee, function_});
@@ -158,7 +158,7 @@ PreparedCall::Outcome PreparedCall::run() const {
   }
   if (left.exit != lang::Exit::kDone) [[unlikely]]
     return {false};
-  task.top = below;
+  task.stack.top = below;
   if (callee.checks_result && !lang::check_given(state, callee, *window_)) [[unlikely]]
     return {false};
   return {true, left.result};

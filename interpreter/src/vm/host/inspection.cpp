@@ -56,7 +56,7 @@ std::vector<SeenVariable> seen_variables(const lang::Frame& frame, Span at, std:
 lang::Frame as_it_stands(const lang::VmState& state, const lang::Task& task,
                          const lang::Frame& frame) {
   lang::Frame at = frame;
-  if (&frame == task.top && state.marks.paused == &task) ++at.pc;
+  if (&frame == task.stack.top && state.marks.paused == &task) ++at.pc;
   return at;
 }
 
@@ -69,7 +69,7 @@ SeenTask seen(const lang::VmState& state, const lang::Task& task) {
   SeenTask out;
   out.name = lang::task_name(task);
   if (task.waiting != nullptr && !task.waits_for_its_tasks()) out.waits = task.waiting->what();
-  for (const lang::Frame* frame = task.top; frame > task.frames; --frame) {
+  for (const lang::Frame* frame = task.stack.top; frame > task.stack.frames; --frame) {
     if (frame->is_host()) continue;
     const lang::Frame at = as_it_stands(state, task, *frame);
     const Span here = span_of(at);
@@ -89,10 +89,11 @@ std::vector<SeenVariable> seen_variables(Vm& vm) {
   require_begun(state);
   std::vector<SeenVariable> out;
   for (const lang::hir::Variable* variable : lang::open_globals(state)) {
-    const bool is_set = state.global_is_set[variable->index] != 0;
-    out.push_back({std::string(variable->name), type_name(variable->type),
-                   is_set ? shown(state.globals[variable->index], *variable->type) : std::string(),
-                   variable->declared});
+    const bool is_set = state.globals.is_set[variable->index] != 0;
+    out.push_back(
+        {std::string(variable->name), type_name(variable->type),
+         is_set ? shown(state.globals.values[variable->index], *variable->type) : std::string(),
+         variable->declared});
   }
   std::ranges::reverse(out);  // the newest came first
   return out;
@@ -114,8 +115,8 @@ std::vector<SeenTask> seen_tasks(Vm& vm) {
 Span running_at(Vm& vm) {
   const lang::VmState& state = vm.state();
   const lang::Task& task = *state.running;
-  const lang::Frame* frame = task.top;
-  while (frame > task.frames && frame->is_host()) --frame;
+  const lang::Frame* frame = task.stack.top;
+  while (frame > task.stack.frames && frame->is_host()) --frame;
   return frame->is_host() ? Span{} : span_of(as_it_stands(state, task, *frame));
 }
 

@@ -62,12 +62,12 @@ const lang::hir::Function& require_function(const lang::VmState& state, std::str
 
 // The host's calls run on a task of their own, so that one of the program may be paused.
 lang::Task& make_task(lang::VmState& state) {
-  std::unique_ptr<lang::Task>& task = state.host_access.task;
+  std::unique_ptr<lang::Task>& task = state.host.task;
   if (task == nullptr) {
     const std::uint32_t depth = state.options.limits.call_depth;
     task = std::make_unique<lang::Task>(depth, lang::ample_slots(depth));
-    task->parent = &state.main;
-    lang::push_host(*task, task->frames, lang::window_above(*task->frames));
+    task->origin.parent = &state.main;
+    lang::push_host(*task, task->stack.frames, lang::window_above(*task->stack.frames));
   }
   return *task;
 }
@@ -79,12 +79,12 @@ class Running {
       : state_(state), before_(state.running), kernels_(&state.kernels) {
     if (task.host_data != state.main.host_data) task.host_data = state.main.host_data;
     state.running = &task;
-    ++state.host_calls;
+    ++state.host.calls;
     steps_ = state.steps.begin_call();
   }
   ~Running() {
     state_.steps.end_call(steps_);
-    --state_.host_calls;
+    --state_.host.calls;
     state_.running = before_;
   }
   Running(const Running&) = delete;
@@ -98,13 +98,13 @@ class Running {
 };
 
 // Where the arguments of the next call go.
-Slot* window_of(const lang::VmState& state) { return state.host_access.task->frames[1].base; }
+Slot* window_of(const lang::VmState& state) { return state.host.task->stack.frames[1].base; }
 
 // With the arguments in their window.
 [[gnu::always_inline]] inline Outcome run_here(lang::VmState& state, const lang::Callee& callee,
                                                Slot& result) {
-  lang::Task& task = *state.host_access.task;
-  lang::Frame* below = task.frames;
+  lang::Task& task = *state.host.task;
+  lang::Frame* below = task.stack.frames;
   Slot* window = below[1].base;
   const Running running(state, task);
   lang::Left left{lang::Exit::kFailed};
@@ -116,7 +116,7 @@ Slot* window_of(const lang::VmState& state) { return state.host_access.task->fra
       left = lang::resume_thrown(state, task);
     }
   }
-  task.top = below;
+  task.stack.top = below;
   result = *window;
   if (left.exit == lang::Exit::kDone && callee.checks_result &&
       !lang::check_given(state, callee, result)) [[unlikely]]
@@ -150,9 +150,9 @@ Slot* window_of(const lang::VmState& state) { return state.host_access.task->fra
 
 [[gnu::always_inline]] inline Outcome run_in_turn(lang::VmState& state, const lang::Callee& callee,
                                                   Slot& result) {
-  if (!state.host_access.all_are_set) [[unlikely]]
+  if (!state.host.all_are_set) [[unlikely]]
     lang::require_values_of_globals(state);
-  if (has_ample_stack(state.host_access)) [[likely]]
+  if (has_ample_stack(state.host)) [[likely]]
     return run_here(state, callee, result);
   return run_elsewhere(state, callee, result);
 }
@@ -164,7 +164,7 @@ Slot* window_of(const lang::VmState& state) { return state.host_access.task->fra
 
 [[gnu::always_inline]] inline const lang::Callee& callee_of(const lang::VmState& state,
                                                             std::uint32_t function) {
-  const lang::Callee* callee = state.callees[function].own;
+  const lang::Callee* callee = state.programs.callees[function].own;
   if (callee == nullptr) [[unlikely]]
     refuse_gone();
   return *callee;
@@ -233,7 +233,7 @@ void ReadyFunction::begin(std::span<const Value> arguments) const {
     for (Obj* object : call.kept) state.heap.release(object);
     throw;
   }
-  state.call = std::move(call);
+  state.host.call = std::move(call);
 }
 
 // ---- calls with objects

@@ -25,7 +25,7 @@ std::vector<SourceLine> statement_lines(const Program& program) {
 std::vector<SourceLine> set_breakpoints(Vm& vm, std::vector<SourceLine> lines) {
   lang::VmState& state = vm.state();
   const lang::Turn turn(state);
-  if (!state.newest->functions[0].has_markers)
+  if (!state.programs.newest->functions[0].has_markers)
     throw ArgumentError("Breakpoints need a program with markers (CompileOptions).");
   const std::vector<SourceLine> known = statement_lines(vm.program());
   std::vector<SourceLine> taken;

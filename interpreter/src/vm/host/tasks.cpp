@@ -39,32 +39,32 @@ class NoTrace {
  public:
   explicit NoTrace(lang::VmState& state)
       : state_(state),
-        kept_(std::exchange(state.global_is_kept,
-                            std::vector<std::uint8_t>(state.global_is_kept.size(), 0))),
-        entry_(std::exchange(state.before, std::make_unique<lang::Before>(state))),
+        kept_(std::exchange(state.globals.is_kept,
+                            std::vector<std::uint8_t>(state.globals.is_kept.size(), 0))),
+        entry_(std::exchange(state.programs.before, std::make_unique<lang::Before>(state))),
         steps_(state.steps),
         marks_(state.marks),
         due_(std::exchange(state.cancellations.due, {})),
         noticed_(state.cancellations.noticed.size()),
         fault_(std::move(state.fault)),
         is_leaving_(std::exchange(state.is_leaving, false)) {
-    state.is_read = true;
+    state.host.is_read = true;
     state.marks.breakpoints.clear();
     state.marks.pause_at = lang::StepMeter::kEndless;
     state.steps.look_at = lang::StepMeter::kEndless;
     state.steps.paused();
   }
   ~NoTrace() {
-    state_.is_read = false;
+    state_.host.is_read = false;
     state_.cancellations.noticed.resize(noticed_);
     state_.cancellations.due = std::move(due_);
     state_.steps = steps_;
     state_.marks = std::move(marks_);
     state_.fault = std::move(fault_);
     state_.is_leaving = is_leaving_;
-    state_.before->restore();
-    state_.before = std::move(entry_);
-    state_.global_is_kept = std::move(kept_);
+    state_.programs.before->restore();
+    state_.programs.before = std::move(entry_);
+    state_.globals.is_kept = std::move(kept_);
   }
   NoTrace(const NoTrace&) = delete;
   NoTrace& operator=(const NoTrace&) = delete;
@@ -90,7 +90,7 @@ std::optional<Error> start_task(Vm& vm, std::string_view name) {
   if (vm.result().status != Progress::kPaused || state.scheduler == nullptr)
     throw ArgumentError("A task can be started only while the run goes on.");
   const lang::hir::Variable& variable = require_function(state, name);
-  if (state.tree.create_started(state.globals[variable.index].o, name) == nullptr) {
+  if (state.tree.create_started(state.globals.values[variable.index].o, name) == nullptr) {
     const Error error{"tasks", state.fault->diagnostic.message};
     lang::keep_failure(state);
     return error;
@@ -125,7 +125,7 @@ Result<Value> read_function(Vm& vm, std::string_view name) {
     Slot result{.i = 0};
     bool done = false;
     try {
-      done = state.evaluate(state.main, state.globals[variable.index].o, result);
+      done = state.evaluate(state.main, state.globals.values[variable.index].o, result);
     } catch (...) {
       lang::raise_thrown(state, state.main);
     }

@@ -74,10 +74,10 @@ inline void clear(Slot* slots, unsigned count) {
     GO;       \
   } while (false)
 // Others may look at the task from here on.
-#define SAVE()          \
-  do {                  \
-    frame->pc = pc + 1; \
-    task.top = frame;   \
+#define SAVE()              \
+  do {                      \
+    frame->pc = pc + 1;     \
+    task.stack.top = frame; \
   } while (false)
 // Costly checks of what functions of the host leave (vm/host/checked.hpp).
 #ifdef ARMLET_CHECKED
@@ -152,7 +152,7 @@ Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr
 
 failed:
   if (!unwind(state, task)) return {Exit::kFailed};
-  frame = task.top;
+  frame = task.stack.top;
   base = frame->base;
   pc = frame->pc;
   FORGET();
@@ -179,7 +179,7 @@ no_steps:
 Left interpret(VmState& state, Task& task, double last) {
   while (true) {
     try {
-      return interpret(state, task, task.top, task.top->base, task.top->pc, last);
+      return interpret(state, task, task.stack.top, task.stack.top->base, task.stack.top->pc, last);
     } catch (...) {
       raise_thrown(state, task);
     }

@@ -10,7 +10,7 @@ enum class Exit : std::uint8_t {
           // its frame)
   kFailed,  // nobody in this call of the loop handled state.fault
   kPaused,  // task.waiting is set; task.result says where the result goes
-  kSliced,  // the slice is over; the loop can go on from task.top with Left::result
+  kSliced,  // the slice is over; the loop can go on from task.stack.top with Left::result
 };
 
 // How the loop was left. If a function called by the host returned a double, here it is too: the
@@ -21,14 +21,14 @@ struct Left {
   double result = 0.0;
 };
 
-// Runs task.top until the host frame below it is reached.
+// Runs task.stack.top until the host frame below it is reached.
 //
 // last    the double computed last, when the loop goes on after kSliced.
 // throws  what functions of the host and kernels throw; the task is as it was when they were
 // called.
 [[nodiscard]] Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc,
                              double last = 0.0);
-// The same from task.top on; what is thrown becomes a failure of the program.
+// The same from task.stack.top on; what is thrown becomes a failure of the program.
 [[nodiscard]] Left interpret(VmState& state, Task& task, double last = 0.0);
 // Goes on, in the handler of an exception that came out of the first, with whoever handles it.
 [[nodiscard]] Left resume_thrown(VmState& state, Task& task);

@@ -18,7 +18,7 @@ void set_reference(VmState& state, Slot& place, Obj* object) {
 
 // The type of the map that an instruction is about stands in the next word.
 const Type& type_of(const VmState& state, const Instr* pc) {
-  return *state.running->top->callee->function->types[pc[1].b];
+  return *state.running->stack.top->callee->function->types[pc[1].b];
 }
 
 // The entry with a key, which must be there.
@@ -52,7 +52,7 @@ bool put_list(VmState& state, Slot& to, const MapObj& map, Slot MapEntry::*part,
 }  // namespace
 
 bool op_newmap(VmState& state, Slot* base, const Instr* pc) {
-  const Type& type = *state.running->top->callee->function->types[pc->b];
+  const Type& type = *state.running->stack.top->callee->function->types[pc->b];
   MapObj* map = state.heap.new_map(map_flags(type), 0);
   if (map == nullptr) return raise_out_of_memory(state);
   set_reference(state, base[pc->a], map);

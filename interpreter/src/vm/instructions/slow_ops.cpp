@@ -94,7 +94,7 @@ bool op_rtoi(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_eqdeep(VmState& state, Slot* base, const Instr* pc) {
-  const Type* type = state.running->top->callee->function->types[pc[1].b];
+  const Type* type = state.running->stack.top->callee->function->types[pc[1].b];
   bool equal = false;
   if (!compare_values(state, base[pc->b], base[pc->c], *type, equal)) return false;
   base[pc->a].i = equal ? 1 : 0;
@@ -102,7 +102,7 @@ bool op_eqdeep(VmState& state, Slot* base, const Instr* pc) {
 }
 
 Obj* missing_row(VmState& state, const Instr* pc, std::int64_t index, std::uint64_t size) {
-  MissingRow& row = state.missing_rows[pc[1].c];
+  MissingRow& row = state.shared.missing_rows[pc[1].c];
   row.refs = 1;
   row.kind = ObjKind::kList;
   row.index = index;
@@ -112,9 +112,9 @@ Obj* missing_row(VmState& state, const Instr* pc, std::int64_t index, std::uint6
 }
 
 bool raise_element(VmState& state, const ListObj& list, std::int64_t index) {
-  for (const MissingRow& row : state.missing_rows) {
+  for (const MissingRow& row : state.shared.missing_rows) {
     if (&row != &list) continue;
-    state.running->top->pc = row.at + 1;
+    state.running->stack.top->pc = row.at + 1;
     return raise_index(state, row.index, row.rows);
   }
   return raise_index(state, index, list.size);
@@ -122,7 +122,7 @@ bool raise_element(VmState& state, const ListObj& list, std::int64_t index) {
 
 bool op_calld_again(VmState& state, Slot* base, const Instr* pc) {
   const NativeFunction& native = *state.code().natives[pc->c];
-  Slot* scratch = base + state.running->top->callee->registers;
+  Slot* scratch = base + state.running->stack.top->callee->registers;
   scratch[0] = base[pc->b];
   if (pc->op == OpCode::CALLD2 || pc->op == OpCode::CALLD3) scratch[1] = base[pc[1].a];
   if (pc->op == OpCode::CALLD3) scratch[2] = base[pc[1].b];
@@ -142,7 +142,7 @@ bool op_box(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_closure(VmState& state, Slot* base, const Instr* pc) {
-  const FunctionCode& function = *state.callees[pc->c].function;
+  const FunctionCode& function = *state.programs.callees[pc->c].function;
   ClosureObj* closure =
       state.heap.new_closure(pc->c, function.captures, &function.capture_references);
   if (closure == nullptr) return raise_out_of_memory(state);
@@ -185,7 +185,7 @@ bool op_makelist(VmState& state, Slot* base, const Instr* pc) {
 // Lists of lists are made from the inside out: all inner lists of one row share their storage until
 // one is changed. Elements without a zero value begin as null references.
 bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
-  const Type* type = state.running->top->callee->function->types[pc[1].b];
+  const Type* type = state.running->stack.top->callee->function->types[pc[1].b];
   const int count = pc->c;
   for (int i = 0; i < count - 1; ++i) type = type->element;
   const bool texts = type->element->is(Kind::kText);
@@ -412,13 +412,13 @@ bool op_expecterr(VmState& state, Slot* base, const Instr* pc) {
 
 bool may_pause(VmState& state) {
   state.steps.left = 0;  // it was counted below
-  return state.host_calls == 0 && state.steps.slice_is_over();
+  return state.host.calls == 0 && state.steps.slice_is_over();
 }
 
 // The frame has been saved behind the MARK, which is executed again when the run goes on.
 bool stops_at_mark(VmState& state) {
   Marks& marks = state.marks;
-  const bool may_stop = state.host_calls == 0;
+  const bool may_stop = state.host.calls == 0;
   const bool was_at_breakpoint = std::exchange(marks.is_at_breakpoint, false);
   if (may_stop && !was_at_breakpoint && !marks.breakpoints.empty()) {
     const CodeSpan* at = code_span(state);
@@ -440,7 +440,7 @@ bool count_slowly(VmState& state) {
 }
 
 bool raise_unset(VmState& state, std::uint32_t global) {
-  const hir::Variable& variable = *state.global_info[global].variable;
+  const hir::Variable& variable = *state.globals.info[global].variable;
   Diagnostic failure = start_failure(state, "R0623", {std::string(variable.name)});
   failure.related.push_back({variable.declared, "it is declared here"});
   return raise(state, std::move(failure));

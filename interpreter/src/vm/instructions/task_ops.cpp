@@ -21,7 +21,8 @@ class ChildrenEnd final : public Waiting {
     return std::numeric_limits<std::int64_t>::max();
   }
   [[nodiscard]] bool is_over() const override {
-    return task_.joins ? task_.alive == 0 : !TaskTree::has_bodies(task_, task_.ending);
+    return task_.children.joins ? task_.children.alive == 0
+                                : !TaskTree::has_bodies(task_, task_.children.ending);
   }
   void stop() override {}
   Signal finish(Vm&, Slot&) override { return Signal::kDone; }
@@ -39,7 +40,7 @@ bool end_watches(VmState& state, std::size_t from) {
     state.tree.close_regions(task, from);
     return true;
   }
-  task.ending = from;
+  task.children.ending = from;
   state.pending = std::make_unique<ChildrenEnd>(task, "the tasks of a block");
   return true;
 }
@@ -54,8 +55,8 @@ Random stream_of(const Task& parent, const hir::Function& branch) {
 }  // namespace
 
 bool op_spawn(VmState& state, Slot* base, const Instr* pc) {
-  if (state.host_calls > 0) return raise_may_not_pause(state);
-  std::vector<Obj*>& nursery = state.running->nursery;
+  if (state.host.calls > 0) return raise_may_not_pause(state);
+  std::vector<Obj*>& nursery = state.running->children.nursery;
   // What a failure between two branches of another `parallel` left.
   while (nursery.size() > pc->c) {
     state.heap.release(nursery.back());
@@ -68,37 +69,37 @@ bool op_spawn(VmState& state, Slot* base, const Instr* pc) {
 
 bool op_parallel(VmState& state, Slot*, const Instr*) {
   Task& task = *state.running;
-  task.branches.clear();
-  task.branch_fault.reset();
+  task.children.branches.clear();
+  task.children.branch_fault.reset();
   bool made = true;
-  for (Obj* closure : task.nursery) {
+  for (Obj* closure : task.children.nursery) {
     Task* branch = made ? state.tree.create(task, closure) : nullptr;
     made = branch != nullptr;
     if (made) {
-      branch->place = task.branches.size();
-      branch->random = stream_of(task, *branch->function);
-      task.branches.push_back(branch);
-      ++task.alive;
+      branch->origin.place = task.children.branches.size();
+      branch->random = stream_of(task, *branch->origin.function);
+      task.children.branches.push_back(branch);
+      ++task.children.alive;
     }
     state.heap.release(closure);
   }
-  task.nursery.clear();
+  task.children.nursery.clear();
   ++task.parallels;
   if (!made) {
     const FaultPtr fault = std::move(state.fault);
-    for (Task* branch : task.branches) state.tree.cancel(*branch, Reach::kFinally);
+    for (Task* branch : task.children.branches) state.tree.cancel(*branch, Reach::kFinally);
     state.fault = fault;
     return false;
   }
-  task.joins = true;
+  task.children.joins = true;
   state.pending = std::make_unique<ChildrenEnd>(task, "its branches");
   return true;
 }
 
 bool op_openwatch(VmState& state, Slot* base, const Instr* pc) {
-  if (state.host_calls > 0) return raise_may_not_pause(state);
-  base[pc->a].i = static_cast<std::int64_t>(state.running->regions.size());
-  state.running->regions.emplace_back();
+  if (state.host.calls > 0) return raise_may_not_pause(state);
+  base[pc->a].i = static_cast<std::int64_t>(state.running->children.regions.size());
+  state.running->children.regions.emplace_back();
   return true;
 }
 
@@ -135,7 +136,7 @@ bool end_entry(VmState& state) {
   state.running = &state.main;
   state.tree.stop_watching(state.main, 0);
   if (!TaskTree::has_bodies(state.main, 0)) return true;
-  state.main.ending = 0;
+  state.main.children.ending = 0;
   state.main.waiting = std::make_unique<ChildrenEnd>(
       state.main, "the blocks of `when` and `every` that are running");
   return false;

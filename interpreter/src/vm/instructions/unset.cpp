@@ -184,7 +184,7 @@ bool check_value(VmState& state, const UnsetElements& unset, Slot value, const T
 bool raise_unset_element(VmState& state, std::int64_t index) {
   const CodeSpan* at = code_span(state);
   if (at == nullptr) return raise_unset_value(state, "..." + bracketed(index));
-  const Frame& frame = *state.running->top;
+  const Frame& frame = *state.running->stack.top;
   if (frame.callee->code[frame.at()].op == OpCode::PLACESET)
     return raise_unset_value(state, without_index(name_of(state, at->span)) + bracketed(index));
   Span list = at->span;
@@ -202,7 +202,7 @@ bool raise_unset_element(VmState& state, std::int64_t index) {
 }
 
 bool op_checkset(VmState& state, Slot* base, const Instr* pc) {
-  const Type* type = state.running->top->callee->function->types[pc->b];
+  const Type* type = state.running->stack.top->callee->function->types[pc->b];
   return check_value(state, state.code().unset, base[pc->a], *type, pc->c == 0);
 }
 

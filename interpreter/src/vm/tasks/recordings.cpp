@@ -146,7 +146,7 @@ Signal table_column(Vm& vm, Slot* args) {
     lang::VmState& state = vm.state();
     made = make_column(state, table, column);
     if (made == nullptr) return Signal::kFail;
-    if (state.before != nullptr) state.before->note_column(table, column);
+    if (state.programs.before != nullptr) state.programs.before->note_column(table, column);
   }
   retain_object(made);
   return give(args, made);
@@ -193,7 +193,7 @@ bool Recordings::take(Recording& recording) {
 }
 
 RecordObj* Recordings::start(ClosureObj* sample, std::int64_t period_ns) {
-  const Type* row = state_.callees[sample->function].function->function->result;
+  const Type* row = state_.programs.callees[sample->function].function->function->result;
   const RecordLayout& layout = state_.layout_of(row->record->table);
   RecordObj* table = state_.heap.new_record(layout);
   if (table == nullptr) {
@@ -205,7 +205,7 @@ RecordObj* Recordings::start(ClosureObj* sample, std::int64_t period_ns) {
   const std::int64_t now = state_.vm.timeline().now_ns();
   // What a condition records belongs to the task whose condition it is.
   const bool in_condition = state_.running == state_.condition_task.get();
-  Task* owner = in_condition ? state_.running->parent : state_.running;
+  Task* owner = in_condition ? state_.running->origin.parent : state_.running;
   Recording recording{sample, table, owner, period_ns, now + period_ns, now, false};
   if (rows_of(*table).o == nullptr) raise_out_of_memory(state_);
   if (rows_of(*table).o == nullptr || !take(recording)) {

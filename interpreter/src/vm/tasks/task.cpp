@@ -29,20 +29,20 @@ constexpr Callee kHost{.code = kReturnToHost};
 }  // namespace
 
 // Besides the calls there are the bottom, the host's frame, and the program itself.
-Task::Task(std::uint32_t call_depth, std::size_t slots)
-    : slot_space((slots + kLargestFrame) * sizeof(Slot)),
-      frame_space((std::size_t{call_depth} + 3) * sizeof(Frame)),
-      slots_end(static_cast<Slot*>(slot_space.begin()) + std::min(slots, kFirstSlots)),
-      frames(static_cast<Frame*>(frame_space.begin())),
-      frames_end(frames + std::min<std::size_t>(call_depth + 3, kFirstFrames)),
-      top(frames),
-      slots_limit(static_cast<Slot*>(slot_space.begin()) + slots),
-      frames_limit(frames + call_depth + 3) {
-  *top = {kReturnToHost, static_cast<Slot*>(slot_space.begin()), &kHost, nullptr};
+TaskStack::TaskStack(std::uint32_t call_depth, std::size_t slots)
+    : slot_space_((slots + kLargestFrame) * sizeof(Slot)),
+      frame_space_((std::size_t{call_depth} + 3) * sizeof(Frame)) {
+  auto* first = static_cast<Slot*>(slot_space_.begin());
+  slots_end = first + std::min(slots, kFirstSlots);
+  slots_limit = first + slots;
+  top = frames = static_cast<Frame*>(frame_space_.begin());
+  frames_end = frames + std::min<std::size_t>(call_depth + 3, kFirstFrames);
+  frames_limit = frames + call_depth + 3;
+  *top = {kReturnToHost, first, &kHost, nullptr};
 }
 
-bool Task::grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers) {
-  auto* slots = static_cast<Slot*>(slot_space.begin());
+bool TaskStack::grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers) {
+  auto* slots = static_cast<Slot*>(slot_space_.begin());
   Slot* slots_to =
       window < slots_end ? slots_end : grown_end(slots, slots_end, slots_limit, window + registers);
   Frame* frames_to =
@@ -50,18 +50,18 @@ bool Task::grow(Heap& heap, const Frame* frame, Slot* window, std::size_t regist
   const auto more = static_cast<std::uint64_t>(slots_to - slots_end) * sizeof(Slot) +
                     static_cast<std::uint64_t>(frames_to - frames_end) * sizeof(Frame);
   if (!heap.charge(more)) return false;
-  charged += more;
+  charged_ += more;
   slots_end = slots_to;
   frames_end = frames_to;
   return true;
 }
 
-void Task::shrink(Heap& heap) {
-  if (charged == 0) return;
-  heap.discharge(charged);
-  charged = 0;
-  for (ReservedMemory* space : {&slot_space, &frame_space}) space->give_back(kFirstBytes);
-  slots_end = std::min(slots_limit, static_cast<Slot*>(slot_space.begin()) + kFirstSlots);
+void TaskStack::shrink(Heap& heap) {
+  if (charged_ == 0) return;
+  heap.discharge(charged_);
+  charged_ = 0;
+  for (ReservedMemory* space : {&slot_space_, &frame_space_}) space->give_back(kFirstBytes);
+  slots_end = std::min(slots_limit, static_cast<Slot*>(slot_space_.begin()) + kFirstSlots);
   frames_end = std::min(frames_limit, frames + kFirstFrames);
 }
 

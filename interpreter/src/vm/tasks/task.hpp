@@ -78,21 +78,60 @@ inline constexpr std::size_t kFirstBytes = 8192;
 
 class Heap;
 
-// A task waits while `waiting` is set.
-struct Task {
+// Slots and frames of a task.
+struct TaskStack {
   // call_depth  calls that may be nested.
   // slots       of all frames together, besides the one on top.
-  Task(std::uint32_t call_depth, std::size_t slots);
+  TaskStack(std::uint32_t call_depth, std::size_t slots);
 
-  ReservedMemory slot_space;
-  ReservedMemory frame_space;
   Slot* slots_end;  // a frame that starts before it fits; what lies before it has been counted
   Frame* frames;    // frames[0] belongs to the host
   Frame* frames_end;
   Frame* top;
   Slot* slots_limit;  // how far slots_end and frames_end can move
   Frame* frames_limit;
-  std::uint64_t charged = 0;  // bytes counted against the heap limit besides those at the beginning
+
+  // Counts so much more of it against the limit of the heap that a frame can be put at `frame` with
+  // its slots, `registers` of them, at `window`, which lie within the limits. False: the heap is
+  // full.
+  [[nodiscard]] bool grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers);
+  // Gives back what grew.
+  void shrink(Heap& heap);
+
+ private:
+  ReservedMemory slot_space_;
+  ReservedMemory frame_space_;
+  std::uint64_t charged_ = 0;  // bytes counted against the limit besides those at the beginning
+};
+
+// What a task is: vm/tasks/task_tree.hpp.
+struct TaskOrigin {
+  const hir::Function* function = nullptr;  // null: the program
+  Task* parent = nullptr;                   // who started it
+  Watch* watch = nullptr;                   // whose body it is
+  std::string started_as{};                 // by the host: the variable with its function
+  std::int64_t started_ns = 0;
+  Obj* entry = nullptr;     // the closure that it runs; owned
+  std::uint32_t depth = 0;  // of tasks that started tasks
+  std::size_t place = 0;    // among the branches of its parent
+};
+
+// What a task has started.
+struct TaskChildren {
+  std::vector<Obj*> nursery{};            // closures of branches, before they begin; owned
+  std::vector<Task*> branches{};          // of the `parallel` it waits for; null: ended
+  std::size_t alive = 0;                  // branches that have not ended
+  std::shared_ptr<Fault> branch_fault{};  // the first error among them
+  bool joins = false;                     // it waits for its branches
+  std::vector<Region> regions{};
+  std::size_t ending = kNoRegion;  // it waits for the tasks of this region and those inside
+};
+
+// A task waits while `waiting` is set.
+struct Task {
+  Task(std::uint32_t call_depth, std::size_t slots) : stack(call_depth, slots) {}
+
+  TaskStack stack;
 
   std::unique_ptr<Waiting> waiting;
   Slot* result = nullptr;              // where the waiting call leaves its result
@@ -102,38 +141,18 @@ struct Task {
 
   std::shared_ptr<const void> host_data;  // see Vm::task_data
 
-  // ---- what it is: vm/tasks/task_tree.hpp
-  const hir::Function* function = nullptr;  // null: the program
-  Task* parent = nullptr;                   // who started it
-  Watch* watch = nullptr;                   // whose body it is
-  std::string started_as;                   // by the host: the variable with its function
-  std::int64_t started_ns = 0;
-  Obj* entry = nullptr;     // the closure that it runs; owned
-  std::uint32_t depth = 0;  // of tasks that started tasks
-  std::size_t place = 0;    // among the branches of its parent
-  bool is_ready = false;    // has not begun
+  TaskOrigin origin;
+  bool is_ready = false;  // has not begun
   bool has_ended = false;
   bool is_cancelled = false;  // how it ends is nobody's business
   Random random{0};
   std::uint64_t parallels = 0;  // how many it has begun
 
-  // ---- what it has started
-  std::vector<Obj*> nursery;            // closures of branches, before they begin; owned
-  std::vector<Task*> branches;          // of the `parallel` it waits for; null: ended
-  std::size_t alive = 0;                // branches that have not ended
-  std::shared_ptr<Fault> branch_fault;  // the first error among them
-  bool joins = false;                   // it waits for its branches
-  std::vector<Region> regions;
-  std::size_t ending = kNoRegion;  // it waits for the tasks of this region and those inside
+  TaskChildren children;
 
-  // Counts so much more of its stack against the limit of the heap that a frame can be put at
-  // `frame` with its slots, `registers` of them, at `window`, which lie within the limits. False:
-  // the heap is full.
-  [[nodiscard]] bool grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers);
-  // Gives back what grew.
-  void shrink(Heap& heap);
-
-  [[nodiscard]] bool waits_for_its_tasks() const { return joins || ending != kNoRegion; }
+  [[nodiscard]] bool waits_for_its_tasks() const {
+    return children.joins || children.ending != kNoRegion;
+  }
 };
 
 }  // namespace armlet::lang

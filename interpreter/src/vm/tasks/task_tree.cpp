@@ -34,17 +34,17 @@ FaultPtr carried_over(const FaultPtr& fault) {
 
 void make_new(Task& task) {
   task.result = nullptr;
-  task.function = nullptr;
-  task.parent = nullptr;
-  task.watch = nullptr;
-  task.started_as.clear();
-  task.depth = 0;
-  task.is_ready = task.has_ended = task.is_cancelled = task.joins = false;
+  task.origin.function = nullptr;
+  task.origin.parent = nullptr;
+  task.origin.watch = nullptr;
+  task.origin.started_as.clear();
+  task.origin.depth = 0;
+  task.is_ready = task.has_ended = task.is_cancelled = task.children.joins = false;
   task.parallels = 0;
-  task.branches.clear();
-  task.alive = 0;
-  task.branch_fault.reset();
-  task.ending = kNoRegion;
+  task.children.branches.clear();
+  task.children.alive = 0;
+  task.children.branch_fault.reset();
+  task.children.ending = kNoRegion;
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
   };
   if (alive_ >= kMostTasks)
     return too_many("more than " + std::to_string(kMostTasks) + " at the same time");
-  if (parent.depth >= kDeepest)
+  if (parent.origin.depth >= kDeepest)
     return too_many("tasks start tasks more than " + std::to_string(kDeepest) + " deep");
   const bool fits = state_.heap.charge(kFirstBytes);
   std::unique_ptr<Task> task;
@@ -84,12 +84,13 @@ Task* TaskTree::create(Task& parent, Obj* closure) {
     return nullptr;
   }
   make_new(*task);
-  task->entry = closure;
+  task->origin.entry = closure;
   retain_object(closure);
-  task->function = state_.callees[static_cast<ClosureObj*>(closure)->function].function->function;
-  task->parent = &parent;
+  task->origin.function =
+      state_.programs.callees[static_cast<ClosureObj*>(closure)->function].function->function;
+  task->origin.parent = &parent;
   task->host_data = parent.host_data;
-  task->depth = parent.depth + 1;
+  task->origin.depth = parent.origin.depth + 1;
   task->is_ready = true;
   ++alive_;
   tasks_.push_back(std::move(task));
@@ -103,47 +104,47 @@ void TaskTree::end(Task& task, FaultPtr fault) {
   disarm(task);
   task.waiting.reset();
   task.interrupted.reset();
-  while (task.top > task.frames) leave_frame(state_, task);
+  while (task.stack.top > task.stack.frames) leave_frame(state_, task);
   abandon(task);
-  state_.heap.release(task.entry);
-  task.entry = nullptr;
+  state_.heap.release(task.origin.entry);
+  task.origin.entry = nullptr;
   state_.heap.discharge(kFirstBytes);
-  task.shrink(state_.heap);
+  task.stack.shrink(state_.heap);
   const bool counts = fault != nullptr && (!task.is_cancelled || fault->is_leaving);
-  if (!task.started_as.empty()) {
+  if (!task.origin.started_as.empty()) {
     end_started(task, std::move(fault));
-  } else if (Watch* watch = task.watch) {
+  } else if (Watch* watch = task.origin.watch) {
     skip_beats(*watch);
     watch->running = nullptr;
     if (counts) fail_block(*watch, fault);
   } else {
-    task.parent->branches[task.place] = nullptr;
-    --task.parent->alive;
-    if (counts) fail_parallel(*task.parent, fault);
+    task.origin.parent->children.branches[task.origin.place] = nullptr;
+    --task.origin.parent->children.alive;
+    if (counts) fail_parallel(*task.origin.parent, fault);
   }
 }
 
 Task* TaskTree::create_started(Obj* closure, std::string_view variable) {
   Task* task = create(state_.main, closure);
   if (task == nullptr) return nullptr;
-  task->started_as = variable;
-  task->started_ns = state_.vm.timeline().now_ns();
+  task->origin.started_as = variable;
+  task->origin.started_ns = state_.vm.timeline().now_ns();
   task->host_data.reset();
   // The first one draws other numbers than the branches of the program do.
-  task->random = state_.main.random.split(~std::uint64_t{0}).split(state_.started++);
+  task->random = state_.main.random.split(~std::uint64_t{0}).split(state_.host.started++);
   return task;
 }
 
 void TaskTree::cancel_started() {
   for (const auto& task : tasks_)
-    if (!task->started_as.empty()) cancel(*task, Reach::kFinally);
+    if (!task->origin.started_as.empty()) cancel(*task, Reach::kFinally);
 }
 
 // Its failure is its own, unless the whole program ends with it.
 void TaskTree::end_started(Task& task, FaultPtr fault) {
   if (state_.options.on_task_end) {
-    state_.options.on_task_end({.variable = task.started_as,
-                                .start_ns = task.started_ns,
+    state_.options.on_task_end({.variable = task.origin.started_as,
+                                .start_ns = task.origin.started_ns,
                                 .end_ns = state_.vm.timeline().now_ns(),
                                 .failure = fault == nullptr ? nullptr : &fault->diagnostic});
   }
@@ -156,8 +157,9 @@ void TaskTree::end_started(Task& task, FaultPtr fault) {
 }
 
 void TaskTree::fail_parallel(Task& parent, const FaultPtr& fault) {
-  const bool is_first = parent.branch_fault == nullptr;
-  if (is_first || outranks(*fault, *parent.branch_fault)) parent.branch_fault = carried_over(fault);
+  const bool is_first = parent.children.branch_fault == nullptr;
+  if (is_first || outranks(*fault, *parent.children.branch_fault))
+    parent.children.branch_fault = carried_over(fault);
   if (is_first || fault->reach == Reach::kNothing) cancel_branches(parent, fault->reach);
 }
 
@@ -188,7 +190,7 @@ void TaskTree::cancel(Task& task, Reach reach) {
 
 void TaskTree::cancel_branches(Task& task, Reach reach) {
   const Reach how = reach == Reach::kHandlers ? Reach::kFinally : reach;
-  for (Task* branch : task.branches) {
+  for (Task* branch : task.children.branches) {
     if (branch != nullptr) cancel(*branch, how);
   }
 }
@@ -212,19 +214,19 @@ void TaskTree::rest() {
 void TaskTree::end_at_once(Task& task) {
   if (&task == &state_.main) {
     for (const auto& other : tasks_)
-      if (!other->started_as.empty() && !other->has_ended) kill(*other);
+      if (!other->origin.started_as.empty() && !other->has_ended) kill(*other);
   }
-  for (Task* branch : task.branches) {
+  for (Task* branch : task.children.branches) {
     if (branch != nullptr) kill(*branch);
   }
-  for (const Region& region : task.regions) {
+  for (const Region& region : task.children.regions) {
     for (const auto& watch : region) {
       if (watch->running != nullptr) kill(*watch->running);
     }
   }
   stop_watching(task, 0);
-  for (Obj* closure : task.nursery) state_.heap.release(closure);
-  task.nursery.clear();
+  for (Obj* closure : task.children.nursery) state_.heap.release(closure);
+  task.children.nursery.clear();
 }
 
 void TaskTree::sweep() {
@@ -241,7 +243,7 @@ void TaskTree::clear() {
   disarm(program);
   program.waiting.reset();
   program.interrupted.reset();
-  program.branch_fault.reset();
+  program.children.branch_fault.reset();
   tasks_.clear();
   spare_.clear();
 }

@@ -41,7 +41,7 @@ class Rest final : public Waiting {
 
 // What it does next is no more than the text says: it begins, or those that it started have ended.
 bool is_quiet(const Task& task) {
-  const bool is_triggered = task.watch != nullptr && task.watch->condition != nullptr;
+  const bool is_triggered = task.origin.watch != nullptr && task.origin.watch->condition != nullptr;
   return task.is_ready ? !is_triggered : task.waits_for_its_tasks();
 }
 
@@ -79,7 +79,7 @@ Exit Scheduler::begin_program() {
   stage_ = Stage::kProgram;
   state_.running = &state_.main;
   if (!state_.enter(function_, nullptr)) return Exit::kFailed;
-  std::ranges::copy(arguments_, state_.main.top->base);
+  std::ranges::copy(arguments_, state_.main.stack.top->base);
   return Exit::kPaused;
 }
 
@@ -92,13 +92,13 @@ Exit Scheduler::run_program() {
 // kPaused instead of kDone: an entry has come to the end of its text, and waits for what runs.
 Exit Scheduler::finished(Exit exit) {
   if (exit != Exit::kDone) return exit;
-  while (state_.main.top > state_.main.frames) leave_frame(state_, state_.main);
-  if (state_.options.stays && !state_.newest->entry.is_one) {
+  while (state_.main.stack.top > state_.main.stack.frames) leave_frame(state_, state_.main);
+  if (state_.options.stays && !state_.programs.newest->entry.is_one) {
     state_.main.waiting = std::make_unique<Rest>();
     is_resting_ = true;
     return Exit::kPaused;
   }
-  return !state_.newest->entry.is_one || end_entry(state_) ? Exit::kDone : Exit::kPaused;
+  return !state_.programs.newest->entry.is_one || end_entry(state_) ? Exit::kDone : Exit::kPaused;
 }
 
 void Scheduler::begin_started() {
@@ -110,7 +110,7 @@ void Scheduler::begin_started() {
 
 void Scheduler::end() {
   is_resting_ = false;
-  if (state_.newest->entry.is_one) {
+  if (state_.programs.newest->entry.is_one) {
     tree_.rest();
   } else {
     tree_.abandon(state_.main);
@@ -234,7 +234,7 @@ Exit Scheduler::begin(Task& task) {
   state_.running = &task;
   resumed_ns_ = state_.vm.timeline().now_ns();
   state_.steps.paused();
-  auto* closure = static_cast<ClosureObj*>(task.entry);
+  auto* closure = static_cast<ClosureObj*>(task.origin.entry);
   if (!state_.enter(closure->function, closure)) return Exit::kFailed;
   return interpret_on(task);
 }
@@ -246,14 +246,15 @@ Exit Scheduler::resume(Task& task) {
   state_.steps.paused();
   resumed_ns_ = state_.vm.timeline().now_ns();
   FaultPtr fault = std::move(task.interrupted);
-  if (std::exchange(task.joins, false)) {
-    task.branches.clear();
-    FaultPtr branch = std::move(task.branch_fault);
+  if (std::exchange(task.children.joins, false)) {
+    task.children.branches.clear();
+    FaultPtr branch = std::move(task.children.branch_fault);
     if (branch != nullptr && (fault == nullptr || !outranks(*fault, *branch)))
       fault = std::move(branch);
   }
-  const std::size_t ending = std::exchange(task.ending, kNoRegion);
-  const bool is_end_of_entry = &task == &state_.main && ending == 0 && state_.newest->entry.is_one;
+  const std::size_t ending = std::exchange(task.children.ending, kNoRegion);
+  const bool is_end_of_entry =
+      &task == &state_.main && ending == 0 && state_.programs.newest->entry.is_one;
   if (ending != kNoRegion && !is_end_of_entry) tree_.close_regions(task, ending);
   Slot nowhere{.i = 0};
   bool failed = fault != nullptr;
@@ -372,7 +373,7 @@ Exit Scheduler::stop() {
   if (is_resting_) {
     const FaultPtr fault = std::move(state_.fault);
     for (const auto& task : tree_.all())
-      if (!task->started_as.empty() && !task->has_ended) tree_.interrupt(*task, fault);
+      if (!task->origin.started_as.empty() && !task->has_ended) tree_.interrupt(*task, fault);
     if (tree_.all().empty()) state_.reopen();
     return Exit::kPaused;
   }

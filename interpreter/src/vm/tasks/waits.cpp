@@ -105,15 +105,16 @@ class WaitUntil final : public Waiting {
 
 bool raise_may_not_pause(VmState& state) {
   const CodeSpan* at = code_span(state);
-  const std::string text = at == nullptr ? "" : std::string(state.newest->sources->slice(at->span));
+  const std::string text =
+      at == nullptr ? "" : std::string(state.programs.newest->sources->slice(at->span));
   const bool is_short = !text.empty() && text.size() <= 40;
   return raise(state, "R0632",
-               {is_short ? "`" + text + "`" : "this", state.newest->what_takes_time});
+               {is_short ? "`" + text + "`" : "this", state.programs.newest->what_takes_time});
 }
 
 bool op_wait(VmState& state, Slot* base, const Instr* pc) {
   const double seconds = base[pc->a].d;
-  if (state.host_calls > 0) return raise_may_not_pause(state);
+  if (state.host.calls > 0) return raise_may_not_pause(state);
   std::int64_t ns = 0;
   if (!check_time(state, {.what = "a wait", .time = "the time to wait"}, seconds, ns)) return false;
   Timeline& timeline = state.vm.timeline();
@@ -122,7 +123,7 @@ bool op_wait(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
-  if (state.host_calls > 0) return raise_may_not_pause(state);
+  if (state.host.calls > 0) return raise_may_not_pause(state);
   const Slot timeout = base[pc->b];
   std::int64_t ns = -1;
   const bool limited = !is_absent_scalar(timeout);
@@ -137,12 +138,12 @@ bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
 bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
   if (state.pending == nullptr)  // a native function that said so without calling pause()
     return raise(state, "R0626", {"a function of the host waits for nothing"});
-  if (state.host_calls > 0) {  // a native function that did not say that it pauses
+  if (state.host.calls > 0) {  // a native function that did not say that it pauses
     state.pending->stop();
     state.pending.reset();
     return raise_may_not_pause(state);
   }
-  const Frame& frame = *task.top;
+  const Frame& frame = *task.stack.top;
   Obj* condition = nullptr;
   if (pc->op == OpCode::WAITUNTIL) condition = frame.base[pc->a].o;
   if (pc > frame.callee->code && pc[-1].op == OpCode::GUARD) condition = frame.base[pc[-1].a].o;

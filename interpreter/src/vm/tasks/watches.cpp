@@ -26,10 +26,10 @@ void TaskTree::disarm(Watch& watch) {
 }
 
 Watch& TaskTree::watch(Task& owner, Obj* condition, Obj* body) {
-  owner.regions.back().push_back(std::make_unique<Watch>());
-  Watch& watch = *owner.regions.back().back();
+  owner.children.regions.back().push_back(std::make_unique<Watch>());
+  Watch& watch = *owner.children.regions.back().back();
   watch.owner = &owner;
-  watch.region = owner.regions.size() - 1;
+  watch.region = owner.children.regions.size() - 1;
   watch.condition = condition;
   watch.body = body;
   watch.host_data = owner.host_data;
@@ -44,7 +44,7 @@ bool TaskTree::start(Watch& watch) {
   state_.running = watch.owner;  // whose failure it would be
   Task* body = create(*watch.owner, watch.body);
   if (body == nullptr) return false;
-  body->watch = &watch;
+  body->origin.watch = &watch;
   body->host_data = watch.host_data;
   watch.running = body;
   return true;
@@ -55,13 +55,14 @@ bool TaskTree::start(Watch& watch) {
 void TaskTree::fail_block(Watch& watch, const FaultPtr& fault) {
   Task& owner = *watch.owner;
   watch.has_failed = true;
-  const bool is_ending = owner.ending != kNoRegion && watch.region >= owner.ending;
+  const bool is_ending =
+      owner.children.ending != kNoRegion && watch.region >= owner.children.ending;
   auto raised = std::make_shared<Fault>(*fault);
   if (!raised->is_leaving) {
     raised->reach = is_ending ? Reach::kHandlers : Reach::kFinally;
     raised->region = is_ending ? kNoRegion : watch.region;
   }
-  if (is_ending) cancel_bodies(owner, owner.ending, Reach::kFinally);
+  if (is_ending) cancel_bodies(owner, owner.children.ending, Reach::kFinally);
   interrupt(owner, std::move(raised));
 }
 
@@ -95,8 +96,8 @@ void TaskTree::skip_beats(Watch& watch) {
 }
 
 void TaskTree::stop_watching(Task& owner, std::size_t from) {
-  for (std::size_t i = from; i < owner.regions.size(); ++i) {
-    for (const auto& watch : owner.regions[i]) {
+  for (std::size_t i = from; i < owner.children.regions.size(); ++i) {
+    for (const auto& watch : owner.children.regions[i]) {
       skip_beats(*watch);
       disarm(*watch);
     }
@@ -104,16 +105,16 @@ void TaskTree::stop_watching(Task& owner, std::size_t from) {
 }
 
 void TaskTree::cancel_bodies(Task& owner, std::size_t from, Reach reach) {
-  for (std::size_t i = from; i < owner.regions.size(); ++i) {
-    for (const auto& watch : owner.regions[i]) {
+  for (std::size_t i = from; i < owner.children.regions.size(); ++i) {
+    for (const auto& watch : owner.children.regions[i]) {
       if (watch->running != nullptr) cancel(*watch->running, reach);
     }
   }
 }
 
 bool TaskTree::has_bodies(const Task& owner, std::size_t from) {
-  for (std::size_t i = from; i < owner.regions.size(); ++i) {
-    for (const auto& watch : owner.regions[i]) {
+  for (std::size_t i = from; i < owner.children.regions.size(); ++i) {
+    for (const auto& watch : owner.children.regions[i]) {
       if (watch->running != nullptr) return true;
     }
   }
@@ -121,17 +122,17 @@ bool TaskTree::has_bodies(const Task& owner, std::size_t from) {
 }
 
 void TaskTree::close_regions(Task& owner, std::size_t from) {
-  while (owner.regions.size() > from) {
-    for (const auto& watch : owner.regions.back()) {
+  while (owner.children.regions.size() > from) {
+    for (const auto& watch : owner.children.regions.back()) {
       state_.heap.release(watch->condition);
       state_.heap.release(watch->body);
     }
-    owner.regions.pop_back();
+    owner.children.regions.pop_back();
   }
 }
 
 void TaskTree::wake_watches() {
-  std::vector<Region>& regions = state_.main.regions;
+  std::vector<Region>& regions = state_.main.children.regions;
   if (regions.empty()) regions.emplace_back();
   for (const auto& watch : regions[0]) {
     if (watch->has_failed) continue;
@@ -141,7 +142,7 @@ void TaskTree::wake_watches() {
 }
 
 void TaskTree::forget_watches(std::size_t first) {
-  std::vector<Region>& regions = state_.main.regions;
+  std::vector<Region>& regions = state_.main.children.regions;
   while (!regions.empty() && regions[0].size() > first) {
     Watch& watch = *regions[0].back();
     disarm(watch);

@@ -202,8 +202,8 @@ TEST_CASE("a session of 10,000 entries works, and uses the numbers of its variab
   for (int i = 1; i < 9998; ++i) enter("n = n + 1; let last = n;");
   CHECK(enter("last") == "9997  int");
   CHECK(enter("n + ans") == "19994  int");
-  CHECK(enter.vm().state().globals.size() < 10);
-  CHECK(enter.vm().state().units.empty());
+  CHECK(enter.vm().state().globals.values.size() < 10);
+  CHECK(enter.vm().state().programs.units.empty());
 }
 
 TEST_CASE("an entry follows the newest one that has run to its end, in one machine") {
