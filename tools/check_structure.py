@@ -36,7 +36,6 @@ LARGE = {
     "VmState": "registers of the machine, read by every instruction",
     "Task": "the part of them that is swapped when another task goes on",
     "Facts": "what an analysis found out, written by analyse.cpp alone and read-only in an Analysis",
-    "PlanLink": "the numbers of one link for the recursions of dynamics, written by plan_dynamics.cpp alone",
 }
 
 IS_FUNCTION = re.compile(r"\b(operator|friend|using|typedef|static|static_assert|enum|template|constexpr)\b")

@@ -27,10 +27,11 @@ Matrix6d coriolis_factor(const Matrix6d& inertia, const Vector6d& v) {
 }
 
 double friction_slope(const PlanLink& link, double qd) {
-  if (link.stribeck_rate == 0.0 || qd == 0.0) return link.viscous;
-  const double ratio = qd * link.stribeck_rate;
-  const double extra = qd > 0.0 ? link.static_extra_plus : link.static_extra_minus;
-  return link.viscous - 2.0 * ratio * link.stribeck_rate * extra * det::exp(-ratio * ratio);
+  const PlanFriction& friction = link.friction;
+  if (friction.stribeck_rate == 0.0 || qd == 0.0) return friction.viscous;
+  const double ratio = qd * friction.stribeck_rate;
+  const double extra = qd > 0.0 ? friction.static_extra_plus : friction.static_extra_minus;
+  return friction.viscous - 2.0 * ratio * friction.stribeck_rate * extra * det::exp(-ratio * ratio);
 }
 
 // The arm in motion, from the base to the last link, and the sums over what is behind each joint.

@@ -8,6 +8,21 @@ namespace armlet {
 
 inline constexpr std::size_t kPlanJoints = 12;
 
+// Friction at a joint.
+struct PlanFriction {
+  double viscous, coulomb_plus, coulomb_minus;
+  double static_extra_plus, static_extra_minus;  // static minus Coulomb friction
+  double stribeck_rate;                          // 1 / the joint's speed of Stribeck, or 0
+};
+
+// What gravity pulls at: of a link and all behind it, regrouped as in PlanLink.
+struct PlanGravity {
+  double mass;
+  // First moment, together with what is always at the same place in the link's frame: the masses
+  // beyond the next joint.
+  double h[3];
+};
+
 // One joint and the link that it moves, seen from frame i of the WalkPlan (after Z_i), whose z axis
 // is the joint's.
 //
@@ -24,15 +39,9 @@ struct PlanLink {
   double h[3];                          // first moment, the integral of r dm: x, y, z
   double Sxx, Sxy, Sxz, Syy, Syz, Szz;  // second moment, the integral of r r' dm
 
-  double mass_beyond;  // of this link and all behind it, regrouped as above
-  // First moment for gravity, together with what is always at the same place in this frame: the
-  // masses beyond the next joint.
-  double gravity_h[3];
-
-  double motor_inertia;                          // G^2 J, at the joint
-  double viscous, coulomb_plus, coulomb_minus;   // at the joint
-  double static_extra_plus, static_extra_minus;  // static minus Coulomb friction
-  double stribeck_rate;                          // 1 / the joint's speed of Stribeck, or 0
+  PlanGravity gravity;
+  double motor_inertia;  // G^2 J, at the joint
+  PlanFriction friction;
 
   unsigned char twist;  // LinkTwist of X_i
   bool has_a, has_d, slides;

@@ -29,11 +29,11 @@ template <class V, int N, bool kSlides, class Sines, class Motion, class Give>
 #pragma GCC unroll 8
   for (int i = n - 1; i >= 0; --i) {
     const PlanLink& link = plan.links[i];
-    const Triple<V> own = {constant<V>(link.gravity_h[0]), constant<V>(link.gravity_h[1]),
-                           constant<V>(link.gravity_h[2])};
+    const Triple<V> own = {constant<V>(link.gravity.h[0]), constant<V>(link.gravity.h[1]),
+                           constant<V>(link.gravity.h[2])};
     h = i == n - 1 ? own : h + own;
     if (kSlides && link.slides) {
-      const V mass = constant<V>(link.mass_beyond);
+      const V mass = constant<V>(link.gravity.mass);
       give(i, mass * a[i].z);
       h.z = h.z + mass * motion.q(i);
     } else {

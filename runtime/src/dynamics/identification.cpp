@@ -108,8 +108,8 @@ VectorXd dynamic_parameters(const Robot& robot) {
     const Eigen::Matrix3d I = body.S.trace() * Eigen::Matrix3d::Identity() - body.S;
     const PlanLink& link = plan.links[i];
     p.segment<kLinkParameters>(kLinkParameters * i) << body.mass, body.h, I(0, 0), I(0, 1), I(0, 2),
-        I(1, 1), I(1, 2), I(2, 2), link.motor_inertia, link.viscous, link.coulomb_plus,
-        link.coulomb_minus;
+        I(1, 1), I(1, 2), I(2, 2), link.motor_inertia, link.friction.viscous,
+        link.friction.coulomb_plus, link.friction.coulomb_minus;
   }
   return p;
 }

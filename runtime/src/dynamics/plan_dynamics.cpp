@@ -64,24 +64,25 @@ FrictionKind put_motor(const Link& from, PlanLink& link) {
   const double gear = std::abs(from.gear), squared = gear * gear;
   const Friction& friction = from.friction;
   link.motor_inertia = squared * from.motor_inertia;
-  link.viscous = squared * friction.viscous;
-  link.coulomb_plus = gear * friction.coulomb_plus;
-  link.coulomb_minus = gear * friction.coulomb_minus;
+  link.friction.viscous = squared * friction.viscous;
+  link.friction.coulomb_plus = gear * friction.coulomb_plus;
+  link.friction.coulomb_minus = gear * friction.coulomb_minus;
   const bool stribeck = friction.stribeck_speed > 0.0;
   if (stribeck) {
-    link.static_extra_plus = gear * friction.static_torque - link.coulomb_plus;
-    link.static_extra_minus = -gear * friction.static_torque - link.coulomb_minus;
-    link.stribeck_rate = gear / friction.stribeck_speed;
+    link.friction.static_extra_plus = gear * friction.static_torque - link.friction.coulomb_plus;
+    link.friction.static_extra_minus = -gear * friction.static_torque - link.friction.coulomb_minus;
+    link.friction.stribeck_rate = gear / friction.stribeck_speed;
     return FrictionKind::kStribeck;
   }
-  const bool any = link.viscous != 0.0 || link.coulomb_plus != 0.0 || link.coulomb_minus != 0.0;
+  const bool any = link.friction.viscous != 0.0 || link.friction.coulomb_plus != 0.0 ||
+                   link.friction.coulomb_minus != 0.0;
   return any ? FrictionKind::kCoulomb : FrictionKind::kNone;
 }
 
 // What is always at the same place in frame i - 1 of the masses beyond joint i.
 Vector3d fixed_moment(const PlanLink& link) {
   const Vector3d along_axis(0.0, -link.sin_alpha, link.cos_alpha);
-  return link.mass_beyond * (Vector3d(link.a, 0.0, 0.0) + link.d * along_axis);
+  return link.gravity.mass * (Vector3d(link.a, 0.0, 0.0) + link.d * along_axis);
 }
 
 }  // namespace
@@ -152,8 +153,8 @@ RobotDynamics::RobotDynamics(const Robot& robot) {
     }
     put_moments(body, link);
     mass_beyond += body.mass;
-    link.mass_beyond = mass_beyond;
-    for (int r = 0; r < 3; ++r) link.gravity_h[r] = body.h[r] + fixed_behind[r];
+    link.gravity.mass = mass_beyond;
+    for (int r = 0; r < 3; ++r) link.gravity.h[r] = body.h[r] + fixed_behind[r];
     fixed_behind = fixed_moment(link);
   }
 }

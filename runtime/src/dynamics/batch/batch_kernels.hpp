@@ -35,9 +35,9 @@ struct BlockSinesByNumber {
 template <class V>
 [[gnu::always_inline]] inline V lane_friction(const PlanLink& link, V qd) {
   const V zero = V{};
-  const V plus = qd > zero ? all_lanes<V>(link.coulomb_plus) : zero;
-  const V dry = qd < zero ? all_lanes<V>(link.coulomb_minus) : plus;
-  return all_lanes<V>(link.viscous) * qd + dry;
+  const V plus = qd > zero ? all_lanes<V>(link.friction.coulomb_plus) : zero;
+  const V dry = qd < zero ? all_lanes<V>(link.friction.coulomb_minus) : plus;
+  return all_lanes<V>(link.friction.viscous) * qd + dry;
 }
 
 template <class V, bool kSlides>

@@ -16,27 +16,28 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 bool JointModes::has_dry_friction(Eigen::Index i) const {
-  const PlanLink& link = plan().links[i];
-  return link.coulomb_plus != 0.0 || link.coulomb_minus != 0.0 || link.stribeck_rate != 0.0;
+  const PlanFriction& friction = plan().links[i].friction;
+  return friction.coulomb_plus != 0.0 || friction.coulomb_minus != 0.0 ||
+         friction.stribeck_rate != 0.0;
 }
 
 double JointModes::friction(Eigen::Index i, double qd) const {
-  const PlanLink& link = plan().links[i];
+  const PlanFriction& friction = plan().links[i].friction;
   const int slides = (*this)[i].slides;
-  double force = link.viscous * qd;
+  double force = friction.viscous * qd;
   if (slides == 0) return force;
-  force += slides > 0 ? link.coulomb_plus : link.coulomb_minus;
-  if (link.stribeck_rate == 0.0) return force;
-  const double ratio = qd * link.stribeck_rate;
-  return force +
-         (slides > 0 ? link.static_extra_plus : link.static_extra_minus) * det::exp(-ratio * ratio);
+  force += slides > 0 ? friction.coulomb_plus : friction.coulomb_minus;
+  if (friction.stribeck_rate == 0.0) return force;
+  const double ratio = qd * friction.stribeck_rate;
+  return force + (slides > 0 ? friction.static_extra_plus : friction.static_extra_minus) *
+                     det::exp(-ratio * ratio);
 }
 
 JointModes::Range JointModes::range_of(Eigen::Index i) const {
-  const PlanLink& link = plan().links[i];
+  const PlanFriction& friction = plan().links[i].friction;
   const int at_stop = (*this)[i].at_stop;
-  return {at_stop < 0 ? -kInfinity : link.coulomb_minus + link.static_extra_minus,
-          at_stop > 0 ? kInfinity : link.coulomb_plus + link.static_extra_plus};
+  return {at_stop < 0 ? -kInfinity : friction.coulomb_minus + friction.static_extra_minus,
+          at_stop > 0 ? kInfinity : friction.coulomb_plus + friction.static_extra_plus};
 }
 
 bool JointModes::accelerate(const double* q, const double* qd, const double* tau, double* qdd) {
