@@ -141,6 +141,8 @@ function(armlet_add_source_tests)
   add_test(NAME source.tables COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_tables.py $<TARGET_FILE:make_tables>)
   add_test(NAME docs.stdlib
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py $<TARGET_FILE:armlet>)
+  add_test(NAME docs.pictures
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_pictures.py $<TARGET_FILE:armlet>)
   add_test(NAME docs.programs
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/snippets.py $<TARGET_FILE:armlet> ${PROJECT_SOURCE_DIR})
   add_test(NAME source.refused COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/refused_sources.py ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR})

@@ -120,6 +120,13 @@ Vector6d Cell::contact_wrench(int index) const {
   return Vector6d::Zero();
 }
 
+Vector6d Cell::held_wrench(int index) const {
+  const CellRobot& arm = robot(index);
+  if (arm.held.empty()) return Vector6d::Zero();
+  return load_wrench(*arm.model, carried_load(world_, index), T_world_flange(index), arm.q, arm.qd,
+                     arm.qdd);
+}
+
 void Cell::insert(Object object) {
   const Object& inserted = world_.insert(std::move(object));
   weigh_loads();

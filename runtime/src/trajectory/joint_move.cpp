@@ -18,9 +18,11 @@ MotionPlan plan_joint_move(const PlannerSet& planners, const Robot& robot, const
                                            .limits = axis_limits(robot),
                                            .time = move.time,
                                            .speed = move.speed,
-                                           .enforce_limits = move.enforce_limits});
+                                           .enforce_limits = move.enforce_limits,
+                                           .motors = move.motors});
   if (!plan.trajectory) return {.too_fast = plan.too_fast};
-  MotionPlan verified = verify(robot, *std::move(plan.trajectory), move.enforce_limits);
+  MotionPlan verified =
+      verify(robot, *std::move(plan.trajectory), move.enforce_limits, Jerk::kFree, move.motors);
   // The planner knows the least time of its own law; verification only that of this path.
   if (plan.too_fast) verified.too_fast = plan.too_fast;
   return verified;

@@ -5,11 +5,48 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/dynamics/inverse_dynamics.hpp"
+#include "trajectory/roots.hpp"
 
 namespace armlet {
 namespace {
 
 using Eigen::VectorXd;
+
+constexpr double kBeside = 1e-9;   // s, from a knot
+constexpr double kAtRest = 1e-12;  // rad/s or m/s: rounding of a rate that is zero
+constexpr double kStands = 1e-9;   // rad/s^2 or m/s^2: of one that stays zero
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// The friction of a joint that moves in a direction: what falls with the speed, and of what stays
+// the least and the most, since Stribeck's part changes with the speed.
+struct JointFriction {
+  double viscous = 0.0, dry_low = 0.0, dry_high = 0.0;
+};
+
+JointFriction friction_of(const Link& link, double qd) {
+  JointFriction out{.viscous = link.gear * link.gear * link.friction.viscous * qd};
+  if (qd == 0.0) return out;
+  const Friction& friction = link.friction;
+  const double gear = std::abs(link.gear);
+  const double sliding = gear * (qd > 0.0 ? friction.coulomb_plus : friction.coulomb_minus);
+  const double standing =
+      friction.stribeck_speed > 0.0 ? std::copysign(gear * friction.static_torque, qd) : sliding;
+  out.dry_low = std::min(sliding, standing);
+  out.dry_high = std::max(sliding, standing);
+  return out;
+}
+
+// The k from which on moving / k^2 + viscous / k is at most `room`.
+double slower_for(double moving, double viscous, double room) {
+  if (!(room >= 0.0)) return kNever;
+  if (moving <= 0.0 && viscous <= 0.0) return 0.0;
+  const double square = viscous * viscous + 4.0 * moving * room;
+  if (square < 0.0) return 0.0;
+  // The largest root of room k^2 - viscous k - moving.
+  const double root = std::sqrt(square);
+  if (viscous >= 0.0) return room > 0.0 ? (viscous + root) / (2.0 * room) : kNever;
+  return 2.0 * moving / (root - viscous);
+}
 
 // Looks at one instant after the other.
 class ForceSearch {
@@ -20,19 +57,34 @@ class ForceSearch {
       found_.peaks.push_back({.limit = robot.joint(i).max_effort});
   }
 
-  void look_at(double t) {
+  // Where a joint comes to rest or leaves it dry friction has no direction; beside it it has.
+  [[nodiscard]] bool turns_back(int i) const {
+    return std::abs(qd_[i]) < kAtRest && std::abs(qdd_[i]) > kStands;
+  }
+
+  // How much slower the motion has to be for what it asks then.
+  double look_at(double t) {
     motion_.sample(t, q_, qd_, qdd_);
     const JointVector tau = inverse_dynamics(robot_, q_, qd_, qdd_);
-    const JointVector lasting = gravity_forces(robot_, q_) + friction_forces(robot_, qd_);
+    const JointVector gravity = gravity_forces(robot_, q_);
+    const JointVector friction = friction_forces(robot_, qd_);
+    double slower = 0.0;
     for (int i = 0; i < robot_.n(); ++i) {
       PeakForce& peak = found_.peaks[static_cast<std::size_t>(i)];
+      if (turns_back(i)) continue;
       if (std::abs(tau[i]) > std::abs(peak.force)) {
         peak.force = tau[i];
         peak.t = t;
       }
-      if (std::isfinite(peak.limit))
-        found_.slower = std::max(found_.slower, slower(tau[i], lasting[i], peak.limit));
+      if (!std::isfinite(peak.limit)) continue;
+      const JointFriction f = friction_of(robot_.link(i), qd_[i]);
+      const double moving = tau[i] - gravity[i] - friction[i];
+      slower =
+          std::max({slower, slower_for(moving, f.viscous, peak.limit - gravity[i] - f.dry_high),
+                    slower_for(-moving, -f.viscous, peak.limit + gravity[i] + f.dry_low)});
     }
+    found_.slower = std::max(found_.slower, slower);
+    return slower;
   }
 
   MotionForces result() {
@@ -48,21 +100,91 @@ class ForceSearch {
   }
 
  private:
-  // The k with |lasting + (tau - lasting) / k^2| = limit.
-  static double slower(double tau, double lasting, double limit) {
-    if (std::abs(lasting) > limit) return kNever;
-    const double moving = tau - lasting;
-    const double room = moving > 0.0 ? limit - lasting : limit + lasting;
-    if (room > 0.0) return std::sqrt(std::abs(moving) / room);
-    return moving == 0.0 ? 0.0 : kNever;
-  }
-
-  static constexpr double kNever = std::numeric_limits<double>::infinity();
   const Robot& robot_;
   const Trajectory& motion_;
   VectorXd q_, qd_, qdd_;
   MotionForces found_;
 };
+
+struct Instant {
+  double t = 0.0, slower = 0.0;
+};
+
+// The highest between two instants, to a thousandth of their distance.
+void climb(ForceSearch& search, double from, double to) {
+  constexpr double kGolden = 0.6180339887498949;
+  double a = from, b = to;
+  double low = b - kGolden * (b - a), high = a + kGolden * (b - a);
+  double at_low = search.look_at(low), at_high = search.look_at(high);
+  for (int k = 0; k < 12; ++k) {
+    if (at_low > at_high) {
+      b = high;
+      high = low;
+      at_high = at_low;
+      low = b - kGolden * (b - a);
+      at_low = search.look_at(low);
+    } else {
+      a = low;
+      low = high;
+      at_low = at_high;
+      high = a + kGolden * (b - a);
+      at_high = search.look_at(high);
+    }
+  }
+}
+
+// Looks closer where instants ask for most, between both neighbours.
+void look_closer(ForceSearch& search, const std::vector<Instant>& seen) {
+  constexpr std::size_t kMostPeaks = 300;
+  constexpr double kNearly = 0.98;  // of the highest; lower peaks do not come up to it
+  double highest = 0.0;
+  for (const Instant& at : seen) highest = std::max(highest, at.slower);
+  if (!(highest > 0.0) || !std::isfinite(highest)) return;
+  std::vector<std::size_t> peaks;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const bool rises = k == 0 || seen[k - 1].slower <= seen[k].slower;
+    const bool falls = k + 1 == seen.size() || seen[k + 1].slower <= seen[k].slower;
+    if (rises && falls && seen[k].slower >= kNearly * highest) peaks.push_back(k);
+  }
+  std::ranges::stable_sort(
+      peaks, [&](std::size_t a, std::size_t b) { return seen[a].slower > seen[b].slower; });
+  if (peaks.size() > kMostPeaks) peaks.resize(kMostPeaks);
+  for (const std::size_t k : peaks) {
+    climb(search, seen[k == 0 ? 0 : k - 1].t, seen[std::min(k + 1, seen.size() - 1)].t);
+  }
+}
+
+// Both sides of the instants at which a joint turns back, and its dry friction with it.
+void add_reversals(const Trajectory& motion, std::vector<double>& t) {
+  for (int i = 0; i < motion.n(); ++i) {
+    for (const Segment& piece : motion.joint(i).segments) {
+      for (const double u : sign_changes(piece, 1)) {
+        t.push_back(std::max(piece.start + u - kBeside, 0.0));
+        t.push_back(std::min(piece.start + u + kBeside, motion.duration()));
+      }
+    }
+  }
+}
+
+// At most 5 ms apart, and on both sides and in the middle of the pieces of the motion.
+std::vector<double> instants_of(const Trajectory& motion) {
+  constexpr double kStep = 5e-3;    // s
+  constexpr double kMost = 10'000;  // instants
+  const double duration = motion.duration();
+  const double steps = std::clamp(std::ceil(duration / kStep), 1.0, kMost);
+  std::vector<double> t;
+  for (int k = 0; k <= static_cast<int>(steps); ++k) t.push_back(duration * k / steps);
+  const std::vector<double> knots = motion.knots();
+  if (static_cast<double>(knots.size()) > kMost) return t;
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    if (knots[k] > kBeside) t.push_back(knots[k] - kBeside);
+    if (knots[k] + kBeside < duration) t.push_back(knots[k] + kBeside);
+    if (k > 0) t.push_back(0.5 * (knots[k - 1] + knots[k]));
+  }
+  add_reversals(motion, t);
+  std::ranges::sort(t);
+  return t;
+}
 
 }  // namespace
 
@@ -75,19 +197,10 @@ bool has_force_limits(const Robot& robot) {
 
 MotionForces motion_forces(const Robot& robot, const Trajectory& motion) {
   check_size("paths of the motion", motion.n(), robot.n());
-  constexpr double kStep = 5e-3;    // s
-  constexpr double kMost = 10'000;  // instants
-  constexpr double kBeside = 1e-9;  // s, from a knot
   ForceSearch search(robot, motion);
-  const double duration = motion.duration();
-  const double steps = std::clamp(std::ceil(duration / kStep), 1.0, kMost);
-  for (int k = 0; k <= static_cast<int>(steps); ++k) search.look_at(duration * k / steps);
-  const std::vector<double> knots = motion.knots();
-  if (static_cast<double>(knots.size()) > kMost) return search.result();
-  for (const double knot : knots) {
-    if (knot > kBeside) search.look_at(knot - kBeside);
-    if (knot + kBeside < duration) search.look_at(knot + kBeside);
-  }
+  std::vector<Instant> seen;
+  for (const double t : instants_of(motion)) seen.push_back({t, search.look_at(t)});
+  look_closer(search, seen);
   return search.result();
 }
 

@@ -39,7 +39,8 @@ std::vector<AxisLimits> axis_limits(const Robot& robot) {
   return limits;
 }
 
-TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk) {
+TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk,
+                   const Robot* motors) {
   check_size("trajectory", trajectory.n(), robot.n());
   const double T = trajectory.duration();
   TooFast slowest{.given = T, .limit = robot.max_speed()[0]};
@@ -56,7 +57,8 @@ TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk) 
     const double V = robot.max_speed()[i];
     const double A = robot.max_accel()[i];
     consider(i, LimitKind::kSpeed, trajectory.peak(i, 1) / V, V);
-    consider(i, LimitKind::kAcceleration, std::sqrt(trajectory.peak(i, 2) / A), A);
+    const bool by_motor = motors != nullptr && std::isfinite(motors->joint(i).max_effort);
+    if (!by_motor) consider(i, LimitKind::kAcceleration, std::sqrt(trajectory.peak(i, 2) / A), A);
     if (jerk == Jerk::kFree) continue;
     const double J = robot.max_jerk()[i];
     consider(i, LimitKind::kJerk, cube_root(trajectory.peak(i, 3) / J), J);
@@ -64,11 +66,12 @@ TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk) 
   return slowest;
 }
 
-MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits, Jerk jerk) {
+MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits, Jerk jerk,
+                  const Robot* motors) {
   check_size("trajectory", trajectory.n(), robot.n());
   MotionPlan plan;
   plan.outside = joints_outside(robot, trajectory);
-  const TooFast slowest = least_time(robot, trajectory, jerk);
+  const TooFast slowest = least_time(robot, trajectory, jerk, motors);
   if (slowest.given < slowest.least_time * (1.0 - kTimeSlack)) plan.too_fast = slowest;
   if (plan.outside.empty() && !(plan.too_fast && enforce_limits)) {
     plan.trajectory = std::move(trajectory);

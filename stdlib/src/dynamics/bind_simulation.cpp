@@ -56,7 +56,7 @@ Answer<std::uint32_t> holds_of(Vm& vm, const SimulationCall& call) {
   return failure(vm, "R0613",
                  fmt::format("{} would ask for torques {:.15g} times; {:.15g} are the limit",
                              call.function, holds, kMost),
-                 call.every_parameter, {}, "use a longer hold");
+                 SimulationCall::kEvery, {}, "use a longer every");
 }
 
 // From tick to tick, the torques of each held until the next.
@@ -83,21 +83,9 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double
                             double every, const PosJ* from, std::optional<JointList> speeds,
                             std::string_view method, std::optional<double> step, double restitution,
                             std::optional<JointList> most, std::optional<JointList> rates) {
-  const SimulationCall call{.function = "simulate",
-                            .during = during,
-                            .every = every,
-                            .method = method,
-                            .step = step,
-                            .restitution = restitution,
-                            .most = most,
-                            .rates = rates,
-                            .during_parameter = 2,
-                            .every_parameter = 3,
-                            .method_parameter = 6,
-                            .step_parameter = 7,
-                            .restitution_parameter = 8,
-                            .most_parameter = 9,
-                            .rates_parameter = 10};
+  constexpr int kFrom = SimulationCall::kEvery + 1, kSpeeds = kFrom + 1, kOwn = 2;
+  const SimulationCall call{"simulate",  during, every, method, step,
+                            restitution, most,   rates, kOwn};
   const auto options = simulation_options(vm, call);
   if (!options) return Failed{};
   const auto holds = holds_of(vm, call);
@@ -107,13 +95,13 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double
   if (!motors) return Failed{};
   Eigen::VectorXd q = state.q, qd = state.qd;
   if (from != nullptr) {
-    const auto given = joint_argument(vm, *state.model, *from, 4);
+    const auto given = joint_argument(vm, *state.model, *from, kFrom);
     if (!given) return Failed{};
     q = *given;
     qd.setZero();
   }
   if (speeds) {
-    const auto given = joint_argument(vm, *state.model, *speeds, 5);
+    const auto given = joint_argument(vm, *state.model, *speeds, kSpeeds);
     if (!given) return Failed{};
     qd = *given;
   }
@@ -134,7 +122,7 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double
     release(vm, rows.record);
     return Failed{};
   } catch (const ArgumentError& error) {
-    return failure_of(vm, row("R0640"), error, 4);
+    return failure_of(vm, row("R0640"), error, SimulationCall::kEvery + 1);
   }
 }
 
@@ -276,24 +264,11 @@ class TorqueWaiting : public Waiting {
 Started torque_j(Vm& vm, const RobotRef& r, FunctionValue law, double during, double every,
                  std::string_view method, std::optional<double> step, double restitution,
                  std::optional<JointList> most, std::optional<JointList> rates) {
-  const SimulationCall call{.function = "torqueJ",
-                            .during = during,
-                            .every = every,
-                            .method = method,
-                            .step = step,
-                            .restitution = restitution,
-                            .most = most,
-                            .rates = rates,
-                            .during_parameter = 2,
-                            .every_parameter = 3,
-                            .method_parameter = 4,
-                            .step_parameter = 5,
-                            .restitution_parameter = 6,
-                            .most_parameter = 7,
-                            .rates_parameter = 8};
+  const SimulationCall call{"torqueJ", during, every, method, step, restitution, most, rates};
   if (!check_idle(vm, r.id)) return Failed{};
   const auto options = simulation_options(vm, call);
-  if (!options || !check_time_left(vm, "a motion", during, 2)) return Failed{};
+  if (!options || !check_time_left(vm, "a motion", during, SimulationCall::kDuring))
+    return Failed{};
   auto motors = motor_limits(vm, call, model_of(vm, r));
   if (!motors) return Failed{};
   try {
@@ -327,13 +302,13 @@ constexpr std::string_view kTorqueHelp =
 
 constexpr NativeFunction kSimulationFunctions[] = {
     def<simulate>(
-        "simulate(r: robot, tau: fn(double, double[], double[]) -> double[], during: time, hold: "
+        "simulate(r: robot, tau: fn(double, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, from: posJ?, speeds: double[]?, method: string = \"rk4\", step: time?, "
         "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
         "Simulation",
         kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last"),
     def<torque_j>(
-        "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, hold: "
+        "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, method: string = \"rk4\", step: time?, restitution: double = 0.0, maxTorques: "
         "double[]?, maxTorqueRates: double[]?) -> TorqueRun",
         kTorqueHelp, "robots.puma560().torqueJ(fn(t, q, qd) => zeros(6), during: 100ms)",

@@ -80,11 +80,12 @@ Answer<SimulationOptions> simulation_options(Vm& vm, const SimulationCall& call)
     return domain_failure(vm, fmt::format("{} for a time", call.function), seconds,
                           "be longer than 0 s", {}, parameter);
   };
-  if (!positive(call.during, call.during_parameter) || !positive(call.every, call.every_parameter))
+  if (!positive(call.during, SimulationCall::kDuring) ||
+      !positive(call.every, SimulationCall::kEvery))
     return Failed{};
   SimulationOptions options;
   options.step = call.step.value_or(std::min(1e-3, call.every));
-  if (!positive(options.step, call.step_parameter)) return Failed{};
+  if (!positive(options.step, call.step_parameter())) return Failed{};
   const auto method = ode_method(call.method);
   if (!method) {
     std::string names;
@@ -92,13 +93,13 @@ Answer<SimulationOptions> simulation_options(Vm& vm, const SimulationCall& call)
       names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", known);
     return failure(vm, "R0609",
                    fmt::format("there is no method \"{}\" to integrate with", call.method),
-                   call.method_parameter, "the methods are " + names);
+                   call.method_parameter(), "the methods are " + names);
   }
   options.method = *method;
   options.restitution = call.restitution;
   if (!(call.restitution >= 0.0 && call.restitution <= 1.0)) {
     return domain_failure(vm, "a restitution", call.restitution, "lie between 0 and 1", {},
-                          call.restitution_parameter);
+                          call.restitution_parameter());
   }
   return options;
 }
@@ -144,8 +145,8 @@ JointVector MotorLimits::given(const JointVector& tau, double hold) {
 
 Answer<MotorLimits> motor_limits(Vm& vm, const SimulationCall& call, const Robot& robot) {
   MotorLimits limits(robot);
-  if (call.most && !limits.set_most(vm, *call.most, call.most_parameter)) return Failed{};
-  if (call.rates && !limits.set_rates(vm, *call.rates, call.rates_parameter)) return Failed{};
+  if (call.most && !limits.set_most(vm, *call.most, call.most_parameter())) return Failed{};
+  if (call.rates && !limits.set_rates(vm, *call.rates, call.rates_parameter())) return Failed{};
   return limits;
 }
 

@@ -60,7 +60,9 @@ class MotorLimits {
   double clipped_ = 0.0;
 };
 
-// How a simulation is made, as the call says it, and which parameters say it.
+// How a simulation is made, as the call says it.
+//
+// extra  how many parameters of its own the call has between `every` and `method`.
 struct SimulationCall {
   std::string_view function;  // "simulate"
   double during, every;
@@ -68,8 +70,15 @@ struct SimulationCall {
   std::optional<double> step;
   double restitution;
   std::optional<std::span<const double>> most, rates;  // of the motors
-  int during_parameter, every_parameter, method_parameter, step_parameter, restitution_parameter;
-  int most_parameter, rates_parameter;
+  int extra = 0;
+
+  // Which parameter says what; the robot and the law come before.
+  static constexpr int kDuring = 2, kEvery = 3;
+  [[nodiscard]] int method_parameter() const { return 4 + extra; }
+  [[nodiscard]] int step_parameter() const { return 5 + extra; }
+  [[nodiscard]] int restitution_parameter() const { return 6 + extra; }
+  [[nodiscard]] int most_parameter() const { return 7 + extra; }
+  [[nodiscard]] int rates_parameter() const { return 8 + extra; }
 };
 
 // Its options, checked, and what the motors can give.

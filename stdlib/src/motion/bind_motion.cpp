@@ -50,15 +50,16 @@ Started move_l(Vm& vm, const RobotRef& r, const PosC& target, Number time, Numbe
 }
 
 Started follow(Vm& vm, const RobotRef& r, const PlannedMotion& plan) {
-  const MoveCall call{.function = "follow", .robot = r.id};
+  const MoveCall call{.function = "follow", .robot = r.id, .fixed_time = true};
   if (!check_idle(vm, call.robot) || !check_follows(vm, call, plan)) return Failed{};
   return start_motion(vm, call, plan.motion, path_between_ends(vm, call, plan.motion));
 }
 
 // From where the robot stands through every point.
-Started through(Vm& vm, const MoveCall& call, std::vector<Eigen::VectorXd> points,
+Started through(Vm& vm, MoveCall call, std::vector<Eigen::VectorXd> points,
                 const std::string& planner, const MoveSettings& settings) {
   const Eigen::VectorXd& q = Host::of(vm).cell().robot(call.robot).q;
+  call.fixed_time = settings.time.has_value();
   // A point where the robot stands is not a leg of its own.
   if (points.empty() || (points.front() - q).cwiseAbs().maxCoeff() > 1e-9)
     points.insert(points.begin(), q);

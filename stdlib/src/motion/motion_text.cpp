@@ -131,7 +131,9 @@ std::string explain_motion(std::string_view what, const Robot& robot, const Traj
   if (parts.size() > 1) text += parts_text(robot, motion, parts);
   text += deviation_text(notes);
   text += torques_text(robot, motion);
-  const TooFast least = least_time(robot, motion, jerk_of(motion, start));
+  TooFast least = least_time(robot, motion, jerk_of(motion, start));
+  const bool by_motors = least.least_time > motion.duration() * (1.0 + 1e-6);
+  if (by_motors) least = least_time(robot, motion, Jerk::kFree, &robot);
   if (least.least_time <= 0.0) return text;
   text += fmt::format("\n  this path takes at least {} s: joint {} is limited to {}{}",
                       format_number(least.least_time, 3), least.joint + 1,

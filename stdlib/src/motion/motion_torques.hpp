@@ -9,8 +9,11 @@
 namespace armlet::bind {
 
 // Says, as `with (torques:)` wants it, that a motor of the robot of the call cannot do this motion:
-// as advice, or as R0642.
-Answer<void> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion);
+// as advice, or as R0642. Gives by how much slower it has to be made, 1 if not at all.
+Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion);
+
+// "120 Nm" or "30 N".
+[[nodiscard]] std::string force_text(const Robot& robot, int joint, double force);
 
 // "joint 2 comes nearest to what its motor gives: 120 Nm (64 %) at 0.31 s" in a line of its own;
 // empty if no limit is known.

@@ -15,6 +15,7 @@
 #include "armlet/math/format_vector.hpp"
 #include "armlet/math/pose.hpp"
 #include "messages/library_messages.hpp"
+#include "motion/motion_torques.hpp"
 #include "session/bind.hpp"
 
 namespace armlet::bind {
@@ -171,6 +172,7 @@ std::string given_time(double s) {
 }
 
 std::string rate(const Robot& robot, int joint, LimitKind kind, double value) {
+  if (kind == LimitKind::kForce) return force_text(robot, joint, value);
   const char* per = kind == LimitKind::kSpeed          ? "/s"
                     : kind == LimitKind::kAcceleration ? "/s^2"
                                                        : "/s^3";
@@ -312,7 +314,8 @@ Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   const std::string travel = format_joint_value(kind, std::abs(fast.travel));
   const char* verb = kind == JointKind::kRevolute ? "turns" : "slides";
   const std::string limit = rate(robot, fast.joint, fast.kind, fast.limit);
-  const char* may = fast.kind == LimitKind::kSpeed          ? "is limited to"
+  const char* may = fast.kind == LimitKind::kForce          ? "has a motor that gives at most"
+                    : fast.kind == LimitKind::kSpeed        ? "is limited to"
                     : fast.kind == LimitKind::kAcceleration ? "gains speed by at most"
                                                             : "changes its acceleration by at most";
   f.why = fmt::format("joint {} {} {} and {} {}", fast.joint + 1, verb, travel, may, limit);
@@ -322,6 +325,7 @@ Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
 }
 
 void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
+  if (fast.kind == LimitKind::kForce) return;  // check_torques refuses it
   const Robot& robot = model_of(vm, call);
   const double excess = fast.given > 0.0 ? fast.least_time / fast.given : 0.0;
   const double needed =

@@ -14,7 +14,7 @@ bool takes_over(Vm& vm, const MoveCall& call, std::string_view planner,
          !call.classic && (planner == "Syn" || planner == "SCurve");
 }
 
-Started move_on_from_speed(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, double speed) {
+Started move_on_from_speed(Vm& vm, MoveCall call, const Eigen::VectorXd& q, double speed) {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
   const Robot& robot = model_of(vm, call);
   if (const auto outside = limit_violations(robot, q); !outside.empty())
@@ -32,6 +32,7 @@ Started move_on_from_speed(Vm& vm, const MoveCall& call, const Eigen::VectorXd& 
   if (!plan.outside.empty()) return fail_swings_outside(vm, call, plan.outside.front());
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
   const double length = path_between_ends(vm, call, *plan.trajectory);
+  call.fixed_time = true;  // it begins with a speed
   return start_motion(vm, call, *std::move(plan.trajectory), length);
 }
 

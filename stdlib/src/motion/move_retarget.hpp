@@ -13,6 +13,6 @@ namespace armlet::bind {
                               const MoveSettings& settings);
 
 // Goes on from the present speeds to rest at q under limits on speed, acceleration and jerk.
-Started move_on_from_speed(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, double speed);
+Started move_on_from_speed(Vm& vm, MoveCall call, const Eigen::VectorXd& q, double speed);
 
 }  // namespace armlet::bind

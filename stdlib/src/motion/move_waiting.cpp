@@ -129,7 +129,13 @@ Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double
                      MotionNotes notes) {
   Host& host = Host::of(vm);
   if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
-  if (!check_torques(vm, call, trajectory)) return Failed{};
+  const auto slower = check_torques(vm, call, trajectory);
+  if (!slower) return Failed{};
+  if (*slower > 1.0) {
+    trajectory = trajectory.stretched(*slower);
+    for (MotionPart& part : notes.parts) part.end *= *slower;
+    if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
+  }
   const bool instant = trajectory.duration() <= 0.0;
   const double deviation = notes.deviation;
   host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});

@@ -88,6 +88,11 @@ const Robot& model_of(Vm& vm, const MoveCall& call) {
   return call.model != nullptr ? *call.model : *Host::of(vm).cell().robot(call.robot).model;
 }
 
+const Robot* limiting_motors(Vm& vm, const MoveCall& call) {
+  if (settings_of(vm).torques != TorqueCheck::kLimit) return nullptr;
+  return Host::of(vm).cell().robot(call.robot).loaded.get();
+}
+
 Answer<void> check_duration(Vm& vm, double seconds, int parameter) {
   if (std::isfinite(seconds) && seconds >= 0.0)
     return check_time_left(vm, "a motion", seconds, parameter);
@@ -140,7 +145,8 @@ Started move_joints(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, std:
                  .planner = std::move(planner),
                  .time = settings.time,
                  .speed = settings.speed,
-                 .enforce_limits = !call.classic};
+                 .enforce_limits = !call.classic,
+                 .motors = limiting_motors(vm, call)};
   if (!move.time && !move.speed) move.speed = settings_of(vm).speed;
   MotionPlan plan = plan_joint_move(host.planners(), robot, move);
   if (!plan.outside.empty()) return fail_outside(vm, call, q, plan.outside.front());
@@ -160,6 +166,7 @@ Answer<void> prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
   const double accel = settings.accel.value_or(settings_of(vm).accel);
   if (!check_fraction(vm, "an acceleration", accel, call.accel)) return Failed{};
   choose_model(vm, call, settings, accel);
+  call.fixed_time = settings.time.has_value();
   return {};
 }
 
@@ -199,6 +206,7 @@ Started move_tool(Vm& vm, MoveCall call, const PosC& written, const MoveSettings
   if (!check_tool_rates(vm, call, settings)) return Failed{};
   const BlockSettings block = settings_of(vm);
   choose_model(vm, call, settings, block.accel);
+  call.fixed_time = settings.time.has_value();
   const Robot& robot = model_of(vm, call);
   const auto target = in_world(vm, call, settings, written);
   if (!target) return Failed{};

@@ -36,6 +36,7 @@ struct MoveCall {
   int accel = 4;
   int planner = 5;
   bool classic = false;                  // too fast is advice, not an error
+  bool fixed_time = false;               // the motion must not be made slower
   CallPlace place{};                     // of a call that is over; none: the running one
   int element = -1;                      // of the targets, if there are several: the one that fails
   std::string_view way = kStraightLine;  // that the hand follows
@@ -109,6 +110,9 @@ Failed fail_unreachable(Vm& vm, const MoveCall& call, const Eigen::Isometry3d& g
 Failed fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
                     const LimitViolation& outside);
 Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
+
+// The arm whose motors limit moves in the blocks around the call; null: those do not say so.
+[[nodiscard]] const Robot* limiting_motors(Vm& vm, const MoveCall& call);
 
 // Checks a duration: finite and not negative.
 Answer<void> check_duration(Vm& vm, double seconds, int parameter);

@@ -195,6 +195,7 @@ Started make_path(Vm& vm, const CollectedPath& path) try {
   if (!check_idle(vm, whole.robot)) return Failed{};
   const BlockSettings block = settings_of(vm);
   choose_model(vm, whole, {}, block.accel);
+  whole.fixed_time = path.time.has_value();
   const CellRobot& state = Host::of(vm).cell().robot(whole.robot);
   const std::shared_ptr<const Robot> model = whole.model != nullptr ? whole.model : state.model;
   Corners corners(vm, path, model, state.q);

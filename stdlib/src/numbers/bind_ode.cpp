@@ -9,15 +9,15 @@
 
 #include "armlet/interpreter/sorting.hpp"
 #include "armlet/math/ode.hpp"
+#include "numbers/ode_program.hpp"
 #include "numbers/ode_steps.hpp"
 #include "session/bind.hpp"
-#include "values/blocks.hpp"
 
 namespace armlet::bind {
 namespace {
 
 // The parameters in their order, which failures mark.
-enum Parameter { kRate, kStart, kFrom, kTo, kStepSize, kMethod, kTolerance, kKnots };
+enum Parameter { kRate, kStart, kFrom, kTo, kStepSize, kMethod, kTolerance, kKnots, kWhen };
 
 constexpr double kMostSteps = 10'000'000;
 
@@ -46,45 +46,6 @@ Answer<void> check_times(Vm& vm, const Stretch& stretch) {
                   stretch.t0, stretch.t1),
       kTo);
 }
-
-// The program's f, its result copied out of the list that it gives.
-class Rate {
- public:
-  Rate(Vm& vm, Obj* f) : vm_(vm), f_(f) {}
-  ~Rate() { release(vm_, state_); }
-  Rate(const Rate&) = delete;
-  Rate& operator=(const Rate&) = delete;
-
-  Answer<void> operator()(double t, std::span<const double> y, std::span<double> rate) {
-    if (state_ == nullptr || state_->refs != 1) {  // the program may have kept the last one
-      release(vm_, state_);
-      state_ = new_list(vm_, static_cast<std::uint32_t>(y.size()), false);
-      if (state_ == nullptr) return Failed{};
-    }
-    const auto copy = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) state_->data[i].d = y[i];
-    };
-    // With the sums that the method makes of them.
-    if (!in_blocks(vm_, y.size(), 4 * kCost, copy)) return Failed{};
-    const Slot arguments[] = {slot_of(t), slot_of(state_)};
-    Slot result;
-    if (!vm_.call(f_, arguments, result)) return Failed{};
-    const auto values = reals_value(result);
-    const std::size_t count = values.size();
-    if (count == rate.size()) std::ranges::copy(values, rate.begin());
-    release(vm_, result.o);
-    if (count == rate.size()) return {};
-    return failure(vm_, "R0613",
-                   fmt::format("the function given to ode returns {} values for a state of {}",
-                               count, rate.size()),
-                   kRate, "it gives the rate of change of every element of the state");
-  }
-
- private:
-  Vm& vm_;
-  Obj* f_;
-  ListObj* state_ = nullptr;
-};
 
 Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std::size_t half) {
   switch (outcome.status) {
@@ -139,7 +100,7 @@ Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots) 
 struct Instants {
   std::vector<double> times, knots;
 };
-Answer<Instants> times_of(Vm& vm, const Stretch& stretch) {
+Answer<Instants> instants_of(Vm& vm, const Stretch& stretch) {
   constexpr double kSameTime = 1e-12;  // relative
   const double apart = kSameTime * std::max(std::abs(stretch.t0), std::abs(stretch.t1));
   const auto given = sorted_knots(vm, stretch.knots);
@@ -161,51 +122,89 @@ Answer<Instants> times_of(Vm& vm, const Stretch& stretch) {
   return Instants{std::move(times), std::move(knots)};
 }
 
-// A solution with room for the state at `rows` instants; null: it failed.
-RecordObj* new_solution(Vm& vm, std::uint32_t rows, std::uint32_t columns) {
-  RecordObj* solution = new_record(vm, vm.program().library_record("OdeSolution"));
-  if (solution == nullptr) return nullptr;
-  ListObj* times = new_list(vm, rows, false);
-  solution->fields()[0].o = times;
-  MatrixObj* states = times != nullptr ? new_matrix(vm, rows, columns) : nullptr;
-  solution->fields()[1].o = states;
-  if (states != nullptr) return solution;
-  release(vm, solution);
-  return nullptr;
-}
+// An integration from instant to instant.
+class Integration {
+ public:
+  Integration(Vm& vm, FunctionValue f, const Instants& instants, OdeIntegrator& integrator)
+      : vm_(vm), rate_(vm, f.object, kRate), instants_(instants), integrator_(integrator) {}
 
-// The state at every instant, a row each.
-Answer<RecordObj*> integrate(Vm& vm, FunctionValue f, std::span<const double> start,
-                             const Instants& instants, OdeIntegrator& integrator,
-                             double tolerance) {
-  const auto rows = static_cast<std::uint32_t>(instants.times.size());
-  RecordObj* solution = new_solution(vm, rows, static_cast<std::uint32_t>(start.size()));
-  if (solution == nullptr) return Failed{};
-  auto* times = static_cast<ListObj*>(solution->fields()[0].o);
-  auto* states = static_cast<MatrixObj*>(solution->fields()[1].o);
-  Rate rate(vm, f.object);
-  const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
-    return static_cast<bool>(rate(t, y, out));
-  };
-  std::vector<double> y(start.begin(), start.end());
-  auto knot = instants.knots.begin();
-  for (std::uint32_t row = 0;; ++row) {
-    const double t = instants.times[row];
-    times->data[row].d = t;
-    if (!charge_work(vm, 2 * y.size())) {
-      release(vm, solution);
-      return Failed{};
-    }
-    std::ranges::copy(y, states->data() + std::size_t{row} * y.size());
-    if (row + 1 == rows) return solution;
-    while (*knot <= t) ++knot;
-    const double h = instants.times[row + 1] - t;
-    const OdeOutcome outcome = integrator.advance(call, t, h, y, std::max(*knot, t + h));
-    if (outcome.status == OdeStatus::kDone) continue;
-    release(vm, solution);
-    return cannot_integrate(vm, outcome, tolerance, y.size() / 2);
+  // Looks for what a program waits for, too.
+  void wait_for(const WitnessesOfProgram& witnesses, OdeEvents& events) {
+    witnesses_ = &witnesses;
+    events_ = &events;
   }
-}
+
+  // The state at every instant, a row each, up to an event that stops.
+  Answer<RecordObj*> run(std::span<const double> start, double tolerance) {
+    const auto rows = static_cast<std::uint32_t>(instants_.times.size());
+    RecordObj* solution = new_solution(vm_, rows, static_cast<std::uint32_t>(start.size()));
+    if (solution == nullptr) return Failed{};
+    const Answer<std::uint32_t> filled = fill(*solution, start, tolerance);
+    RecordObj* result = nullptr;
+    if (filled) result = *filled == rows ? solution : shortened(vm_, *solution, *filled);
+    if (result != solution) release(vm_, solution);
+    if (result == nullptr) return Failed{};
+    if (crossings_.empty() || set_crossings(vm_, *result, crossings_)) return result;
+    release(vm_, result);
+    return Failed{};
+  }
+
+ private:
+  // How many rows there are then.
+  Answer<std::uint32_t> fill(RecordObj& solution, std::span<const double> start, double tolerance) {
+    const auto rows = static_cast<std::uint32_t>(instants_.times.size());
+    const OdeRate call = [this](double t, std::span<const double> y, std::span<double> out) {
+      return static_cast<bool>(rate_(t, y, out));
+    };
+    std::vector<double> y(start.begin(), start.end()), before;
+    const auto put = [&](std::uint32_t row, double t) {
+      times_of(solution).data[row].d = t;
+      std::ranges::copy(y, states_of(solution).data() + std::size_t{row} * y.size());
+    };
+    if (events_ != nullptr && !looked(events_->begin(instants_.times[0], y))) return Failed{};
+    auto knot = instants_.knots.begin();
+    for (std::uint32_t row = 0;; ++row) {
+      const double t = instants_.times[row];
+      if (!charge_work(vm_, 2 * y.size())) return Failed{};
+      put(row, t);
+      if (row + 1 == rows) return rows;
+      while (*knot <= t) ++knot;
+      const double h = instants_.times[row + 1] - t;
+      before = y;
+      const OdeOutcome outcome = integrator_.advance(call, t, h, y, std::max(*knot, t + h));
+      if (outcome.status != OdeStatus::kDone)
+        return cannot_integrate(vm_, outcome, tolerance, y.size() / 2);
+      if (events_ == nullptr) continue;
+      if (!looked(events_->look(call, t, h, before, y))) return Failed{};
+      if (!take_crossings()) continue;
+      y = crossings_.back().y;
+      put(row + 1, crossings_.back().t);
+      return row + 2;
+    }
+  }
+
+  Answer<void> looked(const OdeEvents::Outcome& outcome) {
+    if (outcome.status == OdeEvents::Status::kDone) return {};
+    return witnesses_->cannot_look(outcome);
+  }
+
+  // Whether one of them stops the integration; those behind it do not happen.
+  bool take_crossings() {
+    for (const OdeCrossing& crossing : events_->found()) {
+      crossings_.push_back(crossing);
+      if (witnesses_->stops(crossing.witness)) return true;
+    }
+    return false;
+  }
+
+  Vm& vm_;
+  RateOfProgram rate_;
+  const Instants& instants_;
+  OdeIntegrator& integrator_;
+  const WitnessesOfProgram* witnesses_ = nullptr;
+  OdeEvents* events_ = nullptr;
+  std::vector<OdeCrossing> crossings_;
+};
 
 Answer<OdeMethod> method_called(Vm& vm, std::string_view name) {
   if (const auto method = ode_method(name)) return *method;
@@ -226,7 +225,8 @@ Answer<void> check_start(Vm& vm, std::span<const double> start) {
 
 Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, double t0, double t1,
                        double step, std::string_view method_name, double tolerance,
-                       std::optional<std::span<const double>> knots) {
+                       std::optional<std::span<const double>> knots,
+                       std::optional<std::span<const Slot>> when) {
   const auto method = method_called(vm, method_name);
   if (!method || !check_start(vm, start)) return Failed{};
   const bool splits = *method == OdeMethod::kSymplectic || *method == OdeMethod::kVerlet;
@@ -240,19 +240,41 @@ Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, d
                           kTolerance);
   const Stretch stretch{t0, t1, step, knots.value_or(std::span<const double>())};
   if (!check_times(vm, stretch)) return Failed{};
-  const auto instants = times_of(vm, stretch);
+  const auto instants = instants_of(vm, stretch);
   if (!instants) return Failed{};
   constexpr std::uint64_t kStages = 18;  // of the state, and copies of it
   const Scratch scratch(vm, kStages * start.size() * sizeof(double));
   if (!scratch.granted()) return Failed{};
-  OdeIntegrator integrator(static_cast<int>(start.size()), *method, tolerance);
-  return integrate(vm, f, start, *instants, integrator, tolerance);
+  const int size = static_cast<int>(start.size());
+  OdeIntegrator integrator(size, *method, tolerance);
+  Integration integration(vm, f, *instants, integrator);
+  WitnessesOfProgram program(vm, when.value_or(std::span<const Slot>()), kWhen);
+  if (program.empty()) return integration.run(start, tolerance);
+  auto witnesses = program.witnesses();
+  if (!witnesses) return Failed{};
+  OdeEvents events(*std::move(witnesses), size, *method, tolerance);
+  integration.wait_for(program, events);
+  return integration.run(start, tolerance);
+}
+
+Answer<RecordObj*> event(Vm& vm, Slot g, std::string_view direction, bool stop) {
+  RecordObj* const record = new_record(vm, vm.program().library_record("OdeEvent"));
+  if (record == nullptr) return Failed{};
+  retain(g.o);
+  record->fields()[0] = g;
+  Obj* const text = new_text(vm, direction);
+  record->fields()[1].o = text;
+  record->fields()[2] = slot_of(stop);
+  if (text != nullptr) return record;
+  release(vm, record);
+  return Failed{};
 }
 
 constexpr NativeFunction kOdeFunctions[] = {
     def<ode>(
         "ode(f: fn(double, double[]) -> double[], y0: double[], t0: time, t1: time, step: time, "
-        "method: string = \"rk4\", tol: double = 1e-8, knots: time[]?) -> OdeSolution",
+        "method: string = \"rk4\", tol: double = 1e-8, knots: time[]?, when: "
+        "OdeEvent[]?) -> OdeSolution",
         "Integrates y' = f(t, y) from y0: t holds the start and the end of every step, y one row "
         "for "
         "each. Methods: \"euler\", \"euler-richardson\", \"rk4\"; \"rkf45\", which divides the "
@@ -262,8 +284,21 @@ constexpr NativeFunction kOdeFunctions[] = {
         "speeds. "
         "All steps are equal and none is longer than step; with knots, times where f is not "
         "smooth, "
-        "they are so from knot to knot, and none goes across one.",
+        "they are so from knot to knot, and none goes across one. events are the instants at which "
+        "a "
+        "function of `when` went through zero; one that stops makes the last row.",
         "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last"),
+    def<event>(
+        "event(g: fn(double, double[]) -> double, direction: string = \"both\", stop: bool = "
+        "false) -> "
+        "OdeEvent",
+        "For when of ode: g(t, y) goes through zero, \"both\" ways or only \"rising\" or "
+        "\"falling\". "
+        "The instant is found to 1e-9 s by shorter steps of the same method. A function that goes "
+        "through zero twice within one step is not seen.",
+        "ode(fn(t, y) => [y[1], -9.81], [1.0, 0.0], 0s, 1s, step: 10ms, when: [event(fn(t, y) => "
+        "y[0], "
+        "stop: true)]).t.last"),
 };
 
 }  // namespace

@@ -31,8 +31,10 @@ PosJ home(Vm& vm, const RobotRef& r) {
   const Robot& robot = model_of(vm, r);
   return make_posj(robot, robot.home());
 }
-RecordObj* force(Vm& vm, const RobotRef& r) {
-  const auto wrench = Host::of(vm).cell().contact_wrench(r.id);
+RecordObj* force(Vm& vm, const RobotRef& r, bool load) {
+  const Cell& cell = Host::of(vm).cell();
+  Vector6d wrench = cell.contact_wrench(r.id);
+  if (load) wrench += cell.held_wrench(r.id);
   RecordObj* record = new_record(vm, vm.program().library_record("Wrench"));
   for (int i = 0; record != nullptr && i < 6; ++i) record->fields()[i].d = wrench[i];
   return record;
@@ -158,8 +160,9 @@ constexpr NativeFunction kRobotFunctions[] = {
     def<tcp_speed>("tcpSpeed(r: robot) -> double[]",
                    "The velocity of the tool point: vx, vy, vz in m/s and wx, wy, wz in rad/s.",
                    "tcpSpeed()"),
-    def<force>("force(r: robot) -> Wrench",
-               "What the surroundings exert on the tool point; what the hand holds does not count.",
+    def<force>("force(r: robot, load: bool = false) -> Wrench",
+               "What the surroundings exert on the tool point, in the axes of the world; with load "
+               "also what the hand holds does, by its weight and as it is moved.",
                "force().z"),
     def<moving>("moving(r: robot) -> bool", "Whether the robot is on its way.", "moving()"),
     def<home>("home(r: robot) -> posJ", "The home position.", "moveJ(home(), time: 2s)"),

@@ -84,7 +84,8 @@ struct TorqueCheckName {
 };
 constexpr TorqueCheckName kTorqueChecks[] = {{"report", TorqueCheck::kReport},
                                              {"error", TorqueCheck::kError},
-                                             {"ignore", TorqueCheck::kIgnore}};
+                                             {"ignore", TorqueCheck::kIgnore},
+                                             {"limit", TorqueCheck::kLimit}};
 
 const TorqueCheckName* torque_check_called(std::string_view name) {
   const auto* found = std::ranges::find(kTorqueChecks, name, &TorqueCheckName::name);
@@ -95,8 +96,8 @@ Answer<void> set_torques(Vm& vm, std::string_view name) {
   const TorqueCheckName* found = torque_check_called(name);
   if (found == nullptr) {
     return failure(vm, "R0609",
-                   fmt::format("torques cannot be checked \"{}\": it is \"report\", \"error\" or "
-                               "\"ignore\"",
+                   fmt::format("torques cannot be checked \"{}\": it is \"report\", \"error\", "
+                               "\"ignore\" or \"limit\"",
                                name),
                    0);
   }
@@ -142,7 +143,7 @@ void check_torques_setting(CheckCall& call) {
   if (!constant || torque_check_called(constant->text) != nullptr) return;
   call.report(make_diagnostic(
       "E0513", call.span(0),
-      {"torques", "\"report\", \"error\" or \"ignore\"", '"' + constant->text + '"'}));
+      {"torques", "\"report\", \"error\", \"ignore\" or \"limit\"", '"' + constant->text + '"'}));
 }
 void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }
@@ -175,7 +176,11 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "with.torques(torques: string)",
         "What becomes of a move inside the block that asks motors for more than the maxTorque of "
         "their joints. \"report\", as outside of any block: it is made, and advice says so. "
-        "\"error\": it is refused before it starts. \"ignore\": it is made.",
+        "\"error\": it is refused before it starts. \"ignore\": it is made. \"limit\": moves "
+        "without "
+        "a time take as long as the motors need; those planned with Fastest use what the motors "
+        "give "
+        "instead of maxAccel.",
         "with (torques: \"error\") { moveJ(home()) }", {.check = check_torques_setting}),
     def<set_frame_position>(
         "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",

@@ -104,7 +104,9 @@ void install(Engine& engine) {
   engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_record("Compliance", "offset: double[], rate: double[]");
   engine.add_record("BaseParameters", "columns: int[], grouping: matrix, values: double[]");
-  engine.add_record("OdeSolution", "t: time[], y: matrix");
+  engine.add_record("OdeEvent", "g: fn(double, double[]) -> double, direction: string, stop: bool");
+  engine.add_record("OdeCrossing", "t: time, event: int, y: double[]");
+  engine.add_record("OdeSolution", "t: time[], y: matrix, events: OdeCrossing[]");
   engine.add_record("JointEvent", "t: time, kind: string, joint: int, speed: double");
   engine.add_record("Simulation",
                     "t: time[], q: matrix, qd: matrix, tau: matrix, events: JointEvent[], drift: "

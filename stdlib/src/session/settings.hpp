@@ -21,8 +21,9 @@ struct CollectedPath;
 // need it there, slows down only there, or leaves the line a little.
 enum class Track { kExact, kSlow, kDamped };
 
-// What becomes of a move that asks motors for more than they give.
-enum class TorqueCheck { kReport, kError, kIgnore };
+// What becomes of a move that asks motors for more than they give; kLimit: it is made so that it
+// does not.
+enum class TorqueCheck { kReport, kError, kIgnore, kLimit };
 
 // speed, accel   fractions of the joint limits, for moves that do not say how fast.
 // T_flange_tool  the point that moves, instead of the robot's own.

@@ -8,6 +8,7 @@
 
 #include "armlet/math/ode.hpp"
 #include "armlet/trajectory/accelerations.hpp"
+#include "numbers/ode_program.hpp"
 #include "numbers/ode_steps.hpp"
 #include "session/bind.hpp"
 #include "trajectory/trajectories.hpp"
@@ -104,16 +105,10 @@ Answer<RecordObj*> integrate(Vm& vm, const PlannedMotion& tr, double step, std::
   const auto n = static_cast<std::uint32_t>(motion.n());
   const auto rows = static_cast<std::uint32_t>(request->times.size());
   if (!charge_steps(vm, rows)) return Failed{};
-  RecordObj* solution = new_record(vm, vm.program().library_record("OdeSolution"));
+  RecordObj* solution = new_solution(vm, rows, 2 * n);
   if (solution == nullptr) return Failed{};
-  ListObj* times = new_list(vm, rows, false);
-  solution->fields()[0].o = times;
-  MatrixObj* states = times != nullptr ? new_matrix(vm, rows, 2 * n) : nullptr;
-  solution->fields()[1].o = states;
-  if (states == nullptr) {
-    release(vm, solution);
-    return Failed{};
-  }
+  ListObj* const times = &times_of(*solution);
+  MatrixObj* const states = &states_of(*solution);
   std::vector<double> y(2 * std::size_t{n});
   for (std::uint32_t i = 0; i < n; ++i) {
     y[i] = motion.value(static_cast<int>(i), 0.0);

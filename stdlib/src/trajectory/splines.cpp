@@ -58,6 +58,7 @@ Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, S
   choose_model(vm, call, settings, accel);
   const Robot& robot = model_of(vm, call);
   const Eigen::VectorXd q0 = Host::of(vm).cell().robot(call.robot).q;
+  call.fixed_time = settings.time.has_value();
   SplineMove move{.q0 = q0, .kind = kind, .time = settings.time};
   if (!move.time) move.speed = settings.speed.value_or(block.speed);
   Goal at{forward(robot, q0), q0};

@@ -82,7 +82,9 @@ Answer<Trajectory> motion_of(Vm& vm, const MoveCall& call, MotionPlan plan) {
 // The whole of it, checked once more.
 Answer<Trajectory> verified(Vm& vm, const MoveCall& call, Trajectory motion,
                             Jerk jerk = Jerk::kFree) {
-  return motion_of(vm, call, verify(model_of(vm, call), std::move(motion), true, jerk));
+  return motion_of(
+      vm, call,
+      verify(model_of(vm, call), std::move(motion), true, jerk, limiting_motors(vm, call)));
 }
 
 }  // namespace
@@ -149,7 +151,8 @@ Answer<Trajectory> plan_through(Vm& vm, MoveCall call, const std::vector<Eigen::
                       .time = settings.move.time,
                       .speed = settings.move.speed,
                       .via = {points.begin() + 1, points.end() - 1},
-                      .durations = settings.durations};
+                      .durations = settings.durations,
+                      .motors = limiting_motors(vm, call)};
   if (!request.time && !request.speed && request.durations.empty())
     request.speed = settings_of(vm).speed;
   try {

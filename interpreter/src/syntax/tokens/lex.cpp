@@ -165,8 +165,20 @@ class Reader {
     const Token token{
         .begin = span.begin, .end = span.end, .type = type, .line_break_before = line_break_};
     line_break_ = false;
+    if (type == RbtLexer::COLON) name_argument();
     check(token);
     out_.tokens.push_back(token);
+  }
+
+  // `every: 1ms` and `when: [...]` in a call: the word of a statement is the name of an argument.
+  void name_argument() {
+    const std::size_t count = out_.tokens.size();
+    if (count < 2) return;
+    const std::uint16_t before = out_.tokens[count - 2].type;
+    Token& word = out_.tokens[count - 1];
+    const bool opens = before == RbtLexer::LPAREN || before == RbtLexer::COMMA;
+    if (opens && (word.type == RbtLexer::EVERY || word.type == RbtLexer::WHEN))
+      word.type = RbtLexer::ID;
   }
 
   void check(const Token& token) {

@@ -125,6 +125,9 @@ class Cell {
   // Force and moment that the surroundings exert on the tool point, in world axes; what the hand
   // holds does not count. Nothing in this cell pushes back, so it is zero.
   [[nodiscard]] Vector6d contact_wrench(int robot) const;
+  // The same of what the hand holds and what rests on it: its weight, and its inertia as it is
+  // moved. Zero if it holds nothing.
+  [[nodiscard]] Vector6d held_wrench(int robot) const;
 
   // --- motion ---------------------------------------------------------------------------------
   // Starts a verified trajectory now; returns the number of the motion.

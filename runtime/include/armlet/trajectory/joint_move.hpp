@@ -15,6 +15,7 @@ struct JointMove {
   std::optional<double> time{};
   std::optional<double> speed{};
   bool enforce_limits = true;
+  const Robot* motors = nullptr;
 };
 
 // Plans a move between joint positions and verifies the whole of it.

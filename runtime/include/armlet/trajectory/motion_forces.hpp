@@ -33,9 +33,11 @@ struct MotionForces {
 // Whether any joint of the arm has a limit.
 [[nodiscard]] bool has_force_limits(const Robot& robot);
 
-// By inverse dynamics at instants at most 5 ms apart, ten thousand at most, and on both sides of
-// every knot. A motion that is k times slower needs k^2 times less of what is not gravity or
-// friction; viscous friction counts as if it stayed.
+// By inverse dynamics at instants at most 5 ms apart, ten thousand at most, in the middle and on
+// both sides of every piece of the motion; closer to where most is asked for. A motion that is k
+// times slower needs k^2 times less of what is not gravity or friction and k times less against
+// viscous friction; with an effect of Stribeck dry friction counts with the worse of standing and
+// sliding. Every motion that is slower still keeps the limits too.
 //
 // throws  ArgumentError unless the motion has one path for each joint, and where forces are beyond
 //         the range of numbers.

@@ -15,6 +15,8 @@
 
 namespace armlet {
 
+class Robot;
+
 // From q0 to q1, at rest at both ends.
 //
 // q0, q1          joint positions, rad and m.
@@ -26,6 +28,9 @@ namespace armlet {
 // via             points between q0 and q1, in order. Planners that know only two points stop at
 //                 each.
 // durations       s, one per leg; not together with time or speed. Empty: the planner divides.
+// motors          the arm, with what it carries, whose motors limit Fastest in the place of the
+//                 accelerations of joints whose Joint::max_effort is finite; null: none. Other
+//                 planners do not read it.
 struct MoveRequest {
   Eigen::VectorXd q0{};
   Eigen::VectorXd q1{};
@@ -35,6 +40,7 @@ struct MoveRequest {
   bool enforce_limits = true;
   std::vector<Eigen::VectorXd> via{};
   std::vector<double> durations{};
+  const Robot* motors = nullptr;
 };
 
 // The asked time is shorter than the move needs. `joint` counts from 0 and is the one that decides.

@@ -23,7 +23,7 @@ struct AxisState {
   double a = 0.0;
 };
 
-enum class LimitKind { kSpeed, kAcceleration, kJerk };
+enum class LimitKind { kSpeed, kAcceleration, kJerk, kForce };
 
 // The shortest admissible duration, and the limit that decides it.
 struct LeastTime {

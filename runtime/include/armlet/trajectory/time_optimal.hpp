@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "armlet/trajectory/trajectory.hpp"
 
 namespace armlet {
+
+class Robot;
 
 // How fast a path is run: the square of the path speed at positions along it; in between it changes
 // linearly, so the acceleration along the path is constant there.
@@ -75,6 +78,20 @@ FastestRun fastest_run(const Trajectory& path, std::span<const AxisLimits> limit
 // The motion of fastest_run.
 Trajectory time_optimal(const Trajectory& path, std::span<const AxisLimits> limits,
                         int intervals = 100, std::span<const SpeedZone> zones = {});
+
+// The fastest run that also keeps what the motors of an arm give, Joint::max_effort where it is
+// finite: by inverse dynamics with friction and with what the arm carries. Joints with an infinite
+// limit on acceleration are limited by their motors and their speed alone. Viscous friction is
+// taken for at least what it is, and for at most that where it helps; the whole is made slower
+// until motion_forces finds nothing beyond the limits.
+//
+// returns  nothing if motors cannot hold the arm somewhere on the path, or not move it slowly.
+// throws   ArgumentError as fastest_along, and where forces are beyond the range of numbers.
+// source   as of fastest_along; J. E. Bobrow, S. Dubowsky, J. S. Gibson, Int. J. Robotics Research
+//          4(3), 1985, and K. G. Shin, N. D. McKay, IEEE TAC 30(6), 1985.
+std::optional<Trajectory> time_optimal_with_motors(const Robot& robot, const Trajectory& path,
+                                                   std::span<const AxisLimits> limits,
+                                                   int intervals = 100);
 
 // A path through points, with s running like the square root of the joint distance between them;
 // a cubic spline whose second derivative is zero at its ends.

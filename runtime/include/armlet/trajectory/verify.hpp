@@ -34,17 +34,21 @@ std::vector<AxisLimits> axis_limits(const Robot& robot);
 // limits, and those on jerk if they count, of every joint; and the joint that decides. Run k times
 // slower, speeds fall by k, accelerations by k^2 and jerks by k^3.
 //
+// motors  an arm whose joints with a finite Joint::max_effort are not limited in acceleration; of
+//         their forces motion_forces tells. Null: all are limited.
 // throws  ArgumentError unless the trajectory has one path per joint.
 // source  J. M. Hollerbach, Dynamic scaling of manipulator trajectories, Journal of Dynamic
 //         Systems, Measurement, and Control 106, 1984.
-TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk = Jerk::kFree);
+TooFast least_time(const Robot& robot, const Trajectory& trajectory, Jerk jerk = Jerk::kFree,
+                   const Robot* motors = nullptr);
 
 // Checks positions, speeds, accelerations and perhaps jerks over the whole motion, exactly. A joint
 // that starts outside its limits may only come back.
 //
 // enforce_limits  false: what is too fast is only reported.
+// motors          as for least_time.
 // throws          ArgumentError unless the trajectory has one path per joint.
 MotionPlan verify(const Robot& robot, Trajectory trajectory, bool enforce_limits = true,
-                  Jerk jerk = Jerk::kFree);
+                  Jerk jerk = Jerk::kFree, const Robot* motors = nullptr);
 
 }  // namespace armlet

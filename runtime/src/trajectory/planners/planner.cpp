@@ -7,6 +7,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "armlet/model/robot.hpp"
 #include "armlet/trajectory/cartesian_spline.hpp"
 #include "trajectory/planners/planning.hpp"
 
@@ -39,6 +40,7 @@ void check_request(const MoveRequest& request) {
   check_size("limits", static_cast<Eigen::Index>(request.limits.size()), request.q0.size());
   check_finite("q0", request.q0);
   check_finite("q1", request.q1);
+  if (request.motors != nullptr) check_size("motors", request.motors->n(), request.q0.size());
   for (const AxisLimits& limits : request.limits) {
     if (!(limits.speed > 0.0) || !(limits.acceleration > 0.0) || !(limits.jerk > 0.0)) {
       throw ArgumentError("The limits of a joint must be above zero.");
@@ -265,7 +267,8 @@ constexpr PlannerRow kPlanners[] = {
      .smooth = 2},
     {.name = "Fastest",
      .does = "a spline through all points, run as fast as speeds and accelerations allow "
-             "everywhere, to 0.5 %; accelerations jump",
+             "everywhere, to 0.5 %; accelerations jump; inside `with (torques: \"limit\")` as "
+             "fast as the motors can",
      .plan = plan_fastest,
      .through = Through::kAllPoints,
      .smooth = 1},

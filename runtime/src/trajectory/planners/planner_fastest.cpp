@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "armlet/core/error.hpp"
+#include "armlet/trajectory/motion_forces.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
 #include "trajectory/planners/planning.hpp"
 
@@ -28,12 +31,34 @@ std::vector<Eigen::VectorXd> different_points(const MoveRequest& request) {
   return points;
 }
 
+// Limits on speeds, and on accelerations where no motor is known.
+std::vector<AxisLimits> limits_beside_motors(const MoveRequest& request) {
+  std::vector<AxisLimits> limits = request.limits;
+  for (int i = 0; request.motors != nullptr && i < request.motors->n(); ++i) {
+    if (std::isfinite(request.motors->joint(i).max_effort))
+      limits[static_cast<std::size_t>(i)].acceleration = std::numeric_limits<double>::infinity();
+  }
+  return limits;
+}
+
 // The joint whose limit is met most closely.
-TooFast tightest_joint(const MoveRequest& request, const Trajectory& motion) {
+TooFast tightest_joint(const MoveRequest& request, const std::vector<AxisLimits>& axes,
+                       const Trajectory& motion) {
   TooFast out{.least_time = motion.duration()};
   double most = -1.0;
+  if (request.motors != nullptr) {
+    const MotionForces forces = motion_forces(*request.motors, motion);
+    if (forces.nearest >= 0) {
+      const PeakForce& peak = forces.peaks[static_cast<std::size_t>(forces.nearest)];
+      most = peak.share();
+      out.joint = forces.nearest;
+      out.travel = travel_of(request, forces.nearest);
+      out.kind = LimitKind::kForce;
+      out.limit = peak.limit;
+    }
+  }
   for (int i = 0; i < motion.n(); ++i) {
-    const AxisLimits& limits = limits_of(request, i);
+    const AxisLimits& limits = axes[static_cast<std::size_t>(i)];
     const double by_speed = motion.peak(i, 1) / limits.speed;
     const double by_acceleration = std::sqrt(motion.peak(i, 2) / limits.acceleration);
     if (std::max(by_speed, by_acceleration) <= most) continue;
@@ -58,8 +83,17 @@ Plan plan_fastest(const MoveRequest& request) {
     return {.trajectory = Trajectory::at_rest(request.q1, request.time.value_or(0.0))};
   const int intervals =
       std::max(kFewestIntervals, kIntervalsPerLeg * static_cast<int>(points.size() - 1));
-  const Trajectory fastest = time_optimal(path_through(points), request.limits, intervals);
-  const Duration chosen = choose_duration(request, tightest_joint(request, fastest));
+  const Trajectory path = path_through(points);
+  std::vector<AxisLimits> limits = limits_beside_motors(request);
+  std::optional<Trajectory> strongest;
+  if (request.motors != nullptr)
+    strongest = time_optimal_with_motors(*request.motors, path, limits, intervals);
+  // Where motors cannot hold the arm the motion is one for limits on accelerations, which tells by
+  // how much they cannot.
+  if (!strongest) limits = request.limits;
+  const Trajectory fastest =
+      strongest ? *std::move(strongest) : time_optimal(path, limits, intervals);
+  const Duration chosen = choose_duration(request, tightest_joint(request, limits, fastest));
   if (!chosen.possible) return {.too_fast = chosen.too_fast};
   return {.trajectory = fastest.stretched(chosen.T / fastest.duration()),
           .too_fast = chosen.too_fast};

@@ -31,6 +31,8 @@ double limit_value(const AxisLimits& limits, LimitKind kind) {
       return limits.acceleration;
     case LimitKind::kJerk:
       return limits.jerk;
+    case LimitKind::kForce:
+      return 0.0;  // a motor's, which is not one of the axis
   }
   return 0.0;
 }

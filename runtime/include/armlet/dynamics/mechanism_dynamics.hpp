@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "armlet/model/mechanism.hpp"
+
+// Dynamics of trees of links whose joints may be driven together: with joint values C q + offset
+//
+//   tau = C' (H (C qdd) + c + g + f) = M(q) qdd + ...
+//
+// where H, c, g and f are the inertia matrix, the velocity forces, gravity and friction of the
+// joints as if each had its own motor, and tau is what the actuators give, N m and N. Motors and
+// friction of a link (Link::gear, motor_inertia, friction) are those of its joint.
+//
+// q, qd, qdd  one value per actuator, rad or m, and their rates; limits are not checked.
+// gravity     acceleration in the axes of the base, m/s^2.
+//
+// All functions throw ArgumentError unless their arguments have one finite element for each
+// actuator and every result is finite.
+namespace armlet {
+
+struct MechanismMotion {
+  Eigen::VectorXd q{}, qd{}, qdd{};
+};
+
+// source  R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 5.1 (recursive
+//         Newton-Euler for trees) and section 3.6 (joints that follow others).
+Eigen::VectorXd inverse_dynamics(const Mechanism& mechanism, const MechanismMotion& motion,
+                                 const Eigen::Vector3d& gravity);
+
+// What holds the mechanism still.
+Eigen::VectorXd gravity_forces(const Mechanism& mechanism, const Eigen::VectorXd& q,
+                               const Eigen::Vector3d& gravity);
+
+// Symmetric, with the rotors behind their gears, actuators x actuators.
+//
+// source  Featherstone 2008, table 6.2: composite rigid bodies.
+Eigen::MatrixXd mass_matrix(const Mechanism& mechanism, const Eigen::VectorXd& q);
+
+// The acceleration that actuator forces tau cause.
+//
+// throws  ArgumentError also if nothing resists an actuator, which it names.
+Eigen::VectorXd forward_dynamics(const Mechanism& mechanism, const Eigen::VectorXd& q,
+                                 const Eigen::VectorXd& qd, const Eigen::VectorXd& tau,
+                                 const Eigen::Vector3d& gravity);
+
+// 1/2 qd' M qd, and minus the sum of mass times gravity times centre of mass, J.
+double kinetic_energy(const Mechanism& mechanism, const Eigen::VectorXd& q,
+                      const Eigen::VectorXd& qd);
+double potential_energy(const Mechanism& mechanism, const Eigen::VectorXd& q,
+                        const Eigen::Vector3d& gravity);
+
+}  // namespace armlet

@@ -1,0 +1,68 @@
+#pragma once
+// Instants at which a function of time and state is zero, while an equation is integrated.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "armlet/math/ode.hpp"
+
+namespace armlet {
+
+enum class CrossingDirection : std::uint8_t { kBoth, kRising, kFalling };
+
+// g  writes g(t, y) to `value`; returns false to end the integration.
+struct OdeWitness {
+  std::function<bool(double t, std::span<const double> y, double& value)> g{};
+  CrossingDirection direction = CrossingDirection::kBoth;
+};
+
+// A witness went through zero, at t, in state y: the one just behind the zero.
+struct OdeCrossing {
+  double t = 0.0;
+  int witness = 0;
+  std::vector<double> y{};
+};
+
+// Looks at the steps of an integration one after another. A witness that goes through zero twice
+// within one step is not seen.
+class OdeEvents {
+ public:
+  // size, method, tolerance  as of the integrator whose steps are looked at.
+  OdeEvents(std::vector<OdeWitness> witnesses, int size, OdeMethod method, double tolerance = 1e-8);
+
+  enum class Status : std::uint8_t {
+    kDone,
+    kStopped,    // a function returned false
+    kNotFinite,  // a witness is infinite or undefined
+    kNoStep,     // the equation could not be integrated up to the zero
+  };
+  struct Outcome {
+    Status status = Status::kDone;
+    double t = 0.0;
+    int witness = 0;
+  };
+
+  // The state in which the integration begins. A witness that is zero there does not go through it.
+  Outcome begin(double t, std::span<const double> y);
+
+  // After a step from y at t to `next` at t + h: what went through zero, in the order of time, then
+  // of the witnesses. Zeros are found to 1e-11 s, or to rounding of t, by shorter steps from y.
+  Outcome look(const OdeRate& rate, double t, double h, std::span<const double> y,
+               std::span<const double> next);
+  [[nodiscard]] const std::vector<OdeCrossing>& found() const { return found_; }
+
+ private:
+  Outcome values_at(double t, std::span<const double> y, std::vector<double>& values);
+  Outcome locate(const OdeRate& rate, double t, double h, std::span<const double> y,
+                 std::span<const double> next, int witness);
+
+  std::vector<OdeWitness> witnesses_;
+  OdeIntegrator integrator_;
+  std::vector<double> before_, after_;  // values of the witnesses
+  std::vector<double> trial_;
+  std::vector<OdeCrossing> found_;
+};
+
+}  // namespace armlet

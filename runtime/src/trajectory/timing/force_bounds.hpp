@@ -1,0 +1,93 @@
+// What motors allow along a path: bounds on its acceleration that are linear in the squared speed.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "armlet/model/robot.hpp"
+#include "armlet/trajectory/trajectory.hpp"
+
+namespace armlet {
+
+// A bound on the acceleration u along a path that changes linearly with the squared speed x there:
+// at_rest + slope x.
+struct BoundLine {
+  double at_rest = 0.0, slope = 0.0;
+};
+
+// Between two positions along a path: u is at most all of `upper` and at least all of `lower`, and
+// x is at most x_most.
+struct SpeedStrips {
+  std::vector<BoundLine> upper, lower;
+  double x_most = 0.0;
+
+  // a u + b x <= c. Where a is next to zero it is a limit of x.
+  void add(double a, double b, double c);
+};
+
+// The motors of an arm along q(s). At path speed sqrt(x) and acceleration u along the path a joint
+// takes the force
+//
+//   a(s) u + b(s) x + d(s) sqrt(x) + g(s) + t,
+//
+// a = M q', b = M q'' + (C(q, q') q'), d = viscous friction q', g = gravity, t = dry friction by
+// the direction in which the joint moves. Viscous friction is not linear in x: where it adds to the
+// force its tangent stands for it, where it takes away its chord from rest to the highest speed
+// there. Both are on the safe side of it. Dry friction with an effect of Stribeck counts with what
+// is worse of standing and sliding.
+//
+// source  K. G. Shin, N. D. McKay, Minimum-time control of robotic manipulators with geometric path
+//         constraints, IEEE TAC 30(6), 1985.
+class ForceBounds {
+ public:
+  // Keeps references to both.
+  ForceBounds(const Robot& robot, const Trajectory& path);
+
+  // Begins with these positions, where squared speeds of so much at most are possible. The tangents
+  // are those at half of the highest speed.
+  void lay(const std::vector<double>& s, const std::vector<double>& x_most);
+
+  // Whether motors can hold the arm everywhere, and move it slowly.
+  [[nodiscard]] bool hold() const { return holds_; }
+  [[nodiscard]] bool have_viscous_friction() const { return viscous_.cwiseAbs().maxCoeff() > 0.0; }
+
+  // Tangents to viscous friction at these squared speeds from now on, and chords up to `reach`
+  // times them, reach > 1, which then are the highest there are. What kept the bounds before keeps
+  // them.
+  void linearise_at(const std::vector<double>& x, double reach);
+
+  // What holds between position k and the next, 2 (s[k + 1] - s[k]) being `twice`.
+  void add_to(SpeedStrips& strips, std::size_t k, double twice) const;
+
+  // The largest share of its limit that a joint gives at s.
+  [[nodiscard]] double share(double s, double x, double u) const;
+  // Takes what a joint gives beyond its limit there from what it may give in interval k; by which
+  // factor of time it is too much.
+  double tighten(std::size_t k, double s, double x, double u);
+
+ private:
+  struct At {
+    Eigen::VectorXd a, b, d, g;
+  };
+  struct DryFriction {
+    double low = 0.0, high = 0.0;
+  };
+  void terms_at(double s, At& at) const;
+  [[nodiscard]] DryFriction dry_friction(std::size_t k, Eigen::Index i) const;
+  [[nodiscard]] Eigen::VectorXd forces_at(double s, double x, double u) const;
+  void add_row(SpeedStrips& strips, std::size_t position, Eigen::Index i, double dry, double limit,
+               double sign, double twice) const;
+  void check_holding();
+
+  const Robot& robot_;
+  const Trajectory& path_;
+  Eigen::VectorXd viscous_, limits_;
+  std::vector<double> s_, x_most_, tangent_at_, chord_to_;
+  std::vector<At> at_;                         // by position
+  std::vector<Eigen::VectorXd> less_;          // by interval: taken from the limits
+  std::vector<std::vector<DryFriction>> dry_;  // by interval, then by joint
+  bool holds_ = true;
+};
+
+}  // namespace armlet

@@ -1,0 +1,134 @@
+#include "numbers/ode_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace armlet::bind {
+namespace {
+
+enum EventField { kFunction, kDirection, kStop };
+constexpr std::array<std::string_view, 3> kDirections = {"both", "rising", "falling"};
+
+}  // namespace
+
+ListObj* StateArgument::fill(std::span<const double> y) {
+  if (list_ == nullptr || list_->refs != 1) {  // the program may have kept the last one
+    release(vm_, list_);
+    list_ = new_list(vm_, static_cast<std::uint32_t>(y.size()), false);
+    if (list_ == nullptr) return nullptr;
+  }
+  const auto copy = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) list_->data[i].d = y[i];
+  };
+  // With the sums that the method makes of them.
+  return in_blocks(vm_, y.size(), 4 * kCost, copy) ? list_ : nullptr;
+}
+
+Answer<void> RateOfProgram::operator()(double t, std::span<const double> y,
+                                       std::span<double> rate) {
+  ListObj* const state = y_.fill(y);
+  if (state == nullptr) return Failed{};
+  const Slot arguments[] = {slot_of(t), slot_of(state)};
+  Slot result;
+  if (!vm_.call(f_, arguments, result)) return Failed{};
+  const auto values = reals_value(result);
+  const std::size_t count = values.size();
+  if (count == rate.size()) std::ranges::copy(values, rate.begin());
+  release(vm_, result.o);
+  if (count == rate.size()) return {};
+  return failure(vm_, "R0613",
+                 fmt::format("the function given to ode returns {} values for a state of {}", count,
+                             rate.size()),
+                 parameter_, "it gives the rate of change of every element of the state");
+}
+
+Answer<std::vector<OdeWitness>> WitnessesOfProgram::witnesses() {
+  std::vector<OdeWitness> out;
+  for (const Slot event : events_) {
+    const auto* record = static_cast<const RecordObj*>(event.o);
+    const std::string_view name = text_value(record->fields()[kDirection]);
+    const auto found = std::ranges::find(kDirections, name);
+    if (found == kDirections.end()) {
+      return failure(vm_, "R0609", fmt::format("an event cannot be \"{}\"", name), parameter_,
+                     "it is \"both\", \"rising\" or \"falling\"");
+    }
+    Obj* const g = record->fields()[kFunction].o;
+    out.push_back({.g =
+                       [this, g](double t, std::span<const double> y, double& value) {
+                         ListObj* const state = y_.fill(y);
+                         if (state == nullptr) return false;
+                         const Slot arguments[] = {slot_of(t), slot_of(state)};
+                         Slot result;
+                         if (!vm_.call(g, arguments, result)) return false;
+                         value = result.d;
+                         return true;
+                       },
+                   .direction = static_cast<CrossingDirection>(found - kDirections.begin())});
+  }
+  return out;
+}
+
+bool WitnessesOfProgram::stops(int witness) const {
+  const Slot event = events_[static_cast<std::size_t>(witness)];
+  return static_cast<const RecordObj*>(event.o)->fields()[kStop].i != 0;
+}
+
+Failed WitnessesOfProgram::cannot_look(const OdeEvents::Outcome& outcome) const {
+  const std::string where = fmt::format("event {} at t = {:.6g} s", outcome.witness, outcome.t);
+  switch (outcome.status) {
+    case OdeEvents::Status::kNotFinite:
+      return failure(vm_, "R0612", fmt::format("the function of {} is not finite", where),
+                     parameter_);
+    case OdeEvents::Status::kNoStep:
+      return failure(vm_, "R0609", fmt::format("ode cannot find {}: no step leads there", where),
+                     parameter_, "the equation is stiff there, or jumps, or runs to infinity");
+    default:
+      return {};
+  }
+}
+
+RecordObj* new_solution(Vm& vm, std::uint32_t rows, std::uint32_t columns) {
+  RecordObj* solution = new_record(vm, vm.program().library_record("OdeSolution"));
+  if (solution == nullptr) return nullptr;
+  ListObj* const times = new_list(vm, rows, false);
+  solution->fields()[0].o = times;
+  MatrixObj* const states = times != nullptr ? new_matrix(vm, rows, columns) : nullptr;
+  solution->fields()[1].o = states;
+  ListObj* const events = states != nullptr ? new_list(vm, 0, true) : nullptr;
+  solution->fields()[2].o = events;
+  if (events != nullptr) return solution;
+  release(vm, solution);
+  return nullptr;
+}
+
+RecordObj* shortened(Vm& vm, const RecordObj& solution, std::uint32_t rows) {
+  const MatrixObj& states = states_of(solution);
+  RecordObj* const part = new_solution(vm, rows, states.cols);
+  if (part == nullptr) return nullptr;
+  std::copy_n(times_of(solution).data, rows, times_of(*part).data);
+  std::copy_n(states.data(), std::size_t{rows} * states.cols, states_of(*part).data());
+  return part;
+}
+
+Answer<void> set_crossings(Vm& vm, RecordObj& solution, const std::vector<OdeCrossing>& crossings) {
+  ListObj* const list = new_list(vm, static_cast<std::uint32_t>(crossings.size()), true);
+  if (list == nullptr) return Failed{};
+  release(vm, solution.fields()[2].o);
+  solution.fields()[2].o = list;
+  for (std::uint32_t k = 0; k < list->size; ++k) {
+    RecordObj* const crossing = new_record(vm, vm.program().library_record("OdeCrossing"));
+    if (crossing == nullptr) return Failed{};
+    list->data[k].o = crossing;
+    ListObj* const y = new_list(vm, static_cast<std::uint32_t>(crossings[k].y.size()), false);
+    if (y == nullptr) return Failed{};
+    for (std::uint32_t i = 0; i < y->size; ++i) y->data[i].d = crossings[k].y[i];
+    crossing->fields()[0] = slot_of(crossings[k].t);
+    crossing->fields()[1] = slot_of(std::int64_t{crossings[k].witness});
+    crossing->fields()[2].o = y;
+  }
+  return {};
+}
+
+}  // namespace armlet::bind

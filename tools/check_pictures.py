@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Compares the pictures of laboratories in docs/images with what their programs draw.
+
+usage: check_pictures.py COMMAND [--write]
+
+Each program runs with one line more, which saves its figures. --write puts them into docs/images.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+IMAGES = ROOT / "docs" / "images"
+PICTURES = {
+    "laboratory_13.svg": "examples/figures/fig10_inverse_dynamics_payload.rbt",
+    "laboratory_14.svg": "examples/figures/fig11_M_C_G_live.rbt",
+    "laboratory_15.svg": "examples/labs/15_falling_arm.rbt",
+    "laboratory_16.svg": "examples/labs/16_controllers.rbt",
+    "laboratory_17.svg": "examples/labs/17_stick_slip.rbt",
+}
+
+
+def drawn(command, picture, program):
+    """The picture as its program draws it now."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder) / pathlib.Path(program).name
+        copy.write_text((ROOT / program).read_text(encoding="utf-8") + f'\nsavePlot("{picture}")\n', encoding="utf-8")
+        run = subprocess.run([command, "run", str(copy)], capture_output=True, text=True)
+        saved = copy.parent / picture
+        if run.returncode != 0 or not saved.exists():
+            sys.exit(f"{program} drew nothing:\n{run.stdout}{run.stderr}")
+        return saved.read_text(encoding="utf-8")
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    stale = []
+    for picture, program in PICTURES.items():
+        text = drawn(str(pathlib.Path(sys.argv[1]).resolve()), picture, program)
+        place = IMAGES / picture
+        if sys.argv[2:] == ["--write"]:
+            place.write_text(text, encoding="utf-8")
+        elif not place.exists() or place.read_text(encoding="utf-8") != text:
+            stale.append(f"docs/images/{picture} is not what {program} draws")
+    if stale:
+        sys.exit("\n".join(stale) + "\nmake them again: ./dev generate docs")
+    print(f"pictures: {len(PICTURES)} as their programs draw them")
+
+
+if __name__ == "__main__":
+    main()
