@@ -53,6 +53,8 @@ struct LabOptions {
   int port = 0;       // 0: any that is free
   std::string token;  // empty: a new one
   bool no_open = false;
+  std::string export_to;  // one file with everything; empty: the page is served
+  std::string engine;     // what that is made of; empty: where it is looked for
 };
 
 struct EditorOptions {
@@ -94,6 +96,8 @@ int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
 int serve_lab(const LabOptions& options, const RunOptions& run);
+// --export and --record FILE.html: a page that needs no command.
+int save_lab(const LabOptions& options, const RunOptions& run);
 int help(const std::string& name, bool markdown);
 int lists();
 

@@ -99,10 +99,11 @@ void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
   all.push_back(command
                     .add_option("--record", asked.run.record,
                                 "leave what `armlet replay` needs to take the run again in an "
-                                ".arec file")
+                                ".arec file; of a laboratory also as a page, an .html file")
                     ->type_name("FILE"));
   for (CLI::Option* each : all) {
-    if (needed != nullptr) each->needs(needed);
+    // A laboratory is recorded without inputs, too, as a page.
+    if (needed != nullptr && each != all.back()) each->needs(needed);
   }
 }
 
@@ -184,6 +185,17 @@ void add_lab_options(CLI::App& command, Asked& asked) {
   command.add_option("--token", lab.token, "the secret in the page's address (default: a new one)")
       ->type_name("T");
   command.add_flag("--no-open", lab.no_open, "open no browser; the address is printed");
+  CLI::Option* exported =
+      command
+          .add_option("--export", lab.export_to,
+                      "write one .html file with the page, the engine and the program, which needs "
+                      "neither a network nor this command")
+          ->type_name("FILE");
+  command
+      .add_option("--engine", lab.engine,
+                  "the laboratory.html that --export is made of (default: the one of this command)")
+      ->type_name("FILE")
+      ->needs(exported);
   CLI::Option* inputs =
       command
           .add_option("--inputs", asked.run.inputs,
@@ -221,6 +233,8 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return check(asked.options, asked.files); }},
     {"lab", "show a program, and what it does, in a browser", add_lab_options,
      [](const Asked& asked) {
+       if (!asked.lab.export_to.empty() || asked.run.record.ends_with(".html"))
+         return save_lab(asked.lab, asked.run);
        return asked.run.inputs.empty() ? serve_lab(asked.lab, asked.run) : run(asked.run);
      }},
     {"test", "run the tests in programs, each in a fresh world", add_files_options,

@@ -10,7 +10,8 @@ namespace armlet::lab {
 
 Laboratory::State::State(LaboratoryOptions given)
     : options(std::move(given)),
-      session_options(lab::session_options(options.session, options.bounds)),
+      imported(std::make_shared<TakenFiles>()),
+      session_options(lab::session_options(noting(options.session, imported), options.bounds)),
       pages(options.most_pages),
       text_session(library_engine(), session_options),
       looker(session_options) {

@@ -11,6 +11,7 @@
 #include "laboratory.hpp"
 #include "pages.hpp"
 #include "runs/looker.hpp"
+#include "runs/taken_files.hpp"
 
 namespace armlet::lab {
 
@@ -43,9 +44,11 @@ struct Laboratory::State {
   void handle(Page& page, Seq seq, const CompareRuns& compare);
   void handle(Page& page, Seq seq, const FetchRun& fetch);
   void handle(Page& page, Seq seq, const StopRun& stop);
+  void handle(Page& page, Seq seq, const AskExport& ask);
   void handle(Page& page, Seq seq, const TakeControl& take);
   void handle(Page& page, Seq seq, const GiveControl& give);
   void refuse(Page& page, Seq seq, std::string_view reason, std::string_view message);
+  void refuse(Page& page, Seq seq, const InputFault& fault);
   // Whether the page may change something; otherwise it is told why not.
   bool has_control(Page& page, Seq seq);
 
@@ -96,6 +99,7 @@ struct Laboratory::State {
   };
 
   LaboratoryOptions options;
+  std::shared_ptr<TakenFiles> imported;  // shared with the loader of sessions
   SessionOptions session_options;
   Pages pages;
   Versions versions;

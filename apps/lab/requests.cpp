@@ -41,6 +41,11 @@ void Laboratory::State::refuse(Page& page, Seq seq, std::string_view reason,
   pages.answer(page, write_error(seq, reason, message));
 }
 
+void Laboratory::State::refuse(Page& page, Seq seq, const InputFault& fault) {
+  const UnreachedGoal* goal = fault.unreached ? &*fault.unreached : nullptr;
+  pages.answer(page, write_error(seq, "refused", fault.why, goal));
+}
+
 bool Laboratory::State::has_control(Page& page, Seq seq) {
   if (pages.is_holder(page.number)) return true;
   refuse(page, seq, "control", "Another page is in control; take it first.");
@@ -238,6 +243,24 @@ void Laboratory::State::handle(Page& page, Seq seq, const StopRun&) {
   if (has_control(page, seq)) end_live_run("It was stopped from a page.");
 }
 
+void Laboratory::State::handle(Page& page, Seq seq, const AskExport&) {
+  for (const auto& run : runs) {
+    if (const SessionLog* log = log_of(*run)) imported->add_loaded(*log);
+  }
+  pages.answer(page,
+               write_exported(
+                   seq, {.version = options.version,
+                         .robot = options.session.robot == nullptr ? std::string()
+                                                                   : options.session.robot->name(),
+                         .world = options.session.world ? &*options.session.world : nullptr,
+                         .file = options.file,
+                         .text = text.now,
+                         .is_demo = options.is_demo,
+                         .files = imported->all(),
+                         .runs = runs,
+                         .shown = shown}));
+}
+
 void Laboratory::State::handle(Page& page, Seq, const TakeControl&) { pages.take(page.number); }
 
 void Laboratory::State::handle(Page& page, Seq seq, const GiveControl& given) {
@@ -255,7 +278,7 @@ void Laboratory::State::handle(Page& page, Seq seq, const GiveInput& given) {
   LiveRun* under_way = live_run(*run);
   const bool is_at_end = !given.t || *given.t >= run->t_end - 1e-9;
   if (is_at_end && under_way != nullptr && under_way->has_forked()) {
-    if (const auto why = under_way->give(given.what)) return refuse(page, seq, "refused", *why);
+    if (const auto why = under_way->give(given.what)) return refuse(page, seq, *why);
     forget_looks_of(*run);
     return pages.answer(page, write_taken(seq, run->number));
   }

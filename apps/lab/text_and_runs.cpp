@@ -223,7 +223,7 @@ void Laboratory::State::begin_fork(RunRecord& parent, std::int64_t t_ns, const G
 void Laboratory::State::end_fork() {
   const Asked asked = *std::exchange(fork_asked, std::nullopt);
   Page* page = pages.find(asked.page);
-  const std::optional<std::string> fault = live->fork_fault();
+  const std::optional<InputFault> fault = live->fork_fault();
   const int number = live_number;
   if (!fault) {
     if (page != nullptr) pages.answer(*page, write_taken(asked.seq, number));
@@ -239,7 +239,7 @@ void Laboratory::State::end_fork() {
     }
     return;
   }
-  if (page != nullptr) refuse(*page, asked.seq, "refused", *fault);
+  if (page != nullptr) refuse(*page, asked.seq, *fault);
   drop_run(number);
   show(find_run(asked.shown_before) != nullptr ? asked.shown_before : runs.back()->number);
 }

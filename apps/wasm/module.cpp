@@ -15,6 +15,7 @@
 
 #include "../armlet/imports.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
+#include "armlet/backend/run_hash.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/model/catalog.hpp"
@@ -28,8 +29,8 @@ namespace {
 // What functions answer; those of armlet_run are named in docs/wasm.md.
 enum Answer : int { kDone = 0, kFailed = 1, kPaused = 2, kCancelled = 3, kMisused = -1 };
 
-// What armlet_take hands out, and empties.
-enum class What : int { kOutput, kMessages, kMessagesAsJson, kEvents, kMoves };
+// What armlet_take hands out, and empties; the hash stays.
+enum class What : int { kOutput, kMessages, kMessagesAsJson, kEvents, kHash };
 
 // A session and what it has told since somebody asked.
 class Seat {
@@ -47,6 +48,7 @@ class Seat {
     options.limits = limits(steps);
     options.output = [this](std::string_view text) { output_ += text; };
     options.advice = [this](const Diagnostic& d) { tell(d, session_->sources()); };
+    options.backends.push_back(&hash_);
     if (tells_events) {
       events_backend_ = make_jsonl_backend(events_);
       options.backends.push_back(events_backend_.get());
@@ -93,12 +95,15 @@ class Seat {
         return std::exchange(messages_, {});
       case What::kMessagesAsJson:
         return std::exchange(messages_json_, {});
-      default: {
+      case What::kHash:
+        return hash_.text();
+      case What::kEvents: {
         std::string events = events_.str();
         events_.str({});
         return events;
       }
     }
+    throw ArgumentError("There is nothing of this kind to take.");
   }
 
   Session& session() { return *session_; }
@@ -120,6 +125,7 @@ class Seat {
   std::string folder_;
   ModuleLoader imports_;
   std::string output_, messages_, messages_json_;
+  RunHash hash_;
   std::ostringstream events_;
   std::unique_ptr<Backend> events_backend_;
   std::unique_ptr<Session> session_;

@@ -115,7 +115,8 @@ export const lineOf = (page, text) => page.locator(".cm-line", { hasText: text }
 // Where a word of the program is on the screen.
 export async function placeOf(page, line, word) {
   return lineOf(page, line).evaluate((element, wanted) => {
-    element.scrollIntoView({ block: "nearest", inline: "start" });
+    element.scrollIntoView({ block: "nearest" });
+    element.closest(".cm-scroller").scrollLeft = 0; // what is at its start lies behind the numbers of lines otherwise
     const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       const at = node.data.indexOf(wanted);

@@ -12,6 +12,8 @@ const { rollPitchYaw, shownUnit } = await source("elements/units.ts");
 const { textToHash, hashToText } = await source("shell/link.ts");
 const { positionText, poseText } = await source("shell/scene_tools.ts");
 const { rulerStep } = await source("timebar/bar.ts");
+const { placeOfName } = await source("editor/names.ts");
+const { extent, grasped } = await source("scene/fingers.ts");
 
 // Numbers of a fixed sequence between -1 and 1.
 function sequence(seed) {
@@ -140,4 +142,43 @@ test("positions are written as programs write them", () => {
   assert.equal(positionText([Math.PI / 6, -0.0505, -Math.PI / 2], ["rad", "m", "rad"]), "posJ(30deg, -50.5mm, -90deg)");
   const half = Math.SQRT1_2;
   assert.equal(poseText([0.3, -0.12, 0.4, half, 0, 0, half]), "pose(x: 300mm, y: -120mm, z: 400mm, roll: 0deg, pitch: 0deg, yaw: 90deg)");
+});
+
+test("names are found where they are declared, then as texts, then anywhere but in comments", () => {
+  const text = "// object cube was here\nlet rodent = 1\nobject cube { shape: box(1mm, 1mm, 1mm) }\ninsertObj(\"rod\")\nlab cell {\n    plot q(fn() => 1)\n    field q2(1)\n}\narm.moveJ(q)\n";
+  const at = (name, kinds) => {
+    const place = placeOfName(text, name, kinds);
+    return place === null ? null : text.slice(text.lastIndexOf("\n", place) + 1, place + name.length);
+  };
+  assert.equal(at("cube", "object|robot"), "object cube");
+  assert.equal(at("rod", "object|robot"), 'insertObj("rod');
+  assert.equal(at("q", "plot"), "    plot q");
+  assert.equal(at("arm", "object|robot"), "arm");
+  assert.equal(at("was", "object|robot"), null);
+  assert.equal(at("a(b", "object"), null);
+});
+
+test("fingers close on what is held, over a moment before the grasp and after the release", () => {
+  const along = [0, 1, 0];
+  const pose = [0, 0, 0, 1, 0, 0, 0];
+  const turned = [0, 0, 0, Math.SQRT1_2, 0, 0, Math.SQRT1_2]; // a quarter about z
+  const near = (value, wanted) => assert.ok(Math.abs(value - wanted) < 1e-12, `${value} is not ${wanted}`);
+  const box = { shape: "box", size: [0.03, 0.05, 0.2] };
+  near(extent(box, pose, along), 0.05);
+  near(extent(box, turned, along), 0.03);
+  near(extent({ shape: "cylinder", size: [0.02, 0.1] }, pose, along), 0.04);
+  near(extent({ shape: "cylinder", size: [0.02, 0.1] }, [0, 0, 0, Math.SQRT1_2, Math.SQRT1_2, 0, 0], along), 0.1);
+  near(extent({ shape: "sphere", size: [0.02] }, turned, along), 0.04);
+  const run = { events: [
+    { t: 0, what: "added", object: 0, robot: null },
+    { t: 2, what: "attached", object: 0, robot: 1 },
+    { t: 5, what: "detached", object: 0, robot: 1 },
+  ] };
+  assert.equal(grasped(run, 1, 1), null);
+  near(grasped(run, 1, 1.925).closed, 0.5);
+  assert.deepEqual(grasped(run, 1, 2), { object: 0, closed: 1 });
+  assert.deepEqual(grasped(run, 1, 4.9), { object: 0, closed: 1 });
+  near(grasped(run, 1, 5.075).closed, 0.5);
+  assert.equal(grasped(run, 1, 6), null);
+  assert.equal(grasped(run, 0, 3), null);
 });

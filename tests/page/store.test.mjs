@@ -5,7 +5,9 @@ import { source } from "./modules.mjs";
 
 const { receive, receiveRows } = await source("store/receive.ts");
 const { initialState, shownRun, isStale, currentLine } = await source("store/state.ts");
-const { pageWith, recordingOf } = await source("store/recording.ts");
+const { recordingOf } = await source("store/recording.ts");
+const { firstText, reopen } = await source("alone/saved.ts");
+const { pageWithLaboratory, pageWithRecording } = await source("home/source.ts");
 const { readRows } = await source("protocol/rows.ts");
 const { Store } = await source("store/store.ts");
 
@@ -167,6 +169,60 @@ test("a recorded run, told again, is the same run", () => {
   for (const name of ["state", "tEnd", "hash", "label", "robots", "objects", "events", "moves", "figures"]) assert.deepEqual(other[name], one[name], name);
   assert.deepEqual(recordingOf(again, other), recording);
   assert.equal(again.text, state.text);
-  const page = pageWith('<body><div id="page"></div></body>', recording);
+  const page = pageWithRecording('<body><div id="page"></div></body>', recording);
   assert.ok(!page.includes("<first>"));
+});
+
+test("a page carries one laboratory or one recording, and a recording no engine", () => {
+  const text = (page, id) => new RegExp(`id="${id}">([^<]*)<`).exec(page)?.[1];
+  const bare = '<div id="page"></div><script type="text/plain" class="armlet-part" id="armlet-engine">AAAA</script><script type="text/plain" id="armlet-worker">a < b</script><script id="armlet-page">BBBB</script>';
+  const first = pageWithLaboratory(bare, { text: "</script><b>", n: 1 });
+  const second = pageWithLaboratory(first, { n: 2 });
+  assert.deepEqual(JSON.parse(text(first, "armlet-laboratory")), { text: "</script><b>", n: 1 });
+  assert.deepEqual(JSON.parse(text(second, "armlet-laboratory")), { n: 2 });
+  assert.equal(second.match(/id="armlet-laboratory"/g).length, 1);
+  const recorded = pageWithRecording(pageWithRecording(second, ["$&"]), ["$1"]);
+  assert.deepEqual(JSON.parse(text(recorded, "armlet-recording")), ["$1"]);
+  for (const id of ["armlet-engine", "armlet-worker", "armlet-laboratory"]) assert.ok(!recorded.includes(id), id);
+  assert.ok(recorded.includes("BBBB"));
+});
+
+// A laboratory as reopen() sees it: a text makes a run, an input one that goes on with it.
+function laboratoryOf(first, hashOf) {
+  const runs = [];
+  const told = [];
+  const heard = [];
+  let shown = 0;
+  const add = (text, inputs) => {
+    runs.push({ text, inputs });
+    shown = runs.length;
+    told.push({ type: "run", run: shown, state: "done", hash: hashOf(text, inputs) }, { type: "shown", run: shown });
+  };
+  add(first, []);
+  return {
+    runs, heard, now: () => runs[shown - 1],
+    send: (message) => {
+      heard.push(message.type);
+      if (message.type === "text") add(message.text, []);
+      if (message.type === "show") told.push({ type: "shown", run: (shown = message.run) });
+      if (message.type === "input") add(runs[shown - 1].text, [...runs[shown - 1].inputs, { t: message.t, press: message.press }]);
+    },
+    settle: async () => told.splice(0),
+  };
+}
+
+test("a laboratory that was handed in has its runs again, each from the one most like it", async () => {
+  const press = (t) => ({ t, press: "go" });
+  const hashOf = (text, inputs) => `${text}${inputs.map((i) => i.t)}`;
+  const run = (number, text, ...inputs) => ({ run: number, label: `run ${number}`, text, inputs, state: "done", hash: hashOf(text, inputs) });
+  const saved = { text: "c!", shown: 7, runs: [run(1, "a"), run(4, "a", press(1)), run(5, "b"), run(7, "a", press(1), press(2)), run(8, "c")] };
+  const laboratory = laboratoryOf(firstText(saved), hashOf);
+  assert.deepEqual(await reopen(saved, laboratory), []);
+  assert.deepEqual(laboratory.now(), { text: "a", inputs: [press(1), press(2)] });
+  assert.deepEqual(laboratory.heard, ["hello", "input", "text", "show", "input", "text", "text", "show"]);
+  const other = laboratoryOf("a", () => "another");
+  assert.deepEqual(await reopen(saved, other), saved.runs.map((each) => each.label));
+  const empty = laboratoryOf("wrong text", hashOf);
+  assert.deepEqual(await reopen({ text: "wrong text", shown: 0, runs: [] }, empty), []);
+  assert.deepEqual(empty.heard, ["hello"]);
 });

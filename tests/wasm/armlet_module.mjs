@@ -18,7 +18,7 @@ const names = {
 };
 
 export const Answer = { done: 0, failed: 1, paused: 2, cancelled: 3, misused: -1 };
-export const What = { output: 0, messages: 1, messagesAsJson: 2, events: 3 };
+export const What = { output: 0, messages: 1, messagesAsJson: 2, events: 3, hash: 4 };
 
 // script  the path of armlet.js; armlet.wasm lies beside it.
 export async function loadArmlet(script) {

@@ -1,5 +1,5 @@
 // Runs programs with the command and with the module, each in a fresh folder, and compares standard output, messages,
-// exit status and the files that were written, byte for byte:
+// exit status, the hash of the run and the files that were written, byte for byte:
 //   node same_as_native.mjs COMMAND armlet.js [--steps N] FILE_OR_FOLDER...
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -25,9 +25,11 @@ function filesBelow(folder, inside = '') {
 const contentsOf = (folder) => new Map(filesBelow(folder).map((name) => [name, readFileSync(path.join(folder, name))]));
 
 function runNatively(folder, program) {
-  const ran = spawnSync(command, ['run', '--quiet', '--steps', String(steps), program],
+  const ran = spawnSync(command, ['run', '--quiet', '--hash', '--steps', String(steps), program],
     { cwd: folder, maxBuffer: 1 << 28, env: { ...process.env, LC_ALL: 'C' } });
-  return { status: ran.status, output: ran.stdout.toString(), messages: ran.stderr.toString() };
+  // The hash is the last line; a program that was rejected has none.
+  const [, output, hash] = /^([^]*?)(?:hash ([0-9a-f]{16})\n)?$/.exec(ran.stdout.toString());
+  return { status: ran.status, output, hash: hash ?? '', messages: ran.stderr.toString() };
 }
 
 function runInModule(files, program) {
@@ -36,7 +38,8 @@ function runInModule(files, program) {
   let status = armlet.checked(armlet.compile(session, files.get(program).toString(), program)) ? rejected : null;
   for (let answer = Answer.paused; status === null; status = exitStatus[answer] ?? null)
     answer = armlet.checked(armlet.run(session, 0.25, 100_000));
-  const result = { status, output: armlet.takeText(session, What.output), messages: armlet.takeText(session, What.messages) };
+  const result = { status, output: armlet.takeText(session, What.output), messages: armlet.takeText(session, What.messages),
+    hash: status === rejected ? '' : armlet.takeText(session, What.hash) };
   armlet.close(session);
   const written = new Map();
   for (const name of armlet.list_files('/').split('\n').filter(Boolean)) {
@@ -54,7 +57,7 @@ function difference(folder, files, program) {
   }
   const native = runNatively(folder, program);
   const here = runInModule(files, program);
-  for (const what of ['status', 'output', 'messages'])
+  for (const what of ['status', 'output', 'messages', 'hash'])
     if (native[what] !== here[what]) return `${what}: ${JSON.stringify(native[what]).slice(-400)} natively, ` +
       `${JSON.stringify(here[what]).slice(-400)} in the module`;
   const written = contentsOf(folder);

@@ -45,6 +45,11 @@ int refuse(const std::string& why, int exit) {
 int serve_lab(const LabOptions& options, const RunOptions& run) {
   if (run.file.empty() && !options.demo)
     return refuse("which program? armlet lab FILE, or armlet lab --demo", kUsage);
+  if (!run.record.empty())
+    return refuse(
+        "a laboratory that is shown is recorded as a page, an .html file; an .arec file needs "
+        "--inputs",
+        kUsage);
   lab::ServerOptions server{.host = options.host,
                             .port = options.port,
                             .token = options.token.empty() ? lab::new_token() : options.token,

@@ -173,6 +173,7 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
   if (type == "compare") return CompareRuns{small(message, "run"), small(message, "with")};
   if (type == "fetch") return FetchRun{small(message, "run")};
   if (type == "stop") return StopRun{};
+  if (type == "export") return AskExport{};
   if (type == "take") return TakeControl{};
   if (type == "give") {
     GiveControl out;

@@ -86,6 +86,8 @@ struct FetchRun {
   int run = 0;
 };
 struct StopRun {};
+// Everything that another laboratory needs to go on with this one.
+struct AskExport {};
 struct TakeControl {};
 struct GiveControl {
   std::optional<int> to{};
@@ -94,7 +96,8 @@ struct GiveControl {
 struct Request {
   std::optional<std::int64_t> seq{};
   std::variant<Hello, SetText, AskText, FormatText, GoTo, Step, SetBreakpoints, GiveInput,
-               AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, TakeControl, GiveControl>
+               AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, TakeControl,
+               GiveControl>
       what;
 };
 

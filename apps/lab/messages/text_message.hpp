@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/stdlib/host.hpp"
 #include "text_places.hpp"
 
 namespace armlet::lab {
@@ -25,7 +26,8 @@ struct TextFix {
   bool is_sure = false;
   std::vector<Replacement> edits{};
 };
-// when  circumstances of what happened in a run, as a sentence; t, its time, s.
+// when       circumstances of what happened in a run, as a sentence; t, its time, s.
+// unreached  the goal that could not be reached, if it is about one.
 struct TextMessage {
   bool is_error = true;
   std::string code{};
@@ -36,6 +38,7 @@ struct TextMessage {
   std::optional<TextFix> fix{};
   std::optional<double> t{};
   std::string when{};
+  std::optional<UnreachedGoal> unreached{};
 };
 
 // A fix that would change another file is left out.

@@ -14,6 +14,17 @@ OrderedJson marked_json(const MarkedPlace& place) {
   return {{"span", json_of(place.span)}, {"file", place.file}, {"label", place.label}};
 }
 
+void add_unreached(OrderedJson& out, const UnreachedGoal& goal) {
+  out["robot"] = goal.robot;
+  out["goal"] = pose_json(goal.T_world_tool);
+  out["nearest"] = nullptr;
+  if (goal.q_nearest.size() == 0) return;
+  out["nearest"] = {{"q", std::vector<double>(goal.q_nearest.begin(), goal.q_nearest.end())},
+                    {"pose", pose_json(goal.T_world_nearest)},
+                    {"distance", goal.distance},
+                    {"angle", goal.angle}};
+}
+
 }  // namespace
 
 OrderedJson json_of(const TextMessage& message) {
@@ -36,6 +47,7 @@ OrderedJson json_of(const TextMessage& message) {
   }
   if (message.t) out["t"] = *message.t;
   if (!message.when.empty()) out["when"] = message.when;
+  if (message.unreached) add_unreached(out, *message.unreached);
   return out;
 }
 
@@ -74,10 +86,12 @@ Message write_diagnostics(std::int64_t text_version, bool runs,
   return message_of(out);
 }
 
-Message write_error(Seq to, std::string_view reason, std::string_view message) {
+Message write_error(Seq to, std::string_view reason, std::string_view message,
+                    const UnreachedGoal* unreached) {
   OrderedJson out = answer("error", to);
   out["reason"] = reason;
   out["message"] = message;
+  if (unreached != nullptr) add_unreached(out, *unreached);
   return message_of(out);
 }
 

@@ -48,7 +48,8 @@ struct ControlState {
 [[nodiscard]] Message write_text(const std::string& text, std::int64_t version, int from);
 [[nodiscard]] Message write_diagnostics(std::int64_t text_version, bool runs,
                                         const std::vector<TextMessage>& items);
-[[nodiscard]] Message write_error(Seq to, std::string_view reason, std::string_view message);
+[[nodiscard]] Message write_error(Seq to, std::string_view reason, std::string_view message,
+                                  const UnreachedGoal* unreached = nullptr);
 [[nodiscard]] Message write_completion(Seq to, const Analysis& analysis, std::uint32_t at);
 [[nodiscard]] Message write_hover(Seq to, const Analysis& analysis, std::uint32_t at);
 [[nodiscard]] Message write_signature(Seq to, const Analysis& analysis, std::uint32_t at);
@@ -100,6 +101,23 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_elements(Seq to, int run, double t,
                                      const std::vector<ElementValue>& values);
 [[nodiscard]] Message write_taken(Seq to, int run);
+// A laboratory as it goes on elsewhere.
+//
+// world  given by the user; null: the command's own.
+// text   the newest; it need not have run.
+// files  what the program imports and loads, by their paths from its folder.
+struct Exported {
+  std::string version;
+  std::string robot;
+  const WorldText* world = nullptr;
+  std::string file;
+  std::string text;
+  bool is_demo = false;
+  const std::map<std::string, std::string>& files;
+  const RunList& runs;
+  int shown = 0;
+};
+[[nodiscard]] Message write_exported(Seq to, const Exported& exported);
 // kind  1 robot, 2 object, 3 element.
 [[nodiscard]] Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& rows,
                                  std::size_t first, std::size_t count);

@@ -326,4 +326,35 @@ Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& r
   return out;
 }
 
+// The lists of what was asked of the outside are not in it: `files` are its answers.
+Message write_exported(Seq to, const Exported& exported) {
+  OrderedJson out = answer("exported", to);
+  OrderedJson laboratory = {{"format", 1},
+                            {"version", exported.version},
+                            {"robot", exported.robot},
+                            {"world", nullptr},
+                            {"file", exported.file},
+                            {"text", exported.text},
+                            {"demo", exported.is_demo},
+                            {"files", OrderedJson::object()},
+                            {"runs", OrderedJson::array()},
+                            {"shown", exported.shown}};
+  if (exported.world != nullptr)
+    laboratory["world"] = {{"name", exported.world->name}, {"text", exported.world->text}};
+  for (const auto& [path, text] : exported.files) laboratory["files"][path] = text;
+  for (const auto& run : exported.runs) {
+    if (run->log.entries.empty()) continue;
+    OrderedJson inputs = OrderedJson::array();
+    for (const RunInput& each : run->inputs) inputs.push_back(input_json(each));
+    laboratory["runs"].push_back({{"run", run->number},
+                                  {"label", run->label},
+                                  {"text", run->log.entries.front().text},
+                                  {"inputs", std::move(inputs)},
+                                  {"state", state_word(run->state)},
+                                  {"hash", run->hash}});
+  }
+  out["laboratory"] = std::move(laboratory);
+  return message_of(out);
+}
+
 }  // namespace armlet::lab

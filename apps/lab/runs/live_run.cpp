@@ -93,10 +93,13 @@ void LiveRun::run_slice() {
   }
 }
 
-std::optional<std::string> LiveRun::give(const InputWhat& input) {
-  if (session_->vm() == nullptr) return "The run has not begun.";
-  const std::optional<Error> fault = apply_input(*session_, input);
-  if (fault) return fault->message;
+std::optional<InputFault> LiveRun::give(const InputWhat& input) {
+  if (session_->vm() == nullptr) return InputFault{"The run has not begun."};
+  if (const std::optional<Error> fault = apply_input(*session_, input)) {
+    const UnreachedGoal* goal = session_->host()->unreached();
+    const bool is_out_of_reach = fault->code == "unreachable" && goal != nullptr;
+    return InputFault{fault->message, is_out_of_reach ? std::optional(*goal) : std::nullopt};
+  }
   record_.inputs.push_back({to_seconds(now_ns()), input});
   record_.state = RunState::kRunning;
   record_.error.reset();
@@ -117,6 +120,10 @@ void LiveRun::come_to_end(Progress progress) {
                                                   : RunState::kStopped;
   if (const auto& error = session_->result().error; error && progress != Progress::kDone) {
     record_.error = resolved(*error, session_->sources());
+    // An earlier goal, which the program went on without, is not what this is about.
+    const UnreachedGoal* goal = session_->host()->unreached();
+    if (error->code == "R0601" && goal != nullptr && goal->t_ns == now_ns())
+      record_.error->unreached = *goal;
     if (now_ns() >= bounds_.time_ns) record_.state = RunState::kStopped;
   }
   finish_record();

@@ -22,6 +22,12 @@ inline constexpr std::uint64_t kSliceSteps = 100'000;
 // that can be looked at.
 [[nodiscard]] SessionOptions session_options(SessionOptions options, const RunBounds& bounds);
 
+// Why an input was refused.
+struct InputFault {
+  std::string why;
+  std::optional<UnreachedGoal> unreached{};
+};
+
 class LiveRun {
  public:
   // The record outlives it.
@@ -33,10 +39,10 @@ class LiveRun {
   // The run of a log up to a time, and then an input that makes it another one.
   void begin_fork(const SessionLog& log, std::int64_t t_ns, InputWhat input);
   // Does something to the run where it stands; it then goes on. Why not, if it is refused.
-  [[nodiscard]] std::optional<std::string> give(const InputWhat& input);
+  [[nodiscard]] std::optional<InputFault> give(const InputWhat& input);
   // Whether a fork has come to its input, and why that was refused.
   [[nodiscard]] bool has_forked() const { return !fork_; }
-  [[nodiscard]] const std::optional<std::string>& fork_fault() const { return fork_fault_; }
+  [[nodiscard]] const std::optional<InputFault>& fork_fault() const { return fork_fault_; }
 
   // Runs a slice. Returns whether there is more to do.
   bool advance();
@@ -65,7 +71,7 @@ class LiveRun {
     InputWhat input;
   };
   std::optional<Fork> fork_;  // to come
-  std::optional<std::string> fork_fault_;
+  std::optional<InputFault> fork_fault_;
 };
 
 }  // namespace armlet::lab

@@ -84,4 +84,18 @@ std::string fault_of_token(std::string_view token) {
   return is_of(token, kLetters) ? "" : "a token is made of letters, digits, - and _";
 }
 
+std::string_view scripts_of(std::string_view page) {
+  constexpr std::string_view kPolicy = "http-equiv=\"Content-Security-Policy\" content=\"";
+  constexpr std::string_view kNone = "script-src 'none'";
+  const std::size_t policy = page.find(kPolicy);
+  if (policy == std::string_view::npos) return kNone;
+  page.remove_prefix(policy + kPolicy.size());
+  page = page.substr(0, page.find('"'));
+  const std::size_t scripts = page.find("script-src ");
+  if (scripts == std::string_view::npos) return kNone;
+  page.remove_prefix(scripts);
+  const std::string_view said = page.substr(0, page.find(';'));
+  return said.find_first_of("\r\n") == std::string_view::npos ? said : kNone;
+}
+
 }  // namespace armlet::lab

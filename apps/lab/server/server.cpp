@@ -35,16 +35,15 @@ std::string_view reason(int status) {
 }
 
 // What pages may load and run: themselves, and nothing from elsewhere.
-std::string security_headers(std::string_view host) {
+std::string security_headers(std::string_view host, std::string_view page) {
   return fmt::format(
-      "Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' "
-      "blob:; style-src 'unsafe-inline'; img-src data: blob:; media-src blob:; font-src data:; "
-      "worker-src blob:; connect-src 'self' ws://{0} blob: data:; base-uri 'none'; "
-      "form-action 'none'; frame-ancestors 'none'\r\n"
+      "Content-Security-Policy: default-src 'none'; {1}; style-src 'unsafe-inline'; "
+      "img-src data: blob:; media-src blob:; font-src data:; connect-src 'self' ws://{0} blob: "
+      "data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n"
       "X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n"
       "Cross-Origin-Resource-Policy: same-origin\r\nCross-Origin-Opener-Policy: same-origin\r\n"
       "Cache-Control: no-store\r\n",
-      host);
+      host, scripts_of(page));
 }
 
 class Server {
@@ -91,9 +90,9 @@ class Server {
     const char* const settings[] = {"listening_ports",
                                     ports.c_str(),
                                     "num_threads",
-                                    "64",
-                                    "request_timeout_ms",
-                                    "10000",
+                                    "128",
+                                    "request_timeout_ms",  // also of those who ask for nothing
+                                    "3000",
                                     "websocket_timeout_ms",
                                     "15000",
                                     "enable_websocket_ping_pong",
@@ -165,7 +164,7 @@ class Server {
         "HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n{}"
         "Connection: close\r\n\r\n",
         status, reason(status), type, body.size(),
-        status == 200 ? security_headers(asking.host) : std::string());
+        status == 200 ? security_headers(asking.host, options_.page) : std::string());
     web_.write(connection, head.data(), head.size());
     if (asking.method != "HEAD") web_.write(connection, body.data(), body.size());
   }

@@ -4,6 +4,9 @@
 
 #ifdef __EMSCRIPTEN__
 #include <emscripten.h>
+
+#include "../../armlet/imports.hpp"
+#include "core/bare/memory_files.hpp"
 #else
 #define EMSCRIPTEN_KEEPALIVE
 #endif
@@ -17,6 +20,7 @@
 
 #include "armlet/model/catalog.hpp"
 #include "laboratory.hpp"
+#include "messages/saved_laboratory.hpp"
 
 namespace armlet::lab {
 namespace {
@@ -48,6 +52,35 @@ int guarded(F f) {
   }
 }
 
+// The files of a laboratory lie in the memory of the page, in place of those of the one before.
+void take_files([[maybe_unused]] LaboratoryOptions& options,
+                [[maybe_unused]] const SavedLaboratory& saved) {
+#ifdef __EMSCRIPTEN__
+  for (const std::string& path : memory_files::list("/")) memory_files::remove(path);
+  for (const auto& [path, text] : saved.files) memory_files::put(path, text);
+  options.session.load = cli::imports_of(saved.file);
+  options.session.folder = ".";
+#endif
+}
+
+LaboratoryOptions options_of(SavedLaboratory saved) {
+  LaboratoryOptions options;
+  if (!saved.robot.empty()) {
+    options.session.robot = make_robot(saved.robot);
+    if (options.session.robot == nullptr)
+      throw ArgumentError("There is no robot \"" + saved.robot + "\".");
+  }
+  options.session.world = saved.world;
+  if (!saved.world) options.session.default_world = table_world();
+  take_files(options, saved);
+  options.file = std::move(saved.file);
+  options.text = std::move(saved.text);
+  options.version = ARMLET_VERSION;
+  options.is_demo = saved.is_demo;
+  options.most_bytes = std::size_t{96} << 20U;
+  return options;
+}
+
 }  // namespace
 }  // namespace armlet::lab
 
@@ -56,22 +89,14 @@ using namespace armlet::lab;
 
 extern "C" {
 
-// Begins a laboratory in place of the one before. The texts are UTF-8.
-EMSCRIPTEN_KEEPALIVE int armlet_lab_open(const char* robot, const char* file, const char* text,
-                                         const char* version, int is_demo) {
+// Begins a laboratory that was exported, in place of the one before: `laboratory` of "exported".
+EMSCRIPTEN_KEEPALIVE int armlet_lab_open(const char* json, int size) {
   return guarded([&] {
-    LaboratoryOptions options;
-    options.session.robot = make_robot(robot);
-    if (options.session.robot == nullptr)
-      throw ArgumentError("There is no robot \"" + std::string(robot) + "\".");
-    options.session.default_world = table_world();
-    options.file = file;
-    options.text = text;
-    options.version = version;
-    options.is_demo = is_demo != 0;
-    options.most_bytes = std::size_t{96} << 20U;
+    Result<SavedLaboratory> saved =
+        read_saved({json, static_cast<std::size_t>(size)}, ARMLET_VERSION);
+    if (!saved.ok()) throw ArgumentError(saved.error().message);
     home().messages.clear();
-    home().laboratory = std::make_unique<Laboratory>(std::move(options));
+    home().laboratory = std::make_unique<Laboratory>(options_of(std::move(saved).value()));
     home().page = home().laboratory->join();
     return 0;
   });

@@ -7,11 +7,21 @@
 #include "armlet/chain/walk_plan.hpp"
 
 // Kernels are compiled once for each number of joints up to kLargestKernel, so that their loops
-// unroll and everything stays in registers, and once for any number.
+// unroll and everything stays in registers, and once for any number. A page waits for its code to
+// arrive, so WebAssembly has those of the usual arms alone; the bits are the same.
 namespace armlet {
 
 inline constexpr int kAnyCount = 0;
 inline constexpr int kLargestKernel = 8;
+
+// usual  the one number that the kernel meets most; 0: several.
+constexpr bool has_own_kernel([[maybe_unused]] int n, [[maybe_unused]] int usual) {
+#ifdef __wasm__
+  return usual == kAnyCount ? n == 4 || n == 6 : n == usual;
+#else
+  return true;
+#endif
+}
 
 // The number of joints of a kernel that was compiled for N.
 template <int N>
@@ -33,10 +43,11 @@ using KernelTable = std::array<Kernel*, kLargestKernel + 1>;
 
 // The table of a function template. `instance` is a template itself, with the number of joints as
 // its parameter: kernel_table<Kernel>([]<int N>() { return &kernel<N>; }).
-template <class Kernel, class Instance>
+template <class Kernel, int kUsual = kAnyCount, class Instance>
 consteval KernelTable<Kernel> kernel_table(Instance instance) {
   return [instance]<int... N>(std::integer_sequence<int, N...>) {
-    return KernelTable<Kernel>{instance.template operator()<N>()...};
+    return KernelTable<Kernel>{
+        instance.template operator() < has_own_kernel(N, kUsual) ? N : kAnyCount > ()...};
   }
   (std::make_integer_sequence<int, kLargestKernel + 1>());
 }

@@ -62,9 +62,10 @@ int forward_kernel(const DynamicsInput& in, double* out) {
 }
 
 template <bool kSlides>
-constexpr KernelTable<ForwardKernel> kForwardTable = kernel_table<ForwardKernel>([]<int N>() {
-  return &forward_kernel<N, kSlides>;
-});
+constexpr KernelTable<ForwardKernel> kForwardTable =
+    kernel_table<ForwardKernel, usual_count(kSlides)>([]<int N>() {
+      return &forward_kernel<N, kSlides>;
+    });
 
 }  // namespace
 

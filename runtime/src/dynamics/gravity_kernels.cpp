@@ -15,9 +15,8 @@ void gravity_kernel(const DynamicsInput& in, double* tau) {
 }
 
 template <bool kSlides>
-constexpr KernelTable<ForceKernel> kGravityTable = kernel_table<ForceKernel>([]<int N>() {
-  return &gravity_kernel<N, kSlides>;
-});
+constexpr KernelTable<ForceKernel> kGravityTable = kernel_table<ForceKernel, usual_count(kSlides)>(
+    []<int N>() { return &gravity_kernel<N, kSlides>; });
 
 }  // namespace
 

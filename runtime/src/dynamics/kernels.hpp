@@ -28,6 +28,9 @@ struct DynamicsInput {
 using ForceKernel = void(const DynamicsInput& in, double* out);
 using ForwardKernel = int(const DynamicsInput& in, double* out);
 
+// The arms that are met most: SCARA, and six revolute joints.
+constexpr int usual_count(bool slides) { return slides ? 4 : 6; }
+
 // [0] for arms with revolute joints alone, [1] for all.
 extern const KernelTable<ForceKernel> kInverseKernels[2], kBiasKernels[2], kGravityKernels[2],
     kMassKernels[2];

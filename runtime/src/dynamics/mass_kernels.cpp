@@ -18,9 +18,8 @@ void mass_kernel(const DynamicsInput& in, double* M) {
 }
 
 template <bool kSlides>
-constexpr KernelTable<ForceKernel> kMassTable = kernel_table<ForceKernel>([]<int N>() {
-  return &mass_kernel<N, kSlides>;
-});
+constexpr KernelTable<ForceKernel> kMassTable = kernel_table<ForceKernel, usual_count(kSlides)>(
+    []<int N>() { return &mass_kernel<N, kSlides>; });
 
 }  // namespace
 

@@ -21,9 +21,8 @@ void newton_euler_kernel(const DynamicsInput& in, double* tau) {
 }
 
 template <bool kSlides, bool kAccel>
-constexpr KernelTable<ForceKernel> kTable = kernel_table<ForceKernel>([]<int N>() {
-  return &newton_euler_kernel<N, kSlides, kAccel>;
-});
+constexpr KernelTable<ForceKernel> kTable = kernel_table<ForceKernel, usual_count(kSlides)>(
+    []<int N>() { return &newton_euler_kernel<N, kSlides, kAccel>; });
 
 }  // namespace
 

@@ -212,7 +212,12 @@ Result<Eigen::VectorXd> LabControls::joints_for_hand(std::string_view sliders,
   }
   for (const double value : values)
     if (!std::isfinite(value)) return Error{"type", "Coordinates are finite numbers."};
-  return hand_joints(*hand->robot, hand->axes, values);
+  Host& host = *session_.run_->host;
+  UnreachedGoal goal{.t_ns = host.now_ns(),
+                     .robot = host.cell().find_robot(hand->robot->name).value_or(-1)};
+  Result<Eigen::VectorXd> q = hand_joints(*hand->robot, hand->axes, values, &goal);
+  if (!q.ok() && q.error().code == "unreachable") host.note_unreached(std::move(goal));
+  return q;
 }
 
 std::optional<Error> LabControls::move_hand(std::string_view sliders,

@@ -62,7 +62,7 @@ std::vector<double> hand_now(const CellRobot& robot, std::span<const HandAxis> a
 }
 
 Result<Eigen::VectorXd> hand_joints(const CellRobot& robot, std::span<const HandAxis> axes,
-                                    std::span<const double> values) {
+                                    std::span<const double> values, UnreachedGoal* unreached) {
   const Isometry3d T = pose_of(forward(*robot.model, robot.q), axes, values);
   IkOptions options;
   options.seed = robot.q;
@@ -70,8 +70,16 @@ Result<Eigen::VectorXd> hand_joints(const CellRobot& robot, std::span<const Hand
                      ? IkTask::kPositionFirst
                      : frame_task(*robot.model, T).value_or(IkTask::kPose);
   const IkResult result = solve_ik(*robot.model, T, options);
-  if (!result.ok()) return Error{"unreachable", explain(*robot.model, T, result)};
-  return result.q;
+  if (result.ok()) return result.q;
+  const IkDiagnosis& why = result.diagnosis;
+  if (unreached != nullptr) {
+    unreached->T_world_tool = T;
+    unreached->q_nearest = why.q_nearest;
+    unreached->T_world_nearest = why.nearest;
+    unreached->distance = why.distance;
+    unreached->angle = why.angle;
+  }
+  return Error{"unreachable", explain(*robot.model, T, result)};
 }
 
 std::vector<std::array<double, 2>> hand_reach(const CellRobot& robot,

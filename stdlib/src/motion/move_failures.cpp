@@ -186,6 +186,14 @@ Failed fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
   const Robot& robot = model_of(vm, call);
   Failure f = start(vm, call, call.target);
   const IkDiagnosis& d = result.diagnosis;
+  Host& host = Host::of(vm);
+  host.note_unreached({.t_ns = host.now_ns(),
+                       .robot = call.robot,
+                       .T_world_tool = goal,
+                       .q_nearest = d.q_nearest,
+                       .T_world_nearest = d.nearest,
+                       .distance = d.distance,
+                       .angle = d.angle});
   switch (result.status) {
     case IkStatus::kJointLimit:
       f.headline = {row("R0601"), {"only with a joint beyond its limits"}};

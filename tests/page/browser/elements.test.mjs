@@ -1,10 +1,10 @@
 // Elements of a laboratory: shown from a recording, so that texts of any kind can be tried; moved on a laboratory that runs.
 import assert from "node:assert/strict";
-import { mkdtempSync } from "node:fs";
+import { mkdtempSync, readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { closeBrowser, openPage, recordingFile, until, untilStatus, violations, withLab } from "../laboratory.mjs";
+import { closeBrowser, openPage, recordingFile, typeAtEnd, until, untilStatus, violations, withLab } from "../laboratory.mjs";
 
 after(closeBrowser);
 
@@ -179,4 +179,29 @@ test("the hand is pulled in the view: the arm follows, and says why where it can
     await until(async () => (await page.locator("output.where").innerText()) !== before, () => "the arm does not follow");
     await page.getByRole("button", { name: "Insert posJ" }).click();
     await page.locator(".cm-line", { hasText: /^posJ\(.*deg\)/ }).waitFor();
+  }));
+
+test("the view is saved as a drawing, without what is hidden", () =>
+  withLab("robot arm = robots.scara()\nobject near { shape: box(200mm, 20mm, 200mm); at: xyz(300mm, -500mm, 100mm); color: \"red\" }\nobject behind { shape: box(20mm, 20mm, 20mm); at: xyz(300mm, -450mm, 100mm); color: \"lime\" }\nwait(1s)\n", async (open) => {
+    const page = await open({ acceptDownloads: true });
+    await untilStatus(page, /1\.00 s/);
+    await page.getByRole("toolbar", { name: "3D view" }).getByRole("button", { name: "Front" }).click();
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("toolbar", { name: "3D view" }).getByRole("button", { name: "SVG" }).click()]);
+    const svg = readFileSync(await download.path(), "utf8");
+    const colors = new Set([...svg.matchAll(/<path [^>]*fill="(#\w+)"/g)].map((found) => found[1]));
+    assert.ok([...colors].some((color) => /^#[89a-f][0-9a-f]0000$/.test(color)), "the red box is there");
+    assert.ok(![...colors].some((color) => /^#00[0-9a-f]{2}00$/.test(color)), "what is behind it is not");
+    assert.ok(!/NaN/.test(svg) && svg.length < 2e6, `${svg.length} bytes`);
+  }));
+
+test("a hand slider that is pulled too far shows where the arm comes nearest, as does a goal out of reach", () =>
+  withLab("robot arm = robots.scara()\nlab cell {\n    sliders hand(of: arm, as: \"x y z roll\")\n}\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /0\.00 s/);
+    await page.getByRole("spinbutton", { name: /^x in mm/ }).fill("900");
+    await page.keyboard.press("Enter");
+    await page.locator(".label.warning").first().waitFor();
+    await typeAtEnd(page, "arm.moveL(xyz(5m, 0mm, 100mm), speed: 100mm/s)\n");
+    await untilStatus(page, /failed/);
+    await page.locator(".label.warning").first().waitFor();
   }));

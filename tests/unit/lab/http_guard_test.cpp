@@ -99,3 +99,16 @@ TEST_CASE("tokens are long, of plain letters, and never the same") {
   CHECK(!fault_of_token("with a space").empty());
   CHECK(!fault_of_token("a&b=c;d#e%00").empty());
 }
+
+TEST_CASE("a page runs the scripts that it names itself, and no others") {
+  const auto with = [](const std::string& policy) {
+    return std::string(
+        scripts_of("<meta http-equiv=\"Content-Security-Policy\" content=\"" + policy + "\" />"));
+  };
+  CHECK(with("default-src 'none'; script-src 'sha256-AB+/=' 'wasm-unsafe-eval'; img-src data:") ==
+        "script-src 'sha256-AB+/=' 'wasm-unsafe-eval'");
+  CHECK(with("script-src 'self'") == "script-src 'self'");
+  CHECK(with("default-src 'none'") == "script-src 'none'");
+  CHECK(with("script-src 'self'\r\nSet-Cookie: a") == "script-src 'none'");
+  CHECK(scripts_of("<p>no policy; script-src 'unsafe-inline'</p>") == "script-src 'none'");
+}

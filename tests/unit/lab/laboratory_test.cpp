@@ -349,3 +349,70 @@ TEST_CASE("as many runs are kept as fit, and the shown one always") {
   CHECK(list.back()["t_end"] == 41.0);
   CHECK(list.size() == 3);
 }
+
+TEST_CASE("an exported laboratory has its runs, and the files that they took") {
+  LaboratoryOptions options = lab_with(
+      "import \"tools/grips.rbt\"\nmoveJ(posJ(20deg, 30deg, 10mm, 0deg), time: 1s)\n"
+      "print(grips.wide)\nsavePlot(\"own.svg\")\n");
+  options.file = "cell.rbt";
+  options.session.world = WorldText{"none", ""};
+  options.session.load = [](const std::string& path, const std::string& from) {
+    ImportedText given;
+    if (path == "tools/grips.rbt") given.text = "import \"more.rbt\"\nlet wide = more.two * 2\n";
+    if (path == "more.rbt" && from == "/far/away/tools/grips.rbt") given.text = "let two = 2\n";
+    given.name = "/far/away/tools/" + path.substr(path.find('/') + 1);
+    return given;
+  };
+  Laboratory laboratory(std::move(options));
+  TestPage page(laboratory);
+  page.hello();
+  finish_work(laboratory);
+  REQUIRE(page.ask({{"type", "input"}, {"t", 0.5}, {"joints", "robot"}, {"values", {0, 0, 0, 0}}})
+              .is_object());
+  const TestJson told = page.ask({{"type", "export"}});
+  REQUIRE(told["type"] == "exported");
+  const TestJson& saved = told["laboratory"];
+  INFO(saved.dump(2));
+  CHECK(saved["file"] == "cell.rbt");
+  CHECK(saved["robot"] == "scara");
+  CHECK(saved["world"]["name"] == "none");
+  CHECK(saved["files"] ==
+        TestJson({{"tools/grips.rbt", "import \"more.rbt\"\nlet wide = more.two * 2\n"},
+                  {"tools/more.rbt", "let two = 2\n"}}));
+  const TestJson& runs = saved["runs"];
+  REQUIRE(!runs.empty());
+  CHECK(runs[0]["text"] == saved["text"]);
+  CHECK(runs[0]["hash"].get<std::string>().size() == 16);
+  CHECK(runs[0]["inputs"].empty());
+}
+
+TEST_CASE("a goal out of reach comes with what is nearest to it") {
+  Laboratory laboratory(lab_with(
+      "robot arm = robots.scara()\n"
+      "lab cell { sliders hand(of: arm, as: \"x y z roll\") }\n"
+      "try { arm.moveL(xyz(2m, 0mm, 100mm), speed: 100mm/s) } catch (e) { print(e.message) }\n"
+      "wait(1s)\narm.moveL(xyz(5m, 0mm, 100mm), speed: 100mm/s)\n"));
+  TestPage page(laboratory);
+  page.hello();
+  finish_work(laboratory);
+  page.take();
+  const TestJson error = page.last("run")["error"];
+  INFO(error.dump());
+  CHECK(error["robot"] == 0);
+  CHECK(error["goal"][0] == 5.0);
+  CHECK(error["nearest"]["q"].size() == 4);
+  CHECK(error["nearest"]["distance"].get<double>() > 4.0);
+  CHECK(error["nearest"]["pose"][0].get<double>() < 1.0);
+
+  const TestJson refused =
+      page.ask({{"type", "input"}, {"t", 0.5}, {"hand", "hand"}, {"values", {3.0, 0.0, 0.2, 0.0}}});
+  INFO(refused.dump());
+  CHECK(refused["type"] == "error");
+  CHECK(refused["robot"] == 0);
+  CHECK(refused["goal"][0] == 3.0);
+  CHECK(refused["nearest"]["q"].size() == 4);
+  const TestJson unknown =
+      page.ask({{"type", "input"}, {"t", 0.5}, {"set", "nothing"}, {"value", 1}});
+  CHECK(unknown["type"] == "error");
+  CHECK(!unknown.contains("nearest"));
+}

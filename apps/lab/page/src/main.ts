@@ -1,6 +1,7 @@
 // Starts the page: the store, the conversation with the laboratory, the views, the clock of playing.
 import { Connection } from "./home/connection.ts";
 import { findHome } from "./home/home.ts";
+import { takeSource } from "./home/source.ts";
 import { buildPage } from "./shell/page.ts";
 import "./shell/styles.css";
 import { Intents } from "./store/intents.ts";
@@ -8,6 +9,7 @@ import { receive, receiveRows } from "./store/receive.ts";
 import { Store } from "./store/store.ts";
 
 const store = new Store((work) => requestAnimationFrame(work));
+const source = takeSource();
 const home = findHome();
 let intents: Intents | undefined;
 
@@ -25,7 +27,7 @@ const connection = new Connection(home.carry, {
   rows: (block) => store.change((s) => receiveRows(s, block)),
 });
 intents = new Intents(store, connection, home.live);
-buildPage(document.getElementById("page")!, store, intents);
+buildPage(document.getElementById("page")!, store, intents, source, home.alone);
 
 let last = 0;
 function frame(now: number): void {

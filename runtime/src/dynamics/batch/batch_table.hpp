@@ -21,6 +21,12 @@ struct DynamicsBatchKernels {
   std::size_t lanes;
   MotionKernel* inverse;
 };
+#if defined(__x86_64__)
 extern const DynamicsBatchKernels kBaselineDynamics, kAvx2Dynamics, kAvx512Dynamics;
+#else  // other processors are never asked for the wider ones (is_supported)
+extern const DynamicsBatchKernels kBaselineDynamics;
+inline const DynamicsBatchKernels& kAvx2Dynamics = kBaselineDynamics;
+inline const DynamicsBatchKernels& kAvx512Dynamics = kBaselineDynamics;
+#endif
 
 }  // namespace armlet

@@ -74,6 +74,19 @@ struct LastVelocity {
   ToolTakeUp take_up{};
 };
 
+// A goal of the tool that a robot could not reach, and what comes nearest.
+//
+// q_nearest  empty: nothing does.
+struct UnreachedGoal {
+  std::int64_t t_ns = 0;
+  int robot = -1;
+  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+  Eigen::VectorXd q_nearest{};
+  Eigen::Isometry3d T_world_nearest = Eigen::Isometry3d::Identity();
+  double distance = 0.0;  // m
+  double angle = 0.0;     // rad
+};
+
 // A planner of the host, as PlannerSet::add takes it.
 struct NamedPlanner {
   std::string name;
@@ -179,6 +192,12 @@ class Host : public Timeline {
   // Null unless the robot still moves after it.
   [[nodiscard]] const LastVelocity* last_velocity(int robot) const;
 
+  // The last goal that was out of reach; null: all were reached. It is for whoever shows the run.
+  void note_unreached(UnreachedGoal goal) { unreached_ = std::move(goal); }
+  [[nodiscard]] const UnreachedGoal* unreached() const {
+    return unreached_ ? &*unreached_ : nullptr;
+  }
+
   void report_move(const MoveReport& report);
   [[nodiscard]] int move_count() const { return moves_; }
 
@@ -201,6 +220,7 @@ class Host : public Timeline {
   PlannerSet planners_;
   std::vector<std::optional<LastMotion>> last_motions_;
   std::vector<std::optional<LastVelocity>> last_velocities_;
+  std::optional<UnreachedGoal> unreached_;
   int default_robot_ = -1;
   std::string world_name_;
   std::vector<Figure> figures_;

@@ -14,6 +14,7 @@ import type { Store } from "../store/store.ts";
 import { asking, positionOf, rangeOf } from "./ask.ts";
 import { language } from "./language.ts";
 import { marking, setMarks } from "./marks.ts";
+import { placeOfName } from "./names.ts";
 import { numberPulling } from "./pull.ts";
 
 export class Editor {
@@ -79,12 +80,11 @@ export class Editor {
   }
 
   // Selects the first place where the program writes a name, as a text or as a word.
-  find(name: string): void {
-    const text = this.view.state.doc.toString();
-    const quoted = text.indexOf(`"${name}"`);
-    const word = new RegExp(`\\b${name.replace(/\W/g, "\\$&")}\\b`).exec(text)?.index ?? -1;
-    const at = quoted >= 0 ? quoted + 1 : word;
-    if (at < 0) return;
+  // Selects where the program names an object, a robot or a row of its laboratory: where it is declared, or as a text, or
+  // at all. `kind` is the word in front of a row's name.
+  find(name: string, kind = "object|robot"): void {
+    const at = placeOfName(this.view.state.doc.toString(), name, kind);
+    if (at === null) return;
     this.view.dispatch({ selection: { anchor: at, head: at + name.length }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
   }
 

@@ -47,7 +47,8 @@ function viewOf(place: Place, run: Run): ElementView | null {
   }
 }
 
-export function elementPanel(host: HTMLElement, store: Store, intents: Intents): void {
+// point  shows in the editor where the program names a row: its name, and the word in front of it.
+export function elementPanel(host: HTMLElement, store: Store, intents: Intents, point: (name: string, kind: string) => void): void {
   let views: ElementView[] = [];
   let built = "";
   const build = (run: Run) => {
@@ -56,9 +57,12 @@ export function elementPanel(host: HTMLElement, store: Store, intents: Intents):
     if (key === built) return;
     built = key;
     for (const view of views) view.dispose?.();
-    views = elements.map((element, index) => viewOf({ element, index, intents }, run)).filter((view) => view !== null);
+    const all = elements.map((element, index) => [element, viewOf({ element, index, intents }, run)] as const);
+    const shownElements = all.flatMap(([element, view]) => (view ? [element] : []));
+    views = all.flatMap(([, view]) => (view ? [view] : []));
     views.push(figures());
     const quiet = elements.length ? [] : [el("p", { class: "quiet element" }, "This program has no robot and no laboratory.")];
+    if (run.elements.length) views.forEach((view, i) => pointing(view.root, shownElements[i], point));
     host.replaceChildren(...quiet, ...views.map((view) => view.root));
   };
   const update = (state: State) => {
@@ -70,4 +74,12 @@ export function elementPanel(host: HTMLElement, store: Store, intents: Intents):
   };
   store.watch((s) => [s.shown, shownRun(s)?.version, s.t, s.refusals, inControl(s)], update);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update(store.state));
+}
+
+// A click on the name of a row goes to where the program writes it.
+function pointing(root: HTMLElement, element: ElementInfo | undefined, point: (name: string, kind: string) => void): void {
+  const title = root.querySelector("h2");
+  if (!element || !title) return;
+  title.classList.add("points");
+  title.addEventListener("click", (event) => event.target === title && point(element.name, element.kind));
 }

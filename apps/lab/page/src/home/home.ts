@@ -8,6 +8,8 @@ export interface Home {
   carry: Carry;
   // Whether the laboratory can be asked; a recording cannot.
   live: boolean;
+  // Whether it is in this page, which can be saved with everything that was done in it.
+  alone: boolean;
 }
 
 // A saved page carries what it needs as scripts that browsers do not run, because of their types:
@@ -15,10 +17,10 @@ export interface Home {
 // further texts in elements of the class armlet-part, which the worker gets by their ids.
 export function findHome(): Home {
   const recording = document.getElementById("armlet-recording");
-  if (recording) return { carry: overRecording(JSON.parse(recording.textContent) as Recording), live: false };
+  if (recording) return { carry: overRecording(JSON.parse(recording.textContent) as Recording), live: false, alone: false };
   const worker = document.getElementById("armlet-worker");
-  if (worker) return { carry: overWorker(startWorker(worker.textContent)), live: true };
-  return { carry: overSocket(socketAddress(location)), live: true };
+  if (worker) return { carry: overWorker(startWorker(worker.textContent)), live: true, alone: true };
+  return { carry: overSocket(socketAddress(location)), live: true, alone: false };
 }
 
 function startWorker(code: string): Worker {

@@ -262,8 +262,9 @@ export type Incoming = { to?: number | null } & (
   | { type: "definition"; span: Span | null; file?: string | null }
   | { type: "formatted"; text: string | null }
   | { type: "inverse"; ok: boolean; q?: number[] | null; reason?: string | null; nearest?: Nearest | null }
-  | { type: "thinned" | "taken"; run: number }
-  | { type: "error"; reason: string; message: string; nearest?: Nearest | null }
+  | { type: "taken"; run: number }
+  | { type: "exported"; laboratory: Record<string, unknown> }
+  | { type: "error"; reason: string; message: string; robot?: number; goal?: Pose; nearest?: Nearest | null }
 );
 export type IncomingOf<T extends Incoming["type"]> = Extract<Incoming, { type: T }>;
 
@@ -275,7 +276,7 @@ export type Outgoing =
   | { type: "hello"; protocol: 1; key?: string }
   | { type: "text"; text: string; version: number; run?: boolean }
   | { type: "complete" | "hover" | "signature" | "definition"; at: Position }
-  | { type: "format" | "stop" | "take" }
+  | { type: "format" | "stop" | "export" | "take" }
   | { type: "goto"; t: number; run?: number }
   | ({ type: "input"; t?: number } & Input)
   | { type: "breakpoints"; lines: number[] }

@@ -7,10 +7,10 @@ import type { RobotChange, RobotInfo, Shape } from "../protocol/messages.ts";
 import { jointsAtLimits, shapeFrames } from "../store/kinematics.ts";
 import type { Palette } from "./palette.ts";
 
-const ROUND = 48;
+const ROUND = 48; // faces of a full circle
 
 // A cylinder about z whose edges are rounded a little, so that they catch the light.
-function turned(radius: number, length: number, inner = 0): BufferGeometry {
+function turned(round: number, radius: number, length: number, inner = 0): BufferGeometry {
   const bevel = Math.min(0.12 * radius, 0.12 * length, 0.004, inner ? 0.4 * (radius - inner) : Infinity);
   const h = length / 2;
   const profile = [
@@ -18,7 +18,7 @@ function turned(radius: number, length: number, inner = 0): BufferGeometry {
     new Vector2(radius, h - bevel), new Vector2(radius - 0.3 * bevel, h - 0.3 * bevel), new Vector2(radius - bevel, h), new Vector2(inner, h),
   ];
   if (inner) profile.push(new Vector2(inner, -h));
-  const geometry = new LatheGeometry(profile, ROUND);
+  const geometry = new LatheGeometry(profile, round);
   geometry.rotateX(Math.PI / 2);
   return sharpened(geometry);
 }
@@ -40,22 +40,22 @@ function sharpened(geometry: BufferGeometry): BufferGeometry {
   return separate;
 }
 
-function geometryOf(shape: Shape): BufferGeometry {
+function geometryOf(shape: Shape, round: number): BufferGeometry {
   const radius = shape.radius ?? 0.02;
   const length = shape.length ?? 0.05;
   switch (shape.kind) {
     case "box": {
       const [x = 0.05, y = 0.05, z = 0.05] = shape.size ?? [];
-      return new RoundedBoxGeometry(x, y, z, 3, 0.18 * Math.min(x, y, z));
+      return new RoundedBoxGeometry(x, y, z, round < ROUND ? 1 : 3, 0.18 * Math.min(x, y, z));
     }
     case "capsule":
-      return new CapsuleGeometry(radius, length, 12, ROUND).rotateX(Math.PI / 2);
+      return new CapsuleGeometry(radius, length, Math.ceil(round / 4), round).rotateX(Math.PI / 2);
     case "ring":
-      return turned(radius, length, Math.max(1e-4, radius - (shape.thickness ?? 0.3 * radius)));
+      return turned(round, radius, length, Math.max(1e-4, radius - (shape.thickness ?? 0.3 * radius)));
     case "cylinder":
-      return turned(radius, length);
+      return turned(round, radius, length);
     default:
-      return new CylinderGeometry(radius, radius, length, ROUND).rotateX(Math.PI / 2);
+      return new CylinderGeometry(radius, radius, length, round).rotateX(Math.PI / 2);
   }
 }
 
@@ -68,12 +68,16 @@ export class ArmView {
   private readonly robot: RobotInfo;
   private readonly palette: Palette;
   private readonly ghost: boolean;
+  private readonly round: number;
   private shapes: Shape[] | null = null;
+  private fingers: Mesh[] = [];
 
-  constructor(robot: RobotInfo, palette: Palette, ghost: boolean) {
+  // round  faces of a full circle; fewer make a coarse arm, for drawings.
+  constructor(robot: RobotInfo, palette: Palette, ghost: boolean, round = ROUND) {
     this.robot = robot;
     this.palette = palette;
     this.ghost = ghost;
+    this.round = round;
     for (let i = 0; i < robot.joints.length + 2; i++) {
       const link = new Group();
       link.matrixAutoUpdate = false;
@@ -98,6 +102,25 @@ export class ArmView {
     }
   }
 
+  // The direction from finger to finger in the world; null: it has no two fingers.
+  fingersAlong(): Vector3 | null {
+    const [one, other] = this.fingers;
+    if (!one?.parent || !other) return null;
+    const place = (mesh: Mesh) => new Vector3().setFromMatrixPosition(mesh.matrix);
+    return place(other).sub(place(one)).transformDirection(one.parent.matrixWorld);
+  }
+
+  // Each finger stands `inward` m nearer to the other one than its description says.
+  closeFingers(inward: number): void {
+    const shapes = this.shapes?.filter((shape) => shape.role.startsWith("finger_")) ?? [];
+    if (this.fingers.length !== 2) return;
+    const [one, other] = this.fingers.map((mesh, i) => new Vector3().setFromMatrixPosition(mesh.matrix.fromArray(shapes[i]!.T))) as [Vector3, Vector3];
+    const step = other.clone().sub(one).setLength(Math.min(inward, 0.5 * one.distanceTo(other)));
+    this.fingers[0]!.matrix.setPosition(one.add(step));
+    this.fingers[1]!.matrix.setPosition(other.sub(step));
+    this.group.updateMatrixWorld(true);
+  }
+
   frameOf(link: number): Matrix4 {
     return this.links[link]?.matrix ?? new Matrix4();
   }
@@ -115,15 +138,17 @@ export class ArmView {
     if (shapes === this.shapes) return;
     this.shapes = shapes;
     this.marks.length = 0;
+    this.fingers = [];
     for (const link of this.links) link.clear();
     for (const shape of shapes) {
-      const mesh = new Mesh(geometryOf(shape), this.materialOf(shape));
+      const mesh = new Mesh(geometryOf(shape, this.round), this.materialOf(shape));
       mesh.matrixAutoUpdate = false;
       mesh.matrix.fromArray(shape.T);
       mesh.castShadow = !this.ghost;
       mesh.receiveShadow = !this.ghost;
       mesh.userData["robot"] = this.robot.name;
       this.links[shape.link]?.add(mesh);
+      if (shape.role.startsWith("finger_")) this.fingers.push(mesh);
       if (shape.role === "mark" && !this.ghost) this.marks.push({ joint: shape.link - 1, material: mesh.material });
     }
   }

@@ -5,6 +5,7 @@ import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import type { Track } from "../store/rows.ts";
 import { speedColor, type Palette } from "./palette.ts";
+import type { Stroke } from "./vector_picture.ts";
 
 const MOST_POINTS = 6000;
 
@@ -105,6 +106,22 @@ export class PathView {
       }
     }
     return best;
+  }
+
+  // The path as lines of one colour each.
+  strokes(palette: Palette, width: number): Stroke[] {
+    const track = this.track;
+    if (!track) return [];
+    const strokes: Stroke[] = [];
+    for (let k = 0; k + 1 < this.points.length; k++) {
+      const [i, j] = [this.points[k]!, this.points[k + 1]!];
+      const level = Math.round((20 * track.toolSpeed(i)) / Math.max(1e-9, this.topSpeed)) / 20;
+      const color = `#${speedColor(palette, level).getHexString()}`;
+      const last = strokes.at(-1);
+      if (last?.color === color) last.points.push(new Vector3(...track.tool(j)));
+      else strokes.push({ points: [new Vector3(...track.tool(i)), new Vector3(...track.tool(j))], color, width });
+    }
+    return strokes;
   }
 
   ends(): Vector3[] {

@@ -6,11 +6,13 @@ import type { Run } from "../store/run.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { ArmView } from "./arm.ts";
+import { extent, grasped } from "./fingers.ts";
 import { ObjectsView } from "./objects.ts";
 import { dark, light, type Palette } from "./palette.ts";
 import { PathView } from "./path.ts";
 import { boundsOf, Stage, type Preset } from "./stage.ts";
 import { Labels, Triads, type Label } from "./triad.ts";
+import { floorLines, vectorPicture } from "./vector_picture.ts";
 
 export interface SceneHost {
   stage: HTMLElement;
@@ -40,6 +42,8 @@ export class SceneView {
   private follow = false;
   private dragged: { robot: number; plane: Plane; offset: Vector3; pose: number[] } | null = null;
   showFrames = false;
+  // Told how the camera is turned before each picture: a rotation from the world to the camera, in columns.
+  onTurn: (columns: readonly number[]) => void = () => {};
   // The robot whose hand is pulled and whose pose is shown.
   active = 0;
 
@@ -67,7 +71,7 @@ export class SceneView {
     theme();
     this.listenToPointer();
     store.watch(
-      (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, isStale(s)],
+      (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, s.nearest, isStale(s)],
       (s) => this.render(s),
     );
   }
@@ -91,6 +95,29 @@ export class SceneView {
   picture(): Promise<Blob | null> {
     this.stage.draw();
     return new Promise((resolve) => this.stage.renderer.domElement.toBlob(resolve, "image/png"));
+  }
+
+  // The same as a drawing.
+  drawing(): string {
+    const run = shownRun(this.store.state);
+    if (!run) return "";
+    const { t } = this.store.state;
+    const arms = run.robots.map((robot, i) => {
+      const arm = new ArmView(robot, this.palette, false, 32);
+      arm.stand(run.qAt(i, t), run.changeAt(i, t));
+      this.standFingers(run, i, arm, t);
+      return arm;
+    });
+    const { center } = this.bounds();
+    const picture = vectorPicture([...arms.map((arm) => arm.group), this.objects.group], this.stage.camera, {
+      width: this.host.stage.clientWidth,
+      height: this.host.stage.clientHeight,
+      ground: this.palette.ground,
+      below: floorLines(center.x, center.y, 1.6 * this.reach, 0.1, this.palette.grid),
+      above: this.paths.flatMap((path) => path.strokes(this.palette, 3)),
+    });
+    for (const arm of arms) arm.dispose();
+    return picture;
   }
 
   get canvas(): HTMLCanvasElement {
@@ -156,8 +183,11 @@ export class SceneView {
 
   private lit = "";
   private stand(state: State, run: Run): void {
-    const { t, hover, pull } = state;
-    this.arms.forEach((arm, i) => arm.stand(run.qAt(i, t), run.changeAt(i, t)));
+    const { t, hover, pull, nearest } = state;
+    this.arms.forEach((arm, i) => {
+      arm.stand(run.qAt(i, t), run.changeAt(i, t));
+      this.standFingers(run, i, arm, t);
+    });
     this.objects.place(run, t);
     const ranges = run.robots.map((_, i) => litRanges(run, hover, i));
     const key = `${run.id} ${JSON.stringify(ranges)}`;
@@ -169,6 +199,7 @@ export class SceneView {
     const labels: Label[] = [];
     this.standFrames(run, t, labels);
     if (pull?.reason && pull.nearest) labels.push({ text: pull.reason, at: pointOf(pull.nearest.pose), warning: true });
+    else if (nearest) labels.push({ text: nearest.reason, at: pointOf(nearest.pose), warning: true });
     const failure = run.error;
     if (failure && run.robots.length) {
       const robot = Math.max(0, failure.robot ?? 0);
@@ -187,6 +218,7 @@ export class SceneView {
     });
     const nearest = run.error?.nearest;
     if (nearest && !state.hover) wanted.set(run.error?.robot ?? 0, nearest.q);
+    if (state.nearest) wanted.set(state.nearest.robot, state.nearest.q);
     if (state.pull?.q) wanted.set(state.pull.robot, state.pull.q);
     for (const [i, arm] of this.ghosts) arm.group.visible = wanted.has(i);
     for (const [i, q] of wanted) {
@@ -199,6 +231,16 @@ export class SceneView {
       arm.stand(q, run.changeAt(i, state.t));
       arm.group.visible = true;
     }
+  }
+
+  private standFingers(run: Run, robot: number, arm: ArmView, t: number): void {
+    const stroke = (run.changeAt(robot, t)?.tool ?? run.robots[robot]!.tool).stroke;
+    const along = arm.fingersAlong();
+    const grasp = along && grasped(run, robot, t);
+    const object = grasp && run.objects[grasp.object];
+    const pose = grasp && run.objectAt(grasp.object, t);
+    const width = object && pose ? extent(object, pose, [along!.x, along!.y, along!.z]) : stroke;
+    arm.closeFingers(grasp ? (grasp.closed * Math.max(0, stroke - width)) / 2 : 0);
   }
 
   private standFrames(run: Run, t: number, labels: Label[]): void {
@@ -255,6 +297,7 @@ export class SceneView {
     this.handle.scale.setScalar(0.012 * camera.position.distanceTo(this.handle.position));
     const { clientWidth, clientHeight } = this.host.stage;
     camera.updateMatrixWorld();
+    this.onTurn(camera.matrixWorldInverse.elements);
     this.labels.place(camera, clientWidth, clientHeight);
   }
 

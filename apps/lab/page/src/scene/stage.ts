@@ -34,13 +34,17 @@ const floorShader = {
     }`,
 };
 
-export type Preset = "iso" | "front" | "side" | "top" | "hand";
+export type Side = "front" | "back" | "side" | "left" | "top" | "bottom";
+export type Preset = "iso" | "hand" | Side;
 
 const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
   iso: [1, -1.15, 0.95],
   front: [0, -1, 0.08],
+  back: [0, 1, 0.08],
   side: [1, 0, 0.08],
+  left: [-1, 0, 0.08],
   top: [0, -0.001, 1],
+  bottom: [0, -0.3, -1],
 };
 
 // Without a graphics processor each picture takes the time of the processor that runs everything else.

@@ -1,6 +1,7 @@
 // Title, who is in control, sharing, and which columns are open.
 import type { Intents } from "../store/intents.ts";
-import { pageWith, recordingOf } from "../store/recording.ts";
+import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
+import { recordingOf } from "../store/recording.ts";
 import { inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { el, save, setText } from "./dom.ts";
@@ -9,8 +10,9 @@ import { hashToText, textToHash } from "./link.ts";
 import type { ColumnName } from "./page.ts";
 
 export interface HeaderActions {
-  // The page as it was before anything was shown in it.
+  // The page as it was before anything was shown in it, and whether its laboratory is in it.
   source: string;
+  alone: boolean;
   help(): void;
   toggle(name: ColumnName): boolean;
   isOpen(name: ColumnName): boolean;
@@ -35,6 +37,7 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     el("button", { onclick: () => void share(intents) }, "Share"),
     el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
     el("button", { class: "desk", hidden: !intents.live, onclick: () => record(store.state, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
+    el("button", { hidden: !actions.alone, onclick: () => void handIn(intents, actions.source), title: "Save this laboratory with the program and all runs as a new file" }, "Hand in"),
     el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
     el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
   );
@@ -86,7 +89,12 @@ function drawControl(host: HTMLElement, state: State, intents: Intents): void {
 
 function record(state: State, source: string): void {
   const run = shownRun(state);
-  if (run) save(`${baseName(state) || "recording"}.html`, new Blob([pageWith(source, recordingOf(state, run))], { type: "text/html" }));
+  if (run) save(`${baseName(state) || "recording"}.html`, new Blob([pageWithRecording(source, recordingOf(state, run))], { type: "text/html" }));
+}
+
+async function handIn(intents: Intents, source: string): Promise<void> {
+  const exported = await intents.answered<"exported">({ type: "export" });
+  if (exported) save(`${baseName(intents.state) || "laboratory"}.html`, new Blob([pageWithLaboratory(source, exported.laboratory)], { type: "text/html" }));
 }
 
 function baseName(state: State): string {

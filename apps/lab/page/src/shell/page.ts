@@ -18,8 +18,8 @@ const COLUMNS = ["program", "view", "elements"] as const;
 export type ColumnName = (typeof COLUMNS)[number];
 const TITLES: Record<ColumnName, string> = { program: "Program", view: "3D view", elements: "Laboratory" };
 
-export function buildPage(root: HTMLElement, store: Store, intents: Intents): void {
-  const source = `<!doctype html>\n${document.documentElement.outerHTML}`;
+// source, alone  see HeaderActions.
+export function buildPage(root: HTMLElement, store: Store, intents: Intents, source: string, alone: boolean): void {
   const help = helpDialog();
   const top = el("header", { class: "top" });
   const editorHost = el("div", { class: "editor" });
@@ -38,7 +38,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents): vo
   root.replaceChildren(top, main, bottom, phoneTabs(main), message, help);
 
   const open = () => help.open || help.showModal();
-  header(top, store, intents, { source, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
+  header(top, store, intents, { source, alone, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
   const legend = el("div", { class: "legend", hidden: true });
@@ -50,7 +50,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents): vo
   });
   sceneTools(columns.view, scene, store, intents, editor);
   columns.view.append(legend);
-  elementPanel(elements, store, intents);
+  elementPanel(elements, store, intents, (name, kind) => editor.find(name, kind));
   transport(bottom, store, intents);
   new TimeBar(bottom, store, intents);
   globalKeys(intents, open);

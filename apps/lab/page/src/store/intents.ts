@@ -175,11 +175,15 @@ export class Intents {
       try {
         await Promise.race([this.connection.ask({ type: "input", ...t, ...next }), after(LONGEST_WAIT)]);
         this.refuse(name, "");
+        this.showNearest(null);
         this.askedFor = ""; // the same instant of the same run has other values now
         this.store.change((s) => (s.instant = null));
         this.askForInstant();
       } catch (error) {
-        this.refuse(name, error instanceof Error ? error.message : String(error));
+        const reason = error instanceof Error ? error.message : String(error);
+        this.refuse(name, reason);
+        const answer = error instanceof Refused ? error.answer : null;
+        this.showNearest(answer?.nearest ? { robot: answer.robot ?? 0, q: answer.nearest.q, pose: answer.nearest.pose, reason } : null);
       }
     }
     this.givingInput = false;
@@ -192,6 +196,10 @@ export class Intents {
       if (reason) s.refusals.set(element, reason);
       else s.refusals.delete(element);
     });
+  }
+
+  private showNearest(nearest: State["nearest"]): void {
+    if (this.state.nearest !== nearest) this.store.change((s) => (s.nearest = nearest));
   }
 
   // The hand of a robot is pulled to `pose`: how the arm gets there, or why it does not.
@@ -246,7 +254,7 @@ export class Intents {
   }
 
   // The answer, or null after the reason was said.
-  private async answered<T extends Incoming["type"]>(message: Parameters<Connection["ask"]>[0]) {
+  async answered<T extends Incoming["type"]>(message: Parameters<Connection["ask"]>[0]) {
     try {
       return await this.ask<T>(message);
     } catch (error) {

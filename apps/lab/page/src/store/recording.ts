@@ -40,10 +40,3 @@ export function recordingOf(state: State, run: Run): Recording {
     { type: "shown", run: id },
   ];
 }
-
-// A page with a recording in it; `page` is its source without one.
-export function pageWith(page: string, recording: Recording): string {
-  const json = JSON.stringify(recording).replaceAll("<", "\\u003c");
-  const place = '<div id="page"></div>';
-  return page.replace(place, () => `${place}<script type="application/json" id="armlet-recording">${json}</script>`);
-}

@@ -41,6 +41,8 @@ export interface State {
   breakable: number[];
   // Why an input was refused, by the name of the element.
   refusals: Map<string, string>;
+  // What comes nearest to the last refused wish for the hand; null: the last one was taken.
+  nearest: { robot: number; q: number[]; pose: M.Pose; reason: string } | null;
   message: string;
 }
 
@@ -70,6 +72,7 @@ export function initialState(): State {
     breakpoints: [],
     breakable: [],
     refusals: new Map(),
+    nearest: null,
     message: "",
   };
 }

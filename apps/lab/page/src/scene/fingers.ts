@@ -1,0 +1,36 @@
+// How far the fingers of a gripper stand apart: programs grasp and release at an instant, and fingers of a picture
+// close on what is held.
+import type { ObjectInfo } from "../protocol/messages.ts";
+import { poseMatrix } from "../store/kinematics.ts";
+import type { Run } from "../store/run.ts";
+
+const TAKES = 0.15; // s of a picture before the grasp and after the release
+
+// The extent of an object along a direction of the world, m.
+export function extent(object: ObjectInfo, pose: readonly number[], along: readonly [number, number, number]): number {
+  const m = poseMatrix(pose);
+  const inside = [0, 4, 8].map((c) => Math.abs(m[c]! * along[0] + m[c + 1]! * along[1] + m[c + 2]! * along[2])) as [number, number, number];
+  const [a = 0, b = 0, c = 0] = object.size;
+  if (object.shape === "sphere") return 2 * a;
+  if (object.shape === "cylinder") return 2 * a * Math.hypot(inside[0], inside[1]) + b * inside[2];
+  return a * inside[0] + b * inside[1] + c * inside[2];
+}
+
+// What a robot holds at t or is about to take or has just given, and how much of the way the fingers have closed: 0 to 1.
+export function grasped(run: Run, robot: number, t: number): { object: number; closed: number } | null {
+  let held: number | null = null;
+  for (const event of run.events) {
+    const own = event.what === "attached" && event.robot === robot;
+    if (event.t > t) {
+      if (own && held === null && event.t - t < TAKES) return { object: event.object, closed: 1 - (event.t - t) / TAKES };
+      if (event.t - t >= TAKES) break;
+      continue;
+    }
+    if (own) held = event.object;
+    else if (held === event.object && event.what !== "added") {
+      held = null;
+      if (t - event.t < TAKES && event.what === "detached") return { object: event.object, closed: 1 - (t - event.t) / TAKES };
+    }
+  }
+  return held === null ? null : { object: held, closed: 1 };
+}

@@ -1,0 +1,60 @@
+#include "taken_files.hpp"
+
+#include <filesystem>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace armlet::lab {
+namespace {
+
+std::string clean(const std::filesystem::path& path) {
+  return path.lexically_normal().generic_string();
+}
+
+// "points.csv" of "load points.csv"; nothing if it is another question.
+std::string_view rest_of(std::string_view question, std::string_view word) {
+  return question.starts_with(word) ? question.substr(word.size()) : std::string_view();
+}
+
+}  // namespace
+
+void TakenFiles::add_import(const std::string& path, const std::string& from,
+                            const ImportedText& given) {
+  if (!given.text) return;
+  const auto importing = paths_.find(from);
+  const std::filesystem::path folder = importing == paths_.end()
+                                           ? std::filesystem::path()
+                                           : std::filesystem::path(importing->second).parent_path();
+  const std::string inside = clean(folder / path);
+  paths_.insert_or_assign(given.name, inside);
+  files_.insert_or_assign(inside, *given.text);
+}
+
+void TakenFiles::add_loaded(const SessionLog& log) {
+  for (const LoggedEntry& entry : log.entries) {
+    std::set<std::string, std::less<>> saved;
+    for (const Reply& reply : entry.replies) {
+      if (reply.error) continue;
+      // "save NAME HASH": the hash has 16 digits.
+      const std::string_view save = rest_of(reply.question, "save ");
+      if (save.size() > 17) saved.emplace(save.substr(0, save.size() - 17));
+      const std::string_view load = rest_of(reply.question, "load ");
+      if (!load.empty() && !saved.contains(load))
+        files_.insert_or_assign(clean(std::filesystem::path(load)), reply.text);
+    }
+  }
+}
+
+SessionOptions noting(SessionOptions options, std::shared_ptr<TakenFiles> files) {
+  if (!options.load) return options;
+  options.load = [inner = std::move(options.load), files = std::move(files)](
+                     const std::string& path, const std::string& from) {
+    ImportedText given = inner(path, from);
+    files->add_import(path, from, given);
+    return given;
+  };
+  return options;
+}
+
+}  // namespace armlet::lab

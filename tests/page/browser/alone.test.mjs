@@ -1,0 +1,127 @@
+// A laboratory in one file, opened from the disk: the engine of the page itself does everything.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test, { after } from "node:test";
+import { clock, closeBrowser, openPage, placeOf, typeAtEnd, until, untilStatus, violations } from "../laboratory.mjs";
+import { root } from "../modules.mjs";
+
+after(closeBrowser);
+
+const engine = join(root, "build/wasm/laboratory.html");
+const skip = existsSync(engine) ? false : "there is no engine for pages: ./dev wasm";
+
+const PROGRAM = `import "parts/grips.rbt"
+robot arm = robots.scara()
+let lag = 2.0s
+lab cell {
+    title: "A cell in a file"
+    sliders hand(of: arm, as: "x y z roll")
+    field far(20deg, range: [0deg, 60deg])
+    button go("Go", fn() { arm.moveJ(posJ(cell.far, 0deg, 0mm, 0deg), time: 1s) })
+    plot angles(fn() => arm.joints())
+}
+arm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: lag)
+arm.moveJ(posJ(-20deg, 30deg, grips.low, 0deg), time: 1s)
+for (k in [5, -5]) { arm.moveJ(posJ(k * 1deg, 0deg, 0mm, 0deg), time: 1s) }
+`;
+
+// Writes the program and what it takes, exports it, and gives the file to `work`.
+async function exported(work, options = []) {
+  const folder = mkdtempSync(join(tmpdir(), "armlet-alone-"));
+  try {
+    mkdirSync(join(folder, "parts"));
+    writeFileSync(join(folder, "cell.rbt"), PROGRAM);
+    writeFileSync(join(folder, "parts/grips.rbt"), "let low = 10mm\n");
+    const armlet = (...given) => execFileSync(process.env.ARMLET_COMMAND, given, { cwd: folder, stdio: ["ignore", "pipe", "pipe"] }).toString();
+    armlet("lab", "cell.rbt", "--export", "cell.html", "--engine", engine, ...options);
+    await work(join(folder, "cell.html"), armlet, folder);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+async function opened(file, work) {
+  const page = await openPage(`file://${file}`, { acceptDownloads: true });
+  try {
+    await work(page);
+    assert.deepEqual(page.problems, []);
+  } finally {
+    await page.context().close();
+  }
+}
+
+const laboratoryIn = (file) => JSON.parse(/id="armlet-laboratory">([^<]*)</.exec(readFileSync(file, "utf8"))[1]);
+
+test("one file has everything: it runs, is edited, steps, completes, takes inputs and is handed in", { skip }, () =>
+  exported(async (file, armlet, folder) => {
+    assert.ok(statSync(file).size <= 4e6, `${statSync(file).size} bytes`);
+    const hash = /hash (\w+)/.exec(armlet("run", "cell.rbt", "--hash", "--quiet"))[1];
+    assert.equal(laboratoryIn(file).runs[0].hash, hash);
+    const handed = join(folder, "handed.html");
+    await opened(file, async (page) => {
+      await untilStatus(page, /4 moves, 5\.00 s/);
+      assert.equal(await page.title(), "A cell in a file – laboratory");
+      assert.ok(!(await page.locator(".message").isVisible()), "the hash is that of the command");
+      await typeAtEnd(page, "arm.moveJ(posJ(90deg, -30deg, 80mm, 0deg), time: 1.5s)\n");
+      await untilStatus(page, /5 moves, 6\.50 s/);
+      await typeAtEnd(page, "arm.mov");
+      await page.locator(".problem").first().waitFor();
+      await page.keyboard.type("e");
+      await page.locator(".cm-tooltip-autocomplete li", { hasText: "moveJ" }).first().waitFor();
+      await page.keyboard.press("Escape");
+      for (let k = 0; k < 8; k++) await page.keyboard.press("Backspace");
+      await untilStatus(page, /5 moves, 6\.50 s/);
+      const { x, y } = await placeOf(page, "let lag", "lag");
+      await page.mouse.move(x, y, { steps: 4 });
+      await page.locator(".tip-code", { hasText: "lag" }).waitFor();
+      await page.mouse.move(5, 5);
+      await page.getByRole("button", { name: "Go", exact: true }).click();
+      await untilStatus(page, /6 moves, 7\.50 s/);
+      await page.keyboard.press("Escape");
+      const bar = await page.locator(".bar").boundingBox();
+      await page.mouse.click(bar.x + 0.5 * bar.width, bar.y + 40);
+      await until(async () => /^3\.\d+ \/ 7\.50 s/.test(await clock(page).innerText()), () => clock(page).innerText());
+      assert.deepEqual(await violations(page), []);
+      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Hand in" }).click()]);
+      assert.equal(download.suggestedFilename(), "cell.html");
+      await download.saveAs(handed);
+    });
+    const saved = laboratoryIn(handed);
+    assert.match(saved.text, /90deg, -30deg/);
+    const last = saved.runs.at(-1);
+    assert.deepEqual(last.inputs.map((input) => input.press), ["go"]);
+    assert.deepEqual(saved.files, { "parts/grips.rbt": "let low = 10mm\n" });
+    await opened(handed, async (page) => {
+      await untilStatus(page, /6 moves, 7\.50 s/);
+      assert.ok(!(await page.locator(".message").isVisible()), "every run came out as it was saved");
+      await page.getByRole("tab", { name: /Runs/ }).click();
+      // One that only went on where another had ended is one with it.
+      assert.equal(await page.locator(".run").count(), new Set(saved.runs.map((run) => run.text)).size);
+      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Record" }).click()]);
+      await download.saveAs(join(folder, "recorded.html"));
+    });
+    assert.ok(statSync(join(folder, "recorded.html")).size < 0.5 * statSync(file).size);
+    await opened(join(folder, "recorded.html"), (page) => untilStatus(page, /recording, 6 moves, 7\.50 s/));
+    // What was changed behind its back is told.
+    writeFileSync(handed, readFileSync(handed, "utf8").replaceAll(last.hash, "0123456789abcdef"));
+    await opened(handed, async (page) => {
+      await page.locator(".message", { hasText: "computes otherwise" }).waitFor();
+    });
+  }));
+
+test("a run is recorded by the command as a page that needs nothing", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "armlet-record-"));
+  try {
+    writeFileSync(join(folder, "a.rbt"), "robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n");
+    execFileSync(process.env.ARMLET_COMMAND, ["lab", "a.rbt", "--record", "a.html"], { cwd: folder, stdio: "pipe" });
+    await opened(join(folder, "a.html"), async (page) => {
+      await untilStatus(page, /recording, 1 move, 2\.00 s/);
+      assert.equal(await page.getByRole("button", { name: "Hand in" }).count(), 0);
+    });
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});
