@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "armlet/kinematics/jacobian.hpp"
-#include "math/solvers.hpp"
+#include "armlet/math/angles.hpp"
+#include "ik_reduced.hpp"
 #include "self_motion.hpp"
 
 namespace armlet {
@@ -14,7 +14,8 @@ namespace {
 constexpr int kCurveStarts = 6;   // of each row that is left out
 constexpr double kExact = 1e-12;  // m and rad
 constexpr int kExactly = 100;     // iterations
-constexpr double kApart = 2e-6;   // rad or m; solutions that are closer are one
+constexpr double kApart = 1e-6;   // rad or m; solutions that are closer are one
+constexpr double kBeside = 3e-3;  // rad or m from a curve
 // Of single solutions there are no more (D. Manocha, J. F. Canny, Efficient inverse kinematics for
 // general 6R manipulators, 1994).
 constexpr std::size_t kMostSingle = 16;
@@ -29,25 +30,34 @@ class BranchSearch {
         goal_(exactly(goal)),
         options_(options),
         solver_(robot, goal_),
+        loosely_(robot, goal),
         solutions_(solutions) {}
 
   void run() {
     const std::size_t given = solutions_.size();
     std::vector<Eigen::VectorXd> others;  // those of whole curves, and what only nearly is one
     for (const Eigen::VectorXd& solution : std::exchange(solutions_, {})) {
-      JointArray q = to_array(solution);
-      if (!solver_.solve_free(q, kExactly) || !take_exact(q)) others.push_back(solution);
+      if (!take(to_array(solution))) others.push_back(solution);
     }
     for (Eigen::Index row = 0; row < 6; ++row) {
       if (goal_.weights[row] != 0.0) leave_out(row);
     }
     for (const Eigen::VectorXd& solution : others) {
-      if (solutions_.size() < given && is_new(robot_, solutions_, solution))
-        solutions_.push_back(solution);
+      if (solutions_.size() >= given || !is_new(robot_, solutions_, solution)) continue;
+      Reduced* curve = curve_along(to_array(solution));
+      if (curve == nullptr || !curve->is_listed) solutions_.push_back(solution);
+      if (curve != nullptr) curve->is_listed = true;
     }
   }
 
  private:
+  // A curve next to singularities, and whether one of its solutions, or what is nearly one, is
+  // listed.
+  struct Reduced {
+    ReducedCurve curve;
+    bool is_listed;
+  };
+
   // Next to a singularity many configurations meet the usual tolerances.
   static IkGoal exactly(IkGoal goal) {
     goal.position_tolerance = goal.rotation_tolerance = kExact;
@@ -66,16 +76,70 @@ class BranchSearch {
     return largest_change(to_vector(aside, robot_.n()), to_vector(q, robot_.n())) > 0.1 * kAside;
   }
 
-  // Adds a single solution unless it is known. Returns whether it is one inside the limits.
+  // Takes the solutions that joint values lead to. Returns whether one is inside the limits.
+  bool take(JointArray q) {
+    const bool met = solver_.solve_free(q, kExactly);
+    if (!met && !loosely_.solve_free(q, kExactly)) return false;
+    if (const Reduced* known = curve_along(q)) return known->is_listed;
+    if (auto curve = reduced_curve(robot_, goal_, q); curve && !curve->is_idle) {
+      bool inside = false;
+      for (const JointArray& solution : curve->solutions) inside = take_exact(solution) || inside;
+      reduced_.push_back({std::move(*curve), inside});
+      return inside;
+    }
+    return met && !is_on_curve(q) && take_exact(q);
+  }
+
+  // Where the arm is nearly singular, the iterations lead to many joint values on one curve.
+  Reduced* curve_along(const JointArray& q) {
+    const auto along = [&](const Reduced& known) { return is_along(known.curve.points, q); };
+    const auto found = std::ranges::find_if(reduced_, along);
+    return found == reduced_.end() ? nullptr : &*found;
+  }
+
+  bool is_along(const std::vector<JointArray>& curve, const JointArray& q) const {
+    for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+      double across = 0.0, square = 0.0, away = 0.0;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(robot_.n()); ++i) {
+        double off = q[i] - curve[k][i];
+        if (robot_.is_revolute(static_cast<int>(i))) off = wrap_angle(off);
+        const double step = curve[k + 1][i] - curve[k][i];
+        across += off * step;
+        square += step * step;
+        away += off * off;
+      }
+      const double share = std::clamp(across / square, 0.0, 1.0);
+      if (away - share * (2.0 * across - share * square) < kBeside * kBeside) return true;
+    }
+    return false;
+  }
+
+  // Adds a solution unless it is known. Returns whether it is inside the limits.
   bool take_exact(JointArray q) {
-    if (is_on_curve(q)) return false;
     const Eigen::VectorXd found = to_vector(q, robot_.n());
-    wrap_to_seed(robot_, options_, q);
-    const bool inside = !options_.respect_limits || solver_.is_within_limits(q);
+    const bool inside = bring_inside(q);
     if (known_.size() >= kMostSingle || !is_new(robot_, known_, found, kApart)) return inside;
     known_.push_back(found);
     if (inside) solutions_.push_back(to_vector(q, robot_.n()));
     return inside;
+  }
+
+  // A joint on its limit may be beyond it by what the others leave uncertain next to a singularity.
+  bool bring_inside(JointArray& q) {
+    JointArray near = q;
+    wrap_to_seed(robot_, options_, near, kApart);
+    if (!options_.respect_limits || solver_.is_within_limits(near)) {
+      q = near;
+      return true;
+    }
+    JointArray inside = near;
+    if (loosely_.solve_in_box(inside, kExactly) &&
+        largest_change(to_vector(inside, robot_.n()), to_vector(near, robot_.n())) < kApart) {
+      q = inside;
+      return true;
+    }
+    wrap_to_seed(robot_, options_, q);
+    return solver_.is_within_limits(q);
   }
 
   void leave_out(Eigen::Index row) {
@@ -118,16 +182,13 @@ class BranchSearch {
     }
   }
 
-  void take(JointArray q) {
-    if (solver_.solve_free(q, options_.iterations)) take_exact(q);
-  }
-
   const Robot& robot_;
   const IkGoal goal_;
   const IkOptions& options_;
-  IkSolver solver_;
+  IkSolver solver_, loosely_;  // with the tolerances of the goal
   std::vector<Eigen::VectorXd>& solutions_;
   std::vector<Eigen::VectorXd> known_;  // also outside the limits
+  std::vector<Reduced> reduced_{};
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/math/angles.hpp"
@@ -148,6 +149,17 @@ IkError IkSolver::error_of(const JointArray& q) {
   if (goal_.in_tool_axes) error = rotate_twist(T_world_tool.linear().transpose(), error);
   if (selective_) error = (goal_.weights.array() != 0.0).select(error, 0.0);
   return {length_of(error.data()), length_of(error.data() + 3)};
+}
+
+IkRows IkSolver::rows_of(const JointArray& q) {
+  const bool before = std::exchange(exact_angle_, true);
+  evaluate(q);
+  exact_angle_ = before;
+  IkRows rows{Eigen::Map<const Vector6d>(at_.error.data()), {}};
+  rows.J.resize(6, static_cast<Eigen::Index>(n_));
+  for (std::size_t i = 0; i < n_; ++i)
+    rows.J.col(static_cast<Eigen::Index>(i)) = Eigen::Map<const Vector6d>(at_.J[i].data());
+  return rows;
 }
 
 void IkSolver::normal_equations() {

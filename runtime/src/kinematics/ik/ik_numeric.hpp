@@ -16,6 +16,12 @@ struct IkError {
   double rotation = 0.0;  // rad
 };
 
+// The rows [p; R] of a goal at a configuration, each times its weight.
+struct IkRows {
+  Vector6d error;  // m and rad, the rotation by its true angle
+  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> J;
+};
+
 // What the iterations aim at: a pose of which some rows of the error [p; log R] count, each with a
 // weight. A row with weight 0 is left out.
 struct IkGoal {
@@ -68,6 +74,7 @@ class IkSolver {
 
   // The error of q with the true rotation angle.
   IkError error_of(const JointArray& q);
+  IkRows rows_of(const JointArray& q);
 
   bool is_within_limits(const JointArray& q) const;
 

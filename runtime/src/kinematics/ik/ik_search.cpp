@@ -63,7 +63,7 @@ bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
   });
 }
 
-void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q) {
+void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q, double beyond) {
   for (int i = 0; i < robot.n(); ++i) {
     if (!robot.is_revolute(i)) continue;
     double& value = q[static_cast<std::size_t>(i)];
@@ -72,7 +72,7 @@ void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q) {
       continue;
     }
     const double lower = robot.lower()[i], upper = robot.upper()[i];
-    value = wrapped_within(value, options.seed[i], lower - 1e-9, upper + 1e-9);
+    value = wrapped_within(value, options.seed[i], lower - beyond, upper + beyond);
     const double inside = std::clamp(value, lower, upper);
     if (std::abs(value - inside) < kRotationRounding) value = inside;
   }

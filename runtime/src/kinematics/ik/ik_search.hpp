@@ -41,7 +41,10 @@ bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
 
 // Every revolute joint at the copy nearest to the seed, inside the limits if they count. Whole
 // turns away and back round, which must not put a joint on its limit beyond it.
-void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q);
+//
+// beyond  rad, that a copy may lie beyond a limit.
+void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q,
+                  double beyond = 1e-9);
 
 // The largest change of one joint between two configurations.
 double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);

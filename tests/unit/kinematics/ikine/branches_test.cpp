@@ -10,6 +10,7 @@
 #include "armlet/kinematics/closed_form.hpp"
 #include "armlet/kinematics/ik.hpp"
 #include "armlet/kinematics/jacobian.hpp"
+#include "armlet/kinematics/limits.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
@@ -43,17 +44,18 @@ Robot general_arm(Random& random, bool slides) {
   return Robot(spec);
 }
 
-// The value of joint 5 at which the arm is singular, if there is one between its limits.
-std::optional<double> singular_value(const Robot& robot, VectorXd q) {
+// The value of a joint at which the arm is singular, if there is one between its limits.
+std::optional<double> singular_value(const Robot& robot, VectorXd q, int joint) {
   const auto determinant = [&](double value) {
-    q[4] = value;
+    q[joint] = value;
     const Jacobian J = jacobian(robot, q);
     return Eigen::Matrix<double, 6, 6>(J).determinant();
   };
-  double low = robot.lower()[4], high = low;
+  const double lower = robot.lower()[joint], range = robot.upper()[joint] - lower;
+  double low = lower, high = low;
   const double at_lower = determinant(low);
   for (int k = 1; k <= 60; ++k) {
-    high = robot.lower()[4] + (robot.upper()[4] - robot.lower()[4]) * k / 60.0;
+    high = lower + range * k / 60.0;
     if (determinant(high) * at_lower < 0.0) break;
     low = high;
   }
@@ -98,7 +100,7 @@ TEST_CASE("of general arms with six joints every solution is found") {
     VectorXd q = random_joints(robot, random);
     const VectorXd seed = random_joints(robot, random);
     if (k % 2 == 0) {
-      const auto singular = singular_value(robot, q);
+      const auto singular = singular_value(robot, q, 4);
       if (!singular) continue;
       q[4] = *singular + (k % 4 == 0 ? 1e-3 : 1e-4);
     }
@@ -149,7 +151,6 @@ TEST_CASE("next to singular positions the iterations find what the formula finds
       if (uses_tolerance) continue;
       const double change = (found.q - seed).cwiseAbs().maxCoeff();
       farther += change > (exact.q - seed).cwiseAbs().maxCoeff() + 1e-6 ? 1 : 0;
-      if (k % 2 == 0) continue;
       const IkOptions numeric{.seed = seed, .method = IkMethod::kNumeric, .respect_limits = false};
       const auto all = solve_ik_all(robot, goal, numeric, 64);
       for (const VectorXd& other :
@@ -158,5 +159,80 @@ TEST_CASE("next to singular positions the iterations find what the formula finds
     }
     CHECK(farther == 0);
     CHECK(fewer == 0);
+  }
+}
+
+// Next to a singular wrist hardly anything is left of the goal while the last joint turns round,
+// and with the elbow next to stretched as well solutions lie close to each other on the way.
+TEST_CASE("with a wrist all but singular every solution is listed, and hardly anything else") {
+  Random random(14);
+  const Robot robot = *make_robot("ur5");
+  int all = 0, listed = 0, missed = 0;
+  for (int k = 0; k < 150 / kScale; ++k) {
+    VectorXd q = random_joints(robot, random);
+    q[4] = std::pow(10.0, -random.uniform(4.0, 5.0));
+    if (k % 2 == 0) q[2] = std::pow(10.0, -random.uniform(2.0, 3.0));
+    const Eigen::Isometry3d goal = forward(robot, q);
+    const IkOptions exact{.seed = random_joints(robot, random), .respect_limits = false};
+    IkOptions numeric = exact;
+    numeric.method = IkMethod::kNumeric;
+    const auto found = solve_ik_all(robot, goal, numeric, 64);
+    listed += static_cast<int>(found.size());
+    for (const VectorXd& other : solve_ik_all(robot, goal, exact)) {
+      ++all;
+      missed += contains(robot, found, other) ? 0 : 1;
+    }
+  }
+  CHECK(missed == 0);
+  CHECK(listed >= all);
+  CHECK(listed <= all + all / 50);
+}
+
+// Two solutions meet where the elbow is stretched. Nothing else is inside the limits, and the
+// iterations stop 1e-5 rad before it.
+TEST_CASE("two solutions that meet at the limits of joints are one inside them") {
+  const Robot robot = *make_robot("ur5");
+  const double most = robot.upper()[0];
+  const auto change = [&](std::vector<double> at, int joint, double by) {
+    const VectorXd q = VectorXd::Map(at.data(), robot.n());
+    VectorXd seed = q;
+    seed[joint] += by;
+    const IkOptions options{.seed = seed, .method = IkMethod::kNumeric};
+    const IkResult ik = solve_ik(robot, forward(robot, q), options);
+    REQUIRE(ik.ok());
+    CHECK(within_limits(robot, ik.q, 0.0));
+    return (ik.q - seed).cwiseAbs().maxCoeff();
+  };
+  CHECK(change({-3.973388722968147, -most, -most, 5.8576468077354704, 0.93608435013204438,
+                4.8396922591411347},
+               0, -kPi / 18) < kPi / 18 + 1e-6);
+  CHECK(change({-4.1992084614189746, most, most, 0.22770251348076265, -5.0698601227415852,
+                -4.6861235902057929},
+               5, -kPi / 18) < kPi / 18 + 1e-6);
+  CHECK(change({-3.755659001450518, most, most, -0.45525771574450768, -4.3952496496537652,
+                0.36761661308151705},
+               5, kPi / 18) < kPi / 18 + 1e-6);
+}
+
+TEST_CASE("next to where two solutions meet the nearer one is taken") {
+  Random random(15);
+  for (const char* name : {"ur5", "puma560"}) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    double worst = 0.0;
+    for (int k = 0; k < 200 / kScale; ++k) {
+      VectorXd q = random_joints(robot, random);
+      const auto stretched = singular_value(robot, q, 2);
+      if (!stretched) continue;
+      q[2] = *stretched + (k % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, -random.uniform(4.0, 8.0));
+      if (!within_limits(robot, q, 0.0)) continue;
+      const VectorXd seed = clamp_to_limits(robot, q + VectorXd::Constant(6, 1e-3 * (k % 7 - 3)));
+      const IkOptions options{.seed = seed, .method = IkMethod::kNumeric};
+      const IkResult ik = solve_ik(robot, forward(robot, q), options);
+      REQUIRE(ik.ok());
+      const double change = (ik.q - seed).cwiseAbs().maxCoeff();
+      worst = std::max(worst, change - (q - seed).cwiseAbs().maxCoeff());
+    }
+    CHECK(worst < 1e-6);
   }
 }

@@ -1,0 +1,247 @@
+#include "ik_reduced.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/math/angles.hpp"
+#include "armlet/math/decompose.hpp"
+#include "math/solvers.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNearlySingular = 5e-3;  // least singular value, m or rad per rad or m
+constexpr double kShallow = 2e-3;        // m and rad left of the goal, to which curves are followed
+constexpr double kPiece = 0.1;           // rad or m
+constexpr double kShortestPiece = 1e-3;  // rad or m
+constexpr int kMostPieces = 300;         // in one direction
+constexpr double kAhead = 0.9;           // cosine between the directions at both ends of a piece
+constexpr double kLookAhead = 1e-4;      // rad or m, to see how a curve bends
+constexpr double kOne = 5e-7;            // rad or m; solutions no farther from their middle are one
+constexpr double kMet = 1e-11;           // m and rad
+constexpr double kSettled = 1e-11;       // rad or m
+constexpr double kFarthestStep = 0.2;    // rad or m
+constexpr int kCorrections = 12;
+
+// A point of the curve, s along it from the beginning of its piece.
+//
+// height  what is left of the goal there.
+// slope   of the height, per s.
+struct Point {
+  double s = 0.0;
+  VectorXd q{};
+  double height = 0.0;
+  double slope = 0.0;
+};
+
+class ReducedSearch {
+ public:
+  ReducedSearch(const Robot& robot, const IkGoal& goal, const JointArray& q)
+      : robot_(robot), solver_(robot, goal), n_(robot.n()), origin_(to_vector(q, robot.n())) {
+    for (Eigen::Index row = 0; row < 6; ++row) {
+      if (goal.weights[row] != 0.0) rows_.push_back(row);
+    }
+  }
+
+  [[nodiscard]] std::optional<ReducedCurve> run() {
+    const SvdParts parts = singular_values(linear_at(origin_).J);
+    if (!(parts.s[n_ - 1] < kNearlySingular)) return std::nullopt;
+    const VectorXd start = origin_, lost = parts.U.col(n_ - 1), idle = parts.V.col(n_ - 1);
+    lost_ = lost;
+    idle_ = idle;
+    Point left, right;
+    double half = 0.5 * kPiece;
+    do {
+      left.q = right.q = origin_;
+      if (half < kShortestPiece) return std::nullopt;
+      half *= 0.5;
+    } while (!settle(-2.0 * half, left) || !settle(2.0 * half, right));
+    search(left, right);
+    keep(start);
+    if (walk(right, start)) return std::move(curve_);
+    std::ranges::reverse(curve_.points);
+    origin_ = start;
+    lost_ = lost;
+    idle_ = -idle;
+    left.s = -left.s;
+    walk(left, start);
+    return std::move(curve_);
+  }
+
+ private:
+  struct Linear {
+    VectorXd error;
+    MatrixXd J;
+  };
+
+  [[nodiscard]] Linear linear_at(const VectorXd& q) {
+    const IkRows all = solver_.rows_of(to_array(q));
+    Linear linear{VectorXd(n_), MatrixXd(n_, n_)};
+    for (Eigen::Index r = 0; r < n_; ++r) {
+      linear.error[r] = all.error[rows_[static_cast<std::size_t>(r)]];
+      linear.J.row(r) = all.J.row(rows_[static_cast<std::size_t>(r)]);
+    }
+    return linear;
+  }
+
+  // J with the direction of the tool that is lost as a column more, and that of the joints in which
+  // it is as a row more: regular also where J is not.
+  [[nodiscard]] MatrixXd bordered(const MatrixXd& J) const {
+    MatrixXd B = MatrixXd::Zero(n_ + 1, n_ + 1);
+    B.topLeftCorner(n_, n_) = J;
+    B.topRightCorner(n_, 1) = lost_;
+    B.bottomLeftCorner(1, n_) = idle_.transpose();
+    return B;
+  }
+
+  // Newton's method for the point at s, from point.q.
+  [[nodiscard]] bool settle(double s, Point& point) {
+    point.s = s;
+    VectorXd wanted(n_ + 1);
+    for (int k = 0; k < kCorrections; ++k) {
+      const Linear linear = linear_at(point.q);
+      wanted.head(n_) = linear.error;
+      wanted[n_] = s - idle_.dot(point.q - origin_);
+      const SquareFactors factors(bordered(linear.J));
+      const VectorXd change = factors.solve(wanted);
+      const double size = change.head(n_).cwiseAbs().maxCoeff();
+      if (!(size < kFarthestStep)) return false;
+      point.q += change.head(n_);
+      point.height = change[n_];
+      if (size >= kSettled) continue;
+      wanted.setZero();
+      wanted[n_] = 1.0;
+      point.slope = factors.solve(wanted)[n_];
+      return std::isfinite(point.slope);
+    }
+    return false;
+  }
+
+  // Where the height or the slope changes its sign between two points.
+  //
+  // source  M. Dowell, P. Jarratt, A modified regula falsi method for computing the root of an
+  //         equation, BIT 11, 1971 (the Illinois method).
+  [[nodiscard]] std::optional<Point> zero_of(double Point::*value, const Point& from,
+                                             const Point& to) {
+    constexpr int kSteps = 60;
+    double a = from.s, f_a = from.*value, b = to.s, f_b = to.*value;
+    Point at = from;
+    for (int k = 0; k < kSteps; ++k) {
+      const double s = b - f_b * (b - a) / (f_b - f_a);
+      if (!settle(s, at)) return std::nullopt;
+      const double f = at.*value;
+      if (f == 0.0 || std::abs(s - b) < kSettled) break;
+      if (f * f_b < 0.0) {
+        a = b;
+        f_a = f_b;
+      } else {
+        f_a *= 0.5;
+      }
+      b = s;
+      f_b = f;
+    }
+    return at;
+  }
+
+  void keep(const VectorXd& q) { curve_.points.push_back(to_array(q)); }
+
+  void take(const std::optional<Point>& zero) {
+    if (!zero) return;
+    const JointArray q = to_array(zero->q);
+    const IkError error = solver_.error_of(q);
+    if (error.position < kMet && error.rotation < kMet) curve_.solutions.push_back(q);
+  }
+
+  // Whether the goal is met all along the curve.
+  static bool is_idle(const Point& point) {
+    return std::abs(point.height) + kPiece * std::abs(point.slope) < kMet;
+  }
+
+  // The zeros of the height between two points.
+  void search(const Point& left, const Point& right) {
+    if (is_idle(left) && is_idle(right)) return;
+    curve_.is_idle = false;
+    if (left.height * right.height <= 0.0) return take(zero_of(&Point::height, left, right));
+    if (!(left.height * left.slope < 0.0 && right.height * right.slope > 0.0)) return;
+    const auto lowest = zero_of(&Point::slope, left, right);
+    if (!lowest) return;
+    Point ahead = *lowest;
+    if (!settle(lowest->s + kLookAhead, ahead)) return;
+    const double bend = (ahead.slope - lowest->slope) / kLookAhead;
+    if (std::abs(2.0 * lowest->height / bend) <= kOne * kOne) {
+      curve_.solutions.push_back(to_array(lowest->q));
+    } else if (lowest->height * left.height < 0.0) {
+      take(zero_of(&Point::height, left, *lowest));
+      take(zero_of(&Point::height, *lowest, right));
+    }
+  }
+
+  // Both directions where the curve is at a point, ahead as before.
+  void turn_to(const Point& point) {
+    const MatrixXd B = bordered(linear_at(point.q).J);
+    VectorXd one = VectorXd::Zero(n_ + 1);
+    one[n_] = 1.0;
+    idle_ = SquareFactors(B).solve(one).head(n_).normalized();
+    lost_ = SquareFactors(B.transpose()).solve(one).head(n_).normalized();
+    origin_ = point.q;
+  }
+
+  [[nodiscard]] bool comes_back(const VectorXd& from, const VectorXd& to,
+                                const VectorXd& start) const {
+    double along = 0.0, square = 0.0, length = 0.0;
+    for (int i = 0; i < robot_.n(); ++i) {
+      const double back = start[i] - from[i];
+      const double away = robot_.is_revolute(i) ? wrap_angle(back) : back;
+      along += away * (to[i] - from[i]);
+      square += away * away;
+      length += (to[i] - from[i]) * (to[i] - from[i]);
+    }
+    const double off = std::sqrt(std::max(square - along * along / length, 0.0));
+    return along >= 0.0 && along <= length && off < 0.1 * kPiece;
+  }
+
+  // Follows the curve from a point. Returns whether it comes back to where it started.
+  bool walk(Point point, const VectorXd& start) {
+    double length = kPiece;
+    for (int k = 0; k < kMostPieces && std::abs(point.height) < kShallow; ++k) {
+      turn_to(point);
+      if (!idle_.allFinite() || !lost_.allFinite()) return false;
+      Point left{.q = point.q};
+      if (!settle(0.0, left)) return false;
+      Point right = left;
+      while (!settle(length, right) || (right.q - left.q).norm() * kAhead > length) {
+        length *= 0.5;
+        right = left;
+        if (length < kShortestPiece) return false;
+      }
+      search(left, right);
+      keep(right.q);
+      if (k > 1 && comes_back(left.q, right.q, start)) return true;
+      point = right;
+      length = std::min(kPiece, 1.5 * length);
+    }
+    return false;
+  }
+
+  const Robot& robot_;
+  IkSolver solver_;
+  Eigen::Index n_;
+  std::vector<Eigen::Index> rows_;
+  // Of the piece.
+  VectorXd origin_;
+  VectorXd lost_;  // direction of the tool
+  VectorXd idle_;  // direction of the joints
+  ReducedCurve curve_;
+};
+
+}  // namespace
+
+std::optional<ReducedCurve> reduced_curve(const Robot& robot, const IkGoal& goal,
+                                          const JointArray& q) {
+  return ReducedSearch(robot, goal, q).run();
+}
+
+}  // namespace armlet
