@@ -1,4 +1,4 @@
-// Statements where rows belong: record run every (10ms) { moveJ(p, time: 1s) }
+// Statements where rows belong: record run every (10ms) { print(1) }
 #include "syntax/mistakes/failure_site.hpp"
 
 namespace armlet::lang {
