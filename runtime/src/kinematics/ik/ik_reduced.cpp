@@ -21,6 +21,7 @@ constexpr int kMostPieces = 300;         // in one direction
 constexpr double kAhead = 0.9;           // cosine between the directions at both ends of a piece
 constexpr double kLookAhead = 1e-4;      // rad or m, to see how a curve bends
 constexpr double kOne = 5e-7;            // rad or m; solutions no farther from their middle are one
+constexpr double kRounding = 2e-15;      // m and rad, of a height
 constexpr double kMet = 1e-11;           // m and rad
 constexpr double kSettled = 1e-11;       // rad or m
 constexpr double kFarthestStep = 0.2;    // rad or m
@@ -171,12 +172,12 @@ class ReducedSearch {
     Point ahead = *lowest;
     if (!settle(lowest->s + kLookAhead, ahead)) return;
     const double bend = (ahead.slope - lowest->slope) / kLookAhead;
-    if (std::abs(2.0 * lowest->height / bend) <= kOne * kOne) {
+    const bool are_one = std::abs(2.0 * lowest->height / bend) <= kOne * kOne;
+    if (are_one || std::abs(lowest->height) < kRounding)
       curve_.solutions.push_back(to_array(lowest->q));
-    } else if (lowest->height * left.height < 0.0) {
-      take(zero_of(&Point::height, left, *lowest));
-      take(zero_of(&Point::height, *lowest, right));
-    }
+    if (are_one || lowest->height * left.height >= 0.0) return;
+    take(zero_of(&Point::height, left, *lowest));
+    take(zero_of(&Point::height, *lowest, right));
   }
 
   // Both directions where the curve is at a point, ahead as before.

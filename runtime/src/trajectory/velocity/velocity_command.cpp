@@ -16,7 +16,7 @@ constexpr double kLongestStep = 5e-3;
 constexpr double kFarthestStep = 2e-3;
 // Steps are halved, but for the smallest, while speeds are more uncertain than this, rad/s or m/s.
 constexpr double kSmallestStep = 1e-5;
-constexpr double kDoubt = 1e-8;
+constexpr double kDoubt = 1e-9;
 constexpr double kShareOfIdle = 0.7;     // of the limits, where a singular position is crossed
 constexpr double kLacking = 1e-6;        // of the velocity asked for
 constexpr double kRankThreshold = 1e-9;  // of the largest pivot

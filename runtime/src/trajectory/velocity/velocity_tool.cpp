@@ -44,6 +44,14 @@ ToolSpeeds larger(const ToolSpeeds& a, const ToolSpeeds& b) {
   return {.v = std::max(a.v, b.v), .w = std::max(a.w, b.w)};
 }
 
+// A point that was only to turn may move a little, and one that was only to move turn: by this part
+// of the speed at a distance of a quarter of a metre.
+ToolSpeeds with_drift(const ToolSpeeds& most) {
+  constexpr double kDrift = 0.01;
+  constexpr double kLever = 0.25;  // m
+  return larger(most, {.v = kDrift * kLever * most.w, .w = kDrift / kLever * most.v});
+}
+
 // By which fraction the tool exceeds the largest speeds between two times of a motion.
 double excess_of(const Robot& robot, const Trajectory& motion, double begin, double end,
                  const ToolSpeeds& most) {
@@ -85,16 +93,18 @@ VelocityStart state_of(const VelocityPieces& pieces) {
 // most, calm  speeds of the tool, and by which fraction it may exceed them.
 // ends        the joints keep to their limits on position and speed until the end.
 // stops       from everywhere on the way the joints can come to rest calmly.
+// excess      null, or by which fraction it may, and then does exceed them.
 struct Wanted {
   ToolSpeeds most{};
   double calm = std::numeric_limits<double>::infinity();
   bool ends = false;
   bool stops = false;
+  double* excess = nullptr;
 };
 
 bool stops_calmly(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most);
 
-enum class Trial { kGood, kTooMuchForTheJoints, kBad };
+enum class Trial { kGood, kWithLess, kBad };  // with a smaller share it may be good
 
 // Whether the joints can come to rest calmly from the quarters of a motion.
 bool stops_on(const Robot& robot, const Trajectory& motion, const ToolSpeeds& most) {
@@ -118,19 +128,28 @@ Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolComm
   VelocityPieces pieces(start);
   const VectorXd most_qdd =
       (1.0 + 1e-9) * (kWithin * robot.max_accel()).cwiseMax(accelerations_of(start).cwiseAbs());
-  const FollowLimits limits{.qdd = most_qdd, .most = wanted.most, .calm = wanted.calm};
+  const double calm = wanted.excess != nullptr ? *wanted.excess : wanted.calm;
+  const FollowLimits limits{.qdd = most_qdd, .most = wanted.most, .calm = calm};
   const VelocityPlan followed = command.follow(0.0, end, pieces, &limits);
   const double at_end = excess_of(jacobian(robot, pieces.q()) * pieces.qd(), wanted.most);
   const Trajectory motion = std::move(pieces).made();
   const double before = excess_of(robot, motion, 0.0, motion.duration(), wanted.most);
-  if (std::max(at_end, before) > wanted.calm) return Trial::kBad;
+  if (std::max(at_end, before) > calm) return Trial::kBad;
+  if (wanted.excess != nullptr) *wanted.excess = std::max(at_end, before);
   for (int i = 0; i < robot.n(); ++i) {
     if (motion.peak(i, 2) > most_qdd[i] || motion.peak(i, 3) > kWithin * robot.max_jerk()[i])
-      return Trial::kTooMuchForTheJoints;
+      return Trial::kWithLess;
   }
   const bool ends = !followed.too_high && !followed.outside;
   if (!ends && wanted.ends) return Trial::kBad;
-  return wanted.stops && !stops_on(robot, motion, wanted.most) ? Trial::kBad : Trial::kGood;
+  return wanted.stops && !stops_on(robot, motion, wanted.most) ? Trial::kWithLess : Trial::kGood;
+}
+
+std::vector<double> shares_for(const Vector6d& twist, const ToolLaw& law) {
+  const bool to_rest = twist.isZero(0.0) && law.ref.size() == 0;
+  std::vector<double> shares(std::begin(kShares), std::end(kShares));
+  if (to_rest) shares.insert(shares.begin(), kAllButAll);
+  return shares;
 }
 
 // The law with the largest share of the limits by which the joints keep to them, if it does what is
@@ -142,9 +161,7 @@ Trial try_take_up(const Robot& robot, const VelocityStart& start, const ToolComm
 std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& start,
                                      const Vector6d& twist, ToolLaw law, bool slowly,
                                      const Wanted& wanted) {
-  const bool to_rest = twist.isZero(0.0) && law.ref.size() == 0;
-  std::vector<double> shares(std::begin(kShares), std::end(kShares));
-  if (to_rest) shares.insert(shares.begin(), kAllButAll);
+  const std::vector<double> shares = shares_for(twist, law);
   for (const double share : shares) {
     law.share = share;
     law.turning = slowly ? share : shares[0];
@@ -155,16 +172,21 @@ std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& st
   return std::nullopt;
 }
 
-// A law, in joint speeds or in those of the tool, that does what is wanted. Where nothing is known
-// to keep the tool calm, the speeds of the tool come first.
-std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
-                                const Vector6d& twist, const Wanted& wanted) {
-  const bool turns = !accelerations_of(start).isZero(1e-9);
-  const bool calm = std::isfinite(wanted.calm);
+// The laws, in joint speeds or in those of the tool. Where nothing is known to keep the tool calm,
+// the speeds of the tool come first.
+std::vector<ToolLaw> laws_for(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
+                              bool calm) {
   const ToolLaw of_joints, of_tool{.ref = start.q}, crossing{.ref = start.q, .crosses = true};
   std::vector<ToolLaw> laws = {calm ? of_joints : of_tool, calm ? of_tool : of_joints};
   if (twist.isZero(0.0) && robot.n() >= 6) laws.push_back(crossing);
-  for (const ToolLaw& law : laws) {
+  return laws;
+}
+
+// The first of them that does what is wanted.
+std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
+                                const Vector6d& twist, const Wanted& wanted) {
+  const bool turns = !accelerations_of(start).isZero(1e-9);
+  for (const ToolLaw& law : laws_for(robot, start, twist, std::isfinite(wanted.calm))) {
     for (const bool slowly : {false, true}) {
       if (slowly && !turns) break;
       if (auto found = largest_share(robot, start, twist, law, slowly, wanted)) return found;
@@ -173,25 +195,50 @@ std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
   return std::nullopt;
 }
 
+// The law that makes the tool the least too fast, of all by which the joints keep to their limits,
+// and by which fraction it does.
+struct LeastExcess {
+  ToolLaw law{.share = kLeastShare, .turning = kLeastShare};
+  double excess = std::numeric_limits<double>::infinity();
+};
+
+LeastExcess least_excess(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
+                         const ToolSpeeds& most, bool ends) {
+  LeastExcess least;
+  for (ToolLaw law : laws_for(robot, start, twist, true)) {
+    const std::vector<double> shares = shares_for(twist, law);
+    for (const double share : shares) {
+      for (const bool slowly : {false, true}) {
+        law.share = share;
+        law.turning = slowly ? share : shares[0];
+        double excess = least.excess;
+        const Wanted wanted{.most = most, .ends = ends, .excess = &excess};
+        const ToolCommand command(robot, start, twist, law);
+        if (try_take_up(robot, start, command, wanted) != Trial::kGood) continue;
+        if (excess < least.excess) least = {law, excess};
+      }
+    }
+  }
+  return least;
+}
+
 // A law by which the tool comes to rest calmly.
 std::optional<ToolLaw> calm_stop(const Robot& robot, const VelocityStart& start,
                                  const ToolSpeeds& most) {
-  for (const double calm : {kCalmStop, kCalmBrake}) {
-    if (auto law = find_law(robot, start, Vector6d::Zero(), {most, calm, true})) return law;
-  }
-  return std::nullopt;
+  return find_law(robot, start, Vector6d::Zero(), {most, kCalmBrake, true});
 }
 
-// Whether the joints do if each comes to rest as it can.
-bool rests_calmly(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most) {
+// By which fraction the tool becomes too fast if each joint comes to rest as it can.
+double excess_of_rest(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most) {
   VelocityPieces alone(start);
   come_to_rest(robot, alone);
   const Trajectory motion = std::move(alone).made();
-  return excess_of(robot, motion, 0.0, motion.duration(), most) <= kCalmStop;
+  return excess_of(robot, motion, 0.0, motion.duration(), most);
 }
 
 bool stops_calmly(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most) {
-  return rests_calmly(robot, start, most) || calm_stop(robot, start, most);
+  const ToolSpeeds drifting = with_drift(most);
+  return excess_of_rest(robot, start, drifting) <= kCalmStop || calm_stop(robot, start, drifting);
 }
 
 // Slows down first, for as long as it takes until the velocity can be taken up.
@@ -216,31 +263,55 @@ std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& s
   return ToolTakeUp{.law = least, .brake_for = rest, .brake = *brake};
 }
 
+// Where no law is calm: the one by which the tool becomes the least too fast, of those that take
+// the velocity up at once and those that bring the tool to rest first.
+ToolTakeUp least_fast(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
+                      const ToolSpeeds& most) {
+  const LeastExcess at_once = least_excess(robot, start, twist, most, false);
+  const LeastExcess brake = least_excess(robot, start, Vector6d::Zero(), most, true);
+  if (!(brake.excess < at_once.excess)) return {.law = at_once.law};
+  const ToolCommand command(robot, start, Vector6d::Zero(), brake.law);
+  return {.law = {.share = kLeastShare, .turning = kLeastShare},
+          .brake_for = command.take_up().duration(),
+          .brake = brake.law};
+}
+
 // Decides how the velocity is taken up.
 ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
                   const ToolSpeeds& most) {
+  const ToolSpeeds drifting = with_drift(most);
   for (const bool stops : {true, false}) {
-    if (const auto law = find_law(robot, start, twist, {most, kCalm, false, stops}))
-      return {.law = *law};
-    if (auto slower = brake_first(robot, start, twist, most, stops)) return *slower;
-  }
-  if (const auto law = find_law(robot, start, twist, {most})) return {.law = *law};
-  return {.law = {.share = kLeastShare, .turning = kLeastShare}};
-}
-
-// Comes to rest by the law of the joints if the tool is calm then, else by one that keeps it calm
-// if there is one.
-void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
-  const VelocityStart start = state_of(pieces);
-  if (!rests_calmly(robot, start, most)) {
-    if (const auto law = calm_stop(robot, start, most)) {
-      const ToolCommand command(robot, start, Vector6d::Zero(), *law);
-      static_cast<void>(command.follow(0.0, command.take_up().duration(), pieces));
-      for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
-      return;
+    for (const ToolSpeeds& fastest : {most, drifting}) {
+      if (const auto law = find_law(robot, start, twist, {fastest, kCalm, false, stops}))
+        return {.law = *law};
+      if (auto slower = brake_first(robot, start, twist, fastest, stops)) return *slower;
     }
   }
-  come_to_rest(robot, pieces);
+  return least_fast(robot, start, twist, drifting);
+}
+
+// The law by which the tool comes to rest; none if each joint comes to rest as it can.
+std::optional<ToolLaw> law_of_stop(const Robot& robot, const VelocityStart& start,
+                                   const ToolSpeeds& most) {
+  const ToolSpeeds drifting = with_drift(most);
+  for (const ToolSpeeds& fastest : {most, drifting}) {
+    if (excess_of_rest(robot, start, fastest) <= kCalmStop) return std::nullopt;
+    if (const auto law = calm_stop(robot, start, fastest)) return law;
+  }
+  const LeastExcess least = least_excess(robot, start, Vector6d::Zero(), drifting, true);
+  if (least.excess < excess_of_rest(robot, start, drifting)) return least.law;
+  return std::nullopt;
+}
+
+// Comes to rest by the law of the joints if the tool is calm then, else by the one that keeps it
+// calmest.
+void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
+  const VelocityStart start = state_of(pieces);
+  const auto law = law_of_stop(robot, start, most);
+  if (!law) return come_to_rest(robot, pieces);
+  const ToolCommand command(robot, start, Vector6d::Zero(), *law);
+  static_cast<void>(command.follow(0.0, command.take_up().duration(), pieces));
+  for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
 }
 
 VelocityStart origin_of(const ToolTakeUp& take_up) {

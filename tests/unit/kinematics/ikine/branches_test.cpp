@@ -212,6 +212,13 @@ TEST_CASE("two solutions that meet at the limits of joints are one inside them")
   CHECK(change({-3.755659001450518, most, most, -0.45525771574450768, -4.3952496496537652,
                 0.36761661308151705},
                5, kPi / 18) < kPi / 18 + 1e-6);
+  // The wrist all but singular as well: rounding alone decides whether the two meet.
+  CHECK(change({1.9893321843412544, 4.3895419170089802, -most, 2.3795284698788315,
+                -7.7384004309902319e-05, -2.3617946658082496},
+               1, -kPi / 18) < kPi / 18 + 1e-6);
+  CHECK(change({5.7373176445924354, 4.3776312737502199, most, -4.6701030121777549,
+                1.7944230900357323e-06, 0.92137351853723715},
+               3, kPi / 18) < kPi / 18 + 1e-6);
 }
 
 TEST_CASE("next to where two solutions meet the nearer one is taken") {

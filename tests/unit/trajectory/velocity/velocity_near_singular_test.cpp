@@ -85,7 +85,6 @@ bool taken_up(const Robot& robot, const VelocityStart& state, const Vector6d& tw
 // while the joints stopped after it.
 struct Sent {
   int planned = 0;
-  int fast = 0;  // more than 1 % faster
   double excess = 0.0;
   double stopping = 0.0;
 };
@@ -113,7 +112,6 @@ void send(const Robot& robot, const Eigen::VectorXd& q, Kind kind, Dice& dice, S
     if (taken_up(robot, start, twist))
       fastest = {.v = twist.head<3>().norm(), .w = twist.tail<3>().norm()};
     const double stopping = excess(robot, *plan.motion, stops, plan.motion->duration(), fastest);
-    if (std::max(taking_up, stopping) > 0.01) ++sent.fast;
     sent.excess = std::max(sent.excess, taking_up);
     sent.stopping = std::max(sent.stopping, stopping);
   }
@@ -123,7 +121,6 @@ void send(const Robot& robot, const Eigen::VectorXd& q, Kind kind, Dice& dice, S
 
 TEST_CASE("near singular positions no tool is faster than the fastest velocity being taken up") {
   Dice dice{std::mt19937_64(55)};
-  int planned = 0, fast = 0;
   for (const std::string_view name : catalog_names()) {
     CAPTURE(std::string(name));
     const Robot robot = *make_robot(name);
@@ -135,12 +132,9 @@ TEST_CASE("near singular positions no tool is faster than the fastest velocity b
       send(robot, good_position(robot, dice), kind, dice, sent);
     }
     CHECK(sent.planned > 30);
-    CHECK(sent.excess <= 0.05);
-    CHECK(sent.stopping <= 0.05);
-    planned += sent.planned;
-    fast += sent.fast;
+    CHECK(sent.excess <= 0.01);
+    CHECK(sent.stopping <= 0.01);
   }
-  CHECK(fast <= planned / 200);
 }
 
 TEST_CASE("near singular positions a velocity sent again and again is one sent once") {
@@ -164,4 +158,35 @@ TEST_CASE("near singular positions a velocity sent again and again is one sent o
     }
     CHECK(compared > 3);
   }
+}
+
+// Found among other seeds: the joints gain speed for another velocity when the command comes, and
+// the law that keeps the tool on the spot while it turns asks a little more of them than they have;
+// a joint has to go on through the position in which the elbow is stretched.
+TEST_CASE("the calmest law is taken where the strictest one asks too much of the joints") {
+  const auto most = [](const char* name, const VelocityStart& start, const Vector6d& twist) {
+    const Robot robot = *make_robot(name);
+    const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
+    REQUIRE(plan.motion);
+    const double taking_up = excess(robot, *plan.motion, 0.0, start.during, *start.fastest);
+    const double stopping =
+        excess(robot, *plan.motion, start.during, plan.motion->duration(), plan.take_up.fastest);
+    return std::max(taking_up, stopping);
+  };
+  using Joints6 = Eigen::Vector<double, 6>;
+  using Joints7 = Eigen::Vector<double, 7>;
+  VelocityStart turning{
+      .q = Joints7{-0.677296, -0.087807, 1.304371, -0.530426, -1.211377, -0.549727, -0.144389},
+      .qd = Joints7{0.09212, -0.0751985, 0.173976, 0.0901885, 0.247959, -0.262761, -0.231305},
+      .qdd = Joints7{2.297226, -1.084429, 1.670913, 1.338565, 1.452596, -4.212324, -3.705974},
+      .during = 0.3,
+      .fastest = ToolSpeeds{0.0, 0.518228}};
+  CHECK(most("pa10", turning, {0.0, 0.0, 0.0, 0.0769681, 0.0621357, -0.1657117}) < 0.01);
+  VelocityStart stretching{
+      .q = Joints6{-1.136627, -0.641329, 0.0448865, 0.29983, -1.28818, -0.106856},
+      .qd = Joints6{0.0259944, 0.0869406, -0.2055481, 0.1163999, 0.0248592, 0.0079122},
+      .qdd = Joints6{0.410662, 1.752305, -4.035593, 2.248247, 0.392715, 0.125084},
+      .during = 0.122,
+      .fastest = ToolSpeeds{0.0262054, 0.0}};
+  CHECK(most("ur5", stretching, {0.00018975, -0.00084621, -0.00044251, 0.0, 0.0, 0.0}) < 0.01);
 }
