@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +23,13 @@ namespace {
 constexpr int kSessions = 1000;
 
 std::size_t allocated() { return mallinfo2().uordblks + mallinfo2().hblkhd; }
+
+// With the stacks of tasks, and whatever the allocator keeps.
+std::size_t resident() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
 
 SessionOptions options() {
   SessionOptions made;
@@ -39,10 +48,13 @@ void measure_memory() {
   std::vector<std::unique_ptr<Session>> sessions;
   const SessionOptions shared = options();
   enter(*std::make_unique<Session>(library_engine(), shared), "moveJ(home(), time: 1s)");
-  const std::size_t none = allocated();
+  const std::size_t none = allocated(), none_resident = resident();
+  const auto per_session = [](std::size_t bytes) {
+    return static_cast<double>(bytes) / kSessions / 1024.0;
+  };
   const auto told = [&](const char* what) {
-    fmt::print("{:<44} {:6.1f} kB\n", what,
-               static_cast<double>(allocated() - none) / kSessions / 1024.0);
+    fmt::print("{:<44} {:6.1f} kB, {:6.1f} kB resident\n", what, per_session(allocated() - none),
+               per_session(resident() - none_resident));
   };
   for (int i = 0; i < kSessions; ++i) {
     sessions.push_back(std::make_unique<Session>(library_engine(), shared));

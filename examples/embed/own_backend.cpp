@@ -25,7 +25,8 @@ class Watcher : public armlet::Backend {
  private:
   static constexpr armlet::Ignore<armlet::BeginRun, armlet::RobotAdded, armlet::RobotChanged,
                                   armlet::ObjectAdded, armlet::ObjectSample, armlet::ObjectEvent,
-                                  armlet::FigureChanged, armlet::FinalFigure, armlet::EndRun>
+                                  armlet::FigureChanged, armlet::FinalFigure, armlet::Undone,
+                                  armlet::EndRun>
       kIgnored{};
 
   void watch(const armlet::JointSample& sample) {

@@ -194,8 +194,8 @@ CompiledProgram::CompiledProgram(const CompileOptions& options)
       options.after != nullptr ? &options.after->compiled() : nullptr;
   sources = std::make_shared<SourceSet>(before != nullptr ? before->sources : nullptr);
   arena = std::make_unique<Arena>();
-  types = before != nullptr ? std::make_unique<TypePool>(before->types.get())
-                            : std::make_unique<TypePool>();
+  types = before != nullptr ? std::make_shared<TypePool>(before->types.get())
+                            : std::make_shared<TypePool>();
 }
 
 // One after the other: each would end the one before it, as deep as the session is long.

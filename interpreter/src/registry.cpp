@@ -87,11 +87,13 @@ void Registry::add_constant(const NativeConstant& constant) {
 }
 
 void Registry::add_type(const HostType& type) {
+  library_types_.reset();
   types_[std::string(type.name)] = &type;
   if (type.resource != nullptr) describe_errors();
 }
 
 void Registry::add_record(std::string_view name, std::string_view fields) {
+  library_types_.reset();
   records_[std::string(name)] = fields;
 }
 
@@ -163,6 +165,17 @@ TypeNames Registry::type_names(TypePool& types) const {
     if (const HostType* host = type(name)) return types.host(host);
     return types.library_record(name);
   };
+}
+
+std::shared_ptr<const TypePool> Registry::library_types() const {
+  const std::lock_guard one_thread(making_types_);
+  if (library_types_ == nullptr) {
+    auto types = std::make_shared<TypePool>();
+    declare_records(*types);
+    types->close();
+    library_types_ = std::move(types);
+  }
+  return library_types_;
 }
 
 void Registry::declare_records(TypePool& types) const {

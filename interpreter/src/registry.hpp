@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <span>
 #include <string>
@@ -82,8 +83,8 @@ class Registry {
   // Names a program can write, sorted: for suggestions.
   [[nodiscard]] std::vector<std::string_view> public_names() const;
 
-  // Makes the types of the library's records known to a program.
-  void declare_records(TypePool& types) const;
+  // The types of the library's records, which all programs share.
+  [[nodiscard]] std::shared_ptr<const TypePool> library_types() const;
   // Host types and library records by name, as types of one program.
   [[nodiscard]] TypeNames type_names(TypePool& types) const;
   // Every signature and record that cannot be read or differs from its function in C++, with the
@@ -95,6 +96,7 @@ class Registry {
  private:
   // The record of a caught error has a field for each type of resource: the one that was commanded.
   void describe_errors();
+  void declare_records(TypePool& types) const;
 
   // The names are those of the functions and constants, which outlive the engine.
   std::map<std::string_view, std::vector<const NativeFunction*>> functions_;
@@ -107,6 +109,8 @@ class Registry {
   std::vector<Chapter> chapters_;
   std::deque<NativeFunction> defined_;
   std::vector<std::shared_ptr<const void>> kept_;  // what they need
+  mutable std::mutex making_types_;
+  mutable std::shared_ptr<const TypePool> library_types_;  // null: not made since the last change
 };
 
 }  // namespace armlet::lang

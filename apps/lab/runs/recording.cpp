@@ -28,8 +28,8 @@ void Recording::on(const Event& event) {
   const double t = to_seconds(time_of(event));
   record_.t_end = std::max(record_.t_end, t);
   note_line(t);
-  std::visit(Overload{[](const FigureChanged&) {}, [](const FinalFigure&) {}, [](const EndRun&) {},
-                      [this](const auto& each) { take(each); }},
+  std::visit(Overload{[](const FigureChanged&) {}, [](const FinalFigure&) {}, [](const Undone&) {},
+                      [](const EndRun&) {}, [this](const auto& each) { take(each); }},
              event);
 }
 

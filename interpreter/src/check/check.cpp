@@ -73,7 +73,10 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
                    const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt) {
   const KeptNames* before =
       into.entry.after != nullptr ? into.entry.after->compiled().entry.kept.get() : nullptr;
-  if (before == nullptr) registry.declare_records(*into.types);
+  if (before == nullptr) {
+    into.library_types = registry.library_types();
+    into.types = std::make_shared<TypePool>(into.library_types.get());
+  }
   into.messages = &registry.messages();
   Shared shared(into, registry, before, sink);
   shared.learnt = learnt;

@@ -18,6 +18,15 @@ namespace armlet::lang {
 
 namespace {
 
+// Most entries make no type.
+void close_types(CompiledProgram& entry) {
+  if (entry.entry.after != nullptr && entry.types->adds_nothing()) {
+    entry.types = entry.entry.after->compiled().types;
+  } else {
+    entry.types->close();
+  }
+}
+
 // A program that passed all checks; null if there were errors.
 std::shared_ptr<const Program> build(const Registry& registry,
                                      std::unique_ptr<Program::Code> compiled,
@@ -33,7 +42,7 @@ std::shared_ptr<const Program> build(const Registry& registry,
     return nullptr;
   }
   if (compiled->entry.keeps_syntax) compiled->entry.syntax = std::move(tree);
-  if (compiled->entry.is_one) compiled->types->close();
+  if (compiled->entry.is_one) close_types(*compiled);
   return std::make_shared<const Program>(std::move(compiled));
 }
 

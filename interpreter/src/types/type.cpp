@@ -148,7 +148,7 @@ std::string type_phrase(const Type* type) {
   return std::string(article(name)) + ' ' + name;
 }
 
-// What the pools of the entries before a program have made.
+// What the pools before one have made.
 struct TypePool::Earlier {
   using Bucket = std::vector<const Type*>;
 
@@ -174,9 +174,15 @@ TypePool::TypePool() : library_records_(std::make_shared<std::vector<const Type*
 }
 
 TypePool::TypePool(const TypePool* before)
-    : earlier_(before->earlier_), library_records_(before->library_records_) {
-  name_basic_types();
-}
+    : earlier_(before->earlier_),
+      library_records_(before->library_records_),
+      any_(before->any_),
+      void_(before->void_),
+      bool_(before->bool_),
+      int_(before->int_),
+      real_(before->real_),
+      text_(before->text_),
+      matrix_(before->matrix_) {}
 
 TypePool::~TypePool() = default;
 

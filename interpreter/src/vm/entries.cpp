@@ -105,15 +105,19 @@ void add_global(VmState& state, const hir::Variable& variable) {
 
 }  // namespace
 
+Callee callee_of(const CompiledProgram& program, const FunctionCode& f, const Slot* texts) {
+  const auto references = static_cast<std::uint16_t>(f.references_end - f.references_begin);
+  return {
+      f.code.data(), &f,          f.constants.data(), texts,      program.natives.data(), &program,
+      nullptr,       f.registers, f.references_begin, references, f.may_give_unset};
+}
+
 void load(VmState& state, const CompiledProgram& program, Before* before) {
   auto unit = std::make_unique<LoadedCode>(LoadedCode{&program, {}, {}});
   unit->texts.reserve(program.texts.size());
   unit->callees.reserve(program.functions.size());
   for (const FunctionCode& f : program.functions) {
-    const auto references = static_cast<std::uint16_t>(f.references_end - f.references_begin);
-    Callee& callee = unit->callees.emplace_back(
-        Callee{f.code.data(), &f, f.constants.data(), unit->texts.data(), program.natives.data(),
-               &program, nullptr, f.registers, f.references_begin, references, f.may_give_unset});
+    Callee& callee = unit->callees.emplace_back(callee_of(program, f, unit->texts.data()));
     callee.own = &callee;
     const std::uint32_t number = f.function->index;
     if (number >= state.programs.callees.size())
@@ -152,6 +156,7 @@ void drop_newest(VmState& state) {
 // Nothing of an entry that failed stays, and of one without functions nothing but its variables:
 // the session does not grow by it.
 void finish_entry(VmState& state, bool done) {
+  state.main.stack.rest();
   state.host.all_are_set = false;
   state.recordings.reset();
   state.shared.large_copies.clear();

@@ -92,6 +92,9 @@ class Before {
   Cancellations cancellations_;
 };
 
+// A function of a program, with the objects of its texts; `own` is still to be set.
+[[nodiscard]] Callee callee_of(const CompiledProgram& program, const FunctionCode& function,
+                               const Slot* texts);
 // Adds the code of a program; its texts are made by make_texts. before: null if it is no entry.
 void load(VmState& state, const CompiledProgram& program, Before* before);
 // Makes the objects of the literals of the newest unit. False: the heap is full, which is raised.

@@ -112,10 +112,9 @@ void VmState::clear() {
     for (const Slot text : unit->texts) heap.release(text.o);
     unit->texts.clear();
   }
-  for (Obj*& text : shared.ascii) {
-    heap.release(text);
-    text = nullptr;
-  }
+  for (Obj* text : *shared.ascii) heap.release(text);
+  shared.ascii = &SharedObjects::kNoAscii;
+  shared.made_ascii.reset();
   heap.drain();
 }
 
@@ -141,11 +140,16 @@ const RecordLayout& VmState::layout_of(const Type* record) {
 }
 
 Obj* VmState::character(unsigned char code) {
-  if (shared.ascii[code] == nullptr) {
-    const char byte = static_cast<char>(code);
-    shared.ascii[code] = heap.new_text(std::string_view(&byte, 1));
+  if (shared.made_ascii == nullptr) {
+    shared.made_ascii = std::make_unique<SharedObjects::Ascii>();
+    shared.ascii = shared.made_ascii.get();
   }
-  return shared.ascii[code];
+  Obj*& text = (*shared.made_ascii)[code];
+  if (text == nullptr) {
+    const char byte = static_cast<char>(code);
+    text = heap.new_text(std::string_view(&byte, 1));
+  }
+  return text;
 }
 
 bool VmState::take_cancellation() {

@@ -34,10 +34,12 @@ class CsvBackend final : public Backend {
   }
 
  private:
-  static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure> kIgnored{};
+  // Rows have no place for a mark: what is undone shows where the time of a row goes back.
+  static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure, Undone> kIgnored{};
   static constexpr std::size_t kPoseColumns = 7;
 
   void write(const BeginRun& begin) {
+    robots_.clear();
     for (const RobotInfo& robot : begin.run.robots) {
       robots_.push_back(robot.name);
     }

@@ -50,6 +50,8 @@ std::string_view to_text(EventKind kind) {
       return "FigureChanged";
     case EventKind::kFinalFigure:
       return "FinalFigure";
+    case EventKind::kUndone:
+      return "Undone";
     case EventKind::kEndRun:
       return "EndRun";
   }

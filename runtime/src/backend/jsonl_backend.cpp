@@ -1,7 +1,10 @@
 #include "armlet/backend/jsonl_backend.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 
 #include "backend/text_sink.hpp"
 
@@ -13,6 +16,7 @@ class JsonlBackend final : public Backend {
   explicit JsonlBackend(std::ostream& out) : sink_(out) {}
 
   void on(const Event& event) override {
+    if (!kIgnored.kinds().has(kind_of(event))) note_line(number_of(event));
     std::visit(Overload{[this](const auto& each) { write(each); }, kIgnored}, event);
   }
   [[nodiscard]] EventKinds ignores() const override { return kIgnored.kinds(); }
@@ -23,6 +27,7 @@ class JsonlBackend final : public Backend {
   static constexpr Ignore<FigureChanged> kIgnored{};
 
   void write(const BeginRun& begin) {
+    robots_.clear();
     sink_.text("{\"what\":\"begin\",\"robots\":[");
     for (const RobotInfo& robot : begin.run.robots) {
       sink_.text(robots_.empty() ? "{" : ",{");
@@ -111,10 +116,34 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
+  // Lines count from 1: those from `line` up to this one are undone. Forth again, what was undone
+  // last counts up to the time `back`.
+  void write(const Undone& undone) {
+    if (undone.from >= undone.number) {
+      begin_line(undone.t_ns, "redone");
+      field("back", static_cast<double>(undone.back_ns) * 1e-9);
+      return end_line();
+    }
+    const auto behind = std::ranges::upper_bound(stretches_, undone.from, {}, &Stretch::number);
+    const Stretch& stretch = behind == stretches_.begin() ? *behind : *std::prev(behind);
+    begin_line(undone.t_ns, "undone");
+    field("line", static_cast<double>(stretch.line + undone.from - stretch.number));
+    field("back", static_cast<double>(undone.back_ns) * 1e-9);
+    end_line();
+  }
+
   void write(const EndRun& end) {
     begin_line(end.t_ns, "end");
     end_line();
     sink_.flush();
+  }
+
+  // The line of an event follows from its number, but where events had no line, or several.
+  void note_line(std::uint64_t number) {
+    while (!stretches_.empty() && stretches_.back().number > number) stretches_.pop_back();
+    const std::uint64_t line = lines_ + 1;
+    if (stretches_.empty() || line - stretches_.back().line != number - stretches_.back().number)
+      stretches_.push_back({number, line});
   }
 
   void begin_line(std::int64_t t_ns, std::string_view what) {
@@ -243,6 +272,7 @@ class JsonlBackend final : public Backend {
   void end_line() {
     sink_.text("}");
     sink_.end_line();
+    ++lines_;
   }
 
   void write_key(std::string_view key) {
@@ -251,8 +281,16 @@ class JsonlBackend final : public Backend {
     sink_.text(":");
   }
 
+  // From an event on each has one line.
+  struct Stretch {
+    std::uint64_t number;
+    std::uint64_t line;
+  };
+
   TextSink sink_;
   std::vector<std::string> robots_{};
+  std::vector<Stretch> stretches_{};
+  std::uint64_t lines_ = 0;
 };
 
 }  // namespace

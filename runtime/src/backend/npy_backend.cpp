@@ -45,8 +45,9 @@ class NpyBackend final : public Backend {
   }
 
  private:
+  // Rows have no place for a mark: what is undone shows where the time of a row goes back.
   static constexpr Ignore<RobotChanged, ObjectAdded, ObjectSample, ObjectEvent, Note, FigureChanged,
-                          FinalFigure>
+                          FinalFigure, Undone>
       kIgnored{};
 
   void add(const BeginRun& begin) {

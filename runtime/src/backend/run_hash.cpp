@@ -5,7 +5,7 @@
 namespace armlet {
 namespace {
 
-constexpr Ignore<FigureChanged> kNotHashed{};
+constexpr Ignore<FigureChanged, Undone> kNotHashed{};
 
 void add(Fnv1a& hash, std::span<const double> values) {
   hash.add(static_cast<std::uint64_t>(values.size()));

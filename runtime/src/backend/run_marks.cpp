@@ -5,6 +5,7 @@
 namespace armlet {
 
 void RunMarks::on(const Event& event) {
+  if (kind_of(event) == EventKind::kUndone) return;
   const std::int64_t t_ns = time_of(event);
   if (has_last_ && t_ns / stretch_ns_ > last_.t_ns / stretch_ns_) {
     marks_.push_back(last_);

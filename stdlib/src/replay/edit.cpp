@@ -1,6 +1,7 @@
 // A run with another text of its program.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "armlet/backend/run_hash.hpp"
@@ -15,6 +16,7 @@ namespace {
 class Tape : public Backend {
  public:
   struct Told {
+    std::uint64_t number;
     std::uint64_t hash;
     std::int64_t t_ns;
     Span at;
@@ -25,7 +27,7 @@ class Tape : public Backend {
     if (ignores().has(kind_of(event))) return;
     RunHash one;
     one.on(event);
-    told_.push_back({one.value(), time_of(event), at()});
+    told_.push_back({number_of(event), one.value(), time_of(event), at()});
   }
   [[nodiscard]] EventKinds ignores() const override { return RunHash().ignores(); }
   [[nodiscard]] const std::vector<Told>& told() const { return told_; }
@@ -39,12 +41,16 @@ class Tape : public Backend {
 };
 
 // Where the tapes differ. A run that has paused might have told more at its last instant.
-TextChange compare(const Tape& before, const Tape& now, bool had_ended, const SourceSet& texts) {
+//
+// undone  the first event of `before` that is not among those of `now`, if there is one.
+TextChange compare(const Tape& before, const Tape& now, bool had_ended, const SourceSet& texts,
+                   std::optional<std::uint64_t>& undone) {
   const auto is_same = [](const Tape::Told& a, const Tape::Told& b) { return a.hash == b.hash; };
   const auto [old, fresh] = std::mismatch(before.told().begin(), before.told().end(),
                                           now.told().begin(), now.told().end(), is_same);
   const bool is_longer = fresh != now.told().end();
   const bool is_shorter = old != before.told().end();
+  if (is_shorter) undone = old->number;
   if (!is_shorter && (!is_longer || !had_ended)) return {.outcome = TextChange::Outcome::kSame};
   TextChange change{.outcome = TextChange::Outcome::kParts};
   if (old != before.told().begin()) change.same_ns = std::prev(old)->t_ns;
@@ -127,10 +133,12 @@ TextChange Session::change(std::size_t entry, std::string text, std::int64_t t_n
     give_up_change();
     return {};
   }
-  const TextChange change = compare(before, now, had_ended, *compilation_.sources);
+  std::optional<std::uint64_t> undone;
+  const TextChange change = compare(before, now, had_ended, *compilation_.sources, undone);
+  if (undone) tell_undone(*former, run_->host.get(), undone);
   if (run_->fan_out != nullptr) run_->fan_out->set_backends(options_.backends);
   submitted_.reset();
-  runs_.push_back(log_of(known));
+  keep_run(log_of(known));
   run_->journal->part();
   static_cast<void>(run_->journal->left_run());
   return change;

@@ -61,7 +61,7 @@ void Session::note_progress() {
                     run.entries.end());
   run.journal->forget_later();
   cancel_at(*run.vm, {});
-  if (!is_silent_) runs_.push_back(log_of(former));
+  if (!is_silent_) keep_run(log_of(former));
 }
 
 void Session::apply(const Input& input) {

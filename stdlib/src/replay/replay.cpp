@@ -70,6 +70,35 @@ SessionLog Session::log() const {
   return log;
 }
 
+namespace {
+
+// What a log keeps of texts and inputs, about.
+std::size_t bytes_of(const SessionLog& log) {
+  std::size_t bytes = sizeof log;
+  for (const LoggedEntry& entry : log.entries) {
+    bytes += sizeof entry + entry.text.size() + entry.inputs.size() * sizeof(Input);
+    for (const Reply& reply : entry.replies)
+      bytes += sizeof reply + reply.question.size() + reply.text.size();
+    for (const LoggedImport& import : entry.imports)
+      bytes += sizeof import + (import.given.text ? import.given.text->size() : 0);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void Session::keep_run(SessionLog run) {
+  runs_.push_back(std::move(run));
+  std::size_t bytes = 0;
+  std::size_t kept = 0;  // the newest one always
+  while (kept < std::min(runs_.size(), kMostRuns)) {
+    bytes += bytes_of(runs_[runs_.size() - 1 - kept]);
+    if (kept > 0 && bytes > kMostRunBytes) break;
+    ++kept;
+  }
+  runs_.erase(runs_.begin(), runs_.end() - static_cast<std::ptrdiff_t>(kept));
+}
+
 // The entries of a log, compiled; fewer if one of them cannot run.
 std::vector<Entry> Session::compile_log(const SessionLog& log) {
   std::vector<Entry> entries;
@@ -167,7 +196,8 @@ bool Session::run_again_to(std::size_t entry, std::int64_t t_ns) {
 }
 
 // While the entries run again the run is put aside.
-bool Session::take_again(std::vector<Entry> entries, const std::function<bool()>& go) {
+bool Session::take_again(std::vector<Entry> entries, const std::function<bool()>& go,
+                         std::optional<std::uint64_t> undone_from) {
   std::unique_ptr<Run> former = std::exchange(run_, std::make_unique<Run>());
   const Compilation compiled = compilation_;
   const auto bring_back = [&] {
@@ -192,6 +222,7 @@ bool Session::take_again(std::vector<Entry> entries, const std::function<bool()>
     return false;
   }
   is_silent_ = false;
+  if (confidant_ == nullptr) tell_undone(*former, run_->host.get(), undone_from);
   if (run_->journal != nullptr) run_->journal->set_silent(false);
   if (run_->fan_out != nullptr) run_->fan_out->set_muted(false);
   if (run_->vm != nullptr && !breakpoints_.empty())
@@ -236,8 +267,9 @@ bool Session::take_up(std::size_t run) {
   compilation_ = compiled;
   const std::size_t last = entries.size() - 1;
   const std::int64_t t_ns = entries.back().logged.end.t_ns;
-  if (!take_again(std::move(entries), [this, last, t_ns] { return run_again_to(last, t_ns); }))
-    return false;
+  const auto go = [this, last, t_ns] { return run_again_to(last, t_ns); };
+  // Who was told of this one knows nothing of that but how it begins.
+  if (!take_again(std::move(entries), go, 1)) return false;
   runs_[run] = std::move(present);
   submitted_.reset();
   return true;

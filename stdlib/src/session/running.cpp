@@ -76,6 +76,9 @@ void Session::begin_new(Entry entry) {
                            std::make_move_iterator(run.entries.end()));
   run.entries.erase(first, run.entries.end());
   const bool is_call = entry.logged.kind == EntryKind::kCall;
+  // A session lives long with few entries: they do not get twice their room.
+  if (run.entries.size() == run.entries.capacity())
+    run.entries.reserve(run.entries.size() + run.entries.size() / 4 + 1);
   run.entries.push_back(std::move(entry));
   try {
     begin_entry();
@@ -313,7 +316,7 @@ void Session::end_entry() {
   if (run.before != nullptr && !run.before->later.empty()) {
     std::vector<Entry> left(run.entries.begin(), run.entries.end() - 1);
     std::ranges::move(run.before->later, std::back_inserter(left));
-    if (!is_silent_) runs_.push_back(log_of(left));
+    if (!is_silent_) keep_run(log_of(left));
   }
   run.before.reset();
   early_inputs_.clear();
@@ -328,6 +331,7 @@ void Session::take_back_entry() {
   const RunResult failed = run.result;
   run.entries.erase(run.entries.begin() + static_cast<std::ptrdiff_t>(run.done), run.entries.end());
   if (before == nullptr && run.done > 0) return;  // on the way to another place, which it ends
+  tell_undone(run, run.done > 0 ? before->host.get() : nullptr);
   if (before != nullptr) std::ranges::move(before->later, std::back_inserter(run.entries));
   if (run.done == 0) {
     std::vector<Entry> later = std::move(run.entries);
@@ -341,6 +345,17 @@ void Session::take_back_entry() {
     compilation_.program = newest_program();
   }
   run_->result = failed;
+}
+
+// host  where the session stands instead of where the run had come; null: before all.
+// from  the first event that does not count; without it all do that were told on the way to there.
+void Session::tell_undone(const Run& former, const Host* host, std::optional<std::uint64_t> from) {
+  if (former.fan_out == nullptr || former.host == nullptr || is_silent_) return;
+  const Cell& there = former.host->cell();
+  Undone mark{.t_ns = there.now_ns(), .number = there.events_told()};
+  if (host != nullptr) mark.back_ns = host->now_ns();
+  mark.from = from.value_or(host != nullptr ? host->cell().events_told() : 0);
+  if (mark.from != mark.number || from) former.fan_out->on(mark);
 }
 
 void Session::tell_end() {

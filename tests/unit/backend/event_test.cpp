@@ -11,7 +11,7 @@ namespace {
 
 // Handles notes and the end; what it ignores is the rest of what follows.
 constexpr Ignore<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
-                 ObjectEvent, FigureChanged, FinalFigure>
+                 ObjectEvent, FigureChanged, FinalFigure, Undone>
     kIgnored{};
 
 std::string handled_as(const Event& event) {
@@ -49,6 +49,7 @@ TEST_CASE("a kind is the struct that an event holds, and has its name") {
   CHECK(kind_of(Note{}) == EventKind::kNote);
   CHECK(kind_of(FigureChanged{}) == EventKind::kFigureChanged);
   CHECK(kind_of(FinalFigure{}) == EventKind::kFinalFigure);
+  CHECK(kind_of(Undone{}) == EventKind::kUndone);
   CHECK(kind_of(EndRun{}) == EventKind::kEndRun);
   CHECK(to_text(EventKind::kJointSample) == "JointSample");
   std::set<std::string_view> names;

@@ -32,6 +32,7 @@ void play_without(std::optional<EventKind> left_out, Backend& backend) {
       Note{.t_ns = 6, .text = "hello"},
       FigureChanged{.t_ns = 7, .figure = &figure},
       FinalFigure{.t_ns = 7, .figure = &figure},
+      Undone{.t_ns = 7, .number = 10, .from = 3, .back_ns = 2},
       EndRun{.t_ns = 8},
   };
   static_assert(std::size(events) == kEventKinds);
@@ -55,6 +56,7 @@ Seen recorded(const Recorder& recorder, const Backend& backend) {
   for (const auto& each : recorder.objects()) content += each.name + std::to_string(each.t_ns);
   for (const auto& each : recorder.events()) content += " event " + each.name;
   for (const auto& each : recorder.notes()) content += " note " + each.text;
+  for (const auto& each : recorder.undoings()) content += " from " + std::to_string(each.from);
   return {content + std::to_string(recorder.end_ns()), backend.ignores()};
 }
 

@@ -130,3 +130,28 @@ TEST_CASE(
   CHECK(row["panels"][0]["names"] == nlohmann::json({"a", "b"}));
   CHECK(row["panels"][0]["series"][0]["label"] == "q1");
 }
+
+TEST_CASE("a mark says from which line on the file is undone") {
+  std::ostringstream out;
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
+  std::uint64_t number = 0;
+  backend->on(BeginRun{.run = {.robots = {}, .objects = {{.name = "cube"}, {.name = "ball"}}}});
+  for (const char* text : {"one", "two"})
+    backend->on(Note{.t_ns = 1'000'000'000, .number = ++number, .text = text});
+  number += 2;  // figures, which have no lines
+  backend->on(Note{.t_ns = 2'000'000'000, .number = number, .text = "three"});
+  backend->on(Undone{.t_ns = 3'000'000'000, .number = 5, .from = 2, .back_ns = 1'000'000'000});
+  backend->on(Note{.t_ns = 1'500'000'000, .number = 2, .text = "again"});
+  backend->on(Undone{.t_ns = 1'500'000'000, .number = 3, .from = 1, .back_ns = 0});
+  backend->on(Undone{.t_ns = 0, .number = 1, .from = 3, .back_ns = 1'500'000'000});
+  backend->on(EndRun{.t_ns = 1'500'000'000, .number = 3});
+  std::istringstream lines(out.str());
+  std::vector<nlohmann::json> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(nlohmann::json::parse(line));
+  REQUIRE(rows.size() == 11);
+  CHECK(rows[4]["text"] == "two");
+  CHECK(rows[6] == nlohmann::json({{"t", 3.0}, {"what", "undone"}, {"line", 5.0}, {"back", 1.0}}));
+  CHECK(rows[7]["text"] == "again");
+  CHECK(rows[8]["line"] == 4.0);
+  CHECK(rows[9] == nlohmann::json({{"t", 0.0}, {"what", "redone"}, {"back", 1.5}}));
+}

@@ -194,6 +194,38 @@ TEST_CASE("a Vm that is busy refuses a second user, and stays as it was") {
   CHECK(*three() == 3);
 }
 
+// The thread that had all turns so far is in the middle of one, or of beginning one, when the
+// others come: two at once would lose a count.
+TEST_CASE("threads that call at once are refused or have their turn, never both at a time") {
+  for (int round = 0; round < 50; ++round) {
+    Hosted host("var count = 0\nfn bump() { count += 1 }");
+    const auto bump = host.vm.function<void()>("bump");
+    std::atomic<bool> others_may_come{false};
+    std::atomic<std::int64_t> done{0};
+    const auto call = [&](int times) {
+      for (int i = 0; i < times; ++i) {
+        try {
+          if (bump()) ++done;
+        } catch (const ArgumentError&) {
+        }
+      }
+    };
+    const auto come = [&] {
+      while (!others_may_come) std::this_thread::yield();
+      call(500);
+    };
+    std::thread first(come);
+    std::thread second(come);
+    call(round);  // the owner's
+    others_may_come = true;
+    call(5000);
+    first.join();
+    second.join();
+    CHECK(host.vm.global<std::int64_t>("count") == done);
+    CHECK(done >= round);
+  }
+}
+
 TEST_CASE("what a function of the host throws is a failure of the program") {
   Engine engine;
   engine.define(def(

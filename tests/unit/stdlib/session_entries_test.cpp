@@ -309,3 +309,64 @@ TEST_CASE("a host reads and sets variables of all entries") {
   CHECK_THROWS_AS(vm.set("b", 1.0, "m"), ArgumentError);
   CHECK_THROWS_AS((void)vm.global("c"), ArgumentError);
 }
+
+namespace {
+
+// Numbers follow each other, and time goes on, but where a mark says how far the run went back.
+class Follower : public Backend {
+ public:
+  void on(const Event& event) override {
+    CHECK(number_of(event) == next_);
+    CHECK(time_of(event) >= last_ns_);
+    ++next_;
+    last_ns_ = time_of(event);
+    if (const auto* mark = std::get_if<Undone>(&event)) {
+      marks.push_back(*mark);
+      next_ = mark->from;
+      last_ns_ = mark->back_ns;
+    }
+  }
+  [[nodiscard]] std::uint64_t next() const { return next_; }
+
+  std::vector<Undone> marks;
+
+ private:
+  std::uint64_t next_ = 0;
+  std::int64_t last_ns_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("listeners are told what is undone: a failed entry, and where a session goes back") {
+  Follower heard;
+  SessionOptions options = at_the_table();
+  options.backends = {&heard};
+  Typed typed(std::move(options));
+  CHECK(typed("print(1)\nmoveJ(posJ(20deg, 30deg, 50mm, 0deg), time: 1s);") == "1\n");
+  const std::uint64_t first = heard.next();
+  CHECK(first > 100);
+  CHECK(heard.marks.empty());
+
+  CHECK(typed("moveJ(posJ(0deg, 0deg, 50mm, 0deg), time: 1s); [1][5]") == "R0606");
+  REQUIRE(heard.marks.size() == 1);
+  CHECK(heard.marks[0].from == first);
+  CHECK(heard.marks[0].number >= first + 100);
+  CHECK(heard.marks[0].t_ns == 2'000'000'000);
+  CHECK(heard.marks[0].back_ns == 1'000'000'000);
+
+  CHECK(typed("moveJ(posJ(0deg, 0deg, 50mm, 0deg), time: 1s);") == "");
+  const std::uint64_t second = heard.next();
+  CHECK(typed.session.undo() == 1);
+  REQUIRE(heard.marks.size() == 2);
+  CHECK(heard.marks[1].number == second);
+  CHECK(heard.marks[1].from == first);
+  CHECK(typed.session.redo() == 1);
+  REQUIRE(heard.marks.size() == 3);
+  CHECK(heard.marks[2].number == first);
+  CHECK(heard.marks[2].from == second);
+  CHECK(typed("print(2)") == "2\n");
+  CHECK(heard.next() == second + 1);
+  CHECK(typed.session.undo(3) == 3);
+  CHECK(heard.marks.back().from == 0);
+  CHECK(heard.marks.back().back_ns == 0);
+}

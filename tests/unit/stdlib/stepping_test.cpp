@@ -67,6 +67,15 @@ struct Debugged {
     return text;
   }
 
+  // The value of the innermost expression where the text has `word`, or why there is none.
+  [[nodiscard]] std::string value(std::string_view word, std::size_t offset = 0) {
+    const Source& text = session->sources()[0];
+    const auto at = static_cast<std::uint32_t>(text.text().find(word) + offset);
+    const Result<SeenValue> seen = value_at(*session->vm(), 0, at);
+    if (!seen) return seen.error().message;
+    return std::string(text.slice(seen->at)) + ": " + seen->type + " = " + seen->value;
+  }
+
   std::string printed;
   std::optional<Session> session;
 };
@@ -162,4 +171,80 @@ TEST_CASE("running by statements needs markers") {
   CHECK(refusal_of([&] { other->run({.statements = 0}); }) ==
         "A budget of 0 statements lets nothing happen; give at least 1.");
   CHECK(other->run().status == Progress::kDone);
+}
+
+namespace {
+
+const char* const kAsked = R"(var total = 0
+let late = 5
+fn square(x: double) -> double { return x * x }
+fn count() -> int {
+    total++
+    return total
+}
+fn area(width: length, sizes: int[], name: string) -> area {
+    let factor = square(2.0) + sizes[1]
+    let ratios = map(sizes, fn(n: int) => factor * n)
+    let label = f"{name}: {sizes.length} of {width}"
+    let next = count() + sizes[7]
+    let after = factor
+    return width * width * after
+}
+print(area(30mm, [1, 2, 3], "plate"))
+let end = total
+)";
+
+}  // namespace
+
+TEST_CASE("a paused run tells the value of the expression at a place of its text") {
+  Debugged run(kAsked);
+  CHECK(run->set_breakpoints({{.line = 12}}).size() == 1);
+  CHECK(run->run().status == Progress::kPaused);
+  CHECK(run.line() == 12);
+  // The variables of the function, operators, elements, fields, and functions that change nothing.
+  CHECK(run.value("square(2.0) + sizes", 12) == "square(2.0) + sizes[1]: double = 6.0");
+  CHECK(run.value("square(2.0) + sizes", 0) == "square(2.0): double = 4.0");
+  CHECK(run.value("sizes[1]", 0) == "sizes: int[] = [1, 2, 3]");
+  CHECK(run.value("sizes[1]", 5) == "sizes[1]: int = 2");
+  CHECK(run.value("sizes[1]", 6) == "1: int = 1");
+  CHECK(run.value("map(sizes, fn", 0) ==
+        "map(sizes, fn(n: int) => factor * n): double[] = [6.0, 12.0, 18.0]");
+  CHECK(run.value("f\"{name}", 0).ends_with(": string = plate: 3 of 30 mm"));
+  CHECK(run.value("width * width", 6) == "width * width: area = 0.0009 m^2");
+  CHECK(run.value("[1, 2, 3]", 0) == "[1, 2, 3]: int[] = [1, 2, 3]");
+  // What has none.
+  CHECK(run.value("sizes[7]", 5) == "This fails: list index 7 is outside 0 to 2");
+  CHECK(run.value("count() +", 0) ==
+        "`count` changes `total`, so it is not called to look at its value.");
+  CHECK(run.value("* after", 2) == "`after` has no value here.");
+  CHECK(run.value("x * x", 0) == "`x` has no value here.");
+  CHECK(run.value("print(area", 0) == "What stands there gives no value.");
+  CHECK(run.value("fn square", 0) == "No expression of the program stands there.");
+  CHECK(run.value("end = total", 6) == "total: int = 0");
+  // Nothing was changed by looking.
+  CHECK(run->run().status == Progress::kFailed);
+  CHECK(run->result().error->code == "R0606");
+}
+
+TEST_CASE("looking at a value leaves no trace, and acts on nothing") {
+  const char* const text = R"(let arms = [1]
+fn drawn() -> double { return random() }
+var place = home()
+moveJ(home() + [0.1, 0, 0, 0], time: 1s)
+let a = drawn()
+print(a)
+)";
+  Debugged plain(text);
+  CHECK(plain->run().status == Progress::kDone);
+  Debugged run(text);
+  do REQUIRE(run->run({.statements = 1}) == Progress::kPaused);
+  while (run.line() != 5);
+  const std::string seen = run.value("drawn()\nprint", 0);
+  CHECK(run.value("drawn()\nprint", 0) == seen);
+  CHECK(run.value("moveJ(home", 0) ==
+        "`moveJ` acts or takes time, so it is not called to look at a value.");
+  CHECK(run.value("arms", 0) == "No expression of the program stands there.");
+  CHECK(run->run().status == Progress::kDone);
+  CHECK(run.printed == plain.printed);
+  CHECK(run.value("drawn()\nprint", 0) != seen);
 }

@@ -85,8 +85,8 @@ struct Type {
 // "a" or "an" for a word of the language.
 [[nodiscard]] std::string_view article(std::string_view word);
 
-// Owns and interns the types of one program. That of an entry of a session has the types of the
-// entries before it too, which must outlive it.
+// Owns and interns the types of one program. It has those of the pool before it too, which is
+// closed and must outlive it: that of the library, or of the entry before in a session.
 class TypePool {
  public:
   TypePool();
@@ -122,8 +122,10 @@ class TypePool {
   // The library's records are one type per name.
   const Type* library_record(std::string_view name) const;
   void register_library_record(const Type* record);
-  // Nothing is added any more: entries behind this one find its types.
+  // Nothing is added any more: pools behind this one find its types.
   void close();
+  // Whether it has only what the one before it has.
+  [[nodiscard]] bool adds_nothing() const { return types_.empty(); }
 
  private:
   using Columns = std::vector<std::pair<std::string, const Type*>>;
@@ -133,7 +135,7 @@ class TypePool {
   void name_basic_types();
 
   struct Earlier;
-  std::shared_ptr<const Earlier> earlier_;  // of the entries before; null: there are none
+  std::shared_ptr<const Earlier> earlier_;  // of the pools before; null: there are none
   std::list<Type> types_;
   std::unordered_multimap<std::size_t, const Type*> interned_;  // by what they are
   std::map<Columns, const Type*> tables_;                       // by the fields of their rows

@@ -155,8 +155,9 @@ struct CompiledProgram {
   explicit CompiledProgram(const CompileOptions& options);
 
   std::shared_ptr<SourceSet> sources;
-  std::unique_ptr<Arena> arena;  // hir
-  std::unique_ptr<TypePool> types;
+  std::unique_ptr<Arena> arena;                   // hir
+  std::shared_ptr<const TypePool> library_types;  // null: `types` are behind those of entry.after
+  std::shared_ptr<TypePool> types;  // those of the entry before it, if this one makes none
   std::vector<std::shared_ptr<const Fact>> facts;
   std::vector<std::unique_ptr<Constant>> constants;
   hir::Module module;

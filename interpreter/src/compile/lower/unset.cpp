@@ -18,7 +18,7 @@ void for_each_part(const Type& type, F f) {
 }  // namespace
 
 bool UnsetElements::may_be_in(const Type* type) {
-  if (types_.empty() && !anything_) return false;
+  if ((types_.empty() && !anything_) || !type->is_reference()) return false;
   if (const auto found = known_.find(type); found != known_.end()) return found->second;
   bool found = false;
   std::unordered_set<const Type*> reached{type};  // a struct may hold lists of itself

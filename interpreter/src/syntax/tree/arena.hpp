@@ -47,7 +47,7 @@ class Arena {
   void* allocate(std::size_t size, std::size_t align) {
     std::size_t at = (used_ + align - 1) & ~(align - 1);
     if (blocks_.empty() || at + size > capacity_) {
-      capacity_ = std::max(size, std::clamp(2 * capacity_, kSmallest, kLargest));
+      capacity_ = std::max(size, std::clamp(capacity_ + capacity_ / 2, kSmallest, kLargest));
       blocks_.push_back(std::unique_ptr<std::byte[]>(new std::byte[capacity_]));
       total_ += capacity_;
       at = 0;
@@ -59,7 +59,7 @@ class Arena {
   [[nodiscard]] std::size_t bytes() const { return total_; }
 
  private:
-  static constexpr std::size_t kSmallest = 1024;  // the tree of one line needs no more
+  static constexpr std::size_t kSmallest = 256;  // the trees of entries of one line are kept
   static constexpr std::size_t kLargest = std::size_t{32} * 1024;
   std::vector<std::unique_ptr<std::byte[]>> blocks_;
   std::size_t used_ = 0;

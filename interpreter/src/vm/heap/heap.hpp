@@ -154,8 +154,8 @@ class Heap {
   static constexpr std::uint64_t kReserve = 64 * 1024;
   static constexpr std::size_t kReclaimed = 1024;  // dead objects that are freed in one go
 
-  // Of chunk number i, from 4 kB on: what does little takes little.
-  static std::size_t size_of_chunk(std::size_t i) { return i < 4 ? kChunk >> (4 - i) : kChunk; }
+  // Of chunk number i, from 1 kB on: what does little takes little.
+  static std::size_t size_of_chunk(std::size_t i) { return i < 6 ? kChunk >> (6 - i) : kChunk; }
   static std::size_t units_of(std::size_t bytes) { return (bytes + kUnit - 1) / kUnit; }
   // While allocations are counted for a test, the fast way is shut.
   void close_gate() { gate_ = refuse_from_ != 0 ? 0 : limit_; }

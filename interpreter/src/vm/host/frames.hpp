@@ -1,6 +1,8 @@
 #pragma once
 // Frames of functions that the host calls.
 
+#include <span>
+
 #include "vm/failures/failures.hpp"
 #include "vm/instructions/interpret.hpp"
 #include "vm/instructions/slow_ops.hpp"
@@ -21,6 +23,11 @@ inline void push_host(const Task& task, Frame* below, Slot* window) {
 [[nodiscard]] inline bool count_step(VmState& state) {
   return --state.steps.left >= 0 || count_slowly(state);
 }
+
+// Runs a function on the task of the host's calls, with the arguments, which stay the caller's.
+// False: it failed, and host.error says why.
+[[nodiscard]] bool run_for_host(VmState& state, const Callee& callee,
+                                std::span<const Slot> arguments, Slot& result);
 
 // What the library is given it may read.
 [[nodiscard]] inline bool check_given(VmState& state, const Callee& callee, Slot result) {

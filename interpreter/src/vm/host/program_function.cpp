@@ -157,6 +157,18 @@ Slot* window_of(const lang::VmState& state) { return state.host.task->stack.fram
   return run_elsewhere(state, callee, result);
 }
 
+}  // namespace
+
+bool lang::run_for_host(VmState& state, const Callee& callee, std::span<const Slot> arguments,
+                        Slot& result) {
+  make_task(state);
+  std::ranges::copy(arguments, window_of(state));
+  if (has_ample_stack(state.host)) return run_here(state, callee, result).done;
+  return run_elsewhere(state, callee, result).done;
+}
+
+namespace {
+
 [[noreturn, gnu::cold]] void refuse_gone() {
   throw ArgumentError(
       "This function is gone: the entry of the session that declares it has failed.");

@@ -12,6 +12,7 @@
 #include "vm/entries.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/host/access.hpp"
+#include "vm/host/no_trace.hpp"
 #include "vm/host/values.hpp"
 #include "vm/tasks/tasks.hpp"
 #include "vm/turn.hpp"
@@ -33,53 +34,6 @@ void require_staying(const lang::VmState& state) {
   if (!state.options.stays)
     throw ArgumentError("This run does not wait for its host (VmOptions::stays).");
 }
-
-// What a read must leave as it was.
-class NoTrace {
- public:
-  explicit NoTrace(lang::VmState& state)
-      : state_(state),
-        kept_(std::exchange(state.globals.is_kept,
-                            std::vector<std::uint8_t>(state.globals.is_kept.size(), 0))),
-        entry_(std::exchange(state.programs.before, std::make_unique<lang::Before>(state))),
-        steps_(state.steps),
-        marks_(state.marks),
-        due_(std::exchange(state.cancellations.due, {})),
-        noticed_(state.cancellations.noticed.size()),
-        fault_(std::move(state.fault)),
-        is_leaving_(std::exchange(state.is_leaving, false)) {
-    state.host.is_read = true;
-    state.marks.breakpoints.clear();
-    state.marks.pause_at = lang::StepMeter::kEndless;
-    state.steps.look_at = lang::StepMeter::kEndless;
-    state.steps.paused();
-  }
-  ~NoTrace() {
-    state_.host.is_read = false;
-    state_.cancellations.noticed.resize(noticed_);
-    state_.cancellations.due = std::move(due_);
-    state_.steps = steps_;
-    state_.marks = std::move(marks_);
-    state_.fault = std::move(fault_);
-    state_.is_leaving = is_leaving_;
-    state_.programs.before->restore();
-    state_.programs.before = std::move(entry_);
-    state_.globals.is_kept = std::move(kept_);
-  }
-  NoTrace(const NoTrace&) = delete;
-  NoTrace& operator=(const NoTrace&) = delete;
-
- private:
-  lang::VmState& state_;
-  std::vector<std::uint8_t> kept_;       // of the entry under way, if there is one
-  std::unique_ptr<lang::Before> entry_;  // likewise
-  lang::StepMeter steps_;
-  lang::Marks marks_;
-  std::vector<Cancellation> due_;
-  std::size_t noticed_;
-  lang::FaultPtr fault_;
-  bool is_leaving_;
-};
 
 }  // namespace
 
@@ -120,7 +74,7 @@ Result<Value> read_function(Vm& vm, std::string_view name) {
   const Type& type = *variable.type->result;
   std::optional<Result<Value>> out;
   on_ample_stack([&] {
-    const NoTrace no_trace(state);
+    const lang::NoTrace no_trace(state);
     const Supervised kernels(&state.kernels);
     Slot result{.i = 0};
     bool done = false;

@@ -65,4 +65,8 @@ void TaskStack::shrink(Heap& heap) {
   frames_end = std::min(frames_limit, frames + kFirstFrames);
 }
 
+void TaskStack::rest() {
+  if (top == frames) slot_space_.give_back(0);
+}
+
 }  // namespace armlet::lang

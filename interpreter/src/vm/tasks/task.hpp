@@ -97,6 +97,8 @@ struct TaskStack {
   [[nodiscard]] bool grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers);
   // Gives back what grew.
   void shrink(Heap& heap);
+  // Nothing is on it, and perhaps nothing will be for long.
+  void rest();
 
  private:
   ReservedMemory slot_space_;

@@ -7,7 +7,8 @@
 
 namespace armlet {
 
-// Listens to a run. Events come in the order of time: BeginRun first, EndRun last, each once. No
+// Listens to a run. Events come in the order of time, but where an Undone says
+// that the run went back: BeginRun first, EndRun last, each once. No
 // backend may throw because the outside fails.
 class Backend {
  public:

@@ -1,7 +1,7 @@
 // What a run tells the outside, as values: one small struct for each kind of event.
 //
 // Every event has a time and a number. The numbers of a run count from 0 in the order in which the
-// events are told, without gaps, and do not depend on who listens.
+// events are told, without gaps, and do not depend on who listens. Both go back only at an Undone.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -176,14 +176,28 @@ struct FinalFigure {
   const Figure* figure = nullptr;
 };
 
+// Of what was told, the events with the numbers from `from` on are undone, because an entry failed
+// or the session went elsewhere; those below it count, also where an earlier mark said otherwise.
+// What is told next goes on with that number at the time `back_ns`, or where another run has come to
+// that takes its place (Session::change, take_up).
+//
+// number  one more than that of the last event before it; it is given once more.
+struct Undone {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  std::uint64_t from = 0;
+  std::int64_t back_ns = 0;
+};
+
 struct EndRun {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
 };
 
-// What a backend is told. BeginRun comes first, EndRun last, each once.
-using Event = std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded,
-                           ObjectSample, ObjectEvent, Note, FigureChanged, FinalFigure, EndRun>;
+// What a backend is told. BeginRun comes first, EndRun last; BeginRun again behind an Undone from 0.
+using Event =
+    std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
+                 ObjectEvent, Note, FigureChanged, FinalFigure, Undone, EndRun>;
 
 // The alternatives of Event, in their order.
 enum class EventKind : std::size_t {
@@ -197,6 +211,7 @@ enum class EventKind : std::size_t {
   kNote,
   kFigureChanged,
   kFinalFigure,
+  kUndone,
   kEndRun,
 };
 inline constexpr std::size_t kEventKinds = std::variant_size_v<Event>;

@@ -24,12 +24,15 @@ namespace armlet {
 //    panels "panels":[{"title":"...","x":..., "series":[...]}])
 //   {"t":..,"what":"robotAdded","name":"late","joints":["rad"],..}  (as at the beginning)
 //   {"t":..,"what":"robotChanged","name":"arm",..}                  (its tool or its base)
+//   {"t":..,"what":"undone","line":17,"back":1.5}                   (or redone: see below)
 //   {"t":..,"what":"end"}
 //
 // A robot's p and r are those of its tool point in the world; r is a unit quaternion. The poses
 // before, after, base and pose are p and r in one list of seven numbers; with them the arm can be
 // drawn: see JointInfo and ToolInfo (event.hpp). A limit that there is not is null, and a link
-// without a file of its shape has no mesh.
+// without a file of its shape has no mesh. Lines of the file from `line` (from 1) up to the one that
+// says so are undone, and time goes on at `back`; redone says that what was undone last counts up to
+// `back`.
 //
 // out  not owned; lives at least as long as the backend.
 [[nodiscard]] std::unique_ptr<Backend> make_jsonl_backend(std::ostream& out);

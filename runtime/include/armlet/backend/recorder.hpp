@@ -32,8 +32,17 @@ struct RecordedNote {
   bool operator==(const RecordedNote&) const = default;
 };
 
-// Keeps a run in memory, without its figures. An object that appears is recorded as a sample of its
-// pose.
+// See Undone of event.hpp.
+struct RecordedUndoing {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  std::uint64_t from = 0;
+  std::int64_t back_ns = 0;
+  bool operator==(const RecordedUndoing&) const = default;
+};
+
+// Keeps a run in memory, with what is undone and the marks that say so, without its figures. An
+// object that appears is recorded as a sample of its pose.
 class Recorder : public Backend {
  public:
   void on(const Event& event) override;
@@ -45,9 +54,10 @@ class Recorder : public Backend {
   [[nodiscard]] const std::vector<RecordedObject>& objects() const { return objects_; }
   [[nodiscard]] const std::vector<RecordedEvent>& events() const { return events_; }
   [[nodiscard]] const std::vector<RecordedNote>& notes() const { return notes_; }
+  [[nodiscard]] const std::vector<RecordedUndoing>& undoings() const { return undoings_; }
   [[nodiscard]] std::int64_t end_ns() const { return end_ns_; }
 
-  // The same samples, events and notes, bit by bit.
+  // The same samples, events, notes and marks, bit by bit.
   [[nodiscard]] bool same_as(const Recorder& other) const;
 
  private:
@@ -59,6 +69,7 @@ class Recorder : public Backend {
   void keep(const ObjectSample& sample);
   void keep(const ObjectEvent& event);
   void keep(const Note& note);
+  void keep(const Undone& undone);
   void keep(const EndRun& end);
 
   RunInfo run_;
@@ -66,6 +77,7 @@ class Recorder : public Backend {
   std::vector<RecordedObject> objects_;
   std::vector<RecordedEvent> events_;
   std::vector<RecordedNote> notes_;
+  std::vector<RecordedUndoing> undoings_;
   std::int64_t end_ns_ = 0;
 };
 

@@ -200,6 +200,8 @@ class Cell {
 
   // backend  not owned; null: nobody listens. To be set before the run begins.
   void set_backend(Backend* backend) { backend_ = backend; }
+  // How many events the backend was told; the next one has this number.
+  [[nodiscard]] std::uint64_t events_told() const { return told_; }
 
   // Tells the backend. What is said before the first motion is kept until the run begins, so that
   // robots may be added after it.

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -111,8 +112,10 @@ class PlannerSet {
     Planner plan;
     Through through;
   };
+  using Entries = std::vector<Entry>;
+  [[nodiscard]] static std::shared_ptr<const Entries> built_in();
   [[nodiscard]] const Entry* find(std::string_view name) const;
-  std::vector<Entry> planners_;
+  std::shared_ptr<const Entries> planners_;  // shared by all sets in which none was added
 };
 
 }  // namespace armlet

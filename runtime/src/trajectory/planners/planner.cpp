@@ -298,29 +298,39 @@ constexpr PlannerRow kPlanners[] = {
 
 std::span<const PlannerRow> planner_rows() { return kPlanners; }
 
+std::shared_ptr<const PlannerSet::Entries> PlannerSet::built_in() {
+  Entries all;
+  for (const PlannerRow& row : kPlanners)
+    all.push_back({std::string(row.name), row.plan, row.through});
+  return std::make_shared<const Entries>(std::move(all));
+}
+
 PlannerSet::PlannerSet() {
-  for (const PlannerRow& row : kPlanners) add(std::string(row.name), row.plan, row.through);
+  static const std::shared_ptr<const Entries> all = built_in();
+  planners_ = all;
 }
 
 void PlannerSet::add(std::string name, Planner planner, Through through) {
-  const auto same = std::ranges::find(planners_, name, &Entry::name);
-  if (same != planners_.end()) {
+  auto changed = std::make_shared<Entries>(*planners_);
+  const auto same = std::ranges::find(*changed, name, &Entry::name);
+  if (same != changed->end()) {
     *same = {std::move(name), std::move(planner), through};
   } else {
-    planners_.push_back({std::move(name), std::move(planner), through});
+    changed->push_back({std::move(name), std::move(planner), through});
   }
+  planners_ = std::move(changed);
 }
 
 const PlannerSet::Entry* PlannerSet::find(std::string_view name) const {
-  const auto found = std::ranges::find(planners_, name, &Entry::name);
-  return found == planners_.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(*planners_, name, &Entry::name);
+  return found == planners_->end() ? nullptr : &*found;
 }
 
 bool PlannerSet::has(std::string_view name) const { return find(name) != nullptr; }
 
 std::vector<std::string> PlannerSet::names() const {
   std::vector<std::string> names;
-  for (const Entry& entry : planners_) names.push_back(entry.name);
+  for (const Entry& entry : *planners_) names.push_back(entry.name);
   return names;
 }
 

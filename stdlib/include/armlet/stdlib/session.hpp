@@ -16,6 +16,7 @@
 #include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/session_log.hpp"
+#include "armlet/stdlib/text_change.hpp"
 
 namespace armlet {
 
@@ -44,20 +45,6 @@ struct SessionOptions {
   std::function<void(const MoveReport&)> on_move;
 };
 
-// What became of another text for a run (Session::change).
-//
-// kRefused  it does not compile, and problems() says why; or it was cancelled. All is as it was.
-// kSame     nothing that the run told until the time is other than it was.
-// kParts    it is, from `parts_ns` on, where the new program had come to `line` of its file; the
-//           run is at the time asked for nevertheless, or has ended before.
-struct TextChange {
-  enum class Outcome : std::uint8_t { kRefused, kSame, kParts };
-  Outcome outcome = Outcome::kRefused;
-  std::int64_t same_ns = 0;   // kParts: the time of the last event that is the same
-  std::int64_t parts_ns = 0;  // kParts: the time of the first that is not
-  int line = 0;               // kParts; 0: the program has not begun
-};
-
 // A message together with the texts that it points into.
 struct Problem {
   Diagnostic diagnostic;
@@ -73,6 +60,9 @@ struct Entry {
 
 class Session {
  public:
+  static constexpr std::size_t kMostRuns = 64;
+  static constexpr std::size_t kMostRunBytes = 16'000'000;
+
   Session(const Engine& engine, SessionOptions options);
   ~Session();
   Session(const Session&) = delete;
@@ -197,7 +187,9 @@ class Session {
   // Ends a run that is at rest, which is then done. throws  ArgumentError if it is not.
   void finish();
 
-  // The runs that were left for another one by going back, oldest first.
+  // The runs that were left for another one by going back or by another text, oldest first: copies
+  // of their logs. Of more than kMostRuns, or of several with more than kMostRunBytes together, the
+  // oldest give way, and the numbers of the others count from 0 again.
   [[nodiscard]] const std::vector<SessionLog>& runs() const { return runs_; }
   // Goes to where one of these had come, as go_to goes; the present one takes its place among them.
   //
@@ -251,6 +243,7 @@ class Session {
   void end_entry();
   void take_back_entry();
   void tell_end();
+  void tell_undone(const Run& former, const Host* host, std::optional<std::uint64_t> from = {});
   void give_up();
   // ---- inputs (inputs.cpp)
   [[nodiscard]] Instant instant() const;
@@ -269,10 +262,12 @@ class Session {
   void require_time(std::size_t entry, std::int64_t t_ns) const;
   bool run_through(std::size_t count);
   bool run_again_to(std::size_t entry, std::int64_t t_ns);
-  bool take_again(std::vector<Entry> entries, const std::function<bool()>& go);
+  bool take_again(std::vector<Entry> entries, const std::function<bool()>& go,
+                  std::optional<std::uint64_t> undone_from = {});
   bool go_to_rest(std::size_t count);
   [[nodiscard]] std::vector<Entry> with_text(const std::vector<Entry>& known, std::size_t entry,
                                              std::string text, std::int64_t t_ns);
+  void keep_run(SessionLog run);
 
   const Engine& engine_;
   SessionOptions options_;

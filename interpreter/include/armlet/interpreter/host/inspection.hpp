@@ -2,10 +2,12 @@
 // What a run that has paused or ended looks like from outside: its variables, its tasks, and what
 // each of them waits for.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 
 namespace armlet {
@@ -42,6 +44,26 @@ struct SeenTask {
 [[nodiscard]] std::vector<SeenVariable> seen_variables(Vm& vm);
 // The program itself first, then the others as they were started; none when the run has ended.
 [[nodiscard]] std::vector<SeenTask> seen_tasks(Vm& vm);
+
+// What an expression gives where a run has paused.
+struct SeenValue {
+  Span at{};  // the expression
+  std::string type;
+  std::string value;
+};
+
+// The value of the innermost expression around a byte of a text of the program, computed now in the
+// innermost call under way whose function has that text: of the task that has paused, then of the
+// others. Where none is under way only variables of the top level can be read. The run is
+// afterwards as it was: functions that act, take time or change variables and values are not
+// called.
+//
+// returns  an error that says why there is no value: no expression stands there, a variable has
+// none
+//          yet, something would be changed, or computing it fails, with the message of that
+//          failure.
+// throws   ArgumentError as seen_variables.
+[[nodiscard]] Result<SeenValue> value_at(Vm& vm, std::uint32_t source, std::uint32_t byte);
 
 // Where the task is that runs, or has run last; empty: nowhere yet. Also for backends and functions
 // of the host, while the Vm runs.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "vm/entries.hpp"
+#include "vm/state.hpp"
+
+namespace armlet::lang {
+
+// What a read must leave as it was.
+class NoTrace {
+ public:
+  explicit NoTrace(VmState& state)
+      : state_(state),
+        kept_(std::exchange(state.globals.is_kept,
+                            std::vector<std::uint8_t>(state.globals.is_kept.size(), 0))),
+        entry_(std::exchange(state.programs.before, std::make_unique<Before>(state))),
+        steps_(state.steps),
+        marks_(state.marks),
+        due_(std::exchange(state.cancellations.due, {})),
+        noticed_(state.cancellations.noticed.size()),
+        fault_(std::move(state.fault)),
+        is_leaving_(std::exchange(state.is_leaving, false)) {
+    state.host.is_read = true;
+    state.marks.breakpoints.clear();
+    state.marks.pause_at = StepMeter::kEndless;
+    state.steps.look_at = StepMeter::kEndless;
+    state.steps.paused();
+  }
+  ~NoTrace() {
+    state_.host.is_read = false;
+    state_.cancellations.noticed.resize(noticed_);
+    state_.cancellations.due = std::move(due_);
+    state_.steps = steps_;
+    state_.marks = std::move(marks_);
+    state_.fault = std::move(fault_);
+    state_.is_leaving = is_leaving_;
+    state_.programs.before->restore();
+    state_.programs.before = std::move(entry_);
+    state_.globals.is_kept = std::move(kept_);
+  }
+  NoTrace(const NoTrace&) = delete;
+  NoTrace& operator=(const NoTrace&) = delete;
+
+ private:
+  VmState& state_;
+  std::vector<std::uint8_t> kept_;  // of the entry under way, if there is one
+  std::unique_ptr<Before> entry_;   // likewise
+  StepMeter steps_;
+  Marks marks_;
+  std::vector<Cancellation> due_;
+  std::size_t noticed_;
+  FaultPtr fault_;
+  bool is_leaving_;
+};
+
+}  // namespace armlet::lang
