@@ -100,6 +100,12 @@ void Session::apply_due_inputs() {
     apply(*next);
 }
 
+// Whether it was given to a run that had begun: signals alone may be there before. A program that
+// takes neither time nor steps has the same instant before and after it.
+static bool comes_after_begin(const Input& input) {
+  return !std::holds_alternative<SetSignal>(input.what);
+}
+
 static bool is_used(const Budget& left) { return left.steps == 0 || left.statements == 0; }
 
 void Session::run_along(const Budget& budget) {
@@ -117,7 +123,7 @@ void Session::run_along(const Budget& budget) {
   for (const Input* next = run_->journal->next(); next != nullptr; next = run_->journal->next()) {
     const Instant at = next->at;
     if (budget.until_ns && *budget.until_ns < at.t_ns) break;
-    if (!instant().has_reached(at)) {
+    if (!instant().has_reached(at) || (comes_after_begin(*next) && !run_->has_run)) {
       run_to(at, left);
       if (is_at_breakpoint(*run_->vm)) return;
     }

@@ -25,6 +25,7 @@ struct Session::Run {
   std::vector<Entry> entries;    // known, oldest first
   std::size_t done = 0;          // of these that have ended
   bool is_under_way = false;     // the next one has begun
+  bool has_run = false;          // and the machine has run some of it
   bool is_told = false;          // that it has begun, and not yet that it has ended
   bool names_objects = false;    // by insertObj, in what has run in the cell
   bool decides_picking = false;  // by grasp or release

@@ -116,6 +116,7 @@ void Session::begin_entry() {
     }
   }
   run.is_under_way = true;
+  run.has_run = false;
   run.journal->begin(entry.logged, run.has_later());
   cancel_at(*run.vm, entry.logged.cancelled);
   run.result = run.vm->result();
@@ -249,6 +250,7 @@ void Session::advance(const Budget& budget) {
 Progress Session::run_slice(const Budget& budget) {
   Vm& vm = *run_->vm;
   if (vm.result().status == Progress::kPaused) vm.run(budget);
+  run_->has_run = true;
   return finish_slice(budget);
 }
 

@@ -62,3 +62,18 @@ for (const colorScheme of ["light", "dark"]) {
       assert.deepEqual(await violations(page), []);
     }));
 }
+
+test("without a 3D view everything else is there", () =>
+  withLab(null, async (open) => {
+    const page = await open({ before: (fresh) => fresh.addInitScript(() => {
+      const context = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...given) {
+        return kind.startsWith("webgl") ? null : context.call(this, kind, ...given);
+      };
+    }) });
+    await untilStatus(page, /moves/);
+    await page.getByText(/There is no 3D view/).waitFor();
+    assert.ok(await page.getByRole("slider").count() > 4);
+    assert.ok(await page.locator(".bar").isVisible());
+    page.problems = page.problems.filter((problem) => !/WebGL/.test(problem));
+  }));

@@ -156,3 +156,18 @@ TEST_CASE("a program without a block has sliders all the same") {
         "taken");
   CHECK(lab.last_joint(1) == 0.1);
 }
+
+TEST_CASE("a plot shows what a button did, also where the program itself took no time") {
+  Seated lab(
+      "robot arm = robots.scara()\nlab cell {\n"
+      "    button go(\"Go\", fn() { arm.moveJ(posJ(30deg, 0deg, 0mm, 0deg), time: 1s) })\n"
+      "    plot angles(fn() => arm.joints())\n}\n");
+  REQUIRE(lab.page.ask({{"type", "input"}, {"t", 0}, {"press", "go"}})["type"] == "taken");
+  finish_work(lab.laboratory);
+  lab.page.take();
+  const std::vector<double>& plot = lab.page.rows[{3, 1, 1}];
+  REQUIRE(plot.size() >= 100 * 5);
+  CHECK(plot[1] == 0.0);
+  CHECK(plot[plot.size() - 5] == 1.0);
+  CHECK(plot[plot.size() - 4] == doctest::Approx(lab.last_joint(1)));
+}

@@ -42,13 +42,18 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
   const legend = el("div", { class: "legend", hidden: true });
-  const scene = new SceneView(store, intents, {
-    stage,
-    labels,
-    pickObject: (name) => editor.find(name),
-    topSpeed: (v) => drawLegend(legend, v),
-  });
-  sceneTools(columns.view, scene, store, intents, editor);
+  try {
+    const scene = new SceneView(store, intents, {
+      stage,
+      labels,
+      pickObject: (name) => editor.find(name),
+      topSpeed: (v) => drawLegend(legend, v),
+    });
+    sceneTools(columns.view, scene, store, intents, editor);
+  } catch (error) {
+    // Everything else works without it.
+    columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
+  }
   columns.view.append(legend);
   elementPanel(elements, store, intents, (name, kind) => editor.find(name, kind));
   transport(bottom, store, intents);
