@@ -203,7 +203,9 @@ export class SceneView {
     const failure = run.error;
     if (failure && run.robots.length) {
       const robot = Math.max(0, failure.robot ?? 0);
-      const at = failure.goal ? pointOf(failure.goal) : new Vector3().setFromMatrixPosition(new Matrix4().fromArray(toolFrame(run.robots[robot]!, run.qAt(robot, run.tEnd), run.changeAt(robot, run.tEnd))));
+      // A goal may lie far outside of the picture; what comes nearest to it does not.
+      const place = failure.nearest?.pose ?? failure.goal;
+      const at = place ? pointOf(place) : new Vector3().setFromMatrixPosition(new Matrix4().fromArray(toolFrame(run.robots[robot]!, run.qAt(robot, run.tEnd), run.changeAt(robot, run.tEnd))));
       labels.push({ text: failure.message, at, warning: true });
     }
     this.labels.set(labels);

@@ -61,6 +61,7 @@ export class Intents {
     this.store.change((s) => {
       s.text = text;
       s.ghost = null;
+      s.nearest = null;
     });
     clearTimeout(this.typing);
     if (now) {
@@ -79,6 +80,7 @@ export class Intents {
     this.store.change((s) => {
       s.text = text;
       s.ghost ??= s.shown;
+      s.nearest = null;
     });
     clearTimeout(this.typing);
     if (!this.waitsForRun) this.sendText();
@@ -113,7 +115,10 @@ export class Intents {
 
   goTo(t: number): void {
     const run = shownRun(this.state);
-    this.store.change((s) => (s.t = Math.min(Math.max(0, t), run?.tEnd ?? 0)));
+    this.store.change((s) => {
+      s.t = Math.min(Math.max(0, t), run?.tEnd ?? 0);
+      s.nearest = null;
+    });
     this.askForInstant();
   }
 

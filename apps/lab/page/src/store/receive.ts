@@ -159,7 +159,6 @@ function showAnnounced(state: State): void {
   if (next === now) return;
   if (now && !ended && (atEnd || next.tEnd < state.t)) return;
   if (now && next.parent !== now.id) state.comparison = null;
-  state.nearest = null;
   state.shown = next.id;
   state.instant = null;
   state.t = atEnd ? next.tEnd : Math.min(state.t, next.tEnd);
