@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-RUNTIME = ["core", "math", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "vision", "plot", "backend"]
+RUNTIME = ["core", "math", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "vision", "plot", "backend"]
 
 # layer: the layers whose public headers it may include, besides its own.
 MAY_INCLUDE = {
@@ -21,6 +21,7 @@ MAY_INCLUDE = {
     "dynamics": ["core", "math", "chain", "model"],
     "trajectory": ["core", "math", "chain", "model", "kinematics", "dynamics"],
     "world": ["core", "math"],
+    "collision": ["core", "math", "chain", "model", "kinematics", "trajectory", "world"],
     "vision": ["core", "math", "world"],
     "plot": ["core", "math"],
     "backend": ["core", "math", "plot"],

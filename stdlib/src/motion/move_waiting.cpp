@@ -4,6 +4,7 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "messages/library_messages.hpp"
+#include "motion/motion_collisions.hpp"
 #include "motion/motion_torques.hpp"
 #include "session/time_left.hpp"
 
@@ -136,6 +137,7 @@ Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double
     for (MotionPart& part : notes.parts) part.end *= *slower;
     if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
   }
+  if (!check_collisions(vm, call, trajectory)) return Failed{};
   const bool instant = trajectory.duration() <= 0.0;
   const double deviation = notes.deviation;
   host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});

@@ -48,8 +48,6 @@ constexpr NativeFunction kLaterFunctions[] = {
           "string = \"gray\", fixed: bool = false) -> object",
           "an object with a texture"),
     later("corners", "(o: object) -> length[][]", "`corners` of an object"),
-    later("distance", "(a: object, b: object) -> length", "`distance` of objects"),
-    later("touching", "(a: object, b: object) -> bool"),
     later("capture", "(c: camera) -> image"),
     later("project", "(c: camera, points: length[][], from: posC?) -> matrix"),
     later("depth", "(c: camera, s: matrix) -> length[]"),

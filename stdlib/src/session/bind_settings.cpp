@@ -107,6 +107,34 @@ Answer<void> set_torques(Vm& vm, std::string_view name) {
   return {};
 }
 
+struct CollisionCheckName {
+  std::string_view name;
+  CollisionCheck check;
+};
+constexpr CollisionCheckName kCollisionChecks[] = {{"report", CollisionCheck::kReport},
+                                                   {"error", CollisionCheck::kError},
+                                                   {"ignore", CollisionCheck::kIgnore}};
+
+const CollisionCheckName* collision_check_called(std::string_view name) {
+  const auto* found = std::ranges::find(kCollisionChecks, name, &CollisionCheckName::name);
+  return found != std::end(kCollisionChecks) ? found : nullptr;
+}
+
+Answer<void> set_collisions(Vm& vm, std::string_view name) {
+  const CollisionCheckName* found = collision_check_called(name);
+  if (found == nullptr) {
+    return failure(vm, "R0609",
+                   fmt::format("collisions cannot be checked \"{}\": it is \"report\", \"error\" "
+                               "or \"ignore\"",
+                               name),
+                   0);
+  }
+  BlockSettings settings = settings_of(vm);
+  settings.collisions = found->check;
+  replace_settings(vm, std::move(settings));
+  return {};
+}
+
 void set_tool(Vm& vm, const PosC& tool) {
   BlockSettings settings = settings_of(vm);
   settings.T_flange_tool = tool.T;
@@ -145,6 +173,13 @@ void check_torques_setting(CheckCall& call) {
       "E0513", call.span(0),
       {"torques", "\"report\", \"error\", \"ignore\" or \"limit\"", '"' + constant->text + '"'}));
 }
+void check_collisions_setting(CheckCall& call) {
+  const auto constant = call.constant(0);
+  if (!constant || collision_check_called(constant->text) != nullptr) return;
+  call.report(make_diagnostic(
+      "E0513", call.span(0),
+      {"collisions", "\"report\", \"error\" or \"ignore\"", '"' + constant->text + '"'}));
+}
 void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }
 
@@ -182,6 +217,13 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "give "
         "instead of maxAccel.",
         "with (torques: \"error\") { moveJ(home()) }", {.check = check_torques_setting}),
+    def<set_collisions>(
+        "with.collisions(collisions: string)",
+        "What becomes of a move inside the block in which the arm, or what it carries, would run "
+        "into an object, another robot or itself. \"report\", as outside of any block: it is made, "
+        "and advice says which bodies meet, when, where and how deep. \"error\": it is refused "
+        "before it starts. \"ignore\": it is made.",
+        "with (collisions: \"error\") { moveJ(home()) }", {.check = check_collisions_setting}),
     def<set_frame_position>(
         "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
         "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),

@@ -106,6 +106,10 @@ bool Host::first_contact_pick() { return !std::exchange(contact_pick_reported_, 
 
 bool Host::first_fall() { return !std::exchange(fall_reported_, true); }
 
+bool Host::first_collision(const void* call, std::string pair) {
+  return collisions_reported_.emplace(call, std::move(pair)).second;
+}
+
 std::int64_t Host::now_ns() const { return cell_.now_ns(); }
 std::int64_t Host::tick_ns() const { return cell_.options().tick_ns; }
 

@@ -22,9 +22,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"mesh",
-                                         // settings of with
-                                         "with.collisions"};
+constexpr std::string_view kPlanned[] = {"mesh"};
 
 }  // namespace
 

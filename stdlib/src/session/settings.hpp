@@ -25,6 +25,9 @@ enum class Track { kExact, kSlow, kDamped };
 // does not.
 enum class TorqueCheck { kReport, kError, kIgnore, kLimit };
 
+// What becomes of a move that runs into something.
+enum class CollisionCheck { kReport, kError, kIgnore };
+
 // speed, accel   fractions of the joint limits, for moves that do not say how fast.
 // T_flange_tool  the point that moves, instead of the robot's own.
 // path           where moves are collected instead of made; null: outside of any path.
@@ -37,6 +40,7 @@ struct BlockSettings {
   std::shared_ptr<CollectedPath> path{};
   Track track = Track::kExact;
   TorqueCheck torques = TorqueCheck::kReport;
+  CollisionCheck collisions = CollisionCheck::kReport;
 };
 
 // Those of the running task.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "armlet/cell/collisions.hpp"
 #include "armlet/core/format.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
@@ -166,6 +167,29 @@ Answer<ObjectRef> nearest_object(Vm& vm, const PosC& p) {
   return failure(vm, row("R0625"), "there is no object that could be grasped in this world");
 }
 
+// Two bodies less than this apart touch.
+constexpr double kTouching = 1e-6;  // m
+
+CellBody thing(const ObjectRef& o) { return {.object = o.name}; }
+CellBody thing(const RobotRef& r) { return {.robot = r.id}; }
+Answer<void> check_there(Vm&, const RobotRef&, int) { return {}; }
+Answer<void> check_there(Vm& vm, const ObjectRef& o, int parameter) {
+  if (Host::of(vm).cell().world().find(o.name) != nullptr) return {};
+  return fail_unknown_object(vm, o.name, parameter);
+}
+
+template <class A, class B>
+Answer<double> distance_of(Vm& vm, const A& a, const B& b) {
+  if (!check_there(vm, a, 0) || !check_there(vm, b, 1)) return Failed{};
+  return distance_between(Host::of(vm).cell(), thing(a), thing(b));
+}
+template <class A, class B>
+Answer<bool> are_touching(Vm& vm, const A& a, const B& b) {
+  const auto distance = distance_of(vm, a, b);
+  if (!distance) return Failed{};
+  return *distance <= kTouching;
+}
+
 // From above: the tool's z axis points down, its x axis along the object's x axis turned by yaw.
 Answer<PosC> top_grasp(Vm& vm, const ObjectRef& o, double yaw) {
   const auto object = object_of(vm, o);
@@ -220,6 +244,25 @@ constexpr NativeFunction kWorldFunctions[] = {
     def<nearest_object>("nearestObject(p: posC) -> object",
                         "The object that is not fixed and has its centre nearest to p.",
                         "nearestObject(poseOf(object(\"cube\")))"),
+    def<distance_of<ObjectRef, ObjectRef>>("distance(a: object, b: object) -> length",
+                                           "The gap between the surfaces of two objects; below "
+                                           "zero: how far one would have to be moved "
+                                           "at least until they no longer overlap.",
+                                           "distance(object(\"cube\"), object(\"table\"))"),
+    def<distance_of<RobotRef, ObjectRef>>(
+        "distance(r: robot, o: object) -> length",
+        "The smallest gap between an arm, with its hand and without what it holds, and an object.",
+        "distance(arm, object(\"cube\"))"),
+    def<distance_of<RobotRef, RobotRef>>("distance(r: robot, other: robot) -> length",
+                                         "The smallest gap between two arms.",
+                                         "distance(arm, other)"),
+    def<are_touching<ObjectRef, ObjectRef>>("touching(a: object, b: object) -> bool",
+                                            "Whether two objects touch or overlap.",
+                                            "touching(object(\"cube\"), object(\"table\"))"),
+    def<are_touching<RobotRef, ObjectRef>>(
+        "touching(r: robot, o: object) -> bool",
+        "Whether an arm or its hand touches an object or overlaps it.",
+        "touching(arm, object(\"cube\"))"),
     def<top_grasp>("topGrasp(o: object, yaw: angle = 0rad) -> posC",
                    "The pose for grasping an object from above, at the upper end of what is long "
                    "and stands.",

@@ -7,9 +7,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "armlet/cell/cell.hpp"
@@ -158,6 +160,8 @@ class Host : public Timeline {
   [[nodiscard]] bool first_contact_pick();
   // Whether this is the first time that it is reported of objects that lost their support.
   [[nodiscard]] bool first_fall();
+  // Whether this is the first time that it is reported of these two bodies for this call.
+  [[nodiscard]] bool first_collision(const void* call, std::string pair);
 
   // Writes a file of the program: `name` is relative to the folder that was granted and stays below
   // it, has an ending of its kind and leads through no link. A file that cannot be written to its
@@ -229,6 +233,7 @@ class Host : public Timeline {
   bool filling_ = false;
   bool contact_pick_reported_ = false;
   bool fall_reported_ = false;
+  std::set<std::pair<const void*, std::string>> collisions_reported_;
   int moves_ = 0;
 };
 

@@ -1,0 +1,61 @@
+// What meets what in a cell: now, and during a motion before it is made.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "armlet/cell/cell.hpp"
+#include "armlet/collision/motion_check.hpp"
+
+namespace armlet {
+
+// A body of the cell.
+//
+// robot   whose part it is, or who carries it; -1: nobody.
+// object  its name; empty: it is a part of the robot.
+// frame   of a part of a robot: what joint `frame` moves, 0: the base.
+struct CellBody {
+  int robot = -1;
+  std::string object{};
+  int frame = 0;
+  LinkShapeRole role = LinkShapeRole::kLink;
+};
+
+// "link 3 of `arm`", "the gripper of `arm`", "\"cube\"".
+std::string body_text(const Cell& cell, const CellBody& body);
+
+// Two bodies that would meet during a motion; times from its begin, the rest as in Meeting.
+//
+// at_start, at_end  they overlap there already.
+struct CellCollision {
+  CellBody body;   // of the robot that moves, or what it carries
+  CellBody other;  // an object, another robot's, or of the same robot
+  double t = 0.0;
+  double depth = 0.0;
+  double t_deepest = 0.0;
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
+  double higher = 0.0;
+  bool at_start = false;
+  bool at_end = false;
+};
+
+// What the robot, with all that it carries, would meet on this motion from now on: objects, itself,
+// other robots, which go on as they move now. The first to meet of each pair of a robot or carried
+// object and another robot or object, in order of time.
+//
+// Not counted: the fingers or the cup of a hand, or the stick at the end of an arm without one, and
+// an object that this hand can take where the motion begins or ends; what it carries, in its hand,
+// in that of who holds it as well, and on what it stands, until they have come apart; the base
+// and the column on it, which stay where they are, and what stands around them. A gripper that
+// holds something is as far open as that is wide. Arms whose bases stand in one
+// another cannot both be there: they are taken for alternatives. A motion that takes no time is not
+// looked at.
+//
+// throws  ArgumentError as check_motion.
+std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion);
+
+// The smallest gap between two things of the cell as they are now, below zero if they overlap, m.
+// `robot` without an object is the robot without what it carries; frame and role do not count.
+double distance_between(const Cell& cell, const CellBody& a, const CellBody& b);
+
+}  // namespace armlet

@@ -1,0 +1,89 @@
+// Whether bodies meet during a motion: certain for the whole of it, not for samples.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "armlet/collision/arm_solids.hpp"
+#include "armlet/trajectory/trajectory.hpp"
+
+namespace armlet {
+
+// Bodies that overlap less count as touching: surfaces are a little soft, and a tool follows a line
+// to a few micrometres.
+inline constexpr double kSoft = 1e-4;  // m
+
+// An arm that moves, or stands, with all that it carries.
+//
+// motion  from `from` on, s; behind its end the arm stands. Not owned, as the robot.
+struct ArmInMotion {
+  const Robot* robot = nullptr;
+  const Trajectory* motion = nullptr;
+  double from = 0.0;
+  std::vector<ArmSolid> solids{};
+};
+
+// A body of a scene: solid `index` of an arm, or of what is fixed.
+struct BodyRef {
+  static constexpr int kFixed = -1;
+  int arm = kFixed;
+  int index = 0;
+};
+
+// leaving  the two touch at the begin: they are checked from where they have come 1 mm apart, or
+//          1 mm deeper.
+struct CheckedPair {
+  BodyRef a;  // of an arm; of the same arm as b, on the frame farther out
+  BodyRef b;
+  bool leaving = false;
+};
+
+struct MotionScene {
+  std::vector<ArmInMotion> arms{};
+  std::vector<Solid> fixed{};
+  std::vector<CheckedPair> pairs{};
+  double duration = 0.0;  // s
+};
+
+// Two bodies that meet.
+//
+// pair       of MotionScene::pairs.
+// t          when they begin to overlap by more than kSoft, s.
+// depth      the deepest seen from there on, m, and when, s.
+// p_world    where that is.
+// higher     how far the first body would have to pass higher to stay clear of the second, m;
+//            negative: more than a metre.
+// at_end     they still overlap when the motion ends.
+struct Meeting {
+  std::size_t pair = 0;
+  double t = 0.0;
+  double depth = 0.0;
+  double t_deepest = 0.0;
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
+  double higher = 0.0;
+  bool at_end = false;
+};
+
+// meetings    one for each pair that meets, in order of time.
+// resolution  m: no overlap deeper than this and kSoft together is missed, however short. It is
+//             0.05 mm, and more only for motions that stay within it of a body for very long.
+// looks       how many positions were looked at.
+struct MotionCheck {
+  std::vector<Meeting> meetings{};
+  double resolution = 0.0;
+  int looks = 0;
+};
+
+// A stretch of the motion is free of a pair if no point of it can travel as far as the gap between
+// the two; other stretches are halved. How far joints go follows from the polynomials of the
+// motion.
+//
+// throws  ArgumentError for a motion that has not one path for each joint of its arm, and a pair
+// that
+//         names no body.
+// source  F. Schwarzer, M. Saha, J.-C. Latombe, Adaptive dynamic collision checking for single and
+//         multiple articulated robots in complex environments, IEEE Transactions on Robotics 21,
+//         2005.
+MotionCheck check_motion(const MotionScene& scene);
+
+}  // namespace armlet

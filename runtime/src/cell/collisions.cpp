@@ -1,0 +1,303 @@
+#include "armlet/cell/collisions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "armlet/kinematics/forward.hpp"
+
+namespace armlet {
+namespace {
+
+bool is_finger(LinkShapeRole role) {
+  return role == LinkShapeRole::kFingerLeft || role == LinkShapeRole::kFingerRight;
+}
+
+// What closes on an object, or reaches into it. The palm of a gripper stays outside.
+bool takes_hold(const Robot& arm, const ArmSolid& body) {
+  const ArmSolids& solids = arm.derived<ArmSolids>();
+  if (solids.is_bare()) return body.frame > solids.neighbour_of_last();
+  return arm.tool().kind == ToolKind::kParallelGripper ? is_finger(body.role) : is_hand(body.role);
+}
+
+// A robot and what it carries as bodies of a scene.
+struct ArmBodies {
+  std::vector<ArmSolid> solids;
+  std::vector<CellBody> bodies;
+  std::size_t own = 0;  // the first of them are its own, the others carried
+};
+
+// Fingers that hold something have closed to its width.
+void close_fingers(const Cell& cell, int robot, std::vector<ArmSolid>& solids) {
+  const CellRobot& arm = cell.robot(robot);
+  const Tool& hand = arm.model->tool();
+  const Object* held = cell.world().find(arm.held);
+  if (held == nullptr || hand.kind != ToolKind::kParallelGripper) return;
+  const double width = grasp_width(*held, cell.T_world_tool(robot).linear().col(2));
+  const double closed = 0.5 * std::max(hand.stroke - width, 0.0);
+  const Eigen::Vector3d across = arm.model->T_flange_tool().linear().col(0);
+  for (ArmSolid& each : solids) {
+    if (!is_finger(each.role)) continue;
+    const bool left = each.role == LinkShapeRole::kFingerLeft;
+    each.solid.T.translation() += (left ? closed : -closed) * across;
+  }
+}
+
+ArmBodies bodies_of(const Cell& cell, int robot) {
+  const Robot& model = *cell.robot(robot).model;
+  ArmBodies arm{.solids = model.derived<ArmSolids>().solids()};
+  for (const ArmSolid& each : arm.solids)
+    arm.bodies.push_back({.robot = robot, .frame = each.frame, .role = each.role});
+  close_fingers(cell, robot, arm.solids);
+  arm.own = arm.solids.size();
+  const World& world = cell.world();
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const auto& attachment = world.attachment_of(i);
+    if (!attachment || attachment->carrier != robot) continue;
+    Solid solid = solid_of(world.object(i).shape);
+    solid.T = attachment->T_carrier_obj;
+    arm.solids.push_back({.frame = model.n(), .solid = solid});
+    arm.bodies.push_back({.robot = robot, .object = world.object(i).name, .frame = model.n()});
+  }
+  return arm;
+}
+
+// Where the bodies of a robot are now, in the world.
+std::vector<Solid> placed(const Cell& cell, int robot, const std::vector<ArmSolid>& solids) {
+  const CellRobot& arm = cell.robot(robot);
+  const std::vector<Eigen::Isometry3d> frames = link_frames(*arm.model, arm.q);
+  std::vector<Solid> all;
+  for (const ArmSolid& each : solids) {
+    Solid solid = each.solid;
+    solid.T = (each.frame == 0 ? arm.model->T_world_base()
+                               : frames[static_cast<std::size_t>(each.frame - 1)]) *
+              each.solid.T;
+    all.push_back(std::move(solid));
+  }
+  return all;
+}
+
+class CellScene {
+ public:
+  CellScene(const Cell& cell, int robot, const Trajectory& motion)
+      : cell_(cell),
+        robot_(robot),
+        arm_(*cell.robot(robot).model),
+        mine_(bodies_of(cell, robot)),
+        p_start_(forward(arm_, motion.start()).translation()),
+        p_end_(forward(arm_, motion.end()).translation()) {
+    scene_.arms.push_back({.robot = &arm_, .motion = &motion, .solids = mine_.solids});
+    scene_.duration = motion.duration();
+    names_.push_back(mine_.bodies);
+    add_objects();
+    for (int other = 0; other < cell.robot_count(); ++other) {
+      if (other != robot) add_robot(other);
+    }
+    add_own_pairs();
+  }
+
+  [[nodiscard]] const MotionScene& scene() const { return scene_; }
+  [[nodiscard]] const CellBody& body(const BodyRef& ref) const {
+    const auto index = static_cast<std::size_t>(ref.index);
+    return ref.arm == BodyRef::kFixed ? fixed_names_[index]
+                                      : names_[static_cast<std::size_t>(ref.arm)][index];
+  }
+
+ private:
+  void add_objects() {
+    const World& world = cell_.world();
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (world.attachment_of(i)) continue;
+      const Object& object = world.object(i);
+      Solid solid = solid_of(object.shape);
+      solid.T = object.T_world_obj;
+      add_fixed(std::move(solid), {.object = object.name}, takes_here(object));
+    }
+  }
+
+  // Whether the hand of this robot takes the object, or has let it go, at an end of the motion.
+  [[nodiscard]] bool takes_here(const Object& object) const {
+    const Tool& hand = arm_.tool();
+    if (object.fixed || !hand.can_grasp()) return false;
+    return std::min(grasp_distance(object, p_start_), grasp_distance(object, p_end_)) <=
+           hand.grasp_distance;
+  }
+
+  void add_fixed(Solid solid, CellBody name, bool is_taken) {
+    const BodyRef other{BodyRef::kFixed, static_cast<int>(scene_.fixed.size())};
+    scene_.fixed.push_back(std::move(solid));
+    fixed_names_.push_back(std::move(name));
+    pair_with(other, is_taken, false);
+  }
+
+  // All bodies of the robot that moves with another one.
+  //
+  // moves  the other one moves too, so that the base counts.
+  void pair_with(const BodyRef& other, bool is_taken, bool moves) {
+    const CellBody name_of_other = body(other);
+    for (std::size_t i = 0; i < mine_.solids.size(); ++i) {
+      const bool carried = i >= mine_.own;
+      if (!moves && mine_.solids[i].still) continue;
+      if (is_taken && !carried && takes_hold(arm_, mine_.solids[i])) continue;
+      if (carried && holds(name_of_other, mine_.bodies[i].object)) continue;
+      scene_.pairs.push_back({.a = {0, static_cast<int>(i)}, .b = other, .leaving = carried});
+    }
+  }
+
+  // Whether the body is of a hand that is closed on the object, too.
+  [[nodiscard]] bool holds(const CellBody& name, const std::string& object) const {
+    if (name.robot < 0 || !name.object.empty()) return false;
+    const CellRobot& other = cell_.robot(name.robot);
+    return other.held == object &&
+           takes_hold(*other.model, {.frame = name.frame, .role = name.role});
+  }
+
+  void add_robot(int other) {
+    const CellRobot& state = cell_.robot(other);
+    ArmBodies theirs = bodies_of(cell_, other);
+    if (stand_in_each_other(other, theirs)) return;
+    // What this hand holds or takes may be in the hand of another robot.
+    const auto is_taken = [&](const CellBody& body) {
+      if (body.object.empty()) return false;
+      return body.object == cell_.robot(robot_).held || takes_here(cell_.world().at(body.object));
+    };
+    if (!state.motion) {
+      std::vector<Solid> solids = placed(cell_, other, theirs.solids);
+      for (std::size_t i = 0; i < solids.size(); ++i) {
+        const bool taken = is_taken(theirs.bodies[i]);
+        add_fixed(std::move(solids[i]), std::move(theirs.bodies[i]), taken);
+      }
+      return;
+    }
+    const Motion& motion = *state.motion;
+    const int arm = static_cast<int>(scene_.arms.size());
+    scene_.arms.push_back({.robot = state.model.get(),
+                           .motion = &motion.trajectory(),
+                           .from = to_seconds(cell_.now_ns() - motion.start_ns()),
+                           .solids = theirs.solids});
+    // It may come when the first one stands already.
+    scene_.duration = std::max(scene_.duration, to_seconds(motion.end_ns() - cell_.now_ns()));
+    names_.push_back(theirs.bodies);
+    for (std::size_t i = 0; i < theirs.solids.size(); ++i)
+      pair_with({arm, static_cast<int>(i)}, is_taken(theirs.bodies[i]), !theirs.solids[i].still);
+  }
+
+  // Arms whose bases overlap cannot both be there: they are taken for alternatives.
+  [[nodiscard]] bool stand_in_each_other(int other, const ArmBodies& theirs) const {
+    const auto base_of = [&](int robot, const ArmBodies& bodies) {
+      std::vector<ArmSolid> still;
+      for (const ArmSolid& each : bodies.solids) {
+        if (each.still) still.push_back(each);
+      }
+      return placed(cell_, robot, still);
+    };
+    for (const Solid& a : base_of(robot_, mine_)) {
+      for (const Solid& b : base_of(other, theirs)) {
+        if (gap_between(a, b).distance < -kSoft) return true;
+      }
+    }
+    return false;
+  }
+
+  // Its links among each other, and what it carries with all of them but the last.
+  void add_own_pairs() {
+    for (const auto& [first, second] : arm_.derived<ArmSolids>().own_pairs())
+      scene_.pairs.push_back({.a = {0, first}, .b = {0, second}});
+    for (std::size_t i = mine_.own; i < mine_.solids.size(); ++i) {
+      for (std::size_t k = 0; k < mine_.own; ++k) {
+        if (mine_.solids[k].frame >= arm_.derived<ArmSolids>().neighbour_of_last()) continue;
+        scene_.pairs.push_back(
+            {.a = {0, static_cast<int>(i)}, .b = {0, static_cast<int>(k)}, .leaving = true});
+      }
+    }
+  }
+
+  const Cell& cell_;
+  int robot_;
+  const Robot& arm_;
+  ArmBodies mine_;
+  Eigen::Vector3d p_start_, p_end_;
+  MotionScene scene_;
+  std::vector<std::vector<CellBody>> names_;  // of the bodies of each arm of the scene
+  std::vector<CellBody> fixed_names_;
+};
+
+// The same robot, or the same object.
+bool is_same_thing(const CellBody& a, const CellBody& b) {
+  return a.object == b.object && (!a.object.empty() || a.robot == b.robot);
+}
+
+std::vector<Solid> solids_now(const Cell& cell, const CellBody& thing) {
+  if (!thing.object.empty()) {
+    const Object& object = cell.world().at(thing.object);
+    Solid solid = solid_of(object.shape);
+    solid.T = object.T_world_obj;
+    return {solid};
+  }
+  ArmBodies arm = bodies_of(cell, thing.robot);
+  arm.solids.resize(arm.own);
+  return placed(cell, thing.robot, arm.solids);
+}
+
+}  // namespace
+
+std::string body_text(const Cell& cell, const CellBody& body) {
+  if (!body.object.empty()) return fmt::format("\"{}\"", body.object);
+  const CellRobot& arm = cell.robot(body.robot);
+  const auto part = [&]() -> std::string {
+    if (is_finger(body.role)) return "a finger";
+    if (body.role == LinkShapeRole::kTool)
+      return arm.model->tool().kind == ToolKind::kParallelGripper ? "the gripper" : "the tool";
+    if (body.role == LinkShapeRole::kFlange) return "the flange";
+    return body.frame == 0 ? std::string("the base") : fmt::format("link {}", body.frame);
+  };
+  return fmt::format("{} of `{}`", part(), arm.name);
+}
+
+std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion) {
+  const CellScene scene(cell, robot, motion);
+  const MotionCheck check = check_motion(scene.scene());
+  std::vector<CellCollision> found;
+  for (const Meeting& each : check.meetings) {
+    const CheckedPair& pair = scene.scene().pairs[each.pair];
+    const CellBody &body = scene.body(pair.a), &other = scene.body(pair.b);
+    const auto same = std::ranges::find_if(found, [&](const CellCollision& known) {
+      return is_same_thing(known.body, body) && is_same_thing(known.other, other);
+    });
+    if (same == found.end()) {
+      found.push_back({.body = body,
+                       .other = other,
+                       .t = each.t,
+                       .depth = each.depth,
+                       .t_deepest = each.t_deepest,
+                       .p_world = each.p_world,
+                       .higher = each.higher,
+                       .at_start = each.t <= 0.0,
+                       .at_end = each.at_end});
+      continue;
+    }
+    same->at_end = same->at_end || each.at_end;
+    const bool unknown = same->higher < 0.0 || each.higher < 0.0;
+    same->higher = unknown ? -1.0 : std::max(same->higher, each.higher);
+    if (each.depth <= same->depth) continue;
+    same->depth = each.depth;
+    same->t_deepest = each.t_deepest;
+    same->p_world = each.p_world;
+  }
+  return found;
+}
+
+double distance_between(const Cell& cell, const CellBody& a, const CellBody& b) {
+  double least = std::numeric_limits<double>::infinity();
+  const std::vector<Solid> first = solids_now(cell, a), second = solids_now(cell, b);
+  for (const Solid& each : first) {
+    for (const Solid& other : second) {
+      if (!is_farther(each, other, std::max(least, 0.0)) || least < 0.0)
+        least = std::min(least, gap_between(each, other).distance);
+    }
+  }
+  return least;
+}
+
+}  // namespace armlet

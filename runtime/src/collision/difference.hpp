@@ -1,0 +1,82 @@
+// The Minkowski difference of two cores, and the searches in it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "armlet/collision/solid.hpp"
+
+namespace armlet {
+
+// A point of the difference, w = a - b, and the points of both cores that give it; all in the frame
+// of the first body.
+struct DifferencePoint {
+  Eigen::Vector3d w, a, b;
+};
+
+// The difference a - b of the cores of two bodies. It holds the origin exactly if they overlap, and
+// the origin is as far from it as they are from each other.
+class CoreDifference {
+ public:
+  CoreDifference(const Solid& a, const Solid& b);
+
+  // The point of the difference that lies farthest along d.
+  [[nodiscard]] DifferencePoint support(const Eigen::Vector3d& d) const;
+  [[nodiscard]] const Eigen::Vector3d& p_a_b() const { return p_a_b_; }
+  // A length to compare rounding errors with, m.
+  [[nodiscard]] double scale() const { return scale_; }
+
+ private:
+  const Solid& a_;
+  const Solid& b_;
+  Eigen::Matrix3d R_a_b_;
+  Eigen::Vector3d p_a_b_;
+  double scale_;
+};
+
+// 1 to 4 points of the difference, and the point of their hull that is nearest to the origin:
+// w = sum weight_i w_i.
+struct Simplex {
+  std::array<DifferencePoint, 4> points;
+  std::array<double, 4> weights{};
+  int n = 0;
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();
+
+  // Finds the nearest point and leaves out the points that it does not need. Returns whether the
+  // origin lies inside of four points, which then all stay.
+  bool reduce();
+  [[nodiscard]] bool has(const DifferencePoint& point) const;
+  // Leaves the nearest point alone, which then stands for the corners.
+  void collapse();
+};
+
+// What the search for the nearest point gave.
+//
+// overlap   the cores overlap or touch.
+// at_least  the distance of the cores is not less, m: a slab of this width across `away`, a unit
+//           vector from the second body to the first, is between them.
+struct Nearest {
+  Simplex simplex;
+  bool overlap = false;
+  double at_least = 0.0;
+  Eigen::Vector3d away = Eigen::Vector3d::UnitZ();
+};
+
+// The point of the difference that is nearest to the origin (Gilbert, Johnson, Keerthi). Given a
+// distance in question, the search ends as soon as it is certain whether the cores are farther
+// apart.
+Nearest nearest_point(const CoreDifference& difference, std::optional<double> question = {});
+
+// The least motion that frees overlapping cores: along -direction for the first, by `depth`.
+struct Depth {
+  double depth = 0.0;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d p_a = Eigen::Vector3d::Zero();  // in the frame of the first body
+  Eigen::Vector3d p_b = Eigen::Vector3d::Zero();
+};
+
+// Expands a polytope inside of the difference until a face of it is a face of the difference (van
+// den Bergen). Every depth that it may return frees the bodies; the least is known to 1e-7 m.
+Depth least_depth(const CoreDifference& difference, const Simplex& around_origin);
+
+}  // namespace armlet

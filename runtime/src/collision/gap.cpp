@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cmath>
+
+#include "collision/difference.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Vector3d;
+
+// Points of the cores, moved out to the surfaces of the bodies along `away`.
+Gap gap_at(const Solid& a, const Solid& b, double distance, const Vector3d& p_a,
+           const Vector3d& p_b, const Vector3d& away) {
+  const Vector3d out = a.T.linear() * away;
+  return {.distance = distance - a.margin - b.margin,
+          .p_a = a.T * p_a - a.margin * out,
+          .p_b = a.T * p_b + b.margin * out,
+          .away = out};
+}
+
+Gap overlapping(const Solid& a, const Solid& b, const CoreDifference& difference,
+                const Simplex& simplex) {
+  const Depth least = least_depth(difference, simplex);
+  return gap_at(a, b, -least.depth, least.p_a, least.p_b, -least.direction);
+}
+
+Gap apart(const Solid& a, const Solid& b, const Nearest& nearest) {
+  const Simplex& simplex = nearest.simplex;
+  Vector3d p_a = Vector3d::Zero(), p_b = Vector3d::Zero();
+  for (int i = 0; i < simplex.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    p_a += simplex.weights[k] * simplex.points[k].a;
+    p_b += simplex.weights[k] * simplex.points[k].b;
+  }
+  const double distance = simplex.w.norm();
+  Gap gap = gap_at(a, b, distance, p_a, p_b, simplex.w / distance);
+  gap.away = a.T.linear() * nearest.away;
+  return gap;
+}
+
+}  // namespace
+
+Gap gap_between(const Solid& a, const Solid& b) {
+  const CoreDifference difference(a, b);
+  const Nearest nearest = nearest_point(difference);
+  return nearest.overlap ? overlapping(a, b, difference, nearest.simplex) : apart(a, b, nearest);
+}
+
+bool is_farther(const Solid& a, const Solid& b, double distance) {
+  const double wanted = distance + a.margin + b.margin;
+  return nearest_point(CoreDifference(a, b), wanted).at_least > wanted;
+}
+
+}  // namespace armlet

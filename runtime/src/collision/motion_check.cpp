@@ -1,0 +1,228 @@
+#include "armlet/collision/motion_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision/motion_cells.hpp"
+#include "collision/scene_pose.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr double kResolution = 5e-5;  // m
+constexpr int kManyLooks = 20'000;    // then what is looked for becomes coarser
+constexpr double kComeApart = 1e-3;   // m, what leaves a body is checked from there
+constexpr int kSamples = 64;          // of a motion, for depths and for what leaves
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+class Check {
+ public:
+  explicit Check(const MotionScene& scene)
+      : scene_(scene),
+        pose_(scene),
+        cells_(scene),
+        q_(static_cast<std::size_t>(cells_.joints())),
+        travel_(q_.size()),
+        from_(scene.pairs.size(), 0.0),
+        done_(scene.pairs.size(), false) {}
+
+  MotionCheck run() {
+    for (std::size_t i = 0; i < scene_.pairs.size(); ++i) {
+      if (scene_.pairs[i].leaving) from_[i] = leaves_at(i);
+      open_.push_back(i);
+    }
+    if (scene_.duration > 0.0) look_at_cells(0, cells_.count(), 0, open_.size());
+    result_.resolution = resolution_;
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      bring_forward(result_.meetings[i], before_[i]);
+      measure(result_.meetings[i]);
+    }
+    std::ranges::stable_sort(result_.meetings, {}, &Meeting::t);
+    return std::move(result_);
+  }
+
+ private:
+  // Pairs [begin, end) of open_ are those that nobody has excluded for the cells.
+  void look_at_cells(int first, int last, std::size_t begin, std::size_t end) {
+    if (last - first == 1) {
+      const auto curves = cells_.curves(first);
+      std::vector<JointCurve> own(curves.begin(), curves.end());
+      look_at(cells_.start(first), cells_.start(last), own, begin, end);
+      return;
+    }
+    for (std::size_t j = 0; j < q_.size(); ++j) {
+      JointCurve::Range all{kNever, -kNever};
+      for (int cell = first; cell < last; ++cell) {
+        const JointCurve::Range range = cells_.curves(cell)[j].range();
+        all = {std::min(all.lower, range.lower), std::max(all.upper, range.upper)};
+      }
+      q_[j] = 0.5 * (all.lower + all.upper);
+      travel_[j] = std::max(all.upper - q_[j], q_[j] - all.lower);
+    }
+    place();
+    const std::size_t kept = open_.size();
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t pair = open_[i];
+      if (!done_[pair] && !is_free(scene_.pairs[pair], pose_.travel(scene_.pairs[pair])))
+        open_.push_back(pair);
+    }
+    const std::size_t kept_end = open_.size();
+    if (kept != kept_end) {
+      const int middle = (first + last) / 2;
+      look_at_cells(first, middle, kept, kept_end);
+      look_at_cells(middle, last, kept, kept_end);
+    }
+    open_.resize(kept);
+  }
+
+  // A stretch of time in which all joints follow one polynomial each.
+  void look_at(double t0, double t1, std::vector<JointCurve>& curves, std::size_t begin,
+               std::size_t end) {
+    const double middle = 0.5 * (t0 + t1);
+    std::vector<JointCurve> second(curves.size());
+    for (std::size_t j = 0; j < curves.size(); ++j) {
+      const JointCurve::Range range = curves[j].range();
+      q_[j] = curves[j].halve(second[j]);
+      travel_[j] = std::max({range.upper - q_[j], q_[j] - range.lower, 0.0});
+    }
+    place();
+    const std::size_t kept = open_.size();
+    for (std::size_t i = begin; i < end; ++i) look_at_pair(open_[i], t0, t1);
+    const std::size_t kept_end = open_.size();
+    if (kept != kept_end) {
+      look_at(t0, middle, curves, kept, kept_end);
+      look_at(middle, t1, second, kept, kept_end);
+    }
+    open_.resize(kept);
+  }
+
+  void look_at_pair(std::size_t index, double t0, double t1) {
+    const CheckedPair& pair = scene_.pairs[index];
+    if (done_[index] || t1 <= from_[index]) return;
+    const double travel = pose_.travel(pair);
+    if (is_free(pair, travel)) return;
+    if (travel >= resolution_) {
+      open_.push_back(index);
+      return;
+    }
+    if (t0 < from_[index] || gap_of(pair).distance >= -kSoft) return;
+    done_[index] = true;
+    result_.meetings.push_back({.pair = index, .t = 0.5 * (t0 + t1)});
+    before_.push_back(t0);
+  }
+
+  void place() {
+    pose_.place(q_, travel_);
+    if (++result_.looks % kManyLooks == 0) resolution_ *= 2.0;
+  }
+
+  // Whether the two stay apart, or touch, if no point travels farther.
+  bool is_free(const CheckedPair& pair, double travel) {
+    const Solid &a = pose_.body(pair.a), &b = pose_.body(pair.b);
+    const double middles = (a.T.translation() - b.T.translation()).norm();
+    if (middles - pose_.reach(pair.a) - pose_.reach(pair.b) > travel) return true;
+    const double wanted = travel - kSoft;
+    if (middles < wanted) return false;
+    return wanted >= 0.0 ? is_farther(a, b, wanted) : gap_between(a, b).distance > wanted;
+  }
+
+  Gap gap_of(const CheckedPair& pair) {
+    return gap_between(pose_.body(pair.a), pose_.body(pair.b));
+  }
+
+  void place_at(double t) {
+    std::size_t j = 0;
+    for (const ArmInMotion& arm : scene_.arms) {
+      for (int i = 0; i < arm.robot->n(); ++i) q_[j++] = arm.motion->value(i, arm.from + t);
+    }
+    std::fill(travel_.begin(), travel_.end(), 0.0);
+    pose_.place(q_, travel_);
+  }
+
+  double leaves_at(std::size_t index) {
+    const CheckedPair& pair = scene_.pairs[index];
+    place_at(0.0);
+    const double deepest = std::min(gap_of(pair).distance, 0.0) - kComeApart;
+    for (int k = 1; k <= kSamples; ++k) {
+      const double t = scene_.duration * k / kSamples;
+      place_at(t);
+      const double distance = gap_of(pair).distance;
+      if (distance > kComeApart || distance < deepest) return t;
+    }
+    return kNever;
+  }
+
+  // To the instant at which they begin to overlap, which is not before t0.
+  void bring_forward(Meeting& meeting, double t0) {
+    constexpr int kHalvings = 40;
+    const auto overlaps = [&](double t) {
+      place_at(t);
+      return gap_of(scene_.pairs[meeting.pair]).distance < -kSoft;
+    };
+    double t = t0;
+    for (int k = 0; k < kHalvings && !overlaps(t); ++k) t = 0.5 * (t + meeting.t);
+    if (t < meeting.t) meeting.t = t;
+  }
+
+  // From where the two meet on: how deep, and how much higher would do.
+  void measure(Meeting& meeting) {
+    const CheckedPair& pair = scene_.pairs[meeting.pair];
+    for (int k = 0; k <= kSamples; ++k) {
+      const double t = meeting.t + (scene_.duration - meeting.t) * k / kSamples;
+      place_at(t);
+      const Gap gap = gap_of(pair);
+      if (gap.distance >= -kSoft) continue;
+      meeting.at_end = k == kSamples;
+      if (meeting.higher >= 0.0) raise(meeting, pair);
+      if (-gap.distance <= meeting.depth) continue;
+      meeting.depth = -gap.distance;
+      meeting.t_deepest = t;
+      meeting.p_world = 0.5 * (gap.p_a + gap.p_b);
+    }
+  }
+
+  // Raises what clears the second body so far until it does so here as well.
+  void raise(Meeting& meeting, const CheckedPair& pair) {
+    constexpr double kHighest = 1.0;  // m
+    constexpr double kExact = 1e-4;   // m
+    const Solid b = pose_.body(pair.b);
+    const auto clears = [&](double height) {
+      Solid raised = pose_.body(pair.a);
+      raised.T.translation().z() += height;
+      return is_farther(raised, b, 0.0);
+    };
+    if (clears(meeting.higher)) return;
+    double low = meeting.higher, high = std::max(2.0 * low, 1e-3);
+    while (high < kHighest && !clears(high)) {
+      low = high;
+      high *= 2.0;
+    }
+    if (high >= kHighest) {
+      meeting.higher = -1.0;
+      return;
+    }
+    while (high - low > kExact) {
+      const double middle = 0.5 * (low + high);
+      (clears(middle) ? high : low) = middle;
+    }
+    meeting.higher = high;
+  }
+
+  const MotionScene& scene_;
+  ScenePose pose_;
+  MotionCells cells_;
+  std::vector<double> q_, travel_;
+  std::vector<double> from_;  // when each pair begins to count
+  std::vector<bool> done_;
+  std::vector<double> before_;  // instants just before the meetings
+  std::vector<std::size_t> open_;
+  double resolution_ = kResolution;
+  MotionCheck result_;
+};
+
+}  // namespace
+
+MotionCheck check_motion(const MotionScene& scene) { return Check(scene).run(); }
+
+}  // namespace armlet

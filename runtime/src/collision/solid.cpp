@@ -1,0 +1,51 @@
+#include "armlet/collision/solid.hpp"
+
+namespace armlet {
+namespace {
+
+Solid round_solid(Solid::Core core, double radius, double height) {
+  return {.core = core, .half = {radius, radius, 0.5 * height}};
+}
+
+struct OfShape {
+  Solid operator()(const Box& box) const {
+    return {.core = Solid::Core::kBox, .half = 0.5 * box.size};
+  }
+  Solid operator()(const Cylinder& cylinder) const {
+    return round_solid(Solid::Core::kCylinder, cylinder.radius, cylinder.height);
+  }
+  Solid operator()(const Sphere& sphere) const { return {.margin = sphere.radius}; }
+};
+
+}  // namespace
+
+double Solid::reach() const {
+  // A box reaches its corner; what is round has the radius twice in `half`.
+  const bool round = core == Core::kCylinder || core == Core::kCone;
+  const double across = round ? half.x() : std::sqrt(half.x() * half.x() + half.y() * half.y());
+  return std::sqrt(across * across + half.z() * half.z()) + margin;
+}
+
+Solid solid_of(const Shape& shape) { return std::visit(OfShape{}, shape); }
+
+Solid solid_of(const LinkShape& shape) {
+  Solid solid;
+  switch (shape.kind) {
+    case LinkShapeKind::kCapsule:
+      solid = {.core = Solid::Core::kSegment,
+               .half = {0.0, 0.0, 0.5 * shape.length},
+               .margin = shape.radius};
+      break;
+    case LinkShapeKind::kCylinder:
+    case LinkShapeKind::kRing:
+      solid = round_solid(Solid::Core::kCylinder, shape.radius, shape.length);
+      break;
+    case LinkShapeKind::kBox:
+      solid = {.core = Solid::Core::kBox, .half = 0.5 * shape.size};
+      break;
+  }
+  solid.T = shape.T_link_shape;
+  return solid;
+}
+
+}  // namespace armlet

@@ -1,0 +1,124 @@
+#include "armlet/collision/arm_solids.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/model/catalog.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+Solid placed(const Robot& robot, const ArmSolid& own, const VectorXd& q) {
+  Solid solid = own.solid;
+  solid.T = link_frame(robot, q, own.frame) * own.solid.T;
+  return solid;
+}
+
+VectorXd bent(const Robot& robot) {
+  VectorXd q = robot.home();
+  for (int i = 0; i < robot.n(); ++i) {
+    const double middle =
+        0.5 * (std::max(robot.lower()[i], -3.0) + std::min(robot.upper()[i], 3.0));
+    q[i] = 0.7 * q[i] + 0.3 * middle + 0.05;
+  }
+  return q;
+}
+
+}  // namespace
+
+// Bodies of neighbouring links meet at the joint between them wherever the joints are, so that a
+// body placed by a wrong frame shows as a hole in the arm.
+TEST_CASE("an arm has no holes, in whatever convention its table is") {
+  for (const std::string_view name : catalog_names()) {
+    // Without a hand of its own it leaves room for one.
+    const auto robot =
+        std::make_shared<const Robot>(make_robot(name)->with_tool(parallel_gripper(0.060, 0.150)));
+    CAPTURE(name);
+    const auto& solids = robot->derived<ArmSolids>().solids();
+    for (const VectorXd& q : {robot->home(), bent(*robot)}) {
+      for (int link = 1; link <= robot->n(); ++link) {
+        double nearest = 1e9;
+        bool has = false;
+        for (const ArmSolid& a : solids) {
+          if (a.frame != link) continue;
+          has = true;
+          for (const ArmSolid& b : solids) {
+            if (b.frame >= link) continue;
+            nearest =
+                std::min(nearest, gap_between(placed(*robot, a, q), placed(*robot, b, q)).distance);
+          }
+        }
+        CAPTURE(link);
+        if (has) CHECK(nearest < 0.05 * robot->reach());
+      }
+    }
+  }
+}
+
+TEST_CASE("the fingers of a gripper end at the tool point, on both sides of it") {
+  const auto robot =
+      std::make_shared<const Robot>(make_robot("scara")->with_tool(parallel_gripper(0.060, 0.150)));
+  const VectorXd q = bent(*robot);
+  Solid point{.margin = 1e-6};
+  point.T = forward(*robot, q);
+  const double stroke = robot->tool().stroke;
+  int fingers = 0;
+  for (const ArmSolid& each : robot->derived<ArmSolids>().solids()) {
+    const bool finger =
+        each.role == LinkShapeRole::kFingerLeft || each.role == LinkShapeRole::kFingerRight;
+    if (!finger) continue;
+    ++fingers;
+    CHECK(gap_between(placed(*robot, each, q), point).distance ==
+          doctest::Approx(0.5 * stroke).epsilon(1e-3));
+  }
+  CHECK(fingers == 2);
+}
+
+TEST_CASE("an arm without a hand of a length of its own ends in a stick, at the tool point") {
+  for (const std::string_view name : catalog_names()) {
+    const std::shared_ptr<const Robot> robot = make_robot(name);
+    CAPTURE(name);
+    if (!robot->derived<ArmSolids>().is_bare()) continue;
+    const VectorXd q = bent(*robot);
+    const Eigen::Isometry3d T_world_tool = forward(*robot, q);
+    // A plate that the tool points at, 5 mm from the tool point, and as wide as a cube.
+    Solid plate = solid_of(Shape(Box{{0.04, 0.04, 0.002}}));
+    plate.T = T_world_tool * Eigen::Translation3d(0.0, 0.0, 0.006);
+    for (const ArmSolid& each : robot->derived<ArmSolids>().solids()) {
+      if (each.frame <= robot->derived<ArmSolids>().neighbour_of_last()) continue;
+      CHECK(gap_between(placed(*robot, each, q), plate).distance > 0.0015);
+    }
+  }
+}
+
+TEST_CASE("own pairs: neighbours never, nothing that overlaps at home") {
+  for (const std::string_view name : catalog_names()) {
+    const std::shared_ptr<const Robot> robot = make_robot(name);
+    CAPTURE(name);
+    const ArmSolids& arm = robot->derived<ArmSolids>();
+    for (const auto& [first, second] : arm.own_pairs()) {
+      const ArmSolid& a = arm.solids()[static_cast<std::size_t>(first)];
+      const ArmSolid& b = arm.solids()[static_cast<std::size_t>(second)];
+      CHECK(a.frame > b.frame + 1);
+      CHECK(
+          gap_between(placed(*robot, a, robot->home()), placed(*robot, b, robot->home())).distance >
+          0.0);
+    }
+    CHECK(ArmSolids(*robot).own_pairs() == arm.own_pairs());
+  }
+}
+
+// Folded onto its own base, an arm of six joints hits it.
+TEST_CASE("an arm with a long reach can hit its own base") {
+  const std::shared_ptr<const Robot> robot = make_robot("ur5");
+  CHECK_FALSE(robot->derived<ArmSolids>().own_pairs().empty());
+  CHECK(make_robot("planar2")->derived<ArmSolids>().own_pairs().size() < 3);
+}
+
+}  // namespace armlet
