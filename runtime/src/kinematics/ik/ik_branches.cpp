@@ -6,7 +6,7 @@
 
 #include "armlet/math/angles.hpp"
 #include "ik_reduced.hpp"
-#include "self_motion.hpp"
+#include "kinematics/self_motion/self_motion.hpp"
 
 namespace armlet {
 namespace {

@@ -7,7 +7,7 @@
 #include "ik_free.hpp"
 #include "ik_scan.hpp"
 #include "ik_search.hpp"
-#include "self_motion.hpp"
+#include "kinematics/self_motion/self_motion.hpp"
 
 namespace armlet {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
-#include "self_motion.hpp"
+#include "kinematics/self_motion/self_motion.hpp"
 
 namespace armlet {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ik_numeric.hpp"
+#include "kinematics/ik/ik_numeric.hpp"
 
 namespace armlet {
 

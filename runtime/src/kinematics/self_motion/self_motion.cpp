@@ -1,4 +1,4 @@
-#include "self_motion.hpp"
+#include "kinematics/self_motion/self_motion.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
+#include "kinematics/self_motion/self_motion_search.hpp"
 #include "math/solvers.hpp"
-#include "self_motion_search.hpp"
 
 namespace armlet {
 namespace {

@@ -1,10 +1,10 @@
-#include "self_motion_search.hpp"
+#include "kinematics/self_motion/self_motion_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ik_free.hpp"
-#include "self_motion.hpp"
+#include "kinematics/ik/ik_free.hpp"
+#include "kinematics/self_motion/self_motion.hpp"
 
 namespace armlet {
 namespace {
