@@ -198,7 +198,8 @@ class SignatureReader {
       return out;
     }
     const std::string_view name = word();
-    if (name == "T" || name == "U") return {.form = Form::kVariable, .variable = name == "U"};
+    if (name == "T" || name == "U" || name == "S")
+      return {.form = Form::kVariable, .variable = name == "U", .is_struct = name == "S"};
     if (name == "D") return {.form = Form::kDimension, .d = 1};
     if (name == "E") return {.form = Form::kDimension, .e = 1};
     if (name == "fn") return function();
@@ -405,6 +406,7 @@ int match(const TypePattern& pattern, const Type* actual, bool zero, Bindings& b
     case Form::kVariable: {
       const Type*& bound = bindings.types[pattern.variable];
       if (actual->is(Kind::kVoid)) return -1;
+      if (pattern.is_struct && (!actual->is(Kind::kRecord) || actual->is_table())) return -1;
       if (bound != nullptr) return conversion_cost(actual, bound, zero);
       bound = actual;
       return 0;

@@ -2,8 +2,8 @@
 // Signatures of native functions: read from text once per program, matched against the types of a
 // call.
 //
-// Pure functions over types; nothing here knows the syntax tree. T and U stand for any type, D and
-// E for any quantity or double.
+// Pure functions over types; nothing here knows the syntax tree. T and U stand for any type, S for
+// any struct, D and E for any quantity or double.
 
 #include <functional>
 #include <optional>
@@ -29,7 +29,8 @@ struct TypePattern {
   };
   Form form = Form::kType;
   const Type* type = nullptr;  // kType
-  int variable = 0;            // kVariable: 0 is T, 1 is U
+  int variable = 0;            // kVariable: 0 is T and S, 1 is U
+  bool is_struct = false;      // kVariable: S
   Dim dim{};                   // kDimension: dim * D^d * E^e
   int d = 0;
   int e = 0;

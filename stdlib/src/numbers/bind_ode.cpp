@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "armlet/interpreter/sorting.hpp"
@@ -125,8 +126,8 @@ Answer<Instants> instants_of(Vm& vm, const Stretch& stretch) {
 // An integration from instant to instant.
 class Integration {
  public:
-  Integration(Vm& vm, FunctionValue f, const Instants& instants, OdeIntegrator& integrator)
-      : vm_(vm), rate_(vm, f.object, kRate), instants_(instants), integrator_(integrator) {}
+  Integration(Vm& vm, OdeRate rate, const Instants& instants, OdeIntegrator& integrator)
+      : vm_(vm), rate_(std::move(rate)), instants_(instants), integrator_(integrator) {}
 
   // Looks for what a program waits for, too.
   void wait_for(const WitnessesOfProgram& witnesses, OdeEvents& events) {
@@ -153,9 +154,6 @@ class Integration {
   // How many rows there are then.
   Answer<std::uint32_t> fill(RecordObj& solution, std::span<const double> start, double tolerance) {
     const auto rows = static_cast<std::uint32_t>(instants_.times.size());
-    const OdeRate call = [this](double t, std::span<const double> y, std::span<double> out) {
-      return static_cast<bool>(rate_(t, y, out));
-    };
     std::vector<double> y(start.begin(), start.end()), before;
     const auto put = [&](std::uint32_t row, double t) {
       times_of(solution).data[row].d = t;
@@ -171,11 +169,11 @@ class Integration {
       while (*knot <= t) ++knot;
       const double h = instants_.times[row + 1] - t;
       before = y;
-      const OdeOutcome outcome = integrator_.advance(call, t, h, y, std::max(*knot, t + h));
+      const OdeOutcome outcome = integrator_.advance(rate_, t, h, y, std::max(*knot, t + h));
       if (outcome.status != OdeStatus::kDone)
         return cannot_integrate(vm_, outcome, tolerance, y.size() / 2);
       if (events_ == nullptr) continue;
-      if (!looked(events_->look(call, t, h, before, y))) return Failed{};
+      if (!looked(events_->look(rate_, t, h, before, y))) return Failed{};
       if (!take_crossings()) continue;
       y = crossings_.back().y;
       put(row + 1, crossings_.back().t);
@@ -198,7 +196,7 @@ class Integration {
   }
 
   Vm& vm_;
-  RateOfProgram rate_;
+  OdeRate rate_;
   const Instants& instants_;
   OdeIntegrator& integrator_;
   const WitnessesOfProgram* witnesses_ = nullptr;
@@ -223,38 +221,81 @@ Answer<void> check_start(Vm& vm, std::span<const double> start) {
   return not_finite(vm, fmt::format("element {} of the start", bad), start[bad], kStart);
 }
 
-Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, double t0, double t1,
-                       double step, std::string_view method_name, double tolerance,
-                       std::optional<std::span<const double>> knots,
-                       std::optional<std::span<const Slot>> when) {
-  const auto method = method_called(vm, method_name);
+// How a call wants it.
+struct OdeSettings {
+  Stretch stretch{};
+  std::string_view method{};
+  double tolerance = 0.0;
+  std::span<const Slot> when{};
+};
+
+Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> start,
+                         const OdeSettings& settings) {
+  const auto method = method_called(vm, settings.method);
   if (!method || !check_start(vm, start)) return Failed{};
   const bool splits = *method == OdeMethod::kSymplectic || *method == OdeMethod::kVerlet;
   if (splits && start.size() % 2 != 0) {
     return failure(vm, "R0613", fmt::format("a state [q; v] cannot have {} elements", start.size()),
                    kStart,
-                   fmt::format("\"{}\" integrates positions and as many speeds", method_name));
+                   fmt::format("\"{}\" integrates positions and as many speeds", settings.method));
   }
+  const double tolerance = settings.tolerance;
   if (!(tolerance > 0.0 && std::isfinite(tolerance)))
     return domain_failure(vm, "ode with a tolerance", tolerance, "be greater than 0", {},
                           kTolerance);
-  const Stretch stretch{t0, t1, step, knots.value_or(std::span<const double>())};
-  if (!check_times(vm, stretch)) return Failed{};
-  const auto instants = instants_of(vm, stretch);
+  if (!check_times(vm, settings.stretch)) return Failed{};
+  const auto instants = instants_of(vm, settings.stretch);
   if (!instants) return Failed{};
   constexpr std::uint64_t kStages = 18;  // of the state, and copies of it
   const Scratch scratch(vm, kStages * start.size() * sizeof(double));
   if (!scratch.granted()) return Failed{};
   const int size = static_cast<int>(start.size());
   OdeIntegrator integrator(size, *method, tolerance);
-  Integration integration(vm, f, *instants, integrator);
-  WitnessesOfProgram program(vm, when.value_or(std::span<const Slot>()), kWhen);
+  Integration integration(vm, rate, *instants, integrator);
+  WitnessesOfProgram program(vm, settings.when, kWhen);
   if (program.empty()) return integration.run(start, tolerance);
   auto witnesses = program.witnesses();
   if (!witnesses) return Failed{};
   OdeEvents events(*std::move(witnesses), size, *method, tolerance);
   integration.wait_for(program, events);
   return integration.run(start, tolerance);
+}
+
+Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, double t0, double t1,
+                       double step, std::string_view method, double tolerance,
+                       std::optional<std::span<const double>> knots,
+                       std::optional<std::span<const Slot>> when) {
+  RateOfProgram rate(vm, f.object, kRate);
+  const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
+    return static_cast<bool>(rate(t, y, out));
+  };
+  return solve(vm, call, start,
+               {.stretch = {t0, t1, step, knots.value_or(std::span<const double>())},
+                .method = method,
+                .tolerance = tolerance,
+                .when = when.value_or(std::span<const Slot>())});
+}
+
+// The state is a struct of quantities; so is what the function gives, the rates of its fields.
+Answer<ListObj*> ode_with_units(Vm& vm, FunctionValue f, Slot from, double t0, double t1,
+                                double step, std::string_view method, double tolerance,
+                                std::optional<std::span<const double>> knots) {
+  const RecordObj& start = *static_cast<const RecordObj*>(from.o);  // S fits structs alone
+  const std::span<const double> values(reinterpret_cast<const double*>(start.fields()),
+                                       start.layout->size);
+  RateOfStructs rate(vm, f.object, *start.layout->type);
+  const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
+    return static_cast<bool>(rate(t, y, out));
+  };
+  const auto solution = solve(vm, call, values,
+                              {.stretch = {t0, t1, step, knots.value_or(std::span<const double>())},
+                               .method = method,
+                               .tolerance = tolerance});
+  if (!solution) return Failed{};
+  ListObj* const states = structs_of(vm, **solution, *start.layout->type);
+  release(vm, *solution);
+  if (states == nullptr) return Failed{};
+  return states;
 }
 
 Answer<RecordObj*> event(Vm& vm, Slot g, std::string_view direction, bool stop) {
@@ -288,6 +329,14 @@ constexpr NativeFunction kOdeFunctions[] = {
         "a "
         "function of `when` went through zero; one that stops makes the last row.",
         "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last"),
+    def<ode_with_units>(
+        "ode(f: fn(time, S) -> U, y0: S, t0: time, t1: time, step: time, method: string = \"rk4\", "
+        "tol: double = 1e-8, knots: time[]?) -> S[]",
+        "The same for a state with units, a struct of quantities: f(t, y) gives a struct whose "
+        "fields have the same names and are the rates of those of y. Gives the state at the start "
+        "and at the end of every step.",
+        "ode(fn(t: double, y: double[]) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last",
+        {.check = check_rates}),
     def<event>(
         "event(g: fn(double, double[]) -> double, direction: string = \"both\", stop: bool = "
         "false) -> "

@@ -44,6 +44,81 @@ Answer<void> RateOfProgram::operator()(double t, std::span<const double> y,
                  parameter_, "it gives the rate of change of every element of the state");
 }
 
+Answer<void> RateOfStructs::operator()(double t, std::span<const double> y,
+                                       std::span<double> rate) {
+  if (state_ == nullptr || state_->refs != 1) {  // the program may have kept the last one
+    release(vm_, state_);
+    state_ = new_record(vm_, &type_);
+    if (state_ == nullptr) return Failed{};
+  }
+  for (std::size_t i = 0; i < y.size(); ++i) state_->fields()[i].d = y[i];
+  const Slot arguments[] = {slot_of(t), slot_of(state_)};
+  Slot result;
+  if (!vm_.call(f_, arguments, result)) return Failed{};
+  const auto* rates = static_cast<const RecordObj*>(result.o);
+  for (std::size_t i = 0; i < rate.size(); ++i) rate[i] = rates->fields()[i].d;
+  release(vm_, result.o);
+  return {};
+}
+
+void check_rates(CheckCall& call) {
+  const Type* state = call.type(1);
+  const Type* function = call.type(0);
+  if (state == nullptr || !state->is(Kind::kRecord) || function == nullptr ||
+      !function->is(Kind::kFunction))
+    return;
+  const std::vector<RecordField>& fields = state->record->fields;
+  for (const RecordField& field : fields) {
+    if (field.type->is(Kind::kReal)) continue;
+    Diagnostic d = make_diagnostic("E0313", call.span(1),
+                                   {"ode", "a struct of quantities", type_phrase(state)});
+    d.why = fmt::format("`{}` is {}, which has no rate", field.name, type_phrase(field.type));
+    call.report(std::move(d));
+    return;
+  }
+  const Type* rates = function->result;
+  const bool is_struct =
+      rates->is(Kind::kRecord) && !rates->is_table() &&
+      std::ranges::equal(rates->record->fields, fields, {}, &RecordField::name, &RecordField::name);
+  if (!is_struct) {
+    Diagnostic d = make_diagnostic(
+        "E0313", call.span(0),
+        {"ode", fmt::format("a function that gives the rates of {}", type_phrase(state)),
+         "one that gives " + type_phrase(rates)});
+    d.why = "its result is a struct whose fields have the names of those of the state";
+    call.report(std::move(d));
+    return;
+  }
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const RecordField& rate = rates->record->fields[i];
+    const auto wanted = divide(fields[i].type->dim, dims::kTime);
+    if (!wanted || (rate.type->is(Kind::kReal) && rate.type->dim == *wanted)) continue;
+    Diagnostic d = make_diagnostic("E0401", call.span(0));
+    d.why = fmt::format("`{}` of the state is {}, so its rate is {}; `{}` of {} is {}", rate.name,
+                        dimension_phrase(fields[i].type->dim), dimension_phrase(*wanted), rate.name,
+                        type_name(rates), type_phrase(rate.type));
+    call.report(std::move(d));
+    return;
+  }
+}
+
+ListObj* structs_of(Vm& vm, const RecordObj& solution, const Type& type) {
+  const MatrixObj& states = states_of(solution);
+  ListObj* const list = new_list(vm, states.rows, true);
+  for (std::uint32_t row = 0; list != nullptr && row < states.rows; ++row) {
+    RecordObj* const state = new_record(vm, &type);
+    if (state == nullptr || !charge_work(vm, 2 * states.cols)) {
+      if (state != nullptr) release(vm, state);
+      release(vm, list);
+      return nullptr;
+    }
+    list->data[row].o = state;
+    for (std::uint32_t i = 0; i < states.cols; ++i)
+      state->fields()[i].d = states.data()[std::size_t{row} * states.cols + i];
+  }
+  return list;
+}
+
 Answer<std::vector<OdeWitness>> WitnessesOfProgram::witnesses() {
   std::vector<OdeWitness> out;
   for (const Slot event : events_) {

@@ -42,6 +42,26 @@ class RateOfProgram {
   StateArgument y_;
 };
 
+// The same where the state and its rates are structs of quantities, field by field.
+class RateOfStructs {
+ public:
+  RateOfStructs(Vm& vm, Obj* f, const Type& state) : vm_(vm), f_(f), type_(state) {}
+  ~RateOfStructs() { release(vm_, state_); }
+  RateOfStructs(const RateOfStructs&) = delete;
+  RateOfStructs& operator=(const RateOfStructs&) = delete;
+  Answer<void> operator()(double t, std::span<const double> y, std::span<double> rate);
+
+ private:
+  Vm& vm_;
+  Obj* f_;
+  const Type& type_;
+  RecordObj* state_ = nullptr;
+};
+// Each field of what f gives has the name of one of y0 and its unit per second.
+void check_rates(CheckCall& call);
+// The rows of a solution as structs; null: the failure is set.
+[[nodiscard]] ListObj* structs_of(Vm& vm, const RecordObj& solution, const Type& type);
+
 // What a program waits for in an integration: a list of OdeEvent.
 class WitnessesOfProgram {
  public:

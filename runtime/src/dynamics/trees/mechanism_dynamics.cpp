@@ -9,8 +9,8 @@
 #include "armlet/core/error.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "armlet/math/det_math.hpp"
-#include "model/body_inertia.hpp"
 #include "dynamics/spatial_arm.hpp"
+#include "model/body_inertia.hpp"
 
 namespace armlet {
 namespace {
