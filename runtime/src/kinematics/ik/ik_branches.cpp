@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "armlet/math/angles.hpp"
-#include "ik_reduced.hpp"
 #include "kinematics/self_motion/self_motion.hpp"
+#include "near_singular/ik_reduced.hpp"
 
 namespace armlet {
 namespace {
@@ -84,6 +84,8 @@ class BranchSearch {
     if (auto curve = reduced_curve(robot_, goal_, q); curve && !curve->is_idle) {
       bool inside = false;
       for (const JointArray& solution : curve->solutions) inside = take_exact(solution) || inside;
+      if (met && is_new(robot_, known_, to_vector(q, robot_.n()), kBeside))
+        inside = take_exact(q) || inside;
       reduced_.push_back({std::move(*curve), inside});
       return inside;
     }

@@ -16,7 +16,7 @@ constexpr double kLongestStep = 5e-3;
 constexpr double kFarthestStep = 2e-3;
 // Steps are halved, but for the smallest, while speeds are more uncertain than this, rad/s or m/s.
 constexpr double kSmallestStep = 1e-5;
-constexpr double kDoubt = 1e-9;
+constexpr double kDoubt = 1e-8;
 constexpr double kShareOfIdle = 0.7;     // of the limits, where a singular position is crossed
 constexpr double kLacking = 1e-6;        // of the velocity asked for
 constexpr double kRankThreshold = 1e-9;  // of the largest pivot
@@ -166,10 +166,14 @@ ToolRates ToolCommand::at(double t, const VectorXd& q) const {
   return rates;
 }
 
-// The rate of change of the speeds when the joints move with qd and the error stays.
+// The rate of change of the speeds when the joints move with qd and the error stays: differences of
+// order 4, so far apart that rounding, which the next law would begin with, is small.
 VectorXd ToolCommand::bend(const VectorXd& q, const VectorXd& qd, const VectorXd& x) const {
-  constexpr double kApart = 1e-6;  // s
-  return (speeds(q + kApart * qd, x) - speeds(q - kApart * qd, x)) / (2.0 * kApart);
+  constexpr double kApart = 2e-5;  // s
+  const auto change = [&](double s) {
+    return VectorXd(speeds(q + s * qd, x) - speeds(q - s * qd, x));
+  };
+  return (8.0 * change(kApart) - change(2.0 * kApart)) / (12.0 * kApart);
 }
 
 VectorXd ToolCommand::slope(double t, const VectorXd& q, const VectorXd& qd) const {

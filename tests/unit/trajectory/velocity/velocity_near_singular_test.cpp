@@ -160,6 +160,35 @@ TEST_CASE("near singular positions a velocity sent again and again is one sent o
   }
 }
 
+// Found among other seeds: the tool slows down first, and the law that follows begins with the
+// accelerations then.
+TEST_CASE("a command that slows the tool down first can be sent again like any other") {
+  const Robot robot = *make_robot("planar3");
+  using Joints3 = Eigen::Vector<double, 3>;
+  VelocityStart start{
+      .q = Joints3{0.57993064763467272, -0.031651879388724984, -1.394974673871807},
+      .qd = Joints3{-0.039197871254063453, 0.090912266267357378, -0.051178006325420439},
+      .qdd = Joints3{1.0946107273840702, -2.5387486290274048, 1.4291591083311108},
+      .fastest = ToolSpeeds{0.011210894515916729, 0.017509026003248575}};
+  const Vector6d twist{-0.0043663945235272155, 0.014495467953817218, 0.0, 0.0, 0.0,
+                       -0.0072742989017902078};
+  constexpr int kTimes = 12;
+  VelocityStart once = start, often = start;
+  often.during = 0.003;
+  once.during = kTimes * often.during;
+  const VelocityPlan whole = plan_tool_velocity(robot, once, twist);
+  REQUIRE(whole.motion);
+  go_on(*whole.motion, once);
+  for (int k = 0; k < kTimes; ++k) {
+    const VelocityPlan part = plan_tool_velocity(robot, often, twist);
+    REQUIRE(part.motion);
+    go_on(*part.motion, often);
+    often.same = part.take_up;
+  }
+  CHECK((once.q - often.q).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((once.qd - often.qd).cwiseAbs().maxCoeff() < 1e-9);
+}
+
 // Found among other seeds: the joints gain speed for another velocity when the command comes, and
 // the law that keeps the tool on the spot while it turns asks a little more of them than they have;
 // a joint has to go on through the position in which the elbow is stretched.

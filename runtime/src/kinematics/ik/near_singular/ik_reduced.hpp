@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ik_numeric.hpp"
+#include "kinematics/ik/ik_numeric.hpp"
 
 namespace armlet {
 

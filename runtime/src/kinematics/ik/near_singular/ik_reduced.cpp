@@ -59,7 +59,7 @@ class ReducedSearch {
       left.q = right.q = origin_;
       if (half < kShortestPiece) return std::nullopt;
       half *= 0.5;
-    } while (!settle(-2.0 * half, left) || !settle(2.0 * half, right));
+    } while (!reaches(-2.0 * half, left) || !reaches(2.0 * half, right));
     search(left, right);
     keep(start);
     if (walk(right, start)) return std::move(curve_);
@@ -119,6 +119,11 @@ class ReducedSearch {
       return std::isfinite(point.slope);
     }
     return false;
+  }
+
+  // The same, unless the curve bends away from its direction, or another one was met.
+  [[nodiscard]] bool reaches(double s, Point& point) {
+    return settle(s, point) && (point.q - origin_).norm() * kAhead <= std::abs(s);
   }
 
   // Where the height or the slope changes its sign between two points.
@@ -213,7 +218,7 @@ class ReducedSearch {
       Point left{.q = point.q};
       if (!settle(0.0, left)) return false;
       Point right = left;
-      while (!settle(length, right) || (right.q - left.q).norm() * kAhead > length) {
+      while (!reaches(length, right)) {
         length *= 0.5;
         right = left;
         if (length < kShortestPiece) return false;
