@@ -252,17 +252,17 @@ constexpr NativeFunction kWorldFunctions[] = {
     def<distance_of<RobotRef, ObjectRef>>(
         "distance(r: robot, o: object) -> length",
         "The smallest gap between an arm, with its hand and without what it holds, and an object.",
-        "distance(arm, object(\"cube\"))"),
-    def<distance_of<RobotRef, RobotRef>>("distance(r: robot, other: robot) -> length",
-                                         "The smallest gap between two arms.",
-                                         "distance(arm, other)"),
+        "distance(robots.ur5(), object(\"cube\"))"),
+    def<distance_of<RobotRef, RobotRef>>(
+        "distance(r: robot, other: robot) -> length", "The smallest gap between two arms.",
+        "distance(robots.ur5(), robots.scara(base: xyz(2000mm, 0mm, 0mm)))"),
     def<are_touching<ObjectRef, ObjectRef>>("touching(a: object, b: object) -> bool",
                                             "Whether two objects touch or overlap.",
                                             "touching(object(\"cube\"), object(\"table\"))"),
     def<are_touching<RobotRef, ObjectRef>>(
         "touching(r: robot, o: object) -> bool",
         "Whether an arm or its hand touches an object or overlaps it.",
-        "touching(arm, object(\"cube\"))"),
+        "touching(robots.ur5(), object(\"cube\"))"),
     def<top_grasp>("topGrasp(o: object, yaw: angle = 0rad) -> posC",
                    "The pose for grasping an object from above, at the upper end of what is long "
                    "and stands.",
