@@ -110,6 +110,7 @@ class Around {
   bool open_call(std::size_t opener) {
     if (opener == 0) return false;
     const Token& before = tokens_[opener - 1];
+    if (opener > 1 && word_of(tokens_[opener - 2].type).text == "fn") return false;  // a header
     OpenCall call;
     call.callee = {before.begin, before.end, 0};
     if (before.type == sign::kWith || before.type == sign::kPath) {
@@ -253,7 +254,14 @@ const Symbol* callee_symbol(const Facts& facts, const OpenCall& call, std::uint3
   if (call.kind == OpenCall::Kind::kWith || call.kind == OpenCall::Kind::kPath) return nullptr;
   const Reference* known = facts.reference_at(call.callee.begin);
   if (known != nullptr && known->name == call.callee) return &facts.names.symbols[known->symbol];
-  return facts.visible_at(at, call.name);
+  if (const Symbol* visible = facts.visible_at(at, call.name)) return visible;
+  if (!call.behind_point) return nullptr;
+  // A function of an imported file can be called with a value of its types in front.
+  const auto is_it = [&](const Symbol& symbol) {
+    return symbol.function != nullptr && symbol.of_file && symbol.name == call.name;
+  };
+  const auto found = std::ranges::find_if(facts.names.symbols, is_it);
+  return found != facts.names.symbols.end() ? &*found : nullptr;
 }
 
 int parameter_of(const Facts& facts, const OpenCall& call, const NativeFunction& function) {

@@ -29,6 +29,8 @@ void find_parameters(Overload& out) {
   }
 }
 
+Span in_main(const Facts& facts, Span span) { return {span.begin, span.end, facts.main_source()}; }
+
 std::optional<SignatureHelp> help_of_symbol(const Facts& facts, const OpenCall& call,
                                             const Symbol& symbol) {
   const std::span<const ast::Param> parameters =
@@ -59,11 +61,14 @@ std::optional<SignatureHelp> signature_help(const Facts& facts, std::uint32_t at
   if (!cursor.call || cursor.call->kind == OpenCall::Kind::kBlock) return std::nullopt;
   const OpenCall& call = *cursor.call;
   const Symbol* symbol = callee_symbol(facts, call, at);
+  if (symbol != nullptr && symbol->declared == in_main(facts, call.callee))
+    return std::nullopt;  // its own header
   if (symbol != nullptr && (symbol->function != nullptr || symbol->structure != nullptr))
     return help_of_symbol(facts, call, *symbol);
   SignatureHelp out;
   const Learnt::NativeUse* chosen = facts.native_at(call.callee.begin);
-  for (const NativeFunction* function : candidates(facts, call)) {
+  const std::vector<const NativeFunction*> all = candidates(facts, call);
+  for (const NativeFunction* function : all) {
     Overload one{.text = std::string(function->name.substr(function->name.rfind('.') + 1)) +
                          std::string(function->signature),
                  .help = std::string(function->help)};
@@ -72,7 +77,15 @@ std::optional<SignatureHelp> signature_help(const Facts& facts, std::uint32_t at
     out.overloads.push_back(std::move(one));
   }
   if (out.overloads.empty()) return std::nullopt;
-  out.parameter = parameter_of(facts, call, *candidates(facts, call)[out.active]);
+  // What is chosen for a call that is not whole may lack the parameter that is written next.
+  if (parameter_of(facts, call, *all[out.active]) < 0) {
+    const auto takes = [&](const NativeFunction* one) {
+      return parameter_of(facts, call, *one) >= 0;
+    };
+    const auto first = std::ranges::find_if(all, takes);
+    if (first != all.end()) out.active = static_cast<std::size_t>(first - all.begin());
+  }
+  out.parameter = parameter_of(facts, call, *all[out.active]);
   return out;
 }
 

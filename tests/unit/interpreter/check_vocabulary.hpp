@@ -137,12 +137,12 @@ struct Checked {
 
 inline std::unique_ptr<Checked> check_text(const std::string& text,
                                            const std::string& name = "cell.rbt") {
-  static const Registry registry = [] {
-    Registry made;
-    made.add_functions(kWords);
-    for (const NativeConstant& number : kNumbers) made.add_constant(number);
-    for (const HostType* type : {&kPosJ, &kPosC, &kRobot, &kRow}) made.add_type(*type);
-    made.add_record("Move", "reached: bool, stopped: bool, time: time");
+  static const auto registry = [] {
+    auto made = std::make_unique<Registry>();
+    made->add_functions(kWords);
+    for (const NativeConstant& number : kNumbers) made->add_constant(number);
+    for (const HostType* type : {&kPosJ, &kPosC, &kRobot, &kRow}) made->add_type(*type);
+    made->add_record("Move", "reached: bool, stopped: bool, time: time");
     return made;
   }();
   auto out = std::make_unique<Checked>();
@@ -154,7 +154,7 @@ inline std::unique_ptr<Checked> check_text(const std::string& text,
   FileTree file{.program = {}, .ok = parsed.ok};
   file.program.span = {0, static_cast<std::uint32_t>(text.size()), 0};
   file.program.body = tree.copy(parsed.statements);
-  out->ok = check_program({&file, 1}, out->program, registry, {.open = false}, sink) && parsed.ok;
+  out->ok = check_program({&file, 1}, out->program, *registry, {.open = false}, sink) && parsed.ok;
   out->messages = sink.take_sorted();
   return out;
 }

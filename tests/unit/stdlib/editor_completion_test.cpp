@@ -8,6 +8,7 @@
 
 #include "editor/facts.hpp"
 #include "editor_support.hpp"
+#include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 
 using namespace armlet;
@@ -29,35 +30,75 @@ bool can_be_offered(const lang::Facts& whole, const lang::Token& token) {
   return native != nullptr && native->name.begin == token.begin;
 }
 
+void show_miss(const Analysis& whole, const lang::Token& token, const std::string& what) {
+  if (std::getenv("ARMLET_SHOW_MISSES") == nullptr) return;
+  const Position at = whole.sources().position({token.begin, token.end, 0});
+  std::fprintf(stderr, "%s:%d:%d %s\n", whole.facts().main().name().c_str(), at.line, at.column,
+               what.c_str());
+}
+
+// How often help right behind `(` and `,` is the same in a text that ends there.
+struct HelpCount {
+  int asked = 0;
+  int same = 0;
+  int wants_place = 0;  // among the parameters
+  int has_place = 0;
+
+  void count(const Analysis& whole, const Analysis& cut, const lang::Token& token) {
+    if (token.type != lang::sign::kOpenParenthesis && token.type != lang::sign::kComma) return;
+    const auto expected = whole.signature_help(token.end);
+    if (!expected) return;
+    ++asked;
+    const auto found = cut.signature_help(token.end);
+    const auto texts = [](const SignatureHelp& help) {
+      std::string all;
+      for (const auto& overload : help.overloads) all += overload.text + '\n';
+      return all;
+    };
+    const bool is_same = found && texts(*found) == texts(*expected);
+    same += is_same ? 1 : 0;
+    if (!is_same)
+      show_miss(whole, token, "help: " + texts(*expected) + (found ? "but " + texts(*found) : ""));
+    // The value that comes next may be a setting.
+    if (!is_same || expected->parameter < 0) return;
+    has_place += found->parameter >= 0 ? 1 : 0;
+    ++wants_place;
+    if (found->parameter < 0) show_miss(whole, token, "place: " + texts(*expected));
+  }
+};
+
 }  // namespace
 
 TEST_CASE("at every cut of every example what was written next is offered") {
   int asked = 0;
   int offered = 0;
+  HelpCount help;
   for (const auto& path : programs_below("examples")) {
     const std::string text = read(path);
     Session session(library_engine(), options_for(path));
     const auto whole = session.analyse(text, path.filename().string());
-    for (const lang::Token& token : tokens_of(text)) {
+    const lang::Tokens tokens = tokens_of(text);
+    for (const lang::Token& token : tokens) {
       const auto cut = session.analyse(text.substr(0, token.begin), path.filename().string());
       const Completions list = cut->completion(token.begin);
       CHECK(list.replaced.end <= token.begin);
       (void)cut->hover(token.begin);
       (void)cut->signature_help(token.begin);
+      if (&token != tokens.data()) help.count(*whole, *cut, *(&token - 1));
       (void)cut->inlay_hints();
       if (!lang::is_name(token.type) || !can_be_offered(whole->facts(), token)) continue;
       ++asked;
       const std::string word = text.substr(token.begin, token.end - token.begin);
       const bool found = offers(list, word);
       offered += found ? 1 : 0;
-      if (!found && std::getenv("ARMLET_SHOW_MISSES") != nullptr) {
-        const Position at = whole->sources().position({token.begin, token.end, 0});
-        std::fprintf(stderr, "%s:%d:%d %s\n", path.filename().c_str(), at.line, at.column,
-                     word.c_str());
-      }
+      if (!found) show_miss(*whole, token, word);
     }
   }
   MESSAGE("offered " << offered << " of " << asked);
   CHECK(asked > 1000);
   CHECK(offered >= asked * 98 / 100);
+  MESSAGE("helped at " << help.same << " of " << help.asked);
+  CHECK(help.asked > 1000);
+  CHECK(help.same >= help.asked * 99 / 100);
+  CHECK(help.has_place >= help.wants_place * 99 / 100);
 }

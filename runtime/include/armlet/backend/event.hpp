@@ -178,8 +178,8 @@ struct FinalFigure {
 
 // Of what was told, the events with the numbers from `from` on are undone, because an entry failed
 // or the session went elsewhere; those below it count, also where an earlier mark said otherwise.
-// What is told next goes on with that number at the time `back_ns`, or where another run has come to
-// that takes its place (Session::change, take_up).
+// What is told next goes on with that number at the time `back_ns`, or where another run has come
+// to that takes its place (Session::change, take_up).
 //
 // number  one more than that of the last event before it; it is given once more.
 struct Undone {
@@ -194,7 +194,7 @@ struct EndRun {
   std::uint64_t number = 0;
 };
 
-// What a backend is told. BeginRun comes first, EndRun last; BeginRun again behind an Undone from 0.
+// What a backend is told. BeginRun comes first, and again behind an Undone from 0; EndRun last.
 using Event =
     std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
                  ObjectEvent, Note, FigureChanged, FinalFigure, Undone, EndRun>;
