@@ -23,6 +23,7 @@ export class Intents {
   private askedAt = 0;
   private input: { element: string; what: Input } | null = null;
   private givingInput = false;
+  private lastInputs = "";
   private pulling = false;
   private pullGoal: { robot: number; pose: Pose } | null = null;
 
@@ -44,6 +45,15 @@ export class Intents {
       this.givingInput = false;
     }
     const ended = (message.type === "run" && message.state !== "running") || (message.type === "diagnostics" && !message.runs);
+    // A run that goes on with an input, of whichever page, may have other values at the same instant.
+    if (message.type === "run" && message.run === this.state.shown && message.state !== "running") {
+      const key = `${message.run} ${message.inputs?.length ?? 0}`;
+      if (key !== this.lastInputs) {
+        this.lastInputs = key;
+        this.askedFor = "";
+        this.store.change((s) => (s.instant = null));
+      }
+    }
     if (message.type === "control" && this.state.text !== this.sentText) this.sendText();
     if (ended) {
       this.waitsForRun = false;
