@@ -18,6 +18,7 @@ constexpr double kShallow = 2e-3;        // m and rad left of the goal, to which
 constexpr double kPiece = 0.1;           // rad or m
 constexpr double kShortestPiece = 1e-3;  // rad or m
 constexpr int kMostPieces = 300;         // in one direction
+constexpr int kIdlePieces = 2;           // in one direction: then the goal is met all along
 constexpr double kAhead = 0.9;           // cosine between the directions at both ends of a piece
 constexpr double kLookAhead = 1e-4;      // rad or m, to see how a curve bends
 constexpr double kOne = 5e-7;            // rad or m; solutions no farther from their middle are one
@@ -225,6 +226,7 @@ class ReducedSearch {
       }
       search(left, right);
       keep(right.q);
+      if (curve_.is_idle && k >= kIdlePieces) return true;
       if (k > 1 && comes_back(left.q, right.q, start)) return true;
       point = right;
       length = std::min(kPiece, 1.5 * length);
