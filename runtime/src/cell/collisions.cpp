@@ -200,15 +200,21 @@ class CellScene {
     return false;
   }
 
-  // Its links among each other, and what it carries with all of them but the last.
+  // Its slim links among each other, and what it carries with all of them but the last.
   void add_own_pairs() {
-    for (const auto& [first, second] : arm_.derived<ArmSolids>().own_pairs())
-      scene_.pairs.push_back({.a = {0, first}, .b = {0, second}});
+    const ArmSolids& arm = arm_.derived<ArmSolids>();
+    const int slim = static_cast<int>(mine_.solids.size());
+    for (std::size_t i = 0; i < mine_.own; ++i) {
+      scene_.arms[0].solids.push_back(arm.slim()[i]);
+      names_[0].push_back(mine_.bodies[i]);
+    }
+    for (const auto& [first, second] : arm.own_pairs())
+      scene_.pairs.push_back({.a = {0, slim + first}, .b = {0, slim + second}});
     for (std::size_t i = mine_.own; i < mine_.solids.size(); ++i) {
       for (std::size_t k = 0; k < mine_.own; ++k) {
-        if (mine_.solids[k].frame >= arm_.derived<ArmSolids>().neighbour_of_last()) continue;
+        if (mine_.solids[k].frame >= arm.neighbour_of_last()) continue;
         scene_.pairs.push_back(
-            {.a = {0, static_cast<int>(i)}, .b = {0, static_cast<int>(k)}, .leaving = true});
+            {.a = {0, static_cast<int>(i)}, .b = {0, slim + static_cast<int>(k)}, .leaving = true});
       }
     }
   }

@@ -31,13 +31,32 @@ Eigen::Isometry3d T_frame_axis(const Robot& robot, int k) {
   return dh_pose(DhConvention::kModified, robot.joint(k).dh);
 }
 
-// Whether the axes of joints k and k + 1, counted from 1, are one.
+// From the axis of joint k to that of joint k + 1, counted from 1, but for the joint's own motion
+// along and about the former.
+Eigen::Isometry3d T_axis_next(const Robot& robot, int k) {
+  return T_frame_link(robot, k).inverse() * T_frame_axis(robot, k);
+}
+
+constexpr double kSameAxis = 1e-9;
+
+bool are_parallel(const Eigen::Isometry3d& T_axis_next) {
+  return T_axis_next.linear().col(2).head<2>().norm() < kSameAxis;
+}
+
+// Whether the axes of joints k and k + 1 are one.
 bool is_one_axis(const Robot& robot, int k) {
-  // From the axis of joint k to that of joint k + 1, but for the joint's own motion along and about
-  // the former.
-  const Eigen::Isometry3d T = T_frame_link(robot, k).inverse() * T_frame_axis(robot, k);
-  const double off = T.translation().head<2>().norm() + T.linear().col(2).head<2>().norm();
-  return off < 1e-9;
+  const Eigen::Isometry3d T = T_axis_next(robot, k);
+  return are_parallel(T) && T.translation().head<2>().norm() < kSameAxis;
+}
+
+// Whether only joints with parallel axes are between two frames. A joint table does not say where
+// along these axes links are: most arms have them side by side, drawn from the table they lie in
+// one plane.
+bool may_be_side_by_side(const Robot& robot, int lower, int upper) {
+  for (int k = lower + 1; k < upper; ++k) {
+    if (!are_parallel(T_axis_next(robot, k))) return false;
+  }
+  return true;
 }
 
 // The first frame that moves on the axis on which frame k moves.
@@ -173,6 +192,17 @@ std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
   return bodies;
 }
 
+// Half as thick. Shapes that follow from a joint table are thicker than most arms: a forearm passes
+// a column that it would cut as drawn.
+std::vector<ArmSolid> slimmed(std::vector<ArmSolid> bodies) {
+  for (ArmSolid& each : bodies) {
+    Solid& solid = each.solid;
+    if (solid.core == Solid::Core::kSegment) solid.margin *= 0.5;
+    if (solid.core == Solid::Core::kCylinder) solid.half.head<2>() *= 0.5;
+  }
+  return bodies;
+}
+
 // Within the limits; a joint without one turns once or slides by the length of the arm.
 Eigen::VectorXd random_position(const Robot& robot, Random& random) {
   Eigen::VectorXd q(robot.n());
@@ -202,7 +232,8 @@ class OwnPairs {
     for (const ArmSolid& each : bodies) placed_.push_back(each.solid);
     for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
       for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
-        if (frame(b) < first_on_axis(robot, std::max(frame(a), 1)) - 1)
+        if (frame(b) < first_on_axis(robot, std::max(frame(a), 1)) - 1 &&
+            !may_be_side_by_side(robot, frame(b), frame(a)))
           pairs_.push_back({.bodies = {a, b}});
       }
     }
@@ -265,7 +296,8 @@ class OwnPairs {
 
 ArmSolids::ArmSolids(const Robot& robot)
     : solids_(bodies_of(robot, robot.tool().length < kNoLength)),
-      own_pairs_(OwnPairs(robot, solids_).find()),
+      slim_(slimmed(solids_)),
+      own_pairs_(OwnPairs(robot, slim_).find()),
       neighbour_of_last_(first_on_axis(robot, robot.n()) - 1),
       is_bare_(robot.tool().length < kNoLength) {}
 

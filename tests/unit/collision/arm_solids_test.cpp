@@ -103,8 +103,8 @@ TEST_CASE("own pairs: neighbours never, nothing that overlaps at home") {
     CAPTURE(name);
     const ArmSolids& arm = robot->derived<ArmSolids>();
     for (const auto& [first, second] : arm.own_pairs()) {
-      const ArmSolid& a = arm.solids()[static_cast<std::size_t>(first)];
-      const ArmSolid& b = arm.solids()[static_cast<std::size_t>(second)];
+      const ArmSolid& a = arm.slim()[static_cast<std::size_t>(first)];
+      const ArmSolid& b = arm.slim()[static_cast<std::size_t>(second)];
       CHECK(a.frame > b.frame + 1);
       CHECK(
           gap_between(placed(*robot, a, robot->home()), placed(*robot, b, robot->home())).distance >

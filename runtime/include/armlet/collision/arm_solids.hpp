@@ -45,14 +45,19 @@ class ArmSolids {
   // Whether the end of the arm is a stick.
   [[nodiscard]] bool is_bare() const { return is_bare_; }
 
+  // The same bodies, half as thick: what the arm is compared with itself by.
+  [[nodiscard]] const std::vector<ArmSolid>& slim() const { return slim_; }
+
   // Pairs of its own bodies that a motion has to be checked for, first.frame > second.frame. Left
-  // out are those of one link and of neighbouring ones, those that overlap at home or in most of
-  // many random positions of the joints (there the shapes are coarser than the arm), and those that
-  // stay far apart in all of them.
+  // out are those of one link and of neighbouring ones, those with joints of parallel axes alone
+  // between them (a table does not tell whether the links lie side by side), those that overlap at
+  // home or in most of many random positions of the joints (there the shapes are coarser than the
+  // arm), and those that stay far apart in all of them.
   [[nodiscard]] const std::vector<std::pair<int, int>>& own_pairs() const { return own_pairs_; }
 
  private:
   std::vector<ArmSolid> solids_;
+  std::vector<ArmSolid> slim_;
   std::vector<std::pair<int, int>> own_pairs_;
   int neighbour_of_last_ = 0;
   bool is_bare_ = false;
