@@ -105,11 +105,15 @@ for (const name of names) {
       const t = Number(/^[\d.]+/.exec(await clock(page).innerText())[0]);
       await until(async () => Math.abs((await page.evaluate(() => globalThis.seenAt)) - t) < 0.006, () => `there are no values for ${t} s`);
       await page.waitForTimeout(700);
-      const picture = await page.screenshot();
       const file = join(root, `docs/images/${name.slice(0, 5)}.png`);
-      if (process.env.ARMLET_UPDATE_DOCS) writeFileSync(file, await pixelsOf(page, picture));
+      if (process.env.ARMLET_UPDATE_DOCS) writeFileSync(file, await pixelsOf(page, await page.screenshot()));
       assert.ok(existsSync(file), `${file} is missing`);
-      const { mean, most } = await difference(page, picture, readFileSync(file));
+      // On a busy machine figures and the view may be drawn a little later.
+      let mean = 255, most = 255;
+      for (let k = 0; k < 5 && (mean >= 3 || most >= 60); ++k) {
+        if (k > 0) await page.waitForTimeout(1000);
+        ({ mean, most } = await difference(page, await page.screenshot(), readFileSync(file)));
+      }
       assert.ok(mean < 3 && most < 60, `the picture differs from ${file}: ${mean.toFixed(2)} in the mean, ${most.toFixed(0)} in a square (${await clock(page).innerText()})`);
     }));
 }
