@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <utility>
 
 #include "armlet/core/format.hpp"
 #include "session/bind.hpp"
@@ -51,86 +53,58 @@ Answer<void> set_fraction(Vm& vm, double value) {
   return {};
 }
 
-struct TrackName {
-  std::string_view name;
-  Track track;
+// A setting that is one of a few names.
+//
+// cannot  what is said of a name that is none of them, in front of it.
+template <class T, std::size_t N>
+struct NamedChoices {
+  std::string_view setting;
+  std::string_view cannot;
+  T BlockSettings::*member;
+  std::pair<std::string_view, T> choices[N];
+
+  [[nodiscard]] const T* called(std::string_view name) const {
+    const auto* found = std::ranges::find(choices, name, &std::pair<std::string_view, T>::first);
+    return found != std::end(choices) ? &found->second : nullptr;
+  }
+  // "a", "b" or "c"
+  [[nodiscard]] std::string names() const {
+    std::string out;
+    for (std::size_t i = 0; i < N; ++i) {
+      out += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == N ? " or " : ", ", choices[i].first);
+    }
+    return out;
+  }
 };
-constexpr TrackName kTracks[] = {
-    {"exact", Track::kExact}, {"slow", Track::kSlow}, {"damped", Track::kDamped}};
 
-const TrackName* track_called(std::string_view name) {
-  const auto* found = std::ranges::find(kTracks, name, &TrackName::name);
-  return found != std::end(kTracks) ? found : nullptr;
-}
+constexpr NamedChoices<Track, 3> kTrack{
+    "track",
+    "lines cannot be tracked",
+    &BlockSettings::track,
+    {{"exact", Track::kExact}, {"slow", Track::kSlow}, {"damped", Track::kDamped}}};
+constexpr NamedChoices<TorqueCheck, 4> kTorques{"torques",
+                                                "torques cannot be checked",
+                                                &BlockSettings::torques,
+                                                {{"report", TorqueCheck::kReport},
+                                                 {"error", TorqueCheck::kError},
+                                                 {"ignore", TorqueCheck::kIgnore},
+                                                 {"limit", TorqueCheck::kLimit}}};
+constexpr NamedChoices<CollisionCheck, 3> kCollisions{"collisions",
+                                                      "collisions cannot be checked",
+                                                      &BlockSettings::collisions,
+                                                      {{"report", CollisionCheck::kReport},
+                                                       {"error", CollisionCheck::kError},
+                                                       {"ignore", CollisionCheck::kIgnore}}};
 
-Answer<void> set_track(Vm& vm, std::string_view name) {
-  const TrackName* found = track_called(name);
-  if (found == nullptr) {
+template <const auto& kSetting>
+Answer<void> set_choice(Vm& vm, std::string_view name) {
+  const auto* choice = kSetting.called(name);
+  if (choice == nullptr) {
     return failure(vm, "R0609",
-                   fmt::format("lines cannot be tracked \"{}\": it is \"exact\", \"slow\" or "
-                               "\"damped\"",
-                               name),
-                   0);
+                   fmt::format("{} \"{}\": it is {}", kSetting.cannot, name, kSetting.names()), 0);
   }
   BlockSettings settings = settings_of(vm);
-  settings.track = found->track;
-  replace_settings(vm, std::move(settings));
-  return {};
-}
-
-struct TorqueCheckName {
-  std::string_view name;
-  TorqueCheck check;
-};
-constexpr TorqueCheckName kTorqueChecks[] = {{"report", TorqueCheck::kReport},
-                                             {"error", TorqueCheck::kError},
-                                             {"ignore", TorqueCheck::kIgnore},
-                                             {"limit", TorqueCheck::kLimit}};
-
-const TorqueCheckName* torque_check_called(std::string_view name) {
-  const auto* found = std::ranges::find(kTorqueChecks, name, &TorqueCheckName::name);
-  return found != std::end(kTorqueChecks) ? found : nullptr;
-}
-
-Answer<void> set_torques(Vm& vm, std::string_view name) {
-  const TorqueCheckName* found = torque_check_called(name);
-  if (found == nullptr) {
-    return failure(vm, "R0609",
-                   fmt::format("torques cannot be checked \"{}\": it is \"report\", \"error\", "
-                               "\"ignore\" or \"limit\"",
-                               name),
-                   0);
-  }
-  BlockSettings settings = settings_of(vm);
-  settings.torques = found->check;
-  replace_settings(vm, std::move(settings));
-  return {};
-}
-
-struct CollisionCheckName {
-  std::string_view name;
-  CollisionCheck check;
-};
-constexpr CollisionCheckName kCollisionChecks[] = {{"report", CollisionCheck::kReport},
-                                                   {"error", CollisionCheck::kError},
-                                                   {"ignore", CollisionCheck::kIgnore}};
-
-const CollisionCheckName* collision_check_called(std::string_view name) {
-  const auto* found = std::ranges::find(kCollisionChecks, name, &CollisionCheckName::name);
-  return found != std::end(kCollisionChecks) ? found : nullptr;
-}
-
-Answer<void> set_collisions(Vm& vm, std::string_view name) {
-  const CollisionCheckName* found = collision_check_called(name);
-  if (found == nullptr) {
-    return failure(vm, "R0609",
-                   fmt::format("collisions cannot be checked \"{}\": it is \"report\", \"error\" "
-                               "or \"ignore\"",
-                               name),
-                   0);
-  }
-  BlockSettings settings = settings_of(vm);
-  settings.collisions = found->check;
+  settings.*kSetting.member = *choice;
   replace_settings(vm, std::move(settings));
   return {};
 }
@@ -159,26 +133,13 @@ void check_share(CheckCall& call, std::string_view what) {
   d.why = "inside `with` it is a fraction of what the joints can do";
   call.report(std::move(d));
 }
-void check_track_setting(CheckCall& call) {
+template <const auto& kSetting>
+void check_choice(CheckCall& call) {
   const auto constant = call.constant(0);
-  if (!constant || track_called(constant->text) != nullptr) return;
-  call.report(
-      make_diagnostic("E0513", call.span(0),
-                      {"track", "\"exact\", \"slow\" or \"damped\"", '"' + constant->text + '"'}));
-}
-void check_torques_setting(CheckCall& call) {
-  const auto constant = call.constant(0);
-  if (!constant || torque_check_called(constant->text) != nullptr) return;
+  if (!constant || kSetting.called(constant->text) != nullptr) return;
   call.report(make_diagnostic(
       "E0513", call.span(0),
-      {"torques", "\"report\", \"error\", \"ignore\" or \"limit\"", '"' + constant->text + '"'}));
-}
-void check_collisions_setting(CheckCall& call) {
-  const auto constant = call.constant(0);
-  if (!constant || collision_check_called(constant->text) != nullptr) return;
-  call.report(make_diagnostic(
-      "E0513", call.span(0),
-      {"collisions", "\"report\", \"error\" or \"ignore\"", '"' + constant->text + '"'}));
+      {std::string(kSetting.setting), kSetting.names(), '"' + constant->text + '"'}));
 }
 void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }
@@ -199,15 +160,15 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "with.tool(tool: posC)",
         "Moves inside the block bring this point, seen from the flange, to their targets.",
         "with (tool: xyz(z: 20mm)) { moveJ(xyz(300mm, 200mm, 200mm)) }"),
-    def<set_track>(
+    def<set_choice<kTrack>>(
         "with.track(track: string)",
         "How moveL and moveCirc inside the block follow their way where joints would have to be "
         "fast, next to a singularity. \"exact\": the whole move is so slow that they can. "
         "\"slow\": it slows down only there. \"damped\": the joints stay slow and the hand "
         "leaves its way a little; the Move says how far, as its deviation.",
         "with (track: \"slow\") { moveL(xyz(300mm, 200mm, 200mm), speed: 200mm/s) }",
-        {.check = check_track_setting}),
-    def<set_torques>(
+        {.check = check_choice<kTrack>}),
+    def<set_choice<kTorques>>(
         "with.torques(torques: string)",
         "What becomes of a move inside the block that asks motors for more than the maxTorque of "
         "their joints. \"report\", as outside of any block: it is made, and advice says so. "
@@ -216,14 +177,14 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "a time take as long as the motors need; those planned with Fastest use what the motors "
         "give "
         "instead of maxAccel.",
-        "with (torques: \"error\") { moveJ(home()) }", {.check = check_torques_setting}),
-    def<set_collisions>(
+        "with (torques: \"error\") { moveJ(home()) }", {.check = check_choice<kTorques>}),
+    def<set_choice<kCollisions>>(
         "with.collisions(collisions: string)",
         "What becomes of a move inside the block in which the arm, or what it carries, would run "
         "into an object, another robot or itself. \"report\", as outside of any block: it is made, "
         "and advice says which bodies meet, when, where and how deep. \"error\": it is refused "
         "before it starts. \"ignore\": it is made.",
-        "with (collisions: \"error\") { moveJ(home()) }", {.check = check_collisions_setting}),
+        "with (collisions: \"error\") { moveJ(home()) }", {.check = check_choice<kCollisions>}),
     def<set_frame_position>(
         "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
         "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),
