@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -171,19 +170,6 @@ struct LibraryRecords {
   const RecordLayout* error = nullptr;  // one slot more than the type says: the hidden fault
 };
 
-// Whose turn it is to run the program: vm/turn.hpp.
-struct Turns {
-  std::atomic<const void*> runs{nullptr};  // the thread that does (this_thread); null: none
-  bool is_plain = false;                   // its turn is one of `plain`, not of the owner
-  // The first thread that runs it owns it, and alone writes whether it is in a turn, until another
-  // one comes.
-  std::atomic<const void*> owner{nullptr};
-  std::atomic<bool> owner_is_in{false};
-  std::atomic<bool> has_no_owner{false};  // from now on
-  std::atomic<const void*> plain{nullptr};
-  std::mutex changing_owner{};
-};
-
 // What the host that owns the Vm asks of it between its runs, and what it gives and takes.
 struct HostAccess {
   std::uint32_t calls = 0;             // that native functions have prepared
@@ -193,11 +179,11 @@ struct HostAccess {
   const void* stack_thread = nullptr;  // whose stack is known to be ample from here up to there
   std::uintptr_t ample_from = 0;
   std::uintptr_t ample_bytes = 0;
-  std::optional<BegunCall> call{};  // a function runs instead of the program
-  std::uint64_t started = 0;        // tasks that the host has started
-  bool is_read = false;             // and no trace may stay
-  Turns turns{};
-  std::uint64_t output_left = 0;    // bytes
+  std::optional<BegunCall> call{};           // a function runs instead of the program
+  std::uint64_t started = 0;                 // tasks that the host has started
+  bool is_read = false;                      // and no trace may stay
+  std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
+  std::uint64_t output_left = 0;             // bytes
   std::function<void()> on_look{};  // for tests: called at every look at the wish to cancel
 };
 

@@ -5,40 +5,17 @@
 
 namespace armlet::lang {
 
-// A turn of a thread that is not the owner, or not yet.
-//
-// throws  ArgumentError as begin_turn.
-void take_turn(Turns& turns);
+// Says why the Vm is busy.
+[[noreturn]] void refuse_turn(const void* other);
 
-// The owner's turns take no instruction that all threads have to see at once: others see to that
-// when they come (turn.cpp).
-//
 // throws  ArgumentError if somebody else's turn has not ended.
-[[gnu::always_inline]] inline void begin_turn(VmState& state) {
-  Turns& turns = state.host.turns;
-  const void* const me = this_thread();
-  if (turns.owner.load(std::memory_order_relaxed) == me &&
-      !turns.owner_is_in.load(std::memory_order_relaxed)) [[likely]] {
-    turns.owner_is_in.store(true, std::memory_order_relaxed);
-    std::atomic_signal_fence(std::memory_order_seq_cst);
-    if (turns.owner.load(std::memory_order_relaxed) == me) [[likely]] {
-      turns.runs.store(me, std::memory_order_relaxed);
-      return;
-    }
-    turns.owner_is_in.store(false, std::memory_order_release);
-  }
-  take_turn(turns);
+inline void begin_turn(VmState& state) {
+  const void* other = nullptr;
+  if (!state.host.thread.compare_exchange_strong(other, this_thread(), std::memory_order_acquire))
+    [[unlikely]]
+    refuse_turn(other);
 }
-[[gnu::always_inline]] inline void end_turn(VmState& state) {
-  Turns& turns = state.host.turns;
-  turns.runs.store(nullptr, std::memory_order_relaxed);
-  if (!turns.is_plain) [[likely]] {
-    turns.owner_is_in.store(false, std::memory_order_release);
-  } else {
-    turns.is_plain = false;
-    turns.plain.store(nullptr, std::memory_order_release);
-  }
-}
+inline void end_turn(VmState& state) { state.host.thread.store(nullptr, std::memory_order_release); }
 
 // While it lives the program belongs to this thread: its functions can be called.
 class Turn {

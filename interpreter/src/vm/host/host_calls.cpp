@@ -83,7 +83,7 @@ namespace {
 
 // The machine, when its program may be called here and now.
 Vm::State& require_running(Vm::State& state) {
-  const void* thread = state.host.turns.runs.load(std::memory_order_relaxed);
+  const void* thread = state.host.thread.load(std::memory_order_relaxed);
   if (thread == lang::this_thread()) [[likely]]
     return state;
   throw ArgumentError(

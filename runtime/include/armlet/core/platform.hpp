@@ -44,12 +44,6 @@ class ReservedMemory {
 // Lets other threads go on, for those who wait for a moment.
 void yield_thread();
 
-// As if every other thread of the process came to a full fence now, so that these need none where
-// they meet this one seldom. It takes about a microsecond.
-//
-// returns  false where the system cannot do so.
-[[nodiscard]] bool fence_other_threads();
-
 // Calls a function in a thread of its own when the time has passed, counted from now. Destroyed
 // earlier, it does nothing; destroyed while the function runs, it waits for its end.
 class Alarm {

@@ -22,7 +22,6 @@ std::int64_t steady_time_ns() {
 }
 
 void yield_thread() {}
-bool fence_other_threads() { return true; }
 
 struct Alarm::State {};
 

@@ -2,11 +2,6 @@
 
 #include <dlfcn.h>
 #include <sys/mman.h>
-#ifdef __linux__
-#include <linux/membarrier.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-#endif
 
 #include <chrono>
 #include <condition_variable>
@@ -37,16 +32,6 @@ std::int64_t steady_time_ns() {
 }
 
 void yield_thread() { std::this_thread::yield(); }
-
-bool fence_other_threads() {
-#ifdef __linux__
-  static const bool is_registered =
-      ::syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
-  return is_registered && ::syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) == 0;
-#else
-  return false;
-#endif
-}
 
 // ---- Alarm ------------------------------------------------------------------------------------
 
