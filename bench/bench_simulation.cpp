@@ -77,6 +77,6 @@ int main(int argc, char** argv) {
   std::printf("%d moves in %g s, every millisecond looked at\n", done.moves, done.seconds);
   std::printf("%-44s %12s %12s %14s\n", "", "time", "x KDL FK", "x real time");
   print("for the first time in a process", cold, whole.theirs, done.seconds);
-  print("then, median (target 2000 x real time)", whole.ours, whole.theirs, done.seconds);
+  print("then, median (target 1500 x real time)", whole.ours, whole.theirs, done.seconds);
   print("  of which reading and checking it", read.ours, read.theirs, done.seconds);
 }

@@ -11,7 +11,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kNoSlope = 1e-12;    // below it a row does not restrict the acceleration
 constexpr double kLeastSpeed = 1e-4;  // of the highest squared speed, where tangents are taken
 constexpr double kMostTaken = 0.9;    // of the room that a limit leaves, when it is made stricter
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -16,6 +18,8 @@ struct BoundLine {
   double at_rest = 0.0, slope = 0.0;
 };
 
+constexpr double kNoSlope = 1e-12;  // a coefficient below it does not restrict the acceleration
+
 // Between two positions along a path: u is at most all of `upper` and at least all of `lower`, and
 // x is at most x_most.
 struct SpeedStrips {
@@ -24,6 +28,17 @@ struct SpeedStrips {
 
   // a u + b x <= c. Where a is next to zero it is a limit of x.
   void add(double a, double b, double c);
+  // |a u + b x| <= c.
+  void add_both(double a, double b, double c) {
+    const double size = std::abs(a);
+    if (size < kNoSlope) {
+      if (std::abs(b) * x_most > c) x_most = std::max(c, 0.0) / std::abs(b);
+      return;
+    }
+    const double at_rest = c / size, slope = -b / a;
+    upper.push_back({at_rest, slope});
+    lower.push_back({-at_rest, slope});
+  }
 };
 
 // The motors of an arm along q(s). At path speed sqrt(x) and acceleration u along the path a joint

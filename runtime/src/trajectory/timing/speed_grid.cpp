@@ -13,12 +13,6 @@ PathSlopes slopes_at(const Segment& p, double s) {
   return {p.c[1] + u * (2.0 * p.c[2] + u * 3.0 * p.c[3]), 2.0 * p.c[2] + 6.0 * u * p.c[3]};
 }
 
-// |a u + b x| <= A.
-void add_both(SpeedStrips& strips, double a, double b, double A) {
-  strips.add(a, b, A);
-  strips.add(-a, -b, A);
-}
-
 }  // namespace
 
 std::size_t piece_behind(std::span<const Segment> pieces, std::size_t piece, double s) {
@@ -131,17 +125,17 @@ const SpeedStrips& SpeedGrid::between(std::size_t k) {
   for (std::size_t i = 0; i < n_; ++i) {
     const double A = limits_[i].acceleration / over_[k].acceleration;
     if (!std::isfinite(A)) continue;
-    add_both(strips_, first_[k * n_ + i], second_[k * n_ + i], A);
+    strips_.add_both(first_[k * n_ + i], second_[k * n_ + i], A);
     const double curve = second_[(k + 1) * n_ + i];
-    add_both(strips_, first_[(k + 1) * n_ + i] + twice * curve, curve, A);
+    strips_.add_both(first_[(k + 1) * n_ + i] + twice * curve, curve, A);
   }
   for (const SpeedZone& zone : zones_) {
     const bool overlaps = s_[k + 1] > zone.from + kSameKnot && s_[k] < zone.to - kSameKnot;
     if (!overlaps || !std::isfinite(zone.acceleration)) continue;
     const double A = zone.acceleration / over_[k].acceleration;
-    add_both(strips_, travel_first_[k], travel_second_[k], A);
-    add_both(strips_, travel_first_[k + 1] + twice * travel_second_[k + 1], travel_second_[k + 1],
-             A);
+    strips_.add_both(travel_first_[k], travel_second_[k], A);
+    strips_.add_both(travel_first_[k + 1] + twice * travel_second_[k + 1], travel_second_[k + 1],
+                     A);
   }
   if (motors_ != nullptr) motors_->add_to(strips_, k, twice);
   return strips_;
@@ -149,18 +143,21 @@ const SpeedStrips& SpeedGrid::between(std::size_t k) {
 
 SpeedGrid::Range SpeedGrid::range(double x) const {
   Range r;
+  // Values are selected, not branched upon: which line counts is different at each position.
+  const BoundLine* best = &r.upper;
   for (const BoundLine& line : strips_.upper) {
     const double u = line.at_rest + line.slope * x;
-    if (u >= r.most) continue;
-    r.most = u;
-    r.upper = line;
+    best = u < r.most ? &line : best;
+    r.most = u < r.most ? u : r.most;
   }
+  r.upper = *best;
+  best = &r.lower;
   for (const BoundLine& line : strips_.lower) {
     const double u = line.at_rest + line.slope * x;
-    if (u <= r.least) continue;
-    r.least = u;
-    r.lower = line;
+    best = u > r.least ? &line : best;
+    r.least = u > r.least ? u : r.least;
   }
+  r.lower = *best;
   return r;
 }
 
