@@ -14,6 +14,7 @@
 #include "armlet/dynamics/simulation.hpp"
 #include "armlet/model/catalog.hpp"
 #include "bench.hpp"
+#include "instruction_sets.hpp"
 #include "kdl_dynamics.hpp"
 #include "kdl_peer.hpp"
 
@@ -22,14 +23,6 @@ namespace {
 
 constexpr int kMotions = 1000;
 constexpr int kRounds = 41;
-
-struct NamedSet {
-  InstructionSet set;
-  const char* name;
-};
-constexpr NamedSet kSets[] = {{InstructionSet::kBaseline, "SSE2"},
-                              {InstructionSet::kAvx2, "AVX2"},
-                              {InstructionSet::kAvx512, "AVX-512"}};
 
 Robot without_motors(const Robot& robot) {
   RobotSpec spec = robot.spec();

@@ -13,6 +13,7 @@
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/model/catalog.hpp"
 #include "bench.hpp"
+#include "instruction_sets.hpp"
 #include "kdl_peer.hpp"
 #include "kinematics/closed_form/canonical_rows.hpp"
 #include "kinematics/closed_form/closed_lanes.hpp"
@@ -24,14 +25,6 @@ constexpr int kConfigurations = 1000;
 constexpr int kRounds = 31;
 constexpr double kTolerance = 1e-5;  // m and rad, of inverse kinematics
 constexpr int kStarts = 100;
-
-struct NamedSet {
-  InstructionSet set;
-  const char* name;
-};
-constexpr NamedSet kSets[] = {{InstructionSet::kBaseline, "SSE2"},
-                              {InstructionSet::kAvx2, "AVX2"},
-                              {InstructionSet::kAvx512, "AVX-512"}};
 
 std::vector<Eigen::VectorXd> random_configurations(const Robot& robot) {
   Random random(1);

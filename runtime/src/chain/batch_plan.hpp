@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "armlet/chain/instruction_set.hpp"
 #include "armlet/chain/walk_plan.hpp"
 #include "batch_arm.hpp"
 
@@ -27,5 +30,19 @@ inline BatchArm batch_arm(const WalkPlan& plan) {
           .has_a = plan.has_a.data(),
           .twist = reinterpret_cast<const unsigned char*>(plan.twist.data())};
 }
+
+// Of the same kernels for three sets those for `set`. Fewer items than lanes are a matter for a
+// narrower set: the bits are the same.
+template <class Kernels>
+const Kernels& kernels_for(InstructionSet set, std::size_t count, const Kernels& avx512,
+                           const Kernels& avx2, const Kernels& baseline) {
+  if (set == InstructionSet::kAvx512 && count >= avx512.lanes) return avx512;
+  if (set >= InstructionSet::kAvx2 && count >= avx2.lanes) return avx2;
+  return baseline;
+}
+
+// How many configurations of n joints there are in `q`.
+// throws  ArgumentError if the last one is not whole.
+std::size_t count_configurations(std::span<const double> q, std::size_t n);
 
 }  // namespace armlet

@@ -24,12 +24,8 @@ template <class Q>
 Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList accels,
                             std::optional<JointList> load) {
   const Robot& robot = loaded_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  const auto qd = joint_argument(vm, robot, rates, 2);
-  if (!qd) return Failed{};
-  const auto qdd = joint_argument(vm, robot, accels, 3);
-  if (!qdd) return Failed{};
+  const auto motion = joint_arguments(vm, robot, values, rates, accels);
+  if (!motion) return Failed{};
   Vector6d wrench = Vector6d::Zero();
   if (load) {
     if (load->size() != 6) {
@@ -42,21 +38,20 @@ Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates
                           Vector6d(Eigen::Map<const Vector6d>(load->data())));
   }
   return dynamics_of<JointVector>(vm, [&] {
-    return load ? inverse_dynamics(robot, *q, *qd, *qdd, wrench)
-                : inverse_dynamics(robot, *q, *qd, *qdd);
+    const auto& [q, qd, qdd] = *motion;
+    return load ? inverse_dynamics(robot, q, qd, qdd, wrench) : inverse_dynamics(robot, q, qd, qdd);
   });
 }
 
 template <class Q>
 Answer<JointVector> forward(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList tau) {
   const Robot& robot = loaded_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  const auto qd = joint_argument(vm, robot, rates, 2);
-  if (!qd) return Failed{};
-  const auto forces = joint_argument(vm, robot, tau, 3);
-  if (!forces) return Failed{};
-  return dynamics_of<JointVector>(vm, [&] { return forward_dynamics(robot, *q, *qd, *forces); });
+  const auto given = joint_arguments(vm, robot, values, rates, tau);
+  if (!given) return Failed{};
+  return dynamics_of<JointVector>(vm, [&] {
+    const auto& [q, qd, forces] = *given;
+    return forward_dynamics(robot, q, qd, forces);
+  });
 }
 
 template <class Result, class Q, class Law>
@@ -87,11 +82,9 @@ Answer<double> potential_of(Vm& vm, const RobotRef& r, Q values) {
 template <class Result, class Q, class Law>
 Answer<Result> of_motion(Vm& vm, const RobotRef& r, Q values, JointList rates, const Law& law) {
   const Robot& robot = loaded_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  const auto qd = joint_argument(vm, robot, rates, 2);
-  if (!qd) return Failed{};
-  return dynamics_of<Result>(vm, [&] { return law(robot, *q, *qd); });
+  const auto given = joint_arguments(vm, robot, values, rates);
+  if (!given) return Failed{};
+  return dynamics_of<Result>(vm, [&] { return law(robot, (*given)[0], (*given)[1]); });
 }
 
 template <class Q>

@@ -15,13 +15,10 @@ template <class Q>
 Answer<Eigen::MatrixXd> regressor(Vm& vm, const RobotRef& r, Q values, JointList rates,
                                   JointList accels) try {
   const Robot& robot = loaded_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  const auto qd = joint_argument(vm, robot, rates, 2);
-  if (!qd) return Failed{};
-  const auto qdd = joint_argument(vm, robot, accels, 3);
-  if (!qdd) return Failed{};
-  return dynamics_regressor(robot, *q, *qd, *qdd);
+  const auto motion = joint_arguments(vm, robot, values, rates, accels);
+  if (!motion) return Failed{};
+  const auto& [q, qd, qdd] = *motion;
+  return dynamics_regressor(robot, q, qd, qdd);
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0640"), error);
 }

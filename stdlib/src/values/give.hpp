@@ -1,6 +1,8 @@
 #pragma once
 // Joint values as arguments.
 
+#include <array>
+
 #include "motion/moves.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -16,6 +18,22 @@ Answer<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, JointList val
 Answer<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, const PosJ& values,
                                        int parameter);
 
+// Those of the arguments 1, 2 and so on.
+template <class... Lists>
+Answer<std::array<Eigen::VectorXd, sizeof...(Lists)>> joint_arguments(Vm& vm, const Robot& robot,
+                                                                      const Lists&... lists) {
+  std::array<Eigen::VectorXd, sizeof...(Lists)> values;
+  int parameter = 0;
+  const auto read = [&](const auto& list) {
+    auto given = joint_argument(vm, robot, list, parameter + 1);
+    if (!given) return false;
+    values[static_cast<std::size_t>(parameter++)] = *std::move(given);
+    return true;
+  };
+  if (!(read(lists) && ...)) return Failed{};
+  return values;
+}
+
 // law(robot, q) for the joint values of argument 1; a failure if they do not suit the robot.
 template <class Result, class Q, class Law>
 Answer<Result> at_joints(Vm& vm, const RobotRef& r, Q values, const Law& law) {
@@ -29,11 +47,10 @@ Answer<Result> at_joints(Vm& vm, const RobotRef& r, Q values, const Law& law) {
 template <class Result, class Q, class Rates, class Law>
 Answer<Result> at_joint_speeds(Vm& vm, const RobotRef& r, Q values, Rates rates, const Law& law) {
   const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
-  if (!q) return Failed{};
-  const auto qd = joint_argument(vm, robot, rates, 2);
-  if (!qd) return Failed{};
-  return Answer<Result>(law(robot, *q, *qd));
+  const auto given = joint_arguments(vm, robot, values, rates);
+  if (!given) return Failed{};
+  const auto& [q, qd] = *given;
+  return Answer<Result>(law(robot, q, qd));
 }
 
 // The joint values from which a robot looks for others: those of an argument, or the present ones.

@@ -13,17 +13,13 @@
 #include "armlet/stdlib/host.hpp"
 #include "library.hpp"
 #include "registry.hpp"
+#include "sanitized.hpp"
 #include "vm/state.hpp"
 
 using namespace armlet;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 constexpr std::uint64_t kItems = kSanitized ? 20'000 : 200'000;  // of every large argument
 
 // Time of the processor for this thread, which other programs do not lengthen.

@@ -11,11 +11,8 @@
 namespace armlet {
 namespace {
 
-// Fewer motions than lanes are a matter for a narrower set: the bits are the same.
 const DynamicsBatchKernels& kernels_for(InstructionSet set, std::size_t count) {
-  if (set == InstructionSet::kAvx512 && count >= kAvx512Dynamics.lanes) return kAvx512Dynamics;
-  if (set >= InstructionSet::kAvx2 && count >= kAvx2Dynamics.lanes) return kAvx2Dynamics;
-  return kBaselineDynamics;
+  return kernels_for(set, count, kAvx512Dynamics, kAvx2Dynamics, kBaselineDynamics);
 }
 
 // The baseline has two lanes, of which a single motion fills one.
@@ -51,11 +48,7 @@ void inverse_dynamics_batch(const Robot& robot, std::span<const double> q,
                             std::span<double> tau, InstructionSet set) {
   check_supported(set);
   const std::size_t n = static_cast<std::size_t>(robot.n());
-  const std::size_t count = q.size() / n;
-  if (count * n != q.size()) {
-    throw ArgumentError(
-        fmt::format("`q` has {} elements; expected a multiple of the {} joints.", q.size(), n));
-  }
+  const std::size_t count = count_configurations(q, n);
   const Eigen::Index expected = static_cast<Eigen::Index>(q.size());
   check_size("qd", static_cast<Eigen::Index>(qd.size()), expected);
   check_size("qdd", static_cast<Eigen::Index>(qdd.size()), expected);

@@ -11,11 +11,8 @@ namespace armlet {
 
 namespace {
 
-// Fewer configurations than lanes are a matter for a narrower set: the bits are the same.
 const BatchKernels& kernels_for(InstructionSet set, std::size_t count) {
-  if (set == InstructionSet::kAvx512 && count >= kAvx512Batch.lanes) return kAvx512Batch;
-  if (set >= InstructionSet::kAvx2 && count >= kAvx2Batch.lanes) return kAvx2Batch;
-  return kBaselineBatch;
+  return kernels_for(set, count, kAvx512Batch, kAvx2Batch, kBaselineBatch);
 }
 
 // One configuration, with nothing to complain of.
@@ -30,11 +27,7 @@ std::size_t checked_count(const Robot& robot, std::span<const double> q, std::si
                           std::span<double> out, std::string_view out_name, InstructionSet set) {
   check_supported(set);
   const std::size_t n = static_cast<std::size_t>(robot.n());
-  const std::size_t count = q.size() / n;
-  if (count * n != q.size()) {
-    throw ArgumentError(
-        fmt::format("`q` has {} elements; expected a multiple of the {} joints.", q.size(), n));
-  }
+  const std::size_t count = count_configurations(q, n);
   check_size(out_name, static_cast<Eigen::Index>(out.size()),
              static_cast<Eigen::Index>(entries * count));
   return count;

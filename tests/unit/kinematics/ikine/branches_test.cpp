@@ -16,17 +16,14 @@
 #include "armlet/model/catalog.hpp"
 #include "kinematics/ik/ik_search.hpp"
 #include "random_arm.hpp"
+#include "sanitized.hpp"
 
 using namespace armlet;
 using Eigen::VectorXd;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kScale = 20;
-#else
-constexpr int kScale = 1;
-#endif
+constexpr int kScale = kSanitized ? 20 : 1;
 
 // Six joints that neither meet nor are parallel; every other one has a slide.
 Robot general_arm(Random& random, bool slides) {

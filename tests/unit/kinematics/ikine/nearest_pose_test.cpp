@@ -12,6 +12,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
 #include "random_arm.hpp"
+#include "sanitized.hpp"
 
 using namespace armlet;
 using Eigen::Isometry3d;
@@ -20,11 +21,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kGoals = 2;
-#else
-constexpr int kGoals = 15;
-#endif
+constexpr int kGoals = kSanitized ? 2 : 15;
 
 double distance(const Robot& robot, const VectorXd& q, const Vector3d& p) {
   return (forward(robot, q).translation() - p).norm();

@@ -19,6 +19,7 @@
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
 #include "random_arm.hpp"
+#include "sanitized.hpp"
 
 using namespace armlet;
 using Eigen::Isometry3d;
@@ -26,11 +27,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kScale = 20;
-#else
-constexpr int kScale = 1;
-#endif
+constexpr int kScale = kSanitized ? 20 : 1;
 
 // A joint at its copy inside the limits that is nearest to the seed; how far
 // that is.
