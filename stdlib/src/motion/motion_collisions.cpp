@@ -30,7 +30,7 @@ std::string circumstances(const CellCollision& met, double duration) {
 std::string remedy(const CellCollision& met) {
   const bool at_hand = !met.body.object.empty() || is_hand(met.body.role);
   const bool is_object = !met.other.object.empty() && met.other.robot < 0;
-  if (met.at_start) return "free the two before";
+  if (met.at_start) return "move the two apart before this move";
   if (at_hand && is_object && met.higher > 0.0) {
     const double mm = std::ceil(1e3 * met.higher - 0.1);
     return fmt::format("{} at least {:.0f} mm higher", met.at_end ? "end it" : "pass there", mm);

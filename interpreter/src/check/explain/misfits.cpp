@@ -106,8 +106,9 @@ void report_unknown_setting(Checker& checker, std::string_view name, const Signa
 void report_count(Checker& checker, std::string_view name, const Signature& signature, Span callee,
                   const std::vector<Argument>& arguments, const Fit& fit) {
   const bool missing = fit.problem == Fit::Problem::kMissing;
-  const auto positional = [](const Argument& argument) { return argument.name.empty(); };
-  if (missing && !arguments.empty() && std::ranges::none_of(arguments, positional)) {
+  // A number of values says nothing where some are given by name.
+  const auto by_name = [](const Argument& argument) { return !argument.name.empty(); };
+  if (missing && std::ranges::any_of(arguments, by_name)) {
     checker.report(make_diagnostic("E0327", callee,
                                    {std::string(name), signature.parameters[fit.parameter].name}));
     return;
