@@ -17,10 +17,16 @@
 namespace armlet::bind {
 namespace {
 
-// The parameters in their order, which failures mark.
-enum Parameter { kRate, kStart, kFrom, kTo, kStepSize, kMethod, kTolerance, kKnots, kWhen };
+// The parameters that failures mark, by their place in the signature that was called.
+constexpr int kRate = 0, kStart = 1;
+struct Marks {
+  int from, to, step, method, tolerance, knots, when;
+};
+constexpr Marks kFromTo{2, 3, 4, 5, 6, 7, 8};  // ode(f, y0, t0, t1, step, ...)
+constexpr Marks kDuring{2, 2, 3, 4, 5, 6, 7};  // ode(f, y0, during, step, ...)
 
 constexpr double kMostSteps = 10'000'000;
+constexpr double kUsualSteps = 100.0;  // where none is asked for
 
 // The stretch of time and its steps.
 struct Stretch {
@@ -28,24 +34,34 @@ struct Stretch {
   double t1 = 0.0;
   double step = 0.0;
   std::span<const double> knots{};
+  Marks marks = kFromTo;
 };
 
 // Whether the stretch and the step make sense.
 Answer<void> check_times(Vm& vm, const Stretch& stretch) {
-  int parameter = kFrom;
-  for (const double t : {stretch.t0, stretch.t1, stretch.step}) {
+  const Marks& marks = stretch.marks;
+  const std::pair<double, int> times[] = {
+      {stretch.t0, marks.from}, {stretch.t1, marks.to}, {stretch.step, marks.step}};
+  for (const auto& [t, parameter] : times) {
     if (!std::isfinite(t)) return not_finite(vm, "a time given to ode", t, parameter);
-    ++parameter;
+  }
+  const bool lasts = marks.from == marks.to;
+  if (lasts && stretch.t1 <= 0.0) {
+    return failure(
+        vm, "R0609",
+        fmt::format("ode during {:.15g} s: the time must be longer than 0 s", stretch.t1), marks.to,
+        {}, "from one time to another it needs a step: ode(f, y0, 0s, 1s, step: 10ms)");
   }
   if (stretch.step <= 0.0) {
-    return domain_failure(vm, "ode with a step", stretch.step, "be longer than 0 s", {}, kStepSize);
+    return domain_failure(vm, "ode with a step", stretch.step, "be longer than 0 s", {},
+                          marks.step);
   }
   if (stretch.t1 > stretch.t0) return {};
   return failure(
       vm, "R0609",
       fmt::format("ode from {:.15g} s to {:.15g} s: the end must be later than the start",
                   stretch.t0, stretch.t1),
-      kTo);
+      marks.to);
 }
 
 Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std::size_t half) {
@@ -73,24 +89,24 @@ Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std
           vm, "R0609",
           fmt::format("ode gave up at t = {:.6g} s after a million steps within one", outcome.t),
           kRate, "the equation is stiff there",
-          "use a larger tol, or look for a rate that is far too large");
+          "use a larger tolerance, or look for a rate that is far too large");
     default:
       return {};
   }
 }
 
 // Times in ascending order.
-Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots) {
+Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots, int parameter) {
   constexpr std::size_t kMostKnots = 1'000'000;
   if (knots.size() > kMostKnots) {
     return failure(vm, "R0613",
                    fmt::format("ode with {} knots; {} are the limit", knots.size(), kMostKnots),
-                   kKnots);
+                   parameter);
   }
   std::vector<double> sorted(knots.begin(), knots.end());
   std::size_t bad = sorted.size();
   if (!find_number(vm, sorted, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
-  if (bad != sorted.size()) return not_finite(vm, "a knot given to ode", sorted[bad], kKnots);
+  if (bad != sorted.size()) return not_finite(vm, "a knot given to ode", sorted[bad], parameter);
   std::vector<double> room(sorted.size());
   std::less<double> order;
   if (!sort_stably(vm, std::span<double>(sorted), std::span<double>(room), order)) return Failed{};
@@ -104,7 +120,7 @@ struct Instants {
 Answer<Instants> instants_of(Vm& vm, const Stretch& stretch) {
   constexpr double kSameTime = 1e-12;  // relative
   const double apart = kSameTime * std::max(std::abs(stretch.t0), std::abs(stretch.t1));
-  const auto given = sorted_knots(vm, stretch.knots);
+  const auto given = sorted_knots(vm, stretch.knots, stretch.marks.knots);
   if (!given) return Failed{};
   std::vector<double> knots = {stretch.t0};
   for (const double knot : *given) {
@@ -116,7 +132,7 @@ Answer<Instants> instants_of(Vm& vm, const Stretch& stretch) {
     return failure(
         vm, "R0613",
         fmt::format("ode would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps),
-        kStepSize, {}, "use a longer step");
+        stretch.marks.step, {}, "use a longer step");
   }
   if (!charge_work(vm, static_cast<std::uint64_t>(8.0 * steps))) return Failed{};
   std::vector<double> times = step_times(knots, stretch.step);
@@ -204,13 +220,13 @@ class Integration {
   std::vector<OdeCrossing> crossings_;
 };
 
-Answer<OdeMethod> method_called(Vm& vm, std::string_view name) {
+Answer<OdeMethod> method_called(Vm& vm, std::string_view name, int parameter) {
   if (const auto method = ode_method(name)) return *method;
   std::string names;
   for (const std::string_view known : ode_method_names())
     names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", known);
   return failure(vm, "R0609", fmt::format("there is no method \"{}\" to integrate with", name),
-                 kMethod, "the methods are " + names);
+                 parameter, "the methods are " + names);
 }
 
 Answer<void> check_start(Vm& vm, std::span<const double> start) {
@@ -231,7 +247,8 @@ struct OdeSettings {
 
 Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> start,
                          const OdeSettings& settings) {
-  const auto method = method_called(vm, settings.method);
+  const Marks& marks = settings.stretch.marks;
+  const auto method = method_called(vm, settings.method, marks.method);
   if (!method || !check_start(vm, start)) return Failed{};
   const bool splits = *method == OdeMethod::kSymplectic || *method == OdeMethod::kVerlet;
   if (splits && start.size() % 2 != 0) {
@@ -242,7 +259,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
   const double tolerance = settings.tolerance;
   if (!(tolerance > 0.0 && std::isfinite(tolerance)))
     return domain_failure(vm, "ode with a tolerance", tolerance, "be greater than 0", {},
-                          kTolerance);
+                          marks.tolerance);
   if (!check_times(vm, settings.stretch)) return Failed{};
   const auto instants = instants_of(vm, settings.stretch);
   if (!instants) return Failed{};
@@ -252,7 +269,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
   const int size = static_cast<int>(start.size());
   OdeIntegrator integrator(size, *method, tolerance);
   Integration integration(vm, rate, *instants, integrator);
-  WitnessesOfProgram program(vm, settings.when, kWhen);
+  WitnessesOfProgram program(vm, settings.when, marks.when);
   if (program.empty()) return integration.run(start, tolerance);
   auto witnesses = program.witnesses();
   if (!witnesses) return Failed{};
@@ -261,25 +278,28 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
   return integration.run(start, tolerance);
 }
 
-Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, double t0, double t1,
-                       double step, std::string_view method, double tolerance,
-                       std::optional<std::span<const double>> knots,
-                       std::optional<std::span<const Slot>> when) {
+Answer<RecordObj*> solve_lists(Vm& vm, FunctionValue f, std::span<const double> start,
+                               const OdeSettings& settings) {
   RateOfProgram rate(vm, f.object, kRate);
   const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
     return static_cast<bool>(rate(t, y, out));
   };
-  return solve(vm, call, start,
-               {.stretch = {t0, t1, step, knots.value_or(std::span<const double>())},
-                .method = method,
-                .tolerance = tolerance,
-                .when = when.value_or(std::span<const Slot>())});
+  return solve(vm, call, start, settings);
+}
+
+Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, double t0, double t1,
+                       double step, std::string_view method, double tolerance,
+                       std::optional<std::span<const double>> knots,
+                       std::optional<std::span<const Slot>> when) {
+  return solve_lists(vm, f, start,
+                     {.stretch = {t0, t1, step, knots.value_or(std::span<const double>())},
+                      .method = method,
+                      .tolerance = tolerance,
+                      .when = when.value_or(std::span<const Slot>())});
 }
 
 // The state is a struct of quantities; so is what the function gives, the rates of its fields.
-Answer<ListObj*> ode_with_units(Vm& vm, FunctionValue f, Slot from, double t0, double t1,
-                                double step, std::string_view method, double tolerance,
-                                std::optional<std::span<const double>> knots) {
+Answer<ListObj*> solve_structs(Vm& vm, FunctionValue f, Slot from, const OdeSettings& settings) {
   const RecordObj& start = *static_cast<const RecordObj*>(from.o);  // S fits structs alone
   const std::span<const double> values(reinterpret_cast<const double*>(start.fields()),
                                        start.layout->size);
@@ -287,15 +307,77 @@ Answer<ListObj*> ode_with_units(Vm& vm, FunctionValue f, Slot from, double t0, d
   const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
     return static_cast<bool>(rate(t, y, out));
   };
-  const auto solution = solve(vm, call, values,
-                              {.stretch = {t0, t1, step, knots.value_or(std::span<const double>())},
-                               .method = method,
-                               .tolerance = tolerance});
+  const auto solution = solve(vm, call, values, settings);
   if (!solution) return Failed{};
   ListObj* const states = structs_of(vm, **solution, *start.layout->type);
   release(vm, *solution);
   if (states == nullptr) return Failed{};
   return states;
+}
+
+Answer<ListObj*> ode_with_units(Vm& vm, FunctionValue f, Slot from, double t0, double t1,
+                                double step, std::string_view method, double tolerance,
+                                std::optional<std::span<const double>> knots) {
+  return solve_structs(vm, f, from,
+                       {.stretch = {t0, t1, step, knots.value_or(std::span<const double>())},
+                        .method = method,
+                        .tolerance = tolerance});
+}
+
+// Where a call says how long, it may leave the steps to a method that chooses them.
+OdeSettings during_settings(double during, std::optional<double> step,
+                            std::optional<std::string_view> method, double tolerance,
+                            std::optional<std::span<const double>> knots) {
+  return {.stretch = {0.0, during, step.value_or(during / kUsualSteps),
+                      knots.value_or(std::span<const double>()), kDuring},
+          .method = method.value_or(step ? "rk4" : "dopri5"),
+          .tolerance = tolerance};
+}
+
+// Whether a method without a step chooses its own.
+Answer<void> check_step(Vm& vm, const OdeSettings& settings, bool has_step) {
+  const auto method = method_called(vm, settings.method, kDuring.method);
+  if (!method) return Failed{};
+  if (has_step || *method == OdeMethod::kFehlberg45 || *method == OdeMethod::kDormandPrince45)
+    return {};
+  return failure(vm, "R0609",
+                 fmt::format("ode with the method \"{}\" needs a step", settings.method),
+                 kDuring.method, "its steps are as long as it is told, whatever the error",
+                 "say step: ..., or use \"dopri5\" or \"rkf45\", which keep to a tolerance");
+}
+
+Answer<RecordObj*> ode_during(Vm& vm, FunctionValue f, std::span<const double> start, double during,
+                              std::optional<double> step, std::optional<std::string_view> method,
+                              double tolerance, std::optional<std::span<const double>> knots,
+                              std::optional<std::span<const Slot>> when) {
+  OdeSettings settings = during_settings(during, step, method, tolerance, knots);
+  settings.when = when.value_or(std::span<const Slot>());
+  if (!check_step(vm, settings, step.has_value())) return Failed{};
+  return solve_lists(vm, f, start, settings);
+}
+
+Answer<ListObj*> ode_with_units_during(Vm& vm, FunctionValue f, Slot from, double during,
+                                       std::optional<double> step,
+                                       std::optional<std::string_view> method, double tolerance,
+                                       std::optional<std::span<const double>> knots) {
+  const OdeSettings settings = during_settings(during, step, method, tolerance, knots);
+  if (!check_step(vm, settings, step.has_value())) return Failed{};
+  return solve_structs(vm, f, from, settings);
+}
+
+// When the states are that ode gives.
+Answer<ListObj*> ode_times(Vm& vm, double during, std::optional<double> step,
+                           std::optional<std::span<const double>> knots) {
+  constexpr Marks kMarks{0, 0, 1, 0, 0, 2, 0};
+  const Stretch stretch{0.0, during, step.value_or(during / kUsualSteps),
+                        knots.value_or(std::span<const double>()), kMarks};
+  if (!check_times(vm, stretch)) return Failed{};
+  const auto instants = instants_of(vm, stretch);
+  if (!instants) return Failed{};
+  ListObj* const list = new_list(vm, static_cast<std::uint32_t>(instants->times.size()), false);
+  if (list == nullptr) return Failed{};
+  for (std::uint32_t k = 0; k < list->size; ++k) list->data[k].d = instants->times[k];
+  return list;
 }
 
 Answer<RecordObj*> event(Vm& vm, Slot g, std::string_view direction, bool stop) {
@@ -329,6 +411,14 @@ constexpr NativeFunction kOdeFunctions[] = {
         "a "
         "function of `when` went through zero; one that stops makes the last row.",
         "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last"),
+    def<ode_during>(
+        "ode(f: fn(double, double[]) -> double[], y0: double[], during: time, step: time?, "
+        "method: string?, tolerance: double = 1e-8, knots: time[]?, when: OdeEvent[]?) -> "
+        "OdeSolution",
+        "The same from 0 s on, for so long. Without a step the method is \"dopri5\", which keeps "
+        "to the tolerance, and a hundred rows are given; with one it is \"rk4\". Methods that do "
+        "not choose their steps need one.",
+        "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows"),
     def<ode_with_units>(
         "ode(f: fn(time, S) -> U, y0: S, t0: time, t1: time, step: time, method: string = \"rk4\", "
         "tol: double = 1e-8, knots: time[]?) -> S[]",
@@ -337,6 +427,18 @@ constexpr NativeFunction kOdeFunctions[] = {
         "and at the end of every step.",
         "ode(fn(t: double, y: double[]) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last",
         {.check = check_rates}),
+    def<ode_with_units_during>(
+        "ode(f: fn(time, S) -> U, y0: S, during: time, step: time?, method: string?, tolerance: "
+        "double = 1e-8, knots: time[]?) -> S[]",
+        "A state with units from 0 s on, for so long; steps and methods are those of a state "
+        "without.",
+        "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows",
+        {.check = check_rates}),
+    def<ode_times>(
+        "odeTimes(during: time, step: time?, knots: time[]?) -> time[]",
+        "The times of the states that ode gives with the same settings: the start and the end of "
+        "every step.",
+        "odeTimes(during: 1s, step: 250ms)"),
     def<event>(
         "event(g: fn(double, double[]) -> double, direction: string = \"both\", stop: bool = "
         "false) -> "

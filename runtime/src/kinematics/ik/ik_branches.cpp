@@ -19,8 +19,10 @@ constexpr double kBeside = 3e-3;  // rad or m from a curve
 // Of single solutions there are no more (D. Manocha, J. F. Canny, Efficient inverse kinematics for
 // general 6R manipulators, 1994).
 constexpr std::size_t kMostSingle = 16;
-constexpr double kAside = 0.02;     // rad or m
-constexpr double kSafeShare = 0.5;  // of the least singular value, that a change may be
+constexpr double kAside = 0.02;  // rad or m
+constexpr int kRowSamples = 5;
+constexpr double kConstant = 1e-12;  // m or rad per rad or m
+constexpr double kSafeShare = 0.5;   // of the least singular value, that a change may be
 
 class BranchSearch {
  public:
@@ -195,10 +197,32 @@ class BranchSearch {
 
 }  // namespace
 
+namespace {
+
+// The goal without the rows that no joint changes: the height and the tilt of the tool of a planar
+// arm. Where there are solutions, they are met.
+IkGoal without_constant_rows(const Robot& robot, IkGoal goal) {
+  Vector6d changes = Vector6d::Zero();
+  IkSolver solver(robot, goal);
+  for (int k = 1; k <= kRowSamples; ++k) {
+    const IkRows rows = solver.rows_of(halton_start(robot, k, false));
+    changes = changes.cwiseMax(rows.J.cwiseAbs().rowwise().maxCoeff());
+  }
+  for (Eigen::Index row = 0; row < 6; ++row) {
+    if (changes[row] < kConstant) goal.weights[row] = 0.0;
+  }
+  return goal;
+}
+
+}  // namespace
+
 void find_branches(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                    std::vector<Eigen::VectorXd>& solutions) {
-  if ((goal.weights.array() != 0.0).count() != robot.n()) return;
-  BranchSearch(robot, goal, options, solutions).run();
+  const auto rows_of = [](const IkGoal& g) { return (g.weights.array() != 0.0).count(); };
+  if (rows_of(goal) == robot.n()) return BranchSearch(robot, goal, options, solutions).run();
+  if (rows_of(goal) < robot.n() || solutions.empty()) return;
+  const IkGoal fewer = without_constant_rows(robot, goal);
+  if (rows_of(fewer) == robot.n()) BranchSearch(robot, fewer, options, solutions).run();
 }
 
 bool may_be_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,

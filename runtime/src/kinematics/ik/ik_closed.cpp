@@ -23,6 +23,11 @@ constexpr double kRounding = 1e-6;
 // the goal, rad, and are improved.
 constexpr double kNearlyOriented = 0.1;
 
+// Where an elbow is stretched on its limit and the wrist is next to singular, rounding takes it so
+// far beyond; on the limit the goal is met as exactly as anywhere, m and rad.
+constexpr double kFarBeyond = 1e-3;
+constexpr double kExactly = 1e-9;
+
 constexpr int kNearStarts = 4;     // around the seed, to follow the joints from
 constexpr int kBranchStarts = 24;  // within the change of the nearest branch
 constexpr double kRevolution = 2.0 * kPi;
@@ -73,6 +78,27 @@ bool settle_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
     return true;
   q = as_found;
   return found;
+}
+
+// A solution of which no joint is on the far side of the seed is as near as it can be.
+bool is_far(const IkOptions& options, bool settled, const JointArray& q) {
+  return options.respect_limits && (!settled || change_of(q, options.seed) > kPi);
+}
+
+// The solution of the formula at limits that it is beyond by a little.
+bool settle_on_limits(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                      JointArray& q) {
+  wrap_to_seed(robot, options, q, kFarBeyond);
+  for (int i = 0; i < robot.n(); ++i) {
+    const double value = q[static_cast<std::size_t>(i)];
+    if (value < robot.lower()[i] - kFarBeyond || value > robot.upper()[i] + kFarBeyond)
+      return false;
+  }
+  if (!put_inside(robot, q)) return false;
+  IkSolver solver(robot, goal);
+  if (!solver.solve_in_box(q, options.iterations)) return false;
+  const IkError error = solver.error_of(q);
+  return error.position < kExactly && error.rotation < kExactly;
 }
 
 // Joints are compared modulo whole revolutions.
@@ -195,7 +221,12 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
   const bool check_rotation = closed.position_only() && counts_all(goal);
   for (const ClosedSolution& solution : found) {
     FormulaSolution candidate{solution.q, solution.branch};
-    if (settle_near(robot, goal, options, found.free, check_rotation, candidate.q))
+    const bool settled = settle_near(robot, goal, options, found.free, check_rotation, candidate.q);
+    if (FormulaSolution edge{solution.q, solution.branch};
+        is_far(options, settled, candidate.q) && settle_on_limits(robot, goal, options, edge.q) &&
+        (!settled || change_of(edge.q, options.seed) < change_of(candidate.q, options.seed)))
+      add_new(robot, edge, solutions);
+    else if (settled)
       add_new(robot, candidate, solutions);
   }
   if (found.open != 0 && robot.n() <= 6 && counts_all(goal))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "armlet/core/error.hpp"
@@ -39,6 +40,53 @@ std::vector<AxisLimits> limits_beside_motors(const MoveRequest& request) {
       limits[static_cast<std::size_t>(i)].acceleration = std::numeric_limits<double>::infinity();
   }
   return limits;
+}
+
+// Whether a point lies on the line from one point in a direction of length 1.
+bool is_on_line(const Eigen::VectorXd& p, const Eigen::VectorXd& from, const Eigen::VectorXd& way) {
+  const Eigen::VectorXd off = p - from;
+  return (off - way * way.dot(off)).cwiseAbs().maxCoeff() <= kSamePoint;
+}
+
+// The points of which the path is made. Where all joints move in proportion it is straight, so only
+// the first and the last point count, and those at which it turns back; a spline over such points
+// would go beyond these, and would all but stand still where points are close to each other.
+// Otherwise one piece has all points.
+std::vector<std::vector<Eigen::VectorXd>> pieces_of(const std::vector<Eigen::VectorXd>& points) {
+  const Eigen::VectorXd& from = points.front();
+  const auto far = std::ranges::max_element(
+      points, {}, [&](const Eigen::VectorXd& p) { return (p - from).squaredNorm(); });
+  const Eigen::VectorXd way = (*far - from).normalized();
+  for (const Eigen::VectorXd& p : points) {
+    if (!is_on_line(p, from, way)) return {points};
+  }
+  std::vector<std::vector<Eigen::VectorXd>> pieces = {{from, points[1]}};
+  for (std::size_t k = 2; k < points.size(); ++k) {
+    const Eigen::VectorXd last = pieces.back()[1];
+    if ((points[k] - last).dot(last - pieces.back()[0]) > 0.0)
+      pieces.back()[1] = points[k];
+    else
+      pieces.push_back({last, points[k]});
+  }
+  return pieces;
+}
+
+// Nothing if motors cannot hold the arm somewhere.
+std::optional<Trajectory> run_fastest(const MoveRequest& request,
+                                      const std::vector<Eigen::VectorXd>& points,
+                                      std::span<const AxisLimits> limits, bool by_motors) {
+  std::optional<Trajectory> whole;
+  for (const std::vector<Eigen::VectorXd>& piece : pieces_of(points)) {
+    const int intervals =
+        std::max(kFewestIntervals, kIntervalsPerLeg * static_cast<int>(piece.size() - 1));
+    const Trajectory path = path_through(piece);
+    std::optional<Trajectory> run =
+        by_motors ? time_optimal_with_motors(*request.motors, path, limits, intervals)
+                  : time_optimal(path, limits, intervals);
+    if (!run) return {};
+    whole = whole ? whole->then(*run) : std::move(run);
+  }
+  return whole;
 }
 
 // The joint whose limit is met most closely.
@@ -81,18 +129,14 @@ Plan plan_fastest(const MoveRequest& request) {
   const std::vector<Eigen::VectorXd> points = different_points(request);
   if (points.size() < 2)
     return {.trajectory = Trajectory::at_rest(request.q1, request.time.value_or(0.0))};
-  const int intervals =
-      std::max(kFewestIntervals, kIntervalsPerLeg * static_cast<int>(points.size() - 1));
-  const Trajectory path = path_through(points);
   std::vector<AxisLimits> limits = limits_beside_motors(request);
   std::optional<Trajectory> strongest;
-  if (request.motors != nullptr)
-    strongest = time_optimal_with_motors(*request.motors, path, limits, intervals);
+  if (request.motors != nullptr) strongest = run_fastest(request, points, limits, true);
   // Where motors cannot hold the arm the motion is one for limits on accelerations, which tells by
   // how much they cannot.
   if (!strongest) limits = request.limits;
   const Trajectory fastest =
-      strongest ? *std::move(strongest) : time_optimal(path, limits, intervals);
+      strongest ? *std::move(strongest) : *run_fastest(request, points, limits, false);
   const Duration chosen = choose_duration(request, tightest_joint(request, limits, fastest));
   if (!chosen.possible) return {.too_fast = chosen.too_fast};
   return {.trajectory = fastest.stretched(chosen.T / fastest.duration()),

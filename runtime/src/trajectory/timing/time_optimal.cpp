@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/motion_forces.hpp"
@@ -15,6 +17,9 @@ namespace {
 
 constexpr double kIdle = 0.02;      // of all limits, that an interval may leave without parts,
 constexpr double kMostParts = 6.0;  // of which it gets so many at most
+constexpr int kDivisions = 6;       // how often intervals are divided at most,
+constexpr double kGain = 1e-3;  // while that makes the time shorter by more than this part of it
+constexpr std::size_t kManyPositions = 20'000;  // which are not divided again
 constexpr int kRounds = 8;          // how often what is exceeded between positions is made slower
 constexpr double kWellKept = 1e-3;  // what may be exceeded before the whole is made slower
 
@@ -160,6 +165,31 @@ SpeedAlongPath fastest_with_friction(SpeedGrid& grid) {
 
 bool motors_hold(SpeedGrid& grid) { return grid.motors() == nullptr || grid.motors()->hold(); }
 
+// The fastest run on a grid, and that grid.
+struct GridRun {
+  std::unique_ptr<SpeedGrid> grid{};
+  SpeedAlongPath speed{};
+};
+
+// With positions so close that the time hardly gets shorter with more of them: half of what is lost
+// is lost with twice the positions, but nine tenths of it where all joints all but turn back at
+// once. There the squared speed along the path has a narrow peak, and what is too slow next to it
+// is too slow far before and behind it. Nothing if motors cannot hold the arm somewhere.
+std::optional<GridRun> run_on_fine_grid(const Course& course, int intervals) {
+  GridRun run{std::make_unique<SpeedGrid>(course, positions_along(course, intervals))};
+  if (!motors_hold(*run.grid)) return {};
+  run.speed = fastest_with_friction(*run.grid);
+  for (int k = 0; k < kDivisions; ++k) {
+    GridRun next{std::make_unique<SpeedGrid>(course, finer(*run.grid, run.speed))};
+    if (!motors_hold(*next.grid)) return {};
+    next.speed = fastest_with_friction(*next.grid);
+    const bool gains = next.speed.duration() < run.speed.duration() * (1.0 - kGain);
+    run = std::move(next);
+    if (!gains || run.speed.s.size() > kManyPositions) break;
+  }
+  return run;
+}
+
 // How much slower a motion has to be for the limits on speeds and accelerations.
 double slower_for_rates(const Trajectory& motion, std::span<const AxisLimits> limits) {
   double slower = 1.0;
@@ -173,13 +203,11 @@ double slower_for_rates(const Trajectory& motion, std::span<const AxisLimits> li
 
 // Nothing if motors cannot hold the arm somewhere.
 std::optional<FastestRun> run_on(const Course& course, int intervals) {
-  SpeedGrid coarse(course, positions_along(course, intervals));
-  if (!motors_hold(coarse)) return {};
-  SpeedGrid grid(course, finer(coarse, fastest_with_friction(coarse)));
-  if (!motors_hold(grid)) return {};
-  SpeedAlongPath speed = fastest_with_friction(grid);
-  for (int k = 0; k < kRounds && grid.tighten(speed.squared) > 1.0 + kWellKept; ++k)
-    speed = fastest_on(grid);
+  std::optional<GridRun> run = run_on_fine_grid(course, intervals);
+  if (!run) return {};
+  SpeedAlongPath& speed = run->speed;
+  for (int k = 0; k < kRounds && run->grid->tighten(speed.squared) > 1.0 + kWellKept; ++k)
+    speed = fastest_on(*run->grid);
   Trajectory motion = run_along(course.path, speed);
   const double slower = slower_for_rates(motion, course.limits);
   if (slower == 1.0) return FastestRun{std::move(speed), std::move(motion)};

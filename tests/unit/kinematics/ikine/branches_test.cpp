@@ -1,19 +1,17 @@
 // Of arms solved by iteration every single solution is found, next to singular positions too.
 #include <doctest/doctest.h>
 
-#include <Eigen/LU>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/closed_form.hpp"
 #include "armlet/kinematics/ik.hpp"
-#include "armlet/kinematics/jacobian.hpp"
 #include "armlet/kinematics/limits.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
+#include "general_arm.hpp"
 #include "kinematics/ik/ik_search.hpp"
 #include "random_arm.hpp"
 #include "sanitized.hpp"
@@ -24,45 +22,6 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int kScale = kSanitized ? 20 : 1;
-
-// Six joints that neither meet nor are parallel; every other one has a slide.
-Robot general_arm(Random& random, bool slides) {
-  RobotSpec spec;
-  const std::uint64_t slide = slides ? random.below(6) : 6;
-  for (std::uint64_t i = 0; i < 6; ++i) {
-    Joint joint;
-    joint.dh = {0.0, random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4),
-                random.uniform(-1.8, 1.8)};
-    if (i == slide) joint.kind = JointKind::kPrismatic;
-    joint.lower = i == slide ? -0.5 : -random.uniform(2.0, 5.0);
-    joint.upper = i == slide ? 0.5 : random.uniform(2.0, 5.0);
-    spec.joints.push_back(joint);
-  }
-  return Robot(spec);
-}
-
-// The value of a joint at which the arm is singular, if there is one between its limits.
-std::optional<double> singular_value(const Robot& robot, VectorXd q, int joint) {
-  const auto determinant = [&](double value) {
-    q[joint] = value;
-    const Jacobian J = jacobian(robot, q);
-    return Eigen::Matrix<double, 6, 6>(J).determinant();
-  };
-  const double lower = robot.lower()[joint], range = robot.upper()[joint] - lower;
-  double low = lower, high = low;
-  const double at_lower = determinant(low);
-  for (int k = 1; k <= 60; ++k) {
-    high = lower + range * k / 60.0;
-    if (determinant(high) * at_lower < 0.0) break;
-    low = high;
-  }
-  if (determinant(high) * at_lower > 0.0) return std::nullopt;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (low + high);
-    (determinant(middle) * at_lower < 0.0 ? high : low) = middle;
-  }
-  return low;
-}
 
 bool contains(const Robot& robot, const std::vector<VectorXd>& list, const VectorXd& q) {
   for (const VectorXd& other : list) {

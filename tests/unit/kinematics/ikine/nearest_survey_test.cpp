@@ -1,0 +1,142 @@
+// Goals at singular positions and next to them, for every kind of arm: the nearest joint values are
+// taken (ruling 53). ARMLET_SURVEY=20000 ARMLET_SEED=1 runs it over so many goals of each arm.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "armlet/model/catalog.hpp"
+#include "general_arm.hpp"
+#include "nearest_search.hpp"
+#include "survey.hpp"
+
+using namespace armlet;
+using namespace armlet::nearest;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kUsual = 2;
+#else
+constexpr int kUsual = 20;
+#endif
+
+// Where joint `singular` is zero the arm is singular, and joint `free` can be chosen; without a
+// free joint two solutions meet there. Without a singular joint the free one can be chosen
+// anywhere.
+struct Case {
+  std::string name;
+  IkMethod method;
+  std::optional<int> free;
+  std::optional<int> singular = {};
+};
+
+// Nothing, or up to 0.1 rad, all sizes alike.
+double off_singular(Random& random) {
+  if (random.below(3) == 0) return 0.0;
+  return (random.below(2) == 0 ? 1.0 : -1.0) * std::pow(10.0, -random.uniform(1.0, 9.0));
+}
+
+// The least change: that to the joint values from which the goal was made, to those that turning
+// the free joint leads to where the goal leaves it free, and to what the closed form finds.
+double least_change(const Robot& robot, const VectorXd& q, const VectorXd& seed,
+                    std::optional<int> free, IkMethod method) {
+  double least = change_of(robot, q, seed);
+  if (free) least = std::min(least, Followed(robot, q, *free, seed).least());
+  if (method == IkMethod::kNumeric) least = std::min(least, closed_form_change(robot, q, seed));
+  return least;
+}
+
+void check_case(const Case& c) {
+  CAPTURE(c.name);
+  const Robot robot = *make_robot(c.name);
+  Random random(survey_seed(70) + static_cast<std::uint64_t>(c.free.value_or(9)));
+  Score score;
+  const int count = survey_count(kUsual);
+  for (int k = 0; k < count; ++k) {
+    CAPTURE(k);
+    VectorXd q = on_limits(robot, random);
+    double off = 0.0;
+    if (c.singular) {
+      off = off_singular(random);
+      q[*c.singular] = off;
+      if (!within_limits(robot, q, 0.0)) q[*c.singular] = -off;
+    }
+    const VectorXd seed = perturbed(robot, q, random);
+    const int before = score.farther + score.missed;
+    const std::optional<int> free = off == 0.0 ? c.free : std::nullopt;
+    judge(robot, q, seed, least_change(robot, q, seed, free, c.method), c.method, score);
+    if (score.farther + score.missed > before) {
+      std::ostringstream text;
+      text.precision(17);
+      text << q.transpose() << "\nseed\n" << seed.transpose();
+      MESSAGE("at " << off << " from singular, worst " << score.worst << ", q\n" << text.str());
+    }
+  }
+  CHECK(score.missed == 0);
+  CHECK(score.farther == 0);
+  const std::string name = c.name + (c.method == IkMethod::kNumeric ? " by iteration" : "");
+  MESSAGE(name << ": " << count << " goals, " << score.farther << " farther, " << score.missed
+               << " missed, at most " << score.worst << " farther");
+}
+
+}  // namespace
+
+TEST_CASE("survey of nearest solutions: closed forms of six joints and fewer") {
+  for (const char* name : {"puma560", "irb120", "stanford", "pa10_6"})
+    check_case({name, IkMethod::kAuto, 3, 4});
+  check_case({"ur5", IkMethod::kAuto, 5, 4});
+  check_case({"ur10", IkMethod::kAuto, 5, 4});
+  check_case({"planar3", IkMethod::kAuto, {}, 1});
+  check_case({"scara", IkMethod::kAuto, {}, 1});
+}
+
+TEST_CASE("survey of nearest solutions: closed forms of seven joints") {
+  for (const char* name : {"pa10", "iiwa14", "arm7"}) check_case({name, IkMethod::kAuto, 2});
+  check_case({"panda", IkMethod::kAuto, 6});
+}
+
+TEST_CASE("survey of nearest solutions: arms solved by iteration") {
+  check_case({"puma560", IkMethod::kNumeric, 3, 4});
+  check_case({"ur5", IkMethod::kNumeric, 5, 4});
+  check_case({"planar3", IkMethod::kNumeric, {}, 1});
+  check_case({"scara", IkMethod::kNumeric, {}, 1});
+}
+
+TEST_CASE("survey of nearest solutions: seven joints by iteration") {
+  check_case({"pa10", IkMethod::kNumeric, 2});
+  check_case({"iiwa14", IkMethod::kNumeric, 2});
+  check_case({"arm7", IkMethod::kNumeric, 2});
+  check_case({"panda", IkMethod::kNumeric, 6});
+}
+
+TEST_CASE("survey of nearest solutions: random arms of six and seven joints") {
+  Random random(survey_seed(71));
+  Score six, seven;
+  const int count = survey_count(kUsual);
+  for (int k = 0; k < count; ++k) {
+    CAPTURE(k);
+    const bool is_seven = k % 2 == 0;
+    const Robot robot = general_arm(random, false, is_seven ? 7 : 6);
+    VectorXd q = random_joints(robot, random);
+    if (!is_seven) {
+      const auto singular = singular_value(robot, q, 4);
+      if (singular) q[4] = *singular + off_singular(random);
+      q = clamp_to_limits(robot, q);
+    }
+    const VectorXd seed = perturbed(robot, q, random);
+    Score& score = is_seven ? seven : six;
+    const int before = score.farther + score.missed;
+    const std::optional<int> free = is_seven ? std::optional(3) : std::nullopt;
+    const double least = least_change(robot, q, seed, free, IkMethod::kAuto);
+    judge(robot, q, seed, least, IkMethod::kAuto, score);
+    if (score.farther + score.missed > before)
+      MESSAGE(robot.n() << " joints, case " << k << ", worst " << score.worst);
+  }
+  CHECK(six.missed + seven.missed == 0);
+  CHECK(six.farther + seven.farther == 0);
+  MESSAGE("six joints: " << six.farther << " farther, " << six.missed << " missed; seven: "
+                         << seven.farther << " farther, " << seven.missed << " missed");
+}
