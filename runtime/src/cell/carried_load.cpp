@@ -12,7 +12,7 @@ Payload carried_load(const World& world, int carrier) {
     const Object& object = world.object(i);
     const Eigen::Matrix3d R = attachment->T_carrier_obj.linear();
     load = together(load, {.mass = object.mass,
-                           .com = attachment->T_carrier_obj.translation(),
+                           .com = attachment->T_carrier_obj * center_of_mass(object),
                            .inertia = R * inertia(object) * R.transpose()});
   }
   return load;

@@ -86,6 +86,8 @@ void Cell::set_model(int index, std::shared_ptr<const Robot> model) {
   if (changed.motion && changed.forces.size() == 0) {
     throw ArgumentError(fmt::format("\"{}\" is moving; it cannot be exchanged now.", changed.name));
   }
+  settle_contacts();
+  contacts_.forget_robot(index);
   changed.model = std::move(model);
   weigh_loads();
   if (listening())
@@ -99,6 +101,8 @@ void Cell::set_joints(int index, const Eigen::VectorXd& q) {
   if (moved.motion) {
     throw ArgumentError(fmt::format("\"{}\" is moving; it cannot be put elsewhere.", moved.name));
   }
+  settle_contacts();
+  contacts_.forget_robot(index);
   moved.q = q;
   world_.move_carried(index, T_world_flange(index));
   published_ns_[static_cast<std::size_t>(index)] = -1;
@@ -117,8 +121,10 @@ Eigen::Isometry3d Cell::T_world_tool(int index) const {
 
 Vector6d Cell::contact_wrench(int index) const {
   (void)robot(index);
-  return Vector6d::Zero();
+  return contacts_.wrench(robots_, world_, index, now_ns());
 }
+
+void Cell::settle_contacts() { contacts_.settle(robots_, world_, now_ns()); }
 
 Vector6d Cell::held_wrench(int index) const {
   const CellRobot& arm = robot(index);
@@ -128,6 +134,7 @@ Vector6d Cell::held_wrench(int index) const {
 }
 
 void Cell::insert(Object object) {
+  settle_contacts();
   const Object& inserted = world_.insert(std::move(object));
   weigh_loads();
   if (listening()) tell(ObjectAdded{.t_ns = now_ns(), .object = object_info(inserted)});
@@ -149,6 +156,8 @@ void Cell::refuse_held(std::string_view name, std::string_view what) const {
 std::vector<Fall> Cell::remove(std::string_view name) {
   const std::string removed(name);  // the caller's text may live in the object itself
   refuse_held(removed, "removed");
+  settle_contacts();
+  contacts_.forget_object(removed);
   std::vector<Fall> falls = world_.remove(removed);
   std::erase(task_objects_, removed);
   weigh_loads();
@@ -159,7 +168,9 @@ std::vector<Fall> Cell::remove(std::string_view name) {
 
 std::vector<Fall> Cell::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
   refuse_held(name, "put elsewhere");
+  settle_contacts();
   std::vector<Fall> falls = world_.set_pose(name, T_world_obj);
+  contacts_.forget_object(name);
   weigh_loads();
   publish_object(name);
   publish_falls(falls);
@@ -179,6 +190,7 @@ void Cell::take(int index, std::string_view name) {
   if (!arm.held.empty()) {
     throw ArgumentError(fmt::format("\"{}\" holds \"{}\" already.", arm.name, arm.held));
   }
+  settle_contacts();
   arm.held = object.name;
   arm.p_picked = object.T_world_obj.translation();
   world_.attach(object.name, index, T_world_flange(index));
@@ -189,6 +201,7 @@ void Cell::take(int index, std::string_view name) {
 Drop Cell::let_go(int index) {
   CellRobot& arm = state(index);
   if (arm.held.empty()) throw ArgumentError(fmt::format("\"{}\" holds nothing.", arm.name));
+  settle_contacts();
   const std::string name = std::exchange(arm.held, {});
   publish_event(ObjectChange::kDetached, name, index);
   for (int other = 0; other < robot_count(); ++other) {

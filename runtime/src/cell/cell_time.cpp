@@ -37,6 +37,7 @@ int Cell::start(int index, Trajectory trajectory) {
 int Cell::execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns) {
   CellRobot& arm = state(index);
   begin();
+  settle_contacts();
   arm.motion.emplace(std::move(trajectory), now_ns());
   arm.motion_id = static_cast<int>(reports_.size());
   reports_.push_back(
@@ -82,6 +83,7 @@ int Cell::push(int index, Trajectory piece, const Eigen::VectorXd& forces) {
     return motion;
   }
   arm.forces = forces;
+  settle_contacts();
   arm.motion.emplace(std::move(piece), now_ns());
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
   reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
@@ -94,6 +96,7 @@ void Cell::settle(int index) {
 
 void Cell::begin_rest(int index, bool stopped) {
   CellRobot& arm = state(index);
+  settle_contacts();
   arm.forces.resize(0);
   Trajectory rest = way_to_rest(*arm.model, arm.q, arm.qd, arm.qdd);
   if (stopped) {
@@ -194,6 +197,7 @@ void Cell::end_motion(int index) {
   CellRobot& arm = state(index);
   MotionReport& report = reports_[static_cast<std::size_t>(arm.motion_id)];
   report.state = arm.motion->is_stopped() ? MotionState::kStopped : MotionState::kReached;
+  settle_contacts();
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
   arm.motion.reset();
   if (!arm.held.empty()) world_.move_carried(index, T_world_flange(index));

@@ -6,19 +6,22 @@
 #include <limits>
 
 #include "armlet/kinematics/forward.hpp"
+#include "cell/arm_bodies.hpp"
 
 namespace armlet {
 namespace {
-
-bool is_finger(LinkShapeRole role) {
-  return role == LinkShapeRole::kFingerLeft || role == LinkShapeRole::kFingerRight;
-}
 
 // What closes on an object, or reaches into it. The palm of a gripper stays outside.
 bool takes_hold(const Robot& arm, const ArmSolid& body) {
   const ArmSolids& solids = arm.derived<ArmSolids>();
   if (solids.is_bare()) return body.frame > solids.neighbour_of_last();
   return arm.tool().kind == ToolKind::kParallelGripper ? is_finger(body.role) : is_hand(body.role);
+}
+
+// What feels of its own bodies; the stick of an arm without a hand ends in the tool point.
+bool is_feeler(const Robot& arm, int frame, LinkShapeRole role) {
+  const ArmSolids& solids = arm.derived<ArmSolids>();
+  return is_hand(role) || (solids.is_bare() && frame > solids.neighbour_of_last());
 }
 
 // A robot and what it carries as bodies of a scene.
@@ -28,28 +31,12 @@ struct ArmBodies {
   std::size_t own = 0;  // the first of them are its own, the others carried
 };
 
-// Fingers that hold something have closed to its width.
-void close_fingers(const Cell& cell, int robot, std::vector<ArmSolid>& solids) {
-  const CellRobot& arm = cell.robot(robot);
-  const Tool& hand = arm.model->tool();
-  const Object* held = cell.world().find(arm.held);
-  if (held == nullptr || hand.kind != ToolKind::kParallelGripper) return;
-  const double width = grasp_width(*held, cell.T_world_tool(robot).linear().col(2));
-  const double closed = 0.5 * std::max(hand.stroke - width, 0.0);
-  const Eigen::Vector3d across = arm.model->T_flange_tool().linear().col(0);
-  for (ArmSolid& each : solids) {
-    if (!is_finger(each.role)) continue;
-    const bool left = each.role == LinkShapeRole::kFingerLeft;
-    each.solid.T.translation() += (left ? closed : -closed) * across;
-  }
-}
-
 ArmBodies bodies_of(const Cell& cell, int robot) {
   const Robot& model = *cell.robot(robot).model;
   ArmBodies arm{.solids = model.derived<ArmSolids>().solids()};
   for (const ArmSolid& each : arm.solids)
     arm.bodies.push_back({.robot = robot, .frame = each.frame, .role = each.role});
-  close_fingers(cell, robot, arm.solids);
+  close_fingers(cell.robot(robot), cell.world(), arm.solids);
   arm.own = arm.solids.size();
   const World& world = cell.world();
   for (std::size_t i = 0; i < world.size(); ++i) {
@@ -141,7 +128,8 @@ class CellScene {
       if (!moves && mine_.solids[i].still) continue;
       if (is_taken && !carried && takes_hold(arm_, mine_.solids[i])) continue;
       if (carried && holds(name_of_other, mine_.bodies[i].object)) continue;
-      scene_.pairs.push_back({.a = {0, static_cast<int>(i)}, .b = other, .leaving = carried});
+      const bool leaving = carried || is_feeler(arm_, mine_.bodies[i].frame, mine_.bodies[i].role);
+      scene_.pairs.push_back({.a = {0, static_cast<int>(i)}, .b = other, .leaving = leaving});
     }
   }
 
@@ -248,6 +236,11 @@ std::vector<Solid> solids_now(const Cell& cell, const CellBody& thing) {
 
 }  // namespace
 
+bool feels(const Cell& cell, const CellBody& body) {
+  if (body.robot < 0) return false;
+  return !body.object.empty() || is_feeler(*cell.robot(body.robot).model, body.frame, body.role);
+}
+
 std::string body_text(const Cell& cell, const CellBody& body) {
   if (!body.object.empty()) return fmt::format("\"{}\"", body.object);
   const CellRobot& arm = cell.robot(body.robot);
@@ -292,6 +285,25 @@ std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Tr
     same->p_world = each.p_world;
   }
   return found;
+}
+
+std::optional<Overlap> deepest_overlap(const World& world, const Object& object) {
+  std::optional<Overlap> deepest;
+  Solid body = solid_of(object.shape);
+  body.T = object.T_world_obj;
+  const double reach = body.reach();
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const Object& other = world.object(i);
+    if (&other == &object || (other.fixed && object.fixed) || world.attachment_of(i)) continue;
+    Solid solid = solid_of(other.shape);
+    solid.T = other.T_world_obj;
+    const double most = reach + solid.reach();
+    if ((solid.T.translation() - body.T.translation()).squaredNorm() >= most * most) continue;
+    const double depth = -gap_between(body, solid).distance;
+    if (depth > kRestTolerance && (!deepest || depth > deepest->depth))
+      deepest = Overlap{.other = other.name, .depth = depth};
+  }
+  return deepest;
 }
 
 double distance_between(const Cell& cell, const CellBody& a, const CellBody& b) {

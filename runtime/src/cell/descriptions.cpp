@@ -7,10 +7,12 @@ struct ShapeSize {
   std::vector<double> operator()(const Box& box) const {
     return {box.size.x(), box.size.y(), box.size.z()};
   }
-  std::vector<double> operator()(const Cylinder& cylinder) const {
-    return {cylinder.radius, cylinder.height};
-  }
   std::vector<double> operator()(const Sphere& sphere) const { return {sphere.radius}; }
+  std::vector<double> operator()(const Plane& plane) const {
+    return {plane.size.x(), plane.size.y()};
+  }
+  // Cylinders and cones.
+  std::vector<double> operator()(const auto& round) const { return {round.radius, round.height}; }
 };
 
 std::string tool_word(ToolKind kind) {

@@ -14,6 +14,12 @@ struct OfShape {
   Solid operator()(const Cylinder& cylinder) const {
     return round_solid(Solid::Core::kCylinder, cylinder.radius, cylinder.height);
   }
+  Solid operator()(const Cone& cone) const {
+    return round_solid(Solid::Core::kCone, cone.radius, cone.height);
+  }
+  Solid operator()(const Plane& plane) const {
+    return {.core = Solid::Core::kBox, .half = {0.5 * plane.size.x(), 0.5 * plane.size.y(), 0.0}};
+  }
   Solid operator()(const Sphere& sphere) const { return {.margin = sphere.radius}; }
 };
 

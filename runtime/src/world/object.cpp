@@ -12,11 +12,19 @@
 namespace armlet {
 namespace {
 
-void check_size_above_zero(const Object& object, const char* what, double value) {
-  if (!std::isfinite(value) || !(value > 0.0)) {
-    throw ArgumentError(fmt::format("The {} of the {} \"{}\" is {} m; expected more than 0 m.",
-                                    what, shape_name(object.shape), object.name, value));
+void check_size(const Object& object, const char* what, double value) {
+  const char* expected = nullptr;
+  if (!(value > 0.0)) {
+    expected = "more than 0 m";
+  } else if (value < kSmallest) {
+    expected = "0.001 mm at least";
+  } else if (value > kLargest) {
+    expected = "10 km at most";
   }
+  if (expected == nullptr) return;
+  throw ArgumentError(fmt::format("The {} of the {} \"{}\" is {} m; expected {}.", what,
+                                  shape_name(object.shape), object.name,
+                                  std::isnan(value) ? std::abs(value) : value, expected));
 }
 
 void check_not_negative(const Object& object, const char* what, double value) {
@@ -29,14 +37,16 @@ void check_not_negative(const Object& object, const char* what, double value) {
 struct CheckShape {
   const Object& object;
   void operator()(const Box& box) const {
-    for (const double side : box.size) check_size_above_zero(object, "size", side);
+    for (const double side : box.size) check_size(object, "size", side);
   }
-  void operator()(const Cylinder& cylinder) const {
-    check_size_above_zero(object, "radius", cylinder.radius);
-    check_size_above_zero(object, "height", cylinder.height);
+  void operator()(const Sphere& sphere) const { check_size(object, "radius", sphere.radius); }
+  void operator()(const Plane& plane) const {
+    for (const double side : plane.size) check_size(object, "size", side);
   }
-  void operator()(const Sphere& sphere) const {
-    check_size_above_zero(object, "radius", sphere.radius);
+  // Cylinders and cones.
+  void operator()(const auto& round) const {
+    check_size(object, "radius", round.radius);
+    check_size(object, "height", round.height);
   }
 };
 
@@ -53,20 +63,35 @@ struct InertiaPerMass {
   Eigen::Vector3d operator()(const Sphere& sphere) const {
     return Eigen::Vector3d::Constant(0.4 * sphere.radius * sphere.radius);
   }
+  Eigen::Vector3d operator()(const Cone& cone) const {
+    const double r2 = cone.radius * cone.radius;
+    const double across = 0.0375 * (4.0 * r2 + cone.height * cone.height);
+    return {across, across, 0.3 * r2};
+  }
+  Eigen::Vector3d operator()(const Plane& plane) const {
+    const Eigen::Vector2d square = plane.size.cwiseAbs2();
+    return Eigen::Vector3d(square.y(), square.x(), square.sum()) / 12.0;
+  }
 };
+
+double smallest_across(const Eigen::Vector3d& size, const Eigen::Vector3d& approach) {
+  int along = 0;
+  approach.cwiseAbs().maxCoeff(&along);
+  return std::min(size[(along + 1) % 3], size[(along + 2) % 3]);
+}
 
 // Widths along the object's axes, seen along the axis that is nearest to the approach.
 struct GraspWidth {
   Eigen::Vector3d approach;  // in the object's axes
-  double operator()(const Box& box) const {
-    int along = 0;
-    approach.cwiseAbs().maxCoeff(&along);
-    return std::min(box.size[(along + 1) % 3], box.size[(along + 2) % 3]);
+  double operator()(const Box& box) const { return smallest_across(box.size, approach); }
+  double operator()(const Plane& plane) const {
+    return smallest_across({plane.size.x(), plane.size.y(), 0.0}, approach);
   }
-  double operator()(const Cylinder& cylinder) const {
+  // Cylinders, and cones, which are as wide as their base.
+  double operator()(const auto& round) const {
     const bool from_above = std::abs(approach.z()) >= approach.head<2>().norm();
-    const double across = 2.0 * cylinder.radius;
-    return from_above ? across : std::min(across, cylinder.height);
+    const double across = 2.0 * round.radius;
+    return from_above ? across : std::min(across, round.height);
   }
   double operator()(const Sphere& sphere) const { return 2.0 * sphere.radius; }
 };
@@ -81,7 +106,7 @@ struct GraspLine {
   Eigen::Vector3d operator()(const Cylinder& cylinder) const {
     return {0.0, 0.0, std::max(0.5 * cylinder.height - cylinder.radius, 0.0)};
   }
-  Eigen::Vector3d operator()(const Sphere&) const { return Eigen::Vector3d::Zero(); }
+  Eigen::Vector3d operator()(const auto&) const { return Eigen::Vector3d::Zero(); }
 };
 
 }  // namespace
@@ -92,7 +117,25 @@ void check_object(const Object& object) {
   check_not_negative(object, "mass", object.mass);
   check_not_negative(object, "friction", object.friction);
   check_finite("p_obj_grasp", object.p_obj_grasp);
-  check_pose(fmt::format("the pose of \"{}\"", object.name), object.T_world_obj);
+  if (!std::isfinite(object.stiffness) || !(object.stiffness > 0.0)) {
+    throw ArgumentError(fmt::format("The stiffness of \"{}\" is {} N/m; expected more than 0.",
+                                    object.name, object.stiffness));
+  }
+  check_place(object.name, object.T_world_obj);
+}
+
+void check_place(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
+  check_pose(fmt::format("the pose of \"{}\"", name), T_world_obj);
+  const double farthest = T_world_obj.translation().cwiseAbs().maxCoeff();
+  if (farthest <= kLargest) return;
+  throw ArgumentError(
+      fmt::format("\"{}\" would be {:.6g} km from the origin of the world; expected 10 km at most.",
+                  name, 1e-3 * farthest));
+}
+
+Eigen::Vector3d center_of_mass(const Object& object) {
+  const Cone* cone = std::get_if<Cone>(&object.shape);
+  return {0.0, 0.0, cone != nullptr ? -0.25 * cone->height : 0.0};
 }
 
 Eigen::Matrix3d inertia(const Object& object) {
@@ -124,7 +167,7 @@ Eigen::Vector3d grasp_from_above(const Object& object) {
 }
 
 std::string shape_name(const Shape& shape) {
-  constexpr const char* kNames[] = {"box", "cylinder", "sphere"};
+  constexpr const char* kNames[] = {"box", "cylinder", "sphere", "cone", "plane"};
   return kNames[shape.index()];
 }
 

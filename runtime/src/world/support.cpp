@@ -46,6 +46,13 @@ Footprint box_footprint(const Eigen::Matrix3d& R, const Eigen::Vector3d& half) {
 struct MakeFootprint {
   const Eigen::Matrix3d& R;
   Footprint operator()(const Box& box) const { return box_footprint(R, 0.5 * box.size); }
+  Footprint operator()(const Plane& plane) const {
+    return box_footprint(R, {0.5 * plane.size.x(), 0.5 * plane.size.y(), 0.0});
+  }
+  // The cylinder around it.
+  Footprint operator()(const Cone& cone) const {
+    return (*this)(Cylinder{cone.radius, cone.height});
+  }
   Footprint operator()(const Cylinder& cylinder) const {
     const double r = cylinder.radius;
     const double h = 0.5 * cylinder.height;

@@ -12,8 +12,8 @@ double half_height(const Object& object);
 
 // z of the centre of `falling` when it rests on `below`, moving only along z; nothing if it passes
 // beside it. Exact for boxes with a vertical side, upright and lying cylinders and spheres; a body
-// that leans counts as its bounding box, upright in the world's axes. Faces in one plane may touch
-// without holding each other.
+// that leans counts as its bounding box, upright in the world's axes, a cone as the cylinder around
+// it. Faces in one plane may touch without holding each other.
 std::optional<double> resting_height(const Object& falling, const Object& below);
 
 }  // namespace armlet

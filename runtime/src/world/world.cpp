@@ -65,7 +65,7 @@ std::size_t World::index_of(std::string_view name) const {
 
 std::vector<Fall> World::set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
   Body& moved = bodies_[index_of(name)];
-  check_pose(fmt::format("the pose of \"{}\"", name), T_world_obj);
+  check_place(name, T_world_obj);
   const std::vector<std::string> above = stacked_on(name);
   moved.attachment.reset();
   moved.object.T_world_obj = renormalised(T_world_obj);
@@ -151,17 +151,21 @@ Drop World::fall(const Body& falling) const {
   const double z = falling.object.T_world_obj.translation().z();
   Drop drop;
   bool found = false;
-  const auto consider = [&](double z_rest, const std::string& support) {
+  // A sheet that lies on a surface carries what comes down there.
+  const auto consider = [&](double z_rest, const std::string& support, bool is_sheet) {
+    constexpr double kSameHeight = 1e-9;  // m
     const double distance = z - z_rest;
-    if (distance < -kRestTolerance || (found && distance >= drop.distance)) return;
+    const double below = drop.distance + (is_sheet ? kSameHeight : 0.0);
+    if (distance < -kRestTolerance || (found && distance >= below)) return;
     drop = {.distance = distance, .support = support};
     found = true;
   };
-  if (floor_z_) consider(*floor_z_ + half_height(falling.object), "floor");
+  if (floor_z_) consider(*floor_z_ + half_height(falling.object), "floor", false);
   for (const Body& each : bodies_) {
     if (&each == &falling) continue;
     const auto z_rest = resting_height(falling.object, each.object);
-    if (z_rest) consider(*z_rest, each.object.name);
+    if (z_rest)
+      consider(*z_rest, each.object.name, std::holds_alternative<Plane>(each.object.shape));
   }
   return drop;
 }

@@ -38,7 +38,8 @@ Started move_j_position(Vm& vm, const RobotRef& r, const PosC& target, Number ti
 std::optional<Frame> frame_of(const PosC* frame) {
   return frame != nullptr ? std::optional<Frame>(frame->T) : std::nullopt;
 }
-std::optional<Frame> frame_of(const ObjectRef& frame) { return frame.name; }
+std::optional<Frame> frame_of(const ObjectRef& frame) { return frame; }
+std::optional<Frame> frame_of(const FrameRef& frame) { return frame; }
 
 template <class FrameGiven>
 Started move_l(Vm& vm, const RobotRef& r, const PosC& target, Number time, Number speed,
@@ -157,6 +158,13 @@ constexpr NativeFunction kMotionFunctions[] = {
         "moveL(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
         "frame: object, blend: length?) -> Move",
         kMoveLHelp, "moveL(xyz(z: 80mm), speed: 80mm/s, frame: object(\"cube\"))",
+        {.check = check_move_line, .pauses = true, .in_path = true}),
+    def<move_l<const FrameRef&>>(
+        "moveL(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
+        "frame: frame, blend: length?) -> Move",
+        kMoveLHelp,
+        "frame bench { at: xyz(300mm, 200mm, 100mm) } moveL(xyz(z: 80mm), speed: 80mm/s, frame: "
+        "bench)",
         {.check = check_move_line, .pauses = true, .in_path = true}),
     def<move_spline<PosJ>>(
         "moveSpline(r: robot, points: posJ[], time: time?, traj: string = \"Spline3\", speed: "

@@ -217,6 +217,12 @@ Started speed_c_object(Vm& vm, const RobotRef& r, std::span<const double> v, con
   if (object == nullptr) return fail_unknown_object(vm, frame.name, 2);
   return speed_c(vm, r, {v, object->T_world_obj.linear(), during, 3});
 }
+Started speed_c_named(Vm& vm, const RobotRef& r, std::span<const double> v, const FrameRef& frame,
+                      double during) {
+  const auto now = frame_now(vm, frame, 2);
+  if (!now) return Failed{};
+  return speed_c(vm, r, {v, now->T.linear(), during, 3});
+}
 
 constexpr std::string_view kSpeedJHelp =
     "Takes up these joint speeds (rad/s, m/s) within the limits on acceleration and jerk and holds "
@@ -243,6 +249,11 @@ constexpr NativeFunction kVelocityFunctions[] = {
         "speedC(r: robot, v: double[], frame: object, during: time)", kSpeedCHelp,
         "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
         "object(\"cube\"), during: 500ms)",
+        {.pauses = true}),
+    def<speed_c_named>(
+        "speedC(r: robot, v: double[], frame: frame, during: time)", kSpeedCHelp,
+        "frame bench { at: rotZ(90deg) } moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, "
+        "0.0, 0.0, 0.0], frame: bench, during: 500ms)",
         {.pauses = true}),
 };
 

@@ -55,28 +55,79 @@ Failure failure_of_meeting(Vm& vm, const MoveCall& call, const CellCollision& me
   return f;
 }
 
+// What the hand, or what it carries, presses into an object is felt.
+bool is_felt(const Cell& cell, const CellCollision& met) {
+  return feels(cell, met.body) && !met.other.object.empty();
+}
+
+void advise(Vm& vm, const MoveCall& call, const CellCollision& met, double duration) {
+  Host& host = Host::of(vm);
+  const void* code = (call.place.code() != nullptr ? call.place : place_of_call(vm)).code();
+  const std::string pair =
+      fmt::format("{}+{}", body_text(host.cell(), met.body), body_text(host.cell(), met.other));
+  if (host.first_collision(code, pair))
+    vm.advise(failure_of_meeting(vm, call, met, false, duration));
+}
+
+// Whether a robot began a motion behind number `last` of all, at t_ns at the latest.
+bool has_started(const Cell& cell, int robot, int last, std::int64_t t_ns) {
+  for (int motion = last + 1; motion <= cell.robot(robot).motion_id; ++motion) {
+    const MotionReport& report = cell.report(motion);
+    if (report.robot == robot) return report.start_ns <= t_ns;
+  }
+  return false;
+}
+
 }  // namespace
 
-Answer<void> check_collisions(Vm& vm, const MoveCall& call, const Trajectory& motion) {
+Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
+                                                        const Trajectory& motion) {
   const CollisionCheck wanted = settings_of(vm).collisions;
-  if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0) return {};
+  if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0)
+    return std::vector<PossibleCollision>{};
   Host& host = Host::of(vm);
-  const auto met = find_collisions(host.cell(), call.robot, motion);
-  if (met.empty()) return {};
+  auto met = find_collisions(host.cell(), call.robot, motion);
+  const bool guarded = is_guarded(vm);
+  if (guarded && wanted == CollisionCheck::kError)
+    std::erase_if(met, [&](const CellCollision& each) { return is_felt(host.cell(), each); });
+  std::vector<PossibleCollision> possible;
+  if (met.empty()) return possible;
   if (wanted == CollisionCheck::kError) {
     Failure f = failure_of_meeting(vm, call, met.front(), true, motion.duration());
     f.resource = robot_called(host.cell().robot(call.robot).name);
     f.moved = false;
     return fail(vm, std::move(f));
   }
-  const void* code = (call.place.code() != nullptr ? call.place : place_of_call(vm)).code();
-  for (const CellCollision& each : met) {
-    const std::string pair =
-        fmt::format("{}+{}", body_text(host.cell(), each.body), body_text(host.cell(), each.other));
-    if (host.first_collision(code, pair))
-      vm.advise(failure_of_meeting(vm, call, each, false, motion.duration()));
+  for (CellCollision& each : met) {
+    const int other = each.other.robot;
+    const bool stands = other >= 0 && other != call.robot && !host.cell().is_moving(other);
+    if (each.at_start || !(guarded || stands)) {
+      advise(vm, call, each, motion.duration());
+      continue;
+    }
+    const int last = stands ? host.cell().robot(other).motion_id : -1;
+    possible.push_back({.met = std::move(each), .guarded = guarded, .last = last});
   }
-  return {};
+  return possible;
+}
+
+void report_collisions(Vm& vm, const MoveCall& call, int motion,
+                       const std::vector<PossibleCollision>& possible) {
+  constexpr double kPressed = 0.010;  // m: deeper than this is no touch
+  const Cell& cell = Host::of(vm).cell();
+  const MotionReport& report = cell.report(motion);
+  const double duration = to_seconds(report.end_ns - report.start_ns);
+  for (const PossibleCollision& each : possible) {
+    const CellCollision& met = each.met;
+    if (report.state == MotionState::kStopped && met.t >= duration) continue;
+    const bool stood = met.other.robot >= 0 && met.other.robot != call.robot;
+    if (stood && has_started(cell, met.other.robot, each.last, report.start_ns + to_ns(met.t)))
+      continue;
+    if (each.guarded && is_felt(cell, met) &&
+        -distance_between(cell, met.body, met.other) <= kPressed)
+      continue;
+    advise(vm, call, met, duration);
+  }
 }
 
 }  // namespace armlet::bind

@@ -1,13 +1,32 @@
 #pragma once
 // What motions run into.
 
+#include <vector>
+
+#include "armlet/cell/collisions.hpp"
 #include "armlet/trajectory/trajectory.hpp"
 #include "motion/moves.hpp"
 
 namespace armlet::bind {
 
+// Whether this will be a collision shows when the move is over.
+//
+// guarded  the move may be stopped before, and what the hand presses into is felt.
+// last     of the other robot, which stands: the number of its last motion.
+struct PossibleCollision {
+  CellCollision met;
+  bool guarded = false;
+  int last = -1;
+};
+
 // Says, as `with (collisions:)` wants it, what the robot of the call would meet on this motion: as
-// advice, one for each pair and place of the program, or as R0614.
-Answer<void> check_collisions(Vm& vm, const MoveCall& call, const Trajectory& motion);
+// advice, one for each pair and place of the program, or as R0614. Returns what cannot be known
+// yet: a robot that stands may start in the same instant, and a guard may stop the move before.
+Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
+                                                        const Trajectory& motion);
+
+// Says what has come true of them, when the motion of that number is over.
+void report_collisions(Vm& vm, const MoveCall& call, int motion,
+                       const std::vector<PossibleCollision>& possible);
 
 }  // namespace armlet::bind

@@ -13,14 +13,16 @@ namespace {
 
 class MoveWaiting : public Waiting {
  public:
-  MoveWaiting(Host& host, const MoveCall& call, int motion, double length, double deviation)
+  MoveWaiting(Host& host, const MoveCall& call, int motion, double length, double deviation,
+              std::vector<PossibleCollision> possible)
       : host_(host),
         call_(call),
         function_(call.function),
         motion_(motion),
         length_(length),
         deviation_(deviation),
-        from_(tool_point()) {}
+        from_(tool_point()),
+        possible_(std::move(possible)) {}
 
   [[nodiscard]] std::int64_t due_ns() const override { return report().end_ns; }
   [[nodiscard]] bool is_over() const override { return report().state != MotionState::kRunning; }
@@ -39,6 +41,7 @@ class MoveWaiting : public Waiting {
     host_.report_move({arm().name, function_, to_seconds(done.start_ns), duration, !reached,
                        host_.cell().T_world_tool(call_.robot)});
     report_events(vm);
+    report_collisions(vm, call_, motion_, possible_);
     if (done.halted) return fail_halted(vm);
     RecordObj* move = new_record(vm, vm.program().library_record("Move"));
     if (move == nullptr) return Signal::kFail;
@@ -89,6 +92,7 @@ class MoveWaiting : public Waiting {
   double length_;
   double deviation_;
   Eigen::Vector3d from_;
+  std::vector<PossibleCollision> possible_;
 };
 
 class NoMove : public Waiting {
@@ -137,7 +141,8 @@ Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double
     for (MotionPart& part : notes.parts) part.end *= *slower;
     if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
   }
-  if (!check_collisions(vm, call, trajectory)) return Failed{};
+  auto possible = check_collisions(vm, call, trajectory);
+  if (!possible) return Failed{};
   const bool instant = trajectory.duration() <= 0.0;
   const double deviation = notes.deviation;
   host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});
@@ -145,7 +150,7 @@ Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double
                          ? host.cell().drive(call.robot, std::move(trajectory))
                          : host.cell().start(call.robot, std::move(trajectory));
   std::unique_ptr<Waiting> waiting =
-      std::make_unique<MoveWaiting>(host, call, motion, length, deviation);
+      std::make_unique<MoveWaiting>(host, call, motion, length, deviation, *std::move(possible));
   if (instant) host.advance_to(host.now_ns());
   return waiting;
 }

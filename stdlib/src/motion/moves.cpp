@@ -26,10 +26,14 @@ Answer<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings
                       const PosC& target) {
   std::optional<Frame> frame = settings.frame ? settings.frame : settings_of(vm).frame;
   if (!frame) return target;
-  if (const auto* name = std::get_if<std::string>(&*frame)) {
-    const Object* object = find_object(vm, *name);
-    if (object == nullptr) return fail_unknown_object(vm, *name, call.target);
+  if (const auto* body = std::get_if<ObjectRef>(&*frame)) {
+    const Object* object = find_object(vm, body->name);
+    if (object == nullptr) return fail_unknown_object(vm, body->name, call.target);
     frame = object->T_world_obj;
+  } else if (const auto* named = std::get_if<FrameRef>(&*frame)) {
+    const auto now = frame_now(vm, *named, call.target);
+    if (!now) return Failed{};
+    frame = now->T;
   }
   return PosC{std::get<Eigen::Isometry3d>(*frame) * target.T, target.has_orientation};
 }

@@ -421,6 +421,7 @@ void check_lengths(CheckCall& call, std::initializer_list<std::string_view> name
 
 void check_box(CheckCall& call) { check_lengths(call, {"length x", "length y", "length z"}); }
 void check_cylinder(CheckCall& call) { check_lengths(call, {"radius", "height"}); }
+void check_plane(CheckCall& call) { check_lengths(call, {"length x", "length y"}); }
 void check_sphere(CheckCall& call) { check_lengths(call, {"radius"}); }
 
 void check_object_name(CheckCall& call) {

@@ -91,6 +91,7 @@ void explain_arc(CheckCall& call);            // E0503: moveC(via, goal, ...)
 // Every parameter is a length of a shape: E0513.
 void check_box(CheckCall& call);
 void check_cylinder(CheckCall& call);
+void check_plane(CheckCall& call);
 void check_sphere(CheckCall& call);
 // The first parameter is an object's name: E0203.
 void check_object_name(CheckCall& call);

@@ -121,7 +121,10 @@ void set_frame(Vm& vm, Frame frame) {
   replace_settings(vm, std::move(settings));
 }
 void set_frame_position(Vm& vm, const PosC& frame) { set_frame(vm, frame.T); }
-void set_frame_object(Vm& vm, const ObjectRef& frame) { set_frame(vm, frame.name); }
+template <class Named>
+void set_frame_of(Vm& vm, const Named& frame) {
+  set_frame(vm, frame);
+}
 
 // E0513.
 void check_share(CheckCall& call, std::string_view what) {
@@ -188,7 +191,13 @@ constexpr NativeFunction kSettingsFunctions[] = {
     def<set_frame_position>(
         "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
         "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),
-    def<set_frame_object>(
+    def<set_frame_of<FrameRef>>(
+        "with.frame(frame: frame)",
+        "Targets in space inside the block are read in this frame, wherever it is when the move "
+        "begins.",
+        "frame bench { at: xyz(z: 100mm) } with (frame: bench) { moveJ(xyz(300mm, 200mm, 50mm)) }",
+        {.in_path = true}),
+    def<set_frame_of<ObjectRef>>(
         "with.frame(frame: object)",
         "Targets in space inside the block are read in the frame of this object, wherever it "
         "is when the move begins.",

@@ -63,6 +63,7 @@ std::span<const Chapter> chapters() {
       {.title = "Robots: paths", .functions = path_functions()},
       {.title = "Hands", .functions = hand_functions()},
       {.title = "World and signals", .functions = world_functions()},
+      {.title = "Frames with names", .functions = frame_functions()},
       {.title = "The classic subset", .functions = classic_functions()},
       {.title = "Time", .functions = time_functions()},
       {.title = "Tables", .functions = table_functions()},
@@ -79,8 +80,8 @@ std::span<const Chapter> chapters() {
 
 void install(Engine& engine) {
   for (const HostType* type :
-       {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kShape, &bind::kTool,
-        &bind::kJointRow, &bind::kLab, &bind::kLabRow, &bind::kCamera, &bind::kImage,
+       {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kFrame, &bind::kShape,
+        &bind::kTool, &bind::kJointRow, &bind::kLab, &bind::kLabRow, &bind::kCamera, &bind::kImage,
         &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }

@@ -9,11 +9,12 @@
 #include <variant>
 
 #include "armlet/interpreter/engine.hpp"
+#include "values/values.hpp"
 
 namespace armlet::bind {
 
-// Where targets are read: a fixed frame, or the frame of the object of that name.
-using Frame = std::variant<Eigen::Isometry3d, std::string>;
+// Where targets are read: a fixed frame, or that of an object or a frame with a name.
+using Frame = std::variant<Eigen::Isometry3d, ObjectRef, FrameRef>;
 
 struct CollectedPath;
 

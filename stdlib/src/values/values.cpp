@@ -40,6 +40,9 @@ bool equal_robot(const void* a, const void* b) { return as<RobotRef>(a).id == as
 bool equal_object(const void* a, const void* b) {
   return as<ObjectRef>(a).name == as<ObjectRef>(b).name;
 }
+bool equal_frame(const void* a, const void* b) {
+  return as<FrameRef>(a).name == as<FrameRef>(b).name;
+}
 
 void text_posj(const void* value, std::string& out) { out += posj_text(as<PosJ>(value)); }
 void text_posc(const void* value, std::string& out) { out += posc_text(as<PosC>(value)); }
@@ -49,6 +52,9 @@ void text_robot(const void* value, std::string& out) {
 }
 void text_object(const void* value, std::string& out) {
   out += fmt::format("object \"{}\"", as<ObjectRef>(value).name);
+}
+void text_frame(const void* value, std::string& out) {
+  out += fmt::format("frame \"{}\"", as<FrameRef>(value).name);
 }
 void text_shape(const void* value, std::string& out) {
   out += shape_name(as<ShapeValue>(value).shape);
@@ -132,11 +138,18 @@ const HostType kObject{.name = "object",
                        .equal = equal_object,
                        .text = text_object,
                        .help = "An object of the world."};
+const HostType kFrame{.name = "frame",
+                      .size = sizeof(FrameRef),
+                      .is_handle = true,
+                      .destroy = destroy_as<FrameRef>,
+                      .equal = equal_frame,
+                      .text = text_frame,
+                      .help = "A frame with a name, which moves with what it is on."};
 const HostType kShape{.name = "shape",
                       .size = sizeof(ShapeValue),
                       .destroy = destroy_as<ShapeValue>,
                       .text = text_shape,
-                      .help = "A box, cylinder or sphere."};
+                      .help = "A box, cylinder, sphere, cone or plane."};
 const HostType kTool{.name = "tool",
                      .size = sizeof(ToolValue),
                      .destroy = destroy_as<ToolValue>,

@@ -50,6 +50,9 @@ struct RobotRef {
 struct ObjectRef {
   std::string name;
 };
+struct FrameRef {
+  std::string name;
+};
 struct ShapeValue {
   Shape shape;
 };
@@ -69,6 +72,7 @@ extern const HostType kPosJ;
 extern const HostType kPosC;
 extern const HostType kRobot;
 extern const HostType kObject;
+extern const HostType kFrame;
 extern const HostType kShape;
 extern const HostType kTool;
 extern const HostType kJointRow;
@@ -99,6 +103,8 @@ template <>
 inline constexpr const HostType* kHostType<bind::RobotRef> = &bind::kRobot;
 template <>
 inline constexpr const HostType* kHostType<bind::ObjectRef> = &bind::kObject;
+template <>
+inline constexpr const HostType* kHostType<bind::FrameRef> = &bind::kFrame;
 template <>
 inline constexpr const HostType* kHostType<bind::ShapeValue> = &bind::kShape;
 template <>

@@ -40,6 +40,10 @@ const Object* find_object(Vm& vm, std::string_view name) {
   return host.cell().world().find(name);
 }
 
+bool has_orientation(const Object& object) {
+  return std::holds_alternative<Box>(object.shape) || std::holds_alternative<Plane>(object.shape);
+}
+
 namespace {
 
 using Eigen::Isometry3d;
@@ -55,32 +59,55 @@ Answer<const Object*> object_of(Vm& vm, const ObjectRef& o) {
 ShapeValue box(double x, double y, double z) { return {Box{{x, y, z}}}; }
 ShapeValue cylinder(double radius, double height) { return {Cylinder{radius, height}}; }
 ShapeValue sphere(double radius) { return {Sphere{radius}}; }
+ShapeValue cone(double radius, double height) { return {Cone{radius, height}}; }
+ShapeValue plane(double x, double y) { return {Plane{{x, y}}}; }
+
+// W0723, once for each place of the program.
+void report_overlap(Vm& vm, const std::string& name) {
+  Host& host = Host::of(vm);
+  const World& world = host.cell().world();
+  const Object* placed = world.find(name);
+  if (placed == nullptr || world.attachment(name)) return;
+  const auto inside = deepest_overlap(world, *placed);
+  if (!inside || !host.first_collision(place_of_call(vm).code(), "placed")) return;
+  Failure advice;
+  advice.headline = {row("W0723"), {name, format_mm(inside->depth), inside->other}};
+  advice.why = "two bodies cannot be in one place; a hand that takes one of them would collide";
+  advice.fix = fmt::format("move it by {} at least", format_mm(inside->depth));
+  if (placed->fixed != world.at(inside->other).fixed) {
+    advice.fix += ", or make both `fixed: true` if they are parts of one thing";
+  }
+  vm.advise(advice);
+}
 
 Answer<ObjectRef> insert_object(Vm& vm, Object object) try {
   Host& host = Host::of(vm);
   const ObjectRef made{object.name};
-  if (!host.is_skipped(made.name)) host.cell().insert(std::move(object));
+  if (host.is_skipped(made.name)) return made;
+  host.cell().insert(std::move(object));
+  report_overlap(vm, made.name);
   return made;
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0631"), error);
 }
 
 Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
-                               const PosC& at, double mass, double friction, std::string_view color,
-                               bool fixed) {
+                               const PosC& at, double mass, double friction, double stiffness,
+                               std::string_view color, bool fixed) {
   Object object;
   object.name = name;
   object.shape = shape.shape;
   object.T_world_obj = at.T;
   object.mass = mass;
   object.friction = friction;
+  object.stiffness = stiffness;
   object.color = color;
   object.fixed = fixed;
   return insert_object(vm, std::move(object));
 }
 Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& at,
                         double mass, std::string_view color) {
-  return object_block(vm, name, s, at, mass, Object{}.friction, color, false);
+  return object_block(vm, name, s, at, mass, Object{}.friction, Object{}.stiffness, color, false);
 }
 
 Answer<ObjectRef> object_named(Vm& vm, std::string_view name) {
@@ -92,7 +119,7 @@ std::string object_name(const ObjectRef& o) { return o.name; }
 Answer<PosC> pose_of(Vm& vm, const ObjectRef& o) {
   const auto object = object_of(vm, o);
   if (!object) return Failed{};
-  return PosC{(*object)->T_world_obj, std::holds_alternative<Box>((*object)->shape)};
+  return PosC{(*object)->T_world_obj, has_orientation(**object)};
 }
 
 // The same unless a hand holds it: then it is neither put elsewhere nor taken away.
@@ -129,6 +156,7 @@ Answer<void> set_pose(Vm& vm, const ObjectRef& o, const PosC& p) try {
   Isometry3d T = p.T;
   if (!p.has_orientation) T.linear() = (*object)->T_world_obj.linear();
   report_falls(vm, Host::of(vm).cell().set_pose(o.name, T));
+  report_overlap(vm, o.name);
   return {};
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0631"), error);
@@ -213,10 +241,18 @@ constexpr NativeFunction kWorldFunctions[] = {
                   "cylinder(radius: 20mm, height: 50mm)", {.check = check_cylinder}),
     def<sphere>("sphere(radius: length) -> shape", "A sphere.", "sphere(15mm)",
                 {.check = check_sphere}),
+    def<cone>("cone(radius: length, height: length) -> shape",
+              "A cone standing on its base; its frame is at half the height.",
+              "cone(radius: 20mm, height: 50mm)", {.check = check_cylinder}),
+    def<plane>("plane(x: length, y: length) -> shape",
+               "A thin rectangle that faces up, its frame in the middle.", "plane(400mm, 300mm)",
+               {.check = check_plane}),
     def<object_block>(
         "object{}(name: string, shape: shape, at: posC, mass: mass = 0kg, friction: double = 0.5, "
-        "color: string = \"gray\", fixed: bool = false) -> object",
-        "Adds an object to the world; a fixed one cannot be grasped.",
+        "stiffness: force/length = 50N/mm, color: string = \"gray\", fixed: bool = false) -> "
+        "object",
+        "Adds an object to the world; a fixed one cannot be grasped. What is pressed into it feels "
+        "stiffness times the depth, and friction.",
         "object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }", {.acts = true}),
     def<spawn>(
         "spawn(s: shape, name: string, at: posC, mass: mass = 0kg, color: string = \"gray\") -> "

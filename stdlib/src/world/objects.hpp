@@ -4,6 +4,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/world/object.hpp"
+#include "values/values.hpp"
 
 namespace armlet::bind {
 
@@ -11,5 +12,13 @@ namespace armlet::bind {
 const Object* find_object(Vm& vm, std::string_view name);
 // R0625 with the names there are.
 Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter);
+
+// Whether the shape tells how a body is turned: a round one has an axis only (ruling 14).
+[[nodiscard]] bool has_orientation(const Object& object);
+
+// Where a frame is now; R0645 if there is none of that name, or what it is on was removed.
+Answer<PosC> frame_now(Vm& vm, const FrameRef& f, int parameter);
+// R0645 with the names there are.
+Failed fail_unknown_frame(Vm& vm, std::string_view name, int parameter);
 
 }  // namespace armlet::bind

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "armlet/core/error.hpp"
 
@@ -18,6 +20,61 @@ TEST_CASE("inertias are those of solids of even density") {
   CHECK(inertia(cylinder).diagonal().isApprox(Eigen::Vector3d(0.39, 0.39, 0.06), 1e-14));
   const Object sphere{.name = "s", .shape = Sphere{0.5}, .mass = 10.0};
   CHECK(inertia(sphere).diagonal().isApprox(Eigen::Vector3d(1.0, 1.0, 1.0), 1e-14));
+  // 3/80 m (4 r^2 + h^2) about the centre of mass, a quarter of the height above the base.
+  const Object cone{.name = "k", .shape = Cone{0.2, 0.4}, .mass = 80.0};
+  CHECK(inertia(cone).diagonal().isApprox(Eigen::Vector3d(0.96, 0.96, 0.96), 1e-14));
+  CHECK(center_of_mass(cone) == Eigen::Vector3d(0.0, 0.0, -0.1));
+  const Object plane{.name = "p", .shape = Plane{{0.3, 0.6}}, .mass = 12.0};
+  CHECK(inertia(plane).diagonal().isApprox(Eigen::Vector3d(0.36, 0.09, 0.45), 1e-14));
+  CHECK(center_of_mass(plane) == Eigen::Vector3d::Zero());
+}
+
+namespace {
+
+// Slices along z, each of them a rectangle or a disc: an inertia that comes from none of the
+// formulas for bodies.
+struct Slices {
+  int count = 4000;
+  double low = 0.0, high = 0.0;
+  std::function<double(double)> radius{};           // of discs, by z
+  Eigen::Vector2d sides = Eigen::Vector2d::Zero();  // of rectangles otherwise
+
+  // Mass 1: the centre's z, and the moments about it.
+  [[nodiscard]] std::pair<double, Eigen::Vector3d> integrate() const {
+    double mass = 0.0, first = 0.0, second = 0.0;
+    Eigen::Vector2d own = Eigen::Vector2d::Zero();
+    for (int k = 0; k < count; ++k) {
+      const double z = low + (high - low) * (k + 0.5) / count;
+      const double r = radius ? radius(z) : 0.0;
+      const double area = radius ? r * r * M_PI : sides.prod();
+      mass += area;
+      first += area * z;
+      second += area * z * z;
+      own += area * (radius ? Eigen::Vector2d(r * r / 4.0, r * r / 4.0)
+                            : Eigen::Vector2d(sides.y() * sides.y(), sides.x() * sides.x()) / 12.0);
+    }
+    const double z = first / mass, along = second / mass - z * z;
+    own /= mass;
+    return {z, {own.x() + along, own.y() + along, own.sum()}};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("inertias and centres of mass are what slices add up to") {
+  const auto same = [](const Shape& shape, const Slices& slices) {
+    const Object body{.name = "b", .shape = shape, .mass = 1.0};
+    const auto [z, moments] = slices.integrate();
+    CHECK(center_of_mass(body).z() == doctest::Approx(z).epsilon(1e-6).scale(0.1));
+    CHECK(inertia(body).diagonal().isApprox(moments, 1e-6));
+  };
+  same(Box{{0.03, 0.05, 0.11}}, {.low = -0.055, .high = 0.055, .sides = {0.03, 0.05}});
+  same(Cylinder{0.07, 0.2}, {.low = -0.1, .high = 0.1, .radius = [](double) { return 0.07; }});
+  same(Sphere{0.3},
+       {.low = -0.3, .high = 0.3, .radius = [](double z) { return std::sqrt(0.09 - z * z); }});
+  same(Cone{0.07, 0.2},
+       {.low = -0.1, .high = 0.1, .radius = [](double z) { return 0.07 * (0.1 - z) / 0.2; }});
+  same(Plane{{0.3, 0.2}}, {.count = 1, .sides = {0.3, 0.2}});
 }
 
 TEST_CASE("the grasp width is the smallest width across the approach") {
@@ -32,6 +89,12 @@ TEST_CASE("the grasp width is the smallest width across the approach") {
   CHECK(grasp_width(cylinder, down) == 0.04);
   CHECK(grasp_width(cylinder, side) == 0.03);
   CHECK(grasp_width({.name = "s", .shape = Sphere{0.02}}, side) == 0.04);
+  const Object cone{.name = "k", .shape = Cone{0.02, 0.03}};
+  CHECK(grasp_width(cone, down) == 0.04);
+  CHECK(grasp_width(cone, side) == 0.03);
+  const Object plane{.name = "p", .shape = Plane{{0.05, 0.02}}};
+  CHECK(grasp_width(plane, down) == 0.02);
+  CHECK(grasp_width(plane, side) == 0.0);
 }
 
 TEST_CASE("a long body can be taken along its longest side, a rod up to its radius from the end") {
@@ -82,6 +145,14 @@ TEST_CASE("objects without name, size or a proper pose are refused") {
   refused([](Object& o) { o.shape = Box{{0.1, 0.0, 0.1}}; });
   refused([](Object& o) { o.shape = Sphere{-1.0}; });
   refused([](Object& o) { o.shape = Cylinder{0.1, std::nan("")}; });
+  refused([](Object& o) { o.shape = Cone{0.0, 0.1}; });
+  refused([](Object& o) { o.shape = Cone{0.1, -0.1}; });
+  refused([](Object& o) { o.shape = Plane{{0.1, std::nan("")}}; });
+  refused([](Object& o) { o.shape = Sphere{1e-7}; });
+  refused([](Object& o) { o.shape = Plane{{0.1, 1.1e4}}; });
+  refused([](Object& o) { o.stiffness = 0.0; });
+  refused([](Object& o) { o.stiffness = std::numeric_limits<double>::infinity(); });
+  refused([](Object& o) { o.T_world_obj.translation()[1] = -1.1e4; });
   refused([](Object& o) { o.mass = -0.1; });
   refused([](Object& o) { o.mass = std::numeric_limits<double>::infinity(); });
   refused([](Object& o) { o.friction = std::nan(""); });

@@ -196,6 +196,28 @@ TEST_CASE("lying bodies fall onto their sides") {
         doctest::Approx(0.22 + 0.06 / std::sqrt(2.0)).epsilon(1e-13));
 }
 
+TEST_CASE("cones and planes fall and carry; a cone counts as the cylinder around it") {
+  World world = table_world();
+  world.insert(at("cone", Cone{0.03, 0.08}, 0.3, 0.2, 0.8));
+  CHECK(world.drop("cone").support == "table");
+  CHECK(world.at("cone").T_world_obj.translation().z() == doctest::Approx(0.26).epsilon(1e-14));
+  world.insert(at("lid", kCube, 0.32, 0.2, 0.8));
+  CHECK(world.drop("lid").support == "cone");
+  CHECK(world.at("lid").T_world_obj.translation().z() == doctest::Approx(0.32).epsilon(1e-14));
+  world.insert(at("sheet", Plane{{0.2, 0.1}}, -0.3, 0.2, 0.8));
+  CHECK(world.drop("sheet").support == "table");
+  CHECK(world.at("sheet").T_world_obj.translation().z() == doctest::Approx(0.22).epsilon(1e-14));
+  world.insert(at("on it", kCube, -0.3, 0.2, 0.5));
+  CHECK(world.drop("on it").support == "sheet");
+  CHECK(world.at("on it").T_world_obj.translation().z() == doctest::Approx(0.24).epsilon(1e-14));
+  // Upright it is as high as it is long, and as thin as a line.
+  Object upright = at("upright", Plane{{0.2, 0.1}}, 0.0, -0.2, 0.8);
+  upright.T_world_obj.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).matrix();
+  world.insert(upright);
+  CHECK(world.drop("upright").support == "table");
+  CHECK(world.at("upright").T_world_obj.translation().z() == doctest::Approx(0.27).epsilon(1e-14));
+}
+
 TEST_CASE("resting means within two millimetres of a surface") {
   World world = table_world();
   world.insert(at("cube", kCube, 0.0, 0.0, 0.2419));

@@ -30,6 +30,8 @@ class CallPlace {
 };
 // The call that is running.
 [[nodiscard]] CallPlace place_of_call(Vm& vm);
+// Whether `until` guards it.
+[[nodiscard]] bool is_guarded(Vm& vm);
 
 // Why a native function failed. The position is added by the interpreter.
 struct Failure {

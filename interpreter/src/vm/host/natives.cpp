@@ -53,6 +53,14 @@ void retain(Obj* object) { lang::retain_object(object); }
 
 void release(Vm& vm, Obj* object) { vm.state().heap.release(object); }
 
+bool is_guarded(Vm& vm) {
+  const lang::VmState& state = vm.state();
+  if (state.running == nullptr) return false;
+  const lang::Frame& frame = *state.running->stack.top;
+  if (frame.is_host() || frame.at() == 0) return false;
+  return frame.callee->code[frame.at() - 1].op == lang::OpCode::GUARD;
+}
+
 CallPlace place_of_call(Vm& vm) { return CallPlace(lang::code_span(vm.state())); }
 
 Failed fail(Vm& vm, Failure failure) {

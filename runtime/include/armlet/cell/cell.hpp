@@ -9,6 +9,7 @@
 
 #include "armlet/backend/backend.hpp"
 #include "armlet/cell/clock.hpp"
+#include "armlet/cell/contacts.hpp"
 #include "armlet/cell/motion.hpp"
 #include "armlet/cell/signals.hpp"
 #include "armlet/math/twist.hpp"
@@ -122,8 +123,10 @@ class Cell {
   [[nodiscard]] Eigen::Isometry3d T_world_flange(int robot) const;
   [[nodiscard]] Eigen::Isometry3d T_world_tool(int robot) const;
 
-  // Force and moment that the surroundings exert on the tool point, in world axes; what the hand
-  // holds does not count. Nothing in this cell pushes back, so it is zero.
+  // Force and moment that the objects exert on the tool point which the robot presses its hand, or
+  // what it carries, into, in world axes; what the hand holds does not count. An object pushes back
+  // with its stiffness times the depth, along the normal at the point of first touch, and with
+  // friction against the sliding. The same for slices of time of any size.
   [[nodiscard]] Vector6d contact_wrench(int robot) const;
   // The same of what the hand holds and what rests on it: its weight, and its inertia as it is
   // moved. Zero if it holds nothing.
@@ -178,6 +181,12 @@ class Cell {
   std::vector<Fall> remove(std::string_view name);
   std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
+  // Frames with names, as World has them.
+  void insert_frame(NamedFrame frame) { world_.insert_frame(std::move(frame)); }
+  void set_frame(std::string_view name, const Eigen::Isometry3d& T_world_frame) {
+    world_.set_frame(name, T_world_frame);
+  }
+
   // The robot whose hand is closed on an object; nothing if none is.
   [[nodiscard]] std::optional<int> holder_of(std::string_view name) const;
 
@@ -228,6 +237,8 @@ class Cell {
     std::string text;
   };
   CellRobot& state(int index);
+  // What is touched now is known from here on: to be called before anything but time changes.
+  void settle_contacts();
   int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
   void begin_rest(int index, bool stopped);
   void bring_to_now();
@@ -258,6 +269,7 @@ class Cell {
   std::vector<PendingNote> pending_notes_;
   std::vector<Figure> pending_figures_;
   std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are wanted
+  mutable Contacts contacts_;                     // finds first touches when they are asked for
   Backend* backend_ = nullptr;
   std::uint64_t told_ = 0;  // events that the backend was told
   bool begun_ = false;

@@ -1,6 +1,7 @@
 // What meets what in a cell: now, and during a motion before it is made.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct CellBody {
 // "link 3 of `arm`", "the gripper of `arm`", "\"cube\"".
 std::string body_text(const Cell& cell, const CellBody& body);
 
+// Whether the body feels what it presses into (Cell::contact_wrench): of a hand, or carried by one.
+bool feels(const Cell& cell, const CellBody& body);
+
 // Two bodies that would meet during a motion; times from its begin, the rest as in Meeting.
 //
 // at_start, at_end  they overlap there already.
@@ -45,7 +49,8 @@ struct CellCollision {
 //
 // Not counted: the fingers or the cup of a hand, or the stick at the end of an arm without one, and
 // an object that this hand can take where the motion begins or ends; what it carries, in its hand,
-// in that of who holds it as well, and on what it stands, until they have come apart; the base
+// in that of who holds it as well; what it carries and the hand, and what they touch at the begin,
+// until they have come apart; the base
 // and the column on it, which stay where they are, and what stands around them. A gripper that
 // holds something is as far open as that is wide. Arms whose bases stand in one
 // another cannot both be there: they are taken for alternatives. A motion that takes no time is not
@@ -57,5 +62,15 @@ std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Tr
 // The smallest gap between two things of the cell as they are now, below zero if they overlap, m.
 // `robot` without an object is the robot without what it carries; frame and role do not count.
 double distance_between(const Cell& cell, const CellBody& a, const CellBody& b);
+
+// Another object that one lies in, deeper than bodies which rest on each other.
+struct Overlap {
+  std::string other;
+  double depth = 0.0;  // m
+};
+
+// The one that it lies in deepest; nothing if there is none. Two fixed objects may be parts of one
+// thing, and what a hand carries is where the hand brings it.
+std::optional<Overlap> deepest_overlap(const World& world, const Object& object);
 
 }  // namespace armlet

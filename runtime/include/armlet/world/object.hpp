@@ -2,11 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace armlet {
 
-// Shapes in their own frame, which lies in the centre; a cylinder stands along z. Metres.
+// Shapes in their own frame, which lies in the centre; a cylinder stands along z. A cone stands on
+// its base, its frame at half the height; a plane is a rectangle without thickness that faces up.
+// Metres.
 struct Box {
   Eigen::Vector3d size{0.04, 0.04, 0.04};
   bool operator==(const Box&) const = default;
@@ -20,7 +23,21 @@ struct Sphere {
   double radius = 0.02;
   bool operator==(const Sphere&) const = default;
 };
-using Shape = std::variant<Box, Cylinder, Sphere>;
+struct Cone {
+  double radius = 0.02;
+  double height = 0.04;
+  bool operator==(const Cone&) const = default;
+};
+struct Plane {
+  Eigen::Vector2d size{0.1, 0.1};
+  bool operator==(const Plane&) const = default;
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Cone, Plane>;
+
+// Sizes from kSmallest to kLargest and positions up to kLargest from the origin can be computed
+// with: distances are right to nanometres next to the origin and to micrometres there.
+inline constexpr double kSmallest = 1e-6;  // m
+inline constexpr double kLargest = 1e4;    // m
 
 // A rigid body in the cell. Its frame is the centre of its shape.
 //
@@ -28,6 +45,7 @@ using Shape = std::variant<Box, Cylinder, Sphere>;
 // p_obj_grasp  where a hand takes it, in its own frame; the centre unless told otherwise.
 // mass         kg, 0 if unknown.
 // friction     coefficient of Coulomb friction on its surface.
+// stiffness    force on what is pressed into it, for each metre of depth, N/m.
 // color        a name or "#rrggbb".
 // fixed        true for what belongs to the cell, such as a table: it cannot be grasped.
 struct Object {
@@ -37,15 +55,22 @@ struct Object {
   Eigen::Vector3d p_obj_grasp = Eigen::Vector3d::Zero();
   double mass = 0.0;
   double friction = 0.5;
+  double stiffness = 5e4;
   std::string color = "gray";
   bool fixed = false;
 };
 
 // Throws ArgumentError that names the object and the number that is wrong: an empty name, a size
-// that is not above zero, a negative mass or friction, a pose that is not one.
+// or position that is out of range, a negative mass or friction, a stiffness that is not above
+// zero, a pose that is not one.
 void check_object(const Object& object);
+// The same for a pose alone.
+void check_place(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
-// Inertia about the centre in the object's axes, kg m^2, for a body of even density.
+// Centre of mass of a body of even density in its own frame, m: the origin, but for a cone.
+Eigen::Vector3d center_of_mass(const Object& object);
+
+// Inertia about the centre of mass in the object's axes, kg m^2, for a body of even density.
 Eigen::Matrix3d inertia(const Object& object);
 
 // How far a parallel gripper must open to close on the object, m: the smallest width at right
@@ -68,7 +93,7 @@ double grasp_distance(const Object& object, const Eigen::Vector3d& p_world);
 // otherwise its centre, or for a long body that does not lie the upper part of its grasp line.
 Eigen::Vector3d grasp_from_above(const Object& object);
 
-// "box", "cylinder" or "sphere".
+// "box", "cylinder", "sphere", "cone" or "plane".
 std::string shape_name(const Shape& shape);
 
 }  // namespace armlet

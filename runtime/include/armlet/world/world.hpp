@@ -38,7 +38,20 @@ struct Fall {
   Drop drop;
 };
 
-// Bodies by name, in the order in which they were inserted.
+// A frame with a name, which moves with what it is on: a body or a frame, or nothing, the world.
+//
+// T_on_frame  its pose in the frame that it is on.
+// turned      its orientation means something (posC of programs).
+enum class FrameBase { kWorld, kObject, kFrame };
+struct NamedFrame {
+  std::string name;
+  FrameBase base = FrameBase::kWorld;
+  std::string on{};
+  Eigen::Isometry3d T_on_frame = Eigen::Isometry3d::Identity();
+  bool turned = true;
+};
+
+// Bodies by name, in the order in which they were inserted, and frames, whose names are their own.
 class World {
  public:
   // floor_z  height of a floor that is everywhere, m; nothing: there is none.
@@ -98,7 +111,23 @@ class World {
   // What the body rests on within kRestTolerance ("floor" or a name); empty if it hangs in the air.
   [[nodiscard]] std::string resting_on(std::string_view name) const;
 
+  // --- frames ---------------------------------------------------------------------------------
+  // A frame is on what is there already, so they are a tree.
+  // throws  ArgumentError for a name that is missing or in use, a pose that is none, and what it
+  //         would be on and is not there.
+  void insert_frame(NamedFrame frame);
+  // Null if there is none.
+  [[nodiscard]] const NamedFrame* find_frame(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> frame_names() const;
+  // Where it is in the world; nothing if the body that carries it, directly or not, was removed.
+  // throws  ArgumentError for an unknown name, as the next.
+  [[nodiscard]] std::optional<Eigen::Isometry3d> T_world_frame(std::string_view name) const;
+  // Puts a frame somewhere in the world; from now on it moves from there with what it is on.
+  // throws  ArgumentError if that was removed, too.
+  void set_frame(std::string_view name, const Eigen::Isometry3d& T_world_frame);
+
  private:
+  [[nodiscard]] std::optional<Eigen::Isometry3d> T_world_base(const NamedFrame& frame) const;
   struct Body {
     Object object;
     std::optional<Attachment> attachment;
@@ -112,6 +141,7 @@ class World {
 
   std::optional<double> floor_z_;
   std::vector<Body> bodies_;
+  std::vector<NamedFrame> frames_;
 };
 
 }  // namespace armlet

@@ -1,0 +1,18 @@
+#pragma once
+// Bodies of an arm in the state in which its hand is.
+
+#include <vector>
+
+#include "armlet/cell/cell.hpp"
+#include "armlet/collision/arm_solids.hpp"
+
+namespace armlet {
+
+[[nodiscard]] inline bool is_finger(LinkShapeRole role) {
+  return role == LinkShapeRole::kFingerLeft || role == LinkShapeRole::kFingerRight;
+}
+
+// Fingers that hold something have closed to its width.
+void close_fingers(const CellRobot& arm, const World& world, std::vector<ArmSolid>& solids);
+
+}  // namespace armlet

@@ -1,0 +1,87 @@
+#include "armlet/collision/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "collision/contact_patch.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Vector3d;
+
+// How far a body reaches along a direction of the world, from the origin of the world.
+double extent(const Solid& solid, const Vector3d& n) {
+  const Vector3d d = solid.T.linear().transpose() * n;
+  const double across = std::sqrt(d.x() * d.x() + d.y() * d.y());
+  const double reach = solid.T.translation().dot(n) + solid.margin;
+  switch (solid.core) {
+    case Solid::Core::kPoint:
+    case Solid::Core::kSegment:
+    case Solid::Core::kBox:
+      break;
+    case Solid::Core::kCylinder:
+      return reach + across * solid.half.x() + std::abs(d.z()) * solid.half.z();
+    case Solid::Core::kCone:
+      return reach +
+             std::max(d.z() * solid.half.z(), across * solid.half.x() - d.z() * solid.half.z());
+  }
+  return reach + d.cwiseAbs().dot(solid.half);
+}
+
+// Width of the slab across n that lies between both, `a` on the side to which n points; below zero:
+// how deep they overlap along n.
+double slab(const Solid& a, const Solid& b, const Vector3d& n) {
+  return -extent(a, -n) - extent(b, n);
+}
+
+}  // namespace
+
+Vector3d contact_normal(const Solid& a, const Solid& b) {
+  constexpr double kAsGood = 1e-8;  // m
+  const Gap gap = gap_between(a, b);
+  double widest = gap.distance - kAsGood;
+  Vector3d normal = gap.away;
+  for (const Solid* body : {&a, &b}) {
+    const bool is_box = body->core == Solid::Core::kBox;
+    const bool has_cap = body->core == Solid::Core::kCylinder || body->core == Solid::Core::kCone;
+    for (int axis = is_box ? 0 : 2; axis < 3 && (is_box || has_cap); ++axis) {
+      for (const double sign : {1.0, -1.0}) {
+        const Vector3d n = sign * body->T.linear().col(axis);
+        const double width = slab(a, b, n);
+        if (width <= widest) continue;
+        widest = width;
+        normal = n;
+      }
+    }
+  }
+  return normal;
+}
+
+double depth_along(const Solid& a, const Solid& b, const Vector3d& n) {
+  constexpr int kMostSteps = 60;
+  constexpr double kExact = 1e-10;  // m
+  double depth = -slab(a, b, n);
+  Solid moved = a;
+  // Moved so far it touches at most. As long as there is a gap it may come back by what that gap
+  // is, measured along n.
+  for (int step = 0; step < kMostSteps && depth > 0.0; ++step) {
+    moved.T.translation() = a.T.translation() + depth * n;
+    const Gap gap = gap_between(moved, b);
+    const double rate = gap.away.dot(n);
+    if (gap.distance <= kExact || rate <= 0.0) break;
+    depth -= gap.distance / rate;
+  }
+  return std::max(depth, 0.0);
+}
+
+Vector3d pressure_point(const Solid& a, const Solid& b, const Vector3d& n) {
+  const ContactPatch lower = contact_patch(a, -n), upper = contact_patch(b, n);
+  if (const auto common = middle_of_both(lower, upper, n)) return *common;
+  Solid free = a;
+  free.T.translation() += depth_along(a, b, n) * n;
+  return gap_between(free, b).p_a + a.T.translation() - free.T.translation();
+}
+
+}  // namespace armlet
