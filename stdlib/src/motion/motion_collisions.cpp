@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "armlet/cell/collisions.hpp"
 #include "armlet/core/format.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
@@ -55,20 +54,29 @@ Failure failure_of_meeting(Vm& vm, const MoveCall& call, const CellCollision& me
   return f;
 }
 
+// Lines and curves are not planned around anything: their way is what was asked for.
+bool has_a_way(const MoveCall& call) { return call.function != "moveJ"; }
+
 }  // namespace
 
+Failed fail_meeting(Vm& vm, const MoveCall& call, const CellCollision& met, double duration) {
+  Failure f = failure_of_meeting(vm, call, met, true, duration);
+  if (settings_of(vm).avoid && has_a_way(call) && !met.at_start && !met.at_end)
+    f.fix += fmt::format("; only `moveJ` goes around by itself, `{}` has its way", call.function);
+  f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
+  f.moved = false;
+  return fail(vm, std::move(f));
+}
+
 Answer<void> check_collisions(Vm& vm, const MoveCall& call, const Trajectory& motion) {
-  const CollisionCheck wanted = settings_of(vm).collisions;
+  const BlockSettings settings = settings_of(vm);
+  const CollisionCheck wanted = settings.avoid ? CollisionCheck::kError : settings.collisions;
   if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0) return {};
   Host& host = Host::of(vm);
   const auto met = find_collisions(host.cell(), call.robot, motion);
   if (met.empty()) return {};
-  if (wanted == CollisionCheck::kError) {
-    Failure f = failure_of_meeting(vm, call, met.front(), true, motion.duration());
-    f.resource = robot_called(host.cell().robot(call.robot).name);
-    f.moved = false;
-    return fail(vm, std::move(f));
-  }
+  if (wanted == CollisionCheck::kError)
+    return fail_meeting(vm, call, met.front(), motion.duration());
   const void* code = (call.place.code() != nullptr ? call.place : place_of_call(vm)).code();
   for (const CellCollision& each : met) {
     const std::string pair =
