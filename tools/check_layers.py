@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-RUNTIME = ["core", "math", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "vision", "plot", "backend"]
+RUNTIME = ["core", "math", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "planning", "vision", "plot", "backend"]
 
 # layer: the layers whose public headers it may include, besides its own.
 MAY_INCLUDE = {
@@ -22,6 +22,7 @@ MAY_INCLUDE = {
     "trajectory": ["core", "math", "chain", "model", "kinematics", "dynamics"],
     "world": ["core", "math"],
     "collision": ["core", "math", "chain", "model", "kinematics", "trajectory", "world"],
+    "planning": ["core", "math", "chain", "model", "kinematics", "trajectory", "world", "collision"],
     "vision": ["core", "math", "world"],
     "plot": ["core", "math"],
     "backend": ["core", "math", "plot"],
@@ -35,6 +36,7 @@ EVERYTHING = list(MAY_INCLUDE)
 FENCES = {
     "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax/"]),
     "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp"]),
+    "OMPL": (r"ompl/|boost/", ["runtime/src/planning/ompl/"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
     "the system": (r"^(sys/.*|(dirent|dlfcn|fcntl|poll|pthread|sched|signal|termios|time|ucontext|unistd)\.h"
                    r"|csignal|ctime|fstream|future|semaphore|thread|emscripten.*)$",

@@ -306,6 +306,14 @@ std::optional<Overlap> deepest_overlap(const World& world, const Object& object)
   return deepest;
 }
 
+ComparedBodies compared_bodies(const Cell& cell, int robot, const Trajectory& motion) {
+  const CellScene scene(cell, robot, motion);
+  ComparedBodies all{.scene = scene.scene()};
+  for (const CheckedPair& pair : all.scene.pairs)
+    all.pairs.emplace_back(scene.body(pair.a), scene.body(pair.b));
+  return all;
+}
+
 double distance_between(const Cell& cell, const CellBody& a, const CellBody& b) {
   double least = std::numeric_limits<double>::infinity();
   const std::vector<Solid> first = solids_now(cell, a), second = solids_now(cell, b);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "armlet/cell/collisions.hpp"
 #include "armlet/core/format.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
@@ -78,11 +77,24 @@ bool has_started(const Cell& cell, int robot, int last, std::int64_t t_ns) {
   return false;
 }
 
+// Lines and curves are not planned around anything: their way is what was asked for.
+bool has_a_way(const MoveCall& call) { return call.function != "moveJ"; }
+
 }  // namespace
+
+Failed fail_meeting(Vm& vm, const MoveCall& call, const CellCollision& met, double duration) {
+  Failure f = failure_of_meeting(vm, call, met, true, duration);
+  if (settings_of(vm).avoid && has_a_way(call) && !met.at_start && !met.at_end)
+    f.fix += fmt::format("; only `moveJ` goes around by itself, `{}` has its way", call.function);
+  f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
+  f.moved = false;
+  return fail(vm, std::move(f));
+}
 
 Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
                                                         const Trajectory& motion) {
-  const CollisionCheck wanted = settings_of(vm).collisions;
+  const BlockSettings settings = settings_of(vm);
+  const CollisionCheck wanted = settings.avoid ? CollisionCheck::kError : settings.collisions;
   if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0)
     return std::vector<PossibleCollision>{};
   Host& host = Host::of(vm);
@@ -92,12 +104,8 @@ Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& 
     std::erase_if(met, [&](const CellCollision& each) { return is_felt(host.cell(), each); });
   std::vector<PossibleCollision> possible;
   if (met.empty()) return possible;
-  if (wanted == CollisionCheck::kError) {
-    Failure f = failure_of_meeting(vm, call, met.front(), true, motion.duration());
-    f.resource = robot_called(host.cell().robot(call.robot).name);
-    f.moved = false;
-    return fail(vm, std::move(f));
-  }
+  if (wanted == CollisionCheck::kError)
+    return fail_meeting(vm, call, met.front(), motion.duration());
   for (CellCollision& each : met) {
     const int other = each.other.robot;
     const bool stands = other >= 0 && other != call.robot && !host.cell().is_moving(other);

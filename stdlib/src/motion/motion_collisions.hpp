@@ -20,13 +20,17 @@ struct PossibleCollision {
 };
 
 // Says, as `with (collisions:)` wants it, what the robot of the call would meet on this motion: as
-// advice, one for each pair and place of the program, or as R0614. Returns what cannot be known
-// yet: a robot that stands may start in the same instant, and a guard may stop the move before.
+// advice, one for each pair and place of the program, or as R0614; inside with (avoid: true) always
+// as the latter. Returns what cannot be known yet: a robot that stands may start
+// in the same instant, and a guard may stop the move before.
 Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
                                                         const Trajectory& motion);
 
 // Says what has come true of them, when the motion of that number is over.
 void report_collisions(Vm& vm, const MoveCall& call, int motion,
                        const std::vector<PossibleCollision>& possible);
+
+// R0614 for what a motion that takes so many seconds would meet.
+Failed fail_meeting(Vm& vm, const MoveCall& call, const CellCollision& met, double duration);
 
 }  // namespace armlet::bind

@@ -10,6 +10,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/joint_move.hpp"
+#include "motion/move_around.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_retarget.hpp"
 #include "motion/move_waiting.hpp"
@@ -157,6 +158,10 @@ Started move_joints(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, std:
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
   if (plan.too_fast) advise_too_fast(vm, call, *plan.too_fast);
   if (!starts_and_stops(*plan.trajectory)) return fail_no_ramps(vm, call, move.planner);
+  if (settings_of(vm).avoid) {
+    return start_avoiding(vm, call, *std::move(plan.trajectory),
+                          {.goal = q, .any_branch = call.any_branch, .move = settings});
+  }
   const Eigen::Vector3d from = forward(robot, state.q).translation();
   const Eigen::Vector3d to = forward(robot, q).translation();
   return start_motion(vm, call, *std::move(plan.trajectory), (to - from).norm());
@@ -196,6 +201,7 @@ Started move_to_position(Vm& vm, MoveCall call, const PosC& target, const Eigen:
   const Eigen::VectorXd& present = Host::of(vm).cell().robot(call.robot).q;
   const auto q = solve_target(vm, call, *goal, near.size() > 0 ? near : present);
   if (!q) return Failed{};
+  call.any_branch = near.size() == 0;
   return move_joints(vm, call, *q, std::move(planner), settings);
 }
 

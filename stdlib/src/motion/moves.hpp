@@ -37,6 +37,7 @@ struct MoveCall {
   int planner = 5;
   bool classic = false;                  // too fast is advice, not an error
   bool fixed_time = false;               // the motion must not be made slower
+  bool any_branch = false;               // other solutions for a position in space will do
   CallPlace place{};                     // of a call that is over; none: the running one
   int element = -1;                      // of the targets, if there are several: the one that fails
   std::string_view way = kStraightLine;  // that the hand follows

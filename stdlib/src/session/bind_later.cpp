@@ -21,9 +21,7 @@ constexpr NativeFunction later_motion(std::string_view name, std::string_view si
 }
 
 constexpr NativeFunction kLaterFunctions[] = {
-    // trajectories and motion
-    later("plan", "(r: robot, to: posJ, avoid: bool = true) -> trajectory"),
-    later("plan", "(r: robot, to: posC, avoid: bool = true) -> trajectory"),
+    // motion
     later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)",
                  "`speedC` in the frame of a camera"),
     // hands with fingers

@@ -115,6 +115,12 @@ void set_tool(Vm& vm, const PosC& tool) {
   replace_settings(vm, std::move(settings));
 }
 
+void set_avoid(Vm& vm, bool avoid) {
+  BlockSettings settings = settings_of(vm);
+  settings.avoid = avoid;
+  replace_settings(vm, std::move(settings));
+}
+
 void set_frame(Vm& vm, Frame frame) {
   BlockSettings settings = settings_of(vm);
   settings.frame = std::move(frame);
@@ -188,6 +194,14 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "and advice says which bodies meet, when, where and how deep. \"error\": it is refused "
         "before it starts. \"ignore\": it is made.",
         "with (collisions: \"error\") { moveJ(home()) }", {.check = check_choice<kCollisions>}),
+    def<set_avoid>(
+        "with.avoid(avoid: bool)",
+        "Whether moveJ inside the block goes around what is in its way. A move that meets nothing "
+        "is the same as outside; otherwise a way is searched, made short, rounded and timed, to "
+        "any "
+        "solution of a target in space. Moves with a way of their own, such as moveL, are refused "
+        "if they run into something.",
+        "with (avoid: true) { moveJ(home()) }"),
     def<set_frame_position>(
         "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
         "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),

@@ -31,6 +31,7 @@ enum class CollisionCheck { kReport, kError, kIgnore };
 
 // speed, accel   fractions of the joint limits, for moves that do not say how fast.
 // T_flange_tool  the point that moves, instead of the robot's own.
+// avoid          moves of the joints go around what is in their way.
 // path           where moves are collected instead of made; null: outside of any path.
 struct BlockSettings {
   std::shared_ptr<const BlockSettings> outer{};  // never changes; shared by tasks started inside
@@ -42,6 +43,7 @@ struct BlockSettings {
   Track track = Track::kExact;
   TorqueCheck torques = TorqueCheck::kReport;
   CollisionCheck collisions = CollisionCheck::kReport;
+  bool avoid = false;
 };
 
 // Those of the running task.

@@ -6,10 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "armlet/core/format.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/robot_text.hpp"
 #include "messages/library_messages.hpp"
 #include "motion/motion_text.hpp"
+#include "motion/motion_torques.hpp"
+#include "motion/move_around.hpp"
+#include "motion/move_failures.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "trajectory/trajectories.hpp"
@@ -82,6 +86,89 @@ Answer<PlannedMotion> make_with(Vm& vm, std::string_view name, HostList<T> point
   const MoveCall call = call_of(robot, 0);
   const MoveSettings move{.time = time, .speed = speed, .accel = accel};
   return planned_of(vm, call, name, points, settings_from(call, move, durations));
+}
+
+// A motion to one target, around what is in the way.
+struct WaySettings {
+  Number time, speed, accel;
+  bool avoid = true;
+  double clearance = 0.0;  // m
+  std::int64_t iterations = 0;
+};
+
+Answer<WayOptions> search_of(Vm& vm, const WaySettings& settings) {
+  constexpr std::int64_t kMost = 1'000'000;
+  constexpr int kClearance = 6, kIterations = 7;
+  if (!(settings.clearance > 0.0 && settings.clearance <= 1.0)) {
+    return failure(vm, "R0609",
+                   fmt::format("a clearance of {}: it lies above 0 mm and not above 1 m",
+                               format_mm(settings.clearance)),
+                   kClearance);
+  }
+  if (settings.iterations < 1 || settings.iterations > kMost) {
+    return failure(
+        vm, "R0609",
+        fmt::format("{} iterations: a search makes 1 to {} of them", settings.iterations, kMost),
+        kIterations);
+  }
+  return WayOptions{.clearance = settings.clearance,
+                    .iterations = static_cast<int>(settings.iterations)};
+}
+
+Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q,
+                                     const WaySettings& settings) {
+  const MoveSettings move{.time = settings.time, .speed = settings.speed, .accel = settings.accel};
+  const CellRobot& state = Host::of(vm).cell().robot(call.robot);
+  const PosJ joints = make_posj(*state.model, state.q);
+  if (!settings.avoid) {
+    auto motion = plan_through(vm, call, {state.q, q}, "Syn", {.move = move});
+    if (!motion) return Failed{};
+    return PlannedMotion{"Syn", *std::move(motion), joints, state.model};
+  }
+  const auto search = search_of(vm, settings);
+  if (!search) return Failed{};
+  if (const auto outside = limit_violations(*state.model, q); !outside.empty())
+    return fail_outside(vm, call, q, outside.front());
+  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
+  if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
+    return Failed{};
+  const double accel = settings.accel.value_or(settings_of(vm).accel);
+  if (!check_fraction(vm, "an acceleration", accel, call.accel)) return Failed{};
+  choose_model(vm, call, {}, accel);
+  call.fixed_time = settings.time.has_value();
+  auto around = way_around(
+      vm, call, {.goal = q, .any_branch = call.any_branch, .move = move, .search = *search});
+  if (!around) return Failed{};
+  Trajectory motion = *std::move(around->motion.trajectory);
+  const auto slower = check_torques(vm, call, motion);
+  if (!slower) return Failed{};
+  if (*slower > 1.0) motion = motion.stretched(*slower);
+  return PlannedMotion{"Around", std::move(motion), joints, state.model};
+}
+
+MoveCall plan_call(const RobotRef& r) {
+  return {.function = "plan", .robot = r.id, .target = 1, .time = 2, .speed = 3, .accel = 4};
+}
+Answer<PlannedMotion> plan_joints(Vm& vm, const RobotRef& r, const PosJ& to, Number time,
+                                  Number speed, Number accel, bool avoid, double clearance,
+                                  std::int64_t iterations) {
+  const MoveCall call = plan_call(r);
+  if (!check_idle(vm, r.id)) return Failed{};
+  if (to.n != model_of(vm, r).n()) return fail_joint_count(vm, call, to.n);
+  return plan_to_joints(vm, call, to.vector(), {time, speed, accel, avoid, clearance, iterations});
+}
+Answer<PlannedMotion> plan_position(Vm& vm, const RobotRef& r, const PosC& to, Number time,
+                                    Number speed, Number accel, bool avoid, double clearance,
+                                    std::int64_t iterations) {
+  MoveCall call = plan_call(r);
+  if (!check_idle(vm, r.id)) return Failed{};
+  choose_model(vm, call, {}, 1.0);
+  const auto target = in_world(vm, call, {}, to);
+  if (!target) return Failed{};
+  const auto q = solve_target(vm, call, *target, state_of(vm, r).q);
+  if (!q) return Failed{};
+  call.any_branch = true;
+  return plan_to_joints(vm, call, *q, {time, speed, accel, avoid, clearance, iterations});
 }
 
 // ---- reading
@@ -175,7 +262,23 @@ constexpr std::string_view kRobotPositionsExample =
     "trajectory(\"Spline3\", [xyz(300mm, 200mm, 150mm), xyz(300mm, -200mm, 150mm)], robot: "
     "robots.scara(name: \"other\"))";
 
+constexpr std::string_view kPlanHelp =
+    "A motion from where the robot stands to a target, around what is in the way, as a value for "
+    "follow: a way is searched with a fixed seed, made short, rounded, and timed within the limits "
+    "of the joints; all of it is certain to meet nothing. clearance is kept from all bodies where "
+    "there is room; iterations is when the search gives up. A target in space is reached by any "
+    "solution of its inverse kinematics. With avoid: false the joints go straight, and nothing is "
+    "looked at.";
+
 constexpr NativeFunction kTrajectoryFunctions[] = {
+    def<plan_joints>(
+        "plan(r: robot, to: posJ, time: time?, speed: double?, accel: double?, avoid: bool = true, "
+        "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
+        kPlanHelp, "follow(plan(to: posJ(60deg, 30deg, 0mm, 0deg)))"),
+    def<plan_position>(
+        "plan(r: robot, to: posC, time: time?, speed: double?, accel: double?, avoid: bool = true, "
+        "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
+        kPlanHelp, "follow(plan(to: xyz(300mm, -200mm, 200mm)))"),
     def<make_for<PosJ>>(
         "trajectory(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, "
         "speed: double?, accel: double?) -> trajectory",

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "armlet/cell/cell.hpp"
@@ -58,6 +59,15 @@ struct CellCollision {
 //
 // throws  ArgumentError as check_motion.
 std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion);
+
+// What find_collisions would compare, and what each pair of the scene is.
+//
+// scene  its arms point to the robots of the cell and to the motion; the first one is the robot.
+struct ComparedBodies {
+  MotionScene scene{};
+  std::vector<std::pair<CellBody, CellBody>> pairs{};
+};
+ComparedBodies compared_bodies(const Cell& cell, int robot, const Trajectory& motion);
 
 // The smallest gap between two things of the cell as they are now, below zero if they overlap, m.
 // `robot` without an object is the robot without what it carries; frame and role do not count.

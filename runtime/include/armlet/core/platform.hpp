@@ -71,4 +71,7 @@ class LoadedLibrary {
   void* handle_;
 };
 
+// The folder of the program that runs, without a slash at its end; empty where there is none.
+[[nodiscard]] std::string program_folder();
+
 }  // namespace armlet

@@ -35,6 +35,8 @@ Alarm::~Alarm() = default;
 LoadedLibrary::LoadedLibrary(const std::string&) : handle_(nullptr) {}
 void* LoadedLibrary::find(const char*) const { return nullptr; }
 
+std::string program_folder() { return {}; }
+
 // The one stack there is: how much of it is left nobody can tell, so a host sets limits for it.
 std::size_t stack_left() { return 0; }
 void on_ample_stack(const std::function<void()>& work) { work(); }

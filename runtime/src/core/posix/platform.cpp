@@ -5,8 +5,10 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -68,6 +70,11 @@ LoadedLibrary::LoadedLibrary(const std::string& name)
     : handle_(dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL)) {}
 void* LoadedLibrary::find(const char* symbol) const {
   return handle_ != nullptr ? dlsym(handle_, symbol) : nullptr;
+}
+
+std::string program_folder() {
+  std::error_code none;
+  return std::filesystem::read_symlink("/proc/self/exe", none).parent_path().string();
 }
 
 }  // namespace armlet

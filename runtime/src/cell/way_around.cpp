@@ -1,0 +1,144 @@
+#include "armlet/cell/way_around.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "armlet/core/checkpoint.hpp"
+#include "armlet/trajectory/cartesian_path.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kWidest = 0.1;      // m, how far from a corner it may begin to be rounded
+constexpr double kTightest = 0.002;  // m; corners that need less are stops
+constexpr std::uint64_t kPlanCost = 5'000'000;  // operations of planning a path once
+
+// What the scene of a motion depends on are its ends.
+Trajectory between(const VectorXd& q0, const VectorXd& q1) {
+  std::vector<JointPath> joints;
+  for (Eigen::Index i = 0; i < q0.size(); ++i) {
+    joints.push_back(
+        {.segments = {{.start = 0.0, .duration = 1.0, .degree = 1, .c = {q0[i], q1[i] - q0[i]}}},
+         .q_end = q1[i]});
+  }
+  return {std::move(joints), 1.0};
+}
+
+bool is_same_body(const CellBody& a, const CellBody& b) {
+  return a.robot == b.robot && a.object == b.object && a.frame == b.frame && a.role == b.role;
+}
+
+void add(std::vector<BlockingBodies>& all, const std::pair<CellBody, CellBody>& pair, double depth,
+         double share) {
+  for (BlockingBodies& each : all) {
+    if (!is_same_body(each.body, pair.first) || !is_same_body(each.other, pair.second)) continue;
+    each.depth = std::max(each.depth, depth);
+    each.share += share;
+    return;
+  }
+  all.push_back({.body = pair.first, .other = pair.second, .depth = depth, .share = share});
+}
+
+std::vector<BlockingBodies> blocking_of(const Way& way, const ComparedBodies& compared) {
+  std::vector<BlockingBodies> all;
+  for (const Overlap& each : way.overlaps) add(all, compared.pairs[each.pair], each.depth, 0.0);
+  std::uint64_t whole = 0;
+  for (const InTheWay& each : way.in_the_way) whole += each.times;
+  for (const InTheWay& each : way.in_the_way) {
+    add(all, compared.pairs[each.pair], 0.0,
+        static_cast<double>(each.times) / static_cast<double>(whole));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const BlockingBodies& a, const BlockingBodies& b) {
+    return a.share > b.share;
+  });
+  return all;
+}
+
+// The motion along a way. Corners at which something is met are rounded less, in the end not at
+// all: the joints then follow the segments that the search has certified.
+class AlongWay {
+ public:
+  AlongWay(const Cell& cell, const WayAroundRequest& request, const Robot& model, const Way& way)
+      : cell_(cell), request_(request), model_(model) {
+    move_.q0 = way.points.front();
+    move_.time = request.time;
+    move_.speed = request.speed;
+    for (std::size_t k = 1; k < way.points.size(); ++k)
+      move_.points.push_back({.q = way.points[k], .blend = kWidest});
+  }
+
+  void plan(WayAround& out) {
+    for (;;) {
+      checkpoint(kPlanCost * move_.points.size());
+      PathPlan plan = plan_path(model_, move_);
+      out.length = plan.length;
+      out.times = plan.times;
+      out.motion = std::move(plan.motion);
+      if (!out.motion.ok()) {
+        // A rounded corner may swing outside of the limits that its ends keep.
+        if (!out.motion.outside.empty() && tighten_all()) continue;
+        return;
+      }
+      out.met = find_collisions(cell_, request_.robot, *out.motion.trajectory);
+      if (out.met.empty()) return;
+      if (!tighten(out.times, out.met)) {
+        out.motion.trajectory.reset();
+        return;
+      }
+    }
+  }
+
+ private:
+  // False if the corner is a stop already.
+  bool tighten_at(std::size_t k) {
+    double& blend = move_.points[k].blend;
+    if (blend == 0.0) return false;
+    blend = blend < 2.0 * kTightest ? 0.0 : 0.5 * blend;
+    return true;
+  }
+
+  bool tighten_all() {
+    bool any = false;
+    for (std::size_t k = 0; k + 1 < move_.points.size(); ++k) any = tighten_at(k) || any;
+    return any;
+  }
+
+  // The corners nearest in time to where something is met; others only if these are stops.
+  bool tighten(const std::vector<double>& times, const std::vector<CellCollision>& met) {
+    bool any = false;
+    for (const CellCollision& each : met) {
+      for (const double t : {each.t, each.t_deepest}) {
+        std::size_t nearest = 0;
+        for (std::size_t k = 1; k + 1 < times.size(); ++k) {
+          if (std::abs(times[k] - t) < std::abs(times[nearest] - t)) nearest = k;
+        }
+        if (times.size() > 1) any = tighten_at(nearest) || any;
+      }
+    }
+    return any || tighten_all();
+  }
+
+  const Cell& cell_;
+  const WayAroundRequest& request_;
+  const Robot& model_;
+  PathMove move_;
+};
+
+}  // namespace
+
+WayAround find_way_around(const Cell& cell, const WayAroundRequest& request) {
+  const CellRobot& arm = cell.robot(request.robot);
+  WayAround out;
+  const Trajectory ends = between(arm.q, request.goals.empty() ? arm.q : request.goals.front());
+  const ComparedBodies compared = compared_bodies(cell, request.robot, ends);
+  out.way = search_way(compared.scene, arm.q, request.goals, request.search);
+  out.blocking = blocking_of(out.way, compared);
+  if (!out.way.ok()) return out;
+  const Robot& model = request.model != nullptr ? *request.model : *arm.model;
+  AlongWay(cell, request, model, out.way).plan(out);
+  return out;
+}
+
+}  // namespace armlet
