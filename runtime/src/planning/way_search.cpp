@@ -36,13 +36,12 @@ SearchBySampling sampling_search() {
   return found;
 }
 
-// Joints in lengths: what turns is multiplied by how far the tool point is from the first axis at
-// most, so that distances are about those that the arm moves by.
+// Joints in lengths: what turns is multiplied by how long the arm behind it is, so that distances
+// are about those that the arm moves by.
 class Lengths {
  public:
   Lengths(const Robot& robot, const VectorXd& start, const Points& goals)
       : scale_(robot.n()), lower_(robot.n()), upper_(robot.n()) {
-    // The farther out a joint is, the less moves with it.
     const auto frames = link_frames(robot, start);
     double reach = 0.0;
     for (int i = robot.n() - 1; i >= 0; --i) {

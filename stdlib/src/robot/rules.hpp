@@ -84,6 +84,7 @@ void check_blend(CheckCall& call, int parameter);
 // (name, points, time, durations, speed, accel), behind the robot or not.
 template <bool kRobotFirst>
 void check_trajectory(CheckCall& call);
+void check_plan(CheckCall& call);  // (r, to, time, speed, ...)
 // Calls that exist only to be explained.
 void explain_list_for_posj(CheckCall& call);  // E0301: moveJ("Syn", q, 2.0) with a double[]
 void explain_arc(CheckCall& call);            // E0503: moveC(via, goal, ...)

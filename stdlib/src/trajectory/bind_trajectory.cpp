@@ -266,7 +266,8 @@ constexpr std::string_view kPlanHelp =
     "A motion from where the robot stands to a target, around what is in the way, as a value for "
     "follow: a way is searched with a fixed seed, made short, rounded, and timed within the limits "
     "of the joints; all of it is certain to meet nothing. clearance is kept from all bodies where "
-    "there is room; iterations is when the search gives up. A target in space is reached by any "
+    "there is room; iterations is when the search gives up. time or speed, a fraction of the joint "
+    "limits, not both. A target in space is reached by any "
     "solution of its inverse kinematics. With avoid: false the joints go straight, and nothing is "
     "looked at.";
 
@@ -274,11 +275,11 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
     def<plan_joints>(
         "plan(r: robot, to: posJ, time: time?, speed: double?, accel: double?, avoid: bool = true, "
         "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
-        kPlanHelp, "follow(plan(to: posJ(60deg, 30deg, 0mm, 0deg)))"),
+        kPlanHelp, "follow(plan(to: posJ(60deg, 30deg, 0mm, 0deg)))", {.check = check_plan}),
     def<plan_position>(
         "plan(r: robot, to: posC, time: time?, speed: double?, accel: double?, avoid: bool = true, "
         "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
-        kPlanHelp, "follow(plan(to: xyz(300mm, -200mm, 200mm)))"),
+        kPlanHelp, "follow(plan(to: xyz(300mm, -200mm, 200mm)))", {.check = check_plan}),
     def<make_for<PosJ>>(
         "trajectory(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, "
         "speed: double?, accel: double?) -> trajectory",

@@ -40,6 +40,8 @@ void check_trajectory(CheckCall& call) {
   refuse_both(call, kDurations, kSpeed, "`durations` and `speed` cannot both be given");
 }
 
+void check_plan(CheckCall& call) { check_time_and_speed(call, 2, 3); }
+
 template void check_trajectory<true>(CheckCall& call);
 template void check_trajectory<false>(CheckCall& call);
 
