@@ -94,9 +94,11 @@ bool settle_on_limits(const Robot& robot, const IkGoal& goal, const IkOptions& o
     if (value < robot.lower()[i] - kFarBeyond || value > robot.upper()[i] + kFarBeyond)
       return false;
   }
-  if (!put_inside(robot, q)) return false;
+  put_inside(robot, q);
+  const Eigen::VectorXd on_limits = to_vector(q, robot.n());
   IkSolver solver(robot, goal);
   if (!solver.solve_in_box(q, options.iterations)) return false;
+  if (change_of(q, on_limits) > kFarBeyond) return false;  // another branch
   const IkError error = solver.error_of(q);
   return error.position < kExactly && error.rotation < kExactly;
 }

@@ -17,9 +17,10 @@ constexpr double kFarthestStep = 2e-3;
 // Steps are halved, but for the smallest, while speeds are more uncertain than this, rad/s or m/s.
 constexpr double kSmallestStep = 1e-5;
 constexpr double kDoubt = 1e-8;
-constexpr double kShareOfIdle = 0.7;     // of the limits, where a singular position is crossed
-constexpr double kLacking = 1e-6;        // of the velocity asked for
-constexpr double kRankThreshold = 1e-9;  // of the largest pivot
+constexpr double kShareOfIdle = 0.7;       // of the limits, where a singular position is crossed
+constexpr double kLacking = 1e-6;          // of the velocity asked for
+constexpr double kLackingRounding = 1e-9;  // m/s and rad/s: as exact as laws are
+constexpr double kRankThreshold = 1e-9;    // of the largest pivot
 
 // Joint positions one step later and the speeds there. The first slope is known: qd.
 //
@@ -161,8 +162,10 @@ VectorXd ToolCommand::speeds(const VectorXd& q, const VectorXd& x) const {
 ToolRates ToolCommand::at(double t, const VectorXd& q) const {
   const Jacobian J = jacobian(robot_, q);
   ToolRates rates{.qd = speeds(J, twist_, take_up_.at(t).x)};
-  if (const double size = twist_.norm(); size > 0.0 && t >= take_up_.duration())
-    rates.lacking = (J * rates.qd - twist_).norm() / size;
+  if (const double size = twist_.norm(); size > 0.0 && t >= take_up_.duration()) {
+    const double lacking = (J * rates.qd - twist_).norm();
+    if (lacking > kLackingRounding) rates.lacking = lacking / size;
+  }
   return rates;
 }
 

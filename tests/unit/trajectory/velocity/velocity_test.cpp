@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -11,6 +12,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/model/catalog.hpp"
+#include "survey.hpp"
 #include "velocity_cases.hpp"
 
 using namespace armlet;
@@ -121,6 +123,24 @@ TEST_CASE("what an arm cannot do is refused with the reason") {
   CHECK(lacking.lacking == doctest::Approx(1.0));
 }
 
+// Found among other seeds: a loop v = k (goal - p) that has all but reached its goal asks for what
+// rounding leaves, which no arm with fewer than six joints can give.
+TEST_CASE("a velocity that lacks no more than rounding is not refused") {
+  const Robot robot = *make_robot("scorbot");
+  Dice dice{std::mt19937_64(57)};
+  VelocityStart start = standing(good_position(robot, dice), 0.04);
+  Vector6d twist = Vector6d::Zero();
+  twist[2] = 1e-8;
+  for (const double aside : {1e-13, 1e-11, 9e-10}) {
+    twist.head<2>().setConstant(0.5 * aside);
+    CHECK(plan_tool_velocity(robot, start, twist).motion.has_value());
+  }
+  twist[0] = twist[1] = 1e-7;
+  const VelocityPlan refused = plan_tool_velocity(robot, start, twist);
+  CHECK_FALSE(refused.motion.has_value());
+  CHECK(refused.lacking > 0.1);
+}
+
 TEST_CASE("velocity commands reject sizes that differ, numbers that are none, and no time") {
   const Robot robot = *make_robot("scara");
   VelocityStart start{.q = robot.home(), .qd = Eigen::VectorXd::Zero(4), .during = 1.0};
@@ -137,7 +157,7 @@ TEST_CASE("velocity commands reject sizes that differ, numbers that are none, an
 }
 
 TEST_CASE("joint speeds sent again and again move every arm like speeds sent once") {
-  Dice dice{std::mt19937_64(50)};
+  Dice dice{std::mt19937_64(survey_seed(50))};
   for (const std::string_view name : catalog_names()) {
     CAPTURE(std::string(name));
     const Robot robot = *make_robot(name);
@@ -154,7 +174,7 @@ TEST_CASE("joint speeds sent again and again move every arm like speeds sent onc
 }
 
 TEST_CASE("a velocity of the tool sent again and again moves every arm like one sent once") {
-  Dice dice{std::mt19937_64(51)};
+  Dice dice{std::mt19937_64(survey_seed(51))};
   for (const std::string_view name : catalog_names()) {
     CAPTURE(std::string(name));
     const Robot robot = *make_robot(name);
@@ -174,7 +194,7 @@ TEST_CASE("a velocity of the tool sent again and again moves every arm like one 
 }
 
 TEST_CASE("no tool is faster than the fastest velocity that is still being taken up") {
-  Dice dice{std::mt19937_64(52)};
+  Dice dice{std::mt19937_64(survey_seed(52))};
   for (const std::string_view name : catalog_names()) {
     CAPTURE(std::string(name));
     const Robot robot = *make_robot(name);
@@ -230,12 +250,15 @@ TEST_CASE("short beats of one velocity of the tool take it up without swinging")
 // A joint needs the acceleration k^2 d and the jerk k^3 d for a joint distance of d: with a tenth
 // of what it has, the delay of the take-up is small beside 1 / k.
 TEST_CASE("a loop v = k (goal - p) brings every tool to its goal without going past it") {
-  Dice dice{std::mt19937_64(54)};
+  Dice dice{std::mt19937_64(survey_seed(54))};
+  double farthest_past = 0.0, most_left = 0.0;
+  int loops = 0;
   for (const std::string_view name : catalog_names()) {
     CAPTURE(std::string(name));
     const Robot robot = *make_robot(name);
     if (holdable(robot, 1.0, dice).isZero()) continue;
-    for (const double beat : {0.01, 0.02, 0.04}) {
+    for (int n = 0; n < 3 * survey_count(1); ++n) {
+      const double beat = std::array{0.01, 0.02, 0.04}[static_cast<std::size_t>(n % 3)];
       const double k = dice.from(1.0, 10.0);
       CAPTURE(beat);
       CAPTURE(k);
@@ -257,6 +280,11 @@ TEST_CASE("a loop v = k (goal - p) brings every tool to its goal without going p
         Vector6d twist = Vector6d::Zero();
         twist.head<3>() = k * left;
         const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
+        CAPTURE(t);
+        CAPTURE(distance);
+        CAPTURE(plan.lacking);
+        CAPTURE(plan.outside.has_value());
+        CAPTURE(plan.too_high ? plan.too_high->value / plan.too_high->limit : 0.0);
         REQUIRE(plan.motion);
         go_on(*plan.motion, start);
         left = goal - forward(robot, start.q).translation();
@@ -264,6 +292,11 @@ TEST_CASE("a loop v = k (goal - p) brings every tool to its goal without going p
       }
       CHECK(past <= 0.02 * distance);
       CHECK(left.norm() <= 1e-3 * distance);
+      farthest_past = std::max(farthest_past, past / distance);
+      most_left = std::max(most_left, left.norm() / distance);
+      ++loops;
     }
   }
+  MESSAGE(loops << " loops, at most " << 100.0 * farthest_past << " % past the goal, "
+                << 100.0 * most_left << " % left");
 }
