@@ -287,8 +287,8 @@ std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Tr
   return found;
 }
 
-std::optional<Overlap> deepest_overlap(const World& world, const Object& object) {
-  std::optional<Overlap> deepest;
+std::optional<ObjectOverlap> deepest_overlap(const World& world, const Object& object) {
+  std::optional<ObjectOverlap> deepest;
   Solid body = solid_of(object.shape);
   body.T = object.T_world_obj;
   const double reach = body.reach();
@@ -301,7 +301,7 @@ std::optional<Overlap> deepest_overlap(const World& world, const Object& object)
     if ((solid.T.translation() - body.T.translation()).squaredNorm() >= most * most) continue;
     const double depth = -gap_between(body, solid).distance;
     if (depth > kRestTolerance && (!deepest || depth > deepest->depth))
-      deepest = Overlap{.other = other.name, .depth = depth};
+      deepest = ObjectOverlap{.other = other.name, .depth = depth};
   }
   return deepest;
 }

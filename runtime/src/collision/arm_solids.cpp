@@ -164,6 +164,21 @@ bool is_still(const Robot& robot, const LinkShape& shape) {
   return T.translation().head<2>().norm() + T.linear().col(2).head<2>().norm() < 1e-9;
 }
 
+// A tool that is a point alone is a needle from the flange to it.
+void add_needle(const Robot& robot, std::vector<ArmSolid>& bodies) {
+  constexpr double kThin = 5e-4;  // m
+  const Eigen::Vector3d& p = robot.T_flange_tool().translation();
+  const double length = p.norm();
+  if (robot.tool().kind != ToolKind::kPoint || length < 2.0 * kThin) return;
+  ArmSolid needle{.frame = robot.n(), .role = LinkShapeRole::kTool};
+  needle.solid = {
+      .core = Solid::Core::kSegment, .half = {0.0, 0.0, 0.5 * length - kThin}, .margin = kThin};
+  needle.solid.T.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), p).toRotationMatrix();
+  needle.solid.T.translation() = 0.5 * p;
+  bodies.push_back(needle);
+}
+
 std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
   const std::vector<Eigen::Isometry3d> frames = link_frames(robot, robot.home());
   const Eigen::Isometry3d T_world_tool = forward(robot, robot.home());
@@ -189,6 +204,7 @@ std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
     if (body.solid.is_empty()) continue;
     bodies.push_back(std::move(body));
   }
+  if (bare) add_needle(robot, bodies);
   return bodies;
 }
 

@@ -132,8 +132,8 @@ Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
                std::optional<std::string_view> name) {
   if (base != nullptr) robot = robot.with_base(base->T);
   if (tool != nullptr) {
-    robot = tool->T_flange_tool ? robot.with_tool_point(*tool->T_flange_tool)
-                                : robot.with_tool(tool->tool);
+    robot = robot.with_tool(tool->tool);
+    if (tool->T_flange_tool) robot = robot.with_tool_point(*tool->T_flange_tool);
   }
   if (name) robot = robot.with_name(std::string(*name));
   return robot;

@@ -74,13 +74,13 @@ ComparedBodies compared_bodies(const Cell& cell, int robot, const Trajectory& mo
 double distance_between(const Cell& cell, const CellBody& a, const CellBody& b);
 
 // Another object that one lies in, deeper than bodies which rest on each other.
-struct Overlap {
+struct ObjectOverlap {
   std::string other;
   double depth = 0.0;  // m
 };
 
 // The one that it lies in deepest; nothing if there is none. Two fixed objects may be parts of one
 // thing, and what a hand carries is where the hand brings it.
-std::optional<Overlap> deepest_overlap(const World& world, const Object& object);
+std::optional<ObjectOverlap> deepest_overlap(const World& world, const Object& object);
 
 }  // namespace armlet
