@@ -194,6 +194,18 @@ test("the view is saved as a drawing, without what is hidden", () =>
     assert.ok(!/NaN/.test(svg) && svg.length < 2e6, `${svg.length} bytes`);
   }));
 
+test("the run is saved as a film of the view", () =>
+  withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+    const page = await open({ acceptDownloads: true });
+    await untilStatus(page, /1 move, 1\.00 s/);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Video", exact: true }).click()]);
+    assert.equal(download.suggestedFilename(), "view.webm");
+    const film = readFileSync(await download.path());
+    assert.deepEqual([...film.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);
+    assert.ok(film.length > 2000, `${film.length} bytes`);
+    await page.getByRole("button", { name: "Video", exact: true }).waitFor();
+  }));
+
 test("a hand slider that is pulled too far shows where the arm comes nearest, as does a goal out of reach", () =>
   withLab("robot arm = robots.scara()\nlab cell {\n    sliders hand(of: arm, as: \"x y z roll\")\n}\n", async (open) => {
     const page = await open();

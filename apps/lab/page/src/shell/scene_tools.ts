@@ -7,6 +7,7 @@ import type { Intents } from "../store/intents.ts";
 import { shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { el, save, setText } from "./dom.ts";
+import { videoButton } from "./video.ts";
 import { viewCube } from "./view_cube.ts";
 
 const PRESETS: [Preset, string][] = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"], ["hand", "Hand"]];
@@ -57,6 +58,7 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), frames, torques, robots,
     el("button", { class: "tiny", onclick: () => void picture() }, "PNG"),
     el("button", { class: "tiny", onclick: () => save("view.svg", new Blob([scene.drawing()], { type: "image/svg+xml" })) }, "SVG"),
+    videoButton(scene.canvas, store, intents),
   ));
   host.append(viewCube(scene));
   const where = el("output", { class: "where", "aria-label": "Hand" });
