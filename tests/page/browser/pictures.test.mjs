@@ -100,7 +100,7 @@ for (const name of names) {
       const bar = await page.locator(".bar").boundingBox();
       const before = await clock(page).innerText();
       await page.mouse.click(bar.x + 0.47 * bar.width, bar.y + 40);
-      await until(async () => (await clock(page).innerText()) !== before, () => `the clock stays at ${before}`);
+      if (!before.endsWith("/ 0.00 s")) await until(async () => (await clock(page).innerText()) !== before, () => `the clock stays at ${before}`);
       await page.mouse.move(2, 2);
       await page.evaluate(() => document.activeElement?.blur());
       // Values of elements at the instant come with it.
