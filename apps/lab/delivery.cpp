@@ -80,6 +80,7 @@ void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
   add_rows(parcel, 1, run.number, run.robot_rows, known.robots);
   add_rows(parcel, 2, run.number, run.object_rows, known.objects);
   add_rows(parcel, 3, run.number, run.element_rows, known.elements);
+  add_rows(parcel, 4, run.number, run.force_rows, known.forces);
   if (parcel.is_full()) return;
   if (known.figures != run.figure_changes) {
     for (const RecordedFigure& figure : run.figures) parcel.add(write_figure(run, figure));

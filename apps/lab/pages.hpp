@@ -21,7 +21,7 @@ struct KnownOfRun {
   std::uint64_t described = 0;
   std::uint64_t figures = 0;
   std::size_t moves = 0, lines = 0, events = 0, texts = 0;
-  std::vector<std::size_t> robots, objects, elements;  // rows
+  std::vector<std::size_t> robots, objects, elements, forces;  // rows
 };
 
 // Counts of what there is to be told besides runs; a page that knows another count is told again.

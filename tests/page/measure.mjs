@@ -90,9 +90,22 @@ async function drag(page) {
   return ["handled", "whole"].map((name) => median(times.map((each) => each[name])));
 }
 
-async function measure(name, page, started) {
+// Remembers when the run is there, painted and can be worked with, and when the view in space is drawn; ms from the navigation.
+const noting = (page) => page.addInitScript(() => {
+  const look = () => {
+    const now = performance.now();
+    if (/\d s$/.test(document.querySelector(".status")?.textContent ?? "")) globalThis.readyAt ??= now;
+    if (document.querySelector("output.where")?.textContent) return requestAnimationFrame(() => (globalThis.drawnAt = performance.now()));
+    requestAnimationFrame(look);
+  };
+  look();
+});
+
+async function measure(name, page) {
   await untilStatus(page, /60\.00 s/);
-  console.log(`${name}: open to interactive ${ms(Date.now() - started)}`);
+  await page.waitForFunction(() => globalThis.drawnAt);
+  const [ready, drawn] = await page.evaluate(() => [globalThis.readyAt, globalThis.drawnAt]);
+  console.log(`${name}: open to interactive ${ms(ready)}, to the view in space ${ms(drawn)}`);
   await page.waitForTimeout(2000);
   await typeAtEnd(page, "// ");
   await untilStatus(page, /60\.00 s/);
@@ -104,11 +117,16 @@ async function ended(page) {
   await page.context().close();
 }
 
+const before = async (page) => {
+  await noting(page);
+  await listening(page);
+};
+
 const long = await serve(longProgram());
 try {
-  const started = Date.now();
-  const page = await long.open({ before: listening });
-  await measure("served", page, started);
+  await ended(await long.open()); // the browser itself starts
+  const page = await long.open({ before });
+  await measure("served", page);
   await ended(page);
 } finally {
   long.close();
@@ -119,9 +137,8 @@ if (existsSync(engine)) {
   const folder = mkdtempSync(join(tmpdir(), "armlet-measure-"));
   writeFileSync(join(folder, "long.rbt"), longProgram());
   execFileSync(process.env.ARMLET_COMMAND, ["lab", "long.rbt", "--export", "long.html", "--engine", engine], { cwd: folder, stdio: "ignore" });
-  const started = Date.now();
-  const page = await openPage(`file://${join(folder, "long.html")}`, { before: listening });
-  await measure("one file", page, started);
+  const page = await openPage(`file://${join(folder, "long.html")}`, { before });
+  await measure("one file", page);
   await ended(page);
   rmSync(folder, { recursive: true, force: true });
 }

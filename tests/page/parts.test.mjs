@@ -14,6 +14,7 @@ const { positionText, poseText } = await source("shell/scene_tools.ts");
 const { rulerStep } = await source("timebar/bar.ts");
 const { placeOfName } = await source("editor/names.ts");
 const { extent, grasped } = await source("scene/fingers.ts");
+const { neededPoints } = await source("scene/simplify.ts");
 
 // Numbers of a fixed sequence between -1 and 1.
 function sequence(seed) {
@@ -181,4 +182,33 @@ test("fingers close on what is held, over a moment before the grasp and after th
   near(grasped(run, 1, 5.075).closed, 0.5);
   assert.equal(grasped(run, 1, 6), null);
   assert.equal(grasped(run, 0, 3), null);
+});
+
+// The distance of p from the straight piece from a to b.
+function away(p, a, b) {
+  const d = b.map((v, k) => v - a[k]);
+  const length = Math.hypot(...d) ** 2;
+  const s = length > 0 ? Math.min(1, Math.max(0, p.reduce((sum, v, k) => sum + (v - a[k]) * d[k], 0) / length)) : 0;
+  return Math.hypot(...p.map((v, k) => v - a[k] - s * d[k]));
+}
+
+test("a line of fewer points goes nowhere farther from the whole one than it may", () => {
+  const next = sequence(23);
+  for (let k = 0; k < 60; k++) {
+    const dimensions = 3 + (k % 2);
+    const walk = [Array.from({ length: dimensions }, next)];
+    // Some stand still, some go back on themselves.
+    for (let i = 0; i < 300; i++) walk.push(walk.at(-1).map((v, c) => v + (k % 3 === 0 && i % 50 < 20 ? 0 : 0.05 * Math.sin(i / 9 + c + k) + 0.004 * next())));
+    const tolerance = 0.002 * (1 + k % 5);
+    const needed = neededPoints(walk, tolerance);
+    assert.deepEqual([needed[0], needed.at(-1)], [0, walk.length - 1]);
+    for (let j = 1; j < needed.length; j++) {
+      assert.ok(needed[j] > needed[j - 1]);
+      for (let i = needed[j - 1]; i <= needed[j]; i++) assert.ok(away(walk[i], walk[needed[j - 1]], walk[needed[j]]) <= tolerance * (1 + 1e-12));
+    }
+  }
+  const straight = Array.from({ length: 6000 }, (_, i) => [0.001 * i, 0.002 * i, 0]);
+  assert.deepEqual(neededPoints(straight, 1e-6), [0, 5999]);
+  assert.deepEqual(neededPoints([[1, 2]], 1), [0]);
+  assert.deepEqual(neededPoints([], 1), []);
 });

@@ -95,6 +95,21 @@ test("a robot without rows stands at its home, and the tool with it", () => {
   assert.deepEqual(shownRun(state).toolAt(0, 1).slice(0, 3), [2, 0, 0]);
 });
 
+test("what motors give is read between its rows, jumps where two have one time, and is a share where the most is known", () => {
+  const state = told(welcome, ...shown(1));
+  assert.equal(shownRun(state).forcesAt(0, 1), null);
+  assert.deepEqual(shownRun(state).sharesAt(0, 1), []);
+  const [first, second] = [{ ...joint, max_force: 20 }, { ...joint, max_force: null }];
+  receive(state, { ...description(1), robots: [{ ...robot, joints: [first, second] }] });
+  receiveRows(state, block(4, 3, 0, [[0, 2, 1], [1, 4, 1], [1, 10, 7], [2, 10, 7]]));
+  const one = shownRun(state);
+  assert.deepEqual(one.forcesAt(0, 0.5), [3, 1]);
+  assert.deepEqual(one.forcesAt(0, 1), [10, 7]);
+  assert.deepEqual(one.forcesAt(0, 9), [10, 7]);
+  assert.deepEqual(one.sharesAt(0, 1.5), [0.5, null]);
+  assert.equal(one.forcesAt(1, 1), null);
+});
+
 test("an object is there from its appearance to its removal, and who holds it is known", () => {
   const state = told(welcome, ...shown(1));
   const items = [["added", 0.5, null], ["attached", 1, 0], ["detached", 1.5, null], ["removed", 1.8, null]].map(([what, t, r]) => ({ t, what, object: 0, robot: r }));
@@ -105,6 +120,16 @@ test("an object is there from its appearance to its removal, and who holds it is
   assert.equal(now.objectAt(0, 1.25)[0], 0.5);
   assert.equal(now.objectAt(0, 1.9), null);
   assert.deepEqual([now.holderAt(0, 0.7), now.holderAt(0, 1.2), now.holderAt(0, 1.6)], [null, 0, null]);
+});
+
+test("the cursor of another page moves the instant; an answer to an own question does not take it back", () => {
+  const state = told(welcome, ...shown(1));
+  const instant = { type: "instant", run: 1, t: 0.5, cursor: true, line: 2, variables: [] };
+  receive(state, { ...instant, to: 7 });
+  assert.equal(state.t, 2);
+  assert.equal(state.instant.t, 0.5);
+  receive(state, { ...instant, to: null });
+  assert.equal(state.t, 0.5);
 });
 
 test("lines and moves answer for instants and for lines", () => {
@@ -159,6 +184,7 @@ test("a recorded run, told again, is the same run", () => {
   receiveRows(state, block(1, 14, 0, [sample(0, 0), sample(1, 1)]));
   receiveRows(state, block(2, 8, 0, [[1, 0, 0, 0, 1, 0, 0, 0]]));
   receiveRows(state, block(3, 2, 0, [[1, Math.PI]]));
+  receiveRows(state, block(4, 3, 0, [[0, 1, 2], [1, 3, 4]]));
   const recording = recordingOf(state, shownRun(state));
   const again = initialState();
   for (const message of recording) {
@@ -166,7 +192,7 @@ test("a recorded run, told again, is the same run", () => {
     else receive(again, JSON.parse(JSON.stringify(message)));
   }
   const [one, other] = [shownRun(state), shownRun(again)];
-  for (const name of ["state", "tEnd", "hash", "label", "robots", "objects", "events", "moves", "figures"]) assert.deepEqual(other[name], one[name], name);
+  for (const name of ["state", "tEnd", "hash", "label", "robots", "objects", "events", "moves", "figures", "forceRows"]) assert.deepEqual(other[name], one[name], name);
   assert.deepEqual(recordingOf(again, other), recording);
   assert.equal(again.text, state.text);
   const page = pageWithRecording('<body><div id="page"></div></body>', recording);

@@ -1,6 +1,7 @@
 // Messages about runs, and rows of numbers as binary messages.
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "armlet/interpreter/unit.hpp"
@@ -55,13 +56,21 @@ std::vector<LinkShape> shapes_of(const std::shared_ptr<const Robot>& model) {
   return model == nullptr ? std::vector<LinkShape>() : link_shapes(*model);
 }
 
+// What the motor of a joint gives at most; null: nobody knows.
+OrderedJson max_force_json(const std::shared_ptr<const Robot>& model, int joint) {
+  if (model == nullptr || !std::isfinite(model->joint(joint).max_effort)) return {};
+  return model->joint(joint).max_effort;
+}
+
 OrderedJson robot_json(const RecordedRobot& robot) {
   OrderedJson joints = OrderedJson::array();
   for (const JointInfo& joint : robot.info.joints) {
+    const int i = static_cast<int>(joints.size());
     joints.push_back({{"unit", joint.unit == JointUnit::kRadian ? "rad" : "m"},
                       {"lower", joint.lower},
                       {"upper", joint.upper},
                       {"max_speed", joint.max_speed},
+                      {"max_force", max_force_json(robot.model, i)},
                       {"T_before_joint", matrix_json(joint.T_before_joint)},
                       {"T_joint_link", matrix_json(joint.T_joint_link)},
                       {"mesh", joint.mesh}});
@@ -152,7 +161,8 @@ OrderedJson element_json(const LabElements& lab, std::size_t i) {
                      {"name", row.name},
                      {"label", row.label},
                      {"robot", row.robot},
-                     {"is_read", row.is_read}};
+                     {"is_read", row.is_read},
+                     {"span", i < lab.places.size() ? json_of(lab.places[i]) : OrderedJson()}};
   if (!row.axes.empty()) {
     out["axes"] = OrderedJson::array();
     for (std::size_t k = 0; k < row.axes.size(); ++k) {
@@ -219,13 +229,15 @@ Message write_description(const RunRecord& run) {
                      {"robots", OrderedJson::array()},
                      {"objects", OrderedJson::array()}};
   for (const RecordedRobot& robot : run.robots) out["robots"].push_back(robot_json(robot));
-  for (const ObjectInfo& object : run.objects) {
+  for (std::size_t i = 0; i < run.objects.size(); ++i) {
+    const ObjectInfo& object = run.objects[i];
     out["objects"].push_back({{"name", object.name},
                               {"shape", object.shape},
                               {"size", object.size},
                               {"mass", object.mass},
                               {"color", object.color},
-                              {"pose", pose_json(object.T_world_obj)}});
+                              {"pose", pose_json(object.T_world_obj)},
+                              {"span", json_of(run.object_places[i])}});
   }
   out["lab"] = run.lab && run.lab->has_block ? OrderedJson(run.lab->rows.name) : OrderedJson();
   out["title"] = run.lab ? run.lab->rows.title : std::string();

@@ -50,6 +50,7 @@ std::optional<LabElements> lab_of(Session& session, std::optional<LabElements> k
   for (const LabRow& row : lab.rows.rows) {
     const bool is_hand = row.kind == LabRowKind::kSliders && !row.axes.empty();
     lab.ranges.emplace_back();
+    lab.places.push_back(row.at.empty() ? std::nullopt : span_of(session.sources(), row.at));
     if (!is_hand) continue;
     const auto ranges = controls.hand_ranges(row.name);
     if (ranges.ok()) lab.ranges.back() = ranges.value();

@@ -71,6 +71,7 @@ void LiveRun::advance_fork() {
   const std::uint64_t steps = session_->vm() == nullptr ? 0 : session_->result().steps;
   const Progress progress = session_->run({.until_ns = fork_->t_ns, .steps = kSliceSteps});
   recording_.look_at_models();
+  recording_.look_at_objects();
   take_rows();
   const bool is_there = session_->result().steps - steps < kSliceSteps;
   if (progress == Progress::kPaused && !is_there) return;
@@ -82,6 +83,7 @@ void LiveRun::advance_fork() {
 void LiveRun::run_slice() {
   const Progress progress = session_->run({.steps = kSliceSteps});
   recording_.look_at_models();
+  recording_.look_at_objects();
   take_rows();
   record_.t_end = std::max(record_.t_end, to_seconds(now_ns()));
   ++record_.changes;
@@ -130,6 +132,7 @@ void LiveRun::come_to_end(Progress progress) {
 }
 
 void LiveRun::finish_record() {
+  recording_.on_end();
   record_.log = session_->log();
   // As if it ended here: a run that is at rest can go on.
   RunMarks ended = marks_;

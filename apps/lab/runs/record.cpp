@@ -17,6 +17,7 @@ void Rows::add(std::span<const double> row, bool is_kept) {
 std::size_t RunRecord::bytes() const {
   std::size_t sum = 0;
   for (const Rows& each : robot_rows) sum += each.bytes();
+  for (const Rows& each : force_rows) sum += each.bytes();
   for (const Rows& each : object_rows) sum += each.bytes();
   for (const RecordedText& each : texts) sum += sizeof(each) + each.text.size();
   for (const RecordedFigure& each : figures) sum += each.svg.size();

@@ -99,7 +99,8 @@ struct RecordedFigure {
 struct LabElements {
   LabRows rows;
   std::vector<std::vector<std::array<double, 2>>> ranges;
-  std::vector<std::string> units;  // SI, of the plots that have been read
+  std::vector<std::string> units;               // SI, of the plots that have been read
+  std::vector<std::optional<TextSpan>> places;  // of the rows in the text
   bool has_block = false;
   bool is_new = true;
 };
@@ -132,7 +133,9 @@ struct RunHead {
 struct RunRecord : RunHead {
   std::vector<RecordedRobot> robots;
   std::vector<ObjectInfo> objects;
+  std::vector<std::optional<TextSpan>> object_places;  // where the program makes them
   std::vector<Rows> robot_rows;
+  std::vector<Rows> force_rows;  // t and what the motors give, of robots with masses
   std::vector<Rows> object_rows;
   std::vector<RecordedMove> moves;
   std::vector<RecordedLine> lines;
@@ -169,8 +172,13 @@ class Recording : public Backend {
   void on_press(const PressReport& report);
   // From `pace` of the session: time is about to pass, so that what the program has come to lasts.
   void on_wait();
+  // What the run has come to when it ends: loads that have changed since time passed.
+  void on_end();
   // Reads off what the cell knows beside its events: models of the robots.
   void look_at_models();
+  // The same of objects: where the program declares those that were there when the run began. While
+  // the session has paused.
+  void look_at_objects();
 
  private:
   void take(const BeginRun& begin);
@@ -185,6 +193,9 @@ class Recording : public Backend {
   void add_object(const ObjectInfo& object, double t);
   void note_line(double t);
   void end_motion(int robot);
+  void take_forces(const JointSample& sample);
+  void take_forces_at_rest(double t);
+  void add_forces(int robot, std::span<const double> row, bool is_break);
   [[nodiscard]] std::optional<TextSpan> here() const;
   [[nodiscard]] std::optional<int> find_object(std::string_view name) const;
 
@@ -193,10 +204,19 @@ class Recording : public Backend {
     RecordedMove move;
     std::vector<double> last_row;
   };
+  // What the motors of a robot have given last.
+  //
+  // loaded  the arm with its load then, if it stood; otherwise null.
+  struct Forces {
+    std::shared_ptr<const Robot> loaded;
+    std::vector<double> last_row;
+  };
 
   RunRecord& record_;
   Session* session_ = nullptr;
   std::vector<Motion> motions_;  // of each robot
+  std::vector<Forces> forces_;   // the same
+  std::size_t looked_at_ = 0;    // objects
 };
 
 }  // namespace armlet::lab

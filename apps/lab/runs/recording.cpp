@@ -48,7 +48,15 @@ void Recording::on_press(const PressReport& report) {
                            report.button + ": " + told.message, told.place.span});
 }
 
-void Recording::on_wait() { note_line(to_seconds(session_->host()->now_ns())); }
+void Recording::on_wait() {
+  const double t = to_seconds(session_->host()->now_ns());
+  note_line(t);
+  take_forces_at_rest(t);
+}
+
+void Recording::on_end() {
+  if (session_->host() != nullptr) take_forces_at_rest(to_seconds(session_->host()->now_ns()));
+}
 
 void Recording::note_line(double t) {
   if (session_ == nullptr || session_->vm() == nullptr) return;
@@ -72,7 +80,9 @@ void Recording::take(const RobotAdded& added) { add_robot(added.robot); }
 void Recording::add_robot(const RobotInfo& robot) {
   record_.robots.push_back({robot, nullptr, {}});
   record_.robot_rows.emplace_back(1 + 3 * robot.joints.size() + 7);
+  record_.force_rows.emplace_back(1 + robot.joints.size());
   motions_.emplace_back();
+  forces_.emplace_back();
   ++record_.described;
   look_at_models();
 }
@@ -117,6 +127,7 @@ void Recording::take(const JointSample& sample) {
   motion.move.p_end = sample.T_world_tool.translation();
   record_.robot_rows[index].add(row, is_other);
   motion.last_row = std::move(row);
+  take_forces(sample);
 }
 
 // A motion is told with its last sample; the report of a move comes behind it.
@@ -155,9 +166,23 @@ void Recording::take(const ObjectAdded& added) { add_object(added.object, to_sec
 void Recording::add_object(const ObjectInfo& object, double t) {
   if (record_.objects.size() >= kMostObjects) return;
   record_.objects.push_back(object);
+  record_.object_places.push_back(t > 0.0 ? here() : std::nullopt);
   record_.object_rows.emplace_back(8);
   record_.events.push_back({t, "added", static_cast<int>(record_.objects.size() - 1), -1});
   ++record_.described;
+}
+
+void Recording::look_at_objects() {
+  if (looked_at_ == record_.objects.size() || session_->vm() == nullptr) return;
+  const std::vector<SeenVariable> variables = seen_variables(*session_->vm());
+  for (; looked_at_ < record_.objects.size(); ++looked_at_) {
+    const auto known =
+        std::ranges::find(variables, record_.objects[looked_at_].name, &SeenVariable::name);
+    std::optional<TextSpan>& place = record_.object_places[looked_at_];
+    if (place || known == variables.end() || known->type != "object") continue;
+    place = span_of(session_->sources(), known->declared);
+    ++record_.described;
+  }
 }
 
 void Recording::take(const ObjectSample& sample) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 
+#include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
 #include "laboratory/lab_rules.hpp"
@@ -30,12 +31,15 @@ Failed refuse_row(Vm& vm, LabRowKind kind, const std::string& why, int parameter
   return fail(vm, std::move(f));
 }
 
-LabRow row_of(LabRowKind kind, Text name, OptionalWord label) {
-  return {.kind = kind, .name = std::string(name), .label = std::string(label.value_or(name))};
+LabRow row_of(Vm& vm, LabRowKind kind, Text name, OptionalWord label) {
+  return {.kind = kind,
+          .name = std::string(name),
+          .label = std::string(label.value_or(name)),
+          .at = running_at(vm)};
 }
 
 Answer<LabRow> sliders(Vm& vm, const RobotRef& of, OptionalWord as, OptionalWord label, Text name) {
-  LabRow made = row_of(LabRowKind::kSliders, name, label);
+  LabRow made = row_of(vm, LabRowKind::kSliders, name, label);
   made.robot = of.cell->robot(of.id).name;
   if (as) {
     Result<std::vector<HandAxis>> axes = hand_axes(*as);
@@ -59,7 +63,7 @@ Answer<LabRow> number_field(Vm& vm, LabRow made, Number value,
 
 Answer<LabRow> quantity_field(Vm& vm, double value, std::optional<std::span<const double>> range,
                               OptionalWord label, OptionalWord si_unit, Text name) {
-  LabRow made = row_of(LabRowKind::kField, name, label);
+  LabRow made = row_of(vm, LabRowKind::kField, name, label);
   if (const auto unit = parse_unit(si_unit.value_or(""))) made.dim = unit->dim;
   made.value = Value(Value::Number{value, made.dim});
   if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, 1);
@@ -72,7 +76,7 @@ Answer<LabRow> quantity_field(Vm& vm, double value, std::optional<std::span<cons
 
 Answer<LabRow> int_field(Vm& vm, std::int64_t value, std::optional<std::span<const Slot>> range,
                          OptionalWord label, Text name) {
-  LabRow made = row_of(LabRowKind::kField, name, label);
+  LabRow made = row_of(vm, LabRowKind::kField, name, label);
   made.type = LabFieldType::kInt;
   made.value = Value(value);
   if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, 1);
@@ -81,58 +85,66 @@ Answer<LabRow> int_field(Vm& vm, std::int64_t value, std::optional<std::span<con
   return number_field(vm, std::move(made), value, limits);
 }
 
-LabRow bool_field(bool value, OptionalWord label, Text name) {
-  LabRow made = row_of(LabRowKind::kField, name, label);
+LabRow bool_field(Vm& vm, bool value, OptionalWord label, Text name) {
+  LabRow made = row_of(vm, LabRowKind::kField, name, label);
   made.type = LabFieldType::kBool;
   made.value = Value(value);
   return made;
 }
 
-LabRow text_field(Text value, OptionalWord label, Text name) {
-  LabRow made = row_of(LabRowKind::kField, name, label);
+LabRow text_field(Vm& vm, Text value, OptionalWord label, Text name) {
+  LabRow made = row_of(vm, LabRowKind::kField, name, label);
   made.type = LabFieldType::kText;
   made.value = Value(value);
   return made;
 }
 
-LabRow button(Text label, FunctionValue, Text name) {
-  return row_of(LabRowKind::kButton, name, label);
+LabRow button(Vm& vm, Text label, FunctionValue, Text name) {
+  return row_of(vm, LabRowKind::kButton, name, label);
 }
 
-LabRow plot(FunctionValue, OptionalWord label, Text name) {
-  LabRow made = row_of(LabRowKind::kPlot, name, label);
+LabRow plot(Vm& vm, FunctionValue, OptionalWord label, Text name) {
+  LabRow made = row_of(vm, LabRowKind::kPlot, name, label);
   made.is_read = true;
   return made;
 }
 
-LabRow table(FunctionValue, std::optional<std::span<const Slot>> header, OptionalWord label,
+LabRow table(Vm& vm, FunctionValue, std::optional<std::span<const Slot>> header, OptionalWord label,
              Text name) {
-  LabRow made = row_of(LabRowKind::kTable, name, label);
+  LabRow made = row_of(vm, LabRowKind::kTable, name, label);
   made.is_read = true;
   for (const Slot& each : header.value_or(std::span<const Slot>()))
     made.header.emplace_back(text_value(each));
   return made;
 }
 
-LabRow fixed_text(Text value, Text name) {
-  LabRow made = row_of(LabRowKind::kText, name, {});
+LabRow fixed_text(Vm& vm, Text value, Text name) {
+  LabRow made = row_of(vm, LabRowKind::kText, name, {});
   made.value = Value(value);
   return made;
 }
 
-LabRow changing_text(FunctionValue, Text name) {
-  LabRow made = row_of(LabRowKind::kText, name, {});
+LabRow changing_text(Vm& vm, FunctionValue, Text name) {
+  LabRow made = row_of(vm, LabRowKind::kText, name, {});
   made.is_read = true;
   return made;
 }
 
-LabRow trail(const RobotRef& of, OptionalWord label, Text name) {
-  LabRow made = row_of(LabRowKind::kTrail, name, label);
+LabRow trail(Vm& vm, const RobotRef& of, OptionalWord label, Text name) {
+  LabRow made = row_of(vm, LabRowKind::kTrail, name, label);
   made.robot = of.cell->robot(of.id).name;
   return made;
 }
 
-LabRow program(OptionalWord label, Text name) { return row_of(LabRowKind::kProgram, name, label); }
+LabRow torques(Vm& vm, const RobotRef& of, OptionalWord label, Text name) {
+  LabRow made = row_of(vm, LabRowKind::kTorques, name, label);
+  made.robot = of.cell->robot(of.id).name;
+  return made;
+}
+
+LabRow program(Vm& vm, OptionalWord label, Text name) {
+  return row_of(vm, LabRowKind::kProgram, name, label);
+}
 
 Answer<LabRef> lab(Vm& vm, Text name, OptionalWord title, OptionalWord layout,
                    HostList<LabRow> rows) {
@@ -203,6 +215,10 @@ constexpr NativeFunction kLabFunctions[] = {
                        "text where(fn() => f\"The hand is at {arm.here()}.\")"),
     def<trail>("lab.trail.NAME(of: robot, label: string?, name: string) -> labRow",
                "The path of the hand of a robot, in the view of the cell.", "trail way(of: arm)"),
+    def<torques>("lab.torques.NAME(of: robot, label: string?, name: string) -> labRow",
+                 "A bar at each joint of a robot in the view of the cell: what its motor gives, as "
+                 "a share of the maxTorque or maxForce of the joint.",
+                 "torques bars(of: arm)"),
     def<program>("lab.program.NAME(label: string?, name: string) -> labRow",
                  "A place to write, check and run programs.", "program editor()"),
     later("lab.image.NAME", "(value: fn() -> image, label: string?, name: string) -> labRow",

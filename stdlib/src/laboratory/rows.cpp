@@ -13,8 +13,9 @@
 namespace armlet {
 
 std::string_view word_of(LabRowKind kind) {
-  constexpr std::array<std::string_view, 10> kWords = {
-      "sliders", "field", "button", "plot", "table", "text", "image", "trail", "view", "program"};
+  constexpr std::array<std::string_view, 11> kWords = {"sliders", "field", "button", "plot",
+                                                       "table",   "text",  "image",  "trail",
+                                                       "torques", "view",  "program"};
   return kWords[static_cast<std::size_t>(kind)];
 }
 

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, wri
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { clock, closeBrowser, openPage, placeOf, typeAtEnd, until, untilStatus, violations } from "../laboratory.mjs";
+import { clock, closeBrowser, lineOf, openPage, placeOf, typeAtEnd, until, untilStatus, violations } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
 
 after(closeBrowser);
@@ -110,6 +110,91 @@ test("one file has everything: it runs, is edited, steps, completes, takes input
     await opened(handed, async (page) => {
       await page.locator(".message", { hasText: "computes otherwise" }).waitFor();
     });
+  }));
+
+const STEPS = `robot arm = robots.scara()
+object cube { shape: box(40mm, 40mm, 40mm); at: xyz(300mm, 120mm, 20mm) }
+fn go(a: angle) {
+    arm.moveJ(posJ(a, 60deg, 50mm, 0deg), time: 1s)
+}
+var n = 1
+go(10deg)
+n = 2
+go(20deg)
+n = 3
+`;
+
+// A laboratory in one file that takes nothing from elsewhere.
+async function alone(text, work) {
+  const folder = mkdtempSync(join(tmpdir(), "armlet-alone-"));
+  try {
+    writeFileSync(join(folder, "a.rbt"), text);
+    execFileSync(process.env.ARMLET_COMMAND, ["lab", "a.rbt", "--export", "a.html", "--engine", engine], { cwd: folder, stdio: "pipe" });
+    await opened(join(folder, "a.html"), work);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+test("in one file steps go over, into and out of calls and back, breakpoints hold, variables follow", { skip }, () =>
+  alone(STEPS, async (page) => {
+    const current = (text) => page.locator(".line-current").filter({ hasText: text }).waitFor();
+    const at = (pattern) => until(async () => pattern.test(await clock(page).innerText()), () => clock(page).innerText());
+    await untilStatus(page, /2 moves, 2\.00 s/);
+    await page.getByRole("tab", { name: "Variables" }).click();
+    await page.getByRole("button", { name: "To the start" }).click();
+    await page.locator(".gutter-breakpoints .cm-gutterElement").nth(8).click();
+    await page.locator(".breakpoint:visible").first().waitFor();
+    await page.keyboard.press("F5");
+    await current("n = 2");
+    await at(/^1\.00 /);
+    await page.locator(".variables tr", { hasText: /^n/ }).filter({ hasText: "1" }).waitFor();
+    await page.keyboard.press("F10");
+    await current("go(20deg)");
+    await page.keyboard.press("F11");
+    await current("arm.moveJ");
+    await page.locator(".variables tr", { hasText: /^a/ }).filter({ hasText: "20 deg" }).waitFor();
+    await page.keyboard.press("Shift+F11");
+    await current("n = 3");
+    await page.keyboard.press("Shift+F10");
+    await current("arm.moveJ");
+    await at(/^1\.00 /);
+  }));
+
+test("in one file the program is laid out, mended with one click, gone through in time, and its elements move the arm", { skip }, () =>
+  alone(STEPS, async (page) => {
+    await untilStatus(page, /2 moves, 2\.00 s/);
+    await typeAtEnd(page, "go( 30deg )\n");
+    await untilStatus(page, /3 moves, 3\.00 s/);
+    await page.keyboard.press("Shift+Alt+F");
+    await lineOf(page, "go(30deg)").waitFor();
+    await untilStatus(page, /3 moves, 3\.00 s/);
+    await typeAtEnd(page, "arm.movej(posJ(0deg, 0deg, 0mm, 0deg), time: 1s)\n");
+    await page.getByRole("button", { name: /^Fix:/ }).first().click();
+    await untilStatus(page, /4 moves, 4\.00 s/);
+    // The bar of time is dragged; the hand goes along.
+    const hand = page.locator("output.where");
+    const end = await hand.innerText();
+    const bar = await page.locator(".bar").boundingBox();
+    await page.mouse.move(bar.x + 80, bar.y + 40);
+    await page.mouse.down();
+    await page.mouse.move(bar.x + 0.4 * bar.width, bar.y + 40, { steps: 5 });
+    await page.mouse.up();
+    await until(async () => (await hand.innerText()) !== end, () => "the hand has not moved");
+    await page.getByRole("tab", { name: "Variables" }).click();
+    await page.locator(".variables .name", { hasText: "arm" }).waitFor();
+    // A slider is dragged: at the end the run goes on with it.
+    await page.getByRole("button", { name: "To the end" }).click();
+    const before = await hand.innerText();
+    const slider = page.locator(".elements input[type=range]").first();
+    const box = await slider.boundingBox();
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.8 * box.width, box.y + box.height / 2, { steps: 6 });
+    await page.mouse.up();
+    await until(async () => (await hand.innerText()) !== before, () => "the arm did not follow the slider");
+    await page.getByRole("tab", { name: /Runs/ }).click();
+    assert.ok((await page.locator(".run").count()) >= 3);
   }));
 
 test("a run is recorded by the command as a page that needs nothing", async () => {

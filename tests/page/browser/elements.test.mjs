@@ -194,6 +194,18 @@ test("the view is saved as a drawing, without what is hidden", () =>
     assert.ok(!/NaN/.test(svg) && svg.length < 2e6, `${svg.length} bytes`);
   }));
 
+test("the run is saved as a film of the view", () =>
+  withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+    const page = await open({ acceptDownloads: true });
+    await untilStatus(page, /1 move, 1\.00 s/);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Video", exact: true }).click()]);
+    assert.equal(download.suggestedFilename(), "view.webm");
+    const film = readFileSync(await download.path());
+    assert.deepEqual([...film.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);
+    assert.ok(film.length > 2000, `${film.length} bytes`);
+    await page.getByRole("button", { name: "Video", exact: true }).waitFor();
+  }));
+
 test("a hand slider that is pulled too far shows where the arm comes nearest, as does a goal out of reach", () =>
   withLab("robot arm = robots.scara()\nlab cell {\n    sliders hand(of: arm, as: \"x y z roll\")\n}\n", async (open) => {
     const page = await open();
@@ -204,4 +216,47 @@ test("a hand slider that is pulled too far shows where the arm comes nearest, as
     await typeAtEnd(page, "arm.moveL(xyz(5m, 0mm, 100mm), speed: 100mm/s)\n");
     await untilStatus(page, /failed/);
     await page.locator(".label.warning").first().waitFor();
+  }));
+
+const LOADED = `robot arm = robots.puma560(tool: parallelGripper(stroke: 60mm))
+fn reach() { arm.moveJ(posJ(0deg, 10deg, -80deg, 0deg, 0deg, 0deg), time: 4s); arm.setPayload(loads.mass); arm.setLink(3, friction: [loads.rub]) }
+lab loads {
+    field mass(0kg, range: [0kg, 8kg])
+    field rub(0.001, range: [0.0, 0.01])
+    button go("Reach", reach)
+    torques bars(of: arm)
+    table M(fn() => arm.massMatrix())
+}
+wait(1s)
+`;
+
+test("bars and a table show what motors give; a load and friction set at the page change the run", () =>
+  withLab(LOADED, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    const rows = page.locator(".torques tr");
+    assert.equal(await rows.count(), 6);
+    const joint2 = async () => Number((await rows.nth(1).locator("td").first().innerText()).replace("−", "-"));
+    const pressed = page.getByRole("button", { name: "Torques" });
+    await until(async () => (await pressed.getAttribute("aria-pressed")) === "true", () => "the bars are not there from the start");
+    await page.getByRole("button", { name: "Reach", exact: true }).click();
+    await untilStatus(page, /5\.00 s/);
+    const bare = await joint2();
+    await page.getByRole("spinbutton", { name: /^mass/ }).fill("8");
+    await page.keyboard.press("Enter");
+    await page.getByRole("button", { name: "Reach", exact: true }).click();
+    await untilStatus(page, /\d\.\d\d s/);
+    // 8 kg at the tool, more than half a metre in front of joint 2.
+    await until(async () => Math.abs(await joint2()) > Math.abs(bare) + 8 * 9.81 * 0.5, async () => `${bare} N m, and ${await joint2()} with the load`);
+    await page.locator(".label", { hasText: /joint 2: \d+ %/ }).waitFor();
+    // The bars are part of the picture of the view.
+    const shot = () => page.locator(".stage canvas").screenshot();
+    const withBars = await shot();
+    await pressed.click();
+    await until(async () => !(await shot()).equals(withBars), () => "the picture is the same without bars");
+    assert.equal(await page.locator(".label", { hasText: "joint 2" }).count(), 0);
+    // A row's title leads to where the program says it.
+    await page.locator(".element h2", { hasText: "bars" }).click();
+    await page.locator(".cm-activeLineGutter", { hasText: /^7$/ }).waitFor();
+    assert.deepEqual(await violations(page), []);
   }));

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <span>
 #include <string>
 
 #include "lab_support.hpp"
@@ -170,4 +172,72 @@ TEST_CASE("a plot shows what a button did, also where the program itself took no
   CHECK(plot[1] == 0.0);
   CHECK(plot[plot.size() - 5] == 1.0);
   CHECK(plot[plot.size() - 4] == doctest::Approx(lab.last_joint(1)));
+}
+
+namespace {
+
+const std::string kLoads = R"(robot arm = robots.puma560(tool: parallelGripper(stroke: 60mm))
+object far { shape: box(40mm, 40mm, 40mm); at: xyz(900mm, 900mm, 20mm) }
+lab loads {
+    torques bars(of: arm)
+    plot tau(fn() => arm.torques())
+}
+arm.moveJ(posJ(0deg, 45deg, -90deg, 0deg, 45deg, 0deg), time: 4s)
+let load = box(40mm, 40mm, 40mm).spawn("load", at: arm.here(), mass: 2kg)
+wait(1s)
+arm.grasp(load)
+wait(1s)
+arm.setPayload(1kg)
+)";
+
+}  // namespace
+
+TEST_CASE("what motors give is told along the run, and jumps where a load is taken") {
+  Seated lab(kLoads);
+  const TestJson description = lab.page.last("description");
+  CHECK(description["robots"][0]["joints"][1]["max_force"].get<double>() == doctest::Approx(186.4));
+  const std::vector<double>& told = lab.page.rows[{4, 1, 0}];
+  const std::vector<double>& plot = lab.page.rows[{3, 1, 1}];
+  const std::vector<double>& robot = lab.page.rows[{1, 1, 0}];
+  constexpr std::size_t kColumns = 7;
+  REQUIRE(told.size() % kColumns == 0);
+  REQUIRE(plot.size() % kColumns == 0);
+  // The last row at or before a time.
+  const auto row_at = [&](double t) {
+    std::size_t i = 0;
+    while ((i + 1) * kColumns < told.size() && told[(i + 1) * kColumns] <= t) ++i;
+    return std::span(told).subspan(i * kColumns, kColumns);
+  };
+  // While it moves they are what the program reads; rows of motions are told every 10 ms.
+  int compared = 0;
+  for (std::size_t i = 0; i < plot.size(); i += kColumns) {
+    const std::span<const double> row = row_at(plot[i] + 1e-9);
+    if (std::abs(row[0] - plot[i]) > 1e-9 || plot[i] > 3.9) continue;
+    ++compared;
+    for (std::size_t k = 1; k < kColumns; ++k) CHECK(row[k] == doctest::Approx(plot[i + k]));
+  }
+  CHECK(compared > 200);
+  // The load hangs at the tool point, whose lever about the horizontal axis of joint 2 is its x.
+  const double lever = robot[robot.size() - 7];
+  CHECK(lever > 0.5);
+  CHECK(row_at(5.01)[2] - row_at(4.99)[2] == doctest::Approx(2.0 * 9.81 * lever));
+  CHECK(row_at(4.0)[2] == row_at(4.99)[2]);
+  // What is set when no time passes any more is told as well.
+  CHECK(told[told.size() - kColumns] == doctest::Approx(6.0));
+  CHECK(row_at(6.0)[2] > row_at(5.99)[2] + 1.0);
+}
+
+TEST_CASE("rows and objects say where the text makes them") {
+  Seated lab("// eins\n" + kLoads);
+  const TestJson description = lab.page.last("description");
+  CHECK(description["elements"][0]["kind"] == "torques");
+  CHECK(description["elements"][0]["robot"] == "arm");
+  CHECK(description["elements"][0]["span"] == TestJson({5, 4, 5, 25}));
+  CHECK(description["elements"][1]["span"][0] == 6);
+  REQUIRE(description["objects"].size() == 2);
+  CHECK(description["objects"][0]["span"] == TestJson({3, 7, 3, 10}));
+  CHECK(description["objects"][1]["span"][0] == 9);
+  // Elements that nobody has written stand nowhere.
+  Seated plain("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 0deg, 0mm, 0deg), time: 1s)\n");
+  CHECK(plain.page.last("description")["elements"][0]["span"].is_null());
 }

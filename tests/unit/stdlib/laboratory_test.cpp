@@ -42,6 +42,7 @@ lab cell {
     text intro("The arm.")
     text where(fn() => f"{cell.pieces} pieces")
     trail way(of: arm)
+    torques bars(of: arm)
     program editor()
 }
 arm.moveJ(posJ(10deg, 20deg, 30mm, 40deg), time: 2s)
@@ -117,7 +118,7 @@ TEST_CASE("a lab block says what stands on its page, in order") {
   for (const LabRow& row : page->rows) words += std::string(word_of(row.kind)) + ' ';
   CHECK(words ==
         "sliders sliders field field field field field button button button plot plot plot table "
-        "text text trail program ");
+        "text text trail torques program ");
   CHECK(page->find("joints")->label == "Joints");
   CHECK(page->find("joints")->axes.empty());
   CHECK(page->find("hand")->axes ==

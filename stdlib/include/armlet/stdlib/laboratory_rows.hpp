@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "armlet/interpreter/host/value.hpp"
+#include "armlet/interpreter/source.hpp"
 #include "armlet/interpreter/unit.hpp"
 
 namespace armlet {
@@ -24,6 +25,7 @@ enum class LabRowKind {
   kText,
   kImage,
   kTrail,
+  kTorques,
   kView,
   kProgram,
 };
@@ -45,7 +47,7 @@ enum class LabFieldType { kNumber, kInt, kBool, kText };
 //
 // name     by which programs and inputs call it; it is unique in the block.
 // label    what the page writes beside it; the name where the program gives none.
-// robot    sliders, trail: of the robot with this name.
+// robot    sliders, trail, torques: of the robot with this name.
 // axes     sliders: of the hand; empty: one slider for each joint.
 // type     field: what it holds. A number with a unit has `dim` and `unit`.
 // dim      of the value of a field.
@@ -54,6 +56,7 @@ enum class LabFieldType { kNumber, kInt, kBool, kText };
 // range    field: smallest and largest value, SI.
 // header   table: over its columns.
 // is_read  plot, table, and text that changes: LabControls::read gives what it shows now.
+// at       where the program says so; empty: it does not.
 struct LabRow {
   LabRowKind kind = LabRowKind::kText;
   std::string name{};
@@ -67,6 +70,7 @@ struct LabRow {
   std::optional<std::array<double, 2>> range{};
   std::vector<std::string> header{};
   bool is_read = false;
+  Span at{};
 };
 
 // A `lab` block that the program has come to.

@@ -82,9 +82,13 @@ export class Editor {
   // Selects the first place where the program writes a name, as a text or as a word.
   // Selects where the program names an object, a robot or a row of its laboratory: where it is declared, or as a text, or
   // at all. `kind` is the word in front of a row's name.
-  find(name: string, kind = "object|robot"): void {
-    const at = placeOfName(this.view.state.doc.toString(), name, kind);
-    if (at === null) return;
+  // span, version  where the laboratory found it, and in which text; the name is looked for there.
+  find(name: string, kind = "object|robot", span: Span | null = null, version: number | null = null): void {
+    const { doc } = this.view.state;
+    const told = span && version === this.intents.state.textVersion ? rangeOf(doc, span) : { from: 0, to: doc.length };
+    const found = placeOfName(doc.sliceString(told.from, told.to), name, kind);
+    if (found === null) return;
+    const at = told.from + found;
     this.view.dispatch({ selection: { anchor: at, head: at + name.length }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
   }
 

@@ -7,7 +7,7 @@ import { inControl, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { button, field, handSliders, jointSliders } from "./controls.ts";
 import { plot } from "./plot.ts";
-import { figures, image, noted, table, text } from "./shown.ts";
+import { figures, image, noted, table, text, torques } from "./shown.ts";
 import type { ElementView, Place } from "./view.ts";
 
 // The elements of a run whose laboratory has told none: sliders and plots of each robot.
@@ -37,6 +37,8 @@ function viewOf(place: Place, run: Run): ElementView | null {
       return text(place);
     case "image":
       return image(place);
+    case "torques":
+      return torques(place, run);
     case "view":
       return noted(element.label || element.name, "This version of the page has no pictures of cameras.");
     case "program": // the editor
@@ -47,8 +49,8 @@ function viewOf(place: Place, run: Run): ElementView | null {
   }
 }
 
-// point  shows in the editor where the program names a row: its name, and the word in front of it.
-export function elementPanel(host: HTMLElement, store: Store, intents: Intents, point: (name: string, kind: string) => void): void {
+// point  shows in the editor where the program has a row.
+export function elementPanel(host: HTMLElement, store: Store, intents: Intents, point: (element: ElementInfo) => void): void {
   let views: ElementView[] = [];
   let built = "";
   const build = (run: Run) => {
@@ -77,9 +79,9 @@ export function elementPanel(host: HTMLElement, store: Store, intents: Intents, 
 }
 
 // A click on the name of a row goes to where the program writes it.
-function pointing(root: HTMLElement, element: ElementInfo | undefined, point: (name: string, kind: string) => void): void {
+function pointing(root: HTMLElement, element: ElementInfo | undefined, point: (element: ElementInfo) => void): void {
   const title = root.querySelector("h2");
   if (!element || !title) return;
   title.classList.add("points");
-  title.addEventListener("click", (event) => event.target === title && point(element.name, element.kind));
+  title.addEventListener("click", (event) => event.target === title && point(element));
 }

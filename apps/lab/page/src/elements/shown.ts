@@ -1,6 +1,6 @@
 // Elements that only show: tables, texts, images, and places of what has no picture here.
 import { el, setText } from "../shell/dom.ts";
-import type { Run } from "../store/run.ts";
+import { NEAR, type Run } from "../store/run.ts";
 import { richText } from "./rich_text.ts";
 import { cellText, tableOf } from "./table_value.ts";
 import type { ElementView, Place } from "./view.ts";
@@ -23,6 +23,34 @@ export function table({ element }: Place): ElementView {
         el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, cellText(cell)))))),
       );
       if (value?.error) body.replaceChildren(el("caption", { class: "reason" }, value.error));
+    },
+  };
+}
+
+// What the motors of a robot give, beside what they can give: the numbers of the bars in the view.
+export function torques({ element }: Place, run: Run): ElementView {
+  const index = Math.max(0, run.robots.findIndex((r) => r.name === element.robot));
+  const label = element.label || element.name;
+  const rows = (run.robots[index]?.joints ?? []).map((joint, k) => {
+    const [gives, fill, share] = [el("td"), el("div", { class: "fill" }), el("td")];
+    const unit = joint.unit === "m" ? "N" : "N m";
+    const most = joint.max_force ? `at most ${+joint.max_force.toPrecision(4)} ${unit}` : null;
+    return { fill, gives, share, root: el("tr", { title: most }, el("th", { scope: "row" }, joint.name ?? `joint ${k + 1}`), gives, el("td", {}, unit), el("td", { class: "share" }, fill), share) };
+  });
+  const note = el("p", { class: "quiet" }, "The masses of this robot are not known.");
+  return {
+    root: el("div", { class: "element torques", role: "group", "aria-label": label }, el("h2", {}, label), el("table", {}, el("tbody", {}, ...rows.map((row) => row.root))), note),
+    update(now, state) {
+      const forces = now.forcesAt(index, state.t);
+      const shares = now.sharesAt(index, state.t);
+      note.hidden = forces !== null;
+      rows.forEach(({ gives, fill, share }, k) => {
+        const part = shares[k] ?? null;
+        setText(gives, forces ? forces[k]!.toFixed(2).replace("-", "−") : "–");
+        setText(share, part === null ? "" : `${(100 * Math.abs(part)).toFixed(0)} %`);
+        fill.style.width = `${100 * Math.min(1, Math.abs(part ?? 0))}%`;
+        fill.classList.toggle("near", Math.abs(part ?? 0) >= NEAR);
+      });
     },
   };
 }

@@ -35,6 +35,7 @@ export interface JointInfo {
   lower: number;
   upper: number;
   max_speed: number;
+  max_force?: number | null;
   T_before_joint: Matrix;
   T_joint_link: Matrix;
 }
@@ -77,6 +78,7 @@ export interface ObjectInfo {
   color: string;
   mass?: number;
   pose: Pose;
+  span?: Span | null;
 }
 export interface Coordinate {
   name: string;
@@ -97,7 +99,7 @@ export interface ElementInfo {
   quantity_unit?: string | null;
   type?: string | null;
   image?: string | null;
-  line?: number | null;
+  span?: Span | null;
   factor?: number | null;
   header?: string[] | null;
   labels?: string[] | null;

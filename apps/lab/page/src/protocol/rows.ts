@@ -4,6 +4,7 @@ const HEAD = 24;
 export const ROBOT_ROWS = 1;
 export const OBJECT_ROWS = 2;
 export const ELEMENT_ROWS = 3;
+export const FORCE_ROWS = 4;
 
 export interface RowBlock {
   kind: number;

@@ -1,11 +1,13 @@
 // An arm made of the shapes of its description, and how it stands.
 import {
-  BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DoubleSide, Group, LatheGeometry, Matrix4, Mesh, MeshStandardMaterial, Vector2, Vector3,
+  BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DoubleSide, Group, LatheGeometry, Matrix4, Mesh, Vector2, Vector3,
 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import type { RobotChange, RobotInfo, Shape } from "../protocol/messages.ts";
 import { jointsAtLimits, shapeFrames } from "../store/kinematics.ts";
+import { footprintOf, type Footprint } from "./contact.ts";
 import type { Palette } from "./palette.ts";
+import { surface, type Surface } from "./surface.ts";
 
 const ROUND = 48; // faces of a full circle
 
@@ -64,7 +66,7 @@ const DARK_ROLES = new Set(["base", "joint", "flange"]);
 export class ArmView {
   readonly group = new Group();
   private readonly links: Group[] = [];
-  private readonly marks: { joint: number; material: MeshStandardMaterial }[] = [];
+  private readonly marks: { joint: number; material: Surface }[] = [];
   private readonly robot: RobotInfo;
   private readonly palette: Palette;
   private readonly ghost: boolean;
@@ -121,6 +123,18 @@ export class ArmView {
     this.group.updateMatrixWorld(true);
   }
 
+  // What of the base stands on the floor.
+  footprints(): Footprint[] {
+    const frame = this.frameOf(0);
+    return (this.shapes ?? []).filter((shape) => shape.link === 0 && shape.role !== "mark").map((shape) => {
+      const [radius, length] = [shape.radius ?? 0.02, shape.length ?? 0.05];
+      const half: [number, number, number] = shape.kind === "box"
+        ? [0, 1, 2].map((k) => (shape.size?.[k] ?? 0.05) / 2) as [number, number, number]
+        : [radius, radius, length / 2 + (shape.kind === "capsule" ? radius : 0)];
+      return footprintOf(frame.clone().multiply(new Matrix4().fromArray(shape.T)).elements, half, shape.kind !== "box");
+    });
+  }
+
   frameOf(link: number): Matrix4 {
     return this.links[link]?.matrix ?? new Matrix4();
   }
@@ -129,7 +143,7 @@ export class ArmView {
     this.group.traverse((node) => {
       if (!(node instanceof Mesh)) return;
       (node.geometry as BufferGeometry).dispose();
-      (node.material as MeshStandardMaterial).dispose();
+      (node.material as Surface).dispose();
     });
     this.group.removeFromParent();
   }
@@ -153,17 +167,14 @@ export class ArmView {
     }
   }
 
-  private materialOf(shape: Shape): MeshStandardMaterial {
+  private materialOf(shape: Shape): Surface {
     const { palette } = this;
     if (this.ghost) {
-      return new MeshStandardMaterial({ color: palette.ghost, transparent: true, opacity: 0.3, roughness: 0.8, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 });
+      return surface(palette.plain, palette.ghost, 0.8, 0, { transparent: true, opacity: 0.3, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 });
     }
     const role = shape.role;
     const color = role === "mark" ? palette.accent : DARK_ROLES.has(role) ? palette.linkDark : role === "link" ? palette.link : palette.tool;
-    return new MeshStandardMaterial({
-      color: new Color(color),
-      roughness: role === "link" ? 0.42 : 0.55,
-      metalness: role === "link" || role === "mark" ? 0 : 0.1,
+    return surface(palette.plain, new Color(color), role === "link" ? 0.42 : 0.55, role === "link" || role === "mark" ? 0 : 0.1, {
       ...(shape.kind === "ring" ? { side: DoubleSide } : {}),
       // Rings lie on what they mark; they win where both are equally far away.
       ...(role === "mark" ? { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 } : {}),

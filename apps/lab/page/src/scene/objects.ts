@@ -1,9 +1,10 @@
 // The objects of the world at an instant.
-import { BufferGeometry, Color, CylinderGeometry, Group, Mesh, MeshStandardMaterial, SphereGeometry } from "three";
+import { BufferGeometry, Color, CylinderGeometry, Group, Mesh, SphereGeometry } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import type { ObjectInfo } from "../protocol/messages.ts";
 import { poseMatrix } from "../store/kinematics.ts";
 import type { Run } from "../store/run.ts";
+import { surface, type Surface } from "./surface.ts";
 
 function geometryOf(object: ObjectInfo): BufferGeometry {
   const [a = 0.04, b = 0.04, c = 0.04] = object.size;
@@ -21,8 +22,13 @@ function colorOf(name: string): Color {
 
 export class ObjectsView {
   readonly group = new Group();
-  private meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = [];
+  private meshes: Mesh<BufferGeometry, Surface>[] = [];
   private shown: ObjectInfo[] | null = null;
+  private readonly plain: boolean;
+
+  constructor(plain: boolean) {
+    this.plain = plain;
+  }
 
   place(run: Run, t: number): void {
     if (this.shown !== run.objects) this.build(run.objects);
@@ -42,7 +48,7 @@ export class ObjectsView {
     this.group.clear();
     this.shown = objects;
     this.meshes = objects.map((object) => {
-      const material = new MeshStandardMaterial({ color: colorOf(object.color), roughness: 0.72, metalness: 0 });
+      const material = surface(this.plain, colorOf(object.color), 0.72);
       const mesh = new Mesh(geometryOf(object), material);
       mesh.matrixAutoUpdate = false;
       mesh.castShadow = true;

@@ -17,6 +17,8 @@ export interface Palette {
   shadow: number;
   light: number;
   fill: number;
+  // Surfaces without gloss, which are drawn in less time where there is no graphics processor.
+  plain: boolean;
 }
 
 export const light: Palette = {
@@ -35,6 +37,7 @@ export const light: Palette = {
   shadow: 0.28,
   light: 2.5,
   fill: 1.15,
+  plain: false,
 };
 
 export const dark: Palette = {
@@ -53,6 +56,7 @@ export const dark: Palette = {
   shadow: 0.5,
   light: 2.2,
   fill: 0.8,
+  plain: false,
 };
 
 // From slow (0) to fast (1).

@@ -1,13 +1,28 @@
 // The path of a tool in a run: a line of constant width on the screen, coloured by speed.
-import { Color, Group, Vector2, Vector3, type Camera } from "three";
+import { Box3, Color, Group, Vector2, Vector3, type Camera } from "three";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import type { Track } from "../store/rows.ts";
 import { speedColor, type Palette } from "./palette.ts";
+import { neededPoints } from "./simplify.ts";
 import type { Stroke } from "./vector_picture.ts";
 
 const MOST_POINTS = 6000;
+// What a drawn line may differ from the path, as a share of its extent, and its colour, as a share of the top speed.
+const AWAY = 2e-4;
+const PALER = 0.04;
+
+function extentOf(points: readonly (readonly number[])[]): number {
+  const box = new Box3().setFromPoints(points.map(([x = 0, y = 0, z = 0]) => new Vector3(x, y, z)));
+  return box.getSize(new Vector3()).length();
+}
+
+// Straight stretches are drawn as one: without a graphics processor every point of a line takes time.
+function drawn(places: readonly number[][], speeds: readonly number[], top: number): number[] {
+  const tolerance = AWAY * extentOf(places);
+  return neededPoints(places.map((place, i) => [...place, ((speeds[i] ?? 0) / top) * (tolerance / PALER)]), tolerance);
+}
 
 function lineOf(positions: number[], colors: number[] | null, options: { color?: string; width: number; opacity: number; top?: boolean }): Line2 {
   const geometry = new LineGeometry();
@@ -54,11 +69,13 @@ export class PathView {
       last = point;
     }
     if (this.points.length < 2) return;
-    const positions = this.points.flatMap((i) => track.tool(i));
+    const top = Math.max(topSpeed, this.topSpeed, 1e-9);
+    const places = this.points.map((i) => track.tool(i));
+    const kept = drawn(places, kind === "shown" ? speeds : [], top);
+    const positions = kept.flatMap((k) => places[k]!);
     if (kind === "shown") {
       const color = new Color();
-      const top = Math.max(topSpeed, this.topSpeed, 1e-9);
-      const colors = speeds.flatMap((v) => speedColor(palette, v / top, color).toArray());
+      const colors = kept.flatMap((k) => speedColor(palette, speeds[k]! / top, color).toArray());
       this.add(lineOf(positions, colors, { width: 3, opacity: 1 }));
       this.add(lineOf(positions, colors, { width: 3, opacity: 0.22, top: true }));
     } else {
@@ -76,7 +93,8 @@ export class PathView {
     for (const [t0, t1] of ranges) {
       const from = track.indexAt(t0);
       const to = Math.min(track.count - 1, track.indexAt(t1) + 1);
-      for (let i = from; i <= to; i++) positions.push(...track.tool(i));
+      const places = Array.from({ length: to - from + 1 }, (_, k) => track.tool(from + k));
+      for (const k of drawn(places, [], 1)) positions.push(...places[k]!);
     }
     if (positions.length < 6) return;
     this.highlight = lineOf(positions, null, { color: palette.accent, width: 8, opacity: 0.55, top: true });

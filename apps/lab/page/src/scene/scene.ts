@@ -1,24 +1,27 @@
 // The 3D view of the shown run at the instant that is looked at.
 import { Group, Matrix4, Mesh, MeshBasicMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3, type Camera } from "three";
 import type { Intents } from "../store/intents.ts";
+import type { Span } from "../protocol/messages.ts";
 import { matrixPose, poseMatrix, toolFrame } from "../store/kinematics.ts";
-import type { Run } from "../store/run.ts";
+import { NEAR, type Run } from "../store/run.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { ArmView } from "./arm.ts";
+import { ContactShadows, footprintOf, type Footprint } from "./contact.ts";
 import { extent, grasped } from "./fingers.ts";
 import { ObjectsView } from "./objects.ts";
 import { dark, light, type Palette } from "./palette.ts";
 import { PathView } from "./path.ts";
 import { boundsOf, Stage, type Preset } from "./stage.ts";
+import { TorqueBars, type Bar } from "./torque_bars.ts";
 import { Labels, Triads, type Label } from "./triad.ts";
 import { floorLines, vectorPicture } from "./vector_picture.ts";
 
 export interface SceneHost {
   stage: HTMLElement;
   labels: HTMLElement;
-  // An object was clicked: the editor shows where the program names it.
-  pickObject(name: string): void;
+  // An object or a robot was clicked: the editor shows where the program makes it.
+  pickObject(name: string, span: Span | null): void;
   topSpeed(speed: number): void;
 }
 
@@ -29,7 +32,9 @@ export class SceneView {
   private readonly stage: Stage;
   private readonly labels: Labels;
   private readonly triads = new Triads();
-  private readonly objects = new ObjectsView();
+  private readonly objects: ObjectsView;
+  private readonly torques = new TorqueBars();
+  private readonly contact = new ContactShadows();
   private readonly handle: Mesh<SphereGeometry, MeshBasicMaterial>;
   private palette: Palette = light;
   private arms: ArmView[] = [];
@@ -42,6 +47,8 @@ export class SceneView {
   private follow = false;
   private dragged: { robot: number; plane: Plane; offset: Vector3; pose: number[] } | null = null;
   showFrames = false;
+  // Whether bars show what motors give; null: of the robots for which the laboratory has a row that says so.
+  showTorques: boolean | null = null;
   // Told how the camera is turned before each picture: a rotation from the world to the camera, in columns.
   onTurn: (columns: readonly number[]) => void = () => {};
   // The robot whose hand is pulled and whose pose is shown.
@@ -52,16 +59,17 @@ export class SceneView {
     this.intents = intents;
     this.host = host;
     this.stage = new Stage(host.stage);
+    this.objects = new ObjectsView(this.stage.software);
     this.labels = new Labels(host.labels);
     this.handle = new Mesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ transparent: true, opacity: 0.35, depthTest: false, toneMapped: false }));
     this.handle.renderOrder = 5;
     this.stage.content.add(this.objects.group);
-    this.stage.scene.add(this.triads.group, this.ghostGroup, this.handle);
+    this.stage.scene.add(this.triads.group, this.ghostGroup, this.handle, this.torques.group, this.contact.mesh);
     this.stage.before = () => this.beforePicture();
     this.stage.controls.addEventListener("start", () => (this.follow = false));
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     const theme = () => {
-      this.palette = scheme.matches ? dark : light;
+      this.palette = { ...(scheme.matches ? dark : light), plain: this.stage.software };
       this.stage.theme(this.palette);
       this.handle.material.color.set(this.palette.accent);
       this.described = null;
@@ -139,7 +147,7 @@ export class SceneView {
     }
     this.drawPaths(state, run);
     this.stand(state, run);
-    this.stage.invalidate();
+    this.stage.moved();
   }
 
   private rebuild(run: Run): void {
@@ -189,6 +197,7 @@ export class SceneView {
       this.standFingers(run, i, arm, t);
     });
     this.objects.place(run, t);
+    this.contact.show(this.footprints(run, t), 1.3 * this.palette.shadow);
     const ranges = run.robots.map((_, i) => litRanges(run, hover, i));
     const key = `${run.id} ${JSON.stringify(ranges)}`;
     if (key !== this.lit) {
@@ -198,6 +207,7 @@ export class SceneView {
     this.standGhosts(run, hover ? ranges : [], state);
     const labels: Label[] = [];
     this.standFrames(run, t, labels);
+    this.standTorques(run, t, labels);
     if (pull?.reason && pull.nearest) labels.push({ text: pull.reason, at: pointOf(pull.nearest.pose), warning: true });
     else if (nearest) labels.push({ text: nearest.reason, at: pointOf(nearest.pose), warning: true });
     const failure = run.error;
@@ -210,6 +220,18 @@ export class SceneView {
     }
     this.labels.set(labels);
     this.framePicture(run);
+  }
+
+  // Of the objects and of the feet of robots.
+  private footprints(run: Run, t: number): Footprint[] {
+    const feet = this.arms.flatMap((arm) => arm.footprints());
+    const objects = run.objects.flatMap((object, i) => {
+      const pose = run.objectAt(i, t);
+      const [a = 0, b = a, c = a] = object.size;
+      const half: [number, number, number] = object.shape === "box" ? [a / 2, b / 2, c / 2] : object.shape === "cylinder" ? [a, a, b / 2] : [a, a, a];
+      return pose ? [footprintOf(poseMatrix(pose), half, object.shape !== "box")] : [];
+    });
+    return [...feet, ...objects];
   }
 
   private standGhosts(run: Run, ranges: [number, number][][], state: State): void {
@@ -272,6 +294,23 @@ export class SceneView {
     this.handle.visible = this.intents.live && run.robots.length > 0;
   }
 
+  private standTorques(run: Run, t: number, labels: Label[]): void {
+    const bars: Bar[] = [];
+    run.robots.forEach((robot, i) => {
+      if (!(this.showTorques ?? run.elements.some((row) => row.kind === "torques" && row.robot === robot.name))) return;
+      const shares = run.sharesAt(i, t);
+      const most = shares.reduce<number>((best, share, k) => (Math.abs(share ?? 0) > Math.abs(shares[best] ?? 0) ? k : best), 0);
+      shares.forEach((share, k) => {
+        if (share === null) return;
+        const at = new Vector3().setFromMatrixPosition(this.arms[i]!.frameOf(k + 1));
+        bars.push({ at, share });
+        const near = Math.abs(share) >= NEAR;
+        if (near || k === most) labels.push({ text: `joint ${k + 1}: ${(100 * Math.abs(share)).toFixed(0)} %`, at, warning: near, beside: true });
+      });
+    });
+    this.torques.show(bars, this.palette);
+  }
+
   // The first picture of other robots shows all of them.
   private reach = 0.5;
   private framePicture(run: Run): void {
@@ -300,6 +339,7 @@ export class SceneView {
     const { clientWidth, clientHeight } = this.host.stage;
     camera.updateMatrixWorld();
     this.onTurn(camera.matrixWorldInverse.elements);
+    this.torques.face(camera, clientHeight);
     this.labels.place(camera, clientWidth, clientHeight);
   }
 
@@ -361,7 +401,8 @@ export class SceneView {
     const { ray } = this.place(event);
     const hit = ray.intersectObject(this.stage.content, true)[0];
     const name = hit?.object.userData["object"] ?? hit?.object.userData["robot"];
-    if (typeof name === "string") this.host.pickObject(name);
+    const object = shownRun(this.store.state)?.objects.find((each) => each.name === name);
+    if (typeof name === "string") this.host.pickObject(name, object?.span ?? null);
   }
 
   private startPull(event: PointerEvent): boolean {

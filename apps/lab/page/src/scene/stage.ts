@@ -47,13 +47,17 @@ const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
   bottom: [0, -0.3, -1],
 };
 
-// Without a graphics processor each picture takes the time of the processor that runs everything else.
-function drawsInSoftware(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
+// Without a graphics processor each picture takes the time of the processor that runs everything else: its edges are not smoothed.
+// Starting is slow there too, so what was started to find out is used.
+function startDrawing(): { renderer: WebGLRenderer; software: boolean } {
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", { alpha: true, antialias: false });
   const names = context?.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(context?.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  const software = /swiftshader|llvmpipe|software|basic render/i.test(name);
+  if (context && software) return { renderer: new WebGLRenderer({ canvas, context }), software };
   context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+  return { renderer: new WebGLRenderer({ antialias: true }), software: false };
 }
 
 export class Stage {
@@ -71,11 +75,15 @@ export class Stage {
   private readonly floor: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly shade: Mesh<PlaneGeometry, ShadowMaterial>;
   private dirty = false;
+  // Whether the processor draws.
+  readonly software: boolean;
 
   constructor(host: HTMLElement) {
-    const software = drawsInSoftware();
-    this.renderer = new WebGLRenderer({ antialias: !software });
+    const { renderer, software } = startDrawing();
+    this.renderer = renderer;
+    this.software = software;
     this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.autoUpdate = false; // only what stands elsewhere throws another shadow
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
     this.camera.up.set(0, 0, 1);
@@ -131,6 +139,12 @@ export class Stage {
     });
   }
 
+  // Arms or objects stand elsewhere.
+  moved(): void {
+    this.renderer.shadowMap.needsUpdate = true;
+    this.invalidate();
+  }
+
   // Draws now, so that the picture can be read.
   draw(): void {
     this.before();
@@ -152,6 +166,7 @@ export class Stage {
     shadow.near = 0.5 * r;
     shadow.far = 8 * r;
     shadow.updateProjectionMatrix();
+    this.renderer.shadowMap.needsUpdate = true;
     this.controls.minDistance = 0.15 * r;
     this.controls.maxDistance = 14 * r;
     this.camera.near = 0.02 * r;

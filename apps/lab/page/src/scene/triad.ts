@@ -7,6 +7,8 @@ export interface Label {
   text: string;
   at: Vector3;
   warning?: boolean;
+  // Leaves room for a bar at that point.
+  beside?: boolean;
 }
 
 export class Triads {
@@ -45,7 +47,7 @@ export class Labels {
     while (this.host.children.length > labels.length) this.host.lastElementChild!.remove();
     labels.forEach((label, i) => {
       const element = (this.host.children[i] as HTMLElement | undefined) ?? this.host.appendChild(document.createElement("span"));
-      element.className = label.warning ? "label warning" : "label";
+      element.className = `label${label.warning ? " warning" : ""}${label.beside ? " beside" : ""}`;
       if (element.textContent !== label.text) element.textContent = label.text;
     });
   }

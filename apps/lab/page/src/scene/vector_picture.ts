@@ -1,5 +1,6 @@
 // The 3D view as a drawing of lines and areas: what is farther away is drawn first.
-import { BufferGeometry, Color, DoubleSide, Matrix3, Mesh, MeshStandardMaterial, Vector3, type Object3D, type PerspectiveCamera } from "three";
+import { BufferGeometry, Color, DoubleSide, Matrix3, Mesh, Vector3, type Object3D, type PerspectiveCamera } from "three";
+import type { Surface } from "./surface.ts";
 
 export interface Stroke {
   points: Vector3[];
@@ -32,7 +33,7 @@ const SPLIT = 14; // px: what is smaller can stand before or behind another area
 const HIDDEN = 1.5e-5; // of depth: what is farther behind than this is hidden
 
 function areasOf(mesh: Mesh, camera: PerspectiveCamera, project: (p: Vector3) => Vector3): Area[] {
-  const { geometry, material } = mesh as Mesh<BufferGeometry, MeshStandardMaterial>;
+  const { geometry, material } = mesh as Mesh<BufferGeometry, Surface>;
   const position = geometry.getAttribute("position");
   const index = geometry.getIndex();
   const count = index ? index.count : position.count;

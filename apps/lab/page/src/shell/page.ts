@@ -42,26 +42,30 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
   const legend = el("div", { class: "legend", hidden: true });
-  try {
-    const scene = new SceneView(store, intents, {
-      stage,
-      labels,
-      pickObject: (name) => editor.find(name),
-      topSpeed: (v) => drawLegend(legend, v),
-    });
-    sceneTools(columns.view, scene, store, intents, editor);
-  } catch (error) {
-    // Everything else works without it.
-    columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
-  }
-  columns.view.append(legend);
-  elementPanel(elements, store, intents, (name, kind) => editor.find(name, kind));
+  const version = () => shownRun(store.state)?.textVersion ?? null;
+  const startView = () => {
+    try {
+      const scene = new SceneView(store, intents, {
+        stage,
+        labels,
+        pickObject: (name, span) => editor.find(name, undefined, span, version()),
+        topSpeed: (v) => drawLegend(legend, v),
+      });
+      sceneTools(columns.view, scene, store, intents, editor);
+    } catch (error) {
+      // Everything else works without it.
+      columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
+    }
+    columns.view.append(legend);
+  };
+  elementPanel(elements, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()));
   transport(bottom, store, intents);
   new TimeBar(bottom, store, intents);
   globalKeys(intents, open);
   hints(columns, store);
   for (const name of COLUMNS) if (remembered(`closed.${name}`) === "yes") columns[name].classList.add("closed");
   watchMessage(message, store);
+  whenPainted(store, startView);
   store.watch((s) => [shownRun(s)?.layout, shownRun(s)?.title, isStale(s), inControl(s)], (s) => {
     const run = shownRun(s);
     root.dataset["layout"] = run?.layout || s.welcome?.layout || "columns";
@@ -69,6 +73,19 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
     root.classList.toggle("follows", !inControl(s));
     document.title = `${run?.title || s.welcome?.title || s.welcome?.file || "Armlet"} – laboratory`;
   });
+}
+
+// Starting to draw in space takes as long as all the rest: it begins when the rest has been painted, with the first run in it or
+// two seconds later.
+function whenPainted(store: Store, start: () => void): void {
+  let done = false;
+  const once = () => {
+    if (done) return;
+    done = true;
+    requestAnimationFrame(() => setTimeout(start));
+  };
+  store.watch((s) => [shownRun(s)?.described], (s) => shownRun(s)?.described && once());
+  setTimeout(once, 2000);
 }
 
 function toggle(column: HTMLElement, name: ColumnName): boolean {

@@ -7,6 +7,7 @@ import type { Intents } from "../store/intents.ts";
 import { shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { el, save, setText } from "./dom.ts";
+import { videoButton } from "./video.ts";
 import { viewCube } from "./view_cube.ts";
 
 const PRESETS: [Preset, string][] = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"], ["hand", "Hand"]];
@@ -38,6 +39,11 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     frames.setAttribute("aria-pressed", String(scene.showFrames));
     scene.redraw();
   } }, "Frames");
+  const torques: HTMLButtonElement = el("button", { class: "tiny", hidden: true, "aria-pressed": "false", title: "What the motors give, as shares of what they can give", onclick: () => {
+    scene.showTorques = torques.getAttribute("aria-pressed") === "false";
+    torques.setAttribute("aria-pressed", String(scene.showTorques));
+    scene.redraw();
+  } }, "Torques");
   const robots = el("select", { "aria-label": "Robot", hidden: true, onchange: () => {
     scene.active = Number(robots.value);
     scene.redraw();
@@ -49,9 +55,10 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
   host.append(el(
     "div", { class: "scene-tools", role: "toolbar", "aria-label": "3D view" },
     ...PRESETS.map(([preset, label]) => el("button", { class: "tiny", onclick: () => scene.look(preset) }, label)),
-    el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), frames, robots,
+    el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), frames, torques, robots,
     el("button", { class: "tiny", onclick: () => void picture() }, "PNG"),
     el("button", { class: "tiny", onclick: () => save("view.svg", new Blob([scene.drawing()], { type: "image/svg+xml" })) }, "SVG"),
+    videoButton(scene.canvas, store, intents),
   ));
   host.append(viewCube(scene));
   const where = el("output", { class: "where", "aria-label": "Hand" });
@@ -80,6 +87,8 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     const names = run?.robots.map((r) => r.name) ?? [];
     if (robots.options.length !== names.length) robots.replaceChildren(...names.map((name, i) => el("option", { value: i }, name)));
     robots.hidden = names.length < 2;
+    torques.hidden = !names.some((_, i) => run?.sharesAt(i, s.t).some((share) => share !== null));
+    torques.setAttribute("aria-pressed", String(scene.showTorques ?? run?.elements.some((row) => row.kind === "torques") ?? false));
     setText(where, pose ? `${names[scene.active] ?? ""} at ${pose.slice(0, 3).map((v) => (1000 * v).toFixed(1)).join(", ")} mm` : "");
     insertJ.hidden = insertC.hidden = !pose || !intents.live;
     setText(why, s.pull?.reason ?? "");

@@ -1,6 +1,6 @@
 // Messages of the laboratory into the state.
 import type { Incoming, IncomingOf } from "../protocol/messages.ts";
-import { ELEMENT_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
+import { ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
 import { Rows, Track } from "./rows.ts";
 import { grow, Run } from "./run.ts";
 import { shownRun, type State } from "./state.ts";
@@ -78,7 +78,8 @@ const handlers: Handlers = {
   },
   instant(state, message) {
     state.instant = message;
-    if (message.cursor && !state.playing) state.t = message.t;
+    // An answer to this page is about where it was when it asked: it may have gone on since.
+    if (message.cursor && !state.playing && typeof message.to !== "number") state.t = message.t;
   },
   breakpoints(state, message) {
     state.breakpoints = message.lines;
@@ -107,6 +108,8 @@ export function receiveRows(state: State, block: RowBlock): void {
     rowsIn(run.objectRows, block).add(block);
   } else if (block.kind === ELEMENT_ROWS && block.columns >= 2) {
     rowsIn(run.elementRows, block).add(block);
+  } else if (block.kind === FORCE_ROWS && block.columns >= 2) {
+    rowsIn(run.forceRows, block).add(block);
   }
   run.version++;
   showAnnounced(state);

@@ -1,6 +1,6 @@
 // A run as the messages that tell it, so that a page can show it again without a laboratory.
 import type { Recording } from "../home/recording.ts";
-import { ELEMENT_ROWS, OBJECT_ROWS, ROBOT_ROWS, writeRows } from "../protocol/rows.ts";
+import { ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, writeRows } from "../protocol/rows.ts";
 import type { Rows } from "./rows.ts";
 import type { Run } from "./run.ts";
 import type { State } from "./state.ts";
@@ -37,6 +37,7 @@ export function recordingOf(state: State, run: Run): Recording {
     ...run.tracks.flatMap((rows, i) => (rows?.count ? [rowsMessage(id, ROBOT_ROWS, i, rows)] : [])),
     ...[...run.objectRows].map(([i, rows]) => rowsMessage(id, OBJECT_ROWS, i, rows)),
     ...[...run.elementRows].map(([i, rows]) => rowsMessage(id, ELEMENT_ROWS, i, rows)),
+    ...[...run.forceRows].map(([i, rows]) => rowsMessage(id, FORCE_ROWS, i, rows)),
     { type: "shown", run: id },
   ];
 }

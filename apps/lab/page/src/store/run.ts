@@ -8,6 +8,9 @@ export interface Figure {
   svg: string;
 }
 
+// A share of what a motor can give from which on it is near its limit.
+export const NEAR = 0.8;
+
 export class Run {
   readonly id: number;
   state: M.RunState = "running";
@@ -32,6 +35,7 @@ export class Run {
   tracks: Track[] = [];
   objectRows = new Map<number, Rows>();
   elementRows = new Map<number, Rows>();
+  forceRows = new Map<number, Rows>();
   // Values of elements at the time for which they were asked last.
   values: Record<string, M.ElementValue> = {};
   valuesAt = -1;
@@ -59,6 +63,18 @@ export class Run {
     if (!info) return null;
     const track = this.tracks[robot];
     return track?.count ? track.toolAt(t) : matrixPose(toolFrame(info, info.home, this.changeAt(robot, t)));
+  }
+
+  // What the motors of a robot give at t, N m or N; null: its masses are not known.
+  forcesAt(robot: number, t: number): number[] | null {
+    const rows = this.forceRows.get(robot);
+    return rows?.count ? rows.between(t, 1, rows.columns - 1) : null;
+  }
+
+  // The same as shares of what they can give; null where nobody knows that.
+  sharesAt(robot: number, t: number): (number | null)[] {
+    const joints = this.robots[robot]?.joints ?? [];
+    return (this.forcesAt(robot, t) ?? []).map((force, k) => (joints[k]?.max_force ? force / joints[k].max_force : null));
   }
 
   // The pose of an object, or null while it does not exist.
