@@ -3,6 +3,7 @@
 import type { ObjectInfo } from "../protocol/messages.ts";
 import { poseMatrix } from "../store/kinematics.ts";
 import type { Run } from "../store/run.ts";
+import { halfExtents, isRound } from "../store/shapes.ts";
 
 const TAKES = 0.15; // s of a picture before the grasp and after the release
 
@@ -10,10 +11,11 @@ const TAKES = 0.15; // s of a picture before the grasp and after the release
 export function extent(object: ObjectInfo, pose: readonly number[], along: readonly [number, number, number]): number {
   const m = poseMatrix(pose);
   const inside = [0, 4, 8].map((c) => Math.abs(m[c]! * along[0] + m[c + 1]! * along[1] + m[c + 2]! * along[2])) as [number, number, number];
-  const [a = 0, b = 0, c = 0] = object.size;
-  if (object.shape === "sphere") return 2 * a;
-  if (object.shape === "cylinder") return 2 * a * Math.hypot(inside[0], inside[1]) + b * inside[2];
-  return a * inside[0] + b * inside[1] + c * inside[2];
+  const [x, y, z] = halfExtents(object);
+  if (object.shape === "sphere") return 2 * x;
+  if (!isRound(object)) return 2 * (x * inside[0] + y * inside[1] + z * inside[2]);
+  const radius = object.shape === "cone" ? x / 2 : x; // where the frame is
+  return 2 * (radius * Math.hypot(inside[0], inside[1]) + z * inside[2]);
 }
 
 // What a robot holds at t or is about to take or has just given, and how much of the way the fingers have closed: 0 to 1.

@@ -1,5 +1,5 @@
 // The objects of the world at an instant.
-import { BufferGeometry, Color, CylinderGeometry, Group, Mesh, SphereGeometry } from "three";
+import { BufferGeometry, Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, Mesh, PlaneGeometry, SphereGeometry } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import type { ObjectInfo } from "../protocol/messages.ts";
 import { poseMatrix } from "../store/kinematics.ts";
@@ -10,6 +10,8 @@ function geometryOf(object: ObjectInfo): BufferGeometry {
   const [a = 0.04, b = 0.04, c = 0.04] = object.size;
   if (object.shape === "sphere") return new SphereGeometry(a, 48, 32);
   if (object.shape === "cylinder") return new CylinderGeometry(a, a, b, 64).rotateX(Math.PI / 2);
+  if (object.shape === "cone") return new ConeGeometry(a, b, 64).rotateX(Math.PI / 2);
+  if (object.shape === "plane") return new PlaneGeometry(a, b);
   return new RoundedBoxGeometry(a, b, c, 2, Math.min(0.003, 0.06 * Math.min(a, b, c)));
 }
 
@@ -49,6 +51,7 @@ export class ObjectsView {
     this.shown = objects;
     this.meshes = objects.map((object) => {
       const material = surface(this.plain, colorOf(object.color), 0.72);
+      if (object.shape === "plane") material.side = DoubleSide;
       const mesh = new Mesh(geometryOf(object), material);
       mesh.matrixAutoUpdate = false;
       mesh.castShadow = true;

@@ -4,6 +4,7 @@ import type { Intents } from "../store/intents.ts";
 import type { Span } from "../protocol/messages.ts";
 import { matrixPose, poseMatrix, toolFrame } from "../store/kinematics.ts";
 import { NEAR, type Run } from "../store/run.ts";
+import { halfExtents, isRound } from "../store/shapes.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { ArmView } from "./arm.ts";
@@ -227,9 +228,7 @@ export class SceneView {
     const feet = this.arms.flatMap((arm) => arm.footprints());
     const objects = run.objects.flatMap((object, i) => {
       const pose = run.objectAt(i, t);
-      const [a = 0, b = a, c = a] = object.size;
-      const half: [number, number, number] = object.shape === "box" ? [a / 2, b / 2, c / 2] : object.shape === "cylinder" ? [a, a, b / 2] : [a, a, a];
-      return pose ? [footprintOf(poseMatrix(pose), half, object.shape !== "box")] : [];
+      return pose ? [footprintOf(poseMatrix(pose), halfExtents(object), isRound(object))] : [];
     });
     return [...feet, ...objects];
   }

@@ -1,0 +1,23 @@
+// What the shapes of objects measure; their sizes are those of the protocol.
+import type { ObjectInfo } from "../protocol/messages.ts";
+
+// From the middle to the sides along the axes of the object, m.
+export function halfExtents(object: ObjectInfo): [number, number, number] {
+  const [a = 0, b = a, c = a] = object.size;
+  switch (object.shape) {
+    case "box":
+      return [a / 2, b / 2, c / 2];
+    case "plane":
+      return [a / 2, b / 2, 0];
+    case "cylinder":
+    case "cone":
+      return [a, a, b / 2];
+    default:
+      return [a, a, a];
+  }
+}
+
+// Whether it looks the same from all sides.
+export function isRound(object: ObjectInfo): boolean {
+  return object.shape !== "box" && object.shape !== "plane";
+}
