@@ -105,7 +105,8 @@ void tell(const VelocityStart& start, const Vector6d& twist, double taking_up, d
   row("twist", twist);
   text << "\nduring " << start.during;
   if (start.fastest) text << " fastest " << start.fastest->v << " " << start.fastest->w;
-  MESSAGE(100.0 * taking_up << " %, stopping " << 100.0 * stopping << " %" << text.str());
+  MESSAGE("above by " << 100.0 * taking_up << " %, stopping " << 100.0 * stopping << " %"
+                      << text.str());
 }
 
 // Random velocities one after another. The largest ones still being taken up are counted here, not
