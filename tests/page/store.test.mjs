@@ -125,9 +125,12 @@ test("an object is there from its appearance to its removal, and who holds it is
 test("the cursor of another page moves the instant; an answer to an own question does not take it back", () => {
   const state = told(welcome, ...shown(1));
   const instant = { type: "instant", run: 1, t: 0.5, cursor: true, line: 2, variables: [] };
+  state.lookedAt = 0.5;
   receive(state, { ...instant, to: 7 });
   assert.equal(state.t, 2);
   assert.equal(state.instant.t, 0.5);
+  receive(state, { ...instant, t: 1.5, to: 8 }); // of a step
+  assert.equal(state.t, 1.5);
   receive(state, { ...instant, to: null });
   assert.equal(state.t, 0.5);
 });

@@ -288,6 +288,7 @@ export class Intents {
     const instant = this.state.instant;
     if (instant && instant.run === shown && Math.abs(instant.t - t) < 1e-9) return;
     this.asking = true;
+    this.state.lookedAt = t;
     this.askedFor = key;
     this.askedAt = now;
     this.connection

@@ -78,8 +78,9 @@ const handlers: Handlers = {
   },
   instant(state, message) {
     state.instant = message;
-    // An answer to this page is about where it was when it asked: it may have gone on since.
-    if (message.cursor && !state.playing && typeof message.to !== "number") state.t = message.t;
+    // The answer to a look is about where this page was when it asked: it may have gone on since. A step moves it.
+    const isLook = typeof message.to === "number" && message.t === state.lookedAt;
+    if (message.cursor && !state.playing && !isLook) state.t = message.t;
   },
   breakpoints(state, message) {
     state.breakpoints = message.lines;

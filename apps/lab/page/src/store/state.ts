@@ -32,6 +32,8 @@ export interface State {
   ghost: number | null;
   comparison: M.Comparison | null;
   t: number;
+  // The instant about which this page has asked last.
+  lookedAt: number | null;
   playing: boolean;
   speed: number;
   hover: Hover;
@@ -64,6 +66,7 @@ export function initialState(): State {
     ghost: null,
     comparison: null,
     t: 0,
+    lookedAt: null,
     playing: false,
     speed: 1,
     hover: null,
