@@ -3,10 +3,11 @@
 namespace armlet {
 
 // Whether a sanitizer watches, which makes everything many times slower.
+inline constexpr bool kSanitized =
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kSanitized = true;
+    true;
 #else
-inline constexpr bool kSanitized = false;
+    false;
 #endif
 
 }  // namespace armlet
