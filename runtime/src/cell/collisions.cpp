@@ -128,7 +128,9 @@ class CellScene {
       if (!moves && mine_.solids[i].still) continue;
       if (is_taken && !carried && takes_hold(arm_, mine_.solids[i])) continue;
       if (carried && holds(name_of_other, mine_.bodies[i].object)) continue;
-      const bool leaving = carried || is_feeler(arm_, mine_.bodies[i].frame, mine_.bodies[i].role);
+      const bool touches = !name_of_other.object.empty() &&
+                           is_feeler(arm_, mine_.bodies[i].frame, mine_.bodies[i].role);
+      const bool leaving = carried || touches;
       scene_.pairs.push_back({.a = {0, static_cast<int>(i)}, .b = other, .leaving = leaving});
     }
   }

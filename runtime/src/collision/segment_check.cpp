@@ -13,6 +13,8 @@ namespace {
 constexpr double kTouching = -0.8e-4;    // m, what may touch: together with its grain not yet kSoft
 constexpr double kTouchingGrain = 2e-5;  // m
 constexpr double kLeft = 1e-3;           // m, as far as this what was lying on something still does
+constexpr double kPressed =
+    0.010;  // m: what is deeper in something does not just lie on it or touch it
 constexpr std::uint64_t kLookCost = 600;  // operations of a position, and of each pair there
 constexpr std::uint64_t kPairCost = 40;
 
@@ -67,7 +69,7 @@ void SegmentCheck::keep_less_at(const Eigen::VectorXd& end) {
     const Solid &a = pose_->pose.body(pair.a), &b = pose_->pose.body(pair.b);
     if (is_farther(a, b, 2.0 * std::max(keep_[i], 0.0))) continue;
     const double gap = gap_between(a, b).distance;
-    if (pair.leaving && gap < kLeft) {
+    if (pair.leaving && gap < kLeft && gap > -kPressed) {
       keep_[i] = std::min({keep_[i], kTouching, gap - kTouchingGrain});
     } else if (gap >= -kSoft) {
       const double half = 0.5 * gap;
